@@ -1,0 +1,19 @@
+# voluta_module(NAME SOURCES a.cpp ... LINK voluta::base ... PRIVATE_LINK lib ...)
+# A static library voluta_NAME (alias voluta::NAME) whose headers are included as "NAME/file.h".
+# Third-party headers count as system headers, so that only our own code is held to the warnings.
+function(voluta_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(voluta_${name} STATIC ${ARG_SOURCES})
+  add_library(voluta::${name} ALIAS voluta_${name})
+  target_include_directories(voluta_${name} PUBLIC ${CMAKE_SOURCE_DIR}/core)
+  target_link_libraries(voluta_${name} PUBLIC ${ARG_LINK} PRIVATE voluta_flags ${ARG_PRIVATE_LINK})
+endfunction()
+
+# voluta_test(NAME SOURCES a.cpp ... LINK voluta::geometry ...): bin/test_NAME, one ctest a case.
+function(voluta_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(test_${name} ${ARG_SOURCES})
+  target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_link_libraries(test_${name} PRIVATE ${ARG_LINK} voluta_flags GTest::gtest_main GTest::gmock)
+  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+endfunction()

@@ -1,0 +1,133 @@
+#include "base/files.h"
+
+#include "base/error.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
+namespace voluta::base {
+
+namespace fs = std::filesystem;
+
+namespace {
+Error cannotWrite(const fs::path& path, const std::string& why) {
+  return Error(ErrorCode::CannotWrite, "cannot be written: " + why, path.string());
+}
+
+std::string systemReason(int code) { return std::strerror(code); }
+
+// Names of what this process has staged: unique beside other processes and within this one.
+fs::path siblingOf(const fs::path& path) {
+  fs::path target = path;
+  if (!target.has_filename())
+    target = target.parent_path();
+  fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
+  std::string pattern =
+      (folder / fmt::format(".{}.XXXXXX", target.filename().string())).string();
+  if (!::mkdtemp(pattern.data()))
+    throw cannotWrite(path, systemReason(errno));
+  return pattern;
+}
+} // namespace
+
+std::string readFile(const fs::path& path) {
+  std::error_code status;
+  if (!fs::exists(path, status))
+    throw Error(ErrorCode::UnreadableFile, "no such file", path.string());
+  if (fs::is_directory(path, status))
+    throw Error(ErrorCode::UnreadableFile, "is a directory, not a file", path.string());
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    throw Error(ErrorCode::UnreadableFile, "cannot be read: " + systemReason(errno),
+                path.string());
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  if (in.bad())
+    throw Error(ErrorCode::UnreadableFile, "cannot be read to its end", path.string());
+  return std::move(bytes).str();
+}
+
+void writeFile(const fs::path& path, std::string_view bytes) {
+  const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
+  std::string temporary = (folder / fmt::format(".{}.XXXXXX", path.filename().string())).string();
+  const int descriptor = ::mkstemp(temporary.data());
+  if (descriptor < 0)
+    throw cannotWrite(path, systemReason(errno));
+  const auto giveUp = [&](int code) {
+    ::close(descriptor);
+    ::unlink(temporary.c_str());
+    throw cannotWrite(path, systemReason(code));
+  };
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t n = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n < 0)
+      giveUp(errno);
+    done += static_cast<std::size_t>(n);
+  }
+  if (::fsync(descriptor) != 0)
+    giveUp(errno);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(descriptor, 0666 & ~mask);
+  if (::close(descriptor) != 0 || ::rename(temporary.c_str(), path.c_str()) != 0) {
+    const int code = errno;
+    ::unlink(temporary.c_str());
+    throw cannotWrite(path, systemReason(code));
+  }
+}
+
+StagedFolder::StagedFolder(fs::path target) : target_(std::move(target)) {
+  std::error_code status;
+  if (fs::exists(target_, status) && !fs::is_directory(target_, status))
+    throw cannotWrite(target_, "it is a file, not a folder");
+  if (fs::is_directory(target_, status) && ::access(target_.c_str(), W_OK | X_OK) != 0)
+    throw cannotWrite(target_, systemReason(errno));
+  staging_ = siblingOf(target_);
+}
+
+StagedFolder::~StagedFolder() {
+  std::error_code ignored;
+  fs::remove_all(staging_, ignored);
+}
+
+void StagedFolder::commit() {
+  std::error_code status;
+  std::vector<fs::path> entries;
+  for (const fs::directory_entry& entry : fs::directory_iterator(staging_))
+    entries.push_back(entry.path());
+  fs::create_directories(target_, status);
+  if (status)
+    throw cannotWrite(target_, status.message());
+  for (const fs::path& entry : entries) {
+    const fs::path place = target_ / entry.filename();
+    if (fs::is_directory(place, status))
+      fs::remove_all(place, status);
+    fs::rename(entry, place, status);
+    if (status)
+      throw cannotWrite(place, status.message());
+  }
+}
+
+fs::path resourceFolder() {
+  if (const char* chosen = std::getenv("VOLUTA_RESOURCES"))
+    return chosen;
+  std::error_code status;
+  const fs::path self = fs::read_symlink("/proc/self/exe", status);
+  const fs::path folder = self.parent_path().parent_path() / "share" / "voluta";
+  if (!fs::is_directory(folder, status))
+    throw Error(ErrorCode::UnreadableFile, "the program's data folder is missing", folder.string(),
+                "set VOLUTA_RESOURCES");
+  return folder;
+}
+
+} // namespace voluta::base

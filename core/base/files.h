@@ -1,0 +1,41 @@
+// Files that are written whole or not at all, and read with clear errors.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace voluta::base {
+
+// The bytes of a file. Throws Error{UnreadableFile}: missing, a directory, unreadable.
+std::string readFile(const std::filesystem::path& path);
+
+// Writes to a sibling temporary and renames it over `path`. Throws Error{CannotWrite}; then `path`
+// is as it was.
+void writeFile(const std::filesystem::path& path, std::string_view bytes);
+
+// A folder filled out of sight. Files are written into path(); commit() moves each of them into
+// `target` by rename and returns; without it the destructor removes them and `target` is as it
+// was (a target made by this object is removed again). The staging folder is a sibling of target,
+// so renames stay on one file system.
+class StagedFolder {
+public:
+  // Throws Error{CannotWrite}: the target is a file, or cannot be made or written.
+  explicit StagedFolder(std::filesystem::path target);
+  ~StagedFolder();
+  StagedFolder(const StagedFolder&) = delete;
+  StagedFolder& operator=(const StagedFolder&) = delete;
+
+  const std::filesystem::path& path() const { return staging_; }
+  // Throws Error{CannotWrite}.
+  void commit();
+
+private:
+  std::filesystem::path target_, staging_;
+};
+
+// Folder of the program's data (robots/, cells/, processes/): VOLUTA_RESOURCES if set, else
+// ../share/voluta beside the running program. Throws Error{UnreadableFile} when there is none.
+std::filesystem::path resourceFolder();
+
+} // namespace voluta::base

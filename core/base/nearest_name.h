@@ -1,0 +1,14 @@
+// "Did you mean ...?" for unknown names.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::base {
+
+// The candidate with the least edit distance to `word` (case ignored; first of equals), or an
+// empty string when there are no candidates.
+std::string nearestName(std::string_view word, const std::vector<std::string>& candidates);
+
+} // namespace voluta::base

@@ -1,0 +1,52 @@
+#include "base/parallel.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <exception>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace voluta::base {
+
+void parallelChunks(const RunContext& ctx, std::size_t count, std::size_t grain,
+                    const std::function<void(std::size_t, std::size_t)>& body) {
+  require(grain > 0, "parallelChunks: grain > 0");
+  const std::size_t chunks = (count + grain - 1) / grain;
+  const auto runChunk = [&](std::size_t c) {
+    body(c * grain, std::min(count, (c + 1) * grain));
+  };
+  ctx.checkpoint();
+  if (ctx.threads() == 1 || chunks <= 1) {
+    for (std::size_t c = 0; c < chunks; ++c) {
+      ctx.checkpoint();
+      runChunk(c);
+    }
+    return;
+  }
+  std::vector<std::exception_ptr> failed(chunks);
+  oneapi::tbb::task_arena arena(ctx.threads());
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(
+        oneapi::tbb::blocked_range<std::size_t>(0, chunks, 1),
+        [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t c = range.begin(); c != range.end(); ++c) {
+            if (ctx.cancelled())
+              return;
+            try {
+              runChunk(c);
+            } catch (...) {
+              failed[c] = std::current_exception();
+            }
+          }
+        },
+        oneapi::tbb::simple_partitioner());
+  });
+  ctx.checkpoint();
+  for (const std::exception_ptr& e : failed)
+    if (e)
+      std::rethrow_exception(e);
+}
+
+} // namespace voluta::base

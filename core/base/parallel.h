@@ -1,0 +1,32 @@
+// The one place where work is spread over threads (TBB behind it).
+#pragma once
+
+#include "base/run_context.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace voluta::base {
+
+// Calls body(begin, end) for consecutive chunks of [0, count), each `grain` long but the last,
+// on up to ctx.threads() threads. The chunks do not depend on the number of threads, so results
+// written per index or per chunk are the same for any. Checks for cancel between chunks and
+// throws Cancelled; the first exception (by chunk order where several) leaves through here.
+void parallelChunks(const RunContext& ctx, std::size_t count, std::size_t grain,
+                    const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+// Sum of body(begin, end) over the chunks, added in chunk order: the same for any thread count.
+template <typename T>
+T parallelSum(const RunContext& ctx, std::size_t count, std::size_t grain, T zero,
+              const std::function<T(std::size_t begin, std::size_t end)>& body) {
+  std::vector<T> partial(grain == 0 ? 0 : (count + grain - 1) / grain, zero);
+  parallelChunks(ctx, count, grain,
+                 [&](std::size_t b, std::size_t e) { partial[b / grain] = body(b, e); });
+  T total = zero;
+  for (const T& p : partial)
+    total += p;
+  return total;
+}
+
+} // namespace voluta::base

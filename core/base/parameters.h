@@ -1,0 +1,90 @@
+// Parameters declared once: form, validation, project file, command line and manual come from the
+// same table (DESIGN §3). A module exports its table and turns values into a typed struct.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace voluta::base {
+
+using ParameterValue = std::variant<double, long long, bool, std::string>;
+
+enum class ParameterType { Number, Integer, Boolean, Choice, Text };
+
+struct ParameterSpec {
+  std::string key;  // unique over all tables, camelCase
+  ParameterType type = ParameterType::Number;
+  std::string unit; // "mm", "mm/s", "deg", "" for none
+  ParameterValue defaultValue;
+  double minimum = 0.0, maximum = 0.0; // inclusive; Number and Integer
+  std::vector<std::string> choices;    // Choice
+  std::string group;                   // heading in the form
+  std::string label;                   // a few words
+  std::string help;                    // one sentence or two
+  bool simple = false;                 // shown in the simple form too
+};
+
+ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue, double minimum,
+                              double maximum, std::string group, std::string label,
+                              std::string help, bool simple = false);
+ParameterSpec integerParameter(std::string key, long long defaultValue, long long minimum,
+                               long long maximum, std::string group, std::string label,
+                               std::string help, bool simple = false);
+ParameterSpec booleanParameter(std::string key, bool defaultValue, std::string group,
+                               std::string label, std::string help, bool simple = false);
+ParameterSpec choiceParameter(std::string key, std::string defaultValue,
+                              std::vector<std::string> choices, std::string group,
+                              std::string label, std::string help, bool simple = false);
+
+class ParameterTable {
+public:
+  ParameterTable() = default;
+  // Throws Error{Internal} when two specs share a key.
+  explicit ParameterTable(std::vector<ParameterSpec> specs);
+
+  const std::vector<ParameterSpec>& specs() const { return specs_; }
+  // nullptr when there is no such key.
+  const ParameterSpec* find(std::string_view key) const;
+  // Appends another module's table. Throws Error{Internal} on a shared key.
+  void append(const ParameterTable& other);
+
+private:
+  std::vector<ParameterSpec> specs_;
+};
+
+// The value of `text` for `spec`. Throws Error{Usage} that names the key and its range, choices or
+// type, and for a wrong choice the nearest one.
+ParameterValue parseParameter(const ParameterSpec& spec, std::string_view text);
+std::string formatParameter(const ParameterValue& value);
+
+// Values by key over one table; a key that was not set has its default.
+class ParameterValues {
+public:
+  explicit ParameterValues(ParameterTable table) : table_(std::move(table)) {}
+
+  const ParameterTable& table() const { return table_; }
+  // Throws Error{Usage}: an unknown key (the nearest is named), a wrong value.
+  void set(std::string_view key, std::string_view text);
+  // "key=value", as on the command line.
+  void setAssignment(std::string_view assignment);
+
+  bool changed(std::string_view key) const;
+  const std::map<std::string, ParameterValue, std::less<>>& changes() const { return changed_; }
+
+  // Precondition (Error{Internal}): the key exists and has that type. number() takes integers too.
+  double number(std::string_view key) const;
+  long long integer(std::string_view key) const;
+  bool boolean(std::string_view key) const;
+  std::string text(std::string_view key) const;
+
+private:
+  const ParameterValue& value(std::string_view key) const;
+
+  ParameterTable table_;
+  std::map<std::string, ParameterValue, std::less<>> changed_;
+};
+
+} // namespace voluta::base

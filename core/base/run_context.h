@@ -1,0 +1,55 @@
+// What a running stage knows of the world: progress, cancel, threads (DESIGN §3).
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace voluta::base {
+
+// A sticky flag, made fresh for each run and shared with whoever may cancel it.
+class CancelToken {
+public:
+  CancelToken() : flag_(std::make_shared<std::atomic<bool>>(false)) {}
+  void cancel() const noexcept { flag_->store(true, std::memory_order_relaxed); }
+  bool cancelled() const noexcept { return flag_->load(std::memory_order_relaxed); }
+
+private:
+  std::shared_ptr<std::atomic<bool>> flag_;
+};
+
+// Progress of the whole run: fraction in [0,1] and the name of what is being done. Called from
+// the thread that runs the stage, never from workers.
+using ProgressSink = std::function<void(double fraction, std::string_view what)>;
+
+// A small value, passed to every stage as const&. Copies share the cancel token and the sink.
+class RunContext {
+public:
+  // Silent, never cancelled, one thread: for tests and small calls.
+  RunContext() = default;
+  // threads >= 1.
+  RunContext(CancelToken cancel, int threads, ProgressSink sink = {});
+
+  int threads() const { return threads_; }
+
+  // For inner loops: cheap, to be asked at least every 50 ms.
+  bool cancelled() const noexcept { return cancel_.cancelled(); }
+  // Throws Cancelled once the run was cancelled.
+  void checkpoint() const;
+
+  // Reports `fraction` in [0,1] of this context's own span, and checkpoints.
+  void report(double fraction, std::string_view what) const;
+
+  // A context for a part of the work that covers [lo, hi] of this one's span.
+  RunContext sub(double lo, double hi) const;
+
+private:
+  CancelToken cancel_;
+  int threads_ = 1;
+  double lo_ = 0.0, hi_ = 1.0;
+  ProgressSink sink_;
+};
+
+} // namespace voluta::base

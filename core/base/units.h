@@ -1,0 +1,15 @@
+// mm, radians and seconds everywhere inside; other units only in readers, writers and forms.
+#pragma once
+
+#include <numbers>
+
+namespace voluta::base {
+
+inline constexpr double kPi = std::numbers::pi;
+
+constexpr double degreesToRadians(double degrees) { return degrees * kPi / 180.0; }
+constexpr double radiansToDegrees(double radians) { return radians * 180.0 / kPi; }
+constexpr double metresToMm(double metres) { return metres * 1000.0; }
+constexpr double mmToMetres(double mm) { return mm / 1000.0; }
+
+} // namespace voluta::base

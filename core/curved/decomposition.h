@@ -1,0 +1,34 @@
+// What curved mode decides about a part's solid voxels, before layers are cut from it.
+#pragma once
+
+#include "plan/finding.h"
+#include "voxel/voxel_grid.h"
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace voluta::curved {
+
+// Flat arrays over grid.cellCount() cells.
+struct Decomposition {
+  voxel::VoxelGrid grid;
+  std::vector<std::int32_t> rank; // 0 outside, n >= 1 its layer in growth order, -1 missed
+  std::vector<float> field;       // level of a printed voxel's centre, mm above the platform along
+                                  // the growth: layer L covers [L h, (L + 1) h). NaN elsewhere.
+                                  // Empty where the scheme gives ranks only (plain greedy): then
+                                  // level = (rank - 1/2) * pitch.
+  std::vector<Eigen::Vector3f> frontNormal; // outward normal of the convex front through the voxel
+                                            // when it is laid: a direction in which a flat head
+                                            // clears all that is earlier. Zero outside.
+  std::vector<Eigen::Vector2d> platform;    // convex polygon (counter-clockwise) material starts on
+  std::string growth;                       // scheme that made it
+  std::size_t voxels = 0;
+  int layers = 0; // distinct ranks
+  std::size_t missedVoxels = 0, shadowedVoxels = 0, unreachedVoxels = 0; // missed = shadowed + unreached
+  plan::Findings findings; // groups of missed voxels: where, how many, why, what would help
+  struct { double peel = 0, grow = 0, smooth = 0; } seconds;
+};
+
+} // namespace voluta::curved

@@ -1,0 +1,31 @@
+// What every mode ends in: ordered layers of patches (DESIGN §3). From here on there is one road.
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voluta::layers {
+
+// The mid-surface of material laid in one go: a triangle surface, connected, with its boundary on
+// the part. The nozzle tip runs at vertex + 1/2 thickness * direction. Triangles are
+// counter-clockwise seen against `direction` (from the side of the nozzle).
+struct Patch {
+  geometry::TriangleMesh surface;
+  std::vector<double> thicknessMm;        // per vertex, > 0
+  std::vector<Eigen::Vector3d> direction; // per vertex, unit: the normal of the layer, from earlier
+                                          // layers outwards; material grows along it
+  std::vector<Eigen::Vector3d> clearDirection; // per vertex, unit: a direction in which the head
+                                               // clears what is printed earlier (front normal)
+  int layer = 0; // level it was cut from, 0 is on the platform
+  int group = 0; // piece or component
+};
+
+// Patches in print order: a patch comes after what supports it.
+struct LayerStack {
+  std::vector<Patch> patches;
+  int layerCount = 0;
+};
+
+} // namespace voluta::layers

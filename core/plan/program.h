@@ -1,0 +1,61 @@
+// A robot program as data: what a writer makes and what a reader finds in its text.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace voluta::plan {
+
+struct ProgramFile {
+  std::string name; // file name without folder
+  std::string text;
+};
+
+struct Program {
+  std::string format;   // id in the dialect registry
+  bool foreign = false; // Cartesian, for a controller that is not the cell's own
+  std::vector<ProgramFile> files; // to be run in this order
+};
+
+// What a motion's target is given in.
+enum class TargetKind {
+  Joints,      // joint values, radians
+  FlangePose,  // base_T_tcp with the TCP that the program sets (flange_T_tcp)
+  ToolPoint    // nozzle tip and direction in the work frame (5 degrees of freedom)
+};
+
+// One motion of a program that was read back.
+struct ProgramMotion {
+  std::size_t file = 0; // index in Program::files
+  std::size_t line = 0; // 1-based
+  TargetKind target = TargetKind::Joints;
+  bool jointInterpolated = false;          // between targets: joints linear, else straight
+  std::vector<double> joints;              // Joints
+  Eigen::Isometry3d base_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();           // ToolPoint, mm
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();         // ToolPoint, unit
+  double speedMmPerS = 0.0;    // Cartesian speed of this motion; 0: not given
+  double jointSpeedRadPerS = 0.0; // joint motions; 0: not given
+  double blendMm = 0.0;        // radius of the blend at its end
+  bool extruding = false;      // is the extruder on during this motion
+  double flowMm3PerS = 0.0;    // flow while extruding, where the dialect gives a rate
+  double volumeMm3 = -1.0;     // material of this motion, where the dialect gives amounts; else -1
+};
+
+// Something in the text that the reader could not make sense of, or that is missing at its end.
+struct ProgramDefect {
+  std::size_t file = 0, line = 0; // 1-based
+  std::string reason;
+};
+
+struct ReadProgram {
+  std::string format;
+  Eigen::Isometry3d flange_T_tcp = Eigen::Isometry3d::Identity(); // as the program sets it
+  std::vector<ProgramMotion> motions;
+  bool complete = false; // its end sequence was found
+  std::vector<ProgramDefect> defects;
+};
+
+} // namespace voluta::plan

@@ -1,0 +1,33 @@
+// Beads to lay, independent of any robot: flat arrays, a million waypoints and more.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace voluta::plan {
+
+enum class PathKind : std::uint8_t { Wall, Infill, GapFill, Skirt, Support };
+
+// One bead laid without lifting: waypoints [first, first + count), count >= 2.
+// A closed path repeats its first waypoint at its end.
+struct ToolPath {
+  std::size_t first = 0, count = 0;
+  PathKind kind = PathKind::Wall;
+  int layer = 0, patch = 0, group = 0;
+  bool closed = false;
+};
+
+// All in the work frame: origin at the centre of the platform's top, z out of it. mm.
+struct ToolPlan {
+  std::vector<Eigen::Vector3d> position;  // the nozzle's tip: top of the bead
+  std::vector<Eigen::Vector3d> direction; // unit, from the bead into the nozzle
+  std::vector<float> widthMm, heightMm;   // the bead's section there (process/bead_model.h)
+  std::vector<float> speedMmPerS;         // wanted on the segment that arrives here
+  std::vector<ToolPath> paths;            // in print order; together they cover all waypoints once
+
+  std::size_t waypointCount() const { return position.size(); }
+};
+
+} // namespace voluta::plan

@@ -1,0 +1,29 @@
+// Section of a laid bead: a rectangle with half-round ends (Castelli 2.1.1).
+#pragma once
+
+#include <numbers>
+
+namespace voluta::process {
+
+// 1 - pi/4: what the round ends lack of the rectangle, per height squared.
+inline constexpr double kRoundLoss = 1.0 - std::numbers::pi / 4.0;
+
+// mm2. Preconditions: 0 < height <= width.
+constexpr double beadArea(double widthMm, double heightMm) {
+  return widthMm * heightMm - kRoundLoss * heightMm * heightMm;
+}
+// Distance of neighbouring beads at which their overlap fills the gaps between their round ends:
+// hatch * height = area. mm.
+constexpr double hatchOf(double widthMm, double heightMm) {
+  return widthMm - kRoundLoss * heightMm;
+}
+// Inverse of hatchOf in the width.
+constexpr double widthOfHatch(double hatchMm, double heightMm) {
+  return hatchMm + kRoundLoss * heightMm;
+}
+// Width of the bead of a given section area. Precondition: height > 0.
+constexpr double widthOfArea(double areaMm2, double heightMm) {
+  return areaMm2 / heightMm + kRoundLoss * heightMm;
+}
+
+} // namespace voluta::process

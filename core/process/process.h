@@ -1,0 +1,46 @@
+// How a material is laid: nozzle, head, bead limits, speeds (resources/processes/*.json).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace voluta::process {
+
+// The head as a body of revolution about the nozzle's axis: frusta between consecutive sections.
+// z runs from the tip (0) up into the head, against the direction of extrusion. mm.
+struct HeadSection {
+  double zMm = 0.0, radiusMm = 0.0;
+};
+struct HeadShape {
+  std::vector<HeadSection> sections; // z strictly increasing, or equal for a step; first z = 0
+};
+// The head shrunk by `toleranceMm`: radii less by it (not below 0), raised by it. What planner and
+// replay both call a collision is this solid meeting printed material.
+HeadShape erodedHead(const HeadShape& head, double toleranceMm);
+
+struct Process {
+  std::string id, label;
+  double nozzleDiameterMm = 1.0;
+  double layerHeightMm = 0.8, layerHeightMinMm = 0.4, layerHeightMaxMm = 1.0;
+  double beadWidthMm = 1.2, beadWidthMinMm = 1.0, beadWidthMaxMm = 2.0;
+  double stepMm = 1.0;           // distance of waypoints along a path
+  double speedMmPerS = 20.0, travelSpeedMmPerS = 100.0;
+  double accelerationMmPerS2 = 500.0;
+  double contactToleranceMm = 0.4; // the head may be this deep in soft, rounded beads: contact,
+                                   // not collision
+  double maxFlowMm3PerS = 40.0;    // flow at the analogue output's full scale
+  double primeS = 0.2;             // extruder runs this long before a path moves
+  std::string material = "PLA";
+  double densityGPerCm3 = 1.24;
+  HeadShape head;
+};
+
+// Throws Error{UnreadableFile, UnusableInput} naming file and key.
+Process readProcess(const std::filesystem::path& file);
+// Ids of the processes in resourceFolder()/processes, sorted.
+std::vector<std::string> processIds();
+// Throws Error{Usage} for an unknown id, naming the nearest.
+Process loadProcess(const std::string& id);
+
+} // namespace voluta::process

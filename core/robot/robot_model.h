@@ -1,0 +1,62 @@
+// A robot: a JSON file of numbers and a kinematic family that knows closed-form inverses.
+// Sources: references on kinematics and check values are named in each family's file.
+#pragma once
+
+#include "robot/body.h"
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace voluta::robot {
+
+// Joint values, radians (mm for sliding joints); external axes follow the robot's own.
+using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 8, 1>;
+
+struct JointLimits {
+  double min, max;       // rad
+  double velocity;       // rad/s
+  double acceleration;   // rad/s2; assumed where the maker publishes none
+};
+
+// Closed-form kinematics of one family (UR, ortho-parallel, ...). Stateless after construction.
+class Kinematics {
+public:
+  virtual ~Kinematics() = default;
+  virtual int dof() const = 0;
+  // Poses of the links' frames, base first, flange last: dof() + 2 entries
+  // (base, link 1 ... link dof, flange), in the controller's base frame.
+  virtual void linkPoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_link) const = 0;
+  virtual Eigen::Isometry3d flange(const JointVector& q) const = 0; // base_T_flange
+  // Appends every branch that reaches base_T_flange, each joint in (-pi, pi], without regard to
+  // limits. Nothing is appended where the pose is out of reach. At a singular pose the free joint
+  // is taken as zero.
+  virtual void inverse(const Eigen::Isometry3d& base_T_flange,
+                       std::vector<JointVector>& solutions) const = 0;
+};
+
+struct RobotModel {
+  std::string id, label, maker, controller; // controller: id of its program format
+  std::shared_ptr<const Kinematics> kinematics;
+  std::vector<JointLimits> limits;
+  std::vector<Body> links; // frame: 0 base, 1..dof links (index into linkPoses)
+  std::vector<std::string> assumed; // what is not from a published source, said where shown
+
+  int dof() const { return kinematics->dof(); }
+};
+
+// Throws Error{UnreadableFile, UnusableInput} naming file and key.
+RobotModel readRobot(const std::filesystem::path& file);
+std::vector<std::string> robotIds();
+// Throws Error{Usage} for an unknown id, naming the nearest.
+RobotModel loadRobot(const std::string& id);
+
+// All solutions of inverse() as joints can be turned by whole turns within the limits: for each
+// branch the representative nearest to `near` (each joint separately) that is inside the limits;
+// branches with none are left out.
+void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange,
+                 const JointVector& near, std::vector<JointVector>& solutions);
+
+} // namespace voluta::robot

@@ -1,0 +1,43 @@
+// A regular grid of cubic cells; values live in flat arrays beside it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+namespace voluta::voxel {
+
+struct VoxelGrid {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); // least corner of cell (0,0,0), mm
+  double pitch = 1.0;                               // width of a cell, mm
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();   // cells along x, y, z
+
+  std::size_t cellCount() const {
+    return static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()) *
+           static_cast<std::size_t>(size.z());
+  }
+  // x runs fastest.
+  std::size_t index(int i, int j, int k) const {
+    return static_cast<std::size_t>(i) +
+           static_cast<std::size_t>(size.x()) *
+               (static_cast<std::size_t>(j) +
+                static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(k));
+  }
+  Eigen::Vector3i cell(std::size_t index) const {
+    const auto nx = static_cast<std::size_t>(size.x()), ny = static_cast<std::size_t>(size.y());
+    return {static_cast<int>(index % nx), static_cast<int>(index / nx % ny),
+            static_cast<int>(index / (nx * ny))};
+  }
+  bool contains(int i, int j, int k) const {
+    return i >= 0 && j >= 0 && k >= 0 && i < size.x() && j < size.y() && k < size.z();
+  }
+  // Centre of a cell, mm.
+  Eigen::Vector3d centre(int i, int j, int k) const {
+    return origin + pitch * Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5);
+  }
+  // The cell that holds a point; may lie outside the grid.
+  Eigen::Vector3i cellOf(const Eigen::Vector3d& point) const {
+    return ((point - origin) / pitch).array().floor().matrix().cast<int>();
+  }
+};
+
+} // namespace voluta::voxel
