@@ -22,20 +22,18 @@ Error cannotWrite(const fs::path& path, const std::string& why) {
   return Error(ErrorCode::CannotWrite, "cannot be written: " + why, path.string());
 }
 
-std::string systemReason(int code) { return std::strerror(code); }
-
-// Names of what this process has staged: unique beside other processes and within this one.
-fs::path siblingOf(const fs::path& path) {
-  fs::path target = path;
-  if (!target.has_filename())
-    target = target.parent_path();
-  fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
-  std::string pattern =
-      (folder / fmt::format(".{}.XXXXXX", target.filename().string())).string();
-  if (!::mkdtemp(pattern.data()))
-    throw cannotWrite(path, systemReason(errno));
-  return pattern;
+std::string systemReason(int code) {
+  return std::strerror(code);
 }
+
+// The first folder at or above `path` that exists; for a target "a/b" without "a" that is ".".
+fs::path existingFolder(fs::path path) {
+  std::error_code status;
+  while (!path.empty() && !fs::exists(path, status))
+    path = path.parent_path();
+  return path.empty() ? fs::path(".") : path;
+}
+
 } // namespace
 
 std::string readFile(const fs::path& path) {
@@ -46,8 +44,7 @@ std::string readFile(const fs::path& path) {
     throw Error(ErrorCode::UnreadableFile, "is a directory, not a file", path.string());
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw Error(ErrorCode::UnreadableFile, "cannot be read: " + systemReason(errno),
-                path.string());
+    throw Error(ErrorCode::UnreadableFile, "cannot be read: " + systemReason(errno), path.string());
   std::ostringstream bytes;
   bytes << in.rdbuf();
   if (in.bad())
@@ -86,16 +83,27 @@ void writeFile(const fs::path& path, std::string_view bytes) {
   }
 }
 
-StagedFolder::StagedFolder(fs::path target) : target_(std::move(target)) {
+StagedFolder::StagedFolder(fs::path target) : target_(fs::absolute(target).lexically_normal()) {
+  if (!target_.has_filename())
+    target_ = target_.parent_path();
   std::error_code status;
-  if (fs::exists(target_, status) && !fs::is_directory(target_, status))
-    throw cannotWrite(target_, "it is a file, not a folder");
   if (fs::is_directory(target_, status) && ::access(target_.c_str(), W_OK | X_OK) != 0)
     throw cannotWrite(target_, systemReason(errno));
-  staging_ = siblingOf(target_);
+  const fs::path standing = existingFolder(target_);
+  if (!fs::is_directory(standing, status))
+    throw cannotWrite(standing, "it is a file, not a folder");
+  const fs::path beside = standing == target_ ? target_.parent_path() : standing;
+  std::string pattern = (beside / fmt::format(".{}.XXXXXX", target_.filename().string())).string();
+  if (!::mkdtemp(pattern.data()))
+    throw cannotWrite(target_, systemReason(errno));
+  staging_ = pattern;
 }
 
 StagedFolder::~StagedFolder() {
+  discard();
+}
+
+void StagedFolder::discard() noexcept {
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
 }

@@ -15,9 +15,9 @@ std::string readFile(const std::filesystem::path& path);
 void writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 // A folder filled out of sight. Files are written into path(); commit() moves each of them into
-// `target` by rename and returns; without it the destructor removes them and `target` is as it
-// was (a target made by this object is removed again). The staging folder is a sibling of target,
-// so renames stay on one file system.
+// `target` by rename (made with its parents where missing; what else it holds stays). Without it
+// the destructor removes them and `target` is as it was. The staging folder stands beside the
+// first folder above target that exists, so renames stay on one file system.
 class StagedFolder {
 public:
   // Throws Error{CannotWrite}: the target is a file, or cannot be made or written.
@@ -29,6 +29,8 @@ public:
   const std::filesystem::path& path() const { return staging_; }
   // Throws Error{CannotWrite}.
   void commit();
+  // What the destructor does, for a process that must leave at once. Does not throw.
+  void discard() noexcept;
 
 private:
   std::filesystem::path target_, staging_;

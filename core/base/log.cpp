@@ -1,7 +1,7 @@
 #include "base/log.h"
 
-#include <spdlog/spdlog.h>
 #include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
 
 namespace voluta::base {
 
@@ -24,8 +24,8 @@ spdlog::level::level_enum toSpdlog(LogLevel level) {
 
 spdlog::logger& logger() {
   static const std::shared_ptr<spdlog::logger> instance = [] {
-    auto made = std::make_shared<spdlog::logger>(
-        "voluta", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+    auto made = std::make_shared<spdlog::logger>("voluta",
+                                                 std::make_shared<spdlog::sinks::stderr_sink_mt>());
     made->set_level(spdlog::level::warn);
     made->set_pattern("%l: %v");
     return made;
@@ -34,8 +34,12 @@ spdlog::logger& logger() {
 }
 } // namespace
 
-void setLogLevel(LogLevel level) { logger().set_level(toSpdlog(level)); }
+void setLogLevel(LogLevel level) {
+  logger().set_level(toSpdlog(level));
+}
 
-void log(LogLevel level, std::string_view message) { logger().log(toSpdlog(level), message); }
+void log(LogLevel level, std::string_view message) {
+  logger().log(toSpdlog(level), message);
+}
 
 } // namespace voluta::base

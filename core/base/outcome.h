@@ -23,7 +23,8 @@ template <typename F> auto outcomeOf(F&& f) noexcept -> Outcome<std::invoke_resu
   } catch (const Error& e) {
     return e;
   } catch (const std::bad_alloc&) {
-    return Error(ErrorCode::Internal, "out of memory", {}, "try a larger voxelMm or a smaller part");
+    return Error(ErrorCode::Internal, "out of memory", {},
+                 "try a larger voxelMm or a smaller part");
   } catch (const std::exception& e) {
     return Error(ErrorCode::Internal, e.what());
   } catch (...) {

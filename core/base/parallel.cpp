@@ -14,9 +14,7 @@ void parallelChunks(const RunContext& ctx, std::size_t count, std::size_t grain,
                     const std::function<void(std::size_t, std::size_t)>& body) {
   require(grain > 0, "parallelChunks: grain > 0");
   const std::size_t chunks = (count + grain - 1) / grain;
-  const auto runChunk = [&](std::size_t c) {
-    body(c * grain, std::min(count, (c + 1) * grain));
-  };
+  const auto runChunk = [&](std::size_t c) { body(c * grain, std::min(count, (c + 1) * grain)); };
   ctx.checkpoint();
   if (ctx.threads() == 1 || chunks <= 1) {
     for (std::size_t c = 0; c < chunks; ++c) {

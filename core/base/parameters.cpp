@@ -36,12 +36,12 @@ template <typename T> bool parseWhole(std::string_view text, T& value) {
 }
 } // namespace
 
-ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue, double minimum,
-                              double maximum, std::string group, std::string label,
+ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue,
+                              double minimum, double maximum, std::string group, std::string label,
                               std::string help, bool simple) {
-  ParameterSpec spec = makeSpec(std::move(key), ParameterType::Number, std::move(unit),
-                                defaultValue, std::move(group), std::move(label), std::move(help),
-                                simple);
+  ParameterSpec spec =
+      makeSpec(std::move(key), ParameterType::Number, std::move(unit), defaultValue,
+               std::move(group), std::move(label), std::move(help), simple);
   spec.minimum = minimum;
   spec.maximum = maximum;
   return spec;

@@ -15,7 +15,7 @@ using ParameterValue = std::variant<double, long long, bool, std::string>;
 enum class ParameterType { Number, Integer, Boolean, Choice, Text };
 
 struct ParameterSpec {
-  std::string key;  // unique over all tables, camelCase
+  std::string key; // unique over all tables, camelCase
   ParameterType type = ParameterType::Number;
   std::string unit; // "mm", "mm/s", "deg", "" for none
   ParameterValue defaultValue;
@@ -27,8 +27,8 @@ struct ParameterSpec {
   bool simple = false;                 // shown in the simple form too
 };
 
-ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue, double minimum,
-                              double maximum, std::string group, std::string label,
+ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue,
+                              double minimum, double maximum, std::string group, std::string label,
                               std::string help, bool simple = false);
 ParameterSpec integerParameter(std::string key, long long defaultValue, long long minimum,
                                long long maximum, std::string group, std::string label,

@@ -7,9 +7,17 @@ namespace voluta::base {
 
 inline constexpr double kPi = std::numbers::pi;
 
-constexpr double degreesToRadians(double degrees) { return degrees * kPi / 180.0; }
-constexpr double radiansToDegrees(double radians) { return radians * 180.0 / kPi; }
-constexpr double metresToMm(double metres) { return metres * 1000.0; }
-constexpr double mmToMetres(double mm) { return mm / 1000.0; }
+constexpr double degreesToRadians(double degrees) {
+  return degrees * kPi / 180.0;
+}
+constexpr double radiansToDegrees(double radians) {
+  return radians * 180.0 / kPi;
+}
+constexpr double metresToMm(double metres) {
+  return metres * 1000.0;
+}
+constexpr double mmToMetres(double mm) {
+  return mm / 1000.0;
+}
 
 } // namespace voluta::base

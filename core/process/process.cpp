@@ -67,7 +67,9 @@ Process readProcess(const std::filesystem::path& file) {
   return p;
 }
 
-std::vector<std::string> processIds() { return base::dataFileIds("processes"); }
+std::vector<std::string> processIds() {
+  return base::dataFileIds("processes");
+}
 
 Process loadProcess(const std::string& id) {
   return readProcess(base::dataFile("processes", id, "process"));

@@ -1,0 +1,91 @@
+#include "base/error.h"
+#include "base/outcome.h"
+#include "base/parallel.h"
+#include "base/run_context.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <string>
+#include <vector>
+
+using namespace voluta::base;
+
+namespace {
+
+TEST(RunContext, NestedSpansReportTheWhole) {
+  std::vector<double> seen;
+  const RunContext ctx(CancelToken{}, 1, [&](double f, std::string_view) { seen.push_back(f); });
+  const RunContext half = ctx.sub(0.5, 1.0);
+  half.report(0.0, "a");
+  half.sub(0.5, 1.0).report(0.5, "b");
+  half.report(2.0, "c");
+  ASSERT_EQ(seen.size(), 3u);
+  EXPECT_DOUBLE_EQ(seen[0], 0.5);
+  EXPECT_DOUBLE_EQ(seen[1], 0.875);
+  EXPECT_DOUBLE_EQ(seen[2], 1.0);
+}
+
+TEST(RunContext, CancelIsStickyAndShared) {
+  const CancelToken token;
+  const RunContext ctx(token, 2);
+  const RunContext inner = ctx.sub(0, 1);
+  EXPECT_NO_THROW(inner.checkpoint());
+  token.cancel();
+  EXPECT_THROW(inner.checkpoint(), Cancelled);
+  EXPECT_THROW(ctx.report(0.1, "x"), Cancelled);
+  EXPECT_THROW(parallelChunks(ctx, 10, 1, [](std::size_t, std::size_t) {}), Cancelled);
+}
+
+TEST(Parallel, ChunksCoverTheRangeOnceForAnyThreads) {
+  for (const int threads : {1, 2, 3}) {
+    const RunContext ctx(CancelToken{}, threads);
+    std::vector<int> hits(1001, 0);
+    parallelChunks(ctx, hits.size(), 64, [&](std::size_t b, std::size_t e) {
+      for (std::size_t i = b; i < e; ++i)
+        ++hits[i];
+    });
+    EXPECT_EQ(std::accumulate(hits.begin(), hits.end(), 0), 1001);
+    EXPECT_EQ(*std::max_element(hits.begin(), hits.end()), 1);
+  }
+}
+
+TEST(Parallel, SumsAreTheSameForAnyThreads) {
+  const auto sum = [](int threads) {
+    return parallelSum<double>(RunContext(CancelToken{}, threads), 100000, 777, 0.0,
+                               [](std::size_t b, std::size_t e) {
+                                 double s = 0;
+                                 for (std::size_t i = b; i < e; ++i)
+                                   s += std::sin(static_cast<double>(i)) * 1e-3;
+                                 return s;
+                               });
+  };
+  EXPECT_EQ(sum(1), sum(2));
+  EXPECT_EQ(sum(1), sum(4));
+}
+
+TEST(Parallel, TheFirstFailureLeaves) {
+  const RunContext ctx(CancelToken{}, 2);
+  try {
+    parallelChunks(ctx, 100, 1, [](std::size_t b, std::size_t) {
+      if (b == 30 || b == 70)
+        throw Error(ErrorCode::SolverFailure, std::to_string(b));
+    });
+    FAIL() << "nothing was thrown";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.message(), "30");
+  }
+}
+
+TEST(Outcome, EveryEndBecomesAValue) {
+  EXPECT_EQ(std::get<int>(outcomeOf([] { return 3; })), 3);
+  EXPECT_TRUE(std::holds_alternative<Cancelled>(outcomeOf([]() -> int { throw Cancelled{}; })));
+  EXPECT_EQ(std::get<Error>(outcomeOf([]() -> int {
+              throw Error(ErrorCode::Usage, "what", "where", "help");
+            })).what(),
+            std::string("where: what (help)"));
+  EXPECT_EQ(std::get<Error>(outcomeOf([]() -> int { throw std::runtime_error("odd"); })).code(),
+            ErrorCode::Internal);
+}
+
+} // namespace
