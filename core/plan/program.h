@@ -36,8 +36,13 @@ struct ProgramMotion {
   Eigen::Isometry3d base_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose
   Eigen::Vector3d position = Eigen::Vector3d::Zero();           // ToolPoint, mm
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();         // ToolPoint, unit
-  double speedMmPerS = 0.0;    // Cartesian speed of this motion; 0: not given
-  double jointSpeedRadPerS = 0.0; // joint motions; 0: not given
+  // Speed of what the target describes: the TCP in Base (FlangePose: with a plate on the flange
+  // that is the work frame's origin, not the nozzle on the part), the nozzle's tip in the work
+  // frame (ToolPoint). 0: not given.
+  double speedMmPerS = 0.0;
+  double jointSpeedRadPerS = 0.0; // leading joint, joint-interpolated motions; 0: not given
+  double durationS = 0.0; // time of this motion where the text gives it (then it rules, not the
+                          // speeds); 0: not given
   double blendMm = 0.0;        // radius of the blend at its end
   bool extruding = false;      // is the extruder on during this motion
   double flowMm3PerS = 0.0;    // flow while extruding, where the dialect gives a rate
