@@ -1,0 +1,164 @@
+// voluta-cli: everything that the window can do, without one (DESIGN §5).
+#include "cli/commands.h"
+#include "cli/run_interruptibly.h"
+#include "pipeline/version.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <functional>
+#include <map>
+#include <thread>
+
+namespace {
+using namespace voluta;
+using namespace voluta::cli;
+
+const std::map<std::string, ProgressStyle> kProgressStyles{
+    {"bar", ProgressStyle::Bar}, {"json", ProgressStyle::Json}, {"none", ProgressStyle::None}};
+
+void addRunOptions(CLI::App& command, int& threads, std::string& progress) {
+  command.add_option("--threads", threads, "threads to use")->check(CLI::Range(1, 256));
+  command.add_option("--progress", progress, "bar, json or none")
+      ->check(CLI::IsMember({"bar", "json", "none"}));
+}
+
+struct Parsed {
+  std::function<ExitCode()> run;
+};
+
+void addPlan(CLI::App& app, Parsed& parsed, int threads) {
+  struct Values {
+    PlanOptions options;
+    std::string until = "replay", progress = "bar";
+    std::vector<std::string> sets;
+  };
+  auto values = std::make_shared<Values>();
+  values->options.threads = threads;
+  CLI::App* plan = app.add_subcommand("plan", "a part in, checked robot programs out");
+  auto& request = values->options.request;
+  plan->add_option("PART", request.part, "mesh file, or sample:NAME")->required();
+  plan->add_option("-o", values->options.folder, "folder for job, report and programs")->required();
+  plan->add_option("--mode", request.choices.mode, "way of building");
+  plan->add_option("--growth", request.choices.growth, "growth scheme of curved mode");
+  plan->add_option("--platform", request.choices.platform,
+                   "disc:D, rect:WxD, fit[:MARGIN]; what material starts on");
+  plan->add_option("--cell", request.choices.cell, "robot cell");
+  plan->add_option("--process", request.choices.process, "nozzle, material, speeds");
+  plan->add_option("--scale", request.choices.scale, "factor, or fit: largest <= 1 in reach");
+  plan->add_option("--set", values->sets, "key=value of a parameter (see: list parameters)")
+      ->allow_extra_args(false);
+  plan->add_option("--until", values->until, "stop after this stage");
+  plan->add_option("--format", request.choices.formats, "program format")->allow_extra_args(false);
+  plan->add_option("--seed", request.choices.seed, "of the samplers");
+  addRunOptions(*plan, values->options.threads, values->progress);
+  plan->callback([values, &parsed] {
+    parsed.run = [values] {
+      values->options.request.until = pipeline::untilOf(values->until);
+      values->options.progress = kProgressStyles.at(values->progress);
+      pipeline::setParameters(values->options.request.choices, values->sets);
+      return planCommand(values->options);
+    };
+  });
+}
+
+void addVerify(CLI::App& app, Parsed& parsed, int threads) {
+  struct Values {
+    VerifyOptions options;
+    std::string progress = "bar";
+  };
+  auto values = std::make_shared<Values>();
+  values->options.threads = threads;
+  CLI::App* verify = app.add_subcommand("verify", "replay a program from disk");
+  verify->add_option("PROGRAM", values->options.program, "program file")->required();
+  verify->add_option("--job", values->options.job, "job.voluta it was made from")->required();
+  addRunOptions(*verify, values->options.threads, values->progress);
+  verify->callback([values, &parsed] {
+    parsed.run = [values] {
+      values->options.progress = kProgressStyles.at(values->progress);
+      return verifyCommand(values->options);
+    };
+  });
+}
+
+void addInspect(CLI::App& app, Parsed& parsed) {
+  auto options = std::make_shared<InspectOptions>();
+  CLI::App* inspect = app.add_subcommand("inspect", "diagnosis of a mesh");
+  inspect->add_option("PART", options->part, "mesh file")->required();
+  inspect->add_flag("--json", options->json, "as JSON");
+  inspect->callback(
+      [options, &parsed] { parsed.run = [options] { return inspectCommand(*options); }; });
+}
+
+void addRobot(CLI::App& app, Parsed& parsed) {
+  auto options = std::make_shared<RobotOptions>();
+  CLI::App* robot = app.add_subcommand("robot", "forward and inverse kinematics, degrees and mm");
+  robot->add_option("ID", options->id, "robot (see: list robots)")->required();
+  CLI::Option_group* which = robot->add_option_group("query");
+  which->add_option("--fk", options->forward, "q1,q2,...: flange pose");
+  which->add_option("--ik", options->inverse, "x,y,z,qw,qx,qy,qz: all branches");
+  which->require_option(1);
+  robot->callback(
+      [options, &parsed] { parsed.run = [options] { return robotCommand(*options); }; });
+}
+
+void addList(CLI::App& app, Parsed& parsed) {
+  auto options = std::make_shared<ListOptions>();
+  CLI::App* list = app.add_subcommand("list", "what there is to choose from");
+  list->add_option("WHAT", options->what, "modes, cells, robots, formats, processes or parameters")
+      ->required();
+  list->add_flag("--json", options->json, "as JSON");
+  list->callback([options, &parsed] { parsed.run = [options] { return listCommand(*options); }; });
+}
+
+// Values such as "-90,10" belong to their option though they begin with a dash.
+std::vector<std::string> joinedNegativeValues(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if ((word == "--fk" || word == "--ik") && i + 1 < argc)
+      words.push_back(word + "=" + argv[++i]);
+    else
+      words.push_back(word);
+  }
+  return words;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Voluta plans prints with a robot arm and checks the programs it writes."};
+  app.name("voluta-cli");
+  app.set_version_flag("--version", pipeline::kVersion);
+  app.require_subcommand(1);
+  Parsed parsed;
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  addPlan(app, parsed, threads);
+  addVerify(app, parsed, threads);
+  addInspect(app, parsed);
+  addRobot(app, parsed);
+  addList(app, parsed);
+  std::vector<std::string> words = joinedNegativeValues(argc, argv);
+  std::reverse(words.begin(), words.end());
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0)
+      return app.exit(e);
+    std::string line = e.what();
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    fmt::print(stderr, "voluta-cli: {} (see: voluta-cli --help)\n", line);
+    return kUsage;
+  }
+  return parsed.run();
+}
+} // namespace
+
+int main(int argc, char** argv) {
+  blockInterrupts();
+  const auto outcome = base::outcomeOf([&] { return run(argc, argv); });
+  if (const auto* code = std::get_if<int>(&outcome))
+    return *code;
+  if (const auto* error = std::get_if<base::Error>(&outcome)) {
+    fmt::print(stderr, "voluta-cli: {}\n", error->what());
+    return exitCodeOf(error->code());
+  }
+  return kCancelled;
+}

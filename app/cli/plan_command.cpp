@@ -1,0 +1,65 @@
+#include "base/files.h"
+#include "cli/commands.h"
+#include "cli/run_interruptibly.h"
+#include "pipeline/outputs.h"
+
+#include <fmt/format.h>
+
+namespace voluta::cli {
+
+namespace {
+// The most pressing finding says in one line why the plan is not complete.
+void sayFindings(const plan::Findings& findings) {
+  std::size_t blocking = 0;
+  const plan::Finding* first = nullptr;
+  for (const plan::Finding& f : findings)
+    if (f.blocking && blocking++ == 0)
+      first = &f;
+  if (!first)
+    return;
+  const std::string where = first->where
+                                ? fmt::format(" at ({:.1f}, {:.1f}, {:.1f})", first->where->x(),
+                                              first->where->y(), first->where->z())
+                                : "";
+  fmt::print(stderr, "{}: {}{} ({}){}\n", first->stage, first->reason, where, first->remedy,
+             blocking > 1 ? fmt::format("; {} findings more in report.json", blocking - 1) : "");
+}
+
+void sayResult(const pipeline::Report& r) {
+  fmt::print("{} voxels, {} missed; {} layers; {} waypoints, {:.0f} s\n", r.decomposition.voxels,
+             r.decomposition.missedVoxels, r.layers.count, r.toolpath.waypoints,
+             r.motion.durationS);
+  if (r.replay.thresholds.covered > 0.0)
+    fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "
+               "{} collisions, deviation {:.4f} mm\n",
+               r.replay.passed ? "passed" : "NOT passed", r.replay.coveredFraction,
+               r.replay.unsupportedFraction, r.replay.overfillFraction, r.replay.massRatio,
+               r.replay.collisions, r.replay.maxDeviationMm);
+}
+} // namespace
+
+ExitCode planCommand(const PlanOptions& options) {
+  base::StagedFolder staged(options.folder);
+  const std::filesystem::path folder = staged.path();
+  auto outcome = runInterruptibly(
+      [request = options.request, folder](const base::RunContext& ctx) {
+        pipeline::PlanResult result = pipeline::planPart(request, ctx.sub(0.0, 0.97));
+        pipeline::writeOutputs(result, folder, ctx.sub(0.97, 1.0));
+        return result.report;
+      },
+      options.threads, progressSink(options.progress), [&] { staged.discard(); });
+  endProgress(options.progress);
+  if (std::holds_alternative<base::Cancelled>(outcome)) {
+    fmt::print(stderr, "cancelled; {} is as it was\n", options.folder.string());
+    return kCancelled;
+  }
+  if (const auto* error = std::get_if<base::Error>(&outcome))
+    throw *error;
+  staged.commit();
+  const auto& report = std::get<pipeline::Report>(outcome);
+  sayResult(report);
+  sayFindings(report.findings);
+  return pipeline::nothingBlocks(report) ? kDone : kNotAll;
+}
+
+} // namespace voluta::cli

@@ -1,0 +1,52 @@
+// Work on a thread of its own while this one waits for it or for Ctrl-C.
+#pragma once
+
+#include "base/outcome.h"
+#include "base/run_context.h"
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <thread>
+#include <utility>
+
+namespace voluta::cli {
+
+// Blocks SIGINT and SIGTERM in this thread and those it starts; call it before any thread exists.
+void blockInterrupts();
+
+// Waits until `done()` holds; true when SIGINT or SIGTERM came first. Needs blockInterrupts().
+bool waitOrInterrupted(const std::function<bool()>& done);
+
+// Runs `work` and returns what it ends with. After an interrupt it is given 0.4 s to stop; work
+// that is still inside a library call then is left behind: `abandon` tidies up and the process
+// ends with exit code 5 (DESIGN §3: a cancel is done within 0.5 s).
+template <typename F>
+auto runInterruptibly(F work, int threads, base::ProgressSink sink,
+                      const std::function<void()>& abandon) {
+  using T = std::invoke_result_t<F, const base::RunContext&>;
+  const base::CancelToken token;
+  auto result = std::make_shared<std::promise<base::Outcome<T>>>();
+  std::future<base::Outcome<T>> future = result->get_future();
+  const base::RunContext ctx(token, threads, std::move(sink));
+  std::thread worker([result, ctx, work = std::move(work)] {
+    result->set_value(base::outcomeOf([&] { return work(ctx); }));
+  });
+  const auto ready = [&] {
+    return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  if (waitOrInterrupted(ready)) {
+    token.cancel();
+    if (future.wait_for(std::chrono::milliseconds(400)) != std::future_status::ready) {
+      abandon();
+      std::_Exit(5);
+    }
+  }
+  worker.join();
+  base::Outcome<T> outcome = future.get();
+  if (token.cancelled())
+    outcome = base::Cancelled{};
+  return outcome;
+}
+
+} // namespace voluta::cli

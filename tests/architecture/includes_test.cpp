@@ -1,0 +1,89 @@
+// The house of DESIGN §2, held by reading every #include: directions between modules, no Qt and no
+// VTK in core, no planner in replay.
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// What a module may include besides itself and base.
+const std::map<std::string, std::set<std::string>> kMayInclude = {
+    {"base", {}},
+    {"geometry", {}},
+    {"process", {"geometry"}},
+    {"voxel", {"geometry"}},
+    {"plan", {}},
+    {"layers", {"geometry", "voxel", "process", "plan"}},
+    {"curved", {"geometry", "voxel", "process", "layers", "plan"}},
+    {"robot", {"geometry", "process"}},
+    {"collision", {"geometry", "process", "voxel", "robot", "plan"}},
+    {"toolpath", {"geometry", "process", "voxel", "robot", "plan", "collision", "layers"}},
+    {"motion",
+     {"geometry", "process", "voxel", "robot", "plan", "collision", "layers", "toolpath"}},
+    {"program", {"geometry", "process", "robot", "plan"}},
+    {"replay", {"geometry", "process", "voxel", "robot", "plan", "program"}},
+    {"pipeline",
+     {"geometry", "process", "voxel", "plan", "layers", "curved", "robot", "collision", "toolpath",
+      "motion", "program", "replay"}},
+};
+
+struct Include {
+  fs::path file;
+  std::string target;
+};
+
+std::vector<Include> includesBelow(const fs::path& folder) {
+  static const std::regex kInclude(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<Include> found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".h" && extension != ".cpp" && extension != ".in")
+      continue;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);)
+      if (std::smatch match; std::regex_search(line, match, kInclude))
+        found.push_back({entry.path(), match[1]});
+  }
+  return found;
+}
+
+const fs::path kCore = fs::path(VOLUTA_SOURCE_DIR) / "core";
+
+TEST(Architecture, CoreKnowsNeitherQtNorVtk) {
+  const std::regex graphical(R"(^(Q[A-Z]|Qt|vtk|QtCore/|VTK))");
+  const auto all = includesBelow(kCore);
+  ASSERT_GT(all.size(), 100u);
+  for (const Include& include : all)
+    EXPECT_FALSE(std::regex_search(include.target, graphical))
+        << include.file << " includes " << include.target;
+}
+
+TEST(Architecture, ModulesIncludeOnlyWhatTheDesignAllows) {
+  for (const auto& entry : fs::directory_iterator(kCore))
+    EXPECT_TRUE(kMayInclude.count(entry.path().filename().string()))
+        << entry.path() << " is not in the table of modules";
+  for (const Include& include : includesBelow(kCore)) {
+    const std::string from = fs::relative(include.file, kCore).begin()->string();
+    const std::string to = fs::path(include.target).begin()->string();
+    if (!kMayInclude.count(to) || to == from || to == "base")
+      continue;
+    EXPECT_TRUE(kMayInclude.at(from).count(to)) << include.file << " includes " << include.target;
+  }
+}
+
+TEST(Architecture, HeavyHeadersStayInSources) {
+  const std::regex heavy(R"(^(CGAL|fcl|ompl|nlohmann|assimp|CLI)/)");
+  for (const Include& include : includesBelow(kCore))
+    if (include.file.extension() == ".h") {
+      EXPECT_FALSE(std::regex_search(include.target, heavy))
+          << include.file << " includes " << include.target;
+    }
+}
+
+} // namespace
