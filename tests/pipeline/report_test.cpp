@@ -1,0 +1,78 @@
+#include "pipeline/report.h"
+#include "pipeline/vti_writer.h"
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace voluta;
+
+namespace {
+
+// DESIGN §5, word for word: a key that goes missing breaks other people's programs.
+const std::map<std::string, std::vector<std::string>> kKeys = {
+    {"model", {"file", "scale", "triangles", "watertight", "volumeMm3", "boundsMm", "repairs"}},
+    {"decomposition",
+     {"mode", "growth", "voxelMm", "voxels", "layers", "missedVoxels", "shadowedVoxels",
+      "unreachedVoxels", "missedAfterSupports", "supportVolumeMm3", "pieces", "riskyAreaMm2",
+      "riskyAreaBeforeMm2"}},
+    {"layers",
+     {"count", "areaMm2", "thicknessMeanMm", "thicknessStdMm", "thicknessP01Mm", "thicknessP99Mm",
+      "withinLimitsFraction"}},
+    {"toolpath",
+     {"paths", "waypoints", "lengthMm", "travelMm", "starts", "simpleRegions", "coveredFraction",
+      "overlapFraction", "gouges", "maxTurnDeg", "materialMm3"}},
+    {"motion",
+     {"robot", "cell", "waypoints", "unreachable", "collisions", "splits", "maxJerk",
+      "sumSquaredJerk", "sumSquaredJerkBefore", "minClearanceMm", "durationS"}},
+    {"replay",
+     {"passed", "coveredFraction", "unsupportedFraction", "overfillFraction", "massRatio",
+      "collisions", "limitViolations", "maxDeviationMm", "thresholds"}},
+    {"timingS",
+     {"load", "repair", "voxelise", "peel", "grow", "smooth", "extract", "trim", "decompose",
+      "toolpath", "orient", "ik", "graph", "jerk", "collision", "transfer", "write", "replay",
+      "total"}},
+};
+
+TEST(Report, EveryKeyIsThereEvenWhenEmpty) {
+  pipeline::Report report;
+  report.programs.emplace_back();
+  report.findings.emplace_back();
+  const nlohmann::json j = nlohmann::json::parse(pipeline::reportJson(report));
+  for (const auto& [section, keys] : kKeys)
+    for (const std::string& key : keys)
+      EXPECT_TRUE(j.at(section).contains(key)) << section << "." << key;
+  for (const char* key :
+       {"format", "foreign", "files", "bytes", "maxDeviationMm", "maxDeviationRad"})
+    EXPECT_TRUE(j.at("programs")[0].contains(key)) << key;
+  for (const char* key : {"stage", "kind", "where", "when", "count", "reason", "remedy"})
+    EXPECT_TRUE(j.at("findings")[0].contains(key)) << key;
+  for (const char* key : {"peakRssMb", "threads", "version"})
+    EXPECT_TRUE(j.contains(key)) << key;
+}
+
+TEST(Report, TextThatIsNotUtf8StaysReadable) {
+  pipeline::Report report;
+  report.model.file = "part\xff.stl";
+  EXPECT_NO_THROW(nlohmann::json::parse(pipeline::reportJson(report)));
+}
+
+TEST(Vti, ArraysStandWhereTheHeaderSays) {
+  curved::Decomposition d;
+  d.grid.size = {2, 1, 1};
+  d.rank = {3, -1};
+  d.platform = {{0, 0}, {1, 0}, {0, 1}};
+  const std::string text = pipeline::voxelsVti(d, 0.25);
+  const std::size_t start = text.find("<AppendedData encoding=\"raw\">\n_") + 31;
+  const std::string marker = "Name=\"rank\" format=\"appended\" offset=\"";
+  const std::size_t at = start + std::stoul(text.substr(text.find(marker) + marker.size()));
+  std::uint64_t bytes = 0;
+  std::int32_t rank[2];
+  std::memcpy(&bytes, text.data() + at, sizeof bytes);
+  ASSERT_EQ(bytes, sizeof rank);
+  std::memcpy(rank, text.data() + at + sizeof bytes, sizeof rank);
+  EXPECT_EQ(rank[0], 3);
+  EXPECT_EQ(rank[1], -1);
+}
+
+} // namespace
