@@ -39,6 +39,9 @@ public:
                   std::size_t before) const;
 
 private:
+  // Least fill index in a block of the pyramid (level 0: a cell); kNeverFilled outside the grid.
+  std::uint32_t leastAt(int level, const Eigen::Vector3i& block) const;
+
   voxel::VoxelGrid grid_;
   std::vector<std::uint32_t> filledAt_;
   struct Level {

@@ -1,0 +1,58 @@
+// The solid of one laid segment, as deposits see it.
+#pragma once
+
+#include "plan/tool_plan.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace voluta::collision {
+
+// The bead between waypoints i and i + 1 of one path: the section of process/bead_model.h (a
+// rectangle with half-round ends, height h below the tip) swept along the segment, turned with
+// the waypoints' directions and rounded at both ends. Widths, heights and directions run linearly;
+// a point is judged by the section at the nearest place of the bead's middle line.
+class BeadSolid {
+public:
+  // Precondition: i + 1 < plan.waypointCount().
+  BeadSolid(const plan::ToolPlan& plan, std::size_t i)
+      : direction0_(plan.direction[i]), turn_(plan.direction[i + 1] - plan.direction[i]),
+        width0_(plan.widthMm[i]), width1_(plan.widthMm[i + 1]), height0_(plan.heightMm[i]),
+        height1_(plan.heightMm[i + 1]) {
+    centre0_ = plan.position[i] - 0.5 * height0_ * direction0_;
+    along_ = plan.position[i + 1] - 0.5 * height1_ * plan.direction[i + 1] - centre0_;
+    const double squared = along_.squaredNorm();
+    inverseSquared_ = squared > 0.0 ? 1.0 / squared : 0.0;
+  }
+
+  bool contains(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d r0 = point - centre0_;
+    const double t = std::clamp(r0.dot(along_) * inverseSquared_, 0.0, 1.0);
+    const Eigen::Vector3d r = r0 - t * along_;
+    const Eigen::Vector3d d = direction0_ + t * turn_;
+    const double height = height0_ + t * (height1_ - height0_);
+    const double width = width0_ + t * (width1_ - width0_);
+    const double up = r.dot(d) / d.norm();
+    const double side = std::sqrt(std::max(0.0, r.squaredNorm() - up * up));
+    const double beyond = std::max(0.0, side - 0.5 * std::max(0.0, width - height));
+    return beyond * beyond + up * up <= 0.25 * height * height;
+  }
+
+  // Corners of a box that holds the bead.
+  Eigen::Vector3d low() const {
+    return centre0_.cwiseMin(centre0_ + along_) - Eigen::Vector3d::Constant(reach());
+  }
+  Eigen::Vector3d high() const {
+    return centre0_.cwiseMax(centre0_ + along_) + Eigen::Vector3d::Constant(reach());
+  }
+
+private:
+  double reach() const { return 0.5 * std::max({width0_, width1_, height0_, height1_}); }
+
+  Eigen::Vector3d centre0_, along_, direction0_, turn_;
+  double inverseSquared_, width0_, width1_, height0_, height1_;
+};
+
+} // namespace voluta::collision

@@ -1,0 +1,207 @@
+#include "collision/shape_distance.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace voluta::collision {
+
+using base::require;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+PlacedCapsule::PlacedCapsule(const robot::Capsule& shape, const Eigen::Isometry3d& frame_T_shape)
+    : p0_(frame_T_shape * shape.p0), axis_(frame_T_shape.linear() * (shape.p1 - shape.p0)),
+      radius_(shape.radius) {
+  require(shape.radius >= 0.0, "capsule radius >= 0");
+  const double squared = axis_.squaredNorm();
+  inverseSquaredLength_ = squared > 0.0 ? 1.0 / squared : 0.0;
+}
+
+PlacedBox::PlacedBox(const robot::Box& shape, const Eigen::Isometry3d& frame_T_shape)
+    : half_(shape.half) {
+  require(shape.half.minCoeff() >= 0.0, "box half extents >= 0");
+  const Eigen::Isometry3d frame_T_box = frame_T_shape * shape.frame_T_box;
+  box_R_frame_ = frame_T_box.linear().transpose();
+  centre_ = frame_T_box.translation();
+}
+
+PlacedFrustum::PlacedFrustum(const robot::Frustum& shape, const Eigen::Isometry3d& frame_T_shape)
+    : p0_(frame_T_shape * shape.p0), r0_(shape.r0), r1_(shape.r1) {
+  require(shape.r0 >= 0.0 && shape.r1 >= 0.0, "frustum radii >= 0");
+  const Vector3d along = frame_T_shape.linear() * (shape.p1 - shape.p0);
+  length_ = along.norm();
+  axis_ = length_ > 0.0 ? Vector3d(along / length_) : Vector3d(Vector3d::UnitZ());
+  centre_ = p0_ + 0.5 * along;
+  outerRadius_ = std::hypot(0.5 * length_, std::max(r0_, r1_));
+  sideX_ = r1_ - r0_;
+  sideZ_ = length_;
+  const double squared = sideX_ * sideX_ + sideZ_ * sideZ_;
+  inverseSideSquared_ = squared > 0.0 ? 1.0 / squared : 0.0;
+  const double side = std::sqrt(squared);
+  normalX_ = side > 0.0 ? sideZ_ / side : 0.0;
+  normalZ_ = side > 0.0 ? -sideX_ / side : 0.0;
+}
+
+double PlacedFrustum::signedDistance(const Vector3d& point) const {
+  // In the half plane (rho, z) the solid is a quadrilateral with its left side on the axis.
+  const Vector3d r = point - p0_;
+  const double z = r.dot(axis_);
+  const double rho = std::sqrt(std::max(0.0, r.squaredNorm() - z * z));
+  const double toSide = (rho - r0_) * normalX_ + z * normalZ_; // > 0 outside the slant
+  const double toCaps = std::max(-z, z - length_);
+  if (length_ > 0.0 && toSide <= 0.0 && toCaps <= 0.0)
+    return std::max(toSide, toCaps); // inside: the nearest of the planes
+  const auto squaredTo = [&](double x, double y) { return x * x + y * y; };
+  const double bottom = squaredTo(std::max(0.0, rho - r0_), z);
+  const double top = squaredTo(std::max(0.0, rho - r1_), z - length_);
+  const double t = std::clamp(((rho - r0_) * sideX_ + z * sideZ_) * inverseSideSquared_, 0.0, 1.0);
+  const double side = squaredTo(rho - r0_ - t * sideX_, z - t * sideZ_);
+  return std::sqrt(std::min({bottom, top, side}));
+}
+
+PlacedPrism::PlacedPrism(const robot::Prism& shape, const Eigen::Isometry3d& frame_T_shape)
+    : shape_T_frame_(frame_T_shape.inverse()), polygon_(shape.polygon), zMin_(shape.zMin),
+      zMax_(shape.zMax) {
+  require(polygon_.size() >= 3, "prism polygon of at least 3 points");
+  require(zMin_ <= zMax_, "prism zMin <= zMax");
+  Vector2d low = polygon_.front(), high = low;
+  for (const Vector2d& p : polygon_) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vector2d middle = 0.5 * (low + high);
+  double radius = 0.0;
+  for (const Vector2d& p : polygon_)
+    radius = std::max(radius, (p - middle).norm());
+  centre_ = frame_T_shape * Vector3d(middle.x(), middle.y(), 0.5 * (zMin_ + zMax_));
+  outerRadius_ = std::hypot(radius, 0.5 * (zMax_ - zMin_));
+}
+
+double PlacedPrism::signedDistance(const Vector3d& point) const {
+  const Vector3d p = shape_T_frame_ * point;
+  const Vector2d q = p.head<2>();
+  double squared = std::numeric_limits<double>::infinity();
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon_.size() - 1; i < polygon_.size(); j = i++) {
+    const Vector2d &a = polygon_[j], &b = polygon_[i];
+    const Vector2d edge = b - a, r = q - a;
+    const double length = edge.squaredNorm();
+    const double t = length > 0.0 ? std::clamp(r.dot(edge) / length, 0.0, 1.0) : 0.0;
+    squared = std::min(squared, (r - t * edge).squaredNorm());
+    if ((a.y() > q.y()) != (b.y() > q.y()) &&
+        q.x() < a.x() + (q.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      inside = !inside;
+  }
+  const double flat = inside ? -std::sqrt(squared) : std::sqrt(squared);
+  const double up = std::max(zMin_ - p.z(), p.z() - zMax_);
+  return std::hypot(std::max(flat, 0.0), std::max(up, 0.0)) + std::min(std::max(flat, up), 0.0);
+}
+
+PlacedShape place(const robot::Shape& shape, const Eigen::Isometry3d& frame_T_shape) {
+  return std::visit(
+      [&](const auto& s) -> PlacedShape {
+        using S = std::decay_t<decltype(s)>;
+        if constexpr (std::is_same_v<S, robot::Capsule>)
+          return PlacedCapsule(s, frame_T_shape);
+        else if constexpr (std::is_same_v<S, robot::Box>)
+          return PlacedBox(s, frame_T_shape);
+        else if constexpr (std::is_same_v<S, robot::Frustum>)
+          return PlacedFrustum(s, frame_T_shape);
+        else
+          return PlacedPrism(s, frame_T_shape);
+      },
+      shape);
+}
+
+double signedDistance(const PlacedShape& shape, const Vector3d& point) {
+  return std::visit([&](const auto& s) { return s.signedDistance(point); }, shape);
+}
+
+double signedDistance(const robot::Shape& shape, const Vector3d& point) {
+  return signedDistance(place(shape, Eigen::Isometry3d::Identity()), point);
+}
+
+Ball boundingBall(const PlacedShape& shape) {
+  return std::visit(
+      [](const auto& s) -> Ball {
+        if constexpr (std::is_same_v<std::decay_t<decltype(s)>, PlacedCapsule>)
+          return {0.5 * (s.p0() + s.p1()), 0.5 * (s.p1() - s.p0()).norm() + s.radius()};
+        else
+          return {s.centre(), s.outerRadius()};
+      },
+      shape);
+}
+
+double segmentDistance(const Vector3d& p0, const Vector3d& p1, const Vector3d& q0,
+                       const Vector3d& q1) {
+  const Vector3d u = p1 - p0, v = q1 - q0, r = p0 - q0;
+  const double a = u.squaredNorm(), e = v.squaredNorm(), f = v.dot(r);
+  double s = 0.0, t = 0.0;
+  if (a <= 0.0) {
+    t = e > 0.0 ? std::clamp(f / e, 0.0, 1.0) : 0.0;
+  } else {
+    const double c = u.dot(r);
+    if (e <= 0.0) {
+      s = std::clamp(-c / a, 0.0, 1.0);
+    } else {
+      const double b = u.dot(v), denominator = a * e - b * b;
+      s = denominator > 1e-12 * a * e ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.0;
+      t = (b * s + f) / e;
+      if (t < 0.0) {
+        t = 0.0;
+        s = std::clamp(-c / a, 0.0, 1.0);
+      } else if (t > 1.0) {
+        t = 1.0;
+        s = std::clamp((b - c) / a, 0.0, 1.0);
+      }
+    }
+  }
+  return (r + s * u - t * v).norm();
+}
+
+double capsuleDistance(const PlacedCapsule& capsule, const PlacedShape& convex, double enough) {
+  if (const auto* other = std::get_if<PlacedCapsule>(&convex))
+    return segmentDistance(capsule.p0(), capsule.p1(), other->p0(), other->p1()) -
+           capsule.radius() - other->radius();
+  return std::visit(
+      [&](const auto& s) {
+        const Vector3d p0 = capsule.p0(), axis = capsule.p1() - p0;
+        const double length = axis.norm(), radius = capsule.radius();
+        const auto at = [&](double t) { return s.signedDistance(p0 + t * axis); };
+        double low = 0.0, high = 1.0, atLow = at(0.0), atHigh = at(1.0);
+        double best = std::min(atLow, atHigh);
+        // A signed distance changes by at most the way gone, so the ends bound the inside.
+        if (length < 1e-6 || 0.5 * (atLow + atHigh - length) - radius > enough)
+          return best - radius;
+        constexpr double golden = 0.6180339887498949;
+        double t1 = high - golden * (high - low), t2 = low + golden * (high - low);
+        double f1 = at(t1), f2 = at(t2);
+        // Two probes that differ by less than rounding still bracket the least of a convex
+        // function; the value, not the place, is what has to be exact.
+        while ((high - low) * length > 1e-4) {
+          best = std::min({best, f1, f2});
+          if (best - (high - low) * length - radius > enough)
+            return best - radius;
+          if (f1 < f2) {
+            high = t2;
+            t2 = t1;
+            f2 = f1;
+            t1 = high - golden * (high - low);
+            f1 = at(t1);
+          } else {
+            low = t1;
+            t1 = t2;
+            f1 = f2;
+            t2 = low + golden * (high - low);
+            f2 = at(t2);
+          }
+        }
+        return std::min({best, f1, f2}) - radius;
+      },
+      convex);
+}
+
+} // namespace voluta::collision

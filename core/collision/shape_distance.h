@@ -1,0 +1,105 @@
+// Exact signed distances from points to the solids of robot/body.h, and distances between solids
+// that reduce to them.
+#pragma once
+
+#include "robot/body.h"
+
+#include <Eigen/Geometry>
+#include <variant>
+#include <vector>
+
+namespace voluta::collision {
+
+// The same solids placed in another frame, with what every query would compute again kept ready.
+// signedDistance(point): mm, negative inside, exact in and out. Points and solid in one frame.
+class PlacedCapsule {
+public:
+  PlacedCapsule(const robot::Capsule& shape, const Eigen::Isometry3d& frame_T_shape);
+  double signedDistance(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d r = point - p0_;
+    const double t = inverseSquaredLength_ > 0.0
+                         ? std::min(1.0, std::max(0.0, r.dot(axis_) * inverseSquaredLength_))
+                         : 0.0;
+    return (r - t * axis_).norm() - radius_;
+  }
+  const Eigen::Vector3d& p0() const { return p0_; }
+  Eigen::Vector3d p1() const { return p0_ + axis_; }
+  double radius() const { return radius_; }
+
+private:
+  Eigen::Vector3d p0_, axis_; // axis_: p1 - p0
+  double inverseSquaredLength_, radius_;
+};
+
+class PlacedBox {
+public:
+  PlacedBox(const robot::Box& shape, const Eigen::Isometry3d& frame_T_shape);
+  double signedDistance(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d q =
+        (box_R_frame_ * (point - centre_)).cwiseAbs() - half_; // > 0 outside that pair of faces
+    return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
+  }
+  const Eigen::Vector3d& centre() const { return centre_; }
+  double outerRadius() const { return half_.norm(); }
+
+private:
+  Eigen::Matrix3d box_R_frame_;
+  Eigen::Vector3d centre_, half_;
+};
+
+class PlacedFrustum {
+public:
+  PlacedFrustum(const robot::Frustum& shape, const Eigen::Isometry3d& frame_T_shape);
+  double signedDistance(const Eigen::Vector3d& point) const;
+  const Eigen::Vector3d& centre() const { return centre_; }
+  double outerRadius() const { return outerRadius_; }
+
+private:
+  Eigen::Vector3d p0_, axis_, centre_; // axis_: unit
+  double length_, r0_, r1_, outerRadius_;
+  double sideX_, sideZ_, inverseSideSquared_, normalX_, normalZ_; // of the slanted side, (rho, z)
+};
+
+class PlacedPrism {
+public:
+  PlacedPrism(const robot::Prism& shape, const Eigen::Isometry3d& frame_T_shape);
+  double signedDistance(const Eigen::Vector3d& point) const;
+  const Eigen::Vector3d& centre() const { return centre_; }
+  double outerRadius() const { return outerRadius_; }
+
+private:
+  Eigen::Isometry3d shape_T_frame_;
+  Eigen::Vector3d centre_; // in the frame
+  std::vector<Eigen::Vector2d> polygon_;
+  double zMin_, zMax_, outerRadius_;
+};
+
+using PlacedShape = std::variant<PlacedCapsule, PlacedBox, PlacedFrustum, PlacedPrism>;
+
+// Preconditions: radii, half extents and lengths >= 0, zMin <= zMax, polygon of >= 3 points.
+PlacedShape place(const robot::Shape& shape, const Eigen::Isometry3d& frame_T_shape);
+
+// mm, negative inside.
+double signedDistance(const PlacedShape& shape, const Eigen::Vector3d& point);
+// Point in the shape's own frame.
+double signedDistance(const robot::Shape& shape, const Eigen::Vector3d& point);
+
+// A ball that holds the shape.
+struct Ball {
+  Eigen::Vector3d centre;
+  double radius;
+};
+Ball boundingBall(const PlacedShape& shape);
+
+// Distance of two segments p0 p1 and q0 q1 (either may be a point). mm.
+// Source: Ericson, Real-Time Collision Detection, 5.1.9.
+double segmentDistance(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
+                       const Eigen::Vector3d& q0, const Eigen::Vector3d& q1);
+
+// Distance of a capsule to a convex solid: the least signed distance along its axis (a convex
+// function of the place on it) less its radius. Negative: they overlap, by at least as much as
+// the value says. mm, to 1e-4 mm. Searching ends early, with a value on the right side of it, once
+// the answer is known to be above `enough` (pass infinity for the distance itself).
+double capsuleDistance(const PlacedCapsule& capsule, const PlacedShape& convex, double enough);
+
+} // namespace voluta::collision

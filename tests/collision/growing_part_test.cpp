@@ -1,0 +1,199 @@
+#include "collision/growing_part.h"
+
+#include "base/error.h"
+#include "base/run_context.h"
+#include "base/stopwatch.h"
+#include "collision/random_shapes.h"
+#include "collision/shape_distance.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <limits>
+
+using namespace voluta;
+using collision::GrowingPart;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+namespace {
+
+void addPath(plan::ToolPlan& plan, const std::vector<Vector3d>& points, const Vector3d& direction,
+             float width = 1.2f, float height = 0.8f) {
+  plan::ToolPath path;
+  path.first = plan.waypointCount();
+  path.count = points.size();
+  for (const Vector3d& p : points) {
+    plan.position.push_back(p);
+    plan.direction.push_back(direction.normalized());
+    plan.widthMm.push_back(width);
+    plan.heightMm.push_back(height);
+    plan.speedMmPerS.push_back(20.0f);
+  }
+  plan.paths.push_back(path);
+}
+
+plan::ToolPlan randomBeads(unsigned seed, int paths) {
+  test::RandomShapes random(seed);
+  plan::ToolPlan plan;
+  for (int n = 0; n < paths; ++n) {
+    const Vector3d start = random.point(6.0);
+    const Vector3d direction = random.point(1.0).normalized();
+    std::vector<Vector3d> points{start};
+    for (int i = 0; i < 5; ++i) {
+      const Vector3d step = random.point(1.5); // across the direction, as beads are laid
+      points.push_back(points.back() + step - step.dot(direction) * direction);
+    }
+    addPath(plan, points, direction, static_cast<float>(random.number(1.0, 2.0)),
+            static_cast<float>(random.number(0.4, 1.0)));
+  }
+  return plan;
+}
+
+// Is the point in the swept section? By walking along the bead in small steps, a check that
+// shares nothing with the depositor's projection.
+bool inBead(const plan::ToolPlan& plan, std::size_t i, const Vector3d& p, double slack) {
+  for (int s = 0; s <= 300; ++s) {
+    const double t = s / 300.0;
+    const Vector3d d = plan.direction[i];
+    const double h = plan.heightMm[i], w = plan.widthMm[i];
+    const Vector3d c =
+        (1 - t) * plan.position[i] + t * plan.position[i + 1] - 0.5 * h * d; // middle of section
+    const double z = (p - c).dot(d), side = (p - c - z * d).norm();
+    if (side <= 0.5 * (w - h)) {
+      if (std::abs(z) <= 0.5 * h + slack)
+        return true;
+    } else if (std::hypot(side - 0.5 * (w - h), z) <= 0.5 * h + slack) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::pair<Vector3d, std::uint32_t>> filledCells(const GrowingPart& part) {
+  std::vector<std::pair<Vector3d, std::uint32_t>> cells;
+  for (std::size_t c = 0; c < part.grid().cellCount(); ++c)
+    if (part.filledAt(c) != GrowingPart::kNeverFilled) {
+      const Eigen::Vector3i ijk = part.grid().cell(c);
+      cells.emplace_back(part.grid().centre(ijk.x(), ijk.y(), ijk.z()), part.filledAt(c));
+    }
+  return cells;
+}
+
+} // namespace
+
+TEST(GrowingPart, EmptyPlan) {
+  const GrowingPart part(plan::ToolPlan{}, 0.5, {});
+  const robot::Capsule ball{Vector3d::Zero(), Vector3d::Zero(), 5};
+  EXPECT_FALSE(part.touches(ball, Isometry3d::Identity(), 100, 10));
+  EXPECT_DOUBLE_EQ(part.distance(ball, Isometry3d::Identity(), 7.5, 10), 7.5);
+}
+
+// A straight bead of 40 mm: its volume in cells is area x length plus two rounded ends.
+TEST(GrowingPart, VolumeOfAStraightBead) {
+  plan::ToolPlan plan;
+  std::vector<Vector3d> points;
+  for (int i = 0; i <= 40; ++i)
+    points.emplace_back(i, 0.3, 0.8);
+  addPath(plan, points, Vector3d::UnitZ());
+  const GrowingPart part(plan, 0.0437, {});
+  const double cell = std::pow(0.0437, 3);
+  const double section = 1.2 * 0.8 - (1 - M_PI / 4) * 0.64;
+  // Ends: the section turned about its middle line (Pappus): a disc of r = 0.2 and a half torus.
+  const double ends = M_PI * 0.04 * 0.8 + M_PI * 0.16 / 2 * 2 * M_PI * (0.2 + 4 * 0.4 / (3 * M_PI));
+  EXPECT_NEAR(static_cast<double>(filledCells(part).size()) * cell, section * 40 + ends,
+              0.01 * section * 40);
+}
+
+TEST(GrowingPart, FillIndicesAgainstBruteForce) {
+  const plan::ToolPlan plan = randomBeads(7, 6);
+  const GrowingPart part(plan, 0.3, {});
+  int checked = 0;
+  for (std::size_t c = 0; c < part.grid().cellCount(); c += 11) {
+    const Eigen::Vector3i ijk = part.grid().cell(c);
+    const Vector3d p = part.grid().centre(ijk.x(), ijk.y(), ijk.z());
+    std::uint32_t surely = GrowingPart::kNeverFilled, perhaps = surely;
+    for (const plan::ToolPath& path : plan.paths)
+      for (std::size_t i = path.first; i + 1 < path.first + path.count; ++i) {
+        const auto at = static_cast<std::uint32_t>(i + 1);
+        if (inBead(plan, i, p, 1e-3))
+          perhaps = std::min(perhaps, at);
+        if (inBead(plan, i, p, -1e-3))
+          surely = std::min(surely, at);
+      }
+    EXPECT_GE(part.filledAt(c), perhaps);
+    EXPECT_LE(part.filledAt(c), surely);
+    checked += surely != GrowingPart::kNeverFilled;
+  }
+  EXPECT_GT(checked, 50);
+}
+
+TEST(GrowingPart, TouchesAndDistanceAgainstBruteForce) {
+  const plan::ToolPlan plan = randomBeads(8, 20);
+  const GrowingPart part(plan, 0.4, {});
+  const auto cells = filledCells(part);
+  ASSERT_GT(cells.size(), 1000u);
+  test::RandomShapes random(9);
+  int touching = 0;
+  for (int n = 0; n < 600; ++n) {
+    const robot::Shape shape = random.shape(n, random.number(0.3, 4.0));
+    const Isometry3d pose = random.pose(n % 3 == 0 ? 20.0 : 10.0);
+    const double margin = random.number(-0.5, 2.0), cap = random.number(0.5, 30.0);
+    const auto before = static_cast<std::size_t>(random.number(0.0, 125.0));
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [centre, time] : cells)
+      if (time < before)
+        least = std::min(least, collision::signedDistance(shape, pose.inverse() * centre));
+    if (std::abs(least - margin) > 1e-9) {
+      EXPECT_EQ(part.touches(shape, pose, margin, before), least <= margin) << n;
+    }
+    EXPECT_NEAR(part.distance(shape, pose, cap, before), std::clamp(least, 0.0, cap), 1e-9) << n;
+    touching += least <= margin;
+  }
+  EXPECT_GT(touching, 50);
+}
+
+TEST(GrowingPart, SameForAnyNumberOfThreads) {
+  const plan::ToolPlan plan = randomBeads(10, 900);
+  const GrowingPart one(plan, 0.3, {});
+  const GrowingPart two(plan, 0.3, base::RunContext(base::CancelToken(), 2));
+  ASSERT_EQ(one.grid().cellCount(), two.grid().cellCount());
+  for (std::size_t c = 0; c < one.grid().cellCount(); ++c)
+    ASSERT_EQ(one.filledAt(c), two.filledAt(c));
+}
+
+TEST(GrowingPart, Cancel) {
+  const base::CancelToken cancel;
+  cancel.cancel();
+  const plan::ToolPlan plan = randomBeads(11, 3);
+  EXPECT_THROW(GrowingPart(plan, 0.3, base::RunContext(cancel, 1)), base::Cancelled);
+}
+
+// Not a check, a figure: a spiral of 200,000 steps of 1 mm, and the head standing on it.
+TEST(GrowingPart, LargePartTimes) {
+  plan::ToolPlan plan;
+  std::vector<Vector3d> points;
+  for (int i = 0; i < 200000; ++i) {
+    const int ring = i / 2000, line = i % 2000 / 50, x = i % 50;
+    points.emplace_back(line % 2 ? 49 - x : x, 1.1 * line, 0.8 * (ring + 1));
+  }
+  addPath(plan, points, Vector3d::UnitZ());
+  base::Stopwatch watch;
+  const GrowingPart part(plan, 0.45, {});
+  const double deposit = watch.seconds();
+  const robot::Frustum tip{{0, 0, 0.4}, {0, 0, 12.4}, 0.5, 5.6};
+  const robot::Frustum body{{0, 0, 12.4}, {0, 0, 45.4}, 9.6, 9.6};
+  const base::Stopwatch queries;
+  int hits = 0;
+  for (std::size_t i = 0; i < 20000; ++i) {
+    const std::size_t w = i * 10;
+    Isometry3d pose = Isometry3d::Identity();
+    pose.translation() = points[w];
+    hits += part.touches(tip, pose, 0.0, w);
+    hits += part.touches(body, pose, 0.0, w);
+  }
+  EXPECT_EQ(hits, 0);
+  std::cout << "deposit of 200k waypoints: " << deposit
+            << " s on one thread; head against part: " << queries.seconds() / 20000 * 1e6
+            << " us\n";
+}
