@@ -1,0 +1,250 @@
+#include "geometry/mesh_reader.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+#include "geometry/placement.h"
+#include "geometry/sample_part.h"
+#include "support/models.h"
+#include "support/shapes.h"
+
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using Eigen::Vector3d;
+using geometry::readMesh;
+using geometry::TriangleMesh;
+using testing::HasSubstr;
+
+namespace {
+
+const Vector3d kLow(-1, 2, 3), kHigh(4, 7.5, 11);
+
+TriangleMesh boxMesh() {
+  return test::box(kLow, kHigh);
+}
+
+std::string asciiStl(const TriangleMesh& m) {
+  std::string s = "solid a name with facet words\n";
+  for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+    s += "  facet normal 0 0 0\n    outer loop\n";
+    for (int k = 0; k < 3; ++k)
+      s += fmt::format("      vertex {} +{} {:e}\r\n", m.corner(t, k).x(), m.corner(t, k).y(),
+                       m.corner(t, k).z());
+    s += "    endloop\n  endfacet\n";
+  }
+  return s + "endsolid\n";
+}
+
+std::string obj(const TriangleMesh& m) {
+  std::string s = "# a box\no box\n";
+  for (const auto& v : m.vertices)
+    s += fmt::format("v {} {} {}\n", v.x(), v.y(), v.z());
+  for (const auto& t : m.triangles)
+    s += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  return s;
+}
+
+std::string off(const TriangleMesh& m) {
+  std::string s = fmt::format("OFF\n{} {} 0\n", m.vertices.size(), m.triangles.size());
+  for (const auto& v : m.vertices)
+    s += fmt::format("{} {} {}\n", v.x(), v.y(), v.z());
+  for (const auto& t : m.triangles)
+    s += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
+  return s;
+}
+
+std::string plyHeader(const TriangleMesh& m, const char* format) {
+  return fmt::format("ply\nformat {} 1.0\ncomment made here\nelement vertex {}\nproperty float x\n"
+                     "property float y\nproperty float z\nelement face {}\n"
+                     "property list uchar int vertex_indices\nend_header\n",
+                     format, m.vertices.size(), m.triangles.size());
+}
+
+std::string asciiPly(const TriangleMesh& m) {
+  std::string s = plyHeader(m, "ascii");
+  for (const auto& v : m.vertices)
+    s += fmt::format("{} {} {}\n", v.x(), v.y(), v.z());
+  for (const auto& t : m.triangles)
+    s += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
+  return s;
+}
+
+std::string binaryPly(const TriangleMesh& m) {
+  std::string s = plyHeader(m, "binary_little_endian");
+  for (const auto& v : m.vertices)
+    for (int k = 0; k < 3; ++k) {
+      const auto x = static_cast<float>(v[k]);
+      s.append(reinterpret_cast<const char*>(&x), sizeof x);
+    }
+  for (const auto& t : m.triangles) {
+    s += '\3';
+    s.append(reinterpret_cast<const char*>(t.data()), sizeof t);
+  }
+  return s;
+}
+
+std::string messageOf(const std::string& bytes, const std::string& name) {
+  try {
+    readMesh(bytes, name);
+  } catch (const base::Error& e) {
+    EXPECT_NE(e.code(), base::ErrorCode::Internal);
+    return e.what();
+  }
+  ADD_FAILURE() << "no error";
+  return {};
+}
+
+} // namespace
+
+TEST(Readers, EveryFormatGivesTheSameBox) {
+  const TriangleMesh m = boxMesh();
+  const std::pair<std::string, std::string> files[] = {{"a.stl", geometry::writeStl(m)},
+                                                       {"b.STL", asciiStl(m)},
+                                                       {"c.obj", obj(m)},
+                                                       {"d.off", off(m)},
+                                                       {"e.ply", asciiPly(m)},
+                                                       {"f.ply", binaryPly(m)},
+                                                       {"no extension", asciiStl(m)},
+                                                       {"wrong.txt", asciiPly(m)}};
+  for (const auto& [name, bytes] : files) {
+    const auto file = readMesh(bytes, name);
+    EXPECT_EQ(file.mesh.vertices.size(), 8u) << name;
+    EXPECT_EQ(file.mesh.triangles.size(), 12u) << name;
+    EXPECT_NEAR(geometry::volume(file.mesh), geometry::volume(m), 1e-4) << name;
+    EXPECT_TRUE(geometry::bounds(file.mesh).min().isApprox(kLow, 1e-6)) << name;
+    EXPECT_TRUE(file.repairs.empty()) << name;
+  }
+}
+
+TEST(Readers, PolygonsAreCutIntoTriangles) {
+  const auto file =
+      readMesh("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 0.2 0\nv 0 1 0\nf 1 2 3 4 5\n", "p.obj");
+  EXPECT_EQ(file.mesh.triangles.size(), 3u);
+  EXPECT_NEAR(geometry::area(file.mesh), 1.2, 1e-6);
+}
+
+TEST(Readers, BinaryHeaderMayBeginWithSolid) {
+  std::string bytes = geometry::writeStl(boxMesh());
+  bytes.replace(0, 11, "solid facet");
+  EXPECT_EQ(readMesh(bytes, "s.stl").format, "STL (binary)");
+}
+
+TEST(Readers, ShortOfAFewFacetsIsTold) {
+  const TriangleMesh m = geometry::samplePart();
+  const std::string bytes = geometry::writeStl(m);
+  const auto file = readMesh(bytes.substr(0, bytes.size() - 130), "s.stl");
+  EXPECT_EQ(file.mesh.triangles.size(), m.triangles.size() - 3);
+  ASSERT_EQ(file.repairs.size(), 1u);
+  EXPECT_THAT(file.repairs[0], HasSubstr("cut short"));
+  EXPECT_THAT(messageOf(bytes.substr(0, bytes.size() / 2), "s.stl"), HasSubstr("cut short"));
+}
+
+TEST(Readers, BadCoordinatesAreLeftOutOrRefused) {
+  const TriangleMesh m = geometry::samplePart();
+  std::string bytes = geometry::writeStl(m);
+  const float bad = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(bytes.data() + 84 + 50 * 7 + 16, &bad, sizeof bad);
+  const auto file = readMesh(bytes, "s.stl");
+  EXPECT_EQ(file.mesh.triangles.size(), m.triangles.size() - 1);
+  ASSERT_EQ(file.repairs.size(), 1u);
+  EXPECT_THAT(file.repairs[0], HasSubstr("the first is facet 8"));
+  for (std::size_t f = 0; f < 1000; ++f)
+    std::memcpy(bytes.data() + 84 + 50 * f + 16, &bad, sizeof bad);
+  EXPECT_THAT(messageOf(bytes, "s.stl"), HasSubstr("1000 of"));
+}
+
+TEST(Readers, ClearErrors) {
+  EXPECT_THAT(messageOf("", "a.stl"), HasSubstr("empty"));
+  EXPECT_THAT(messageOf("hello", "a.txt"), HasSubstr("not a mesh"));
+  EXPECT_THAT(messageOf("hello", "a.stl"), HasSubstr("cut short"));
+  EXPECT_THAT(messageOf(geometry::writeStl({}), "a.stl"), HasSubstr("no triangle"));
+  EXPECT_THAT(messageOf("OFF\n0 0 0\n", "a.off"), HasSubstr("a.off"));
+  EXPECT_THAT(messageOf("v 0 0 0\n", "a.obj"), HasSubstr("a.obj"));
+  EXPECT_THAT(messageOf("not ply", "a.ply"), HasSubstr("a.ply"));
+  EXPECT_THAT(messageOf("PKnot", "a.3mf"), HasSubstr("a.3mf"));
+  EXPECT_THAT(messageOf("solid\nfacet normal 0 0 0\nouter loop\nvertex 1 2 x\n", "a.stl"),
+              HasSubstr("line 4"));
+  EXPECT_THROW(readMesh(std::filesystem::temp_directory_path()), base::Error);
+  EXPECT_THROW(readMesh(std::filesystem::path("/no/such/file.stl")), base::Error);
+}
+
+// A damaged file is a mesh or an Error, never anything else.
+TEST(Readers, DamagedFilesNeverCrash) {
+  const TriangleMesh m = test::sphere({0, 0, 0}, 5.0, 5);
+  const std::pair<std::string, std::string> files[] = {{"a.stl", geometry::writeStl(m)},
+                                                       {"b.stl", asciiStl(m)},
+                                                       {"c.obj", obj(m)},
+                                                       {"d.off", off(m)},
+                                                       {"e.ply", asciiPly(m)},
+                                                       {"f.ply", binaryPly(m)}};
+  std::mt19937 random(7);
+  int errors = 0, meshes = 0;
+  for (const auto& [name, bytes] : files)
+    for (int trial = 0; trial < 1500; ++trial) {
+      std::string damaged = bytes;
+      if (trial % 3 == 0)
+        damaged.resize(random() % damaged.size());
+      for (unsigned change = trial % 3 == 0 ? 0 : 1 + random() % 6; change > 0; --change) {
+        const std::size_t at = trial % 2 ? random() % damaged.size()
+                                         : random() % std::min<std::size_t>(damaged.size(), 200);
+        switch (random() % 3) {
+        case 0:
+          damaged[at] = static_cast<char>(random());
+          break;
+        case 1:
+          damaged.erase(at, 1 + random() % 8);
+          break;
+        default:
+          damaged.insert(at, 1, "0123456789-.\n e"[random() % 15]);
+        }
+        if (damaged.empty())
+          break;
+      }
+      try {
+        const auto file = readMesh(damaged, name);
+        ++meshes;
+        ASSERT_FALSE(file.mesh.empty());
+        for (const auto& t : file.mesh.triangles)
+          for (const int v : t)
+            ASSERT_TRUE(v >= 0 && static_cast<std::size_t>(v) < file.mesh.vertices.size());
+        for (const auto& v : file.mesh.vertices)
+          ASSERT_TRUE(v.allFinite());
+      } catch (const base::Error& e) {
+        ++errors;
+        ASSERT_NE(e.code(), base::ErrorCode::Internal) << e.what();
+      }
+    }
+  EXPECT_GT(errors, 1000);
+  EXPECT_GT(meshes, 1000);
+}
+
+TEST(Placement, CentresAndDrops) {
+  const auto box = geometry::bounds(geometry::placeOnPlate(boxMesh(), 2.0));
+  EXPECT_TRUE(box.min().isApprox(Vector3d(-5, -5.5, 0), 1e-12));
+  EXPECT_TRUE(box.max().isApprox(Vector3d(5, 5.5, 16), 1e-12));
+  EXPECT_THROW(geometry::placeOnPlate(boxMesh(), 0.0), base::Error);
+}
+
+TEST(Placement, UnitsAreToldNotChanged) {
+  EXPECT_TRUE(geometry::guessUnits(boxMesh()).note.empty());
+  EXPECT_EQ(geometry::guessUnits(test::box({0, 0, 0}, {0.1, 0.05, 0.02})).unit, "m");
+  EXPECT_EQ(geometry::guessUnits(test::box({0, 0, 0}, {1e5, 1, 1})).unit, "um");
+}
+
+TEST(SamplePart, IsAModestClosedPart) {
+  const TriangleMesh m = geometry::samplePart();
+  const auto box = geometry::bounds(m);
+  EXPECT_LT(m.triangles.size(), 20000u);
+  EXPECT_EQ(box.min().z(), 0.0);
+  EXPECT_EQ(box.max().z(), 60.0);
+  EXPECT_EQ(geometry::components(m).count, 1);
+  // Euler's formula for a closed surface of genus 0.
+  EXPECT_EQ(m.vertices.size() + m.triangles.size() - geometry::edgeStatistics(m).count, 2u);
+  EXPECT_GT(geometry::volume(m), 40000.0);
+}
