@@ -1,0 +1,279 @@
+#include "collision/cell_collision.h"
+
+#include "base/error.h"
+#include "collision/polyhedron_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace voluta::collision {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+struct CellCollision::Solid {
+  explicit Solid(const robot::Shape& s)
+      : shape(s), placed(place(s, Isometry3d::Identity())), ball(boundingBall(placed)) {
+    if (!std::holds_alternative<robot::Capsule>(s))
+      polyhedron = std::make_unique<Polyhedron>(s);
+  }
+  robot::Shape shape;
+  PlacedShape placed; // in the body's frame
+  Ball ball;
+  std::unique_ptr<Polyhedron> polyhedron; // none for capsules
+};
+
+struct CellCollision::Assembly {
+  explicit Assembly(const std::vector<robot::Shape>& shapes) {
+    Vector3d sum = Vector3d::Zero();
+    for (const robot::Shape& s : shapes) {
+      solids.emplace_back(s);
+      sum += solids.back().ball.centre;
+    }
+    ball.centre = shapes.empty() ? sum : Vector3d(sum / static_cast<double>(shapes.size()));
+    ball.radius = 0.0;
+    for (const Solid& s : solids)
+      ball.radius = std::max(ball.radius, (s.ball.centre - ball.centre).norm() + s.ball.radius);
+  }
+  std::vector<Solid> solids;
+  Ball ball;
+};
+
+namespace {
+
+// How far the shape reaches along a unit direction of its own frame.
+double support(const robot::Shape& shape, const Vector3d& d) {
+  if (const auto* c = std::get_if<robot::Capsule>(&shape))
+    return std::max(c->p0.dot(d), c->p1.dot(d)) + c->radius;
+  if (const auto* b = std::get_if<robot::Box>(&shape))
+    return b->frame_T_box.translation().dot(d) +
+           (b->frame_T_box.linear().transpose() * d).cwiseAbs().dot(b->half);
+  if (const auto* f = std::get_if<robot::Frustum>(&shape)) {
+    const Vector3d u = (f->p1 - f->p0).normalized();
+    const double across = std::sqrt(std::max(0.0, 1.0 - std::pow(u.dot(d), 2)));
+    return std::max(f->p0.dot(d) + f->r0 * across, f->p1.dot(d) + f->r1 * across);
+  }
+  const auto& p = std::get<robot::Prism>(shape);
+  double flat = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector2d& corner : p.polygon)
+    flat = std::max(flat, corner.dot(d.head<2>()));
+  return flat + std::max(p.zMin * d.z(), p.zMax * d.z());
+}
+
+// A direction in which solids of this kind are often apart: their axis.
+Vector3d axisOf(const robot::Shape& shape) {
+  if (const auto* f = std::get_if<robot::Frustum>(&shape))
+    return (f->p1 - f->p0).normalized();
+  if (const auto* b = std::get_if<robot::Box>(&shape))
+    return b->frame_T_box.linear().col(2);
+  return Vector3d::UnitZ();
+}
+
+// Gap of the two along a direction of the base; <= their distance.
+double gap(const robot::Shape& a, const Isometry3d& base_T_a, const robot::Shape& b,
+           const Isometry3d& base_T_b, const Vector3d& direction) {
+  const double reachA =
+      support(a, base_T_a.linear().transpose() * direction) + base_T_a.translation().dot(direction);
+  const double reachB = support(b, -(base_T_b.linear().transpose() * direction)) -
+                        base_T_b.translation().dot(direction);
+  return -reachA - reachB;
+}
+
+} // namespace
+
+CellCollision::CellCollision(const robot::Cell& cell, const process::Process& process)
+    : cell_(cell) {
+  const auto& bodies = cell.bodies();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    assemblies_.emplace_back(bodies[i].shapes);
+    if (bodies[i].role == robot::BodyRole::Platform)
+      platforms_.push_back(static_cast<int>(i));
+  }
+  const process::HeadShape eroded = process::erodedHead(process.head, process.contactToleranceMm);
+  for (std::size_t i = 1; i < eroded.sections.size(); ++i) {
+    const auto &a = eroded.sections[i - 1], &b = eroded.sections[i];
+    if (b.zMm > a.zMm)
+      erodedHeadShapes_.push_back(
+          robot::Frustum{Vector3d(0, 0, -a.zMm), Vector3d(0, 0, -b.zMm), a.radiusMm, b.radiusMm});
+  }
+  erodedHead_ = std::make_unique<Assembly>(erodedHeadShapes_);
+}
+
+CellCollision::~CellCollision() = default;
+
+// The distance, or a lower bound of it that is above `enough`.
+double CellCollision::distance(const Solid& a, const Isometry3d& base_T_a, const Solid& b,
+                               const Isometry3d& base_T_b, double enough) const {
+  const Vector3d centreA = base_T_a * a.ball.centre, centreB = base_T_b * b.ball.centre;
+  const double balls = (centreA - centreB).norm() - a.ball.radius - b.ball.radius;
+  if (balls > enough)
+    return balls;
+  // A capsule is taken into the other's frame, where that one lies ready.
+  if (const auto* capsule = std::get_if<robot::Capsule>(&a.shape))
+    return capsuleDistance(PlacedCapsule(*capsule, base_T_b.inverse(Eigen::Isometry) * base_T_a),
+                           b.placed, enough);
+  if (const auto* capsule = std::get_if<robot::Capsule>(&b.shape))
+    return capsuleDistance(PlacedCapsule(*capsule, base_T_a.inverse(Eigen::Isometry) * base_T_b),
+                           a.placed, enough);
+
+  const double aside =
+      signedDistance(b.placed, base_T_b.inverse(Eigen::Isometry) * centreA) - a.ball.radius;
+  if (aside > enough)
+    return aside;
+  const Vector3d between = centreB - centreA;
+  const Vector3d axisA = base_T_a.linear() * axisOf(a.shape);
+  const Vector3d axisB = base_T_b.linear() * axisOf(b.shape);
+  for (const Vector3d& direction : {between, axisA, axisB}) {
+    const double length = direction.norm();
+    if (length <= 0.0)
+      continue;
+    const Vector3d u = (direction.dot(between) < 0.0 ? -1.0 : 1.0) / length * direction;
+    const double apart = gap(a.shape, base_T_a, b.shape, base_T_b, u);
+    if (apart > enough)
+      return apart;
+  }
+  return Polyhedron::distance(*a.polyhedron, base_T_a, *b.polyhedron, base_T_b);
+}
+
+double CellCollision::distance(const Assembly& a, const Isometry3d& base_T_a, const Assembly& b,
+                               const Isometry3d& base_T_b, double enough) const {
+  const double balls =
+      (base_T_a * a.ball.centre - base_T_b * b.ball.centre).norm() - a.ball.radius - b.ball.radius;
+  if (balls > enough)
+    return balls;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Solid& s : a.solids)
+    for (const Solid& t : b.solids)
+      least = std::min(least, distance(s, base_T_a, t, base_T_b, std::min(enough, least)));
+  return least;
+}
+
+bool CellCollision::isHeadAndPlatform(int a, int b) const {
+  using robot::BodyRole;
+  const BodyRole roleA = cell_.bodies()[static_cast<std::size_t>(a)].role;
+  const BodyRole roleB = cell_.bodies()[static_cast<std::size_t>(b)].role;
+  return (roleA == BodyRole::Head && roleB == BodyRole::Platform) ||
+         (roleA == BodyRole::Platform && roleB == BodyRole::Head);
+}
+
+std::optional<Contact> CellCollision::bodies(const Frames& base_T_frame,
+                                             const Margins& margins) const {
+  for (const auto& [a, b] : cell_.checkedPairs()) {
+    if (isHeadAndPlatform(a, b))
+      continue;
+    const auto ia = static_cast<std::size_t>(a), ib = static_cast<std::size_t>(b);
+    const Isometry3d& base_T_a = base_T_frame[static_cast<std::size_t>(cell_.bodies()[ia].frame)];
+    const Isometry3d& base_T_b = base_T_frame[static_cast<std::size_t>(cell_.bodies()[ib].frame)];
+    if (distance(assemblies_[ia], base_T_a, assemblies_[ib], base_T_b, margins.bodiesMm) <=
+        margins.bodiesMm)
+      return Contact{a, b};
+  }
+  const auto work = static_cast<std::size_t>(cell_.workFrame());
+  const auto tool = static_cast<std::size_t>(cell_.toolFrame());
+  if (headTouchesPlatform(base_T_frame[work].inverse(Eigen::Isometry) * base_T_frame[tool],
+                          margins.headMm))
+    for (const auto& [a, b] : cell_.checkedPairs())
+      if (isHeadAndPlatform(a, b))
+        return Contact{a, b};
+  return std::nullopt;
+}
+
+bool CellCollision::collides(const robot::JointVector& q, double marginMm) const {
+  Frames frames;
+  cell_.framePoses(q, frames);
+  Margins margins;
+  margins.bodiesMm = marginMm;
+  return bodies(frames, margins).has_value();
+}
+
+std::optional<Contact> CellCollision::bodiesAndPart(const Frames& base_T_frame,
+                                                    const GrowingPart& part, std::size_t before,
+                                                    const Margins& margins) const {
+  const Isometry3d work_T_base =
+      base_T_frame[static_cast<std::size_t>(cell_.workFrame())].inverse(Eigen::Isometry);
+  for (const int i : cell_.bodiesAgainstPart()) {
+    const robot::Body& body = cell_.bodies()[static_cast<std::size_t>(i)];
+    if (body.role == robot::BodyRole::Head)
+      continue;
+    const Isometry3d work_T_body = work_T_base * base_T_frame[static_cast<std::size_t>(body.frame)];
+    for (const robot::Shape& shape : body.shapes)
+      if (part.touches(shape, work_T_body, margins.partMm, before))
+        return Contact{i, kPrintedPart};
+  }
+  return std::nullopt;
+}
+
+bool CellCollision::headTouchesPart(const Isometry3d& work_T_tool, const GrowingPart& part,
+                                    std::size_t before, double marginMm) const {
+  return std::any_of(erodedHeadShapes_.begin(), erodedHeadShapes_.end(), [&](const auto& shape) {
+    return part.touches(shape, work_T_tool, marginMm, before);
+  });
+}
+
+bool CellCollision::headTouchesPlatform(const Isometry3d& work_T_tool, double marginMm) const {
+  return std::any_of(platforms_.begin(), platforms_.end(), [&](int i) {
+    return distance(*erodedHead_, work_T_tool, assemblies_[static_cast<std::size_t>(i)],
+                    Isometry3d::Identity(), marginMm) <= marginMm;
+  });
+}
+
+std::optional<Contact> CellCollision::any(const Frames& base_T_frame, const GrowingPart& part,
+                                          std::size_t before, const Margins& margins) const {
+  const Isometry3d work_T_tool =
+      base_T_frame[static_cast<std::size_t>(cell_.workFrame())].inverse(Eigen::Isometry) *
+      base_T_frame[static_cast<std::size_t>(cell_.toolFrame())];
+  if (headTouchesPart(work_T_tool, part, before, margins.headMm))
+    for (const int i : cell_.bodiesAgainstPart())
+      if (cell_.bodies()[static_cast<std::size_t>(i)].role == robot::BodyRole::Head)
+        return Contact{i, kPrintedPart};
+  if (const auto contact = bodies(base_T_frame, margins))
+    return contact;
+  return bodiesAndPart(base_T_frame, part, before, margins);
+}
+
+bool CellCollision::touchesPart(const robot::JointVector& q, const GrowingPart& part,
+                                std::size_t before, const Margins& margins) const {
+  Frames frames;
+  cell_.framePoses(q, frames);
+  return headTouchesPart(cell_.work_T_tool(q), part, before, margins.headMm) ||
+         bodiesAndPart(frames, part, before, margins).has_value();
+}
+
+double CellCollision::clearance(const Frames& base_T_frame, double capMm) const {
+  double least = capMm;
+  for (const auto& [a, b] : cell_.checkedPairs()) {
+    if (isHeadAndPlatform(a, b))
+      continue;
+    const auto ia = static_cast<std::size_t>(a), ib = static_cast<std::size_t>(b);
+    least = std::min(
+        least,
+        distance(assemblies_[ia], base_T_frame[static_cast<std::size_t>(cell_.bodies()[ia].frame)],
+                 assemblies_[ib], base_T_frame[static_cast<std::size_t>(cell_.bodies()[ib].frame)],
+                 least));
+  }
+  return least;
+}
+
+double CellCollision::clearanceToPart(const Frames& base_T_frame, const GrowingPart& part,
+                                      std::size_t before, double capMm) const {
+  const Isometry3d work_T_base =
+      base_T_frame[static_cast<std::size_t>(cell_.workFrame())].inverse(Eigen::Isometry);
+  double least = capMm;
+  for (const int i : cell_.bodiesAgainstPart()) {
+    const robot::Body& body = cell_.bodies()[static_cast<std::size_t>(i)];
+    if (body.role == robot::BodyRole::Head)
+      continue;
+    const Isometry3d work_T_body = work_T_base * base_T_frame[static_cast<std::size_t>(body.frame)];
+    for (const robot::Shape& shape : body.shapes)
+      least = std::min(least, part.distance(shape, work_T_body, least, before));
+  }
+  return least;
+}
+
+std::string CellCollision::nameOf(int body) const {
+  return body == kPrintedPart ? "printed part"
+                              : cell_.bodies()[static_cast<std::size_t>(body)].name;
+}
+
+} // namespace voluta::collision

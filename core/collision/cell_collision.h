@@ -1,0 +1,95 @@
+// Do the bodies of a cell meet each other, or the part printed so far?
+#pragma once
+
+#include "collision/growing_part.h"
+#include "collision/shape_distance.h"
+#include "process/process.h"
+#include "robot/cell.h"
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voluta::collision {
+
+// How far bodies have to keep from each other. mm.
+struct Margins {
+  double bodiesMm = 2.0; // body to body, but for the head and the plate
+  double partMm = 2.0;   // body to printed part, but for the head
+  double headMm = 0.0;   // eroded head (process::erodedHead) to plate and printed part
+};
+
+// What meets: indices into Cell::bodies(); kPrintedPart for the part itself.
+inline constexpr int kPrintedPart = -1;
+struct Contact {
+  int first = 0, second = kPrintedPart;
+};
+
+// Keeps what every query needs of a cell: shapes placed in their bodies' frames, bounding balls,
+// the head less the process's contact tolerance. All queries are const and may run in parallel.
+class CellCollision {
+public:
+  // `cell` must outlive this.
+  CellCollision(const robot::Cell& cell, const process::Process& process);
+  ~CellCollision();
+  CellCollision(const CellCollision&) = delete;
+  CellCollision& operator=(const CellCollision&) = delete;
+
+  const robot::Cell& cell() const { return cell_; }
+
+  // Poses of the cell's frames, as Cell::framePoses, for the queries below.
+  using Frames = std::vector<Eigen::Isometry3d>;
+
+  // The first of cell.checkedPairs() that is closer than its margin. Frusta and prisms against
+  // each other go through FCL as polyhedra around them (at most 0.25 % too large); all else is
+  // exact.
+  std::optional<Contact> bodies(const Frames& base_T_frame, const Margins& margins) const;
+  bool collides(const robot::JointVector& q, double marginMm) const;
+
+  // The first of cell.bodiesAgainstPart() but the head that comes closer than margins.partMm to
+  // a cell filled before waypoint `before`.
+  std::optional<Contact> bodiesAndPart(const Frames& base_T_frame, const GrowingPart& part,
+                                       std::size_t before, const Margins& margins) const;
+
+  // The eroded head, grown by marginMm, against the part. The head is round, so this depends on
+  // tip and axis alone, not on the joints.
+  bool headTouchesPart(const Eigen::Isometry3d& work_T_tool, const GrowingPart& part,
+                       std::size_t before, double marginMm) const;
+  // The eroded head against the plate and what carries it.
+  bool headTouchesPlatform(const Eigen::Isometry3d& work_T_tool, double marginMm) const;
+
+  // All of the above.
+  std::optional<Contact> any(const Frames& base_T_frame, const GrowingPart& part,
+                             std::size_t before, const Margins& margins) const;
+  bool touchesPart(const robot::JointVector& q, const GrowingPart& part, std::size_t before,
+                   const Margins& margins) const;
+
+  // Least distance between bodies of a checked pair, and of bodies to the part, the head's to
+  // plate and part left out (it is meant to be there); never more than capMm. mm.
+  double clearance(const Frames& base_T_frame, double capMm) const;
+  double clearanceToPart(const Frames& base_T_frame, const GrowingPart& part, std::size_t before,
+                         double capMm) const;
+
+  // "forearm", "platform", "printed part", ...
+  std::string nameOf(int body) const;
+
+private:
+  struct Solid;
+  struct Assembly; // a body's solids in its own frame
+  double distance(const Solid& a, const Eigen::Isometry3d& base_T_a, const Solid& b,
+                  const Eigen::Isometry3d& base_T_b, double enough) const;
+  double distance(const Assembly& a, const Eigen::Isometry3d& base_T_a, const Assembly& b,
+                  const Eigen::Isometry3d& base_T_b, double enough) const;
+  bool isHeadAndPlatform(int a, int b) const;
+
+  const robot::Cell& cell_;
+  std::vector<Assembly> assemblies_; // as cell.bodies()
+  std::unique_ptr<Assembly> erodedHead_;
+  std::vector<robot::Shape> erodedHeadShapes_;
+  std::vector<int> platforms_;
+};
+
+} // namespace voluta::collision

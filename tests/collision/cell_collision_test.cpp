@@ -1,0 +1,196 @@
+#include "collision/cell_collision.h"
+
+#include "base/run_context.h"
+#include "base/stopwatch.h"
+#include "collision/polyhedron_distance.h"
+#include "collision/random_shapes.h"
+
+#include <gtest/gtest.h>
+#include <iostream>
+#include <map>
+
+using namespace voluta;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+namespace {
+
+// Points all over a solid's surface and inside it.
+std::vector<Vector3d> samples(const robot::Shape& shape, double size, test::RandomShapes& random) {
+  std::vector<Vector3d> points;
+  while (points.size() < 3000) {
+    const Vector3d p = random.point(2.0 * size);
+    if (collision::signedDistance(shape, p) <= 0.0)
+      points.push_back(p);
+  }
+  return points;
+}
+
+} // namespace
+
+// FCL's distance of the polyhedra against the exact distances of points of one to the other.
+TEST(Polyhedron, AgainstSampling) {
+  test::RandomShapes random(21);
+  for (int n = 0; n < 60; ++n) {
+    const robot::Shape a = random.shape(1 + n % 3, 4.0), b = random.shape(1 + n / 3 % 3, 4.0);
+    const Isometry3d place = random.pose(8.0);
+    const double found = collision::Polyhedron::distance(
+        collision::Polyhedron(a), Isometry3d::Identity(), collision::Polyhedron(b), place);
+    double least = 1e9;
+    for (const Vector3d& p : samples(a, 4.0, random))
+      least = std::min(least, collision::signedDistance(b, place.inverse() * p));
+    EXPECT_LE(found, std::max(least, 0.0) + 1e-6) << n;
+    if (least > 0.2) {
+      EXPECT_GE(found, least - 1.0) << n;
+    } else if (least < 0.0) {
+      EXPECT_LE(found, 0.0) << n;
+    }
+  }
+}
+
+class CellCollisionTest : public testing::Test {
+protected:
+  CellCollisionTest()
+      : process(process::loadProcess("fdm-1.0")),
+        cell(robot::loadCell("ur5-fixed", process, disc(20.0))), collision(cell, process) {}
+
+  static std::vector<Eigen::Vector2d> disc(double radius) {
+    std::vector<Eigen::Vector2d> polygon;
+    for (int i = 0; i < 32; ++i)
+      polygon.emplace_back(radius * std::cos(i * M_PI / 16), radius * std::sin(i * M_PI / 16));
+    return polygon;
+  }
+  robot::JointVector randomJoints(test::RandomShapes& random) const {
+    robot::JointVector q(cell.dof());
+    for (int i = 0; i < cell.dof(); ++i)
+      q[i] = random.number(-3.1, 3.1);
+    return q;
+  }
+  // Nozzle at a point of the work frame with direction d.
+  static Isometry3d toolAt(const Vector3d& p, const Vector3d& d, double turn) {
+    Isometry3d t = Isometry3d::Identity();
+    t.linear() =
+        (Eigen::Quaterniond::FromTwoVectors(-Vector3d::UnitZ(), -d) *
+         Eigen::AngleAxisd(M_PI, Vector3d::UnitX()) * Eigen::AngleAxisd(turn, Vector3d::UnitZ()))
+            .toRotationMatrix();
+    t.translation() = p;
+    return t;
+  }
+
+  process::Process process;
+  robot::Cell cell;
+  collision::CellCollision collision;
+};
+
+TEST_F(CellCollisionTest, HomeIsClear) {
+  EXPECT_FALSE(collision.collides(cell.home(), 2.0));
+}
+
+// Points all through every body, and their exact distance to the other body of the pair.
+TEST_F(CellCollisionTest, ClearanceAgainstSampledBodies) {
+  test::RandomShapes random(22);
+  std::vector<std::vector<Vector3d>> points(cell.bodies().size());
+  for (std::size_t b = 0; b < cell.bodies().size(); ++b)
+    for (const robot::Shape& s : cell.bodies()[b].shapes) {
+      const collision::Ball ball =
+          collision::boundingBall(collision::place(s, Isometry3d::Identity()));
+      for (int tries = 0, found = 0; found < 400 && tries < 400000; ++tries) {
+        const Vector3d p = ball.centre + random.point(ball.radius);
+        if (collision::signedDistance(s, p) <= 0.0) {
+          points[b].push_back(p);
+          ++found;
+        }
+      }
+    }
+  int free = 0, hit = 0;
+  for (int n = 0; n < 60; ++n) {
+    const robot::JointVector q = randomJoints(random);
+    collision::CellCollision::Frames frames;
+    cell.framePoses(q, frames);
+    double least = 1e9;
+    for (const auto& [a, b] : cell.checkedPairs()) {
+      const auto &bodyA = cell.bodies()[static_cast<std::size_t>(a)],
+                 &bodyB = cell.bodies()[static_cast<std::size_t>(b)];
+      if (bodyA.role == robot::BodyRole::Head && bodyB.role == robot::BodyRole::Platform)
+        continue;
+      const Isometry3d b_T_a = frames[static_cast<std::size_t>(bodyB.frame)].inverse() *
+                               frames[static_cast<std::size_t>(bodyA.frame)];
+      for (const robot::Shape& s : bodyB.shapes)
+        for (const Vector3d& p : points[static_cast<std::size_t>(a)])
+          least = std::min(least, collision::signedDistance(s, b_T_a * p));
+    }
+    const double clearance = collision.clearance(frames, 500.0);
+    EXPECT_LE(clearance, std::max(least, 0.0) + 1e-6);
+    if (least <= 0.0) {
+      EXPECT_TRUE(collision.collides(q, 0.0));
+      ++hit;
+    }
+    if (!collision.collides(q, 2.0)) {
+      EXPECT_GT(clearance, 2.0);
+      EXPECT_LT(least - clearance, 80.0); // sparse samples of large bodies
+      ++free;
+    }
+  }
+  EXPECT_GT(free, 3);
+  EXPECT_GT(hit, 3);
+}
+
+TEST_F(CellCollisionTest, HeadAndPlatform) {
+  const Vector3d up = Vector3d::UnitZ();
+  EXPECT_FALSE(collision.headTouchesPlatform(toolAt({0, 0, 0.8}, up, 0.3), 0.0));
+  EXPECT_FALSE(collision.headTouchesPlatform(toolAt({15, 0, -0.3}, up, 0.3), 0.0));
+  EXPECT_TRUE(collision.headTouchesPlatform(toolAt({15, 0, -0.5}, up, 0.3), 0.0));
+  EXPECT_TRUE(collision.headTouchesPlatform(toolAt({15, 0, 0.5}, up, 0.3), 1.0));
+  // Beside the plate nothing is below.
+  EXPECT_FALSE(collision.headTouchesPlatform(toolAt({60, 0, -3}, up, 0.3), 0.0));
+  // Lying flat one millimetre above the plate's edge, the head's cone (12 mm, 6 mm) cuts it.
+  EXPECT_TRUE(collision.headTouchesPlatform(toolAt({10, 0, 1}, Vector3d::UnitX(), 0.0), 0.0));
+}
+
+TEST_F(CellCollisionTest, PartAndHead) {
+  plan::ToolPlan plan;
+  for (int i = 0; i <= 30; ++i) {
+    plan.position.emplace_back(i - 15.0, 0, 0.8);
+    plan.direction.emplace_back(0, 0, 1);
+    plan.widthMm.push_back(1.2f);
+    plan.heightMm.push_back(0.8f);
+    plan.speedMmPerS.push_back(20);
+  }
+  plan.paths.push_back({0, 31});
+  const collision::GrowingPart part(plan, 0.2, {});
+  const Isometry3d on = toolAt({0, 0, 0.8}, Vector3d::UnitZ(), 0),
+                   in = toolAt({0, 0, 0.2}, Vector3d::UnitZ(), 0);
+  EXPECT_FALSE(collision.headTouchesPart(on, part, 31, 0.0));
+  EXPECT_TRUE(collision.headTouchesPart(in, part, 31, 0.0));
+  EXPECT_FALSE(collision.headTouchesPart(in, part, 8, 0.0)); // not yet printed there
+  EXPECT_TRUE(collision.headTouchesPart(on, part, 31, 0.6));
+}
+
+// Figures, not checks.
+TEST_F(CellCollisionTest, Times) {
+  test::RandomShapes random(23);
+  std::vector<robot::JointVector> q;
+  std::vector<robot::JointVector> solutions;
+  for (int n = 0; n < 2000; ++n) {
+    cell.inverse(toolAt(random.point(30) + Vector3d(0, 0, 50),
+                        (random.point(0.7) + Vector3d::UnitZ()).normalized(), random.number(-3, 3)),
+                 cell.home(), solutions);
+    q.insert(q.end(), solutions.begin(), solutions.end());
+  }
+  const base::Stopwatch watch;
+  std::size_t hits = 0;
+  std::map<std::string, int> which;
+  for (const auto& one : q) {
+    collision::CellCollision::Frames frames;
+    cell.framePoses(one, frames);
+    if (const auto contact = collision.bodies(frames, {})) {
+      ++hits;
+      ++which[collision.nameOf(contact->first) + " and " + collision.nameOf(contact->second)];
+    }
+  }
+  const double seconds = watch.seconds();
+  for (const auto& [pair, count] : which)
+    std::cout << "  " << pair << ": " << count << "\n";
+  std::cout << q.size() << " configurations, " << seconds / static_cast<double>(q.size()) * 1e6
+            << " us each, " << hits << " collide\n";
+}
