@@ -22,6 +22,7 @@ enum class Mount { World, Flange };
 
 class Cell {
 public:
+  // The file's keys are described in robot/cell_reader.cpp.
   // Throws Error{UnreadableFile, UnusableInput} naming file and key. The head's solid comes from
   // the process; the platform is a prism of `platformPolygon` (convex, work frame, counter-
   // clockwise) on the cell's own stem.
@@ -30,6 +31,7 @@ public:
 
   const std::string& id() const { return id_; }
   const std::string& label() const { return label_; }
+  const std::string& note() const { return note_; } // how it was laid out, for who sets it up
   const RobotModel& robot() const { return robot_; }
   int dof() const { return robot_.dof(); } // plus external axes, once a cell has some
   Mount nozzleMount() const { return nozzleMount_; }
@@ -45,6 +47,7 @@ public:
   // The inverse of base_T_flange.
   Eigen::Isometry3d work_T_toolOfFlange(const Eigen::Isometry3d& base_T_flange) const;
   // All branches inside the joint limits, each joint as near to `near` as whole turns allow.
+  // Replaces what `solutions` held; a vector used again allocates nothing.
   void inverse(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
                std::vector<JointVector>& solutions) const;
 
@@ -66,7 +69,7 @@ public:
 private:
   Cell() = default;
 
-  std::string id_, label_;
+  std::string id_, label_, note_;
   RobotModel robot_;
   Mount nozzleMount_ = Mount::World;
   Eigen::Isometry3d flange_T_moved_ = Eigen::Isometry3d::Identity();

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace voluta::robot {
@@ -16,9 +17,9 @@ namespace voluta::robot {
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 8, 1>;
 
 struct JointLimits {
-  double min, max;       // rad
-  double velocity;       // rad/s
-  double acceleration;   // rad/s2; assumed where the maker publishes none
+  double min, max;     // rad
+  double velocity;     // rad/s
+  double acceleration; // rad/s2; assumed where the maker publishes none
 };
 
 // Closed-form kinematics of one family (UR, ortho-parallel, ...). Stateless after construction.
@@ -28,7 +29,8 @@ public:
   virtual int dof() const = 0;
   // Poses of the links' frames, base first, flange last: dof() + 2 entries
   // (base, link 1 ... link dof, flange), in the controller's base frame.
-  virtual void linkPoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_link) const = 0;
+  virtual void linkPoses(const JointVector& q,
+                         std::vector<Eigen::Isometry3d>& base_T_link) const = 0;
   virtual Eigen::Isometry3d flange(const JointVector& q) const = 0; // base_T_flange
   // Appends every branch that reaches base_T_flange, each joint in (-pi, pi], without regard to
   // limits. Nothing is appended where the pose is out of reach. At a singular pose the free joint
@@ -42,11 +44,16 @@ struct RobotModel {
   std::shared_ptr<const Kinematics> kinematics;
   std::vector<JointLimits> limits;
   std::vector<Body> links; // frame: 0 base, 1..dof links (index into linkPoses)
+  // Pairs of links (indices into `links`) that need no check though they are no neighbours: their
+  // joints keep them apart, or only their enclosing shapes overlap. Each has its reason in the
+  // file.
+  std::vector<std::pair<int, int>> neverMeet;
   std::vector<std::string> assumed; // what is not from a published source, said where shown
 
   int dof() const { return kinematics->dof(); }
 };
 
+// The file's keys are described in robot/robot_reader.cpp.
 // Throws Error{UnreadableFile, UnusableInput} naming file and key.
 RobotModel readRobot(const std::filesystem::path& file);
 std::vector<std::string> robotIds();
@@ -55,7 +62,8 @@ RobotModel loadRobot(const std::string& id);
 
 // All solutions of inverse() as joints can be turned by whole turns within the limits: for each
 // branch the representative nearest to `near` (each joint separately) that is inside the limits;
-// branches with none are left out.
+// branches with none are left out. What `solutions` held before is dropped; its memory is kept, so
+// that a vector used again allocates nothing. `near` may be longer than the robot's dof.
 void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange,
                  const JointVector& near, std::vector<JointVector>& solutions);
 

@@ -1,0 +1,181 @@
+// A cell's file (resources/cells/ID.json; the file's name is its id). All keys are needed unless
+// marked optional; an unknown key is an error. Poses as in robot/json_node.h, shapes as in
+// robot/shape_reader.h.
+//   id, label             texts; id as the file's name
+//   note                  optional text: how the cell was laid out
+//   robot                 id of a robot
+//   nozzle                {mount: "world" | "flange", pose, holder}: pose is base_T_tool or
+//                         flange_T_tool (z in the direction of extrusion); holder, optional, is
+//                         what carries the head, shapes in the tool frame. The head itself comes
+//                         from the process.
+//   platform              {mount: the other one, pose, thicknessMm, stem}: pose is flange_T_work or
+//                         base_T_work; the plate is the job's polygon, thicknessMm thick below
+//                         z = 0; stem, optional, is what carries it, shapes in the work frame
+//   obstacles             list of {name, shapes}, in the robot's base frame; may be empty
+//   homeDeg               list: the joints at rest, with the plate clear of the nozzle
+//   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
+//   the
+//                         cell's own are named "holder", "head" and "platform"
+//   externalAxes          a list, empty for now: positioners and rods
+#include "robot/cell.h"
+
+#include "robot/json_node.h"
+#include "robot/shape_reader.h"
+
+#include "base/error.h"
+#include "base/units.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace voluta::robot {
+
+namespace {
+
+constexpr double kStepMm = 1e-9; // head sections closer than this are a step, not a frustum
+
+Mount readMount(const JsonNode& node) {
+  const std::string mount = node.text();
+  if (mount == "world")
+    return Mount::World;
+  if (mount == "flange")
+    return Mount::Flange;
+  node.fail(fmt::format("must be world or flange, is '{}'", mount));
+}
+
+RobotModel readRobotOf(const JsonNode& node) {
+  try {
+    return loadRobot(node.text());
+  } catch (const base::Error& e) {
+    if (e.code() != base::ErrorCode::Usage)
+      throw;
+    node.fail(e.what());
+  }
+}
+
+// In the tool frame the head rises along -z.
+Body headBody(const process::HeadShape& head, int toolFrame) {
+  Body body{"head", BodyRole::Head, toolFrame, {}};
+  for (std::size_t i = 1; i < head.sections.size(); ++i) {
+    const process::HeadSection &a = head.sections[i - 1], &b = head.sections[i];
+    if (b.zMm - a.zMm > kStepMm)
+      body.shapes.push_back(Frustum{Eigen::Vector3d(0, 0, -a.zMm), Eigen::Vector3d(0, 0, -b.zMm),
+                                    a.radiusMm, b.radiusMm});
+  }
+  return body;
+}
+
+void requireConvex(const std::vector<Eigen::Vector2d>& polygon) {
+  base::require(polygon.size() >= 3, "a platform's polygon has three corners or more");
+  const std::size_t n = polygon.size();
+  double area = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % n], &c = polygon[(i + 2) % n];
+    const Eigen::Vector2d ab = b - a, bc = c - b;
+    base::require(ab.x() * bc.y() - ab.y() * bc.x() >= -1e-9 * (1.0 + ab.norm() * bc.norm()),
+                  "a platform's polygon is convex and counter-clockwise");
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  base::require(area > 0.0, "a platform's polygon has an area");
+}
+
+// Bodies with the same number never move relative to each other. Frames: base, links, flange,
+// work, tool.
+int rigidGroup(int frame, int dof, bool plateMoves) {
+  if (frame == dof + 1 || frame == (plateMoves ? dof + 2 : dof + 3))
+    return dof; // on the last link
+  if (frame > dof)
+    return 0; // fixed to the world
+  return frame;
+}
+
+} // namespace
+
+Cell Cell::read(const std::filesystem::path& file, const process::Process& process,
+                std::vector<Eigen::Vector2d> platformPolygon) {
+  requireConvex(platformPolygon);
+  const JsonNode top = JsonNode::readFile(file);
+  top.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
+                 "neverMeet", "externalAxes"});
+  Cell cell;
+  cell.id_ = top.at("id").text();
+  if (cell.id_ != file.stem().string())
+    top.at("id").fail(
+        fmt::format("is '{}', but the file is named '{}'", cell.id_, file.stem().string()));
+  cell.label_ = top.at("label").text();
+  if (top.has("note"))
+    cell.note_ = top.at("note").text();
+  cell.robot_ = readRobotOf(top.at("robot"));
+  if (!top.at("externalAxes").items().empty())
+    top.at("externalAxes").fail("must be empty: external axes are not supported yet");
+
+  const JsonNode nozzle = top.at("nozzle"), platform = top.at("platform");
+  nozzle.allowOnly({"mount", "pose", "holder"});
+  platform.allowOnly({"mount", "pose", "thicknessMm", "stem"});
+  cell.nozzleMount_ = readMount(nozzle.at("mount"));
+  if (readMount(platform.at("mount")) == cell.nozzleMount_)
+    platform.at("mount").fail("must not be the nozzle's: one of them moves, the other is fixed");
+  const bool plateMoves = cell.nozzleMount_ == Mount::World;
+  cell.flange_T_moved_ = (plateMoves ? platform : nozzle).at("pose").pose();
+  cell.base_T_fixed_ = (plateMoves ? nozzle : platform).at("pose").pose();
+
+  cell.bodies_ = cell.robot_.links;
+  cell.bodies_.push_back(headBody(process.head, cell.toolFrame()));
+  if (nozzle.has("holder"))
+    cell.bodies_.push_back(
+        {"holder", BodyRole::Holder, cell.toolFrame(), readShapes(nozzle.at("holder"))});
+  Body plate{"platform", BodyRole::Platform, cell.workFrame(), {}};
+  plate.shapes.push_back(
+      Prism{std::move(platformPolygon), -platform.at("thicknessMm").positive(), 0.0});
+  if (platform.has("stem"))
+    for (Shape& shape : readShapes(platform.at("stem")))
+      plate.shapes.push_back(std::move(shape));
+  cell.bodies_.push_back(std::move(plate));
+  for (const JsonNode& obstacle : top.at("obstacles").items()) {
+    obstacle.allowOnly({"name", "shapes"});
+    const std::string name = obstacle.at("name").text();
+    for (const Body& other : cell.bodies_)
+      if (other.name == name)
+        obstacle.at("name").fail(fmt::format("is taken already: '{}'", name));
+    cell.bodies_.push_back({name, BodyRole::Obstacle, 0, readShapes(obstacle.at("shapes"))});
+  }
+
+  const std::vector<JsonNode> home = top.at("homeDeg").items();
+  if (static_cast<int>(home.size()) != cell.dof())
+    top.at("homeDeg").fail(fmt::format("must hold {} joints, holds {}", cell.dof(), home.size()));
+  cell.home_.resize(cell.dof());
+  for (std::size_t i = 0; i < home.size(); ++i) {
+    const double q = base::degreesToRadians(home[i].number());
+    if (q < cell.robot_.limits[i].min || q > cell.robot_.limits[i].max)
+      home[i].fail("is outside the joint's limits");
+    cell.home_[static_cast<Eigen::Index>(i)] = q;
+  }
+
+  std::vector<std::pair<int, int>> never = cell.robot_.neverMeet; // links come first in bodies_
+  if (top.has("neverMeet"))
+    for (const auto& pair : readBodyPairs(top.at("neverMeet"), cell.bodies_))
+      never.push_back(pair);
+  const auto groupOf = [&](int body) {
+    return rigidGroup(cell.bodies_[static_cast<std::size_t>(body)].frame, cell.dof(), plateMoves);
+  };
+  const auto isLink = [&](int body) {
+    return cell.bodies_[static_cast<std::size_t>(body)].role == BodyRole::Link;
+  };
+  const int count = static_cast<int>(cell.bodies_.size());
+  for (int a = 0; a < count; ++a)
+    for (int b = a + 1; b < count; ++b) {
+      const int apart = std::abs(groupOf(a) - groupOf(b));
+      const bool neighbours = apart == 1 && isLink(a) && isLink(b);
+      if (apart == 0 || neighbours ||
+          std::find(never.begin(), never.end(), std::pair(a, b)) != never.end())
+        continue;
+      cell.checkedPairs_.emplace_back(a, b);
+    }
+  const int partGroup = rigidGroup(cell.workFrame(), cell.dof(), plateMoves);
+  for (int a = 0; a < count; ++a)
+    if (groupOf(a) != partGroup)
+      cell.bodiesAgainstPart_.push_back(a);
+  return cell;
+}
+
+} // namespace voluta::robot

@@ -1,0 +1,126 @@
+// A robot's file (resources/robots/ID.json; the file's name is its id). All keys are needed unless
+// marked optional; an unknown key is an error.
+//   id, label, maker      texts; id as the file's name
+//   controller            id of the program format its controller reads, e.g. "urscript"
+//   family                kinematic family: "ur"
+//   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH
+//   limits                a list with an object for each joint:
+//                         {minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2}
+//   links                 a list of bodies {name, frame, shapes}; frame 0 is the base, n link n, in
+//                         the frames of Kinematics::linkPoses; shapes as in robot/shape_reader.h
+//   neverMeet             optional list of {pair: [name, name], why}: links that need no check
+//   sources               optional list of texts: where the numbers come from
+//   assumed               list of texts: what is not from a published source
+#include "robot/json_node.h"
+#include "robot/robot_model.h"
+#include "robot/shape_reader.h"
+#include "robot/ur_kinematics.h"
+
+#include "base/units.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+
+namespace voluta::robot {
+
+namespace {
+
+std::shared_ptr<const Kinematics> urFamily(const JsonNode& g) {
+  g.allowOnly({"d1", "a2", "a3", "d4", "d5", "d6"});
+  const UrGeometry geometry{g.at("d1").number(), g.at("a2").number(), g.at("a3").number(),
+                            g.at("d4").number(), g.at("d5").number(), g.at("d6").number()};
+  for (const char* key : {"a2", "a3", "d6"})
+    if (g.at(key).number() == 0.0)
+      g.at(key).fail("must not be 0");
+  return std::make_shared<UrKinematics>(geometry);
+}
+
+// A new family is a row here and a file beside ur_kinematics.cpp.
+struct Family {
+  const char* id;
+  std::function<std::shared_ptr<const Kinematics>(const JsonNode&)> make;
+};
+const std::vector<Family>& families() {
+  static const std::vector<Family> table = {{"ur", urFamily}};
+  return table;
+}
+
+std::shared_ptr<const Kinematics> readKinematics(const JsonNode& robot) {
+  const std::string id = robot.at("family").text();
+  for (const Family& family : families())
+    if (id == family.id)
+      return family.make(robot.at("geometryMm"));
+  robot.at("family").fail(fmt::format("names no kinematic family that is known: '{}'", id));
+}
+
+std::vector<JointLimits> readLimits(const JsonNode& list, int dof) {
+  std::vector<JointLimits> limits;
+  for (const JsonNode& joint : list.items()) {
+    joint.allowOnly({"minDeg", "maxDeg", "velocityDegPerS", "accelerationDegPerS2"});
+    JointLimits l{base::degreesToRadians(joint.at("minDeg").number()),
+                  base::degreesToRadians(joint.at("maxDeg").number()),
+                  base::degreesToRadians(joint.at("velocityDegPerS").positive()),
+                  base::degreesToRadians(joint.at("accelerationDegPerS2").positive())};
+    if (l.min >= l.max)
+      joint.fail("has minDeg not below maxDeg");
+    limits.push_back(l);
+  }
+  if (static_cast<int>(limits.size()) != dof)
+    list.fail(fmt::format("must hold {} joints, holds {}", dof, limits.size()));
+  return limits;
+}
+
+std::vector<Body> readLinks(const JsonNode& list, int dof) {
+  std::vector<Body> links;
+  for (const JsonNode& node : list.items()) {
+    node.allowOnly({"name", "frame", "shapes"});
+    Body link;
+    link.name = node.at("name").text();
+    link.role = BodyRole::Link;
+    link.frame = node.at("frame").integer();
+    if (link.frame < 0 || link.frame > dof)
+      node.at("frame").fail(fmt::format("must be in 0..{}", dof));
+    for (const Body& other : links)
+      if (other.name == link.name)
+        node.at("name").fail(fmt::format("is taken already: '{}'", link.name));
+    link.shapes = readShapes(node.at("shapes"));
+    links.push_back(std::move(link));
+  }
+  return links;
+}
+
+std::vector<std::string> readTexts(const JsonNode& list) {
+  std::vector<std::string> texts;
+  for (const JsonNode& node : list.items())
+    texts.push_back(node.text());
+  return texts;
+}
+
+} // namespace
+
+RobotModel readRobot(const std::filesystem::path& file) {
+  const JsonNode top = JsonNode::readFile(file);
+  top.allowOnly({"id", "label", "maker", "controller", "family", "geometryMm", "limits", "links",
+                 "neverMeet", "sources", "assumed"});
+  RobotModel robot;
+  robot.id = top.at("id").text();
+  if (robot.id != file.stem().string())
+    top.at("id").fail(
+        fmt::format("is '{}', but the file is named '{}'", robot.id, file.stem().string()));
+  robot.label = top.at("label").text();
+  robot.maker = top.at("maker").text();
+  robot.controller = top.at("controller").text();
+  robot.kinematics = readKinematics(top);
+  robot.limits = readLimits(top.at("limits"), robot.dof());
+  robot.links = readLinks(top.at("links"), robot.dof());
+  robot.assumed = readTexts(top.at("assumed"));
+  if (top.has("sources"))
+    readTexts(top.at("sources"));
+  if (top.has("neverMeet"))
+    for (const auto& [a, b] : readBodyPairs(top.at("neverMeet"), robot.links))
+      robot.neverMeet.emplace_back(a, b);
+  return robot;
+}
+
+} // namespace voluta::robot

@@ -1,0 +1,82 @@
+#include "robot/shape_reader.h"
+
+#include "robot/json_node.h"
+
+#include "base/nearest_name.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace voluta::robot {
+
+namespace {
+
+Shape readShape(const JsonNode& node) {
+  node.allowOnly({"capsule", "box", "frustum"});
+  if (node.has("capsule")) {
+    const JsonNode c = node.at("capsule");
+    c.allowOnly({"p0Mm", "p1Mm", "radiusMm"});
+    return Capsule{c.at("p0Mm").vector3(), c.at("p1Mm").vector3(), c.at("radiusMm").positive()};
+  }
+  if (node.has("box")) {
+    const JsonNode b = node.at("box");
+    b.allowOnly({"pose", "sizeMm"});
+    const Eigen::Vector3d size = b.at("sizeMm").vector3();
+    if (!(size.minCoeff() > 0.0))
+      b.at("sizeMm").fail("must be greater than 0");
+    return Box{b.at("pose").pose(), 0.5 * size};
+  }
+  if (node.has("frustum")) {
+    const JsonNode f = node.at("frustum");
+    f.allowOnly({"p0Mm", "p1Mm", "r0Mm", "r1Mm"});
+    Frustum frustum{f.at("p0Mm").vector3(), f.at("p1Mm").vector3(), f.at("r0Mm").number(),
+                    f.at("r1Mm").number()};
+    if (frustum.r0 < 0.0 || frustum.r1 < 0.0 || frustum.r0 + frustum.r1 <= 0.0)
+      f.fail("needs radii that are not negative, one of them greater than 0");
+    if (frustum.p0 == frustum.p1)
+      f.fail("has no length");
+    return frustum;
+  }
+  node.fail("must be a capsule, a box or a frustum");
+}
+
+} // namespace
+
+std::vector<Shape> readShapes(const JsonNode& list) {
+  std::vector<Shape> shapes;
+  for (const JsonNode& item : list.items())
+    shapes.push_back(readShape(item));
+  if (shapes.empty())
+    list.fail("must hold at least one shape");
+  return shapes;
+}
+
+std::vector<std::pair<int, int>> readBodyPairs(const JsonNode& list,
+                                               const std::vector<Body>& bodies) {
+  const auto indexOf = [&](const JsonNode& node) {
+    const std::string name = node.text();
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i].name == name)
+        return static_cast<int>(i);
+      names.push_back(bodies[i].name);
+    }
+    node.fail(fmt::format("names no body: '{}'; the nearest is '{}'", name,
+                          base::nearestName(name, names)));
+  };
+  std::vector<std::pair<int, int>> pairs;
+  for (const JsonNode& node : list.items()) {
+    node.allowOnly({"pair", "why"});
+    node.at("why").text();
+    const std::vector<JsonNode> names = node.at("pair").items();
+    if (names.size() != 2)
+      node.at("pair").fail("must have two names");
+    const int a = indexOf(names[0]), b = indexOf(names[1]);
+    if (a == b)
+      node.at("pair").fail("pairs a body with itself");
+    pairs.emplace_back(std::min(a, b), std::max(a, b));
+  }
+  return pairs;
+}
+
+} // namespace voluta::robot

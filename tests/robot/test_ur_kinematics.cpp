@@ -1,0 +1,127 @@
+// Check values, round trips and completeness of the UR family's closed-form inverse.
+#include "resource_fixture.h"
+
+#include "base/units.h"
+#include "robot/robot_model.h"
+#include "robot/ur_kinematics.h"
+
+#include <gmock/gmock.h>
+#include <random>
+
+namespace voluta::robot {
+namespace {
+
+using base::kPi;
+
+JointVector joints(std::initializer_list<double> deg) {
+  JointVector q(static_cast<Eigen::Index>(deg.size()));
+  Eigen::Index i = 0;
+  for (double d : deg)
+    q[i++] = base::degreesToRadians(d);
+  return q;
+}
+
+// Standard DH, independent of the chain in the family's file.
+Eigen::Isometry3d dhFlange(const UrGeometry& g, const JointVector& q) {
+  const double a[6] = {0, g.a2, g.a3, 0, 0, 0}, d[6] = {g.d1, 0, 0, g.d4, g.d5, g.d6};
+  const double alpha[6] = {kPi / 2, 0, 0, kPi / 2, -kPi / 2, 0};
+  Eigen::Isometry3d t = Eigen::Isometry3d::Identity();
+  for (int i = 0; i < 6; ++i)
+    t = t * Eigen::AngleAxisd(q[i], Eigen::Vector3d::UnitZ()) *
+        Eigen::Translation3d(a[i], 0, d[i]) * Eigen::AngleAxisd(alpha[i], Eigen::Vector3d::UnitX());
+  return t;
+}
+
+double turnBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  const Eigen::Matrix3d r = a.transpose() * b;
+  return 0.5 * Eigen::Vector3d(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)).norm() +
+         (r.trace() < 0 ? kPi : 0.0);
+}
+
+double jointDistance(const JointVector& a, const JointVector& b) {
+  double worst = 0.0;
+  for (int i = 0; i < 6; ++i)
+    worst = std::max(worst, std::abs(std::remainder(a[i] - b[i], 2 * kPi)));
+  return worst;
+}
+
+const UrGeometry kUr5{89.159, -425, -392.25, 109.15, 94.65, 82.3};
+
+class Ur : public test::WithResources {};
+
+TEST_F(Ur, checkValuesOfAllFour) {
+  struct Row {
+    const char* id;
+    Eigen::Vector3d atZero, atBent;
+  };
+  const Row rows[] = {{"ur3", {-456.9, -194.25, 66.55}, {-298.6, -112.35, 313.65}},
+                      {"ur5", {-817.25, -191.45, -5.491}, {-486.9, -109.15, 431.859}},
+                      {"ur3e", {-456.75, -223.15, 66.5}, {-298.55, -131.05, 303.3}},
+                      {"ur5e", {-817.2, -232.9, 62.8}, {-491.9, -133.3, 487.9}}};
+  const double h = std::sqrt(0.5);
+  for (const Row& row : rows) {
+    const RobotModel robot = loadRobot(row.id);
+    const Eigen::Isometry3d zero = robot.kinematics->flange(JointVector::Zero(6));
+    const Eigen::Isometry3d bent = robot.kinematics->flange(joints({0, -90, 90, -90, -90, 0}));
+    EXPECT_LT((zero.translation() - row.atZero).norm(), 1e-3) << row.id;
+    EXPECT_LT((bent.translation() - row.atBent).norm(), 1e-3) << row.id;
+    EXPECT_LT(turnBetween(zero.linear(), Eigen::Quaterniond(h, h, 0, 0).matrix()), 1e-12) << row.id;
+    EXPECT_LT(turnBetween(bent.linear(), Eigen::Quaterniond(0, -h, -h, 0).matrix()), 1e-12)
+        << row.id;
+  }
+}
+
+TEST_F(Ur, flangeAgreesWithDenavitHartenbergAndWithTheLinks) {
+  const UrKinematics kinematics(kUr5);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> angle(-2 * kPi, 2 * kPi);
+  std::vector<Eigen::Isometry3d> links;
+  for (int n = 0; n < 2000; ++n) {
+    JointVector q(6);
+    for (int i = 0; i < 6; ++i)
+      q[i] = angle(random);
+    const Eigen::Isometry3d dh = dhFlange(kUr5, q);
+    kinematics.linkPoses(q, links);
+    ASSERT_EQ(links.size(), 8u);
+    EXPECT_TRUE(kinematics.flange(q).isApprox(dh, 1e-13));
+    EXPECT_TRUE(links[7].isApprox(dh, 1e-13));
+  }
+}
+
+TEST_F(Ur, inverseThenForwardOverRandomPoses) {
+  for (const char* id : {"ur3", "ur5", "ur3e", "ur5e"}) {
+    const RobotModel robot = loadRobot(id);
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> angle(-kPi, kPi);
+    std::vector<JointVector> solutions;
+    double worstMm = 0.0, worstRad = 0.0;
+    std::size_t branches = 0, lost = 0;
+    for (int n = 0; n < 100000; ++n) {
+      JointVector q(6);
+      for (int i = 0; i < 6; ++i)
+        q[i] = angle(random);
+      const Eigen::Isometry3d pose = robot.kinematics->flange(q);
+      solutions.clear();
+      robot.kinematics->inverse(pose, solutions);
+      branches += solutions.size();
+      double nearest = 10.0;
+      for (const JointVector& s : solutions) {
+        const Eigen::Isometry3d back = robot.kinematics->flange(s);
+        worstMm = std::max(worstMm, (back.translation() - pose.translation()).norm());
+        worstRad = std::max(worstRad, turnBetween(back.linear(), pose.linear()));
+        nearest = std::min(nearest, jointDistance(s, q));
+        ASSERT_TRUE(s.maxCoeff() <= kPi && s.minCoeff() > -kPi);
+      }
+      lost += nearest > 1e-5;
+    }
+    EXPECT_LE(worstMm, 1e-8) << id;
+    EXPECT_LE(worstRad, 1e-9) << id;
+    EXPECT_EQ(lost, 0u) << id;
+    EXPECT_GT(branches, 400000u) << id;
+    RecordProperty(std::string(id) + "_worstMm", std::to_string(worstMm * 1e12) + "e-12");
+    RecordProperty(std::string(id) + "_worstRad", std::to_string(worstRad * 1e15) + "e-15");
+  }
+}
+
+} // namespace
+} // namespace voluta::robot
