@@ -1,0 +1,86 @@
+#include "program/dialect.h"
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "program/gcode_extended.h"
+#include "program/joint_table.h"
+#include "program/text.h"
+#include "program/urscript.h"
+
+namespace voluta::program {
+
+const std::vector<Dialect>& dialects() {
+  static const std::vector<Dialect> table = {
+      {.id = "urscript",
+       .label = "URScript (Universal Robots)",
+       .extension = "script",
+       .controller = "urscript",
+       .needsJoints = false,
+       .write = writeUrscript,
+       .read = readUrscript,
+       .looksLike = looksLikeUrscript},
+      {.id = "gcode-extended",
+       .label = "Extended G-code (nozzle direction as nX nY nZ)",
+       .extension = "gcode",
+       .controller = "gcode-extended",
+       .needsJoints = false,
+       .write = writeExtendedGcode,
+       .read = readExtendedGcode,
+       .looksLike = looksLikeExtendedGcode},
+      {.id = "csv",
+       .label = "Joint table (CSV)",
+       .extension = "csv",
+       .controller = "",
+       .needsJoints = true,
+       .write = writeJointTable,
+       .read = readJointTable,
+       .looksLike = looksLikeJointTable},
+  };
+  return table;
+}
+
+const Dialect& findDialect(std::string_view id) {
+  std::vector<std::string> ids;
+  for (const Dialect& d : dialects()) {
+    if (d.id == id)
+      return d;
+    ids.emplace_back(d.id);
+  }
+  throw base::Error(base::ErrorCode::Usage, joined({"unknown format '", id, "'"}), {},
+                    joined({"did you mean '", base::nearestName(id, ids), "'?"}));
+}
+
+const Dialect* detectDialect(std::string_view fileName, std::string_view text) {
+  const auto named = [&](const Dialect& d) {
+    const std::size_t dot = fileName.rfind('.');
+    return dot != std::string_view::npos && fileName.substr(dot + 1) == d.extension;
+  };
+  const Dialect* byText = nullptr;
+  const Dialect* byName = nullptr;
+  for (const Dialect& d : dialects()) {
+    const bool fits = d.looksLike(text);
+    if (fits && named(d))
+      return &d;
+    if (fits && !byText)
+      byText = &d;
+    if (named(d))
+      byName = &d;
+  }
+  return byText ? byText : byName;
+}
+
+bool isForeign(const Dialect& dialect, const robot::Cell& cell) {
+  return !dialect.controller.empty() && dialect.controller != cell.robot().controller;
+}
+
+plan::Program writeProgram(std::string_view id, const ProgramInput& input,
+                           const base::RunContext& ctx) {
+  return findDialect(id).write(input, ctx);
+}
+
+plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,
+                              const process::Process& process, const base::RunContext& ctx) {
+  return findDialect(id).read(files, process, ctx);
+}
+
+} // namespace voluta::program

@@ -1,0 +1,56 @@
+// The registry of program formats: one row a dialect, each with its writer and its reader
+// (DESIGN §4 Programs). A new dialect is a file and a row.
+//
+// Common to all writers: the same input gives the same bytes; one motion a line; one program motion
+// for each Trajectory point, in order, so that a verifier can match them one to one. What the
+// start, prime and end sequences add are outputs and waits, never motions with a target. A target
+// that is read back is within 0.001 mm at the nozzle and 1e-5 rad of the trajectory's, a motion's
+// volume within 0.1 % (of motions that lay 0.05 mm3 or more).
+#pragma once
+
+#include "base/run_context.h"
+#include "plan/program.h"
+#include "program/program_input.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::program {
+
+struct Dialect {
+  std::string_view id;
+  std::string_view label;
+  std::string_view extension;  // without the dot
+  std::string_view controller; // RobotModel::controller it is native to; empty: any robot's
+  bool needsJoints = false;    // its targets are joint values, so it is bound to the cell's robot
+  // Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
+  plan::Program (*write)(const ProgramInput&, const base::RunContext&) = nullptr;
+  // Never throws on bad text: what makes no sense is a defect with its line, and the motions are
+  // those that were understood. At most kMaxDefects defects are listed. Throws Cancelled.
+  plan::ReadProgram (*read)(const std::vector<plan::ProgramFile>&, const process::Process&,
+                            const base::RunContext&) = nullptr;
+  // Does the beginning of a text look like this dialect?
+  bool (*looksLike)(std::string_view text) = nullptr;
+};
+
+inline constexpr std::size_t kMaxDefects = 1000;
+
+// In the order in which formats are listed.
+const std::vector<Dialect>& dialects();
+// Throws Error{Usage} for an unknown id, naming the nearest.
+const Dialect& findDialect(std::string_view id);
+// The dialect that a file is written in: by its text; where that leaves it open, by the extension
+// of its name. nullptr: none.
+const Dialect* detectDialect(std::string_view fileName, std::string_view text);
+
+// Is a program in this dialect foreign to the cell (DESIGN §4: Cartesian, for another controller)?
+bool isForeign(const Dialect& dialect, const robot::Cell& cell);
+
+// findDialect(id).write / .read; the read program's `format` is the dialect's id.
+plan::Program writeProgram(std::string_view id, const ProgramInput& input,
+                           const base::RunContext& ctx = {});
+plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,
+                              const process::Process& process, const base::RunContext& ctx = {});
+
+} // namespace voluta::program

@@ -1,0 +1,401 @@
+#include "program/gcode_extended.h"
+
+#include "base/error.h"
+#include "program/dialect.h"
+#include "program/motion_targets.h"
+#include "program/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace voluta::program {
+
+namespace {
+constexpr int kPositionDecimals = 4, kDirectionDecimals = 6, kFilamentDecimals = 5;
+constexpr std::string_view kDiameterNote = "filament diameter ";
+constexpr std::string_view kEnd = "; end";
+
+double filamentArea(double diameterMm) {
+  return std::numbers::pi / 4.0 * diameterMm * diameterMm;
+}
+
+// Usual nozzle temperatures; a process says nothing about it yet.
+std::optional<int> nozzleCelsius(std::string_view material) {
+  if (material == "PLA")
+    return 210;
+  if (material == "PETG")
+    return 240;
+  if (material == "ABS")
+    return 245;
+  return std::nullopt;
+}
+
+// ---- writer
+
+class GcodeWriter {
+public:
+  GcodeWriter(const ProgramInput& input, const base::RunContext& ctx)
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), paths_(input.toolPlan) {
+    program_.format = "gcode-extended";
+    program_.foreign = isForeign(findDialect("gcode-extended"), input.cell);
+  }
+
+  plan::Program write() {
+    const std::size_t n = targets_.size();
+    out_.reserve(n * 90 + 1024);
+    start();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i % 4096 == 0)
+        ctx_.report(static_cast<double>(i) / static_cast<double>(n), "gcode-extended");
+      motion(i);
+    }
+    out_ += "M104 S0\nM84\n";
+    out_ += kEnd;
+    out_ += '\n';
+    program_.files.push_back({identifierOf(in_.name) + ".gcode", std::move(out_)});
+    return std::move(program_);
+  }
+
+private:
+  void word(std::string_view letter, double value, int decimals, bool trim = false) {
+    out_ += letter;
+    appendFixed(out_, value, decimals, trim);
+  }
+
+  void start() {
+    const process::Process& p = in_.process;
+    out_ +=
+        "; Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX nY nZ"
+        " in the work frame\n";
+    out_ += joined({"; cell ", in_.cell.id(), ", robot ", in_.cell.robot().id, ", process ", p.id,
+                    " (", p.material, ")\n"});
+    if (program_.foreign)
+      out_ += "; FOREIGN: not the language of the cell's controller\n";
+    out_ += "; ";
+    out_ += kDiameterNote;
+    word("", kFilamentDiameterMm, 3, true);
+    out_ += joined({" mm\n; ", std::to_string(targets_.size()), " motions, "});
+    word("", in_.trajectory.extrudedMm3.back(), 1);
+    out_ += " mm3, ";
+    word("", in_.trajectory.timeS.back(), 1);
+    out_ += " s\nG21\nG90\nM82\n";
+    const std::optional<int> celsius = nozzleCelsius(p.material);
+    if (celsius)
+      out_ += joined({"M104 S", std::to_string(*celsius), " ; assumed for ", p.material, "\n"});
+    out_ += "G28\n";
+    if (celsius)
+      out_ += joined({"M109 S", std::to_string(*celsius), "\n"});
+    out_ += "G92 E0\n";
+    if (p.primeS > 0.0 && in_.trajectory.extrudedMm3.back() > 0.0) {
+      const double mmPerS = primeFlowMm3PerS(p) / filamentArea(kFilamentDiameterMm);
+      word("G1 E", mmPerS * p.primeS, kFilamentDecimals, true);
+      word(" F", mmPerS * 60.0, 3, true);
+      out_ += " ; prime\nG92 E0\n";
+    }
+  }
+
+  void motion(std::size_t i) {
+    const plan::Trajectory& t = in_.trajectory;
+    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
+      out_ += joined({"; ", path, "\n"});
+    const MotionTarget& target = targets_[i];
+    Eigen::Vector3d tip;
+    for (int k = 0; k < 3; ++k)
+      tip[k] = roundedTo(target.tipMm[k], kPositionDecimals);
+    out_ += isPrint(t, i) ? "G1" : "G0";
+    word(" X", tip.x(), kPositionDecimals);
+    word(" Y", tip.y(), kPositionDecimals);
+    word(" Z", tip.z(), kPositionDecimals);
+    word(" nX", target.direction.x(), kDirectionDecimals);
+    word(" nY", target.direction.y(), kDirectionDecimals);
+    word(" nZ", target.direction.z(), kDirectionDecimals);
+    if (isPrint(t, i))
+      word(" E", t.extrudedMm3[i] / filamentArea(kFilamentDiameterMm), kFilamentDecimals);
+    // The speed between the targets as written, so that rounding doesn't become speed.
+    const double s = motionSeconds(t, i), length = i == 0 ? 0.0 : (tip - lastTip_).norm();
+    double speed = s > 0.0 ? length / s : 0.0;
+    if (speed < 1e-3) // on the spot, or untimed
+      speed = in_.process.travelSpeedMmPerS;
+    word(" F", speed * 60.0, 3, true);
+    out_ += '\n';
+    lastTip_ = tip;
+  }
+
+  const ProgramInput& in_;
+  const base::RunContext& ctx_;
+  std::vector<MotionTarget> targets_;
+  PathNames paths_;
+  plan::Program program_;
+  std::string out_;
+  Eigen::Vector3d lastTip_ = Eigen::Vector3d::Zero();
+};
+
+// ---- reader
+
+// The words of one line: a value for each letter, nX nY nZ apart.
+struct Words {
+  std::array<std::optional<double>, 26> letter;
+  std::array<std::optional<double>, 3> direction;
+
+  std::optional<double>& operator[](char c) { return letter[static_cast<std::size_t>(c - 'A')]; }
+  bool any(std::string_view letters) {
+    return std::any_of(letters.begin(), letters.end(),
+                       [&](char c) { return (*this)[c].has_value(); });
+  }
+};
+
+class GcodeReader {
+public:
+  explicit GcodeReader(const base::RunContext& ctx) : ctx_(ctx), defects_(out_.defects) {
+    out_.format = "gcode-extended";
+  }
+
+  plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    for (file_ = 0; file_ < files.size(); ++file_) {
+      LineReader lines(files[file_].text);
+      std::string_view line;
+      while (lines.next(line)) {
+        line_ = lines.number();
+        if (line_ % 4096 == 0)
+          ctx_.checkpoint();
+        readLine(line);
+      }
+    }
+    if (file_ > 0)
+      --file_; // what is missing is missing at the end of the last file
+    out_.complete = cold_ && motorsOff_ && ended_;
+    if (!out_.complete)
+      defect("the end sequence (M104 S0, M84, '; end') is missing: the file was cut short");
+    return std::move(out_);
+  }
+
+private:
+  void defect(std::string reason) { defects_.add(file_, line_, std::move(reason)); }
+
+  void readLine(std::string_view line) {
+    if (trimmed(line) == kEnd) {
+      ended_ = true;
+      return;
+    }
+    std::string_view code = line;
+    if (const std::size_t semicolon = code.find(';'); semicolon != std::string_view::npos) {
+      comment(code.substr(semicolon + 1));
+      code = code.substr(0, semicolon);
+    }
+    code = trimmed(code.substr(0, code.find('*'))); // a checksum is not looked at
+    if (code.empty())
+      return;
+    if (ended_)
+      defect("text behind the end");
+    Words words;
+    if (code.starts_with("M117"))
+      return;
+    if (!wordsOf(code, words)) {
+      defect(joined({"not understood: '", code.substr(0, 60), "'"}));
+      return;
+    }
+    execute(words);
+  }
+
+  void comment(std::string_view text) {
+    text = trimmed(text);
+    if (!text.starts_with(kDiameterNote))
+      return;
+    text.remove_prefix(kDiameterNote.size());
+    double diameter = 0.0;
+    if (!takeNumber(text, diameter) || diameter < 0.1 || diameter > 20.0)
+      defect("not a filament's diameter");
+    else
+      filamentMm2_ = filamentArea(diameter);
+  }
+
+  static bool wordsOf(std::string_view rest, Words& words) {
+    while (!(rest = trimmed(rest)).empty()) {
+      if (rest.front() == '(') {
+        const std::size_t end = rest.find(')');
+        if (end == std::string_view::npos)
+          return false;
+        rest.remove_prefix(end + 1);
+        continue;
+      }
+      std::optional<double>* slot = nullptr;
+      char c = rest.front();
+      if (c == 'n' && rest.size() > 1 && rest[1] >= 'X' && rest[1] <= 'Z') {
+        slot = &words.direction[static_cast<std::size_t>(rest[1] - 'X')];
+        rest.remove_prefix(2);
+      } else {
+        if (c >= 'a' && c <= 'z')
+          c = static_cast<char>(c - 'a' + 'A');
+        if (c < 'A' || c > 'Z')
+          return false;
+        slot = &words[c];
+        rest.remove_prefix(1);
+      }
+      double value = 0.0;
+      // Words with nothing behind the letter (G28 X) count as 0; given twice: which one holds?
+      if (!rest.empty() && rest.front() != ' ' && !takeNumber(rest, value))
+        return false;
+      if (slot->has_value() || std::abs(value) > 1e9)
+        return false;
+      *slot = value;
+    }
+    return true;
+  }
+
+  void execute(Words& w) {
+    w['N'].reset();
+    if (w['G'] && w['M']) {
+      defect("two commands in one line");
+      return;
+    }
+    if (w['G'])
+      executeG(*w['G'], w);
+    else if (w['M'])
+      executeM(*w['M'], w);
+    else if (!w['T'])
+      defect("a line without a command");
+  }
+
+  void executeG(double g, Words& w) {
+    if (g == 0.0 || g == 1.0)
+      motion(w);
+    else if (g == 92.0)
+      setPosition(w);
+    else if (g == 20.0)
+      defect("inches are not understood");
+    else if (g == 91.0)
+      defect("relative positions are not understood");
+    else if (g != 4.0 && g != 21.0 && g != 28.0 && g != 90.0)
+      defect("a G command that is not known to the reader");
+  }
+
+  void executeM(double m, Words& w) {
+    if (m == 82.0 || m == 83.0)
+      relativeE_ = m == 83.0;
+    else if (m == 104.0)
+      cold_ = w['S'].value_or(1.0) == 0.0;
+    else if (m == 84.0 || m == 18.0)
+      motorsOff_ = true;
+    else if (m != 109.0 && m != 140.0 && m != 190.0 && m != 106.0 && m != 107.0)
+      defect("an M command that is not known to the reader");
+  }
+
+  void setPosition(Words& w) {
+    if (w.any("XYZ"))
+      defect("a shifted origin is not understood");
+    if (w['E'])
+      e_ = farthestE_ = *w['E'];
+  }
+
+  void motion(Words& w) {
+    for (const char c :
+         {'A', 'B', 'C', 'D', 'H', 'I', 'J', 'K', 'L', 'O', 'P', 'Q', 'R', 'S', 'T', 'U', 'V', 'W'})
+      if (w[c]) {
+        defect(std::string("a motion with a word ") + c + " is not understood");
+        return;
+      }
+    if (w['F']) {
+      if (!(*w['F'] > 0.0)) {
+        defect("a speed that is not above 0");
+        return;
+      }
+      mmPerS_ = *w['F'] / 60.0;
+    }
+    double pushedMm = 0.0;
+    if (w['E']) {
+      e_ = relativeE_ ? e_ + *w['E'] : *w['E'];
+      pushedMm = std::max(0.0, e_ - farthestE_);
+      farthestE_ = std::max(farthestE_, e_);
+    }
+    const bool turns = w.direction[0] || w.direction[1] || w.direction[2];
+    const bool moves = w.any("XYZ") || turns;
+    // Before the first target material is pushed out at home (prime); later it would be a blob.
+    if (!moves && (pushedMm == 0.0 || out_.motions.empty()))
+      return;
+    if (!target(w, turns))
+      return;
+    plan::ProgramMotion m;
+    m.file = file_;
+    m.line = line_;
+    m.target = plan::TargetKind::ToolPoint;
+    m.position = position_;
+    m.direction = direction_;
+    m.speedMmPerS = mmPerS_;
+    m.volumeMm3 = pushedMm * filamentMm2_;
+    m.extruding = pushedMm > 0.0;
+    if (mmPerS_ == 0.0)
+      defect("a motion before any speed (F)");
+    out_.motions.push_back(std::move(m));
+    cold_ = motorsOff_ = ended_ = false;
+  }
+
+  // Takes over the words of a target; false (and a defect) when there is none.
+  bool target(Words& w, bool turns) {
+    for (const char c : {'X', 'Y', 'Z'}) {
+      const auto k = static_cast<std::size_t>(c - 'X');
+      if (w[c]) {
+        position_[static_cast<Eigen::Index>(k)] = *w[c];
+        known_[k] = true;
+      }
+    }
+    if (!known_[0] || !known_[1] || !known_[2]) {
+      defect("a motion before X, Y and Z are all known");
+      return false;
+    }
+    if (!turns)
+      return true;
+    if (!w.direction[0] || !w.direction[1] || !w.direction[2]) {
+      defect("a direction needs nX, nY and nZ");
+      return false;
+    }
+    const Eigen::Vector3d n(*w.direction[0], *w.direction[1], *w.direction[2]);
+    const double length = n.norm();
+    if (!(std::abs(length - 1.0) <= kDirectionTolerance))
+      defect("a direction whose length is not 1");
+    if (!(length > 0.1 && length < 10.0))
+      return false;
+    direction_ = n / length;
+    return true;
+  }
+
+  const base::RunContext& ctx_;
+  plan::ReadProgram out_;
+  Defects defects_;
+  std::size_t file_ = 0, line_ = 0;
+  Eigen::Vector3d position_ = Eigen::Vector3d::Zero(), direction_ = Eigen::Vector3d::UnitZ();
+  std::array<bool, 3> known_{};
+  double mmPerS_ = 0.0, filamentMm2_ = filamentArea(kFilamentDiameterMm);
+  double e_ = 0.0, farthestE_ = 0.0;
+  bool relativeE_ = false, cold_ = false, motorsOff_ = false, ended_ = false;
+};
+
+} // namespace
+
+plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunContext& ctx) {
+  return GcodeWriter(input, ctx).write();
+}
+
+plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
+                                    const process::Process&, const base::RunContext& ctx) {
+  return GcodeReader(ctx).read(files);
+}
+
+bool looksLikeExtendedGcode(std::string_view text) {
+  LineReader lines(text.substr(0, 16384));
+  std::string_view line;
+  while (lines.next(line)) {
+    line = trimmed(line);
+    if (line.empty() || line.front() == ';')
+      continue;
+    double number = 0.0;
+    std::string_view rest = line.substr(1);
+    return (line.front() == 'G' || line.front() == 'M' || line.front() == 'N') &&
+           takeNumber(rest, number);
+  }
+  return false;
+}
+
+} // namespace voluta::program

@@ -1,0 +1,33 @@
+// Extended G-code (Dai 2020, appendix): RepRap G-code with the nozzle's direction as a vector in
+// the workpiece's frame: G1 X6.338 Y8.390 Z46.300 nX-0.094 nY0.127 nZ0.987 E4.324
+//
+// X Y Z: the nozzle's tip in the work frame, mm. nX nY nZ: from the bead into the nozzle (on a flat
+// first layer 0 0 1). E: length of filament in mm, counted from the last G92 E0 (M82); the
+// filament's diameter stands in the header ("; filament diameter 1.75 mm", the default). F: speed
+// of the tip in the work frame, mm/min, on every motion. G1: printing; G0: travels, straight. All
+// words are absolute and stay until changed. Prime: material pushed out at home, before the first
+// motion, then G92 E0.
+#pragma once
+
+#include "base/run_context.h"
+#include "plan/program.h"
+#include "program/program_input.h"
+
+namespace voluta::program {
+
+inline constexpr double kFilamentDiameterMm = 1.75;
+// How far a direction's length may be off 1 (the appendix's own rounding leaves 2e-3).
+inline constexpr double kDirectionTolerance = 2e-3;
+
+plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunContext& ctx);
+
+// Understood besides: G4 G21 G28 G90 G92 E, M82 M83 (E per motion), M104 M109 M140 M190 M106 M107
+// M84 M18 M117, T0, line numbers and checksums, comments by ; and ( ), CR LF. Directions are
+// normalised; one off by more than kDirectionTolerance is a defect. Material that is drawn back and
+// pushed forward again counts once. `complete`: M104 S0, M84 and the line "; end" behind the last
+// motion.
+plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
+                                    const process::Process& process, const base::RunContext& ctx);
+bool looksLikeExtendedGcode(std::string_view text);
+
+} // namespace voluta::program

@@ -1,0 +1,200 @@
+#include "program/joint_table.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "program/motion_targets.h"
+#include "program/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::program {
+
+namespace {
+constexpr int kDegreeDecimals = 7; // 2e-9 rad
+constexpr std::string_view kEnd = "# end";
+
+std::string_view nameOf(plan::MoveKind move) {
+  switch (move) {
+  case plan::MoveKind::Print:
+    return "print";
+  case plan::MoveKind::Linear:
+    return "linear";
+  case plan::MoveKind::Joint:
+    break;
+  }
+  return "joint";
+}
+
+// "time_s,j1_deg,...,extruded_mm3,waypoint,move" -> number of joints; 0: not such a header.
+std::size_t jointsOfHeader(std::string_view line) {
+  std::size_t joints = 0;
+  std::string expected = "time_s";
+  while (joints < 9) {
+    if (line == joined({expected, ",extruded_mm3,waypoint,move"}))
+      return joints;
+    ++joints;
+    expected += joined({",j", std::to_string(joints), "_deg"});
+  }
+  return 0;
+}
+
+class JointTableReader {
+public:
+  explicit JointTableReader(const base::RunContext& ctx) : ctx_(ctx), defects_(out_.defects) {
+    out_.format = "csv";
+  }
+
+  plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    for (file_ = 0; file_ < files.size(); ++file_)
+      readFile(files[file_].text);
+    return std::move(out_);
+  }
+
+private:
+  void defect(std::string reason) { defects_.add(file_, line_, std::move(reason)); }
+
+  void readFile(std::string_view text) {
+    LineReader lines(text);
+    std::string_view line;
+    bool ended = false;
+    joints_ = 0;
+    while (lines.next(line)) {
+      line_ = lines.number();
+      if (line_ % 4096 == 0)
+        ctx_.checkpoint();
+      line = trimmed(line);
+      if (line.empty())
+        continue;
+      if (ended)
+        defect("text behind the end");
+      if (line.front() == '#')
+        ended = ended || line == kEnd;
+      else if (joints_ == 0)
+        header(line);
+      else
+        row(line);
+    }
+    if (joints_ == 0)
+      defect("the header line is missing");
+    if (!ended)
+      defect("the line '# end' is missing: the file was cut short");
+    out_.complete = ended && joints_ > 0 && (file_ == 0 || out_.complete);
+  }
+
+  void header(std::string_view line) {
+    joints_ = jointsOfHeader(line);
+    if (joints_ == 0) {
+      defect("not the header of a joint table");
+      // Rows can still be read when the columns are as many as a header has.
+      const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
+      joints_ = commas > 3 && commas - 3 <= 8 ? commas - 3 : 0;
+    }
+  }
+
+  void row(std::string_view line) {
+    plan::ProgramMotion m;
+    m.file = file_;
+    m.line = line_;
+    m.target = plan::TargetKind::Joints;
+    m.joints.resize(joints_);
+    double time = 0.0, extruded = 0.0, waypoint = 0.0;
+    std::string_view rest = line;
+    bool good = takeField(rest, time);
+    for (double& joint : m.joints) {
+      good = good && takeField(rest, joint);
+      joint = base::degreesToRadians(joint);
+    }
+    good = good && takeField(rest, extruded) && takeField(rest, waypoint);
+    m.jointInterpolated = rest == "joint";
+    if (!good || !(rest == "print" || rest == "linear" || rest == "joint")) {
+      defect("not a row of the table");
+      return;
+    }
+    if (waypoint < -1.0 || waypoint != std::floor(waypoint))
+      defect("a waypoint's number is a whole number from -1");
+    m.durationS = time - time_;
+    m.volumeMm3 = extruded - extruded_;
+    if (m.durationS < 0.0 || time < 0.0)
+      defect("time runs backwards");
+    if (m.volumeMm3 < 0.0 || extruded < 0.0)
+      defect("extruded material becomes less");
+    m.durationS = std::max(0.0, m.durationS);
+    m.volumeMm3 = std::max(0.0, m.volumeMm3);
+    m.extruding = rest == "print" || m.volumeMm3 > 0.0;
+    time_ = time;
+    extruded_ = extruded;
+    out_.motions.push_back(std::move(m));
+  }
+
+  // The number before the next comma; `rest` moves behind the comma.
+  static bool takeField(std::string_view& rest, double& value) {
+    const std::size_t comma = rest.find(',');
+    if (comma == std::string_view::npos || !parseNumber(trimmed(rest.substr(0, comma)), value) ||
+        std::abs(value) > 1e9)
+      return false;
+    rest = trimmed(rest.substr(comma + 1));
+    return true;
+  }
+
+  const base::RunContext& ctx_;
+  plan::ReadProgram out_;
+  Defects defects_;
+  std::size_t file_ = 0, line_ = 0, joints_ = 0;
+  double time_ = 0.0, extruded_ = 0.0;
+};
+
+} // namespace
+
+plan::Program writeJointTable(const ProgramInput& input, const base::RunContext& ctx) {
+  checkInput(input);
+  const plan::Trajectory& t = input.trajectory;
+  std::string out;
+  out.reserve(t.pointCount() * 110 + 512);
+  out += joined({"# joint table, cell ", input.cell.id(), ", robot ", input.cell.robot().id,
+                 ", process ", input.process.id, " (", input.process.material, ")\n"});
+  out += "time_s";
+  for (int k = 1; k <= t.dof; ++k)
+    out += joined({",j", std::to_string(k), "_deg"});
+  out += ",extruded_mm3,waypoint,move\n";
+  for (std::size_t i = 0; i < t.pointCount(); ++i) {
+    if (i % 4096 == 0)
+      ctx.report(static_cast<double>(i) / static_cast<double>(t.pointCount()), "csv");
+    appendFixed(out, t.timeS[i], 6);
+    for (int k = 0; k < t.dof; ++k) {
+      out += ',';
+      appendFixed(out, base::radiansToDegrees(t.at(i)[k]), kDegreeDecimals);
+    }
+    out += ',';
+    appendFixed(out, t.extrudedMm3[i], 5);
+    out += ',';
+    out += t.waypoint[i] == plan::kNoWaypoint ? "-1" : std::to_string(t.waypoint[i]);
+    out += ',';
+    out += nameOf(t.move[i]);
+    out += '\n';
+  }
+  out += kEnd;
+  out += '\n';
+  plan::Program program;
+  program.format = "csv";
+  program.files.push_back({identifierOf(input.name) + ".csv", std::move(out)});
+  return program;
+}
+
+plan::ReadProgram readJointTable(const std::vector<plan::ProgramFile>& files,
+                                 const process::Process&, const base::RunContext& ctx) {
+  return JointTableReader(ctx).read(files);
+}
+
+bool looksLikeJointTable(std::string_view text) {
+  LineReader lines(text.substr(0, 16384));
+  std::string_view line;
+  while (lines.next(line)) {
+    line = trimmed(line);
+    if (!line.empty() && line.front() != '#')
+      return line.starts_with("time_s,");
+  }
+  return false;
+}
+
+} // namespace voluta::program

@@ -1,0 +1,21 @@
+// Joint table (CSV): the trajectory as it is, for programs and controllers that play tables.
+//
+// A comment "# ...", a header line, one row a point, and "# end" as the last line. Columns: time_s,
+// j1_deg ... (j_mm for sliding axes does not exist yet), extruded_mm3 (cumulative), waypoint (of
+// the tool plan, -1: none), move (print, linear: straight in the work frame; joint: linear in
+// joints). A motion's time is the difference of its row's and the last one's.
+#pragma once
+
+#include "base/run_context.h"
+#include "plan/program.h"
+#include "program/program_input.h"
+
+namespace voluta::program {
+
+plan::Program writeJointTable(const ProgramInput& input, const base::RunContext& ctx);
+// `complete`: the line "# end" is the last one.
+plan::ReadProgram readJointTable(const std::vector<plan::ProgramFile>& files,
+                                 const process::Process& process, const base::RunContext& ctx);
+bool looksLikeJointTable(std::string_view text);
+
+} // namespace voluta::program

@@ -1,0 +1,88 @@
+#include "program/motion_targets.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "process/bead_model.h"
+#include "program/text.h"
+
+#include <algorithm>
+
+namespace voluta::program {
+
+namespace {
+const char* nameOf(plan::PathKind kind) {
+  switch (kind) {
+  case plan::PathKind::Wall:
+    return "wall";
+  case plan::PathKind::Infill:
+    return "infill";
+  case plan::PathKind::GapFill:
+    return "gap fill";
+  case plan::PathKind::Skirt:
+    return "skirt";
+  case plan::PathKind::Support:
+    return "support";
+  }
+  return "path";
+}
+} // namespace
+
+void checkInput(const ProgramInput& input) {
+  const plan::Trajectory& t = input.trajectory;
+  const std::size_t n = t.pointCount();
+  base::require(t.dof == input.cell.dof() && t.dof > 0, "trajectory and cell differ in axes");
+  base::require(n > 0, "a program needs at least one trajectory point");
+  base::require(t.joints.size() == n * static_cast<std::size_t>(t.dof) && t.move.size() == n &&
+                    t.waypoint.size() == n && t.extrudedMm3.size() == n,
+                "the trajectory's arrays differ in length");
+}
+
+std::vector<MotionTarget> motionTargets(const ProgramInput& input, const base::RunContext& ctx) {
+  checkInput(input);
+  const plan::Trajectory& t = input.trajectory;
+  const robot::Cell& cell = input.cell;
+  std::vector<MotionTarget> targets(t.pointCount());
+  base::parallelChunks(ctx, targets.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof);
+      const Eigen::Isometry3d flange = cell.robot().kinematics->flange(q);
+      const Eigen::Isometry3d tcp = flange * cell.flange_T_moved();
+      const Eigen::Isometry3d tool = cell.work_T_toolOfFlange(flange);
+      targets[i] = {Eigen::Quaterniond(tcp.linear()), tcp.translation(), tool.translation(),
+                    -tool.linear().col(2)};
+    }
+  });
+  return targets;
+}
+
+double motionSeconds(const plan::Trajectory& trajectory, std::size_t point) {
+  return point == 0 ? 0.0 : trajectory.timeS[point] - trajectory.timeS[point - 1];
+}
+
+double motionVolumeMm3(const plan::Trajectory& trajectory, std::size_t point) {
+  return point == 0 ? 0.0 : trajectory.extrudedMm3[point] - trajectory.extrudedMm3[point - 1];
+}
+
+bool isPrint(const plan::Trajectory& trajectory, std::size_t point) {
+  return point > 0 && trajectory.move[point] == plan::MoveKind::Print;
+}
+
+double primeFlowMm3PerS(const process::Process& process) {
+  return std::min(process.maxFlowMm3PerS,
+                  process::beadArea(process.beadWidthMm, process.layerHeightMm) *
+                      process.speedMmPerS);
+}
+
+std::string PathNames::at(std::size_t waypoint) {
+  const auto& paths = toolPlan_.paths;
+  if (waypoint == plan::kNoWaypoint)
+    return {};
+  while (path_ < paths.size() && paths[path_].first < waypoint)
+    ++path_;
+  if (path_ == paths.size() || paths[path_].first != waypoint)
+    return {};
+  return joined({"layer ", std::to_string(paths[path_].layer), ", ", nameOf(paths[path_].kind),
+                 ", path ", std::to_string(path_)});
+}
+
+} // namespace voluta::program

@@ -1,0 +1,51 @@
+// What every writer needs of a trajectory: where the nozzle and the TCP are at each point, and the
+// time and material of each motion.
+#pragma once
+
+#include "base/run_context.h"
+#include "program/program_input.h"
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace voluta::program {
+
+struct MotionTarget {
+  Eigen::Quaterniond tcpTurn; // base_T_tcp; TCP = the cell's flange_T_moved
+  Eigen::Vector3d tcpMm;      // base_T_tcp
+  Eigen::Vector3d tipMm;      // nozzle's tip, work frame
+  Eigen::Vector3d direction;  // from the bead into the nozzle, work frame, unit
+};
+
+// The preconditions of ProgramInput. Throws Error{Internal}.
+void checkInput(const ProgramInput& input);
+
+// Targets of all points of input.trajectory by forward kinematics.
+// Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
+std::vector<MotionTarget> motionTargets(const ProgramInput& input, const base::RunContext& ctx);
+
+// Time and material of the motion that ends at `point`; 0 at point 0.
+double motionSeconds(const plan::Trajectory& trajectory, std::size_t point);
+double motionVolumeMm3(const plan::Trajectory& trajectory, std::size_t point);
+bool isPrint(const plan::Trajectory& trajectory, std::size_t point);
+
+// Flow of the prime: a bead of the process's default section at its default speed, at most the
+// extruder's full flow.
+double primeFlowMm3PerS(const process::Process& process);
+
+// Says, for the comments of a program, which path begins at a point.
+class PathNames {
+public:
+  explicit PathNames(const plan::ToolPlan& toolPlan) : toolPlan_(toolPlan) {}
+  // "layer 3, wall, path 12" if a path begins at `waypoint`, else empty. To be asked in print
+  // order.
+  std::string at(std::size_t waypoint);
+
+private:
+  const plan::ToolPlan& toolPlan_;
+  std::size_t path_ = 0;
+};
+
+} // namespace voluta::program

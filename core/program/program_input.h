@@ -1,0 +1,28 @@
+// What a program is written from.
+#pragma once
+
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "process/process.h"
+#include "robot/cell.h"
+
+#include <cstddef>
+#include <string>
+
+namespace voluta::program {
+
+// References: the caller keeps them alive while a writer runs.
+// Preconditions (Error{Internal}): trajectory.dof == cell.dof(), its arrays have one length, at
+// least one point; its waypoints are indices into `toolPlan` or kNoWaypoint.
+struct ProgramInput {
+  const plan::ToolPlan& toolPlan;
+  const plan::Trajectory& trajectory;
+  const robot::Cell& cell;
+  const process::Process& process;
+  std::string name; // of the part; file and function names are made from it
+  // A program longer than this is cut into files to be run one after the other, each cut where the
+  // extruder is off (URScript; the other formats are streamed and stay one file). 0: one file.
+  std::size_t maxLinesPerFile = 0;
+};
+
+} // namespace voluta::program

@@ -1,0 +1,284 @@
+#include "base/error.h"
+#include "base/units.h"
+#include "program/blend.h"
+#include "program/dialect.h"
+#include "program/motion_targets.h"
+#include "program/rotation_vector.h"
+#include "program/text.h"
+#include "program/urscript.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::program {
+
+namespace {
+// 1e-7 m is 0.0001 mm; 1e-7 rad moves a point of the part 300 mm off by 0.00003 mm.
+constexpr int kPoseDecimals = 7;
+constexpr int kTcpDecimals = 9;
+constexpr int kSpeedDecimals = 7;
+constexpr int kBlendDecimals = 6;
+// Below these the TCP's path says too little of the motion's time.
+constexpr double kLeastTcpMm = 0.05, kLeastTcpShare = 0.1;
+constexpr double kLeastSpeedMPerS = 2e-4;
+constexpr double kMaxAccelerationMPerS2 = 10.0;
+constexpr double kPlateKg = 0.5, kHeadKg = 1.0; // assumed; the program says so
+
+class UrscriptWriter {
+public:
+  UrscriptWriter(const ProgramInput& input, const base::RunContext& ctx)
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), paths_(input.toolPlan) {
+    program_.format = "urscript";
+    program_.foreign = isForeign(findDialect("urscript"), input.cell);
+  }
+
+  plan::Program write() {
+    const plan::Trajectory& t = in_.trajectory;
+    roundTargets();
+    beginFile();
+    for (std::size_t i = 0; i < t.pointCount(); ++i) {
+      if (i % 4096 == 0)
+        ctx_.report(static_cast<double>(i) / static_cast<double>(t.pointCount()), "urscript");
+      if (in_.maxLinesPerFile > 0 && lines_ >= in_.maxLinesPerFile && !isPrint(t, i)) {
+        endFile();
+        beginFile();
+      }
+      motion(i);
+      if (i == 0)
+        prime();
+    }
+    endFile();
+    return std::move(program_);
+  }
+
+private:
+  void line(std::string_view text) {
+    out_ += text;
+    out_ += '\n';
+    ++lines_;
+  }
+  void number(std::string_view before, double value, int decimals) {
+    out_ += before;
+    appendFixed(out_, value, decimals, true);
+  }
+
+  // Lengths are taken between the targets as written, so that rounding doesn't become speed.
+  void roundTargets() {
+    rotation_.resize(targets_.size());
+    Eigen::Vector3d previous = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      previous = rotationVectorNear(targets_[i].tcpTurn, previous);
+      rotation_[i] = previous;
+      for (int k = 0; k < 3; ++k)
+        targets_[i].tcpMm[k] = roundedTo(targets_[i].tcpMm[k] / 1000.0, kPoseDecimals) * 1000.0;
+    }
+  }
+  double tcpMm(std::size_t i) const { return (targets_[i].tcpMm - targets_[i - 1].tcpMm).norm(); }
+  double tipMm(std::size_t i) const { return (targets_[i].tipMm - targets_[i - 1].tipMm).norm(); }
+
+  // Time of motion i: the plan's, or what the extruder needs at its full flow.
+  double seconds(std::size_t i) const {
+    double s = motionSeconds(in_.trajectory, i);
+    if (isPrint(in_.trajectory, i))
+      s = std::max(s, motionVolumeMm3(in_.trajectory, i) / in_.process.maxFlowMm3PerS);
+    return s;
+  }
+  double tcpSpeed(std::size_t i) const { // m/s; 0 where it has no meaning
+    const double s = i == 0 ? 0.0 : seconds(i);
+    return s > 0.0 ? tcpMm(i) / 1000.0 / s : 0.0;
+  }
+
+  void pose(const Eigen::Vector3d& mm, const Eigen::Vector3d& rotation, int decimals) {
+    out_ += "p[";
+    for (int k = 0; k < 3; ++k) {
+      appendFixed(out_, mm[k] / 1000.0, decimals);
+      out_ += ',';
+    }
+    for (int k = 0; k < 3; ++k) {
+      appendFixed(out_, rotation[k], decimals);
+      out_ += k < 2 ? "," : "]";
+    }
+  }
+
+  void beginFile() {
+    const std::size_t part = program_.files.size() + 1;
+    name_ = identifierOf(in_.name);
+    if (part > 1)
+      name_ += joined({"_", std::to_string(part)});
+    out_.clear();
+    out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 64u << 20));
+    lines_ = 0;
+    on_ = false;
+    flowText_.clear();
+    line(joined({"def ", name_, "():"}));
+    if (part == 1)
+      about();
+    const robot::Cell& cell = in_.cell;
+    out_ += "  set_tcp(";
+    const Eigen::Isometry3d& tcp = cell.flange_T_moved();
+    pose(tcp.translation(), rotationVector(Eigen::Quaterniond(tcp.linear())), kTcpDecimals);
+    line(")");
+    const bool plate = cell.nozzleMount() == robot::Mount::World;
+    const double kg =
+        plate ? kPlateKg + in_.trajectory.extrudedMm3.back() * 1e-6 * in_.process.densityGPerCm3
+              : kHeadKg;
+    number("  set_payload(", kg, 3);
+    out_ += ",[";
+    for (int k = 0; k < 3; ++k)
+      number(k ? "," : "", tcp.translation()[k] / 1000.0, 4);
+    line(plate ? "]) # assumed: 0.5 kg of plate, and the part" : "]) # assumed: 1 kg of head");
+    line("  set_standard_digital_out(0,False)");
+    line("  set_standard_analog_out(0,0)");
+  }
+
+  void about() {
+    const robot::Cell& cell = in_.cell;
+    const process::Process& p = in_.process;
+    line("  # Robot program for printing, URScript");
+    if (program_.foreign)
+      line("  # FOREIGN: the cell's robot is no Universal Robot; Cartesian targets only");
+    line(joined({"  # cell ", cell.id(), ", robot ", cell.robot().id, ", process ", p.id, " (",
+                 p.material, ")"}));
+    line(cell.nozzleMount() == robot::Mount::World
+             ? "  # fixed nozzle: the TCP is the plate's centre, poses are the plate's in Base"
+             : "  # moving nozzle: the TCP is the nozzle's tip");
+    out_ += "  # extruder on: digital output 0; flow: analogue output 0, 1 = ";
+    appendFixed(out_, p.maxFlowMm3PerS, 3, true);
+    line(" mm3/s");
+    out_ += joined({"  # ", std::to_string(targets_.size()), " motions, "});
+    appendFixed(out_, in_.trajectory.extrudedMm3.back(), 1);
+    out_ += " mm3, ";
+    appendFixed(out_, in_.trajectory.timeS.back(), 1);
+    line(" s");
+  }
+
+  void endFile() {
+    line("  # end");
+    line("  set_standard_digital_out(0,False)");
+    line("  set_standard_analog_out(0,0)");
+    line("end");
+    line(joined({name_, "()"}));
+    program_.files.push_back({name_ + ".script", out_});
+  }
+
+  void flow(double mm3PerS) {
+    const double share = std::clamp(mm3PerS / in_.process.maxFlowMm3PerS, 0.0, 1.0);
+    std::string text;
+    appendFixed(text, share, decimalsFor(share, 4), true);
+    if (text != flowText_) {
+      line(joined({"  set_standard_analog_out(0,", text, ")"}));
+      flowText_ = std::move(text);
+    }
+  }
+  void extruder(bool on) {
+    if (on != on_)
+      line(on ? "  set_standard_digital_out(0,True)" : "  set_standard_digital_out(0,False)");
+    on_ = on;
+  }
+
+  void prime() {
+    if (!(in_.process.primeS > 0.0) || in_.trajectory.extrudedMm3.back() <= 0.0)
+      return;
+    line("  # prime");
+    flow(primeFlowMm3PerS(in_.process));
+    extruder(true);
+    number("  sleep(", in_.process.primeS, 3);
+    line(")");
+    extruder(false);
+    line("  # print");
+  }
+
+  void motion(std::size_t i) {
+    const plan::Trajectory& t = in_.trajectory;
+    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
+      line(joined({"  # ", path}));
+    if (isPrint(t, i)) {
+      const double s = seconds(i);
+      flow(s > 0.0 ? motionVolumeMm3(t, i) / s : 0.0);
+      extruder(true);
+    } else {
+      extruder(false);
+    }
+    if (i == 0 || t.move[i] == plan::MoveKind::Joint)
+      jointMotion(i);
+    else
+      straightMotion(i);
+  }
+
+  void jointMotion(std::size_t i) {
+    const plan::Trajectory& t = in_.trajectory;
+    double acceleration = kMaxAccelerationMPerS2;
+    for (const robot::JointLimits& limit : in_.cell.limits())
+      acceleration = std::min(acceleration, limit.acceleration);
+    double speed = kStartRadPerS;
+    if (const double s = motionSeconds(t, i); s > 0.0) {
+      double largest = 0.0;
+      for (int k = 0; k < t.dof; ++k)
+        largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
+      if (largest > 1e-6)
+        speed = largest / s;
+    }
+    out_ += "  movej(";
+    if (program_.foreign) {
+      pose(targets_[i].tcpMm, rotation_[i], kPoseDecimals);
+    } else {
+      for (int k = 0; k < t.dof; ++k) {
+        out_ += k ? ',' : '[';
+        appendFixed(out_, t.at(i)[k], kPoseDecimals);
+      }
+      out_ += ']';
+    }
+    number(",a=", acceleration, 3);
+    number(",v=", speed, kSpeedDecimals);
+    line(")");
+  }
+
+  void straightMotion(std::size_t i) {
+    const plan::Trajectory& t = in_.trajectory;
+    const double s = seconds(i), tcp = tcpMm(i);
+    const double speed = tcpSpeed(i);
+    const bool timed = s > 0.0 && (tcp < kLeastTcpMm || tcp < kLeastTcpShare * tipMm(i) ||
+                                   speed < kLeastSpeedMPerS);
+    // Enough to reach this speed from the last motion's within half of this one.
+    double acceleration = in_.process.accelerationMmPerS2 / 1000.0;
+    if (s > 0.0)
+      acceleration = std::max(acceleration, 2.0 * std::abs(speed - tcpSpeed(i - 1)) / s);
+    acceleration = std::clamp(acceleration, 0.01, kMaxAccelerationMPerS2);
+
+    out_ += "  movel(";
+    pose(targets_[i].tcpMm, rotation_[i], kPoseDecimals);
+    number(",a=", acceleration, 2);
+    if (timed)
+      number(",t=", s, 6);
+    else
+      number(",v=", speed > 0.0 ? speed : in_.process.travelSpeedMmPerS / 1000.0, kSpeedDecimals);
+    if (isPrint(t, i) && i + 1 < t.pointCount() && isPrint(t, i + 1)) {
+      const double r = blendRadiusMm({tcp, targets_[i].tipMm - targets_[i - 1].tipMm},
+                                     {tcpMm(i + 1), targets_[i + 1].tipMm - targets_[i].tipMm},
+                                     kBlendToleranceMm);
+      // Rounded down: it must not grow past what was allowed.
+      const double metres = std::floor(r * 1e3) / 1e6;
+      if (metres > 0.0)
+        number(",r=", metres, kBlendDecimals);
+    }
+    line(")");
+  }
+
+  const ProgramInput& in_;
+  const base::RunContext& ctx_;
+  std::vector<MotionTarget> targets_;
+  std::vector<Eigen::Vector3d> rotation_;
+  PathNames paths_;
+  plan::Program program_;
+  std::string out_, name_, flowText_;
+  std::size_t lines_ = 0;
+  bool on_ = false;
+};
+
+} // namespace
+
+plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& ctx) {
+  return UrscriptWriter(input, ctx).write();
+}
+
+} // namespace voluta::program
