@@ -1,0 +1,78 @@
+// The convex front: hull of the platform and a changing set of voxels (dissertation 3.4.1).
+#pragma once
+
+#include "curved/voxel_graph.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace voluta::curved {
+
+// Keeps the extremes of every row of voxels, so that a hull from scratch costs little: only the
+// ends of rows that survive the planar hulls of their slices become candidates. Distances are in
+// cells, measured between voxel centres and the hull of centres and platform.
+class ConvexFront {
+public:
+  // The set is empty at first. Keeps a reference to the graph.
+  explicit ConvexFront(const VoxelGraph& graph);
+
+  bool present(std::size_t v) const { return present_[v] != 0; }
+  std::size_t count() const { return count_; }
+  // Both need rebuild() before the hull is asked again.
+  void insert(std::size_t v);
+  void remove(std::size_t v);
+
+  // The hull of the present voxels and the platform.
+  void rebuild();
+
+  // Whether the centre of v lies deeper than `depth` >= 0 inside the hull. Exact for depth 0:
+  // strictly inside. False where there is no hull (no voxel present). `hint` remembers the facets
+  // that answered last: start with 0, keep one a thread; it never changes the answer.
+  bool deeperThan(std::size_t v, double depth, std::size_t& hint) const;
+
+  // Least distance of v's centre below the planes of the facets: its depth inside the hull,
+  // negative outside. 0 where there is no hull.
+  double depth(std::size_t v) const;
+
+  // Present voxels no deeper than `depth`, each once, in no stated but in a fixed order.
+  void nearSurface(double depth, std::vector<std::int32_t>& out);
+
+  // Unit outward normal of a facet whose plane has v's centre on its outer side and all of the set
+  // on its inner side; of several the one nearest to `wish`. Where v is inside: the facet it is
+  // least deep below. +z where there is no hull.
+  Eigen::Vector3d clearNormal(std::size_t v, const Eigen::Vector3d& wish) const;
+
+  std::size_t facetCount() const { return facets_.size(); }
+
+private:
+  struct Row {
+    std::int32_t low = 0, high = -1; // first and last i present; high < low: none
+    bool dirty = false;
+  };
+  std::size_t rowOf(std::size_t v) const {
+    return static_cast<std::size_t>(graph_.cell[v][1]) +
+           static_cast<std::size_t>(graph_.grid.size.y()) *
+               static_cast<std::size_t>(graph_.cell[v][2]);
+  }
+  void touch(std::size_t v);
+  void refreshRow(std::size_t row);
+  void refreshSlice(std::size_t k);
+  void gatherCandidates();
+  void rasterise(const HullFacet& facet, int axis, double reach, std::vector<std::int32_t>& out);
+
+  const VoxelGraph& graph_;
+  std::vector<std::uint8_t> present_;
+  std::size_t count_ = 0;
+  std::vector<Row> rows_;
+  std::vector<std::vector<std::array<std::int32_t, 2>>> slice_; // per k: hull of the rows' ends
+  std::vector<std::uint8_t> sliceDirty_;
+  std::vector<LatticePoint> candidates_;
+  std::vector<HullFacet> facets_;
+  // Planes in blocks, structure of arrays; padded with planes that everything is far below.
+  std::vector<double> nx_, ny_, nz_, offset_, inverseLength_;
+  std::vector<std::uint32_t> stamp_;
+  std::uint32_t round_ = 0;
+};
+
+} // namespace voluta::curved

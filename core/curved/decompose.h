@@ -1,0 +1,45 @@
+// Curved mode's decomposition: solid voxels in, an order and a field of growth out.
+#pragma once
+
+#include "base/parameters.h"
+#include "base/run_context.h"
+#include "curved/decomposition.h"
+#include "voxel/solid_voxels.h"
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace voluta::curved {
+
+struct CurvedOptions {
+  std::string growth = "auto"; // auto, reverse: the loop of smoothField; greedy: ranks only
+  double layerHeightMm = 0.8, heightMinMm = 0.4, heightMaxMm = 1.0; // heights a layer may have
+  int rounds = 6;                                                   // of growth and refit, >= 1
+};
+
+// Schemes that `growth` may name, in the order they are offered.
+std::vector<std::string> growthSchemes();
+
+// voxelMm (mm, 0.8: width of the voxels) and fieldRounds (CurvedOptions::rounds).
+base::ParameterTable curvedParameters();
+
+// Orders the voxels and fits the field.
+//
+// Ranks: both constraints of dissertation 3.3.1 hold between voxel centres: a voxel stands on the
+// platform or has an AM-stable neighbour of lower rank, and it does not lie strictly inside the
+// convex hull of the platform and all lower ranks; where nothing else can go on (stuck loops), it
+// lies at most half a voxel inside (the sources' epsilon). `reverse` finds them by peeling guided
+// by the final field, so that ranks and layers follow one another.
+// Field: see Decomposition::field; thickness h / |grad field| is kept within the height limits
+// but for a small share, and levels follow each other without islands.
+// What can't be laid is given up, as little as possible, and stands in findings by group.
+//
+// `platform`: convex polygon on z = 0, mm, counter-clockwise, 3 corners or more.
+// Throws Error{Usage} for an unknown scheme, Error{UnusableInput} when no voxel stands on the
+// platform; Cancelled.
+Decomposition decompose(const voxel::SolidVoxels& voxels,
+                        const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
+                        const base::RunContext& ctx);
+
+} // namespace voluta::curved

@@ -1,0 +1,92 @@
+#include "curved/field_score.h"
+
+#include "base/error.h"
+#include "curved/convex_front.h"
+#include "curved/field_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace voluta::curved {
+
+double bestScale(const std::vector<float>& slope, const LayerLimits& limits, double* within) {
+  base::require(!slope.empty(), "bestScale: a voxel or more");
+  std::vector<float> sorted = slope;
+  std::sort(sorted.begin(), sorted.end());
+  const auto share = [&](double scale) {
+    // Thickness h / (scale slope) within [min, max].
+    const auto low = static_cast<float>(limits.heightMm / (limits.maxMm * scale));
+    const auto high = static_cast<float>(limits.heightMm / (limits.minMm * scale));
+    const auto first = std::lower_bound(sorted.begin(), sorted.end(), low);
+    const auto last = std::upper_bound(first, sorted.end(), high);
+    return static_cast<double>(last - first) / static_cast<double>(sorted.size());
+  };
+  const double median = std::max(1e-3f, sorted[sorted.size() / 2]);
+  // From the nominal height at the median to the least height there.
+  const double nominal = 1.0 / median;
+  constexpr int kSteps = 60;
+  constexpr double kWorthIt = 2e-4; // what a tighter spacing must gain
+  double best = nominal, bestShare = share(nominal);
+  for (int i = 1; i <= kSteps; ++i) {
+    const double scale = nominal * std::pow(limits.heightMm / limits.minMm, i / double{kSteps});
+    if (const double s = share(scale); s > bestShare + kWorthIt) {
+      best = scale;
+      bestShare = s;
+    }
+  }
+  if (within)
+    *within = bestShare;
+  return best;
+}
+
+double inaccessibleShare(const VoxelGraph& graph, const std::vector<float>& field, double spacing,
+                         const base::RunContext& ctx) {
+  if (graph.size() == 0)
+    return 0.0;
+  std::vector<std::int32_t> order(graph.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto level = [&](std::int32_t v) {
+    return static_cast<int>(std::floor(field[static_cast<std::size_t>(v)] / spacing));
+  };
+  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    const int la = level(a), lb = level(b);
+    return la != lb ? la < lb : a < b;
+  });
+  ConvexFront front(graph);
+  std::size_t deep = 0, hint = 0;
+  for (std::size_t begin = 0; begin < order.size();) {
+    ctx.checkpoint();
+    std::size_t end = begin;
+    for (; end < order.size() && level(order[end]) == level(order[begin]); ++end)
+      deep += front.deeperThan(static_cast<std::size_t>(order[end]), 0.5, hint);
+    for (std::size_t i = begin; i < end; ++i)
+      front.insert(static_cast<std::size_t>(order[i]));
+    front.rebuild();
+    begin = end;
+  }
+  return static_cast<double>(deep) / static_cast<double>(graph.size());
+}
+
+FieldScore scoreField(const VoxelGraph& graph, const std::vector<float>& field,
+                      const std::vector<Eigen::Vector3f>& normals, const LayerLimits& limits,
+                      const base::RunContext& ctx) {
+  const std::vector<Eigen::Vector3f> gradient = fieldGradient(graph, field, ctx);
+  std::vector<float> slope(gradient.size());
+  std::size_t surface = 0, leaning = 0;
+  for (std::size_t v = 0; v < gradient.size(); ++v) {
+    slope[v] = gradient[v].norm();
+    if (normals[v] == Eigen::Vector3f::Zero())
+      continue;
+    ++surface;
+    leaning += gradient[v].dot(normals[v]) < -0.8660f * slope[v];
+  }
+  FieldScore score;
+  score.scale = bestScale(slope, limits, &score.within);
+  score.overhang = surface > 0 ? static_cast<double>(leaning) / static_cast<double>(surface) : 0.0;
+  score.inaccessible =
+      inaccessibleShare(graph, field, limits.heightMm / (score.scale * graph.grid.pitch), ctx);
+  return score;
+}
+
+} // namespace voluta::curved

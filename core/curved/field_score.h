@@ -1,0 +1,40 @@
+// How well a field would print: what the rounds of the smooth field are compared by.
+#pragma once
+
+#include "base/run_context.h"
+#include "curved/voxel_graph.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voluta::curved {
+
+struct LayerLimits {
+  double heightMm = 0.8, minMm = 0.4, maxMm = 1.0; // nominal, least and largest thickness
+};
+
+struct FieldScore {
+  double scale = 1.0;        // levels = scale * field: best use of the limits
+  double within = 0.0;       // share of the voxels whose thickness is within the limits
+  double inaccessible = 0.0; // share deeper than half a cell inside all earlier levels' hull
+  double overhang = 0.0;     // share of the surface that leans over by more than 60 degrees
+  // Smaller is better: shares of the voxels and of the surface, weighted by what they spoil.
+  double total() const { return (1.0 - within) + 4.0 * inaccessible + overhang; }
+};
+
+// The factor by which levels should be closer (> 1) or wider (< 1) than the field in cells says:
+// as many voxels as possible within the limits, and of such factors the one whose median
+// thickness is nearest to the nominal height. `slope` is |grad field| a voxel. level of a voxel in
+// mm is scale * field * pitch.
+double bestScale(const std::vector<float>& slope, const LayerLimits& limits, double* within);
+
+FieldScore scoreField(const VoxelGraph& graph, const std::vector<float>& field,
+                      const std::vector<Eigen::Vector3f>& normals, const LayerLimits& limits,
+                      const base::RunContext& ctx);
+
+// Share of the voxels whose centre lies deeper than half a cell inside the hull of the platform
+// and all voxels of earlier levels. spacing: height of a level in units of `field`, > 0.
+double inaccessibleShare(const VoxelGraph& graph, const std::vector<float>& field, double spacing,
+                         const base::RunContext& ctx);
+
+} // namespace voluta::curved

@@ -1,0 +1,127 @@
+#include "curved/flood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace voluta::curved {
+
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+
+struct Front {
+  float value;
+  std::int32_t voxel;
+  // Least first; of equals the least index, so that the order is one.
+  bool operator<(const Front& other) const {
+    return value != other.value ? value > other.value : voxel > other.voxel;
+  }
+};
+
+// First order solution of |grad T| = 1 from the least known values along each axis.
+float eikonal(std::array<float, 3> axisMin) {
+  std::sort(axisMin.begin(), axisMin.end());
+  float solution = axisMin[0] + 1.0f;
+  for (int dim = 2; dim <= 3 && solution > axisMin[static_cast<std::size_t>(dim - 1)]; ++dim) {
+    float sum = 0.0f, squares = 0.0f;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(dim); ++a) {
+      sum += axisMin[a];
+      squares += axisMin[a] * axisMin[a];
+    }
+    const auto n = static_cast<float>(dim);
+    const float discriminant = sum * sum - n * (squares - 1.0f);
+    if (discriminant < 0.0f)
+      break;
+    solution = (sum + std::sqrt(discriminant)) / n;
+  }
+  return solution;
+}
+
+} // namespace
+
+Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
+            const std::vector<float>& field, float slope, const base::RunContext& ctx) {
+  const std::size_t n = graph.size();
+  const auto usable = [&](std::size_t v) { return use.empty() || use[v]; };
+  const auto own = [&](std::size_t v) { return field.empty() ? 0.0f : field[v]; };
+  Flood out;
+  out.value.assign(n, kFar);
+  out.order.assign(n, -1);
+  std::priority_queue<Front> queue;
+  for (std::size_t v = 0; v < n; ++v)
+    if (graph.onPlatform[v] && usable(v)) {
+      out.value[v] = std::max(own(v), 0.5f * slope);
+      queue.push({out.value[v], static_cast<std::int32_t>(v)});
+    }
+  while (!queue.empty()) {
+    const Front top = queue.top();
+    queue.pop();
+    const auto v = static_cast<std::size_t>(top.voxel);
+    if (out.order[v] >= 0)
+      continue;
+    out.order[v] = static_cast<std::int32_t>(out.reached++);
+    if (out.reached % 4096 == 0)
+      ctx.checkpoint();
+    for (std::size_t s = 0; s < kNeighbours; ++s) {
+      const std::int32_t w = graph.neighbour[v][s];
+      if (w < 0)
+        continue;
+      const auto x = static_cast<std::size_t>(w);
+      if (out.order[x] >= 0 || !usable(x))
+        continue;
+      const float value = std::max(own(x), top.value + slope * kNeighbourDistance[s]);
+      if (value < out.value[x]) {
+        out.value[x] = value;
+        queue.push({value, w});
+      }
+    }
+  }
+  return out;
+}
+
+std::vector<float> geodesicDistance(const VoxelGraph& graph, const base::RunContext& ctx) {
+  const std::size_t n = graph.size();
+  std::vector<float> distance(n, kFar);
+  std::vector<std::uint8_t> known(n, 0);
+  std::priority_queue<Front> queue;
+  for (std::size_t v = 0; v < n; ++v)
+    if (graph.onPlatform[v]) {
+      distance[v] = 0.5f;
+      queue.push({0.5f, static_cast<std::int32_t>(v)});
+    }
+  std::size_t done = 0;
+  while (!queue.empty()) {
+    const Front top = queue.top();
+    queue.pop();
+    const auto v = static_cast<std::size_t>(top.voxel);
+    if (known[v])
+      continue;
+    known[v] = 1;
+    if (++done % 4096 == 0)
+      ctx.checkpoint();
+    for (std::size_t s = 0; s < kNeighbours; ++s) {
+      const std::int32_t w = graph.neighbour[v][s];
+      if (w < 0 || known[static_cast<std::size_t>(w)])
+        continue;
+      const auto x = static_cast<std::size_t>(w);
+      float value = top.value + kNeighbourDistance[s];
+      if (s < 6) {
+        std::array<float, 3> axisMin{kFar, kFar, kFar};
+        for (std::size_t f = 0; f < 6; ++f)
+          if (const std::int32_t y = graph.neighbour[x][f];
+              y >= 0 && known[static_cast<std::size_t>(y)])
+            axisMin[f / 2] = std::min(axisMin[f / 2], distance[static_cast<std::size_t>(y)]);
+        value = eikonal(axisMin);
+      }
+      if (value < distance[x]) {
+        distance[x] = value;
+        queue.push({value, w});
+      }
+    }
+  }
+  return distance;
+}
+
+} // namespace voluta::curved

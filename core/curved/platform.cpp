@@ -1,0 +1,93 @@
+#include "curved/platform.h"
+
+#include "base/error.h"
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::curved {
+
+namespace {
+
+// Counter-clockwise, without corners on its sides.
+std::vector<Eigen::Vector2d> hull(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  std::vector<Eigen::Vector2d> out;
+  const auto chain = [&](auto first, auto last, std::size_t keep) {
+    for (auto it = first; it != last; ++it) {
+      while (out.size() >= keep + 2) {
+        const Eigen::Vector2d a = out.back() - out[out.size() - 2], b = *it - out[out.size() - 2];
+        if (a.x() * b.y() - a.y() * b.x() > 1e-9)
+          break;
+        out.pop_back();
+      }
+      out.push_back(*it);
+    }
+    out.pop_back();
+  };
+  chain(points.begin(), points.end(), 0);
+  chain(points.rbegin(), points.rend(), out.size());
+  return out;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d> platformFit(const voxel::SolidVoxels& voxels, double marginMm) {
+  base::require(marginMm >= 0.0, "platformFit: margin >= 0");
+  const voxel::VoxelGrid& grid = voxels.grid;
+  const int k = voxels.plateLayer();
+  std::vector<Eigen::Vector2d> corners;
+  if (k >= 0 && k < grid.size.z())
+    for (int j = 0; j < grid.size.y(); ++j) {
+      int low = grid.size.x(), high = -1;
+      for (int i = 0; i < grid.size.x(); ++i)
+        if (voxels.solid[grid.index(i, j, k)]) {
+          low = std::min(low, i);
+          high = i;
+        }
+      for (int side = 0; side < 2 && high >= low; ++side) {
+        corners.emplace_back(grid.origin.x() + grid.pitch * low,
+                             grid.origin.y() + grid.pitch * (j + side));
+        corners.emplace_back(grid.origin.x() + grid.pitch * (high + 1),
+                             grid.origin.y() + grid.pitch * (j + side));
+      }
+    }
+  if (corners.empty())
+    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate", {},
+                      "drop it to the plate");
+  std::vector<Eigen::Vector2d> polygon = hull(corners);
+  if (marginMm == 0.0)
+    return polygon;
+  // Sum with a 16-gon about the disc of the margin.
+  std::vector<Eigen::Vector2d> widened;
+  const double radius = marginMm / std::cos(base::kPi / 16.0);
+  for (const Eigen::Vector2d& p : polygon)
+    for (int i = 0; i < 16; ++i) {
+      const double a = base::kPi * (2 * i + 1) / 16.0;
+      widened.emplace_back(p + radius * Eigen::Vector2d(std::cos(a), std::sin(a)));
+    }
+  return hull(std::move(widened));
+}
+
+std::vector<Eigen::Vector2d> platformDisc(double diameterMm, const Eigen::Vector2d& centre) {
+  base::require(diameterMm > 0.0, "platformDisc: diameter > 0");
+  std::vector<Eigen::Vector2d> polygon;
+  for (int i = 0; i < 64; ++i) {
+    const double a = 2.0 * base::kPi * i / 64.0;
+    polygon.emplace_back(centre + 0.5 * diameterMm * Eigen::Vector2d(std::cos(a), std::sin(a)));
+  }
+  return polygon;
+}
+
+std::vector<Eigen::Vector2d> platformRect(double widthMm, double depthMm,
+                                          const Eigen::Vector2d& centre) {
+  base::require(widthMm > 0.0 && depthMm > 0.0, "platformRect: width and depth > 0");
+  const double x = 0.5 * widthMm, y = 0.5 * depthMm;
+  return {centre + Eigen::Vector2d(-x, -y), centre + Eigen::Vector2d(x, -y),
+          centre + Eigen::Vector2d(x, y), centre + Eigen::Vector2d(-x, y)};
+}
+
+} // namespace voluta::curved
