@@ -1,0 +1,189 @@
+#include "curved/curved_layers.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "curved/extraction.h"
+#include "layers/clean_surface.h"
+#include "layers/order.h"
+#include "layers/part_boundary.h"
+#include "layers/patches.h"
+#include "layers/trim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace voluta::curved {
+
+namespace {
+
+// Share of the pitch below which an edge of a raw level is taken out, before and after trimming.
+constexpr double kShortRaw = 0.3, kShortTrimmed = 0.2;
+// A foot this much further than the two half thicknesses still lies on what is below.
+constexpr double kSupportReach = 1.25;
+constexpr double kSupportedShare = 0.02;
+
+// The spacing near `wanted` of which a whole number reaches the part's highest level.
+double fittedSpacing(const LevelField& field, const geometry::TriangleMesh& part, double wanted) {
+  double top = 0.0;
+  for (const Eigen::Vector3d& v : part.vertices)
+    if (const std::optional<double> level = field.valueAt(v))
+      top = std::max(top, *level);
+  if (top < 0.5 * wanted)
+    return wanted;
+  return top / std::max(1.0, std::round(top / wanted));
+}
+
+// For each cell, the component of printed voxels (by 26 neighbours) it belongs to, -1 elsewhere.
+std::vector<int> componentsOf(const Decomposition& d, const base::RunContext& ctx) {
+  std::vector<int> of(d.grid.cellCount(), -1);
+  std::vector<std::size_t> front;
+  int count = 0;
+  for (std::size_t seed = 0; seed < of.size(); ++seed) {
+    if (d.rank[seed] <= 0 || of[seed] >= 0)
+      continue;
+    of[seed] = count;
+    front.assign(1, seed);
+    for (std::size_t done = 0; !front.empty(); ++done) {
+      if (done % 65536 == 0)
+        ctx.checkpoint();
+      const Eigen::Vector3i c = d.grid.cell(front.back());
+      front.pop_back();
+      for (int n = 0; n < 27; ++n) {
+        const int i = c.x() + n % 3 - 1, j = c.y() + n / 3 % 3 - 1, k = c.z() + n / 9 - 1;
+        if (!d.grid.contains(i, j, k))
+          continue;
+        const std::size_t u = d.grid.index(i, j, k);
+        if (d.rank[u] > 0 && of[u] < 0) {
+          of[u] = count;
+          front.push_back(u);
+        }
+      }
+    }
+    ++count;
+  }
+  return of;
+}
+
+int groupOf(const layers::Patch& patch, const Decomposition& d, const std::vector<int>& component) {
+  for (const Eigen::Vector3d& v : patch.surface.vertices) {
+    const Eigen::Vector3i c = d.grid.cellOf(v);
+    if (!d.grid.contains(c.x(), c.y(), c.z()))
+      continue;
+    const int group = component[d.grid.index(c.x(), c.y(), c.z())];
+    if (group >= 0)
+      return group;
+  }
+  return 0;
+}
+
+void tellDropped(LayersResult& result, const std::vector<layers::DroppedPiece>& dropped) {
+  const layers::DroppedPiece* largest = nullptr;
+  for (const layers::DroppedPiece& piece : dropped) {
+    ++result.droppedPieces;
+    result.droppedVolumeMm3 += piece.volumeMm3;
+    if (largest == nullptr || piece.volumeMm3 > largest->volumeMm3)
+      largest = &piece;
+  }
+  if (largest == nullptr)
+    return;
+  plan::Finding f;
+  f.stage = "layers";
+  f.kind = "droppedPieces";
+  f.where = largest->centre;
+  f.count = dropped.size();
+  f.reason = fmt::format("{} pieces of layers are too small for a bead ({:.1f} mm3 in all, the "
+                         "largest {:.1f} mm3)",
+                         dropped.size(), result.droppedVolumeMm3, largest->volumeMm3);
+  f.remedy = "a narrower bead or a lower layer height follows finer detail";
+  f.blocking = false;
+  result.findings.push_back(std::move(f));
+}
+
+void tellUnsupported(LayersResult& result, const base::RunContext& ctx) {
+  const auto support = layers::checkSupport(result.stack, kSupportReach, ctx);
+  const layers::SupportCheck* first = nullptr;
+  double area = 0.0;
+  for (std::size_t p = 0; p < support.size(); ++p) {
+    if (support[p].supportedFraction >= kSupportedShare)
+      continue;
+    ++result.unsupportedPatches;
+    layers::LayerStack one;
+    one.patches.push_back(result.stack.patches[p]);
+    area += layers::layerStatistics(one).areaMm2;
+    if (first == nullptr)
+      first = &support[p];
+  }
+  if (first == nullptr)
+    return;
+  plan::Finding f;
+  f.stage = "layers";
+  f.kind = "unsupportedPatches";
+  f.where = first->unsupportedAt;
+  f.count = result.unsupportedPatches;
+  f.reason = fmt::format("{} patches ({:.1f} mm2) begin in the air: neither the plate nor an "
+                         "earlier layer is under them",
+                         f.count, area);
+  f.remedy = "turn the part, enlarge the platform or add supports";
+  f.blocking = false;
+  result.findings.push_back(std::move(f));
+}
+
+} // namespace
+
+LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& part,
+                          const LayerOptions& o, const base::RunContext& ctx) {
+  base::require(o.layerHeightMm > 0.0 && o.heightMinMm > 0.0 && o.heightMinMm <= o.heightMaxMm &&
+                    o.beadWidthMm > 0.0,
+                "positive layer heights and bead width");
+  LayersResult result;
+  base::Stopwatch extractClock;
+  ctx.report(0.0, "cutting layers from the field");
+  const LevelField field(d, ctx);
+  result.spacingMm = o.fitSpacing ? fittedSpacing(field, part, o.layerHeightMm) : o.layerHeightMm;
+  std::vector<RawLevel> levels = extractLevels(field, result.spacingMm, ctx);
+  result.seconds.extract = extractClock.seconds();
+
+  base::Stopwatch trimClock;
+  ctx.report(0.3, "trimming layers on the part");
+  const layers::PartBoundary boundary(part, d.grid.pitch, ctx);
+  const std::vector<int> component = componentsOf(d, ctx);
+  std::vector<layers::PatchesOfLevel> patches(levels.size());
+  base::parallelChunks(ctx, levels.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t l = begin; l < end; ++l) {
+      layers::CleanOptions clean;
+      clean.shortEdgeMm = kShortRaw * d.grid.pitch;
+      layers::cleanSurface(levels[l], clean, ctx);
+      levels[l] = layers::trimToPart(levels[l], boundary, {}, ctx);
+      clean.shortEdgeMm = kShortTrimmed * d.grid.pitch;
+      layers::cleanSurface(levels[l], clean, ctx);
+      patches[l] = layers::makePatches(levels[l], {o.heightMinMm, o.heightMaxMm, o.beadWidthMm});
+      levels[l] = {};
+    }
+  });
+  double within = 0.0, area = 0.0;
+  std::vector<layers::DroppedPiece> dropped;
+  for (layers::PatchesOfLevel& level : patches) {
+    within += level.withinLimitsMm2;
+    area += level.areaMm2;
+    dropped.insert(dropped.end(), level.dropped.begin(), level.dropped.end());
+    for (layers::Patch& p : level.patches) {
+      p.group = groupOf(p, d, component);
+      result.stack.patches.push_back(std::move(p));
+    }
+  }
+  layers::orderForPrinting(result.stack);
+  ctx.report(0.9, "checking layers");
+  result.statistics = layers::layerStatistics(result.stack);
+  result.statistics.withinLimitsFraction = area > 0.0 ? within / area : 1.0;
+  result.volumeMm3 = result.statistics.volumeMm3();
+  for (const auto& check : layers::checkBoundaries(result.stack, boundary.query(), 1e-3, ctx))
+    result.boundaryFarthestMm = std::max(result.boundaryFarthestMm, check.farthestMm);
+  tellDropped(result, dropped);
+  tellUnsupported(result, ctx);
+  result.seconds.trim = trimClock.seconds();
+  return result;
+}
+
+} // namespace voluta::curved

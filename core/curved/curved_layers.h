@@ -1,0 +1,47 @@
+// The last step of curved mode: from a decomposition to the layers that are laid.
+#pragma once
+
+#include "base/run_context.h"
+#include "curved/decomposition.h"
+#include "geometry/triangle_mesh.h"
+#include "layers/layer_checks.h"
+#include "layers/layer_stack.h"
+#include "plan/finding.h"
+
+namespace voluta::curved {
+
+struct LayerOptions {
+  double layerHeightMm = 0.8;                  // a level covers [L h, (L + 1) h) of the field
+  double heightMinMm = 0.4, heightMaxMm = 1.0; // what the process can lay
+  double beadWidthMm = 1.2;
+  // The spacing of levels is changed a little, so that a whole number of them fits between the
+  // plate and the part's highest level: flat tops get a whole layer.
+  bool fitSpacing = true;
+};
+
+struct LayersResult {
+  layers::LayerStack stack; // in print order
+  layers::LayerStatistics statistics;
+  double spacingMm = 0.0;        // of levels in the field, as used
+  std::size_t droppedPieces = 0; // too small for a bead
+  double droppedVolumeMm3 = 0.0;
+  double volumeMm3 = 0.0;             // sum of patch area x thickness
+  std::size_t unsupportedPatches = 0; // with neither plate nor an earlier layer under them
+  double boundaryFarthestMm = 0.0;    // of a boundary vertex from the part's surface; where voxels
+                                      // were missed, boundaries end inside the part
+  plan::Findings findings;            // stage "layers"
+  struct {
+    double extract = 0, trim = 0;
+  } seconds;
+};
+
+// Level surfaces of the field, cut on the part's surface and made into patches: extractLevels,
+// layers::trimToPart, layers::makePatches, layers::orderForPrinting. A patch's group is the
+// component of the printed voxels it lies in. Sum of area x thickness is the part's volume but for
+// what the findings tell.
+// `part` faces outward and stands on the plate, mm. Preconditions: positive heights,
+// heightMin <= heightMax. Throws Cancelled.
+LayersResult curvedLayers(const Decomposition& decomposition, const geometry::TriangleMesh& part,
+                          const LayerOptions& options, const base::RunContext& ctx);
+
+} // namespace voluta::curved

@@ -1,0 +1,187 @@
+#include "layers/layer_checks.h"
+
+#include "base/parallel.h"
+#include "geometry/edges.h"
+#include "geometry/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace voluta::layers {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+constexpr std::size_t kMostSamples = 400; // a patch
+constexpr int kLayersBelow = 2;
+
+// All surfaces of some layers as one mesh.
+struct Floor {
+  geometry::TriangleMesh mesh;
+  std::vector<int> patchOf;          // per triangle
+  std::vector<double> halfThickness; // per triangle
+};
+
+Floor floorOf(const LayerStack& stack, std::size_t begin, std::size_t end) {
+  Floor floor;
+  for (std::size_t p = begin; p < end; ++p) {
+    const Patch& patch = stack.patches[p];
+    const int base = static_cast<int>(floor.mesh.vertices.size());
+    floor.mesh.vertices.insert(floor.mesh.vertices.end(), patch.surface.vertices.begin(),
+                               patch.surface.vertices.end());
+    for (const auto& t : patch.surface.triangles) {
+      floor.mesh.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+      floor.patchOf.push_back(static_cast<int>(p));
+      floor.halfThickness.push_back((patch.thicknessMm[at(t[0])] + patch.thicknessMm[at(t[1])] +
+                                     patch.thicknessMm[at(t[2])]) /
+                                    6.0);
+    }
+  }
+  return floor;
+}
+
+SupportCheck supportOf(const Patch& patch, const Floor& floor, const geometry::MeshQuery& query,
+                       double reachShare) {
+  const std::size_t n = patch.surface.triangles.size();
+  const std::size_t step = std::max<std::size_t>(1, n / kMostSamples);
+  double whole = 0.0, supported = 0.0;
+  std::map<int, int> met;
+  SupportCheck check;
+  for (std::size_t t = 0; t < n; t += step) {
+    const auto& tri = patch.surface.triangles[t];
+    const double area = geometry::triangleArea(patch.surface, t);
+    const Eigen::Vector3d centre =
+        (patch.surface.corner(t, 0) + patch.surface.corner(t, 1) + patch.surface.corner(t, 2)) / 3;
+    const double half = (patch.thicknessMm[at(tri[0])] + patch.thicknessMm[at(tri[1])] +
+                         patch.thicknessMm[at(tri[2])]) /
+                        6.0;
+    whole += area;
+    if (centre.z() <= 2.0 * reachShare * half) {
+      supported += area;
+      ++met[-1];
+      continue;
+    }
+    const auto found = query.closest(centre, 4.0 * half * reachShare);
+    if (found.triangle >= 0 &&
+        found.distance <= reachShare * (half + floor.halfThickness[at(found.triangle)])) {
+      supported += area;
+      ++met[floor.patchOf[at(found.triangle)]];
+    } else {
+      check.unsupportedAt = centre;
+    }
+  }
+  check.supportedFraction = whole > 0.0 ? supported / whole : 1.0;
+  int most = 0;
+  for (const auto& [lower, count] : met)
+    if (count > most) {
+      most = count;
+      check.lower = lower;
+    }
+  return check;
+}
+
+} // namespace
+
+LayerStatistics layerStatistics(const LayerStack& stack) {
+  LayerStatistics s;
+  s.count = stack.layerCount;
+  s.patches = stack.patches.size();
+  std::vector<std::pair<double, double>> samples; // thickness, area
+  double sum = 0.0, squares = 0.0;
+  for (const Patch& p : stack.patches)
+    for (std::size_t t = 0; t < p.surface.triangles.size(); ++t) {
+      const auto& tri = p.surface.triangles[t];
+      const double area = geometry::triangleArea(p.surface, t);
+      const double thickness =
+          (p.thicknessMm[at(tri[0])] + p.thicknessMm[at(tri[1])] + p.thicknessMm[at(tri[2])]) / 3.0;
+      samples.emplace_back(thickness, area);
+      s.areaMm2 += area;
+      sum += area * thickness;
+      squares += area * thickness * thickness;
+    }
+  if (s.areaMm2 <= 0.0)
+    return s;
+  s.thicknessMeanMm = sum / s.areaMm2;
+  s.thicknessStdMm =
+      std::sqrt(std::max(0.0, squares / s.areaMm2 - s.thicknessMeanMm * s.thicknessMeanMm));
+  std::sort(samples.begin(), samples.end());
+  const auto percentile = [&](double share) {
+    double passed = 0.0;
+    for (const auto& [thickness, area] : samples) {
+      passed += area;
+      if (passed >= share * s.areaMm2)
+        return thickness;
+    }
+    return samples.back().first;
+  };
+  s.thicknessP01Mm = percentile(0.01);
+  s.thicknessP99Mm = percentile(0.99);
+  return s;
+}
+
+std::vector<BoundaryCheck> checkBoundaries(const LayerStack& stack, const geometry::MeshQuery& part,
+                                           double toleranceMm, const base::RunContext& ctx) {
+  std::vector<BoundaryCheck> checks(stack.patches.size());
+  base::parallelChunks(ctx, checks.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const auto& mesh = stack.patches[p].surface;
+      BoundaryCheck& check = checks[p];
+      const auto edges = geometry::sortedHalfEdges(mesh);
+      std::vector<int> ends(mesh.vertices.size(), 0);
+      std::vector<double> distance(mesh.vertices.size(), -1.0);
+      double whole = 0.0, on = 0.0;
+      geometry::forEachEdge(edges, [&](std::size_t b, std::size_t e) {
+        if (e - b > 2 || (e - b == 2 && edges[b].forward == edges[b + 1].forward))
+          check.simple = false;
+        if (e - b != 1)
+          return;
+        const int low = edges[b].low, high = edges[b].high;
+        for (int v : {low, high}) {
+          ++ends[at(v)];
+          if (distance[at(v)] < 0.0)
+            distance[at(v)] = part.closest(mesh.vertices[at(v)]).distance;
+          check.farthestMm = std::max(check.farthestMm, distance[at(v)]);
+        }
+        const double length = (mesh.vertices[at(low)] - mesh.vertices[at(high)]).norm();
+        whole += length;
+        if (std::max(distance[at(low)], distance[at(high)]) <= toleranceMm)
+          on += length;
+      });
+      check.onSurface = whole > 0.0 ? on / whole : 1.0;
+      for (int count : ends)
+        if (count != 0 && count != 2)
+          check.simple = false;
+    }
+  });
+  return checks;
+}
+
+std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShare,
+                                       const base::RunContext& ctx) {
+  std::vector<SupportCheck> checks(stack.patches.size());
+  // Patches come in order of layers, so the layers below are a range.
+  std::vector<std::size_t> firstOf(at(stack.layerCount) + 1, 0);
+  for (const Patch& p : stack.patches)
+    ++firstOf[at(p.layer) + 1];
+  for (std::size_t l = 1; l < firstOf.size(); ++l)
+    firstOf[l] += firstOf[l - 1];
+  base::parallelChunks(ctx, at(stack.layerCount), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t layer = begin; layer < end; ++layer) {
+      const std::size_t below = layer > kLayersBelow ? layer - kLayersBelow : 0;
+      const Floor floor = floorOf(stack, firstOf[below], firstOf[layer]);
+      const geometry::MeshQuery query(floor.mesh);
+      for (std::size_t p = firstOf[layer]; p < firstOf[layer + 1]; ++p) {
+        if (ctx.cancelled())
+          return;
+        checks[p] = supportOf(stack.patches[p], floor, query, reachShare);
+      }
+    }
+  });
+  return checks;
+}
+
+} // namespace voluta::layers

@@ -1,0 +1,13 @@
+// The order in which patches are laid.
+#pragma once
+
+#include "layers/layer_stack.h"
+
+namespace voluta::layers {
+
+// Layer by layer from below, so that a patch comes after what supports it; within a layer each
+// patch is followed by the nearest one left (centroids), the first being nearest to the last of the
+// layer before, or to the origin. Stable: ties go to the patch that came first. layerCount is set.
+void orderForPrinting(LayerStack& stack);
+
+} // namespace voluta::layers
