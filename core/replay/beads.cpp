@@ -1,0 +1,192 @@
+#include "replay/beads.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace voluta::replay {
+
+double motionVolume(const plan::ReadProgram& program, const ExecutedPath& path, std::size_t m) {
+  const plan::ProgramMotion& motion = program.motions[m];
+  if (!motion.extruding)
+    return 0.0;
+  if (motion.volumeMm3 >= 0.0)
+    return motion.volumeMm3;
+  return motion.flowMm3PerS * path.durationS[m];
+}
+
+std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf,
+                                         const plan::Trajectory& trajectory,
+                                         const plan::ToolPlan& plan, double defaultHeightMm) {
+  std::vector<char> ofPart(plan.waypointCount(), 1);
+  for (const plan::ToolPath& path : plan.paths)
+    if (path.kind == plan::PathKind::Support || path.kind == plan::PathKind::Skirt)
+      std::fill_n(ofPart.begin() + static_cast<std::ptrdiff_t>(path.first), path.count, char{0});
+  // Points between waypoints (subdivisions) have the height of the next waypoint along the bead.
+  std::vector<std::size_t> waypointAt(trajectory.pointCount(), plan::kNoWaypoint);
+  std::size_t next = plan::kNoWaypoint;
+  for (std::size_t j = trajectory.pointCount(); j-- > 0;) {
+    if (trajectory.waypoint[j] != plan::kNoWaypoint)
+      next = trajectory.waypoint[j];
+    waypointAt[j] = next;
+    if (trajectory.move[j] != plan::MoveKind::Print)
+      next = plan::kNoWaypoint; // an approach knows nothing of what was before
+  }
+  std::vector<BeadKnowledge> result(pointOf.size());
+  BeadKnowledge last{static_cast<float>(defaultHeightMm), static_cast<float>(defaultHeightMm),
+                     true};
+  for (std::size_t m = 0; m < pointOf.size(); ++m) {
+    BeadKnowledge here{last.toHeightMm, last.toHeightMm, last.ofPart};
+    const std::size_t w =
+        pointOf[m] < waypointAt.size() ? waypointAt[pointOf[m]] : plan::kNoWaypoint;
+    if (w < plan.waypointCount()) {
+      here.toHeightMm = plan.heightMm[w];
+      here.ofPart = ofPart[w] != 0;
+    }
+    result[m] = last = here;
+  }
+  return result;
+}
+
+std::vector<BeadPiece> beadPieces(const plan::ReadProgram& program, const ExecutedPath& path,
+                                  const std::vector<BeadKnowledge>& knowledge) {
+  base::require(knowledge.size() == path.motionCount(), "beadPieces: knowledge per motion");
+  std::vector<BeadPiece> pieces;
+  std::uint32_t run = 0;
+  double runMm = 0.0;
+  bool laying = false;
+  for (std::size_t m = 0; m < path.motionCount(); ++m) {
+    const double volume = motionVolume(program, path, m);
+    if (volume <= 0.0) {
+      laying = false;
+      continue;
+    }
+    if (!laying) {
+      ++run;
+      runMm = 0.0;
+      laying = true;
+    }
+    const std::size_t first = path.firstSample[m], end = path.firstSample[m + 1];
+    double length = 0.0;
+    for (std::size_t s = std::max<std::size_t>(first, 1); s < end; ++s)
+      length += (path.tip[s] - path.tip[s - 1]).norm();
+    const BeadKnowledge& known = knowledge[m];
+    BeadPiece piece;
+    piece.run = run;
+    piece.motion = static_cast<std::uint32_t>(m);
+    piece.ofPart = known.ofPart;
+    if (length < 1e-6) {
+      piece.from = piece.to = path.tip[end - 1];
+      piece.fromDirection = piece.toDirection = path.direction[end - 1];
+      piece.fromHeightMm = piece.toHeightMm = known.toHeightMm;
+      piece.volumeMm3 = static_cast<float>(volume);
+      piece.runMm = static_cast<float>(runMm);
+      pieces.push_back(piece);
+      continue;
+    }
+    double done = 0.0;
+    for (std::size_t s = std::max<std::size_t>(first, 1); s < end; ++s) {
+      const double step = (path.tip[s] - path.tip[s - 1]).norm();
+      if (step <= 0.0)
+        continue;
+      const auto heightAt = [&](double at) {
+        return static_cast<float>(known.fromHeightMm +
+                                  at / length * (known.toHeightMm - known.fromHeightMm));
+      };
+      piece.from = path.tip[s - 1];
+      piece.to = path.tip[s];
+      piece.fromDirection = path.direction[s - 1];
+      piece.toDirection = path.direction[s];
+      piece.fromHeightMm = heightAt(done);
+      done += step;
+      runMm += step;
+      piece.toHeightMm = heightAt(done);
+      piece.volumeMm3 = static_cast<float>(volume * step / length);
+      piece.runMm = static_cast<float>(runMm);
+      pieces.push_back(piece);
+    }
+  }
+  return pieces;
+}
+
+std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pieces,
+                                               std::size_t motions) {
+  std::vector<std::uint32_t> first(motions + 1);
+  std::size_t p = 0;
+  for (std::size_t m = 0; m <= motions; ++m) {
+    while (p < pieces.size() && pieces[p].motion < m)
+      ++p;
+    first[m] = static_cast<std::uint32_t>(p);
+  }
+  return first;
+}
+
+bool PlatformTop::beneath(const Eigen::Vector3d& point, double slackMm) const {
+  if (polygon.empty() || point.z() > 1e-6)
+    return false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const Eigen::Vector2d edge = b - a, r = point.head<2>() - a;
+    if (edge.x() * r.y() - edge.y() * r.x() < -slackMm * edge.norm())
+      return false;
+  }
+  return true;
+}
+
+namespace {
+// Depth and distance aside of the probes, in heights; each ring has kAzimuths of them. All within
+// 1.25 heights of the tip but the last, which is there for cells that straddle the layers.
+struct Ring {
+  double depth, aside;
+};
+constexpr std::array<Ring, 4> kRings = {{{1.25, 0.0}, {1.15, 0.48}, {1.05, 0.67}, {1.2, 0.7}}};
+constexpr int kAzimuths = 12;
+
+bool isSupported(const BeadPiece& piece, std::uint32_t index, const PrintedPart& printed,
+                 const PlatformTop& platform) {
+  const Eigen::Vector3d tip = 0.5 * (piece.from + piece.to);
+  const Eigen::Vector3d up = (piece.fromDirection + piece.toDirection).normalized();
+  const double height = 0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
+  const double width = sectionOf(piece, 10.0).widthMm;
+  const Moment moment{index, piece.run, piece.runMm,
+                      static_cast<float>(std::max(3.0, 2.0 * width))};
+  const Eigen::Vector3d side = up.unitOrthogonal(), other = up.cross(side);
+  for (const Ring& ring : kRings) {
+    const int count = ring.aside > 0.0 ? kAzimuths : 1;
+    for (int a = 0; a < count; ++a) {
+      const double angle = 2.0 * std::numbers::pi * a / kAzimuths;
+      const Eigen::Vector3d probe =
+          tip - ring.depth * height * up +
+          ring.aside * height * (std::cos(angle) * side + std::sin(angle) * other);
+      if (platform.beneath(probe, 0.25 * width) || printed.printedAt(probe, moment))
+        return true;
+    }
+  }
+  return false;
+}
+} // namespace
+
+SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
+                           const PlatformTop& platform, const base::RunContext& ctx) {
+  std::vector<char> supported(pieces.size());
+  base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+      supported[p] = isSupported(pieces[p], static_cast<std::uint32_t>(p), printed, platform);
+  });
+  SupportedBeads result;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const double length = (pieces[p].to - pieces[p].from).norm();
+    result.lengthMm += length;
+    if (!supported[p]) {
+      result.unsupportedMm += length;
+      result.unsupported.push_back(static_cast<std::uint32_t>(p));
+    }
+  }
+  return result;
+}
+
+} // namespace voluta::replay

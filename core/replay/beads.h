@@ -1,0 +1,67 @@
+// From an executed program to pieces of bead, and what they rest on.
+#pragma once
+
+#include "plan/program.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "replay/depositor.h"
+#include "replay/executed_path.h"
+#include "replay/printed_part.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::replay {
+
+// What a program's text does not say of a motion's bead and its plan does.
+struct BeadKnowledge {
+  float fromHeightMm = 0.0f, toHeightMm = 0.0f;
+  bool ofPart = true; // false: support or skirt
+};
+
+// Material of motion m, mm3: the amount that the text gives, else flow x time; 0 when not
+// extruding.
+double motionVolume(const plan::ReadProgram& program, const ExecutedPath& path, std::size_t m);
+
+// Per motion, from the points it was matched to (alignment.h: pointOf). A motion without a point
+// goes on with the height of the one before it; `defaultHeightMm` where there was none.
+std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf,
+                                         const plan::Trajectory& trajectory,
+                                         const plan::ToolPlan& plan, double defaultHeightMm);
+
+// One piece between consecutive samples of every extruding motion, volume by length. A motion that
+// extrudes on the spot gives a piece without length (which the depositor counts as excess).
+// Precondition: knowledge per motion.
+std::vector<BeadPiece> beadPieces(const plan::ReadProgram& program, const ExecutedPath& path,
+                                  const std::vector<BeadKnowledge>& knowledge);
+
+// The index of the first piece of motion m or of a later one; motions + 1 entries.
+std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pieces,
+                                               std::size_t motions);
+
+// What the first bead is laid on: convex, counter-clockwise, its top at z = 0 of the work frame.
+struct PlatformTop {
+  std::vector<Eigen::Vector2d> polygon; // empty: none
+  // Is the point at or below the top, and no more than `slackMm` outside the polygon?
+  bool beneath(const Eigen::Vector3d& point, double slackMm) const;
+};
+
+struct SupportedBeads {
+  double lengthMm = 0.0, unsupportedMm = 0.0;
+  std::vector<std::uint32_t> unsupported; // pieces, in order
+};
+
+// A piece is supported where, at its middle, the platform or material laid before lies beneath the
+// bead within 1.25 heights of the tip: looked for at depths of 1.05 to 1.25 heights below the tip,
+// up to 0.7 heights aside (a cone of 35 degrees about the build direction; what lies beside the
+// bead in its own layer is no support). What the same bead laid over its last 3 mm or two widths
+// does not count. Throws Cancelled.
+SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
+                           const PlatformTop& platform, const base::RunContext& ctx);
+
+} // namespace voluta::replay

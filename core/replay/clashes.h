@@ -1,0 +1,49 @@
+// What touches what while the program runs: the head, the arm, the platform, the part as laid so
+// far. Distances are replay's own (distances.h).
+#pragma once
+
+#include "replay/beads.h"
+#include "replay/distances.h"
+#include "replay/executed_path.h"
+#include "replay/printed_part.h"
+#include "robot/cell.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::replay {
+
+// One contact, from the sample where it begins on; samples in a row with the same pair are one.
+struct Clash {
+  std::size_t motion = 0;
+  double whenS = 0.0;
+  Eigen::Vector3d where = Eigen::Vector3d::Zero(); // work frame, mm
+  std::string first, second;
+  std::size_t samples = 1;
+};
+
+// The eroded head (process::erodedHead; it may be that deep in soft, rounded beads) along the
+// nozzle's path, against material laid before and against the platform's solids (work frame).
+// A cell of the part counts when its centre is in the head shrunk by another half cell: nearer the
+// grid can't tell. Material of the last 2 bead widths of the same path doesn't count.
+// Throws Cancelled.
+std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
+                               const PrintedPart& printed, const process::Process& process,
+                               const std::vector<robot::Shape>& platform,
+                               const base::RunContext& ctx);
+
+// Bodies of the cell against each other (its checkedPairs, but head against platform: above) and,
+// the head apart, against material laid before. Between samples bodies are followed by the distance
+// they move at most, so that pairs far from each other are looked at only now and then.
+// Empty when path.arm is false. Throws Cancelled.
+std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
+                              const PrintedPart& printed, const robot::Cell& cell,
+                              const base::RunContext& ctx);
+
+} // namespace voluta::replay

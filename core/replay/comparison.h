@@ -1,0 +1,69 @@
+// The program's text against the trajectory it was written from: every difference a finding that
+// names its line.
+#pragma once
+
+#include "plan/finding.h"
+#include "plan/program.h"
+#include "plan/trajectory.h"
+#include "replay/alignment.h"
+#include "replay/executed_path.h"
+#include "replay/verification.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::replay {
+
+// Where the trajectory has the nozzle at each of its points: work frame, mm; unit, -tool z.
+struct PlannedNozzle {
+  std::vector<Eigen::Vector3d> tip, direction;
+};
+// Throws Cancelled. Precondition: trajectory.dof == cell.dof().
+PlannedNozzle plannedNozzle(const plan::Trajectory& trajectory, const robot::Cell& cell,
+                            const base::RunContext& ctx);
+
+struct TextFinding {
+  plan::Finding finding;
+  TextPlace place;
+};
+
+// "line 12" or, where a program has several files, "file 2, line 12".
+std::string placeName(const plan::ReadProgram& program, TextPlace place);
+TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion);
+
+struct ComparisonOptions {
+  double sameMm = 0.05;        // as AlignmentOptions
+  double rateTolerance = 0.05; // of time and of material
+  double leastS = 1e-3;        // differences of time below are rounding
+  double leastMm3 = 0.005;     // differences of material below are rounding
+  double jointRad = 0.02;      // a joint further off is another configuration
+};
+
+// Deviations of the alignment, defects of the reader and a missing end; and of motions that follow
+// each other as their points do: time (length by speed) and material that differ by more than 5 %,
+// the extruder on over a travel or off over a print, joints in another configuration. Differences
+// of one kind in consecutive motions are one finding, at the first of them.
+std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const ExecutedPath& path,
+                                         const PlannedNozzle& planned,
+                                         const plan::Trajectory& trajectory,
+                                         const Alignment& alignment,
+                                         const ComparisonOptions& options);
+
+// Greatest distance of the executed nozzle from the planned polyline, of motions that have a
+// point, and greatest angle of its axis at their targets. Joint motions have no polyline: of them
+// only the ends count. Throws Cancelled.
+struct PathDeviation {
+  double mm = 0.0, rad = 0.0;
+  std::size_t motion = 0; // of the greatest distance
+};
+PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& planned,
+                            const plan::Trajectory& trajectory, const plan::ReadProgram& program,
+                            const Alignment& alignment, const base::RunContext& ctx);
+
+} // namespace voluta::replay

@@ -1,0 +1,295 @@
+#include "replay/depositor.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "process/bead_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace voluta::replay {
+
+namespace {
+
+constexpr std::size_t kBatch = 4096; // pieces whose footprints are held at once
+constexpr std::size_t kGrain = 64;
+// Beyond the w x h rectangle, of the width, to either side.
+constexpr double kMargin = 0.25;
+
+// What a piece means for one cell, in cell volumes: bead is its material; rectangle and margin are
+// the geometric share of the cell within the displacement rectangles.
+struct Share {
+  std::uint32_t cell;
+  float bead, rectangle, margin;
+};
+
+double fraction(double x) {
+  return x - std::floor(x);
+}
+
+// Scratch of one thread for the cells round a piece.
+class FootprintMaker {
+public:
+  FootprintMaker(const voxel::VoxelGrid& grid, const DepositOptions& options)
+      : grid_(grid), options_(options) {}
+
+  // Appends the piece's shares in cell order; returns the bead's volume that fell outside the grid,
+  // in cell volumes.
+  double make(const BeadPiece& piece, std::vector<Share>& out) {
+    const Eigen::Vector3d along = piece.to - piece.from;
+    const double length = along.norm();
+    const BeadSection section = sectionOf(piece, options_.widthMaxMm);
+    const double cellVolume = std::pow(grid_.pitch, 3);
+    const double bead = piece.volumeMm3 / cellVolume;
+    if (length < 1e-9 || section.heightMm <= 0.0)
+      return bead;
+    const double w = section.widthMm, h = section.heightMm;
+    // A section lower than planned lies where the bead was to lie: its bottom stays.
+    const double filled = 2.0 * h / (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
+    const double step = grid_.pitch / options_.samplesPerCell;
+    const int nl = std::max(2, static_cast<int>(std::ceil(length / step)));
+    const int nw = std::max(6, static_cast<int>(std::ceil((1 + 2 * kMargin) * w / step)));
+    const int nh = std::max(4, static_cast<int>(std::ceil(h / step)));
+
+    const auto sideOf = [&](const Eigen::Vector3d& direction) -> Eigen::Vector3d {
+      const Eigen::Vector3d side = direction.cross(along);
+      const double n = side.norm();
+      return n > 1e-9 * length ? Eigen::Vector3d(side / n) : direction.unitOrthogonal();
+    };
+    const Eigen::Vector3d side0 = sideOf(piece.fromDirection), side1 = sideOf(piece.toDirection);
+    box(piece, side0, side1, w);
+
+    // Rows are shifted against each other by fractions of a golden-ratio kind, so that no row of
+    // samples runs in step with the cells.
+    constexpr double kR1 = 0.7548776662466927, kR2 = 0.5698402909980532;
+    std::size_t inBead = 0;
+    for (int a = 0; a < nl; ++a)
+      for (int c = 0; c < nh; ++c)
+        for (int b = 0; b < nw; ++b) {
+          const double u = (a + fraction(kR1 * b + kR2 * c)) / nl;
+          const double x = ((b + fraction(kR1 * c + kR2 * a)) / nw - 0.5) * (1 + 2 * kMargin) * w;
+          const double depth = (c + fraction(kR1 * a + kR2 * b)) / nh;
+          const double half = 0.5 * h, off = depth * h - half;
+          const double reach = 0.5 * w - half + std::sqrt(std::max(0.0, half * half - off * off));
+          const double planned = piece.fromHeightMm + u * (piece.toHeightMm - piece.fromHeightMm);
+          const double below = planned * (1.0 - filled + depth * filled);
+          const Eigen::Vector3d p =
+              piece.from + u * along + x * (side0 + u * (side1 - side0)) -
+              below * (piece.fromDirection + u * (piece.toDirection - piece.fromDirection));
+          Tally& t = tally(p);
+          ++t.margin;
+          if (std::abs(x) <= 0.5 * w)
+            ++t.rectangle;
+          if (std::abs(x) <= reach) {
+            ++t.bead;
+            ++inBead;
+          }
+        }
+    const double perSample = inBead == 0 ? 0.0 : bead / static_cast<double>(inBead);
+    const double geometric =
+        length * (1 + 2 * kMargin) * w * h / cellVolume / (static_cast<double>(nl) * nw * nh);
+    double outside = inBead == 0 ? bead : 0.0;
+    std::size_t at = 0;
+    for (int k = 0; k < size_.z(); ++k)
+      for (int j = 0; j < size_.y(); ++j)
+        for (int i = 0; i < size_.x(); ++i, ++at) {
+          const Tally& t = tallies_[at];
+          if (t.margin == 0)
+            continue;
+          const Eigen::Vector3i c = low_ + Eigen::Vector3i(i, j, k);
+          if (!grid_.contains(c.x(), c.y(), c.z())) {
+            outside += t.bead * perSample;
+            continue;
+          }
+          out.push_back({static_cast<std::uint32_t>(grid_.index(c.x(), c.y(), c.z())),
+                         static_cast<float>(t.bead * perSample),
+                         static_cast<float>(t.rectangle * geometric),
+                         static_cast<float>(t.margin * geometric)});
+        }
+    return outside;
+  }
+
+private:
+  struct Tally {
+    std::uint32_t bead, rectangle, margin;
+  };
+
+  void box(const BeadPiece& piece, const Eigen::Vector3d& side0, const Eigen::Vector3d& side1,
+           double width) {
+    Eigen::Array3d low = piece.from.array(), high = low;
+    const double reach = (0.5 + kMargin) * width;
+    const auto take = [&](const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
+                          const Eigen::Vector3d& side, double height) {
+      for (const double s : {-reach, reach})
+        for (const double d : {0.0, height}) {
+          const Eigen::Array3d p = (tip + s * side - d * direction).array();
+          low = low.min(p);
+          high = high.max(p);
+        }
+    };
+    take(piece.from, piece.fromDirection, side0, piece.fromHeightMm);
+    take(piece.to, piece.toDirection, side1, piece.toHeightMm);
+    // Directions are blended along the piece and may bulge beyond its ends' corners.
+    const Eigen::Vector3d slack = Eigen::Vector3d::Constant(0.5 * grid_.pitch);
+    low_ = grid_.cellOf(Eigen::Vector3d(low) - slack);
+    const Eigen::Vector3i top = grid_.cellOf(Eigen::Vector3d(high) + slack);
+    size_ = top - low_ + Eigen::Vector3i::Ones();
+    tallies_.assign(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) *
+                        static_cast<std::size_t>(size_.z()),
+                    Tally{0, 0, 0});
+  }
+  Tally& tally(const Eigen::Vector3d& p) {
+    const Eigen::Vector3i c = (grid_.cellOf(p) - low_)
+                                  .cwiseMax(Eigen::Vector3i::Zero())
+                                  .cwiseMin(size_ - Eigen::Vector3i::Ones());
+    return tallies_[static_cast<std::size_t>(c.x()) +
+                    static_cast<std::size_t>(size_.x()) *
+                        (static_cast<std::size_t>(c.y()) +
+                         static_cast<std::size_t>(size_.y()) * static_cast<std::size_t>(c.z()))];
+  }
+
+  const voxel::VoxelGrid& grid_;
+  const DepositOptions& options_;
+  Eigen::Vector3i low_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
+  std::vector<Tally> tallies_;
+};
+
+// Lays pieces one after the other.
+class Layer {
+public:
+  explicit Layer(BeadGrid& result) : result_(result) {}
+
+  // Returns what found no room, in cell volumes.
+  double lay(const Share* shares, std::size_t count, std::uint32_t piece, bool ofPart) {
+    placed_.assign(count, 0.0f);
+    double left = 0.0;
+    for (std::size_t s = 0; s < count; ++s)
+      left += shares[s].bead - put(shares[s].cell, shares[s].bead, placed_[s]);
+    left = displace(shares, count, left, &Share::rectangle);
+    left = displace(shares, count, left, &Share::margin);
+    for (std::size_t s = 0; s < count; ++s) {
+      const std::uint32_t cell = shares[s].cell;
+      if (!ofPart && placed_[s] > 0.0f)
+        result_.otherFill[cell] += placed_[s];
+      if (result_.filledBy[cell] == kNeverFilled && result_.fill[cell] > 0.5f)
+        result_.filledBy[cell] = piece;
+    }
+    return left;
+  }
+
+private:
+  // The difference that a float really takes on is what counts as put: nothing is lost to rounding.
+  double put(std::uint32_t cell, double amount, float& placed) {
+    float& fill = result_.fill[cell];
+    const float before = fill;
+    fill = static_cast<float>(std::min(1.0, static_cast<double>(before) + amount));
+    const double difference = static_cast<double>(fill) - static_cast<double>(before);
+    placed += static_cast<float>(difference);
+    return difference;
+  }
+
+  double displace(const Share* shares, std::size_t count, double left, float Share::*within) {
+    if (left <= 1e-9)
+      return left;
+    room_.resize(count);
+    double total = 0.0;
+    for (std::size_t s = 0; s < count; ++s) {
+      const double free = 1.0 - static_cast<double>(result_.fill[shares[s].cell]);
+      room_[s] = std::clamp(static_cast<double>(shares[s].*within) - placed_[s], 0.0, free);
+      total += room_[s];
+    }
+    if (total <= 0.0)
+      return left;
+    const double share = std::min(1.0, left / total);
+    for (std::size_t s = 0; s < count; ++s)
+      if (room_[s] > 0.0)
+        left -= put(shares[s].cell, share * room_[s], placed_[s]);
+    return left;
+  }
+
+  BeadGrid& result_;
+  std::vector<float> placed_;
+  std::vector<double> room_;
+};
+
+} // namespace
+
+BeadSection sectionOf(const BeadPiece& piece, double widthMaxMm) {
+  const double height = 0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
+  const double length = (piece.to - piece.from).norm();
+  if (length < 1e-9 || piece.volumeMm3 <= 0.0f || height <= 0.0)
+    return {0.0, 0.0};
+  const double area = piece.volumeMm3 / length;
+  if (area < std::numbers::pi / 4.0 * height * height) {
+    const double diameter = std::sqrt(4.0 * area / std::numbers::pi);
+    return {diameter, diameter};
+  }
+  return {std::min(process::widthOfArea(area, height), std::max(widthMaxMm, height)), height};
+}
+
+BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>& pieces,
+                      const DepositOptions& options, const base::RunContext& ctx) {
+  base::require(grid.cellCount() < kNeverFilled, "depositBeads: fewer than 2^32 - 1 cells");
+  base::require(options.samplesPerCell >= 1, "depositBeads: samplesPerCell >= 1");
+  BeadGrid result;
+  result.grid = grid;
+  result.fill.assign(grid.cellCount(), 0.0f);
+  result.filledBy.assign(grid.cellCount(), kNeverFilled);
+  result.pieceExcessMm3.assign(pieces.size(), 0.0f);
+  if (std::any_of(pieces.begin(), pieces.end(), [](const BeadPiece& p) { return !p.ofPart; }))
+    result.otherFill.assign(grid.cellCount(), 0.0f);
+  const double cellVolume = std::pow(grid.pitch, 3);
+
+  // Footprints don't depend on what lies there already: made side by side, laid one by one.
+  struct Chunk {
+    std::vector<Share> shares;
+    std::vector<std::size_t> end;
+    std::vector<double> outside;
+  };
+  std::vector<Chunk> chunks((kBatch + kGrain - 1) / kGrain);
+  Layer layer(result);
+  for (std::size_t first = 0; first < pieces.size(); first += kBatch) {
+    ctx.report(static_cast<double>(first) / static_cast<double>(pieces.size()), "laying beads");
+    const std::size_t count = std::min(kBatch, pieces.size() - first);
+    base::parallelChunks(ctx, count, kGrain, [&](std::size_t begin, std::size_t end) {
+      Chunk& chunk = chunks[begin / kGrain];
+      chunk.shares.clear();
+      chunk.end.clear();
+      chunk.outside.clear();
+      FootprintMaker maker(grid, options);
+      for (std::size_t p = begin; p < end; ++p) {
+        chunk.outside.push_back(maker.make(pieces[first + p], chunk.shares));
+        chunk.end.push_back(chunk.shares.size());
+      }
+    });
+    for (std::size_t p = 0; p < count; ++p) {
+      const Chunk& chunk = chunks[p / kGrain];
+      const std::size_t in = p % kGrain, begin = in == 0 ? 0 : chunk.end[in - 1];
+      const BeadPiece& piece = pieces[first + p];
+      const double left =
+          chunk.outside[in] + layer.lay(chunk.shares.data() + begin, chunk.end[in] - begin,
+                                        static_cast<std::uint32_t>(first + p), piece.ofPart);
+      result.pieceExcessMm3[first + p] = static_cast<float>(left * cellVolume);
+      result.excessMm3 += left * cellVolume;
+      result.laidMm3 += piece.volumeMm3;
+    }
+  }
+  return result;
+}
+
+voxel::VoxelGrid gridOver(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double pitchMm,
+                          std::size_t maxCells) {
+  base::require(pitchMm > 0.0 && (high - low).minCoeff() >= 0.0, "gridOver: a box and a pitch");
+  voxel::VoxelGrid grid;
+  grid.pitch = pitchMm;
+  for (;;) {
+    grid.origin = low;
+    grid.size = ((high - low) / grid.pitch).array().ceil().matrix().cast<int>().cwiseMax(1);
+    if (grid.cellCount() <= maxCells)
+      return grid;
+    grid.pitch *= 1.1;
+  }
+}
+
+} // namespace voluta::replay

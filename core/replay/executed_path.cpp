@@ -1,0 +1,407 @@
+#include "replay/executed_path.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::replay {
+
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using robot::JointVector;
+
+constexpr double kPrintSampleMm = 0.5, kTravelSampleMm = 1.0;
+constexpr double kArmStepMm = 2.0, kArmStepRad = base::degreesToRadians(2.0);
+constexpr double kArmStepJointRad = 0.03;
+constexpr double kSpeedSlack = 1.02;    // rounding of speeds in a program's text
+constexpr double kRangeSlackRad = 1e-4; // likewise of joints
+// A joint that turns further than this within one arm step has changed its branch.
+constexpr double kJumpRad = 1.0;
+constexpr std::size_t kGrain = 1024;
+
+// A TCP pose in Base, or a tip and direction in the work frame.
+struct Target {
+  Vector3d position = Vector3d::Zero();
+  Quaterniond turn = Quaterniond::Identity();
+  Vector3d direction = Vector3d::UnitZ();
+};
+
+Target between(const Target& a, const Target& b, double u) {
+  Target t;
+  t.position = a.position + u * (b.position - a.position);
+  t.turn = a.turn.slerp(u, b.turn);
+  const double angle =
+      std::atan2(a.direction.cross(b.direction).norm(), a.direction.dot(b.direction));
+  if (angle < 1e-9 || angle > base::kPi - 1e-9)
+    t.direction = u < 0.5 ? a.direction : b.direction;
+  else
+    t.direction = (std::sin((1 - u) * angle) * a.direction + std::sin(u * angle) * b.direction) /
+                  std::sin(angle);
+  t.direction.normalize();
+  return t;
+}
+
+class Runner {
+public:
+  Runner(const plan::ReadProgram& program, const robot::Cell* cell, const base::RunContext& ctx)
+      : program_(program), motions_(program.motions), cell_(cell), ctx_(ctx),
+        tcp_T_flange_(program.flange_T_tcp.inverse()) {}
+
+  ExecutedPath run() {
+    const std::size_t n = motions_.size();
+    path_.arm = cell_ != nullptr && n > 0;
+    for (const plan::ProgramMotion& m : motions_)
+      path_.arm = path_.arm && m.target != plan::TargetKind::ToolPoint;
+    path_.dof = cell_ != nullptr ? cell_->dof() : 0;
+    path_.targetTip.resize(n);
+    path_.targetDirection.resize(n);
+    path_.commandedMm.assign(n, 0.0);
+    path_.durationS.assign(n, 0.0);
+    path_.startS.assign(n, 0.0);
+    findTargets();
+    findLengths();
+    if (path_.arm)
+      solveJoints();
+    findDurations();
+    if (path_.arm)
+      checkSpeeds();
+    sampleNozzle();
+    std::stable_sort(
+        path_.violations.begin(), path_.violations.end(),
+        [](const LimitViolation& a, const LimitViolation& b) { return a.motion < b.motion; });
+    return std::move(path_);
+  }
+
+private:
+  bool isToolPoint(std::size_t m) const {
+    return motions_[m].target == plan::TargetKind::ToolPoint;
+  }
+  bool isStraight(std::size_t m) const { return !motions_[m].jointInterpolated || !path_.arm; }
+  JointVector jointsOf(std::size_t m) const {
+    return Eigen::Map<const Eigen::VectorXd>(
+        path_.joints.data() + m * static_cast<std::size_t>(path_.dof), path_.dof);
+  }
+
+  // A target with more or fewer values than the cell has joints is another robot's: home stands in,
+  // and the motion is out of reach.
+  JointVector jointTarget(const plan::ProgramMotion& motion) const {
+    if (static_cast<int>(motion.joints.size()) != cell_->dof())
+      return cell_->home();
+    return Eigen::Map<const Eigen::VectorXd>(motion.joints.data(), cell_->dof());
+  }
+
+  void nozzleOf(const Target& t, bool toolPoint, Vector3d& tip, Vector3d& direction) const {
+    if (toolPoint) {
+      tip = t.position;
+      direction = t.direction;
+      return;
+    }
+    Isometry3d base_T_tcp = Isometry3d::Identity();
+    base_T_tcp.linear() = t.turn.toRotationMatrix();
+    base_T_tcp.translation() = t.position;
+    const Isometry3d work_T_tool = cell_->work_T_toolOfFlange(base_T_tcp * tcp_T_flange_);
+    tip = work_T_tool.translation();
+    direction = -work_T_tool.linear().col(2);
+  }
+  Isometry3d flangeOf(const Target& t) const {
+    Isometry3d base_T_tcp = Isometry3d::Identity();
+    base_T_tcp.linear() = t.turn.toRotationMatrix();
+    base_T_tcp.translation() = t.position;
+    return base_T_tcp * tcp_T_flange_;
+  }
+
+  void findTargets() {
+    targets_.resize(motions_.size());
+    base::parallelChunks(ctx_, motions_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t m = begin; m < end; ++m) {
+        const plan::ProgramMotion& motion = motions_[m];
+        Target& t = targets_[m];
+        if (motion.target == plan::TargetKind::ToolPoint) {
+          t.position = motion.position;
+          t.direction = motion.direction;
+        } else {
+          base::require(cell_ != nullptr, "replay: a program for an arm needs a cell");
+          Isometry3d pose = motion.base_T_tcp;
+          if (motion.target == plan::TargetKind::Joints) {
+            const JointVector q = jointTarget(motion);
+            pose = cell_->robot().kinematics->flange(q) * program_.flange_T_tcp;
+          }
+          t.position = pose.translation();
+          t.turn = Quaterniond(pose.linear());
+        }
+        nozzleOf(t, isToolPoint(m), path_.targetTip[m], path_.targetDirection[m]);
+      }
+    });
+  }
+
+  void findLengths() {
+    for (std::size_t m = 1; m < motions_.size(); ++m) {
+      path_.commandedMm[m] = (targets_[m].position - targets_[m - 1].position).norm();
+      const double blends = motions_[m].blendMm + motions_[m - 1].blendMm;
+      if (blends > path_.commandedMm[m] + 1e-6 && isStraight(m) && motions_[m].blendMm > 0.0 &&
+          motions_[m - 1].blendMm > 0.0)
+        path_.violations.push_back({LimitKind::BlendOverlap, m, -1, blends, path_.commandedMm[m]});
+    }
+  }
+
+  // The half of motion m's end blend that it can have: never more than half its neighbours.
+  double blendAt(std::size_t m) const {
+    if (m + 1 >= motions_.size() || m == 0 || !isStraight(m) || !isStraight(m + 1))
+      return 0.0;
+    return std::min(
+        {motions_[m].blendMm, 0.5 * path_.commandedMm[m], 0.5 * path_.commandedMm[m + 1]});
+  }
+
+  // Straight motion m at s in [0,1] of its length, m >= 1, corners rounded.
+  Target along(std::size_t m, double s) const {
+    const Target &a = targets_[m - 1], &b = targets_[m];
+    const double length = path_.commandedMm[m];
+    const double before = blendAt(m - 1), after = blendAt(m);
+    const auto rounded = [](const Target& in, const Target& corner, const Target& out, double v) {
+      return between(between(in, corner, v), between(corner, out, v), v);
+    };
+    if (before > 0.0 && s * length < before) {
+      const Target in = between(targets_[m - 2], a, 1.0 - before / path_.commandedMm[m - 1]);
+      return rounded(in, a, between(a, b, before / length), 0.5 + 0.5 * s * length / before);
+    }
+    if (after > 0.0 && (1.0 - s) * length < after) {
+      const Target out = between(b, targets_[m + 1], after / path_.commandedMm[m + 1]);
+      return rounded(between(a, b, 1.0 - after / length), b, out,
+                     0.5 - 0.5 * (1.0 - s) * length / after);
+    }
+    return between(a, b, s);
+  }
+
+  void pushArm(std::size_t m, double at, const JointVector& q) {
+    path_.armJoints.insert(path_.armJoints.end(), q.data(), q.data() + q.size());
+    path_.armMotion.push_back(static_cast<std::uint32_t>(m));
+    path_.armFraction.push_back(static_cast<float>(at));
+  }
+
+  void solveJoints() {
+    path_.joints.assign(motions_.size() * static_cast<std::size_t>(path_.dof), 0.0);
+    JointVector q = cell_->home();
+    for (std::size_t m = 0; m < motions_.size(); ++m) {
+      if (m % 1024 == 0)
+        ctx_.checkpoint();
+      const plan::ProgramMotion& motion = motions_[m];
+      bool reached = true;
+      JointVector target = q;
+      if (motion.target == plan::TargetKind::Joints)
+        target = jointTarget(motion);
+      if (motion.target == plan::TargetKind::Joints &&
+          static_cast<int>(motion.joints.size()) != path_.dof)
+        path_.violations.push_back({LimitKind::OutOfReach, m, -1, 0.0, 0.0});
+      if (m == 0 || motion.jointInterpolated) {
+        if (motion.target != plan::TargetKind::Joints)
+          reached = follow(m, 1.0, target);
+        if (m == 0) {
+          pushArm(m, 1.0, target);
+        } else {
+          const double turn = (target - q).cwiseAbs().maxCoeff();
+          const int steps = std::max(1, static_cast<int>(std::ceil(turn / kArmStepJointRad)));
+          for (int k = 1; k <= steps; ++k) {
+            const double u = static_cast<double>(k) / steps;
+            pushArm(m, u, q + u * (target - q));
+          }
+        }
+        q = target;
+      } else {
+        const double turn = targets_[m - 1].turn.angularDistance(targets_[m].turn);
+        const int steps =
+            std::max({1, static_cast<int>(std::ceil(path_.commandedMm[m] / kArmStepMm)),
+                      static_cast<int>(std::ceil(turn / kArmStepRad))});
+        for (int k = 1; k <= steps; ++k) {
+          const double u = static_cast<double>(k) / steps;
+          reached = follow(m, u, q) && reached;
+          pushArm(m, u, q);
+        }
+      }
+      if (!reached)
+        path_.violations.push_back({LimitKind::OutOfReach, m, -1, 0.0, 0.0});
+      checkRange(m, q);
+      std::copy(q.data(), q.data() + q.size(),
+                path_.joints.data() + m * static_cast<std::size_t>(path_.dof));
+    }
+  }
+
+  // The joints that reach motion m at s, nearest to q; q stays where there are none.
+  bool follow(std::size_t m, double s, JointVector& q) {
+    const Target t = m == 0 || motions_[m].jointInterpolated || s >= 1.0
+                         ? targets_[m]
+                         : between(targets_[m - 1], targets_[m], s);
+    solutions_.clear();
+    robot::inverseNear(cell_->robot(), flangeOf(t), q, solutions_);
+    if (solutions_.empty())
+      return false;
+    const JointVector* best = &solutions_.front();
+    for (const JointVector& candidate : solutions_)
+      if ((candidate - q).squaredNorm() < (*best - q).squaredNorm())
+        best = &candidate;
+    q = JointVector(*best);
+    return true;
+  }
+
+  void checkRange(std::size_t m, const JointVector& q) {
+    for (int k = 0; k < path_.dof; ++k) {
+      const robot::JointLimits& limits = cell_->limits()[static_cast<std::size_t>(k)];
+      if (q[k] < limits.min - kRangeSlackRad || q[k] > limits.max + kRangeSlackRad)
+        path_.violations.push_back(
+            {LimitKind::JointRange, m, k, q[k], q[k] < limits.min ? limits.min : limits.max});
+    }
+  }
+
+  void findDurations() {
+    double t = 0.0;
+    for (std::size_t m = 0; m < motions_.size(); ++m) {
+      const plan::ProgramMotion& motion = motions_[m];
+      double duration = 0.0;
+      if (motion.durationS > 0.0) {
+        duration = motion.durationS;
+      } else if (m > 0 && path_.arm && motion.jointInterpolated && motion.jointSpeedRadPerS > 0.0) {
+        duration = (jointsOf(m) - jointsOf(m - 1)).cwiseAbs().maxCoeff() / motion.jointSpeedRadPerS;
+      } else if (m > 0 && motion.speedMmPerS > 0.0) {
+        duration = path_.commandedMm[m] / motion.speedMmPerS;
+        // A pure turn has no length: the controller then turns as fast as its joints may.
+        if (path_.arm && path_.commandedMm[m] < 0.05)
+          duration = std::max(duration, fastest(m));
+      }
+      path_.durationS[m] = duration;
+      path_.startS[m] = t;
+      t += duration;
+    }
+  }
+  double fastest(std::size_t m) const {
+    const JointVector step = jointsOf(m) - jointsOf(m - 1);
+    double time = 0.0;
+    for (int k = 0; k < path_.dof; ++k)
+      time =
+          std::max(time, std::abs(step[k]) / cell_->limits()[static_cast<std::size_t>(k)].velocity);
+    return time;
+  }
+
+  void checkSpeeds() {
+    const std::size_t dof = static_cast<std::size_t>(path_.dof);
+    for (std::size_t a = 1; a < path_.armMotion.size(); ++a) {
+      const std::size_t m = path_.armMotion[a];
+      if (m == 0)
+        continue;
+      const double from = path_.armMotion[a - 1] == m ? path_.armFraction[a - 1] : 0.0;
+      const double time = (path_.armFraction[a] - from) * path_.durationS[m];
+      const double* q0 = path_.armJoints.data() + (a - 1) * dof;
+      const double* q1 = path_.armJoints.data() + a * dof;
+      // One line a motion is enough: its worst joint.
+      LimitViolation worst{LimitKind::JointSpeed, m, -1, 0.0, 0.0};
+      double excess = kSpeedSlack;
+      for (std::size_t k = 0; k < dof; ++k) {
+        const double turn = std::abs(q1[k] - q0[k]), limit = cell_->limits()[k].velocity;
+        if (turn > kJumpRad) {
+          worst = {LimitKind::BranchJump, m, static_cast<int>(k), turn, kJumpRad};
+          break;
+        }
+        if (turn < 1e-6)
+          continue;
+        if (time <= 0.0) {
+          // No time is given for this motion: nothing to hold against the limit.
+          continue;
+        }
+        if (turn / time > excess * limit) {
+          excess = turn / time / limit;
+          worst.joint = static_cast<int>(k);
+          worst.value = turn / time;
+          worst.limit = limit;
+        }
+      }
+      if (worst.joint >= 0 && (path_.violations.empty() || path_.violations.back().motion != m ||
+                               path_.violations.back().kind != worst.kind))
+        path_.violations.push_back(worst);
+    }
+  }
+
+  void sampleNozzle() {
+    const std::size_t n = motions_.size();
+    path_.firstSample.assign(n + 1, 0);
+    std::vector<std::uint32_t> counts(n, 1);
+    base::parallelChunks(ctx_, n, kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t m = std::max<std::size_t>(begin, 1); m < end; ++m)
+        counts[m] = sampleCount(m);
+    });
+    for (std::size_t m = 0; m < n; ++m)
+      path_.firstSample[m + 1] = path_.firstSample[m] + counts[m];
+    path_.tip.resize(path_.firstSample[n]);
+    path_.direction.resize(path_.firstSample[n]);
+    base::parallelChunks(ctx_, n, kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t m = begin; m < end; ++m)
+        for (std::size_t k = 0; k < counts[m]; ++k) {
+          const std::size_t s = path_.firstSample[m] + k;
+          nozzleAt(m, static_cast<double>(k + 1) / counts[m], path_.tip[s], path_.direction[s]);
+        }
+    });
+  }
+
+  void nozzleAt(std::size_t m, double u, Vector3d& tip, Vector3d& direction) const {
+    if (m == 0) {
+      tip = path_.targetTip[0];
+      direction = path_.targetDirection[0];
+    } else if (isStraight(m)) {
+      nozzleOf(along(m, u), isToolPoint(m), tip, direction);
+    } else {
+      const JointVector a = jointsOf(m - 1), q = a + u * (jointsOf(m) - a);
+      const Isometry3d work_T_tool = cell_->work_T_tool(q);
+      tip = work_T_tool.translation();
+      direction = -work_T_tool.linear().col(2);
+    }
+  }
+
+  // From chords over eighths, since tip and TCP may move very differently.
+  std::uint32_t sampleCount(std::size_t m) const {
+    const double step = motions_[m].extruding ? kPrintSampleMm : kTravelSampleMm;
+    Vector3d last = path_.targetTip[m - 1], direction;
+    double longest = 0.0;
+    constexpr int kChords = 8;
+    const bool plain =
+        isToolPoint(m) || (isStraight(m) && path_.commandedMm[m] < 2.0 &&
+                           targets_[m - 1].turn.angularDistance(targets_[m].turn) < 0.02);
+    if (plain) {
+      longest = (path_.targetTip[m] - last).norm() / kChords;
+    } else {
+      for (int k = 1; k <= kChords; ++k) {
+        Vector3d tip;
+        nozzleAt(m, static_cast<double>(k) / kChords, tip, direction);
+        longest = std::max(longest, (tip - last).norm());
+        last = tip;
+      }
+    }
+    // 0.98: chords are shorter than the curve between them.
+    const double count = std::ceil(longest * kChords / (0.98 * step) - 1e-9);
+    return static_cast<std::uint32_t>(std::clamp(count, 1.0, 20000.0));
+  }
+
+  const plan::ReadProgram& program_;
+  const std::vector<plan::ProgramMotion>& motions_;
+  const robot::Cell* cell_;
+  const base::RunContext& ctx_;
+  Isometry3d tcp_T_flange_;
+  std::vector<Target> targets_;
+  std::vector<JointVector> solutions_;
+  ExecutedPath path_;
+};
+
+} // namespace
+
+ExecutedPath executeProgram(const plan::ReadProgram& program, const robot::Cell& cell,
+                            const base::RunContext& ctx) {
+  return Runner(program, &cell, ctx).run();
+}
+
+ExecutedPath executeToolPoints(const plan::ReadProgram& program, const base::RunContext& ctx) {
+  return Runner(program, nullptr, ctx).run();
+}
+
+} // namespace voluta::replay

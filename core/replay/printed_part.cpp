@@ -1,0 +1,30 @@
+#include "replay/printed_part.h"
+
+namespace voluta::replay {
+
+PrintedPart::PrintedPart(const BeadGrid& beads, const std::vector<BeadPiece>& pieces)
+    : beads_(beads), pieces_(pieces) {
+  const std::vector<std::uint32_t>* below = &beads_.filledBy;
+  Eigen::Vector3i size = beads_.grid.size;
+  for (int cells = kBranch; cells <= kBranch * kBranch * kBranch; cells *= kBranch) {
+    Level level;
+    level.cells = cells;
+    level.size = (size.array() + (kBranch - 1)) / kBranch;
+    level.least.assign(static_cast<std::size_t>(level.size.x()) *
+                           static_cast<std::size_t>(level.size.y()) *
+                           static_cast<std::size_t>(level.size.z()),
+                       kNeverFilled);
+    std::size_t at = 0;
+    for (int k = 0; k < size.z(); ++k)
+      for (int j = 0; j < size.y(); ++j)
+        for (int i = 0; i < size.x(); ++i, ++at) {
+          std::uint32_t& least = level.least[level.index({i / kBranch, j / kBranch, k / kBranch})];
+          least = std::min(least, (*below)[at]);
+        }
+    size = level.size;
+    levels_.push_back(std::move(level));
+    below = &levels_.back().least;
+  }
+}
+
+} // namespace voluta::replay

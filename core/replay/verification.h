@@ -1,0 +1,89 @@
+// The verdict on a program that was read back from its text (DESIGN §4 Replay).
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+#include "plan/finding.h"
+#include "plan/program.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "process/process.h"
+#include "robot/cell.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::replay {
+
+// The program as its reader found it, what it was written from, and what it is to make.
+struct ReplayInput {
+  const plan::ReadProgram& program;
+  const plan::ToolPlan& plan;
+  const plan::Trajectory& trajectory;
+  const robot::Cell& cell;
+  const process::Process& process;
+  const geometry::TriangleMesh& part; // placed: work frame, mm
+};
+
+// What a program has to keep to (DESIGN §4).
+struct ReplayThresholds {
+  double coveredMin = 0.97;      // share of the part's volume inside beads
+  double unsupportedMax = 0.005; // share of bead length with nothing beneath
+  double overfillMax = 0.03;     // bead volume outside the part, by part volume
+  double massTolerance = 0.03;   // |massRatio - 1|
+  std::size_t collisionsMax = 0;
+  std::size_t limitViolationsMax = 0;
+  double deviationMaxMm = 0.05; // of the executed nozzle path from the planned one
+};
+
+struct ThresholdResult {
+  std::string name; // the report's key, e.g. "coveredFraction"
+  double value = 0.0, limit = 0.0;
+  bool passed = false;
+};
+
+// Where in the program's text a finding lies; line 0: nowhere in particular. 1-based.
+struct TextPlace {
+  std::size_t file = 0, line = 0;
+};
+
+struct Verification {
+  bool passed = false; // every threshold kept and the text free of deviations
+
+  double coveredFraction = 0.0;
+  double unsupportedFraction = 0.0;
+  double overfillFraction = 0.0;   // outside the part and what found no room, by part volume
+  double excessFraction = 0.0;     // of that, what found no room
+  double massRatio = 0.0;          // material laid (supports and skirts apart) by part volume
+  std::size_t collisions = 0;      // contacts; one that lasts over consecutive samples counts once
+  std::size_t limitViolations = 0; // likewise
+  std::size_t deviations = 0;      // places where the text is not what was planned
+  double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
+
+  bool armChecked = false; // false: the program says where the nozzle is, not where the arm is
+  double partVolumeMm3 = 0.0, depositedMm3 = 0.0, supportMm3 = 0.0, beadLengthMm = 0.0;
+  double durationS = 0.0; // lengths by speeds, without the controller's ramps
+  double pitchMm = 0.0;   // of the grid of beads
+
+  std::vector<ThresholdResult> results; // in the order of ReplayThresholds
+  plan::Findings findings;              // stage "replay"
+  std::vector<TextPlace> places;        // of each finding
+};
+
+// Runs the program, compares it motion by motion with the trajectory, lays its beads and judges.
+// What is wrong with the program becomes findings, never an error.
+//
+// Preconditions (Error{Internal}): trajectory.dof == cell.dof(); its arrays are as long as they
+// should be; the part has triangles. Throws Cancelled.
+//
+// Programs whose targets are ToolPoint carry no arm: limits and the arm's clearances are then not
+// checked (armChecked == false), the nozzle's path, the head and the beads are.
+// The result does not depend on the number of threads.
+Verification replayProgram(const ReplayInput& input, const ReplayThresholds& thresholds,
+                           const base::RunContext& ctx);
+
+} // namespace voluta::replay
