@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 namespace voluta::geometry {
@@ -47,16 +45,14 @@ std::string reason(std::string text) {
 
 } // namespace
 
-FacetSoup readByAssimp(std::string_view bytes, const std::string& extension,
-                       const std::string& name) {
+FacetSoup read3mfByAssimp(std::string_view bytes, const std::string& name) {
   Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, 0);
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(),
-                                                     aiProcess_Triangulate, extension.c_str());
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "3mf");
   if (!scene || !scene->mRootNode)
     throw Error(ErrorCode::UnreadableFile,
                 "not readable as a mesh: " + reason(importer.GetErrorString()), name);
   FacetSoup soup;
+  soup.format = "3MF";
   collect(*scene, *scene->mRootNode, aiMatrix4x4(), soup.facets);
   return soup;
 }

@@ -22,10 +22,16 @@ struct FacetSoup {
 bool looksLikeStl(std::string_view bytes);
 // Throws Error{UnreadableFile} with the line or the facet.
 FacetSoup readStl(std::string_view bytes, const std::string& name);
-// OBJ, PLY, OFF, 3MF by assimp; `extension` in lower case without the dot. Throws
-// Error{UnreadableFile} with assimp's reason.
-FacetSoup readByAssimp(std::string_view bytes, const std::string& extension,
-                       const std::string& name);
+// OBJ, OFF and PLY are read here and not by assimp 5.2, whose asserts end the program on damaged
+// files. Throw Error{UnreadableFile} with the line or the byte.
+FacetSoup readObj(std::string_view bytes, const std::string& name);
+FacetSoup readOff(std::string_view bytes, const std::string& name);
+FacetSoup readPly(std::string_view bytes, const std::string& name);
+// Throws Error{UnreadableFile} with assimp's reason.
+FacetSoup read3mfByAssimp(std::string_view bytes, const std::string& name);
+
+// Appends the polygon's triangles.
+void addPolygon(const std::vector<Eigen::Vector3d>& polygon, std::vector<Facet>& facets);
 
 // One vertex for all corners of equal coordinates (-0 is 0), in order of first use.
 TriangleMesh shareVertices(const std::vector<Facet>& facets);

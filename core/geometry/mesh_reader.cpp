@@ -56,12 +56,6 @@ std::string formatOf(std::string_view bytes, const std::string& extension) {
   return {};
 }
 
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
-
 bool usable(const Facet& facet) {
   for (const Vector3d& v : facet)
     if (!v.allFinite() || v.cwiseAbs().maxCoeff() > kLargest)
@@ -122,9 +116,11 @@ MeshFile readMesh(std::string_view bytes, const std::string& name) {
   if (format.empty())
     throw Error(ErrorCode::UnreadableFile, "not a mesh file", name,
                 "STL, OBJ, PLY, OFF and 3MF can be read");
-  FacetSoup soup = format == "stl" ? readStl(bytes, name) : readByAssimp(bytes, format, name);
-  if (soup.format.empty())
-    soup.format = upper(format);
+  FacetSoup soup = format == "stl"   ? readStl(bytes, name)
+                   : format == "obj" ? readObj(bytes, name)
+                   : format == "off" ? readOff(bytes, name)
+                   : format == "ply" ? readPly(bytes, name)
+                                     : read3mfByAssimp(bytes, name);
   if (soup.facets.empty())
     throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle", name);
   dropBadFacets(soup, name);
