@@ -1,5 +1,6 @@
 #include "geometry/repair.h"
 
+#include "base/error.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
 #include "support/models.h"
