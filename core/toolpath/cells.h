@@ -1,0 +1,27 @@
+// Which part of a patch belongs to which stretch of bead: every sample of the patch to the nearest
+// centreline. A stretch's share says how much material it has to lay and where its middle is.
+#pragma once
+
+#include "toolpath/patch_surface.h"
+
+#include <vector>
+
+namespace voluta::toolpath {
+
+struct CellShare {
+  // Per segment of the curve (a closed curve has as many segments as points).
+  std::vector<double> areaMm2, volumeMm3;
+  std::vector<double> lateralMm; // mean signed distance of its samples, positive to the left
+  double beyondMm2[2] = {0, 0};  // open curves: area that lies past the first and the last point
+};
+
+struct Cells {
+  std::vector<CellShare> share; // per curve
+  double orphanMm2 = 0.0;       // further than the reach from any curve
+};
+
+// Samples: the centres of the surface's triangles, or of four parts of each when `fine`.
+Cells shareOut(const PatchSurface& surface, const std::vector<SurfaceCurve>& curves, double reachMm,
+               bool fine);
+
+} // namespace voluta::toolpath

@@ -1,0 +1,253 @@
+#include "toolpath/cover_patch.h"
+
+#include "base/error.h"
+#include "base/run_context.h"
+#include "process/bead_model.h"
+#include "toolpath/cells.h"
+#include "toolpath/coverage.h"
+#include "toolpath/curve_tools.h"
+#include "toolpath/gap_fill.h"
+#include "toolpath/infill.h"
+#include "toolpath/surface_fields.h"
+#include "toolpath/walls.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::toolpath {
+
+namespace {
+using Eigen::Vector3d;
+using plan::PathKind;
+
+constexpr double kReach = 1.8;    // mm: further from a centreline, nothing is laid
+constexpr double kPlanStep = 0.5; // mm between points while centrelines move
+constexpr int kRelaxations = 2;
+
+struct Centrelines {
+  std::vector<SurfaceCurve> curves;
+  std::vector<PathKind> kind;
+  std::vector<int> ring;
+
+  void add(std::vector<SurfaceCurve>&& more, PathKind k, int r) {
+    for (SurfaceCurve& c : more) {
+      if (c.points.size() < 2)
+        continue;
+      curves.push_back(std::move(c));
+      kind.push_back(k);
+      ring.push_back(r);
+    }
+  }
+};
+
+bool oneLoop(const PatchSurface& s) {
+  if (s.boundary.empty())
+    return false;
+  std::vector<int> next(s.position.size(), -1);
+  for (const auto& e : s.boundary)
+    next[static_cast<std::size_t>(e[0])] = e[1];
+  std::size_t steps = 0;
+  int v = s.boundary.front()[0];
+  do {
+    v = next[static_cast<std::size_t>(v)];
+    ++steps;
+  } while (v >= 0 && v != s.boundary.front()[0] && steps <= s.boundary.size());
+  return v >= 0 && steps == s.boundary.size();
+}
+
+// Binomial smoothing along a curve.
+void smoothValues(std::vector<double>& values, bool closed, int passes) {
+  const std::size_t n = values.size();
+  if (n < 3)
+    return;
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::vector<double> old = values;
+    for (std::size_t i = 0; i < n; ++i) {
+      // Ends reflect, which keeps the sum.
+      const double before = i > 0 ? old[i - 1] : closed ? old[n - 1] : old[0];
+      const double after = i + 1 < n ? old[i + 1] : closed ? old[0] : old[n - 1];
+      values[i] = 0.25 * before + 0.5 * old[i] + 0.25 * after;
+    }
+  }
+}
+
+// Moves a centreline to the middle of its share, and its open ends out into what lies past them.
+void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share, double hatch) {
+  const std::size_t n = c.points.size();
+  std::vector<double> shift = share.lateralMm;
+  smoothValues(shift, c.closed, 4);
+  const std::size_t segments = shift.size();
+  const SurfaceCurve old = c;
+  const auto along = [&](std::size_t i) -> Vector3d {
+    return (old.points[(i + 1) % n].position - old.points[i].position).normalized();
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool first = !c.closed && i == 0, last = !c.closed && i + 1 == n;
+    const std::size_t before = first ? 0 : (i + segments - 1) % segments;
+    const std::size_t after = last ? segments - 1 : i % segments;
+    const Vector3d tangent = along(before) + along(after);
+    const Vector3d normal = s.interpolate(s.normal, old.points[i]);
+    Vector3d left = normal.cross(tangent);
+    if (left.norm() < 1e-6)
+      continue;
+    Vector3d move = 0.5 * (shift[before] + shift[after]) * left.normalized();
+    if (move.norm() > 0.4 * hatch)
+      move *= 0.4 * hatch / move.norm();
+    if (first)
+      move -= std::min(0.6 * hatch, share.beyondMm2[0] / hatch) * along(0);
+    if (last)
+      move += std::min(0.6 * hatch, share.beyondMm2[1] / hatch) * along(segments - 1);
+    c.points[i] = s.project(old.points[i].position + move, old.points[i].triangle);
+  }
+}
+
+// Sections from shares, in place: volumes per segment become a width per point.
+class Sections {
+public:
+  Sections(const PatchSurface& s, const process::Process& p, double mostHatchMm)
+      : s_(s), p_(p), mostHatch_(mostHatchMm) {}
+
+  Bead bead(const SurfaceCurve& c, const CellShare& share, PathKind kind, int ring) const {
+    const std::size_t n = c.points.size(), segments = share.volumeMm3.size();
+    std::vector<double> volume = share.volumeMm3, length(segments);
+    for (std::size_t i = 0; i < segments; ++i)
+      length[i] = (c.points[(i + 1) % n].position - c.points[i].position).norm();
+    smoothValues(volume, c.closed, 2);
+    smoothValues(length, c.closed, 2);
+    Bead b;
+    b.kind = kind;
+    b.ring = ring;
+    b.closed = c.closed;
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool first = !c.closed && i == 0, last = !c.closed && i + 1 == n;
+      const std::size_t before = first ? 0 : (i + segments - 1) % segments;
+      const std::size_t after = last ? segments - 1 : i % segments;
+      BeadPoint q;
+      q.middle = c.points[i].position;
+      q.direction = s_.interpolate(s_.direction, c.points[i]);
+      q.clearDirection = s_.interpolate(s_.clearDirection, c.points[i]);
+      q.heightMm = s_.interpolate(s_.thicknessMm, c.points[i]);
+      const double l = length[before] + length[after];
+      const double section = l > 0 ? (volume[before] + volume[after]) / l : 0.0;
+      q.widthMm = within(
+          process::widthOfArea(std::min(section, mostHatch_ * q.heightMm), q.heightMm), q.heightMm);
+      b.points.push_back(q);
+    }
+    if (c.closed)
+      b.points.push_back(b.points.front());
+    return b;
+  }
+  double within(double width, double height) const {
+    return std::max(std::clamp(width, p_.beadWidthMinMm, p_.beadWidthMaxMm), height);
+  }
+
+private:
+  const PatchSurface& s_;
+  const process::Process& p_;
+  double mostHatch_;
+};
+
+double volumeOf(const std::vector<Bead>& beads) {
+  double v = 0.0;
+  for (const Bead& b : beads)
+    for (std::size_t i = 1; i < b.points.size(); ++i) {
+      const BeadPoint &p = b.points[i - 1], &q = b.points[i];
+      v += (q.middle - p.middle).norm() * 0.5 *
+           (process::beadArea(p.widthMm, p.heightMm) + process::beadArea(q.widthMm, q.heightMm));
+    }
+  return v;
+}
+
+Centrelines centrelines(const PatchSurface& s, const process::Process& process,
+                        const ToolpathOptions& o, int layer, const base::RunContext& ctx) {
+  const std::size_t n = s.position.size();
+  const std::vector<double> boundaryMm = distanceToSegments(s, boundarySegments(s), 1e9);
+  std::vector<double> hatchMm(n), depth(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    hatchMm[v] =
+        process::hatchOf(process.beadWidthMm, std::min(s.thicknessMm[v], process.beadWidthMm));
+    depth[v] = boundaryMm[v] / hatchMm[v];
+  }
+  Centrelines lines;
+  for (int i = 0; i < o.walls; ++i)
+    lines.add(wallAt(s, depth, hatchMm, i + 0.5), PathKind::Wall, i);
+  ctx.checkpoint();
+  const InfillRegion region{s,    depth, hatchMm, static_cast<double>(o.walls), o.infillDensity,
+                            layer};
+  lines.add(infillKind(o.infill).fill(region), PathKind::Infill, 0);
+  ctx.checkpoint();
+  if (o.infillDensity >= 1.0)
+    lines.add(gapSpines(s, lines.curves, boundaryMm, hatchMm), PathKind::GapFill, 0);
+  ctx.checkpoint();
+  return lines;
+}
+} // namespace
+
+PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
+                      const ToolpathOptions& o, const base::RunContext& ctx) {
+  base::require(o.infillDensity > 0 && o.infillDensity <= 1, "infill density is in (0, 1]");
+  base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
+  PatchCover cover;
+  if (patch.surface.empty())
+    return cover;
+  const PatchSurface s = PatchSurface::refine(patch, o.edgeMm);
+  cover.areaMm2 = s.areaMm2;
+  cover.volumeMm3 = s.volumeMm3;
+  cover.simple = oneLoop(s);
+  Centrelines lines = centrelines(s, process, o, patch.layer, ctx);
+  if (lines.curves.empty())
+    return cover;
+
+  const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  const bool solid = o.infillDensity >= 1.0;
+  ResampleOptions dense;
+  dense.stepMm = kPlanStep;
+  dense.chordMm = INFINITY;
+  for (SurfaceCurve& c : lines.curves) {
+    Resampled r = resample(s, c, dense);
+    smoothCurve(s, r.curve, r.corner, 2);
+    c = std::move(r.curve);
+  }
+  for (int i = 0; solid && i < kRelaxations; ++i) {
+    ctx.checkpoint();
+    const Cells cells = shareOut(s, lines.curves, kReach, false);
+    for (std::size_t k = 0; k < lines.curves.size(); ++k)
+      moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
+  }
+  ResampleOptions final;
+  final.stepMm = o.stepMm;
+  for (SurfaceCurve& c : lines.curves) {
+    Resampled r = resample(s, c, dense);
+    smoothCurve(s, r.curve, r.corner, 2);
+    c = resample(s, r.curve, final).curve;
+  }
+  ctx.checkpoint();
+  Cells cells = shareOut(s, lines.curves, kReach, true);
+  const Sections sections(s, process, solid ? 1e9 : hatch);
+  double target = 0.0;
+  for (CellShare& share : cells.share)
+    for (const double v : share.volumeMm3)
+      target += v;
+  // Sections are set at points and laid between them: what that changes is put right over all.
+  double correction = 1.0;
+  for (int round = 0; round < 3; ++round) {
+    cover.beads.clear();
+    for (std::size_t k = 0; k < lines.curves.size(); ++k) {
+      CellShare share = cells.share[k];
+      for (double& v : share.volumeMm3)
+        v *= correction;
+      cover.beads.push_back(sections.bead(lines.curves[k], share, lines.kind[k], lines.ring[k]));
+    }
+    cover.beadVolumeMm3 = volumeOf(cover.beads);
+    if (!solid || cover.beadVolumeMm3 <= 0)
+      break;
+    correction = std::clamp(correction * target / cover.beadVolumeMm3, 0.97, 1.03);
+  }
+  const Coverage c = measureCoverage(s, cover.beads);
+  cover.coveredMm2 = c.coveredMm2;
+  cover.overlapMm2 = c.overlapMm2;
+  return cover;
+}
+
+} // namespace voluta::toolpath

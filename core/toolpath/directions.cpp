@@ -1,0 +1,238 @@
+#include "toolpath/directions.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "base/units.h"
+#include "collision/growing_part.h"
+#include "toolpath/head_clearance.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace voluta::toolpath {
+
+namespace {
+using Eigen::Vector3d;
+using plan::ToolPlan;
+
+constexpr std::size_t kGrain = 512;
+
+double angleBetween(const Vector3d& a, const Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
+  const double angle = angleBetween(a, b);
+  if (angle < 1e-9)
+    return a;
+  if (angle > base::kPi - 1e-6) // opposite: by way of any side
+    return Eigen::AngleAxisd(t * angle, a.unitOrthogonal()) * a;
+  return ((std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle)).normalized();
+}
+
+class Orienter {
+public:
+  Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear,
+           const process::Process& process, const ToolpathOptions& o, const base::RunContext& ctx)
+      : plan_(plan), clear_(clear), o_(o), ctx_(ctx), head_(process, o.platform) {
+    middle_.resize(plan.waypointCount());
+    for (std::size_t i = 0; i < middle_.size(); ++i)
+      middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];
+  }
+
+  OrientResult run() {
+    {
+      const collision::GrowingPart part(plan_, o_.growingPitchMm, ctx_);
+      ctx_.report(0.2, "directions");
+      choose(part);
+      ctx_.report(0.5, "directions");
+      smooth(part);
+    }
+    ctx_.report(0.6, "directions");
+    OrientResult r;
+    r.plan = subdivided();
+    judge(r);
+    return r;
+  }
+
+private:
+  Vector3d tipAt(std::size_t i, const Vector3d& d) const {
+    return middle_[i] + 0.5 * plan_.heightMm[i] * d;
+  }
+  bool clears(const collision::GrowingPart& part, std::size_t i, const Vector3d& d) const {
+    return head_.clears(part, tipAt(i, d), d, i);
+  }
+
+  std::optional<Vector3d> firstClear(const collision::GrowingPart& part, std::size_t i) const {
+    const Vector3d &t = plan_.direction[i], &c = clear_[i];
+    if (clears(part, i, t))
+      return t;
+    const double angle = angleBetween(t, c);
+    const int n = std::max(1, static_cast<int>(std::ceil(angle / base::degreesToRadians(7.5))));
+    for (int k = 1; k <= n; ++k)
+      if (const Vector3d d = between(t, c, static_cast<double>(k) / n); clears(part, i, d))
+        return d;
+    // Rings about the clear direction, then about the layer's own.
+    for (const double tilt : {12.0, 24.0, 36.0, 48.0})
+      for (const Vector3d* axis : {&c, &t}) {
+        const Vector3d u = axis->unitOrthogonal();
+        std::optional<Vector3d> best;
+        for (int k = 0; k < 12; ++k) {
+          const Vector3d side = Eigen::AngleAxisd(2 * base::kPi * k / 12, *axis) * u;
+          const Vector3d d = std::cos(base::degreesToRadians(tilt)) * *axis +
+                             std::sin(base::degreesToRadians(tilt)) * side;
+          if ((!best || d.dot(t) > best->dot(t)) && clears(part, i, d))
+            best = d;
+        }
+        if (best)
+          return best;
+      }
+    return std::nullopt;
+  }
+
+  void choose(const collision::GrowingPart& part) {
+    direction_ = plan_.direction;
+    base::parallelChunks(ctx_, direction_.size(), kGrain, [&](std::size_t b, std::size_t e) {
+      for (std::size_t i = b; i < e; ++i) {
+        if (i % 64 == 0 && ctx_.cancelled())
+          return;
+        direction_[i] = firstClear(part, i).value_or(clear_[i]);
+      }
+    });
+    ctx_.checkpoint();
+  }
+
+  void smooth(const collision::GrowingPart& part) {
+    const std::vector<Vector3d> before = direction_;
+    const double limit = base::degreesToRadians(o_.smoothBeyondDeg);
+    constexpr int kSpread = 4, kPasses = 12;
+    std::vector<char> moved(direction_.size(), 0);
+    for (const plan::ToolPath& path : plan_.paths)
+      for (int pass = 0; pass < kPasses; ++pass) {
+        std::vector<char> rough(path.count, 0);
+        bool any = false;
+        for (std::size_t k = 1; k < path.count; ++k)
+          if (angleBetween(direction_[path.first + k - 1], direction_[path.first + k]) > limit) {
+            any = true;
+            const std::size_t from = k > kSpread ? k - kSpread : 0;
+            for (std::size_t j = from; j < std::min(path.count, k + kSpread); ++j)
+              rough[j] = 1;
+          }
+        if (!any)
+          break;
+        const std::vector<Vector3d> old(
+            direction_.begin() + static_cast<std::ptrdiff_t>(path.first),
+            direction_.begin() + static_cast<std::ptrdiff_t>(path.first + path.count));
+        for (std::size_t k = 0; k < path.count; ++k) {
+          if (!rough[k])
+            continue;
+          const Vector3d sum =
+              old[k > 0 ? k - 1 : k] + 2 * old[k] + old[std::min(k + 1, path.count - 1)];
+          if (sum.norm() < 1e-6)
+            continue;
+          direction_[path.first + k] = sum.normalized();
+          moved[path.first + k] = 1;
+        }
+      }
+    base::parallelChunks(ctx_, direction_.size(), kGrain, [&](std::size_t b, std::size_t e) {
+      for (std::size_t i = b; i < e; ++i) {
+        if (i % 64 == 0 && ctx_.cancelled())
+          return;
+        if (moved[i] && !clears(part, i, direction_[i]) && clears(part, i, before[i]))
+          direction_[i] = before[i];
+      }
+    });
+    ctx_.checkpoint();
+  }
+
+  ToolPlan subdivided() const {
+    const double limit = base::degreesToRadians(o_.turnLimitDeg);
+    ToolPlan out;
+    const auto add = [&](const Vector3d& middle, const Vector3d& d, float w, float h, float v) {
+      out.position.push_back(middle + 0.5 * h * d);
+      out.direction.push_back(d);
+      out.widthMm.push_back(w);
+      out.heightMm.push_back(h);
+      out.speedMmPerS.push_back(v);
+    };
+    for (plan::ToolPath path : plan_.paths) {
+      const std::size_t first = out.waypointCount();
+      for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+        if (i > path.first) {
+          const double turn = angleBetween(direction_[i - 1], direction_[i]);
+          const int n = static_cast<int>(std::ceil(turn / limit - 1e-9));
+          for (int k = 1; k < n; ++k) {
+            const double t = static_cast<double>(k) / n;
+            const auto mix = [&](const std::vector<float>& x) {
+              return static_cast<float>((1 - t) * x[i - 1] + t * x[i]);
+            };
+            add((1 - t) * middle_[i - 1] + t * middle_[i],
+                between(direction_[i - 1], direction_[i], t), mix(plan_.widthMm),
+                mix(plan_.heightMm), plan_.speedMmPerS[i]);
+          }
+        }
+        add(middle_[i], direction_[i], plan_.widthMm[i], plan_.heightMm[i], plan_.speedMmPerS[i]);
+      }
+      path.first = first;
+      path.count = out.waypointCount() - first;
+      out.paths.push_back(path);
+    }
+    return out;
+  }
+
+  // The result by itself: its own beads, its own waypoints.
+  void judge(OrientResult& r) const {
+    const ToolPlan& p = r.plan;
+    for (const plan::ToolPath& path : p.paths)
+      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+        r.maxTurnDeg = std::max(
+            r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
+    const collision::GrowingPart part(p, o_.growingPitchMm, ctx_);
+    ctx_.report(0.8, "directions");
+    std::vector<char> gouge(p.waypointCount(), 0);
+    base::parallelChunks(ctx_, gouge.size(), kGrain, [&](std::size_t b, std::size_t e) {
+      for (std::size_t i = b; i < e; ++i) {
+        if (i % 64 == 0 && ctx_.cancelled())
+          return;
+        gouge[i] = !head_.clears(part, p.position[i], p.direction[i], i);
+      }
+    });
+    ctx_.checkpoint();
+    r.gouges = static_cast<std::size_t>(std::ranges::count(gouge, 1));
+    if (r.gouges == 0)
+      return;
+    const auto first = static_cast<std::size_t>(std::ranges::find(gouge, 1) - gouge.begin());
+    plan::Finding f;
+    f.stage = "toolpath";
+    f.kind = "gouge";
+    f.where = p.position[first];
+    f.count = r.gouges;
+    f.reason = "the print head would cut into material printed before, whatever way it leans";
+    f.remedy = "use a slimmer head, turn the part, or print it larger";
+    r.findings.push_back(f);
+  }
+
+  const ToolPlan& plan_;
+  const std::vector<Vector3d>& clear_;
+  const ToolpathOptions& o_;
+  const base::RunContext& ctx_;
+  HeadClearance head_;
+  std::vector<Vector3d> middle_, direction_;
+};
+} // namespace
+
+OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>& clearDirection,
+                              const process::Process& process, const ToolpathOptions& options,
+                              const base::RunContext& ctx) {
+  base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
+  if (plan.waypointCount() == 0)
+    return {};
+  return Orienter(plan, clearDirection, process, options, ctx).run();
+}
+
+} // namespace voluta::toolpath

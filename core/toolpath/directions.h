@@ -1,0 +1,37 @@
+// Where the nozzle comes from at each waypoint.
+#pragma once
+
+#include "plan/finding.h"
+#include "plan/tool_plan.h"
+#include "process/process.h"
+#include "toolpath/options.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::toolpath {
+
+struct OrientResult {
+  plan::ToolPlan plan;
+  std::size_t gouges = 0;  // waypoints of the result at which the head isn't clear
+  double maxTurnDeg = 0.0; // between neighbouring waypoints of a path
+  plan::Findings findings; // stage "toolpath", kind "gouge"
+};
+
+// Keeps each waypoint's direction (that of its layer: Dai eq. 3.3 with the closest point of the
+// layer before, which the level surfaces' gradient is) where the head clears what is printed before
+// it, and leans it towards its clear direction only as far as it must, else towards whatever
+// nearby clears; low-passes along the path where neighbours differ by more than smoothBeyondDeg
+// (Dai 3.5.2) unless that gouges; subdivides steps that turn more than turnLimitDeg. The middle of
+// each bead stays where it is: tip = middle + 1/2 height x direction.
+// clearDirection: per waypoint, unit. Preconditions: sizes match. Throws Cancelled.
+OrientResult orientDirections(const plan::ToolPlan& plan,
+                              const std::vector<Eigen::Vector3d>& clearDirection,
+                              const process::Process& process, const ToolpathOptions& options,
+                              const base::RunContext& ctx);
+
+} // namespace voluta::toolpath

@@ -1,0 +1,38 @@
+// Kinds of infill: one row in the table and one file each.
+#pragma once
+
+#include "toolpath/patch_surface.h"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace voluta::toolpath {
+
+// The region to be filled: where `depth` >= `from`.
+struct InfillRegion {
+  const PatchSurface& surface;
+  const std::vector<double>& depth;   // per vertex: distance from the boundary, in hatches
+  const std::vector<double>& hatchMm; // per vertex: distance of neighbouring beads
+  double from = 0.0;
+  double density = 1.0; // (0, 1]
+  int layer = 0;        // direction alternates with it
+};
+
+struct InfillKind {
+  std::string_view id;
+  // Centrelines, in an order fit for printing, open or closed, none outside the region.
+  std::vector<SurfaceCurve> (*fill)(const InfillRegion&);
+};
+// All kinds; the first is the default.
+std::span<const InfillKind> infillKinds();
+// Throws Error{Usage}, naming the nearest.
+const InfillKind& infillKind(std::string_view id);
+
+// Parallel curves at equal distances on the surface, joined end to end; direction +45 and -45
+// degrees by turns. Narrow parts of the region are filled as by concentricInfill.
+std::vector<SurfaceCurve> zigzagInfill(const InfillRegion& region);
+// Curves at equal distances from the boundary.
+std::vector<SurfaceCurve> concentricInfill(const InfillRegion& region);
+
+} // namespace voluta::toolpath

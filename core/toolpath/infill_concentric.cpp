@@ -1,0 +1,18 @@
+#include "toolpath/infill.h"
+#include "toolpath/walls.h"
+
+#include <algorithm>
+
+namespace voluta::toolpath {
+
+std::vector<SurfaceCurve> concentricInfill(const InfillRegion& r) {
+  std::vector<SurfaceCurve> curves;
+  const double deepest = *std::ranges::max_element(r.depth);
+  const double spacing = 1.0 / r.density;
+  for (double level = r.from + 0.5 * spacing; level < deepest; level += spacing)
+    for (SurfaceCurve& c : wallAt(r.surface, r.depth, r.hatchMm, level))
+      curves.push_back(std::move(c));
+  return curves;
+}
+
+} // namespace voluta::toolpath

@@ -1,0 +1,32 @@
+// What a user may choose about tool-paths.
+#pragma once
+
+#include "base/parameters.h"
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace voluta::toolpath {
+
+struct ToolpathOptions {
+  int walls = 2;                 // beads along the boundary of each patch
+  std::string infill = "zigzag"; // id in infillKinds()
+  double infillDensity = 1.0;    // share of the interior that is filled, (0, 1]
+  double stepMm = 1.0;           // longest distance of waypoints
+  double edgeMm = 0.5;           // patches are refined to edges of this length for planning
+  double turnLimitDeg = 5.0;     // steps in which the direction turns more are subdivided
+  double smoothBeyondDeg = 10.0; // Dai 3.5.2
+  double growingPitchMm = 0.6;   // grid on which the head's clearance is checked
+  // Convex, counter-clockwise, work frame: the plate, solid below z = 0. Empty: no plate.
+  std::vector<Eigen::Vector2d> platform;
+  double platformThicknessMm = 8.0;
+};
+
+// Keys walls, infill, infillDensity.
+base::ParameterTable toolpathParameters();
+// Precondition: the table holds the keys above. The other fields keep their defaults: stepMm is
+// the process's.
+ToolpathOptions toolpathOptions(const base::ParameterValues& values);
+
+} // namespace voluta::toolpath

@@ -1,0 +1,252 @@
+#include "toolpath/patch_surface.h"
+
+#include "base/error.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace voluta::toolpath {
+
+namespace {
+using Eigen::Vector3d;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+// Closest point of triangle abc to p (Ericson, Real-Time Collision Detection, 5.1.5).
+Vector3d closestOnTriangle(const Vector3d& p, const Vector3d& a, const Vector3d& b,
+                           const Vector3d& c) {
+  const Vector3d ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0)
+    return a;
+  const Vector3d bp = p - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3)
+    return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 - d3 > 0)
+    return a + d1 / (d1 - d3) * ab;
+  const Vector3d cp = p - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6)
+    return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0 && d2 - d6 > 0)
+    return a + d2 / (d2 - d6) * ac;
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0 && (d4 - d3) + (d5 - d6) > 0)
+    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+  const double sum = va + vb + vc;
+  if (!(sum > 0))
+    return a;
+  return a + vb / sum * ab + vc / sum * ac;
+}
+
+// Splits every edge longer than the limit once; returns whether any was.
+class EdgeSplitter {
+public:
+  EdgeSplitter(PatchSurface& s, double limit) : s_(s), limit2_(limit * limit) {}
+
+  bool pass() {
+    middle_.clear();
+    std::vector<std::array<int, 3>> out;
+    out.reserve(s_.triangles.size() * 2);
+    for (const auto& t : s_.triangles) {
+      std::array<int, 3> m{};
+      for (std::size_t k = 0; k < 3; ++k)
+        m[k] = middleOf(t[k], t[(k + 1) % 3]);
+      split(t, m, out);
+    }
+    s_.triangles = std::move(out);
+    return !middle_.empty();
+  }
+
+private:
+  int middleOf(int a, int b) {
+    if ((s_.position[at(a)] - s_.position[at(b)]).squaredNorm() <= limit2_)
+      return -1;
+    const auto lo = static_cast<std::uint64_t>(std::min(a, b)),
+               hi = static_cast<std::uint64_t>(std::max(a, b));
+    const auto [it, fresh] =
+        middle_.try_emplace(lo << 32 | hi, static_cast<int>(s_.position.size()));
+    if (fresh) {
+      const auto mix = [&](auto& values) {
+        values.push_back(((values[at(a)] + values[at(b)]) / 2.0).eval());
+      };
+      mix(s_.position);
+      mix(s_.direction);
+      mix(s_.clearDirection);
+      for (auto* v : {&s_.direction, &s_.clearDirection})
+        if (v->back().norm() > 1e-6)
+          v->back().normalize();
+        else
+          v->back() = (*v)[at(a)];
+      s_.thicknessMm.push_back((s_.thicknessMm[at(a)] + s_.thicknessMm[at(b)]) / 2.0);
+    }
+    return it->second;
+  }
+
+  double length2(int a, int b) const {
+    return (s_.position[at(a)] - s_.position[at(b)]).squaredNorm();
+  }
+
+  void split(const std::array<int, 3>& t, const std::array<int, 3>& m,
+             std::vector<std::array<int, 3>>& out) const {
+    const int count = (m[0] >= 0) + (m[1] >= 0) + (m[2] >= 0);
+    if (count == 0) {
+      out.push_back(t);
+    } else if (count == 3) {
+      out.push_back({t[0], m[0], m[2]});
+      out.push_back({m[0], t[1], m[1]});
+      out.push_back({m[2], m[1], t[2]});
+      out.push_back({m[0], m[1], m[2]});
+    } else if (count == 1) {
+      const std::size_t k = m[0] >= 0 ? 0 : m[1] >= 0 ? 1 : 2;
+      const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+      out.push_back({a, m[k], c});
+      out.push_back({m[k], b, c});
+    } else {
+      // The unsplit edge is a b; c is cut off, the quadrilateral along its shorter diagonal.
+      const std::size_t k = m[0] < 0 ? 0 : m[1] < 0 ? 1 : 2;
+      const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+      const int bc = m[(k + 1) % 3], ca = m[(k + 2) % 3];
+      out.push_back({ca, bc, c});
+      if (length2(a, bc) <= length2(b, ca)) {
+        out.push_back({a, b, bc});
+        out.push_back({a, bc, ca});
+      } else {
+        out.push_back({a, b, ca});
+        out.push_back({b, bc, ca});
+      }
+    }
+  }
+
+  PatchSurface& s_;
+  double limit2_;
+  std::unordered_map<std::uint64_t, int> middle_;
+};
+} // namespace
+
+PatchSurface PatchSurface::refine(const layers::Patch& patch, double edgeMm) {
+  const std::size_t n = patch.surface.vertices.size();
+  base::require(patch.thicknessMm.size() == n && patch.direction.size() == n &&
+                    patch.clearDirection.size() == n,
+                "a patch has one thickness and two directions a vertex");
+  base::require(edgeMm > 0, "edge length is positive");
+  PatchSurface s;
+  s.position = patch.surface.vertices;
+  s.thicknessMm = patch.thicknessMm;
+  s.direction = patch.direction;
+  s.clearDirection = patch.clearDirection;
+  s.triangles = patch.surface.triangles;
+  EdgeSplitter splitter(s, edgeMm);
+  while (splitter.pass()) {
+  }
+  s.link();
+  return s;
+}
+
+void PatchSurface::link() {
+  const std::size_t n = position.size();
+  ringStart_.assign(n + 1, 0);
+  for (const auto& t : triangles)
+    for (const int v : t)
+      ++ringStart_[at(v) + 1];
+  for (std::size_t v = 0; v < n; ++v)
+    ringStart_[v + 1] += ringStart_[v];
+  ring_.resize(3 * triangles.size());
+  std::vector<int> fill(ringStart_.begin(), ringStart_.end() - 1);
+  normal.assign(n, Vector3d::Zero());
+  triangleArea.resize(triangles.size());
+  triangleNormal.resize(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
+    const Vector3d cross =
+        (position[at(t[1])] - position[at(t[0])]).cross(position[at(t[2])] - position[at(t[0])]);
+    const double twice = cross.norm();
+    triangleArea[i] = twice / 2;
+    triangleNormal[i] = twice > 1e-14 ? (cross / twice).eval() : Vector3d::Zero();
+    areaMm2 += twice / 2;
+    volumeMm3 +=
+        twice / 6 * (thicknessMm[at(t[0])] + thicknessMm[at(t[1])] + thicknessMm[at(t[2])]);
+    for (const int v : t) {
+      ring_[at(fill[at(v)]++)] = static_cast<int>(i);
+      normal[at(v)] += cross;
+    }
+  }
+  for (std::size_t v = 0; v < n; ++v)
+    normal[v] = normal[v].norm() > 1e-14 ? normal[v].normalized() : direction[v];
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = triangles[i][k], b = triangles[i][(k + 1) % 3];
+      bool shared = false;
+      for (const int* j = ringBegin(a); j != ringEnd(a) && !shared; ++j)
+        if (*j != static_cast<int>(i))
+          shared = std::ranges::find(triangles[at(*j)], b) != triangles[at(*j)].end();
+      if (!shared)
+        boundary.push_back({a, b, static_cast<int>(i)});
+    }
+}
+
+Vector3d PatchSurface::barycentric(const SurfacePoint& p) const {
+  const auto& t = triangles[at(p.triangle)];
+  const Vector3d &a = position[at(t[0])], &b = position[at(t[1])], &c = position[at(t[2])];
+  const Vector3d e1 = b - a, e2 = c - a, d = p.position - a;
+  const double a11 = e1.dot(e1), a12 = e1.dot(e2), a22 = e2.dot(e2);
+  const double det = a11 * a22 - a12 * a12;
+  if (!(det > 1e-14 * a11 * a22)) {
+    // A needle: along its longer edge.
+    const double u = a11 > 0 ? std::clamp(e1.dot(d) / a11, 0.0, 1.0) : 0.0;
+    return {1 - u, u, 0};
+  }
+  double v = (a22 * e1.dot(d) - a12 * e2.dot(d)) / det;
+  double w = (a11 * e2.dot(d) - a12 * e1.dot(d)) / det;
+  double u = 1 - v - w;
+  u = std::max(u, 0.0), v = std::max(v, 0.0), w = std::max(w, 0.0);
+  return Vector3d(u, v, w) / (u + v + w);
+}
+
+double PatchSurface::interpolate(const std::vector<double>& values, const SurfacePoint& p) const {
+  const Vector3d w = barycentric(p);
+  const auto& t = triangles[at(p.triangle)];
+  return w[0] * values[at(t[0])] + w[1] * values[at(t[1])] + w[2] * values[at(t[2])];
+}
+
+Vector3d PatchSurface::interpolate(const std::vector<Vector3d>& values,
+                                   const SurfacePoint& p) const {
+  const Vector3d w = barycentric(p);
+  const auto& t = triangles[at(p.triangle)];
+  const Vector3d v = w[0] * values[at(t[0])] + w[1] * values[at(t[1])] + w[2] * values[at(t[2])];
+  return v.norm() > 1e-6 ? v.normalized() : values[at(t[0])];
+}
+
+SurfacePoint PatchSurface::project(const Vector3d& point, int start) const {
+  SurfacePoint best{position[at(triangles[at(start)][0])], start};
+  double least = (best.position - point).squaredNorm();
+  const auto tryTriangle = [&](int i) {
+    const auto& t = triangles[at(i)];
+    const Vector3d q =
+        closestOnTriangle(point, position[at(t[0])], position[at(t[1])], position[at(t[2])]);
+    const double d = (q - point).squaredNorm();
+    if (d < least - 1e-15) {
+      least = d;
+      best = {q, i};
+    }
+  };
+  tryTriangle(start);
+  for (int round = 0; round < 200; ++round) {
+    const int from = best.triangle;
+    for (const int v : triangles[at(from)])
+      for (const int* i = ringBegin(v); i != ringEnd(v); ++i)
+        tryTriangle(*i);
+    if (best.triangle == from)
+      break;
+  }
+  return best;
+}
+
+} // namespace voluta::toolpath

@@ -1,0 +1,63 @@
+// A patch refined until its triangles are small beside a bead, with all that covering it asks for.
+#pragma once
+
+#include "layers/layer_stack.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace voluta::toolpath {
+
+// A point on a triangle of a PatchSurface. mm.
+struct SurfacePoint {
+  Eigen::Vector3d position;
+  int triangle;
+};
+
+// A curve on the surface. A closed one runs on from its last point to its first.
+struct SurfaceCurve {
+  std::vector<SurfacePoint> points;
+  bool closed = false;
+};
+
+struct PatchSurface {
+  std::vector<Eigen::Vector3d> position; // per vertex, mm
+  std::vector<Eigen::Vector3d> normal;   // per vertex, unit, of the refined surface
+  std::vector<double> thicknessMm;       // per vertex
+  std::vector<Eigen::Vector3d> direction, clearDirection; // per vertex, unit
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<double> triangleArea;            // mm2
+  std::vector<Eigen::Vector3d> triangleNormal; // unit, zero where degenerate
+  std::vector<std::array<int, 3>> boundary;    // vertex, next vertex, triangle
+  double areaMm2 = 0.0;
+  double volumeMm3 = 0.0; // area x thickness
+
+  // Triangles around a vertex.
+  const int* ringBegin(int vertex) const {
+    return ring_.data() + ringStart_[static_cast<std::size_t>(vertex)];
+  }
+  const int* ringEnd(int vertex) const {
+    return ring_.data() + ringStart_[static_cast<std::size_t>(vertex) + 1];
+  }
+
+  // Barycentric coordinates of a point in its triangle, clamped to it.
+  Eigen::Vector3d barycentric(const SurfacePoint& p) const;
+  double interpolate(const std::vector<double>& values, const SurfacePoint& p) const;
+  // Interpolated and normalised.
+  Eigen::Vector3d interpolate(const std::vector<Eigen::Vector3d>& values,
+                              const SurfacePoint& p) const;
+  // The surface's point nearest to `point`, found by walking downhill from `start`: right where
+  // `point` is nearer to the surface than its radius of curvature and not many triangles away.
+  SurfacePoint project(const Eigen::Vector3d& point, int start) const;
+
+  // Refines the patch by splitting edges until none is longer than `edgeMm`.
+  // Preconditions: per-vertex arrays of the patch match its vertices; edgeMm > 0.
+  static PatchSurface refine(const layers::Patch& patch, double edgeMm);
+
+private:
+  void link();
+  std::vector<int> ringStart_, ring_;
+};
+
+} // namespace voluta::toolpath

@@ -1,0 +1,193 @@
+#include "toolpath/plan_toolpaths.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "base/stopwatch.h"
+#include "process/bead_model.h"
+#include "toolpath/directions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace voluta::toolpath {
+
+namespace {
+using Eigen::Vector3d;
+using plan::PathKind;
+
+Vector3d tipOf(const BeadPoint& p) {
+  return p.middle + 0.5 * p.heightMm * p.direction;
+}
+
+int turnOf(const Bead& b) {
+  switch (b.kind) {
+  case PathKind::Wall:
+    return b.ring;
+  case PathKind::Infill:
+    return 1000;
+  default:
+    return 2000;
+  }
+}
+
+// A bead from its point nearest to `from`: rotated where closed, turned round where that is nearer.
+std::pair<double, std::vector<BeadPoint>> startingNear(const Bead& b, const Vector3d& from) {
+  std::vector<BeadPoint> points = b.points;
+  if (b.closed) {
+    points.pop_back();
+    const auto nearest = std::ranges::min_element(
+        points, {}, [&](const BeadPoint& p) { return (tipOf(p) - from).squaredNorm(); });
+    std::ranges::rotate(points, nearest);
+    points.push_back(points.front());
+  } else if ((tipOf(points.back()) - from).squaredNorm() <
+             (tipOf(points.front()) - from).squaredNorm()) {
+    std::ranges::reverse(points);
+  }
+  const double distance = (tipOf(points.front()) - from).norm();
+  return {distance, std::move(points)};
+}
+
+// Lower bound of the above without copying.
+double distanceTo(const Bead& b, const Vector3d& from) {
+  if (!b.closed)
+    return std::min((tipOf(b.points.front()) - from).norm(),
+                    (tipOf(b.points.back()) - from).norm());
+  double least = std::numeric_limits<double>::infinity();
+  for (const BeadPoint& p : b.points)
+    least = std::min(least, (tipOf(p) - from).squaredNorm());
+  return std::sqrt(least);
+}
+} // namespace
+
+Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
+                   const process::Process& process) {
+  base::require(covers.size() == stack.patches.size(), "one cover a patch");
+  Assembled out;
+  Vector3d here = Vector3d::Zero();
+  for (std::size_t i = 0; i < covers.size(); ++i) {
+    const auto& beads = covers[i].beads;
+    std::vector<char> laid(beads.size(), 0);
+    for (std::size_t done = 0; done < beads.size(); ++done) {
+      int turn = std::numeric_limits<int>::max();
+      for (std::size_t k = 0; k < beads.size(); ++k)
+        if (!laid[k])
+          turn = std::min(turn, turnOf(beads[k]));
+      std::size_t next = beads.size();
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < beads.size(); ++k)
+        if (!laid[k] && turnOf(beads[k]) == turn)
+          if (const double d = distanceTo(beads[k], here); d < nearest) {
+            nearest = d;
+            next = k;
+          }
+      laid[next] = 1;
+      const Bead& bead = beads[next];
+      const auto [distance, points] = startingNear(bead, here);
+      if (!out.plan.paths.empty())
+        out.travelMm += distance;
+      plan::ToolPath path;
+      path.first = out.plan.waypointCount();
+      path.count = points.size();
+      path.kind = bead.kind;
+      path.layer = stack.patches[i].layer;
+      path.patch = static_cast<int>(i);
+      path.group = stack.patches[i].group;
+      path.closed = bead.closed;
+      for (const BeadPoint& p : points) {
+        const double section = process::beadArea(p.widthMm, p.heightMm);
+        out.plan.position.push_back(tipOf(p));
+        out.plan.direction.push_back(p.direction);
+        out.plan.widthMm.push_back(static_cast<float>(p.widthMm));
+        out.plan.heightMm.push_back(static_cast<float>(p.heightMm));
+        out.plan.speedMmPerS.push_back(
+            static_cast<float>(std::min(process.speedMmPerS, process.maxFlowMm3PerS / section)));
+        out.clearDirection.push_back(p.clearDirection);
+      }
+      out.plan.paths.push_back(path);
+      here = out.plan.position.back();
+    }
+  }
+  return out;
+}
+
+ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Process& process,
+                             const ToolpathOptions& options, const base::RunContext& ctx) {
+  ToolpathResult r;
+  base::Stopwatch watch;
+  std::vector<PatchCover> covers(stack.patches.size());
+  // In spans, so that progress is told from this thread.
+  constexpr std::size_t kSpan = 16;
+  const base::RunContext silent = ctx.sub(0.0, 0.0);
+  for (std::size_t from = 0; from < covers.size(); from += kSpan) {
+    const std::size_t count = std::min(kSpan, covers.size() - from);
+    base::parallelChunks(ctx, count, 1, [&](std::size_t b, std::size_t e) {
+      for (std::size_t i = from + b; i < from + e; ++i)
+        covers[i] = coverPatch(stack.patches[i], process, options, silent);
+    });
+    ctx.report(0.6 * static_cast<double>(from + count) / static_cast<double>(covers.size()),
+               "tool-paths");
+  }
+  const Assembled assembled = assemble(stack, covers, process);
+  r.seconds.cover = watch.seconds();
+
+  watch = base::Stopwatch();
+  OrientResult oriented = orientDirections(assembled.plan, assembled.clearDirection, process,
+                                           options, ctx.sub(0.6, 1.0));
+  r.seconds.orient = watch.seconds();
+  r.plan = std::move(oriented.plan);
+  r.findings = std::move(oriented.findings);
+
+  ToolpathStatistics& s = r.statistics;
+  s.paths = s.starts = r.plan.paths.size();
+  s.waypoints = r.plan.waypointCount();
+  s.gouges = oriented.gouges;
+  s.maxTurnDeg = oriented.maxTurnDeg;
+  for (std::size_t k = 0; k < r.plan.paths.size(); ++k) {
+    const plan::ToolPath& path = r.plan.paths[k];
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+      const double length = (r.plan.position[i] - r.plan.position[i - 1]).norm();
+      const auto section = [&](std::size_t j) {
+        return process::beadArea(static_cast<double>(r.plan.widthMm[j]),
+                                 static_cast<double>(r.plan.heightMm[j]));
+      };
+      s.lengthMm += length;
+      s.materialMm3 += length * 0.5 * (section(i) + section(i - 1));
+    }
+    if (k > 0)
+      s.travelMm += (r.plan.position[path.first] - r.plan.position[path.first - 1]).norm();
+  }
+  double area = 0.0, covered = 0.0, overlap = 0.0, bareMm3 = 0.0;
+  std::size_t bare = 0, firstBare = 0;
+  for (std::size_t i = 0; i < covers.size(); ++i) {
+    const PatchCover& c = covers[i];
+    area += c.areaMm2;
+    covered += c.coveredMm2;
+    overlap += c.overlapMm2;
+    s.layerVolumeMm3 += c.volumeMm3;
+    s.simpleRegions += c.simple ? 1 : 0;
+    if (c.beads.empty() && c.areaMm2 > 0) {
+      firstBare = bare == 0 ? i : firstBare;
+      ++bare;
+      bareMm3 += c.volumeMm3;
+    }
+  }
+  s.coveredFraction = area > 0 ? covered / area : 0.0;
+  s.overlapFraction = area > 0 ? overlap / area : 0.0;
+  if (bare > 0) {
+    plan::Finding f;
+    f.stage = "toolpath";
+    f.kind = "patchWithoutBead";
+    f.where = stack.patches[firstBare].surface.vertices.front();
+    f.count = bare;
+    f.reason = "pieces of layers are narrower than half a bead and stay empty";
+    f.remedy = "use a finer nozzle, or print the part larger";
+    f.blocking = bareMm3 > 0.005 * s.layerVolumeMm3;
+    r.findings.push_back(f);
+  }
+  return r;
+}
+
+} // namespace voluta::toolpath

@@ -1,0 +1,61 @@
+// Nearest segment of a set of short ones.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace voluta::toolpath {
+
+class SegmentGrid {
+public:
+  struct Segment {
+    Eigen::Vector3d a, b;
+  };
+  struct Hit {
+    int segment = -1;
+    double t = 0.0; // 0 at a, 1 at b
+    double distanceMm = 0.0;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  };
+  SegmentGrid(std::vector<Segment> segments, double reachMm);
+
+  // The nearest segment within the reach, the first of equals; segment -1 when there is none.
+  Hit nearest(const Eigen::Vector3d& p) const;
+  // Calls f(segment, t, distance) for every segment within `radiusMm` <= reach, each once or more.
+  template <typename F> void forEachWithin(const Eigen::Vector3d& p, double radiusMm, F&& f) const {
+    visit(p, radiusMm, [&](int i) {
+      const auto [t, d] = measure(i, p);
+      if (d <= radiusMm)
+        f(i, t, d);
+    });
+  }
+
+private:
+  template <typename F> void visit(const Eigen::Vector3d& p, double radius, F&& f) const {
+    Eigen::Vector3i lo, hi;
+    for (int k = 0; k < 3; ++k) {
+      lo[k] = std::max(0, static_cast<int>(std::floor((p[k] - radius - low_[k]) / cell_)));
+      hi[k] =
+          std::min(size_[k] - 1, static_cast<int>(std::floor((p[k] + radius - low_[k]) / cell_)));
+    }
+    for (int z = lo.z(); z <= hi.z(); ++z)
+      for (int y = lo.y(); y <= hi.y(); ++y)
+        for (int x = lo.x(); x <= hi.x(); ++x) {
+          const auto c = static_cast<std::size_t>((z * size_.y() + y) * size_.x() + x);
+          for (int i = start_[c]; i < start_[c + 1]; ++i)
+            f(entry_[static_cast<std::size_t>(i)]);
+        }
+  }
+  std::pair<double, double> measure(int segment, const Eigen::Vector3d& p) const;
+
+  std::vector<Segment> segments_;
+  double reach_, cell_ = 1.0;
+  Eigen::Vector3d low_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
+  std::vector<int> start_, entry_;
+};
+
+} // namespace voluta::toolpath

@@ -1,0 +1,242 @@
+#include "toolpath/surface_fields.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <unordered_map>
+
+namespace voluta::toolpath {
+
+namespace {
+using Eigen::Vector3d;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Vector3d closestOnSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+  const Vector3d ab = b - a;
+  const double l2 = ab.squaredNorm();
+  const double t = l2 > 0 ? std::clamp(ab.dot(p - a) / l2, 0.0, 1.0) : 0.0;
+  return a + t * ab;
+}
+
+double arcLength(const Vector3d& p, const Vector3d& np, const Vector3d& q, const Vector3d& nq) {
+  const Vector3d c = p - q;
+  const double chord = c.norm();
+  if (chord < 1e-9)
+    return chord;
+  const double s1 = std::min(1.0, std::abs(c.dot(np)) / chord);
+  const double s2 = std::min(1.0, std::abs(c.dot(nq)) / chord);
+  const double half = std::min(1.2, 0.5 * (std::asin(s1) + std::asin(s2)));
+  return half < 1e-3 ? chord * (1 + half * half / 6) : chord * half / std::sin(half);
+}
+
+struct Front {
+  double distance;
+  int vertex;
+  bool operator>(const Front& o) const {
+    return distance != o.distance ? distance > o.distance : vertex > o.vertex;
+  }
+};
+using FrontQueue = std::priority_queue<Front, std::vector<Front>, std::greater<>>;
+} // namespace
+
+std::vector<SourceSegment> boundarySegments(const PatchSurface& s) {
+  std::vector<SourceSegment> out;
+  out.reserve(s.boundary.size());
+  for (const auto& e : s.boundary)
+    out.push_back({s.position[at(e[0])], s.position[at(e[1])], e[2]});
+  return out;
+}
+
+std::vector<SourceSegment> segmentsOf(const PatchSurface&,
+                                      const std::vector<SurfaceCurve>& curves) {
+  std::vector<SourceSegment> out;
+  for (const SurfaceCurve& c : curves) {
+    const std::size_t n = c.points.size();
+    for (std::size_t i = 0; i + 1 < n + (c.closed ? 1 : 0); ++i) {
+      const SurfacePoint &p = c.points[i], &q = c.points[(i + 1) % n];
+      out.push_back({p.position, q.position, p.triangle});
+      // The two ends may lie in different triangles; the front must start from both.
+      if (q.triangle != p.triangle)
+        out.push_back({p.position, q.position, q.triangle});
+    }
+  }
+  return out;
+}
+
+std::vector<double> distanceToSegments(const PatchSurface& s,
+                                       const std::vector<SourceSegment>& sources, double farMm) {
+  std::vector<double> distance(s.position.size(), farMm);
+  std::vector<int> nearest(s.position.size(), -1);
+  FrontQueue queue;
+  const auto offer = [&](int v, int source) {
+    const SourceSegment& e = sources[at(source)];
+    const Vector3d& p = s.position[at(v)];
+    const Vector3d q = closestOnSegment(p, e.a, e.b);
+    const double d = arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)]);
+    if (d < distance[at(v)]) {
+      distance[at(v)] = d;
+      nearest[at(v)] = source;
+      queue.push({d, v});
+    }
+  };
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    for (const int v : s.triangles[at(sources[i].triangle)])
+      offer(v, static_cast<int>(i));
+  while (!queue.empty()) {
+    const Front f = queue.top();
+    queue.pop();
+    if (f.distance > distance[at(f.vertex)])
+      continue;
+    const int source = nearest[at(f.vertex)];
+    for (const int* t = s.ringBegin(f.vertex); t != s.ringEnd(f.vertex); ++t)
+      for (const int v : s.triangles[at(*t)])
+        if (v != f.vertex && nearest[at(v)] != source)
+          offer(v, source);
+  }
+  return distance;
+}
+
+std::vector<double> distanceToSection(const PatchSurface& s, const Vector3d& normal,
+                                      double offset) {
+  const std::size_t n = s.position.size();
+  std::vector<double> side(n);
+  for (std::size_t v = 0; v < n; ++v)
+    side[v] = normal.dot(s.position[v]) - offset;
+  const auto section = isolines(s, side, 0.0);
+  if (section.empty())
+    return {};
+  const auto sources = segmentsOf(s, section);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<double> u(n, kFar);
+  std::vector<char> fixed(n, 0);
+  FrontQueue queue;
+  for (const SourceSegment& e : sources)
+    for (const int v : s.triangles[at(e.triangle)]) {
+      const Vector3d q = closestOnSegment(s.position[at(v)], e.a, e.b);
+      const double d =
+          arcLength(s.position[at(v)], s.normal[at(v)], q, s.triangleNormal[at(e.triangle)]);
+      if (d < u[at(v)]) {
+        u[at(v)] = d;
+        queue.push({d, v});
+      }
+    }
+  const auto update = [&](int a, int b, int c) {
+    // c from a (fixed) and b: the front through both, taken as plane within the triangle.
+    const Vector3d ea = s.position[at(a)] - s.position[at(c)];
+    double best = u[at(a)] + ea.norm();
+    if (fixed[at(b)]) {
+      const Vector3d eb = s.position[at(b)] - s.position[at(c)];
+      const double aa = ea.dot(ea), ab = ea.dot(eb), bb = eb.dot(eb), det = aa * bb - ab * ab;
+      if (det > 1e-12 * aa * bb) {
+        Eigen::Matrix2d q;
+        q << bb / det, -ab / det, -ab / det, aa / det;
+        const Eigen::Vector2d d(u[at(a)], u[at(b)]), one(1, 1);
+        const double p2 = one.dot(q * one), p1 = one.dot(q * d), p0 = d.dot(q * d) - 1;
+        const double disc = p1 * p1 - p2 * p0;
+        if (disc >= 0) {
+          const double t = (p1 + std::sqrt(disc)) / p2;
+          const Eigen::Vector2d w = q * (d - t * one);
+          if (w[0] <= 0 && w[1] <= 0)
+            best = std::min(best, t);
+        }
+      }
+    }
+    if (best < u[at(c)] - 1e-12) {
+      u[at(c)] = best;
+      queue.push({best, c});
+    }
+  };
+  while (!queue.empty()) {
+    const Front f = queue.top();
+    queue.pop();
+    if (fixed[at(f.vertex)] || f.distance > u[at(f.vertex)])
+      continue;
+    fixed[at(f.vertex)] = 1;
+    for (const int* t = s.ringBegin(f.vertex); t != s.ringEnd(f.vertex); ++t) {
+      const auto& tri = s.triangles[at(*t)];
+      for (std::size_t k = 0; k < 3; ++k)
+        if (tri[k] == f.vertex) {
+          const int b = tri[(k + 1) % 3], c = tri[(k + 2) % 3];
+          if (!fixed[at(b)])
+            update(f.vertex, c, b);
+          if (!fixed[at(c)])
+            update(f.vertex, b, c);
+        }
+    }
+  }
+  for (std::size_t v = 0; v < n; ++v)
+    if (side[v] < 0)
+      u[v] = -u[v];
+  return u;
+}
+
+std::vector<SurfaceCurve> isolines(const PatchSurface& s, const std::vector<double>& values,
+                                   double level) {
+  // One crossing an edge; in each crossed triangle the curve runs from one crossing to the next.
+  struct Crossing {
+    SurfacePoint point;
+    int next = -1, previous = -1;
+  };
+  std::vector<Crossing> crossings;
+  std::unordered_map<std::uint64_t, int> byEdge;
+  const auto above = [&](int v) { return values[at(v)] >= level; };
+  const auto crossing = [&](int a, int b, int triangle) {
+    const auto lo = static_cast<std::uint64_t>(std::min(a, b)),
+               hi = static_cast<std::uint64_t>(std::max(a, b));
+    const auto [it, fresh] = byEdge.try_emplace(lo << 32 | hi, static_cast<int>(crossings.size()));
+    if (fresh) {
+      if (a > b)
+        std::swap(a, b);
+      const double va = values[at(a)], vb = values[at(b)];
+      const double t = std::clamp((level - va) / (vb - va), 0.0, 1.0);
+      crossings.push_back({{(1 - t) * s.position[at(a)] + t * s.position[at(b)], triangle}});
+    }
+    return it->second;
+  };
+  for (std::size_t i = 0; i < s.triangles.size(); ++i) {
+    const auto& t = s.triangles[i];
+    const int count = above(t[0]) + above(t[1]) + above(t[2]);
+    if (count == 0 || count == 3 ||
+        !std::isfinite(values[at(t[0])] + values[at(t[1])] + values[at(t[2])]))
+      continue;
+    // k: the vertex alone on its side.
+    const bool lone = count == 1;
+    const std::size_t k = above(t[0]) == lone ? 0 : above(t[1]) == lone ? 1 : 2;
+    const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+    int from = crossing(a, b, static_cast<int>(i)), to = crossing(c, a, static_cast<int>(i));
+    if (!lone)
+      std::swap(from, to);
+    crossings[at(from)].next = to;
+    crossings[at(to)].previous = from;
+  }
+  std::vector<SurfaceCurve> curves;
+  std::vector<char> used(crossings.size(), 0);
+  const auto follow = [&](int start) {
+    SurfaceCurve c;
+    int i = start;
+    while (i >= 0 && !used[at(i)]) {
+      used[at(i)] = 1;
+      const SurfacePoint& p = crossings[at(i)].point;
+      if (c.points.empty() || (c.points.back().position - p.position).norm() > 1e-6)
+        c.points.push_back(p);
+      i = crossings[at(i)].next;
+    }
+    c.closed = i == start && c.points.size() > 2;
+    if (c.points.size() >= 2)
+      curves.push_back(std::move(c));
+  };
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    if (crossings[i].previous < 0)
+      follow(static_cast<int>(i));
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    if (!used[i])
+      follow(static_cast<int>(i));
+  return curves;
+}
+
+} // namespace voluta::toolpath

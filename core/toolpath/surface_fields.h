@@ -1,0 +1,40 @@
+// Distances along a surface, and curves of equal value.
+#pragma once
+
+#include "toolpath/patch_surface.h"
+
+#include <limits>
+#include <vector>
+
+namespace voluta::toolpath {
+
+// A short segment on a triangle: what distances are measured to.
+struct SourceSegment {
+  Eigen::Vector3d a, b;
+  int triangle;
+};
+
+std::vector<SourceSegment> boundarySegments(const PatchSurface& surface);
+std::vector<SourceSegment> segmentsOf(const PatchSurface& surface,
+                                      const std::vector<SurfaceCurve>& curves);
+
+// Per vertex, the distance along the surface to the nearest source, mm; `farMm` where it is
+// further or there is no source. The nearest segment travels from vertex to vertex (so folds that
+// only come near through space don't meet), and the chord to it is bent into the circular arc that
+// leaves both tangent planes at its ends: exact on planes, cylinders across and spheres, third
+// order in the length over the radius elsewhere.
+std::vector<double> distanceToSegments(const PatchSurface& surface,
+                                       const std::vector<SourceSegment>& sources, double farMm);
+
+// Per vertex, the signed distance along the surface to its section with the plane
+// normal . x = offset, by fast marching (Kimmel & Sethian 1998): a function of unit gradient.
+// Empty when the plane misses the surface. normal: unit.
+std::vector<double> distanceToSection(const PatchSurface& surface, const Eigen::Vector3d& normal,
+                                      double offset);
+
+// Curves where the linear interpolation of `values` (per vertex) is `level`; larger values lie to
+// the left, seen against the triangles' normals. Deterministic order.
+std::vector<SurfaceCurve> isolines(const PatchSurface& surface, const std::vector<double>& values,
+                                   double level);
+
+} // namespace voluta::toolpath

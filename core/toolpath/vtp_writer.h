@@ -1,0 +1,15 @@
+// Tool-paths for other programs to look at (VTK's XML format for polygons).
+#pragma once
+
+#include "plan/tool_plan.h"
+
+#include <string>
+
+namespace voluta::toolpath {
+
+// The bytes of toolpath.vtp: one polyline a path; point data `width`, `height` (mm), `speed`
+// (mm/s), `direction`; cell data `layer`, `patch`, `group`, `kind` (plan::PathKind). Appended raw
+// data, little-endian.
+std::string writeToolpathVtp(const plan::ToolPlan& plan);
+
+} // namespace voluta::toolpath

@@ -1,0 +1,18 @@
+// Beads along the boundary of a region.
+#pragma once
+
+#include "toolpath/patch_surface.h"
+
+#include <vector>
+
+namespace voluta::toolpath {
+
+// Centreline at `level` hatches from the boundary, where the region goes on at least 0.4 hatch
+// further in; where it doesn't, two such curves from opposite sides would nearly meet, and one bead
+// on the middle line does better (gap_fill.h). That is the morphological opening of the offset
+// region: corners are rounded by 0.4 hatch, and narrow parts fall away without open ends.
+// depth: per vertex, distance from the boundary in hatches; hatchMm per vertex.
+std::vector<SurfaceCurve> wallAt(const PatchSurface& surface, const std::vector<double>& depth,
+                                 const std::vector<double>& hatchMm, double level);
+
+} // namespace voluta::toolpath
