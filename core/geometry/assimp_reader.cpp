@@ -53,6 +53,7 @@ FacetSoup read3mfByAssimp(std::string_view bytes, const std::string& name) {
                 "not readable as a mesh: " + reason(importer.GetErrorString()), name);
   FacetSoup soup;
   soup.format = "3MF";
+  soup.repairs.push_back("lengths taken as mm; the unit named in a 3MF file is not read");
   collect(*scene, *scene->mRootNode, aiMatrix4x4(), soup.facets);
   return soup;
 }

@@ -16,9 +16,10 @@ struct MeshFile {
   std::vector<std::string> repairs; // what was left out while reading, a sentence each
 };
 
-// Reads the file of one mesh; all objects in it together are the mesh. Lengths are taken as mm,
-// but for 3MF, which names its unit. Polygons are cut into triangles. The format is told by the
-// content where it has a mark, else by the extension. A binary STL may begin with "solid".
+// Reads the file of one mesh; all objects in it together are the mesh. Lengths are taken as mm; the
+// unit that a 3MF names is not known through assimp 5.2, which is told in `repairs`. Polygons are
+// cut into triangles. The format is told by the content where it has a mark, else by the
+// extension. A binary STL may begin with "solid".
 //
 // Left out, and told in `repairs`: up to 1 % of facets (at least one) whose coordinates are not
 // finite or beyond 1e9; the missing end of an STL that lacks at most 1 % of its facets.
