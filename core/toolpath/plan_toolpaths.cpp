@@ -131,7 +131,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Pro
                "tool-paths");
   }
   const Assembled assembled = assemble(stack, covers, process);
-  r.seconds.cover = watch.seconds();
+  r.seconds.toolpath = watch.seconds();
 
   watch = base::Stopwatch();
   OrientResult oriented = orientDirections(assembled.plan, assembled.clearDirection, process,

@@ -33,7 +33,7 @@ struct ToolpathResult {
   ToolpathStatistics statistics;
   plan::Findings findings;
   struct {
-    double cover = 0.0, orient = 0.0;
+    double toolpath = 0.0, orient = 0.0;
   } seconds;
 };
 
