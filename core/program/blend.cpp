@@ -1,5 +1,7 @@
 #include "program/blend.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

@@ -59,6 +59,7 @@ private:
     std::string_view line;
     bool ended = false;
     joints_ = 0;
+    headed_ = false;
     while (lines.next(line)) {
       line_ = lines.number();
       if (line_ % 4096 == 0)
@@ -79,12 +80,13 @@ private:
       defect("the header line is missing");
     if (!ended)
       defect("the line '# end' is missing: the file was cut short");
-    out_.complete = ended && joints_ > 0 && (file_ == 0 || out_.complete);
+    out_.complete = ended && headed_ && (file_ == 0 || out_.complete);
   }
 
   void header(std::string_view line) {
     joints_ = jointsOfHeader(line);
-    if (joints_ == 0) {
+    headed_ = joints_ > 0;
+    if (!headed_) {
       defect("not the header of a joint table");
       // Rows can still be read when the columns are as many as a header has.
       const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
@@ -141,6 +143,7 @@ private:
   plan::ReadProgram out_;
   Defects defects_;
   std::size_t file_ = 0, line_ = 0, joints_ = 0;
+  bool headed_ = false;
   double time_ = 0.0, extruded_ = 0.0;
 };
 

@@ -21,7 +21,11 @@ constexpr int kBlendDecimals = 6;
 // Below these the TCP's path says too little of the motion's time.
 constexpr double kLeastTcpMm = 0.05, kLeastTcpShare = 0.1;
 constexpr double kLeastSpeedMPerS = 2e-4;
+// blendRadiusMm takes the nozzle's path on the part as straight near the corner; a plate that turns
+// while it moves bends it, in hard random motions by up to 5 % of the tolerance.
+constexpr double kFirstOrderShare = 0.85;
 constexpr double kMaxAccelerationMPerS2 = 10.0;
+constexpr double kStartRadPerS2 = 1.4;          // the controller's own default
 constexpr double kPlateKg = 0.5, kHeadKg = 1.0; // assumed; the program says so
 
 class UrscriptWriter {
@@ -207,9 +211,12 @@ private:
 
   void jointMotion(std::size_t i) {
     const plan::Trajectory& t = in_.trajectory;
-    double acceleration = kMaxAccelerationMPerS2;
-    for (const robot::JointLimits& limit : in_.cell.limits())
-      acceleration = std::min(acceleration, limit.acceleration);
+    double acceleration = kStartRadPerS2;
+    if (i > 0) {
+      acceleration = in_.cell.limits().front().acceleration;
+      for (const robot::JointLimits& limit : in_.cell.limits())
+        acceleration = std::min(acceleration, limit.acceleration);
+    }
     double speed = kStartRadPerS;
     if (const double s = motionSeconds(t, i); s > 0.0) {
       double largest = 0.0;
@@ -255,7 +262,7 @@ private:
     if (isPrint(t, i) && i + 1 < t.pointCount() && isPrint(t, i + 1)) {
       const double r = blendRadiusMm({tcp, targets_[i].tipMm - targets_[i - 1].tipMm},
                                      {tcpMm(i + 1), targets_[i + 1].tipMm - targets_[i].tipMm},
-                                     kBlendToleranceMm);
+                                     kFirstOrderShare * kBlendToleranceMm);
       // Rounded down: it must not grow past what was allowed.
       const double metres = std::floor(r * 1e3) / 1e6;
       if (metres > 0.0)

@@ -1,0 +1,97 @@
+// A cell and trajectories to write programs from.
+#pragma once
+
+#include "base/files.h"
+#include "process/process.h"
+#include "program/program_input.h"
+#include "robot/cell.h"
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <optional>
+#include <random>
+#include <string>
+#include <unistd.h>
+
+namespace voluta::test {
+
+// A UR5 with round numbers, so that the expected texts don't follow the shipped cell's tuning.
+inline constexpr const char* kCellJson = R"({
+  "id": "bench", "label": "bench", "robot": "ur5",
+  "nozzle": {"mount": "world", "pose": {"xyzMm": [-800, -250, 0], "rpyDeg": [180, 0, 0]},
+             "holder": [{"frustum": {"p0Mm": [0, 0, -110], "p1Mm": [0, 0, -600],
+                                     "r0Mm": 20, "r1Mm": 20}}]},
+  "platform": {"mount": "flange", "pose": {"xyzMm": [0, 0, 100]}, "thicknessMm": 5,
+               "stem": [{"frustum": {"p0Mm": [0, 0, -92], "p1Mm": [0, 0, -5],
+                                     "r0Mm": 14, "r1Mm": 14}}]},
+  "obstacles": [], "homeDeg": [0, 0, 0, 0, 0, 0], "neverMeet": [], "externalAxes": []
+})";
+
+class Programs : public ::testing::Test {
+protected:
+  void SetUp() override {
+    setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
+    process_ = process::loadProcess("fdm-1.0");
+    std::string name = "voluta_bench_";
+    name += std::to_string(::getpid());
+    const auto folder = std::filesystem::path(::testing::TempDir()) / name;
+    std::filesystem::create_directories(folder);
+    base::writeFile(folder / "bench.json", kCellJson);
+    cell_.emplace(robot::Cell::read(folder / "bench.json", process_,
+                                    {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
+    std::filesystem::remove_all(folder);
+  }
+
+  void append(plan::MoveKind move, const std::vector<double>& q, double seconds, double volume) {
+    plan::Trajectory& t = trajectory_;
+    const bool first = t.timeS.empty();
+    t.dof = static_cast<int>(q.size());
+    t.joints.insert(t.joints.end(), q.begin(), q.end());
+    t.timeS.push_back(first ? 0.0 : t.timeS.back() + seconds);
+    t.extrudedMm3.push_back(first ? 0.0 : t.extrudedMm3.back() + volume);
+    t.move.push_back(move);
+    t.waypoint.push_back(plan::kNoWaypoint);
+  }
+
+  // Paths of Print points with travels between them, joints wandering at random.
+  void appendRandom(unsigned seed, std::size_t points) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::vector<double> q = {0.1, -1.9, 1.7, -1.2, -1.4, 0.3}, drift(6);
+    append(plan::MoveKind::Joint, q, 1.0, 0.0);
+    std::size_t waypoint = plan_.waypointCount();
+    for (std::size_t i = 1; i < points; ++i) {
+      const std::size_t phase = i % 40; // a travel of three points, then a path
+      if (phase == 1)
+        for (double& d : drift)
+          d = 4e-3 * (unit(random) - 0.5);
+      for (std::size_t k = 0; k < 6; ++k)
+        q[k] += phase < 3 ? 0.05 * (unit(random) - 0.5) : drift[k] + 1e-3 * (unit(random) - 0.5);
+      const double volume = phase < 3 || phase == 39 ? 0.0 : 0.05 + unit(random);
+      const auto move = phase == 1                 ? plan::MoveKind::Joint
+                        : phase < 3 || phase == 39 ? plan::MoveKind::Linear
+                                                   : plan::MoveKind::Print;
+      append(move, q, volume / 30.0 + 0.01 + 0.1 * unit(random), volume);
+      if (move == plan::MoveKind::Print || phase == 2) {
+        if (phase == 2)
+          plan_.paths.push_back(
+              {.first = waypoint, .count = 0, .layer = static_cast<int>(i / 400)});
+        ++plan_.paths.back().count;
+        trajectory_.waypoint.back() = waypoint++;
+      }
+    }
+    plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
+    plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
+  }
+
+  program::ProgramInput input() const {
+    return {plan_, trajectory_, *cell_, process_, "part 1", 0};
+  }
+
+  process::Process process_;
+  std::optional<robot::Cell> cell_;
+  plan::ToolPlan plan_;
+  plan::Trajectory trajectory_;
+};
+
+} // namespace voluta::test

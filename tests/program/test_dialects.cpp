@@ -1,0 +1,284 @@
+// What every row of the registry has to keep: what is written is what is read back.
+#include "program_fixture.h"
+
+#include "base/error.h"
+#include "program/dialect.h"
+#include "program/urscript.h"
+
+#include <Eigen/Geometry>
+#include <numbers>
+#include <set>
+
+namespace voluta::program {
+namespace {
+
+class Dialects : public test::Programs {
+protected:
+  robot::JointVector jointsAt(std::size_t i) const {
+    return Eigen::Map<const Eigen::VectorXd>(trajectory_.at(i), trajectory_.dof);
+  }
+  Eigen::Isometry3d tcpAt(std::size_t i) const {
+    return cell_->robot().kinematics->flange(jointsAt(i)) * cell_->flange_T_moved();
+  }
+
+  void expectTarget(const plan::ReadProgram& program, std::size_t i) const {
+    const plan::ProgramMotion& m = program.motions[i];
+    const Eigen::Isometry3d planned = cell_->work_T_tool(jointsAt(i));
+    Eigen::Vector3d tip, direction;
+    if (m.target == plan::TargetKind::ToolPoint) {
+      tip = m.position;
+      direction = m.direction;
+    } else {
+      Eigen::Isometry3d flange;
+      if (m.target == plan::TargetKind::Joints)
+        flange = cell_->robot().kinematics->flange(
+            Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof));
+      else
+        flange = m.base_T_tcp * program.flange_T_tcp.inverse();
+      const Eigen::Isometry3d tool = cell_->work_T_toolOfFlange(flange);
+      tip = tool.translation();
+      direction = -tool.linear().col(2);
+      EXPECT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);
+    }
+    EXPECT_LE((tip - planned.translation()).norm(), 1e-3) << "point " << i;
+    EXPECT_LE((direction + planned.linear().col(2)).norm(), 1e-5) << "point " << i;
+  }
+
+  // The time that a controller takes for motion i, from what the text says.
+  double seconds(const plan::ReadProgram& program, std::size_t i) const {
+    const plan::ProgramMotion& m = program.motions[i];
+    if (m.durationS > 0.0)
+      return m.durationS;
+    if (m.target == plan::TargetKind::ToolPoint)
+      return (m.position - program.motions[i - 1].position).norm() / m.speedMmPerS;
+    const plan::ProgramMotion& before = program.motions[i - 1];
+    const Eigen::Isometry3d from =
+        before.target == plan::TargetKind::FlangePose ? before.base_T_tcp : tcpAt(i - 1);
+    return (m.base_T_tcp.translation() - from.translation()).norm() / m.speedMmPerS;
+  }
+};
+
+TEST_F(Dialects, haveNamesOfTheirOwn) {
+  std::set<std::string_view> ids, extensions;
+  for (const Dialect& d : dialects()) {
+    EXPECT_TRUE(ids.insert(d.id).second);
+    EXPECT_TRUE(extensions.insert(d.extension).second);
+    EXPECT_FALSE(d.label.empty());
+    EXPECT_EQ(&findDialect(d.id), &d);
+  }
+  EXPECT_TRUE(ids.count("urscript") && ids.count("gcode-extended") && ids.count("csv"));
+}
+
+TEST_F(Dialects, unknownOneNamesTheNearest) {
+  try {
+    findDialect("urscipt");
+    FAIL();
+  } catch (const base::Error& e) {
+    EXPECT_EQ(e.code(), base::ErrorCode::Usage);
+    EXPECT_NE(std::string(e.what()).find("urscript"), std::string::npos);
+  }
+}
+
+TEST_F(Dialects, readBackEveryTarget) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    trajectory_ = {};
+    plan_ = {};
+    appendRandom(seed, 2000);
+    for (const Dialect& d : dialects()) {
+      SCOPED_TRACE(d.id);
+      const plan::Program program = writeProgram(d.id, input());
+      EXPECT_EQ(program.format, d.id);
+      EXPECT_EQ(program.foreign, d.id == "gcode-extended");
+      ASSERT_EQ(program.files.size(), 1u);
+      EXPECT_TRUE(program.files[0].name.ends_with(d.extension));
+      const plan::ReadProgram back = readProgram(d.id, program.files, process_);
+      EXPECT_EQ(back.format, d.id);
+      EXPECT_TRUE(back.complete);
+      for (const plan::ProgramDefect& defect : back.defects)
+        ADD_FAILURE() << defect.line << ": " << defect.reason;
+      ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+      for (std::size_t i = 0; i < back.motions.size(); ++i)
+        expectTarget(back, i);
+    }
+  }
+}
+
+TEST_F(Dialects, readBackTimeAndMaterial) {
+  appendRandom(7, 4000);
+  for (const Dialect& d : dialects()) {
+    SCOPED_TRACE(d.id);
+    const plan::ReadProgram back = readProgram(d.id, writeProgram(d.id, input()).files, process_);
+    ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+    double total = 0.0;
+    for (std::size_t i = 1; i < back.motions.size(); ++i) {
+      const plan::ProgramMotion& m = back.motions[i];
+      const bool print = trajectory_.move[i] == plan::MoveKind::Print;
+      EXPECT_EQ(m.extruding, print) << "point " << i;
+      if (trajectory_.move[i] == plan::MoveKind::Joint)
+        continue; // not straight: its time depends on the interpolation
+      const double s = seconds(back, i), wanted = trajectory_.timeS[i] - trajectory_.timeS[i - 1];
+      EXPECT_NEAR(s, wanted, 1e-3 * wanted) << "point " << i;
+      const double volume = trajectory_.extrudedMm3[i] - trajectory_.extrudedMm3[i - 1];
+      const double laid = !m.extruding ? 0.0 : m.volumeMm3 >= 0.0 ? m.volumeMm3 : m.flowMm3PerS * s;
+      EXPECT_NEAR(laid, volume, 1e-3 * volume) << "point " << i;
+      total += laid;
+    }
+    EXPECT_NEAR(total, trajectory_.extrudedMm3.back(), 1e-4 * total);
+  }
+}
+
+TEST_F(Dialects, sameInputSameBytes) {
+  appendRandom(4, 300);
+  for (const Dialect& d : dialects()) {
+    const plan::Program one = writeProgram(d.id, input(), {});
+    const plan::Program two = writeProgram(d.id, input(), base::RunContext(base::CancelToken(), 2));
+    ASSERT_EQ(one.files.size(), two.files.size());
+    EXPECT_EQ(one.files[0].text, two.files[0].text) << d.id;
+  }
+}
+
+TEST_F(Dialects, areToldApartByTheirText) {
+  appendRandom(4, 100);
+  for (const Dialect& d : dialects()) {
+    const plan::Program program = writeProgram(d.id, input());
+    EXPECT_EQ(detectDialect("program.txt", program.files[0].text), &d);
+    EXPECT_EQ(detectDialect(program.files[0].name, ""), &d);
+  }
+  EXPECT_EQ(detectDialect("notes.txt", "Dear reader,\n"), nullptr);
+  EXPECT_EQ(detectDialect("", ""), nullptr);
+}
+
+TEST_F(Dialects, cancelStopsWriterAndReader) {
+  appendRandom(4, 100);
+  base::CancelToken token;
+  token.cancel();
+  const base::RunContext ctx(token, 1);
+  for (const Dialect& d : dialects())
+    EXPECT_THROW(writeProgram(d.id, input(), ctx), base::Cancelled) << d.id;
+}
+
+TEST_F(Dialects, refuseATrajectoryOfAnotherArm) {
+  append(plan::MoveKind::Joint, {0, 0, 0, 0}, 0, 0);
+  for (const Dialect& d : dialects())
+    EXPECT_THROW(writeProgram(d.id, input()), base::Error) << d.id;
+}
+
+// A plate that turns about its own origin: the TCP stands still while the nozzle prints a ring.
+TEST_F(Dialects, urscriptTimesAPlateThatTurnsOnTheSpot) {
+  append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
+  for (int i = 1; i <= 50; ++i)
+    append(plan::MoveKind::Print, {0, 0, 0, 0, 0, 0.02 * i}, 0.05, 0.8);
+  const plan::ReadProgram back =
+      readProgram("urscript", writeProgram("urscript", input()).files, process_);
+  ASSERT_EQ(back.motions.size(), 51u);
+  for (std::size_t i = 1; i < back.motions.size(); ++i) {
+    EXPECT_NEAR(back.motions[i].durationS, 0.05, 1e-6);
+    EXPECT_NEAR(back.motions[i].flowMm3PerS, 16.0, 0.016);
+  }
+}
+
+TEST_F(Dialects, urscriptSlowsWhatAsksForMoreThanTheFullFlow) {
+  append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
+  append(plan::MoveKind::Print, {0.001, 0, 0, 0, 0, 0}, 0.01, 0.8); // 80 mm3/s, 40 is full
+  const plan::ReadProgram back =
+      readProgram("urscript", writeProgram("urscript", input()).files, process_);
+  ASSERT_EQ(back.motions.size(), 2u);
+  EXPECT_DOUBLE_EQ(back.motions[1].flowMm3PerS, 40.0);
+  EXPECT_NEAR(back.motions[1].flowMm3PerS * seconds(back, 1), 0.8, 8e-4);
+}
+
+TEST_F(Dialects, urscriptIsCutOnlyWhereTheExtruderIsOff) {
+  appendRandom(9, 1000);
+  ProgramInput cut = input();
+  cut.maxLinesPerFile = 150;
+  const plan::Program program = writeProgram("urscript", cut);
+  ASSERT_GT(program.files.size(), 3u);
+  const plan::ReadProgram back = readProgram("urscript", program.files, process_);
+  EXPECT_TRUE(back.complete);
+  EXPECT_TRUE(back.defects.empty());
+  ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+  for (std::size_t i = 1; i < back.motions.size(); ++i) {
+    expectTarget(back, i);
+    if (back.motions[i].file != back.motions[i - 1].file) {
+      EXPECT_FALSE(back.motions[i].extruding);
+      EXPECT_EQ(back.motions[i - 1].blendMm, 0.0);
+    }
+  }
+}
+
+TEST_F(Dialects, urscriptBlendsNeitherMeetNorLeaveAPath) {
+  appendRandom(5, 3000);
+  const plan::ReadProgram back =
+      readProgram("urscript", writeProgram("urscript", input()).files, process_);
+  ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+  std::size_t blended = 0;
+  for (std::size_t i = 1; i + 1 < back.motions.size(); ++i) {
+    const plan::ProgramMotion& m = back.motions[i];
+    const bool inside = trajectory_.move[i] == plan::MoveKind::Print &&
+                        trajectory_.move[i + 1] == plan::MoveKind::Print;
+    if (!inside) {
+      EXPECT_EQ(m.blendMm, 0.0);
+      continue;
+    }
+    blended += m.blendMm > 0.0;
+    const double next =
+        (back.motions[i + 1].base_T_tcp.translation() - m.base_T_tcp.translation()).norm();
+    EXPECT_LT(m.blendMm + back.motions[i + 1].blendMm, next) << "point " << i;
+  }
+  EXPECT_GT(blended, 2500u);
+}
+
+// The corner as the controller is assumed to round it, run through the cell's own frames: position
+// on a parabola, orientation by the same blend of the two turns.
+TEST_F(Dialects, urscriptBlendsStayNearTheCornerOnThePart) {
+  for (unsigned seed = 6; seed < 12; ++seed)
+    appendRandom(seed, 400);
+  const plan::ReadProgram back =
+      readProgram("urscript", writeProgram("urscript", input()).files, process_);
+  const auto nozzle = [&](const Eigen::Vector3d& p, const Eigen::Quaterniond& q) {
+    Eigen::Isometry3d tcp = Eigen::Isometry3d::Identity();
+    tcp.linear() = q.toRotationMatrix();
+    tcp.translation() = p;
+    return Eigen::Vector3d(
+        cell_->work_T_toolOfFlange(tcp * back.flange_T_tcp.inverse()).translation());
+  };
+  double worst = 0.0;
+  for (std::size_t i = 1; i + 1 < back.motions.size(); ++i) {
+    const double r = back.motions[i].blendMm;
+    if (r == 0.0)
+      continue;
+    const Eigen::Isometry3d poses[3] = {tcpAt(i - 1), back.motions[i].base_T_tcp,
+                                        back.motions[i + 1].base_T_tcp};
+    const Eigen::Vector3d c = poses[1].translation();
+    const double f1 = r / (c - poses[0].translation()).norm();
+    const double f2 = r / (poses[2].translation() - c).norm();
+    const Eigen::Quaterniond q0(poses[0].linear()), q1(poses[1].linear()), q2(poses[2].linear());
+    // The path without a blend: on the part it is slightly curved.
+    std::vector<Eigen::Vector3d> sharp;
+    for (int k = -50; k <= 50; ++k) {
+      const int side = k < 0 ? 0 : 2;
+      const double u = std::abs(k) / 100.0;
+      sharp.push_back(
+          nozzle(c + u * (poses[side].translation() - c), q1.slerp(u, side == 0 ? q0 : q2)));
+    }
+    for (int k = 0; k <= 20; ++k) {
+      const double s = k / 20.0, a = f1 * (1 - s) * (1 - s), b = f2 * s * s;
+      const Eigen::Vector3d p =
+          c + a * (poses[0].translation() - c) + b * (poses[2].translation() - c);
+      const Eigen::Quaterniond q = q1.slerp(a, q0) * q1.conjugate() * q1.slerp(b, q2);
+      const Eigen::Vector3d tip = nozzle(p, q);
+      double nearest = 1e9;
+      for (std::size_t n = 1; n < sharp.size(); ++n) {
+        const Eigen::Vector3d d = sharp[n] - sharp[n - 1], e = tip - sharp[n - 1];
+        const double t = std::clamp(e.dot(d) / d.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (e - t * d).norm());
+      }
+      worst = std::max(worst, nearest);
+    }
+  }
+  EXPECT_LE(worst, kBlendToleranceMm);
+  EXPECT_GT(worst, 0.005);
+}
+
+} // namespace
+} // namespace voluta::program

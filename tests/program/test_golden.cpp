@@ -1,0 +1,111 @@
+// Whole programs, byte for byte. The numbers were computed apart from the project, from the
+// Denavit-Hartenberg table of the UR5 and the bench cell's frames.
+#include "program_fixture.h"
+
+#include "program/dialect.h"
+
+namespace voluta::program {
+namespace {
+
+constexpr double kQuarter = 1.5707963267948966;
+
+class Golden : public test::Programs {
+protected:
+  void SetUp() override {
+    Programs::SetUp();
+    process_.accelerationMmPerS2 = 500.0;
+    append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0.0, 0.0);
+    append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, kQuarter}, 2.0, 0.0);
+    append(plan::MoveKind::Linear, {0.01, 0, 0, 0, 0, kQuarter}, 0.1, 0.0);
+    append(plan::MoveKind::Print, {0.011, 0, 0, 0, 0, kQuarter}, 0.05, 0.8);
+    append(plan::MoveKind::Print, {0.012, 0, 0, 0, 0, kQuarter}, 0.05, 0.8);
+    append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 2.0, 0.0);
+    for (std::size_t i = 2; i < 5; ++i)
+      trajectory_.waypoint[i] = i - 2;
+    plan_.position.assign(3, Eigen::Vector3d::Zero());
+    plan_.paths.push_back({.first = 0, .count = 3, .layer = 7});
+  }
+  std::string text(std::string_view format) const {
+    return writeProgram(format, input()).files.at(0).text;
+  }
+};
+
+TEST_F(Golden, urscript) {
+  EXPECT_EQ(text("urscript"), R"(def part_1():
+  # Robot program for printing, URScript
+  # cell bench, robot ur5, process fdm-1.0 (PLA)
+  # fixed nozzle: the TCP is the plate's centre, poses are the plate's in Base
+  # extruder on: digital output 0; flow: analogue output 0, 1 = 40 mm3/s
+  # 6 motions, 1.6 mm3, 4.2 s
+  set_tcp(p[0.000000000,0.000000000,0.100000000,0.000000000,0.000000000,0.000000000])
+  set_payload(0.5,[0,0,0.1]) # assumed: 0.5 kg of plate, and the part
+  set_standard_digital_out(0,False)
+  set_standard_analog_out(0,0)
+  movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],a=1.4,v=0.5)
+  # prime
+  set_standard_analog_out(0,0.4113)
+  set_standard_digital_out(0,True)
+  sleep(0.2)
+  set_standard_digital_out(0,False)
+  # print
+  movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,1.5707963],a=13.963,v=0.7853982)
+  # layer 7, wall, path 0
+  movel(p[-0.8142947,-0.2996078,-0.0054910,1.2165601,-1.2044549,1.2165601],a=1.74,v=0.0867661)
+  set_standard_analog_out(0,0.4)
+  set_standard_digital_out(0,True)
+  movel(p[-0.8139947,-0.3004219,-0.0054910,1.2172957,-1.2039786,1.2172957],a=2.78,v=0.0173523,r=0.00039)
+  movel(p[-0.8136938,-0.3012358,-0.0054910,1.2180313,-1.2035020,1.2180313],a=0.5,v=0.0173548)
+  set_standard_digital_out(0,False)
+  movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],a=13.963,v=0.7853982)
+  # end
+  set_standard_digital_out(0,False)
+  set_standard_analog_out(0,0)
+end
+part_1()
+)");
+}
+
+TEST_F(Golden, extendedGcode) {
+  EXPECT_EQ(text("gcode-extended"),
+            R"(; Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX nY nZ in the work frame
+; cell bench, robot ur5, process fdm-1.0 (PLA)
+; FOREIGN: not the language of the cell's controller
+; filament diameter 1.75 mm
+; 6 motions, 1.6 mm3, 4.2 s
+G21
+G90
+M82
+M104 S210 ; assumed for PLA
+G28
+M109 S210
+G92 E0
+G1 E1.36808 F410.424 ; prime
+G92 E0
+G0 X17.2500 Y5.4910 Z-41.4500 nX0.000000 nY1.000000 nZ0.000000 F6000
+G0 X5.4910 Y-17.2500 Z-41.4500 nX1.000000 nY0.000000 nZ0.000000 F768.039
+; layer 7, wall, path 0
+G0 X5.4910 Y-14.7900 Z-49.4624 nX1.000000 nY0.000000 nZ0.000000 F5028.922
+G1 X5.4910 Y-14.5485 Z-50.2649 nX1.000000 nY0.000000 nZ0.000000 E0.33260 F1005.66
+G1 X5.4910 Y-14.3077 Z-51.0678 nX1.000000 nY0.000000 nZ0.000000 E0.66520 F1005.879
+G0 X17.2500 Y5.4910 Z-41.4500 nX0.000000 nY1.000000 nZ0.000000 F748.658
+M104 S0
+M84
+; end
+)");
+}
+
+TEST_F(Golden, jointTable) {
+  EXPECT_EQ(text("csv"), R"(# joint table, cell bench, robot ur5, process fdm-1.0 (PLA)
+time_s,j1_deg,j2_deg,j3_deg,j4_deg,j5_deg,j6_deg,extruded_mm3,waypoint,move
+0.000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.00000,-1,joint
+2.000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,90.0000000,0.00000,-1,joint
+2.100000,0.5729578,0.0000000,0.0000000,0.0000000,0.0000000,90.0000000,0.00000,0,linear
+2.150000,0.6302536,0.0000000,0.0000000,0.0000000,0.0000000,90.0000000,0.80000,1,print
+2.200000,0.6875494,0.0000000,0.0000000,0.0000000,0.0000000,90.0000000,1.60000,2,print
+4.200000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,1.60000,-1,joint
+# end
+)");
+}
+
+} // namespace
+} // namespace voluta::program
