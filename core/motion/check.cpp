@@ -1,0 +1,96 @@
+#include "motion/check.h"
+
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace voluta::motion {
+
+using robot::JointVector;
+
+namespace {
+
+constexpr std::size_t kChunk = 256;
+constexpr double kStraightStep = 0.02;                 // rad
+constexpr double kJointStep = 0.5 * base::kPi / 180.0; // rad, for joint moves
+
+} // namespace
+
+TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const MotionScene& scene,
+                                const std::vector<std::size_t>& headBefore, double capMm,
+                                const base::RunContext& ctx) {
+  const std::size_t n = trajectory.pointCount();
+  // The waypoint a point is, or is on the way to; past the last one everything is printed.
+  std::vector<std::size_t> next(n, scene.plan.waypointCount());
+  for (std::size_t i = n; i-- > 0;)
+    next[i] = trajectory.waypoint[i] != plan::kNoWaypoint ? trajectory.waypoint[i]
+              : i + 1 < n                                 ? next[i + 1]
+                                                          : scene.plan.waypointCount();
+
+  const auto jointsAt = [&](std::size_t i) {
+    return JointVector(Eigen::Map<const Eigen::VectorXd>(trajectory.at(i), trajectory.dof));
+  };
+  const auto contactOf = [&](const collision::CellCollision::Frames& frames, std::size_t i,
+                             bool atWork) -> std::optional<collision::Contact> {
+    const collision::Margins& margins = scene.options.printing;
+    const auto frame = [&](int f) { return frames[static_cast<std::size_t>(f)]; };
+    const Eigen::Isometry3d work_T_tool =
+        frame(scene.cell.workFrame()).inverse() * frame(scene.cell.toolFrame());
+    const std::size_t before = atWork ? headBefore[next[i]] : next[i];
+    if (scene.collision.headTouchesPart(work_T_tool, scene.part, before, margins.headMm))
+      for (const int b : scene.cell.bodiesAgainstPart())
+        if (scene.cell.bodies()[static_cast<std::size_t>(b)].role == robot::BodyRole::Head)
+          return collision::Contact{b, collision::kPrintedPart};
+    if (const auto contact = scene.collision.bodies(frames, margins))
+      return contact;
+    return scene.collision.bodiesAndPart(frames, scene.part, next[i], margins);
+  };
+
+  std::vector<std::vector<TrajectoryCollision>> found((n + kChunk - 1) / kChunk);
+  std::vector<double> least(found.size(), capMm);
+  base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {
+    collision::CellCollision::Frames frames;
+    double& clearance = least[b / kChunk];
+    for (std::size_t i = b; i < e; ++i) {
+      if (ctx.cancelled())
+        return;
+      const bool printing = trajectory.move[i] == plan::MoveKind::Print;
+      const JointVector q = jointsAt(i);
+      scene.cell.framePoses(q, frames);
+      auto contact = contactOf(frames, i, printing || trajectory.waypoint[i] != plan::kNoWaypoint);
+      if (!contact) {
+        clearance = scene.collision.clearance(frames, clearance);
+        clearance = scene.collision.clearanceToPart(frames, scene.part, next[i], clearance);
+        if (i > 0) {
+          const JointVector last = jointsAt(i - 1);
+          const double step =
+              trajectory.move[i] == plan::MoveKind::Joint ? kJointStep : kStraightStep;
+          const int pieces = static_cast<int>(std::ceil((q - last).cwiseAbs().maxCoeff() / step));
+          for (int k = 1; k < pieces && !contact; ++k) {
+            scene.cell.framePoses(last + static_cast<double>(k) / pieces * (q - last), frames);
+            // Where printing stops or starts the head is at work too until it has left.
+            const bool atWork = printing || trajectory.waypoint[i] != plan::kNoWaypoint ||
+                                trajectory.move[i - 1] == plan::MoveKind::Print;
+            contact = contactOf(frames, i, atWork && next[i] < headBefore.size());
+          }
+        }
+      }
+      if (contact)
+        found[b / kChunk].push_back({i, *contact});
+    }
+  });
+  ctx.checkpoint();
+  TrajectoryCheck check;
+  check.minClearanceMm = capMm;
+  for (std::size_t c = 0; c < found.size(); ++c) {
+    check.collisions.insert(check.collisions.end(), found[c].begin(), found[c].end());
+    check.minClearanceMm = std::min(check.minClearanceMm, least[c]);
+  }
+  return check;
+}
+
+} // namespace voluta::motion

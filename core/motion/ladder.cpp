@@ -1,0 +1,120 @@
+#include "motion/ladder.h"
+
+#include "base/error.h"
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace voluta::motion {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTurn = 2.0 * base::kPi;
+
+// L1 step from `from` to the representative of `to` nearest to it; infinite where a joint's step
+// is larger than maxStep or its limits are left.
+double step(const robot::JointVector& from, const robot::JointVector& to,
+            const std::vector<robot::JointLimits>& limits, double maxStep) {
+  double sum = 0.0;
+  for (Eigen::Index j = 0; j < from.size(); ++j) {
+    double d = to[j] - from[j];
+    if (std::abs(d) > maxStep) {
+      d -= kTurn * std::round(d / kTurn);
+      if (std::abs(d) > maxStep)
+        return kInfinity;
+      const double q = from[j] + d;
+      const auto& limit = limits[static_cast<std::size_t>(j)];
+      if (q < limit.min || q > limit.max)
+        return kInfinity;
+    }
+    sum += std::abs(d);
+  }
+  return sum;
+}
+
+robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVector to,
+                                double maxStep) {
+  for (Eigen::Index j = 0; j < from.size(); ++j) {
+    const double d = to[j] - from[j];
+    if (std::abs(d) > maxStep)
+      to[j] = from[j] + d - kTurn * std::round(d / kTurn);
+  }
+  return to;
+}
+
+} // namespace
+
+LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>& startCost,
+                      const std::vector<robot::JointLimits>& limits, const LadderOptions& options) {
+  LadderWay way;
+  if (rungs.empty())
+    return way;
+  base::require(startCost.size() == rungs.front().size(), "a start cost for each first node");
+  base::require(options.maxStepRad.size() == rungs.size(), "a largest step for each rung");
+
+  std::vector<std::vector<double>> cost(rungs.size());
+  std::vector<std::vector<int>> parent(rungs.size());
+  std::vector<robot::JointVector> here, before;
+  for (std::size_t r = 0; r < rungs.size(); ++r) {
+    const Rung& rung = rungs[r];
+    cost[r].assign(rung.size(), kInfinity);
+    parent[r].assign(rung.size(), -1);
+    here.assign(rung.size(), {});
+    bool any = false;
+    for (std::size_t n = 0; n < rung.size(); ++n) {
+      if (rung[n].blocked)
+        continue;
+      if (r == 0) {
+        cost[r][n] = startCost[n] + rung[n].cost;
+        here[n] = rung[n].q;
+      } else {
+        const Rung& last = rungs[r - 1];
+        for (std::size_t m = 0; m < last.size(); ++m) {
+          if (cost[r - 1][m] + rung[n].cost >= cost[r][n])
+            continue;
+          int apart = std::abs(last[m].sample - rung[n].sample);
+          apart = std::min(apart, options.samples - apart);
+          if (apart > options.window)
+            continue;
+          const double total = cost[r - 1][m] + rung[n].cost +
+                               step(before[m], rung[n].q, limits, options.maxStepRad[r]);
+          if (total < cost[r][n]) {
+            cost[r][n] = total;
+            parent[r][n] = static_cast<int>(m);
+          }
+        }
+        if (parent[r][n] >= 0)
+          here[n] = nearestTurns(before[static_cast<std::size_t>(parent[r][n])], rung[n].q,
+                                 options.maxStepRad[r]);
+      }
+      any = any || cost[r][n] < kInfinity;
+    }
+    if (!any)
+      break;
+    way.reached = r + 1;
+    before.swap(here);
+  }
+  if (way.reached == 0)
+    return way;
+
+  const std::vector<double>& last = cost[way.reached - 1];
+  const auto best = std::min_element(last.begin(), last.end());
+  way.cost = *best;
+  way.node.resize(way.reached);
+  way.q.resize(way.reached);
+  int n = static_cast<int>(best - last.begin());
+  for (std::size_t r = way.reached; r-- > 0;) {
+    way.node[r] = n;
+    n = parent[r][static_cast<std::size_t>(n)];
+  }
+  for (std::size_t r = 0; r < way.reached; ++r) {
+    const robot::JointVector& q = rungs[r][static_cast<std::size_t>(way.node[r])].q;
+    way.q[r] = r == 0 ? q : nearestTurns(way.q[r - 1], q, options.maxStepRad[r]);
+  }
+  return way;
+}
+
+} // namespace voluta::motion

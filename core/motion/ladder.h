@@ -1,0 +1,42 @@
+// Shortest way through a ladder graph: one node a rung, close ones joined (Dai 3.5.3, eq. 3.4).
+#pragma once
+
+#include "robot/robot_model.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace voluta::motion {
+
+struct LadderNode {
+  robot::JointVector q;
+  int sample = 0;       // which turn about the nozzle, 0 .. samples - 1 (circular)
+  double cost = 0.0;    // of being here, added to the way's length
+  bool blocked = false; // not to be used
+};
+using Rung = std::vector<LadderNode>;
+
+struct LadderOptions {
+  int samples = 24;               // turns about the nozzle in a full circle
+  int window = 2;                 // neighbours differ by at most so many samples
+  std::vector<double> maxStepRad; // per rung: largest joint step from the rung before
+};
+
+struct LadderWay {
+  std::size_t reached = 0;           // rungs 0 .. reached - 1 are joined; the others not
+  std::vector<int> node;             // per reached rung
+  std::vector<robot::JointVector> q; // per reached rung, whole turns chosen so that steps are small
+  double cost = 0.0;                 // start cost + node costs + sum of L1 steps
+};
+
+// Dijkstra on a layered graph is a sweep over its layers: the least sum of L1 joint steps from the
+// first rung to the last, starting costs (one a node of the first rung) and node costs included.
+// Joints are taken by whole turns nearest to the predecessor's, as long as limits allow it. Where
+// no node of a rung can be reached the way ends before it, at the cheapest node. Ties go to the
+// node that comes first.
+// Preconditions: startCost as long as rungs.front(), maxStepRad as rungs; all q of one length,
+// limits as long.
+LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>& startCost,
+                      const std::vector<robot::JointLimits>& limits, const LadderOptions& options);
+
+} // namespace voluta::motion

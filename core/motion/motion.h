@@ -1,0 +1,63 @@
+// From beads to a robot's motion: ladder graph a path at a time, transfers, timing, checks.
+#pragma once
+
+#include "collision/growing_part.h"
+#include "motion/motion_options.h"
+#include "plan/finding.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "process/process.h"
+#include "robot/cell.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::motion {
+
+// "motion" of report.json.
+struct MotionStatistics {
+  std::size_t waypoints = 0;   // printed
+  std::size_t unreachable = 0; // waypoints left out: out of reach, or joined to no neighbour
+  std::size_t collisions = 0;  // waypoints left out because something would meet, and points of
+                               // the finished trajectory at which something does (none, ever)
+  std::size_t splits = 0;      // paths are printed in so many more pieces than there are paths
+  std::size_t transfers = 0, arcTransfers = 0, jointTransfers = 0, treeTransfers = 0;
+  std::vector<double> maxJerk;                             // a joint, rad/s3, while printing
+  double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0; // before: turns as the ladder gave them
+  double minClearanceMm = 0.0; // of bodies and part, the head's to plate and part left out; at most
+                               // kClearanceCapMm
+  double durationS = 0.0;
+};
+inline constexpr double kClearanceCapMm = 100.0;
+
+// Wall seconds, disjoint.
+struct MotionTimes {
+  double ik = 0.0, graph = 0.0, jerk = 0.0, collision = 0.0, transfer = 0.0;
+};
+
+struct MotionResult {
+  plan::Trajectory trajectory;
+  std::vector<std::size_t> skipped; // waypoints that are not printed, ascending
+  plan::Findings findings;
+  MotionStatistics statistics;
+  MotionTimes times;
+};
+
+// Plans the whole program: home, to the first path, every path with transfers between, home.
+// Waypoints that cannot be reached or would collide are left out, named in findings and listed in
+// skipped; the paths are printed without them. Print points carry the waypoint's index, or none
+// where a step was divided; a run's first point is reached by a Linear (or Joint) move and carries
+// its waypoint too. Where a path had to be split, the waypoint at the split appears at the end of
+// one run and again at the start of the next. extrudedMm3 rises at Print points only, by the mean
+// of the sections at both waypoints times their distance.
+// `part` must have been grown from `plan`. The same result for any number of threads.
+// Throws Cancelled. Preconditions: part and plan belong together; process is the cell's.
+MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
+                        const process::Process& process, const collision::GrowingPart& part,
+                        const MotionOptions& options, const base::RunContext& ctx);
+
+} // namespace voluta::motion

@@ -1,0 +1,32 @@
+// What can be asked of the motion stage.
+#pragma once
+
+#include "base/parameters.h"
+#include "collision/cell_collision.h"
+
+#include <cstdint>
+
+namespace voluta::motion {
+
+struct MotionOptions {
+  int samples = 24;          // turns about the nozzle that are tried
+  double rungMm = 5.0;       // distance of rungs of the ladder graph along a path
+  double rungTurnRad = 0.35; // and the turn of the nozzle after which there is one sooner
+  double maxStepRad = 0.25;  // largest joint step between waypoints
+  double deviationMm = 0.02; // of the nozzle from its straight way between targets
+  collision::Margins printing{2.0, 2.0, 0.0};
+  collision::Margins travelling{3.0, 3.0, 0.6}; // head: beyond the eroded one
+  double liftMm = 2.0;                          // before a transfer
+  double hopMm = 3.0;                           // transfers no longer than this lift less
+  double hopLiftMm = 1.0;
+  std::uint64_t seed = 1;    // of the sampling planner
+  int treeIterations = 4000; // of the sampling planner, a transfer
+  bool smooth = true;        // even out the turn about the nozzle along paths
+};
+
+// Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples.
+base::ParameterTable motionParameters();
+// Throws nothing when `values` are over a table with motionParameters().
+MotionOptions motionOptions(const base::ParameterValues& values);
+
+} // namespace voluta::motion

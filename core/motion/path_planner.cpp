@@ -1,0 +1,529 @@
+#include "motion/path_planner.h"
+
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "base/stopwatch.h"
+#include "base/units.h"
+#include "motion/even_turns.h"
+#include "motion/nozzle_frame.h"
+#include "process/bead_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace voluta::motion {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using robot::JointVector;
+
+namespace {
+
+constexpr double kTurn = 2.0 * base::kPi;
+constexpr double kRungStep = 0.9; // rad, joint step between rungs that are some steps apart
+constexpr int kTries = 40;        // of blocking what failed and searching again
+constexpr int kTriesBeforeJudgingAll = 6;
+constexpr double kSmoothing = 200.0; // waves under about 24 waypoints go
+constexpr double kLimitCost = 0.5;   // of a joint at its limit, rad of way
+constexpr std::size_t kHeadChunk = 256, kCheckChunk = 16, kRungChunk = 2, kJudgeChunk = 1;
+
+// Costs of being near a joint's limit, rising from four fifths of its range.
+double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& limits) {
+  double cost = 0.0;
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const auto& l = limits[static_cast<std::size_t>(j)];
+    const double middle = 0.5 * (l.min + l.max), half = 0.5 * (l.max - l.min);
+    const double beyond = std::max(0.0, std::abs(q[j] - middle) / half - 0.8) / 0.2;
+    cost += kLimitCost * beyond * beyond;
+  }
+  return cost;
+}
+
+} // namespace
+
+double MotionScene::bend(const Vector3d& tip, double angle) const {
+  if (cell.nozzleMount() == robot::Mount::Flange)
+    return 0.0; // the tool centre is the tip itself
+  return tip.norm() * angle * angle / 8.0;
+}
+
+int MotionScene::divisions(const Vector3d& tip, double angle) const {
+  const double bends = bend(tip, angle);
+  if (bends <= options.deviationMm)
+    return 1;
+  return static_cast<int>(std::ceil(std::sqrt(bends / options.deviationMm)));
+}
+
+bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& tool,
+               const JointVector& near, double maxStep, std::vector<JointVector>& scratch,
+               JointVector& q) {
+  cell.inverse(toolPose(tip, tool), near, scratch);
+  double best = maxStep;
+  bool found = false;
+  for (const JointVector& s : scratch) {
+    const double step = (s - near).cwiseAbs().maxCoeff();
+    if (step <= best) {
+      best = step;
+      q = s;
+      found = true;
+    }
+  }
+  return found;
+}
+
+struct PathPlanner::Ladder {
+  std::vector<Place> places;
+  std::vector<Rung> rungs;
+  LadderOptions options;
+};
+
+std::vector<std::size_t> PathPlanner::headBefore() const {
+  const plan::ToolPlan& plan = scene_.plan;
+  std::vector<std::size_t> before(plan.waypointCount());
+  for (const plan::ToolPath& path : plan.paths) {
+    std::size_t tail = path.first;
+    double way = 0.0; // from the tail to here
+    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+      if (i > path.first)
+        way += (plan.position[i] - plan.position[i - 1]).norm();
+      while (tail < i) {
+        const double step = (plan.position[tail + 1] - plan.position[tail]).norm();
+        if (way - step < 2.0 * static_cast<double>(plan.widthMm[i]))
+          break;
+        way -= step;
+        ++tail;
+      }
+      before[i] = tail;
+    }
+  }
+  return before;
+}
+
+std::vector<Refusal> PathPlanner::headRefusals(const std::vector<std::size_t>& before,
+                                               const base::RunContext& ctx) const {
+  const plan::ToolPlan& plan = scene_.plan;
+  std::vector<Refusal> refusals(plan.waypointCount(), Refusal::None);
+  base::parallelChunks(ctx, plan.waypointCount(), kHeadChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t i = b; i < e; ++i) {
+      const Eigen::Isometry3d pose =
+          toolPose(plan.position[i], carried(uprightTool(), plan.direction[i]));
+      const double margin = scene_.options.printing.headMm;
+      if (scene_.collision.headTouchesPart(pose, scene_.part, before[i], margin))
+        refusals[i] = Refusal::HeadPart;
+      else if (scene_.collision.headTouchesPlatform(pose, margin))
+        refusals[i] = Refusal::HeadPlatform;
+    }
+  });
+  return refusals;
+}
+
+void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count, const Station& from,
+                       const base::RunContext& ctx, std::vector<Run>& runs,
+                       std::vector<Refused>& refused) {
+  Station last = from;
+  std::size_t done = 0;
+  while (done < count) {
+    ctx.checkpoint();
+    const std::size_t runsBefore = runs.size(), refusedBefore = refused.size();
+    const std::size_t step = planPrefix(path, first + done, count - done, last, ctx, runs, refused);
+    // Where the run before ended is printed, whether or not it goes on from there.
+    if (refused.size() > refusedBefore && !runs.empty() &&
+        refused[refusedBefore].waypoint == runs.back().points.back().waypoint)
+      refused.erase(refused.begin() + static_cast<std::ptrdiff_t>(refusedBefore));
+    done += step;
+    if (runs.size() > runsBefore) {
+      last = runs.back().points.back().at;
+      // The next run begins where this one ended, so that nothing stays unprinted between them.
+      if (done < count)
+        --done;
+    }
+  }
+}
+
+void PathPlanner::carryTools(std::size_t first, std::size_t count, const Quaterniond& from) {
+  tools_.resize(count);
+  toolsFirst_ = first;
+  Quaterniond tool = from;
+  for (std::size_t i = 0; i < count; ++i) {
+    tool = carried(tool, scene_.plan.direction[first + i]);
+    tools_[i] = tool;
+  }
+}
+
+std::vector<std::size_t> PathPlanner::rungWaypoints(std::size_t first, std::size_t count) const {
+  const plan::ToolPlan& plan = scene_.plan;
+  std::vector<std::size_t> rungs{first};
+  double way = 0.0, turn = 0.0;
+  for (std::size_t i = first + 1; i < first + count; ++i) {
+    const double step = (plan.position[i] - plan.position[i - 1]).norm();
+    const double angle =
+        std::acos(std::clamp(plan.direction[i].dot(plan.direction[i - 1]), -1.0, 1.0));
+    way += step;
+    turn += angle;
+    const bool tooFar = way > scene_.options.rungMm || turn > scene_.options.rungTurnRad;
+    if (tooFar && i - 1 > rungs.back()) {
+      rungs.push_back(i - 1);
+      way = step;
+      turn = angle;
+    }
+  }
+  if (rungs.back() != first + count - 1)
+    rungs.push_back(first + count - 1);
+  return rungs;
+}
+
+void PathPlanner::addNodes(Ladder& ladder, const std::vector<std::size_t>& rungs,
+                           const Station& from, const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  const int samples = scene_.options.samples;
+  base::parallelChunks(ctx, rungs.size(), kRungChunk, [&](std::size_t b, std::size_t e) {
+    std::vector<JointVector> solutions;
+    for (std::size_t r = b; r < e; ++r) {
+      const std::size_t waypoint = ladder.places[rungs[r]].waypoint;
+      Rung& rung = ladder.rungs[rungs[r]];
+      for (int k = 0; k < samples; ++k) {
+        const Quaterniond tool =
+            turned(tools_[waypoint - toolsFirst_], kTurn * k / static_cast<double>(samples));
+        scene_.cell.inverse(toolPose(scene_.plan.position[waypoint], tool), from.q, solutions);
+        for (const JointVector& q : solutions)
+          rung.push_back({q, k, limitCost(q, scene_.cell.limits()), false});
+      }
+    }
+  });
+  times_.ik += watch.seconds();
+}
+
+std::optional<collision::Contact> PathPlanner::contactAt(const JointVector& q,
+                                                         std::size_t waypoint) const {
+  collision::CellCollision::Frames frames;
+  scene_.cell.framePoses(q, frames);
+  if (const auto contact = scene_.collision.bodies(frames, scene_.options.printing))
+    return contact;
+  return scene_.collision.bodiesAndPart(frames, scene_.part, waypoint, scene_.options.printing);
+}
+
+void PathPlanner::judge(Ladder& ladder, const std::vector<std::size_t>& rungs,
+                        const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  std::vector<std::size_t> todo;
+  for (const std::size_t r : rungs)
+    if (!ladder.places[r].judged) {
+      ladder.places[r].judged = true;
+      todo.push_back(r);
+    }
+  base::parallelChunks(ctx, todo.size(), kJudgeChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t t = b; t < e; ++t) {
+      Place& place = ladder.places[todo[t]];
+      for (LadderNode& node : ladder.rungs[todo[t]])
+        if (const auto contact = contactAt(node.q, place.waypoint)) {
+          node.blocked = true;
+          place.contacts.push_back(*contact);
+        }
+    }
+  });
+  times_.collision += watch.seconds();
+}
+
+// Turns about the nozzle at every waypoint from the ladder's: linear in the way between rungs.
+std::vector<double> PathPlanner::turnsOf(const Ladder& ladder, const LadderWay& way) const {
+  const plan::ToolPlan& plan = scene_.plan;
+  const int samples = scene_.options.samples;
+  std::vector<double> turns;
+  double turn = 0.0;
+  int last = 0;
+  for (std::size_t r = 0; r < way.reached; ++r) {
+    const int sample = ladder.rungs[r][static_cast<std::size_t>(way.node[r])].sample;
+    int change = r == 0 ? sample : (sample - last + samples) % samples;
+    if (change > samples / 2)
+      change -= samples;
+    const double next = turn + kTurn * change / samples;
+    if (r == 0) {
+      turns.push_back(next);
+    } else {
+      const std::size_t b = ladder.places[r - 1].waypoint, e = ladder.places[r].waypoint;
+      double length = 0.0;
+      for (std::size_t i = b + 1; i <= e; ++i)
+        length += (plan.position[i] - plan.position[i - 1]).norm();
+      double gone = 0.0;
+      for (std::size_t i = b + 1; i <= e; ++i) {
+        gone += (plan.position[i] - plan.position[i - 1]).norm();
+        const double t =
+            length > 0.0 ? gone / length : static_cast<double>(i - b) / static_cast<double>(e - b);
+        turns.push_back(turn + t * (next - turn));
+      }
+    }
+    turn = next;
+    last = sample;
+  }
+  return turns;
+}
+
+// The points of waypoints [first, first + turns.size()), divided where the nozzle would bend off
+// its way. False: at waypoint failedAt the joints cannot follow.
+bool PathPlanner::fill(std::size_t first, const std::vector<double>& turns,
+                       const JointVector& start, std::vector<RunPoint>& points,
+                       std::size_t& failedAt) const {
+  const plan::ToolPlan& plan = scene_.plan;
+  points.clear();
+  std::vector<JointVector> scratch;
+  const auto toolAt = [&](std::size_t i) {
+    return turned(tools_[i - toolsFirst_], turns[i - first]);
+  };
+  JointVector q;
+  // The first solution may differ from the ladder's where turns were evened out.
+  if (!solveNear(scene_.cell, plan.position[first], toolAt(first), start, kRungStep, scratch, q)) {
+    failedAt = first;
+    return false;
+  }
+  points.push_back({{plan.position[first], toolAt(first), q}, first, first, 0.0, 0.0});
+  for (std::size_t i = first + 1; i < first + turns.size(); ++i) {
+    const Quaterniond from = toolAt(i - 1), to = toolAt(i);
+    const Vector3d a = plan.position[i - 1], b = plan.position[i];
+    const int n = scene_.divisions(b.norm() > a.norm() ? b : a, angleBetween(from, to));
+    const double volume = 0.5 *
+                          (process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]) +
+                           process::beadArea(plan.widthMm[i], plan.heightMm[i])) *
+                          (b - a).norm() / n;
+    for (int k = 1; k <= n; ++k) {
+      const double t = static_cast<double>(k) / n;
+      const Vector3d tip = k == n ? b : Vector3d(a + t * (b - a));
+      const Quaterniond tool = k == n ? to : from.slerp(t, to);
+      const JointVector last = q;
+      if (!solveNear(scene_.cell, tip, tool, last, scene_.options.maxStepRad, scratch, q)) {
+        failedAt = i;
+        return false;
+      }
+      points.push_back({{tip, tool, q},
+                        k == n ? i : plan::kNoWaypoint,
+                        i,
+                        volume,
+                        static_cast<double>(plan.speedMmPerS[i])});
+    }
+  }
+  return true;
+}
+
+std::vector<std::size_t> PathPlanner::failures(const std::vector<RunPoint>& points,
+                                               const base::RunContext& ctx) const {
+  std::vector<char> bad(points.size(), 0);
+  base::parallelChunks(ctx, points.size(), kCheckChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t p = b; p < e; ++p)
+      bad[p] = contactAt(points[p].at.q, points[p].next).has_value();
+  });
+  std::vector<std::size_t> waypoints;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (bad[p] && (waypoints.empty() || waypoints.back() != points[p].next))
+      waypoints.push_back(points[p].next);
+  return waypoints;
+}
+
+std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::size_t count,
+                                    const Station& from, const base::RunContext& ctx,
+                                    std::vector<Run>& runs, std::vector<Refused>& refused) {
+  carryTools(first, count, from.tool);
+  Ladder ladder;
+  ladder.options.samples = scene_.options.samples;
+  ladder.options.window = std::max(1, scene_.options.samples / 12);
+  const auto setPlaces = [&](const std::vector<std::size_t>& waypoints) {
+    std::vector<Place> places;
+    std::vector<Rung> rungs;
+    std::vector<std::size_t> fresh;
+    std::size_t old = 0;
+    for (const std::size_t w : waypoints) {
+      while (old < ladder.places.size() && ladder.places[old].waypoint < w)
+        ++old;
+      if (old < ladder.places.size() && ladder.places[old].waypoint == w) {
+        places.push_back(std::move(ladder.places[old]));
+        rungs.push_back(std::move(ladder.rungs[old]));
+        ++old;
+      } else {
+        fresh.push_back(places.size());
+        places.push_back({w, false, {}});
+        rungs.emplace_back();
+      }
+    }
+    ladder.places = std::move(places);
+    ladder.rungs = std::move(rungs);
+    ladder.options.maxStepRad.assign(ladder.places.size(), kRungStep);
+    for (std::size_t r = 1; r < ladder.places.size(); ++r)
+      ladder.options.maxStepRad[r] =
+          std::min(kRungStep,
+                   scene_.options.maxStepRad * static_cast<double>(ladder.places[r].waypoint -
+                                                                   ladder.places[r - 1].waypoint));
+    addNodes(ladder, fresh, from, ctx);
+    return fresh;
+  };
+  // Makes every waypoint between rungs r - 1 and r a rung. False: they were neighbours already.
+  const auto refine = [&](std::size_t r) {
+    const std::size_t b = ladder.places[r - 1].waypoint, e = ladder.places[r].waypoint;
+    if (e - b <= 1)
+      return false;
+    std::vector<std::size_t> waypoints;
+    for (const Place& p : ladder.places) {
+      if (p.waypoint == e)
+        for (std::size_t i = b + 1; i < e; ++i)
+          waypoints.push_back(i);
+      waypoints.push_back(p.waypoint);
+    }
+    judge(ladder, setPlaces(waypoints), ctx);
+    return true;
+  };
+  const auto refuse = [&](const Place& place, const Rung& rung) {
+    Refused r{place.waypoint, rung.empty() ? Refusal::Unreachable : Refusal::NoConnection, {}};
+    std::map<std::pair<int, int>, int> counts;
+    for (const collision::Contact& c : place.contacts)
+      ++counts[{c.first, c.second}];
+    int most = 0;
+    for (const auto& [pair, times] : counts)
+      if (times > most) {
+        most = times;
+        r.contact = {pair.first, pair.second};
+        r.why = Refusal::Collision;
+      }
+    refused.push_back(r);
+  };
+  setPlaces(rungWaypoints(first, count));
+
+  Run run;
+  run.path = path;
+  bool unwound = false; // start with joints near home's, not near the last ones
+  const auto close = [&](const LadderWay& way) {
+    // Nothing further is joined: what is, is printed, and the rest begins anew.
+    const std::size_t last = ladder.places[way.reached - 1].waypoint;
+    std::vector<std::size_t> waypoints;
+    for (const Place& p : ladder.places)
+      if (p.waypoint <= last)
+        waypoints.push_back(p.waypoint);
+    setPlaces(waypoints);
+    count = last - first + 1;
+  };
+
+  for (int tries = 0;; ++tries) {
+    ctx.checkpoint();
+    base::Stopwatch watch;
+    std::vector<double> startCost;
+    for (LadderNode& node : ladder.rungs.front()) {
+      if (unwound)
+        for (Eigen::Index j = 0; j < node.q.size(); ++j) {
+          const double turns = std::round((scene_.cell.home()[j] - node.q[j]) / kTurn);
+          const auto& l = scene_.cell.limits()[static_cast<std::size_t>(j)];
+          const double q = node.q[j] + kTurn * turns;
+          if (q >= l.min && q <= l.max)
+            node.q[j] = q;
+        }
+      startCost.push_back((node.q - from.q).lpNorm<1>());
+    }
+    const LadderWay way =
+        shortestWay(ladder.rungs, startCost, scene_.cell.limits(), ladder.options);
+    times_.graph += watch.seconds();
+
+    if (way.reached == 0) {
+      judge(ladder, {0}, ctx); // for the reason
+      refuse(ladder.places[0], ladder.rungs[0]);
+      return 1;
+    }
+    if (way.reached < ladder.places.size()) {
+      const std::size_t r = way.reached;
+      if (refine(r))
+        continue;
+      if (!unwound) {
+        unwound = true;
+        continue;
+      }
+      if (r == 1) {
+        refuse(ladder.places[0], {LadderNode{}});
+        return 1;
+      }
+      close(way);
+      continue;
+    }
+    if (count < 2) {
+      refuse(ladder.places[0], {LadderNode{}});
+      return 1;
+    }
+
+    const std::vector<double> turns = turnsOf(ladder, way);
+    std::vector<std::size_t> failed;
+    std::size_t failedAt = 0;
+    watch = base::Stopwatch();
+    const bool followed = fill(first, turns, way.q.front(), run.ladder, failedAt);
+    bool good = false;
+    if (followed && scene_.options.smooth &&
+        fill(first, evened(turns, kSmoothing), way.q.front(), run.points, failedAt)) {
+      times_.ik += watch.seconds();
+      watch = base::Stopwatch();
+      good = failures(run.points, ctx).empty();
+      times_.collision += watch.seconds();
+    } else {
+      times_.ik += watch.seconds();
+    }
+    if (followed && !good) {
+      watch = base::Stopwatch();
+      run.points = run.ladder;
+      failed = failures(run.points, ctx);
+      times_.collision += watch.seconds();
+      good = failed.empty();
+    }
+    if (good) {
+      runs.push_back(std::move(run));
+      return count;
+    }
+    if (!followed)
+      failed = {failedAt};
+    if (tries >= kTries) {
+      // Settle for what comes before the first failure.
+      const std::size_t end = failed.front();
+      if (end < first + 2) {
+        refuse({first, true, {}}, {LadderNode{}});
+        return 1;
+      }
+      count = end - first;
+      setPlaces(rungWaypoints(first, count));
+      tries = 0;
+      continue;
+    }
+
+    // Judge the rungs about each failure; where the way's own nodes stay clear, look closer.
+    std::vector<std::size_t> about;
+    if (tries >= kTriesBeforeJudgingAll) {
+      for (std::size_t r = 0; r < ladder.places.size(); ++r)
+        about.push_back(r);
+    } else {
+      for (const std::size_t w : failed) {
+        const auto at = std::lower_bound(
+            ladder.places.begin(), ladder.places.end(), w,
+            [](const Place& p, std::size_t waypoint) { return p.waypoint < waypoint; });
+        const auto r = static_cast<std::size_t>(at - ladder.places.begin());
+        for (std::size_t k = r < 2 ? 0 : r - 2; k < std::min(r + 2, ladder.places.size()); ++k)
+          about.push_back(k);
+      }
+    }
+    judge(ladder, about, ctx);
+    std::vector<std::size_t> between;
+    for (const std::size_t w : failed) {
+      const auto at = std::lower_bound(
+          ladder.places.begin(), ladder.places.end(), w,
+          [](const Place& p, std::size_t waypoint) { return p.waypoint < waypoint; });
+      const auto r = static_cast<std::size_t>(at - ladder.places.begin());
+      LadderNode& here = ladder.rungs[r][static_cast<std::size_t>(way.node[r])];
+      const bool blockedHere = here.blocked;
+      const bool blockedBefore =
+          r > 0 && ladder.rungs[r - 1][static_cast<std::size_t>(way.node[r - 1])].blocked;
+      if (blockedHere || blockedBefore)
+        continue;
+      if (r > 0 && ladder.places[r].waypoint - ladder.places[r - 1].waypoint > 1)
+        between.push_back(w);
+      else
+        here.blocked = true; // clear itself, but not on the way to it
+    }
+    for (const std::size_t w : between) {
+      const auto at = std::lower_bound(
+          ladder.places.begin(), ladder.places.end(), w,
+          [](const Place& p, std::size_t waypoint) { return p.waypoint < waypoint; });
+      refine(static_cast<std::size_t>(at - ladder.places.begin()));
+    }
+  }
+}
+
+} // namespace voluta::motion

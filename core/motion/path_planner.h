@@ -1,0 +1,115 @@
+// One path of the tool plan in joints: a lazily checked ladder graph over the turn about the
+// nozzle and the branches of the inverse kinematics (Dai 3.5.3).
+#pragma once
+
+#include "collision/cell_collision.h"
+#include "collision/growing_part.h"
+#include "motion/ladder.h"
+#include "motion/motion_options.h"
+#include "motion/run.h"
+#include "plan/tool_plan.h"
+#include "robot/cell.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::motion {
+
+// Why a waypoint is not printed.
+enum class Refusal : std::uint8_t {
+  None,
+  Unreachable, // no joints within limits, whatever the turn about the nozzle
+  Collision,   // every way to be there meets something: `contact` is the commonest
+  HeadPart,    // the head would be in the part, whatever the arm does
+  HeadPlatform,
+  NoConnection // could be reached, but from neither neighbour without a lift
+};
+struct Refused {
+  std::size_t waypoint = 0;
+  Refusal why = Refusal::None;
+  collision::Contact contact; // Collision
+};
+
+struct PathTimes {
+  double ik = 0.0, graph = 0.0, collision = 0.0; // wall seconds
+};
+
+// What planners of one job share. All referenced objects outlive it.
+struct MotionScene {
+  const plan::ToolPlan& plan;
+  const robot::Cell& cell;
+  const collision::CellCollision& collision;
+  const collision::GrowingPart& part;
+  const MotionOptions& options;
+
+  // How far a nozzle path bends when flange poses are interpolated over a turn of `angle` while
+  // the tip is at `tip`: with the plate on the flange the tip swings about the plate's centre. mm.
+  double bend(const Eigen::Vector3d& tip, double angle) const;
+  // Into how many steps such a turn is to be divided.
+  int divisions(const Eigen::Vector3d& tip, double angle) const;
+};
+
+// The joints that bring the nozzle there, nearest to `near` (largest joint step); false when there
+// are none within maxStep. `scratch` is memory for the call.
+bool solveNear(const robot::Cell& cell, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
+               const robot::JointVector& near, double maxStep,
+               std::vector<robot::JointVector>& scratch, robot::JointVector& q);
+
+class PathPlanner {
+public:
+  explicit PathPlanner(const MotionScene& scene) : scene_(scene) {}
+
+  // For each waypoint the first one of the same path that lies within two bead widths of way before
+  // it: what was laid from there on is soft and shaped by the nozzle, and no obstacle to the head.
+  std::vector<std::size_t> headBefore() const;
+  // Where the head itself would meet the platform, or the part filled before headBefore: for each
+  // waypoint None, HeadPart or HeadPlatform.
+  std::vector<Refusal> headRefusals(const std::vector<std::size_t>& headBefore,
+                                    const base::RunContext& ctx) const;
+
+  // Plans waypoints [first, first + count) of path `path`, none of which the head refuses, to
+  // follow on `from`. Appends the runs that are printed (usually one) and the waypoints that are
+  // not. Each run's first waypoint is the last one's of the run before where no waypoint lies
+  // between them. The same for any number of threads.
+  void plan(std::size_t path, std::size_t first, std::size_t count, const Station& from,
+            const base::RunContext& ctx, std::vector<Run>& runs, std::vector<Refused>& refused);
+
+  const PathTimes& times() const { return times_; }
+
+private:
+  struct Place { // a rung: its waypoint and what is known of its nodes
+    std::size_t waypoint;
+    bool judged = false;                      // all nodes were checked for collisions
+    std::vector<collision::Contact> contacts; // why nodes are blocked, where by collision
+  };
+  struct Ladder;
+
+  void carryTools(std::size_t first, std::size_t count, const Eigen::Quaterniond& from);
+  std::vector<std::size_t> rungWaypoints(std::size_t first, std::size_t count) const;
+  void addNodes(Ladder& ladder, const std::vector<std::size_t>& rungs, const Station& from,
+                const base::RunContext& ctx);
+  void judge(Ladder& ladder, const std::vector<std::size_t>& rungs, const base::RunContext& ctx);
+  std::vector<double> turnsOf(const Ladder& ladder, const LadderWay& way) const;
+  bool fill(std::size_t first, const std::vector<double>& turns, const robot::JointVector& start,
+            std::vector<RunPoint>& points, std::size_t& failedAt) const;
+  std::vector<std::size_t> failures(const std::vector<RunPoint>& points,
+                                    const base::RunContext& ctx) const;
+  std::optional<collision::Contact> contactAt(const robot::JointVector& q,
+                                              std::size_t waypoint) const;
+  // Plans as many of the waypoints as can be joined; returns how many it dealt with (>= 1).
+  std::size_t planPrefix(std::size_t path, std::size_t first, std::size_t count,
+                         const Station& from, const base::RunContext& ctx, std::vector<Run>& runs,
+                         std::vector<Refused>& refused);
+
+  const MotionScene& scene_;
+  PathTimes times_;
+  std::vector<Eigen::Quaterniond> tools_; // of the stretch in work, before any turn
+  std::size_t toolsFirst_ = 0;
+};
+
+} // namespace voluta::motion

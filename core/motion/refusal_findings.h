@@ -1,0 +1,20 @@
+// What could not be printed, in words.
+#pragma once
+
+#include "motion/path_planner.h"
+#include "plan/finding.h"
+
+#include <functional>
+#include <vector>
+
+namespace voluta::motion {
+
+// One finding for each row of neighbouring waypoints refused for the same reason; from the 100th
+// on, one for all of a reason. `whenS(waypoint)`: when the program is there.
+plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene& scene,
+                          const std::function<double(std::size_t)>& whenS);
+
+// "layer 12, x 3.1 y -4.0 z 20.2"
+std::string placeOf(const MotionScene& scene, std::size_t waypoint);
+
+} // namespace voluta::motion

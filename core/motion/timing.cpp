@@ -1,0 +1,160 @@
+#include "motion/timing.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::motion {
+
+namespace {
+
+// Joint motion counts as way too, so that turning on the spot takes time as well.
+constexpr double kMmPerRad = 50.0;
+constexpr double kLeastSeconds = 1e-4;
+constexpr double kTravelJointSpeed = 0.5; // of the limit, for joint moves
+constexpr int kRounds = 200;
+
+// Time of one segment with ramps from v0 to v1 (peak at most cap) of a given acceleration.
+double rampTime(double length, double v0, double v1, double cap, double acceleration) {
+  const double peak = std::max(
+      {v0, v1, std::min(cap, std::sqrt(acceleration * length + 0.5 * (v0 * v0 + v1 * v1)))});
+  const double ramps = (2.0 * peak * peak - v0 * v0 - v1 * v1) / (2.0 * acceleration);
+  return (2.0 * peak - v0 - v1) / acceleration + std::max(0.0, length - ramps) / peak;
+}
+
+// Speed through a corner whose cutting circle stays within `cut` of it.
+double cornerSpeed(const Eigen::Vector3d& in, const Eigen::Vector3d& out, double cut,
+                   double acceleration) {
+  const double a = in.norm(), b = out.norm();
+  if (a < 1e-9 || b < 1e-9)
+    return 1e9;
+  const double cosine = std::clamp(-in.dot(out) / (a * b), -1.0, 1.0); // 1: straight back
+  const double sine = std::sqrt(0.5 * (1.0 - cosine));                 // of half the angle between
+  if (sine > 0.9999)
+    return 1e9;
+  return std::sqrt(acceleration * cut * sine / (1.0 - sine));
+}
+
+} // namespace
+
+std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits) {
+  std::vector<double> times(points.size(), 0.0);
+  if (points.size() < 2)
+    return times;
+  const std::size_t n = points.size() - 1; // segments
+  const Eigen::Index dof = points.front().q.size();
+  base::require(static_cast<std::size_t>(dof) <= limits.joints.size(), "limits for every joint");
+  const double a = limits.accelerationMmPerS2;
+
+  std::vector<double> length(n), cap(n), corner(n + 1, 1e9);
+  for (std::size_t i = 0; i < n; ++i) {
+    const TimedPoint &from = points[i], &to = points[i + 1];
+    const double way = (to.tip - from.tip).norm();
+    const robot::JointVector dq = (to.q - from.q).cwiseAbs();
+    length[i] = std::max(1e-6, std::hypot(way, kMmPerRad * dq.maxCoeff()));
+    double least = kLeastSeconds; // seconds
+    for (Eigen::Index j = 0; j < dof; ++j) {
+      const double fraction = limits.jointFraction * (to.jointMove ? kTravelJointSpeed : 1.0);
+      least =
+          std::max(least, dq[j] / (fraction * limits.joints[static_cast<std::size_t>(j)].velocity));
+    }
+    if (!to.jointMove && to.speedMmPerS > 0.0)
+      least = std::max(least, way / to.speedMmPerS);
+    cap[i] = length[i] / least;
+  }
+  corner[0] = corner[n] = 0.0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (points[i].stop)
+      corner[i] = 0.0;
+    else if (!points[i].jointMove && !points[i + 1].jointMove) {
+      // In terms of the tip's speed; the profile's runs on the longer, mixed way.
+      const double tip = cornerSpeed(points[i].tip - points[i - 1].tip,
+                                     points[i + 1].tip - points[i].tip, limits.cornerMm, a);
+      const double wayIn = (points[i].tip - points[i - 1].tip).norm();
+      corner[i] = wayIn > 1e-9 ? tip * length[i - 1] / wayIn : 1e9;
+    }
+  }
+
+  std::vector<double> v(n + 1), dt(n);
+  for (int round = 0; round < kRounds; ++round) {
+    v[0] = v[n] = 0.0;
+    for (std::size_t i = 1; i < n; ++i)
+      v[i] = std::min({corner[i], cap[i - 1], cap[i]});
+    for (std::size_t i = 1; i <= n; ++i)
+      v[i] = std::min(v[i], std::sqrt(v[i - 1] * v[i - 1] + 2.0 * a * length[i - 1]));
+    for (std::size_t i = n; i-- > 0;)
+      v[i] = std::min(v[i], std::sqrt(v[i + 1] * v[i + 1] + 2.0 * a * length[i]));
+    for (std::size_t i = 0; i < n; ++i)
+      dt[i] = rampTime(length[i], v[i], v[i + 1], cap[i], a);
+
+    bool kept = true;
+    std::vector<double> scale(n, 1.0);
+    for (std::size_t i = 0; i <= n; ++i) {
+      const double between = i == 0   ? 0.5 * dt[0]
+                             : i == n ? 0.5 * dt[n - 1]
+                                      : 0.5 * (dt[i - 1] + dt[i]);
+      double worst = 0.0;
+      for (Eigen::Index j = 0; j < dof; ++j) {
+        const double in = i == 0 ? 0.0 : (points[i].q[j] - points[i - 1].q[j]) / dt[i - 1];
+        const double out = i == n ? 0.0 : (points[i + 1].q[j] - points[i].q[j]) / dt[i];
+        worst = std::max(worst, std::abs(out - in) / between /
+                                    limits.joints[static_cast<std::size_t>(j)].acceleration);
+      }
+      worst /= limits.jointFraction;
+      if (worst <= 1.0)
+        continue;
+      kept = false;
+      const double s = std::clamp(0.98 / std::sqrt(worst), 0.5, 0.98);
+      if (i > 0)
+        scale[i - 1] = std::min(scale[i - 1], s);
+      if (i < n)
+        scale[i] = std::min(scale[i], s);
+    }
+    if (kept)
+      break;
+    for (std::size_t i = 0; i < n; ++i)
+      if (scale[i] < 1.0)
+        cap[i] = scale[i] * std::min(cap[i], length[i] / dt[i] * 1.0);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    times[i + 1] = times[i] + dt[i];
+  return times;
+}
+
+JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times) {
+  JerkMeasure measure;
+  if (points.empty())
+    return measure;
+  const Eigen::Index dof = points.front().q.size();
+  measure.maxAbs.assign(static_cast<std::size_t>(dof), 0.0);
+  const std::size_t n = points.size();
+  for (Eigen::Index j = 0; j < dof; ++j) {
+    double velocity = 0.0, acceleration = 0.0, middle = 0.0, at = 0.0;
+    for (std::size_t i = 1; i <= n; ++i) {
+      // Velocities at the middles of steps, accelerations between them, jerks between those;
+      // at rest after the last point.
+      const double dt = i < n ? times[i] - times[i - 1] : 0.0;
+      const double newVelocity =
+          i < n && dt > 0.0 ? (points[i].q[j] - points[i - 1].q[j]) / dt : 0.0;
+      const double newMiddle = i < n ? 0.5 * (times[i] + times[i - 1]) : times[n - 1];
+      if (newMiddle - middle <= 0.0)
+        continue;
+      const double newAcceleration = (newVelocity - velocity) / (newMiddle - middle);
+      const double newAt = 0.5 * (newMiddle + middle);
+      if (newAt > at) {
+        const double jerk = (newAcceleration - acceleration) / (newAt - at);
+        measure.maxAbs[static_cast<std::size_t>(j)] =
+            std::max(measure.maxAbs[static_cast<std::size_t>(j)], std::abs(jerk));
+        measure.sumSquared += jerk * jerk;
+      }
+      velocity = newVelocity;
+      acceleration = newAcceleration;
+      middle = newMiddle;
+      at = newAt;
+    }
+  }
+  return measure;
+}
+
+} // namespace voluta::motion

@@ -1,0 +1,77 @@
+// Ways between runs that keep clear of everything, the part printed so far included.
+#pragma once
+
+#include "motion/path_planner.h"
+#include "motion/run.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace voluta::motion {
+
+struct TransferPoint {
+  Station at;
+  plan::MoveKind move = plan::MoveKind::Linear; // how it is reached from the point before
+};
+
+// Which kind of way was found, simplest first.
+enum class TransferKind : std::uint8_t { Straight, Arc, Joint, Tree };
+struct Transfer {
+  std::vector<TransferPoint> points; // after `from`, the last one is `to`
+  TransferKind kind = TransferKind::Straight;
+};
+
+// A ball that holds what is printed before a waypoint, for ways around it.
+struct Surround {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0.0;
+};
+
+class TransferPlanner {
+public:
+  explicit TransferPlanner(const MotionScene& scene) : scene_(scene) {}
+
+  // From station to station with everything printed before waypoint `before` in place. Tried in
+  // turn: lift along the nozzle, straight, down (lifts from 1 mm for hops or liftMm up); out of the
+  // surrounding ball and round it on an arc; the same lifts with a joint move between; RRT-Connect
+  // between the lifted stations. Lifting along the nozzle frees a head that is free, since it is
+  // convex along its axis. Checked at steps of at most 2 mm and 1 degree (linear) or half a degree
+  // a joint with 3 mm more clearance (joint moves). None: no way was found.
+  std::optional<Transfer> plan(const Station& from, const Station& to, bool hop, std::size_t before,
+                               const Surround& surround, std::uint64_t seed,
+                               const base::RunContext& ctx) const;
+
+  // The same from or to a station that is not at the part (home): joint moves only.
+  std::optional<Transfer> approach(const Station& home, const Station& start, std::size_t before,
+                                   const Surround& surround, std::uint64_t seed,
+                                   const base::RunContext& ctx) const;
+  std::optional<Transfer> leave(const Station& end, const Station& home, std::size_t before,
+                                const Surround& surround, std::uint64_t seed,
+                                const base::RunContext& ctx) const;
+
+private:
+  using Points = std::vector<TransferPoint>;
+  bool free(const robot::JointVector& q, std::size_t before,
+            const collision::Margins& margins) const;
+  // Straight in the work frame from `from`; appends to points.
+  bool linear(const Station& from, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
+              std::size_t before, const collision::Margins& margins, Points& points) const;
+  bool jointSegmentFree(const robot::JointVector& a, const robot::JointVector& b,
+                        std::size_t before, const collision::Margins& margins) const;
+  bool arc(const Station& from, const Station& to, const Surround& surround, std::size_t before,
+           Points& points) const;
+  // Joint move or tree between two lifted stations.
+  std::optional<TransferKind> swing(const Station& from, const Station& to, std::size_t before,
+                                    std::uint64_t seed, const base::RunContext& ctx,
+                                    Points& points) const;
+  void appendJointWay(const std::vector<robot::JointVector>& way, const Station& to,
+                      Points& points) const;
+  // Lifts along the nozzle, further and further; stations reached, each with the points there.
+  std::vector<Points> lifts(const Station& from, const std::vector<double>& heights,
+                            std::size_t before) const;
+
+  const MotionScene& scene_;
+};
+
+} // namespace voluta::motion
