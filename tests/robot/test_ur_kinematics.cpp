@@ -123,5 +123,142 @@ TEST_F(Ur, inverseThenForwardOverRandomPoses) {
   }
 }
 
+// Newton from a dense set of starts knows nothing of branches: all it finds must be there.
+TEST_F(Ur, everyBranchADenseNumericSearchFinds) {
+  const UrKinematics kinematics(kUr5);
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
+  const auto randomJoints = [&] {
+    JointVector q(6);
+    for (int i = 0; i < 6; ++i)
+      q[i] = angle(random);
+    return q;
+  };
+  std::size_t found = 0, poses = 0;
+  for (int n = 0; n < 25; ++n) {
+    const JointVector target = randomJoints();
+    if (std::abs(std::sin(target[4])) < 0.1 || std::abs(std::sin(target[2])) < 0.1)
+      continue; // branches that all but coincide are the next test's
+    ++poses;
+    const Eigen::Isometry3d pose = dhFlange(kUr5, target);
+    std::vector<JointVector> closed, numeric;
+    kinematics.inverse(pose, closed);
+    const auto residual = [&](const JointVector& q) {
+      const Eigen::Isometry3d t = dhFlange(kUr5, q);
+      Eigen::Matrix<double, 12, 1> r;
+      r.head<3>() = (t.translation() - pose.translation()) / 100.0;
+      const Eigen::Matrix3d turn = t.linear() - pose.linear();
+      r.tail<9>() = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(turn.data());
+      return r;
+    };
+    for (int start = 0; start < 250; ++start) {
+      JointVector q = randomJoints();
+      auto r = residual(q);
+      double damping = 1e-2;
+      for (int step = 0; step < 60 && r.norm() > 1e-11; ++step) {
+        Eigen::Matrix<double, 12, 6> jacobian;
+        for (int i = 0; i < 6; ++i) {
+          JointVector forward = q, backward = q;
+          forward[i] += 1e-6;
+          backward[i] -= 1e-6;
+          jacobian.col(i) = (residual(forward) - residual(backward)) / 2e-6;
+        }
+        Eigen::Matrix<double, 6, 6> normal = jacobian.transpose() * jacobian;
+        normal.diagonal().array() += damping;
+        const JointVector next = q - normal.ldlt().solve(jacobian.transpose() * r);
+        const auto tried = residual(next);
+        damping *= tried.norm() < r.norm() ? 0.1 : 10.0;
+        if (tried.norm() < r.norm()) {
+          q = next;
+          r = tried;
+        }
+      }
+      if (r.norm() > 1e-9)
+        continue;
+      double known = 1e9, there = 1e9;
+      for (const JointVector& s : numeric)
+        known = std::min(known, jointDistance(s, q));
+      if (known < 1e-4)
+        continue;
+      numeric.push_back(q);
+      for (const JointVector& s : closed)
+        there = std::min(there, jointDistance(s, q));
+      EXPECT_LT(there, 1e-5);
+    }
+    EXPECT_EQ(numeric.size(), closed.size());
+    found += numeric.size();
+  }
+  EXPECT_GT(found, 4 * poses);
+}
+
+TEST_F(Ur, singularPosesAreReachedOnceAWay) {
+  const UrKinematics kinematics(kUr5);
+  struct Row {
+    const char* what;
+    JointVector q;
+  };
+  // The shoulder's singular pose has the wrist centre right above or below the shoulder's offset:
+  // a2 c2 + a3 c23 + d5 s234 = 0.
+  JointVector shoulder = joints({20, 0, 100, 0, 70, 40});
+  shoulder[1] = kPi / 2 - std::atan2(kUr5.a3 * std::sin(shoulder[2]),
+                                     kUr5.a2 + kUr5.a3 * std::cos(shoulder[2]));
+  shoulder[3] = -shoulder[1] - shoulder[2]; // s234 = 0
+  const std::vector<Row> rows = {{"wrist", joints({20, -70, 80, 10, 0, 0})},
+                                 {"wrist turned", joints({20, -70, 80, 10, 180, 0})},
+                                 {"wrist, other theta6", joints({20, -70, 80, 10, 0, 55})},
+                                 {"elbow", joints({20, -70, 0, 10, 60, 40})},
+                                 {"shoulder", shoulder},
+                                 {"all zero", joints({0, 0, 0, 0, 0, 0})},
+                                 {"almost wrist", joints({20, -70, 80, 10, 1e-7, 33})},
+                                 {"almost elbow", joints({20, -70, 1e-6, 10, 60, 40})}};
+  for (const Row& row : rows) {
+    const Eigen::Isometry3d pose = dhFlange(kUr5, row.q);
+    std::vector<JointVector> solutions;
+    kinematics.inverse(pose, solutions);
+    ASSERT_FALSE(solutions.empty()) << row.what;
+    for (std::size_t i = 0; i < solutions.size(); ++i) {
+      const Eigen::Isometry3d back = dhFlange(kUr5, solutions[i]);
+      EXPECT_LT((back.translation() - pose.translation()).norm(), 1e-8) << row.what;
+      EXPECT_LT(turnBetween(back.linear(), pose.linear()), 1e-9) << row.what;
+    }
+  }
+}
+
+TEST_F(Ur, outOfReachGivesNothing) {
+  const UrKinematics kinematics(kUr5);
+  std::vector<JointVector> solutions;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(1100, 0, 0);
+  kinematics.inverse(pose, solutions);
+  EXPECT_TRUE(solutions.empty());
+  pose.translation() = Eigen::Vector3d(20, 0, 400); // inside the shoulder's offset
+  kinematics.inverse(pose, solutions);
+  EXPECT_TRUE(solutions.empty());
+}
+
+TEST_F(Ur, inverseNearTurnsEachJointWithinItsLimits) {
+  const RobotModel robot = loadRobot("ur5");
+  const JointVector q = joints({300, -250, 100, 200, -190, 350});
+  std::vector<JointVector> solutions(3, q); // what it held before is dropped
+  inverseNear(robot, robot.kinematics->flange(q), q, solutions);
+  ASSERT_LE(solutions.size(), 8u);
+  double nearest = 1e9;
+  for (const JointVector& s : solutions)
+    nearest = std::min(nearest, (s - q).cwiseAbs().maxCoeff());
+  EXPECT_LT(nearest, 1e-9);
+  // Near a value beyond the limits the last turn inside is taken.
+  const JointVector far = joints({500, -250, 100, 200, -190, 350});
+  inverseNear(robot, robot.kinematics->flange(q), far, solutions);
+  for (const JointVector& s : solutions)
+    EXPECT_LE(s[0], 2 * kPi);
+  // A joint stopped before pi has branches that cannot be turned inside: they are left out.
+  RobotModel narrow = robot;
+  narrow.limits[2].min = 0.0;
+  inverseNear(narrow, robot.kinematics->flange(q), q, solutions);
+  EXPECT_FALSE(solutions.empty());
+  for (const JointVector& s : solutions)
+    EXPECT_GE(s[2], 0.0);
+}
+
 } // namespace
 } // namespace voluta::robot
