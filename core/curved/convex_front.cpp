@@ -180,23 +180,18 @@ double ConvexFront::depth(std::size_t v) const {
 // has a component of at least 1/sqrt(3) along one axis; from the voxel along that axis the hull
 // therefore ends within sqrt(3) depth. So it is enough to look below the ends of all columns
 // along the three axes.
-void ConvexFront::nearSurface(double depth, std::vector<std::int32_t>& out) {
-  out.clear();
+const std::vector<std::int32_t>& ConvexFront::belowSurface(double depth) {
+  below_.clear();
   ++round_;
   const double reach = std::sqrt(3.0) * depth + 1e-6;
-  std::vector<std::int32_t> below;
   for (const HullFacet& facet : facets_)
     for (int axis = 0; axis < 3; ++axis)
       if (facet.normal[axis] != 0.0)
-        rasterise(facet, axis, reach, below);
-  std::size_t hint = 0;
-  for (const std::int32_t v : below)
-    if (!deeperThan(static_cast<std::size_t>(v), depth, hint))
-      out.push_back(v);
+        rasterise(facet, axis, reach);
+  return below_;
 }
 
-void ConvexFront::rasterise(const HullFacet& facet, int axis, double reach,
-                            std::vector<std::int32_t>& out) {
+void ConvexFront::rasterise(const HullFacet& facet, int axis, double reach) {
   const int u = (axis + 1) % 3, w = (axis + 2) % 3;
   // Corners in cells: a voxel's centre is at its whole index.
   Eigen::Vector3d corner[3];
@@ -248,7 +243,7 @@ void ConvexFront::rasterise(const HullFacet& facet, int axis, double reach,
             stamp_[static_cast<std::size_t>(v)] == round_)
           continue;
         stamp_[static_cast<std::size_t>(v)] = round_;
-        out.push_back(v);
+        below_.push_back(v);
       }
     }
   }

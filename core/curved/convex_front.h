@@ -35,8 +35,17 @@ public:
   // negative outside. 0 where there is no hull.
   double depth(std::size_t v) const;
 
-  // Present voxels no deeper than `depth`, each once, in no stated but in a fixed order.
-  void nearSurface(double depth, std::vector<std::int32_t>& out);
+  // Present voxels v with wanted(v) no deeper than `depth`, each once, in no stated but in a fixed
+  // order.
+  template <typename Wanted>
+  void nearSurface(double depth, Wanted&& wanted, std::vector<std::int32_t>& out) {
+    out.clear();
+    std::size_t hint = 0;
+    for (const std::int32_t v : belowSurface(depth))
+      if (wanted(static_cast<std::size_t>(v)) &&
+          !deeperThan(static_cast<std::size_t>(v), depth, hint))
+        out.push_back(v);
+  }
 
   // Unit outward normal of a facet whose plane has v's centre on its outer side and all of the set
   // on its inner side; of several the one nearest to `wish`. Where v is inside: the facet it is
@@ -59,7 +68,8 @@ private:
   void refreshRow(std::size_t row);
   void refreshSlice(std::size_t k);
   void gatherCandidates();
-  void rasterise(const HullFacet& facet, int axis, double reach, std::vector<std::int32_t>& out);
+  const std::vector<std::int32_t>& belowSurface(double depth);
+  void rasterise(const HullFacet& facet, int axis, double reach);
 
   const VoxelGraph& graph_;
   std::vector<std::uint8_t> present_;
@@ -71,6 +81,7 @@ private:
   std::vector<HullFacet> facets_;
   // Planes in blocks, structure of arrays; padded with planes that everything is far below.
   std::vector<double> nx_, ny_, nz_, offset_, inverseLength_;
+  std::vector<std::int32_t> below_;
   std::vector<std::uint32_t> stamp_;
   std::uint32_t round_ = 0;
 };

@@ -26,15 +26,17 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
   // From the nominal height at the median to the least height there.
   const double nominal = 1.0 / median;
   constexpr int kSteps = 60;
-  constexpr double kWorthIt = 2e-4; // what a tighter spacing must gain
-  double best = nominal, bestShare = share(nominal);
-  for (int i = 1; i <= kSteps; ++i) {
-    const double scale = nominal * std::pow(limits.heightMm / limits.minMm, i / double{kSteps});
-    if (const double s = share(scale); s > bestShare + kWorthIt) {
-      best = scale;
-      bestShare = s;
-    }
-  }
+  constexpr double kWorthIt = 1e-3; // share of voxels that a height further from nominal must save
+  const auto scaleAt = [&](int i) {
+    return nominal * std::pow(limits.heightMm / limits.minMm, i / double{kSteps});
+  };
+  double most = 0.0;
+  for (int i = 0; i <= kSteps; ++i)
+    most = std::max(most, share(scaleAt(i)));
+  int chosen = 0;
+  while (share(scaleAt(chosen)) < most - kWorthIt)
+    ++chosen;
+  const double best = scaleAt(chosen), bestShare = share(best);
   if (within)
     *within = bestShare;
   return best;

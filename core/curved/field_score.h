@@ -23,9 +23,9 @@ struct FieldScore {
 };
 
 // The factor by which levels should be closer (> 1) or wider (< 1) than the field in cells says:
-// as many voxels as possible within the limits, and of such factors the one whose median
-// thickness is nearest to the nominal height. `slope` is |grad field| a voxel. level of a voxel in
-// mm is scale * field * pitch.
+// the median thickness as near to the nominal height as can be, not above it, with no more than
+// 0.1 % of the voxels outside the limits that another factor would keep inside. `slope` is |grad
+// field| a voxel. level of a voxel in mm is scale * field * pitch.
 double bestScale(const std::vector<float>& slope, const LayerLimits& limits, double* within);
 
 FieldScore scoreField(const VoxelGraph& graph, const std::vector<float>& field,

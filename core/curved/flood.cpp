@@ -42,7 +42,8 @@ float eikonal(std::array<float, 3> axisMin) {
 } // namespace
 
 Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
-            const std::vector<float>& field, float slope, const base::RunContext& ctx) {
+            const std::vector<float>& field, float slope, const base::RunContext& ctx,
+            Steps steps) {
   const std::size_t n = graph.size();
   const auto usable = [&](std::size_t v) { return use.empty() || use[v]; };
   const auto own = [&](std::size_t v) { return field.empty() ? 0.0f : field[v]; };
@@ -50,32 +51,44 @@ Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
   out.value.assign(n, kFar);
   out.order.assign(n, -1);
   std::priority_queue<Front> queue;
+  const auto reach = [&](std::size_t v, std::size_t step) {
+    const std::int32_t w = graph.neighbour[v][step];
+    if (w < 0)
+      return;
+    const auto x = static_cast<std::size_t>(w);
+    if (out.order[x] >= 0 || !usable(x))
+      return;
+    const float value = std::max(own(x), out.value[v] + slope * kNeighbourDistance[step]);
+    if (value < out.value[x]) {
+      out.value[x] = value;
+      queue.push({value, w});
+    }
+  };
   for (std::size_t v = 0; v < n; ++v)
     if (graph.onPlatform[v] && usable(v)) {
       out.value[v] = std::max(own(v), 0.5f * slope);
       queue.push({out.value[v], static_cast<std::int32_t>(v)});
     }
+  const std::size_t carrying = steps == Steps::All ? kNeighbours : 6;
+  std::vector<std::int32_t> reached;
   while (!queue.empty()) {
     const Front top = queue.top();
     queue.pop();
     const auto v = static_cast<std::size_t>(top.voxel);
-    if (out.order[v] >= 0)
-      continue;
-    out.order[v] = static_cast<std::int32_t>(out.reached++);
-    if (out.reached % 4096 == 0)
-      ctx.checkpoint();
-    for (std::size_t s = 0; s < kNeighbours; ++s) {
-      const std::int32_t w = graph.neighbour[v][s];
-      if (w < 0)
-        continue;
-      const auto x = static_cast<std::size_t>(w);
-      if (out.order[x] >= 0 || !usable(x))
-        continue;
-      const float value = std::max(own(x), top.value + slope * kNeighbourDistance[s]);
-      if (value < out.value[x]) {
-        out.value[x] = value;
-        queue.push({value, w});
-      }
+    if (out.order[v] < 0) {
+      out.order[v] = static_cast<std::int32_t>(out.reached++);
+      if (steps == Steps::FacesFirst)
+        reached.push_back(top.voxel);
+      if (out.reached % 4096 == 0)
+        ctx.checkpoint();
+      for (std::size_t s = 0; s < carrying; ++s)
+        reach(v, s);
+    }
+    if (queue.empty()) {
+      for (const std::int32_t u : reached)
+        for (std::size_t s = carrying; s < kNeighbours; ++s)
+          reach(static_cast<std::size_t>(u), s);
+      reached.clear();
     }
   }
   return out;

@@ -21,9 +21,13 @@ struct Flood {
 // So every reached voxel is on the platform or has a neighbour that comes earlier and lies lower
 // by at least slope * |uv|: no pits, no islands. With an empty field and slope 1 it is the
 // chamfer distance from the platform in cells.
-// `use` (empty: all) tells which voxels exist. slope >= 0. Throws Cancelled.
+// `use` (empty: all) tells which voxels exist. slope >= 0. With Steps::FacesFirst only faces carry,
+// edges only what no face reaches; then values may fall from one such stage to the next, the rule
+// above holds all the same. Throws Cancelled.
+enum class Steps { All, FacesFirst };
 Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
-            const std::vector<float>& field, float slope, const base::RunContext& ctx);
+            const std::vector<float>& field, float slope, const base::RunContext& ctx,
+            Steps steps = Steps::All);
 
 // Geodesic distance from the platform inside the part, in cells (first order fast marching over
 // the faces of cells; Sethian 1996). A voxel on the platform has 1/2. Voxels that hang together

@@ -3,6 +3,7 @@
 #include "curved/cut_voxels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace voluta::curved {
@@ -30,11 +31,11 @@ public:
   }
 
   Peeling run() {
-    const std::size_t start = std::max<std::size_t>(1, front_.count());
+    start_ = std::max<std::size_t>(1, front_.count());
     if (!guide_.empty())
       lowerLevels();
     while (front_.count() > 0) {
-      ctx_.report(1.0 - static_cast<double>(front_.count()) / static_cast<double>(start), "growth");
+      reportProgress();
       if (round(options_.sheet, options_.tolerance) || goOnWhenStuck())
         continue;
       break;
@@ -48,14 +49,20 @@ public:
   }
 
 private:
+  void reportProgress() const {
+    ctx_.report(1.0 - static_cast<double>(front_.count()) / static_cast<double>(start_), "growth");
+  }
+
   void lowerLevels() {
     float highest = 0.0f;
     for (std::size_t v = 0; v < graph_.size(); ++v)
       if (present_[v])
         highest = std::max(highest, guide_[v]);
     const auto step = static_cast<float>(options_.levelStep);
-    for (level_ = highest - step; level_ > -step && front_.count() > 0; level_ -= step)
+    for (level_ = highest - step; level_ > -step && front_.count() > 0; level_ -= step) {
+      reportProgress();
       round(options_.sheet, options_.tolerance);
+    }
     level_ = 0.0f;
   }
 
@@ -63,13 +70,10 @@ private:
   bool round(double sheet, double tolerance) {
     ctx_.checkpoint();
     ++round_;
-    front_.nearSurface(sheet, near_);
-    candidates_.clear();
-    for (const std::int32_t v : near_)
-      if (guide_.empty() || guide_[static_cast<std::size_t>(v)] > level_) {
-        candidates_.push_back(v);
-        candidateIn_[static_cast<std::size_t>(v)] = round_;
-      }
+    const auto above = [&](std::size_t v) { return guide_.empty() || guide_[v] > level_; };
+    front_.nearSurface(sheet, above, candidates_);
+    for (const std::int32_t v : candidates_)
+      candidateIn_[static_cast<std::size_t>(v)] = round_;
     std::sort(candidates_.begin(), candidates_.end(), [&](std::int32_t a, std::int32_t b) {
       return order_[static_cast<std::size_t>(a)] > order_[static_cast<std::size_t>(b)];
     });
@@ -156,9 +160,10 @@ private:
   // Lays the voxel on the front on which the fewest others hang, and gives those up.
   bool sacrificeLeast() {
     const std::vector<std::int32_t> loss = lossWithout(graph_, present_);
-    front_.nearSurface(0.0, near_);
+    front_.nearSurface(
+        0.0, [](std::size_t) { return true; }, candidates_);
     std::int32_t best = -1;
-    for (const std::int32_t v : near_) {
+    for (const std::int32_t v : candidates_) {
       const auto x = static_cast<std::size_t>(v);
       const auto key = [&](std::size_t a) { return std::pair(loss[a], -order_[a]); };
       if (best < 0 || key(x) < key(static_cast<std::size_t>(best)))
@@ -206,8 +211,9 @@ private:
   std::vector<std::uint8_t> present_;
   std::vector<std::int32_t> order_;
   std::vector<std::int32_t> removedIn_, lockedIn_, candidateIn_; // round
-  std::vector<std::int32_t> near_, candidates_, taken_, locks_;
+  std::vector<std::int32_t> candidates_, taken_, locks_;
   std::int32_t round_ = 0;
+  std::size_t start_ = 1;
   float level_ = 0.0f;
   Peeling out_;
 };
@@ -227,8 +233,8 @@ Peeling peelAll(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
   std::vector<std::uint8_t> given(graph.size(), 0);
   constexpr int kMostRuns = 12;
   for (int run = 1;; ++run) {
-    PeelOptions now = options;
-    Peeling result = peel(graph, kept, guide, now, ctx);
+    Peeling result = peel(graph, kept, guide, options,
+                          ctx.sub(1.0 - std::pow(0.5, run - 1), 1.0 - std::pow(0.5, run)));
     for (std::size_t v = 0; v < graph.size(); ++v)
       if (result.given[v]) {
         given[v] = 1;

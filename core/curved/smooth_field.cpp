@@ -61,8 +61,9 @@ SmoothField smoothField(const VoxelGraph& graph, const LayerLimits& limits, int 
   peelOptions.sacrifice = false;
   std::vector<float> best;
   for (int round = 0; round < rounds; ++round) {
-    ctx.report((round + 0.5) / (rounds + 0.5), "field");
-    field = flood(graph, {}, field, kPitSlope, ctx).value;
+    const double done = (round + 0.5) / (rounds + 0.5);
+    ctx.report(done, "field");
+    field = flood(graph, {}, field, kPitSlope, ctx, Steps::FacesFirst).value;
     const FieldScore score = scoreField(graph, field, fit.normals(), limits, ctx);
     out.rounds.push_back(score);
     if (best.empty() || score.total() < out.score.total()) {
@@ -72,7 +73,7 @@ SmoothField smoothField(const VoxelGraph& graph, const LayerLimits& limits, int 
     if (round + 1 == rounds)
       break;
     base::Stopwatch growing;
-    const Peeling grown = peel(graph, {}, field, peelOptions, ctx.sub(1.0, 1.0));
+    const Peeling grown = peel(graph, {}, field, peelOptions, ctx.sub(done, done));
     out.growSeconds += growing.seconds();
     std::vector<float> target(graph.size());
     for (std::size_t v = 0; v < graph.size(); ++v)

@@ -1,0 +1,211 @@
+// The hull and the front, by brute force.
+#include "curved/convex_front.h"
+#include "curved/convex_hull.h"
+#include "curved/cut_voxels.h"
+#include "curved/flood.h"
+#include "curved/grid_solver.h"
+#include "curved/platform.h"
+#include "curved/voxel_shapes.h"
+
+#include "base/error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+namespace voluta::curved {
+namespace {
+
+const base::RunContext kQuiet;
+
+VoxelGraph graphOf(const voxel::SolidVoxels& v) {
+  return voxelGraph(v.grid, v.solid, v.plateLayer(), platformFit(v, 0.0));
+}
+
+// All points behind all facets, each edge shared by two facets the other way round, all facets of
+// one surface without handles.
+void expectHull(const std::vector<HullFacet>& hull, const std::vector<LatticePoint>& points) {
+  std::map<std::pair<int, int>, int> edges;
+  std::set<int> corners;
+  for (const HullFacet& f : hull) {
+    for (const LatticePoint& p : points)
+      ASSERT_LE(f.normal.dot(p), f.offset);
+    for (std::size_t s = 0; s < 3; ++s) {
+      ++edges[{f.corner[s], f.corner[(s + 1) % 3]}];
+      corners.insert(f.corner[s]);
+      EXPECT_EQ(f.normal.dot(points[static_cast<std::size_t>(f.corner[s])]), f.offset);
+    }
+    EXPECT_GT(f.normal.squaredNorm(), 0.0);
+  }
+  for (const auto& [edge, n] : edges) {
+    EXPECT_EQ(n, 1);
+    EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
+  }
+  EXPECT_EQ(static_cast<int>(corners.size()) - static_cast<int>(edges.size() / 2) +
+                static_cast<int>(hull.size()),
+            2);
+}
+
+TEST(ConvexHull, RandomPoints) {
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 40; ++trial) {
+    // Few values a coordinate give many flat faces and straight edges.
+    const int range = trial % 2 ? 4 : 2000;
+    std::vector<LatticePoint> points;
+    for (int i = 0; i < 120; ++i)
+      points.emplace_back(static_cast<double>(random() % static_cast<unsigned>(range)),
+                          static_cast<double>(random() % static_cast<unsigned>(range)),
+                          static_cast<double>(random() % static_cast<unsigned>(range)));
+    expectHull(convexHull(points), points);
+  }
+}
+
+TEST(ConvexHull, FlatOrTooFewPointsHaveNone) {
+  EXPECT_TRUE(convexHull({}).empty());
+  EXPECT_TRUE(convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 0}, {3, 1, 0}}).empty());
+  EXPECT_THROW(convexHull({{0.5, 0, 0}}), base::Error);
+}
+
+TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsGo) {
+  const voxel::SolidVoxels part = test::blobPart(5);
+  const VoxelGraph graph = graphOf(part);
+  ConvexFront front(graph);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    front.insert(v);
+  std::mt19937 random(11);
+  for (int round = 0; round < 4; ++round) {
+    front.rebuild();
+    std::vector<LatticePoint> all = graph.platform;
+    for (std::size_t v = 0; v < graph.size(); ++v)
+      if (front.present(v))
+        all.push_back(graph.lattice(v));
+    const std::vector<HullFacet> hull = convexHull(all);
+    std::set<std::int32_t> shallow;
+    std::size_t hint = 0;
+    for (std::size_t v = 0; v < graph.size(); ++v) {
+      double depth = 1e9;
+      for (const HullFacet& f : hull)
+        depth =
+            std::min(depth, (f.offset - f.normal.dot(graph.lattice(v))) / f.normal.norm() / 16.0);
+      EXPECT_NEAR(front.depth(v), depth, 1e-9);
+      EXPECT_EQ(front.deeperThan(v, 0.0, hint), depth > 1e-10);
+      if (front.present(v) && depth <= 0.75)
+        shallow.insert(static_cast<std::int32_t>(v));
+    }
+    std::vector<std::int32_t> near;
+    front.nearSurface(
+        0.75, [](std::size_t) { return true; }, near);
+    EXPECT_EQ(std::set<std::int32_t>(near.begin(), near.end()), shallow);
+    EXPECT_EQ(near.size(), shallow.size());
+    for (const std::int32_t v : near)
+      if (random() % 2)
+        front.remove(static_cast<std::size_t>(v));
+  }
+}
+
+TEST(ConvexFront, ClearNormalHasEverythingBehindIt) {
+  const VoxelGraph graph = graphOf(test::conePart());
+  ConvexFront front(graph);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    if (graph.cell[v][2] < 10)
+      front.insert(v);
+  front.rebuild();
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    if (front.present(v))
+      continue;
+    const Eigen::Vector3d n = front.clearNormal(v, Eigen::Vector3d::UnitZ());
+    EXPECT_NEAR(n.norm(), 1.0, 1e-9);
+    for (std::size_t w = 0; w < graph.size(); ++w)
+      if (front.present(w)) {
+        ASSERT_LE(n.dot(graph.lattice(w) - graph.lattice(v)), 1e-6);
+      }
+  }
+}
+
+TEST(Flood, LeavesNoPits) {
+  const VoxelGraph graph = graphOf(test::blobPart(8));
+  std::mt19937 random(2);
+  std::vector<float> field(graph.size());
+  for (float& f : field)
+    f = static_cast<float>(random() % 1000) / 50.0f;
+  for (const Steps steps : {Steps::All, Steps::FacesFirst}) {
+    const Flood flooded = flood(graph, {}, field, 0.15f, kQuiet, steps);
+    EXPECT_EQ(flooded.reached, graph.size());
+    for (std::size_t v = 0; v < graph.size(); ++v) {
+      EXPECT_GE(flooded.value[v], field[v]);
+      bool carried = graph.onPlatform[v] != 0;
+      for (const std::int32_t w : graph.neighbour[v])
+        carried |= w >= 0 && flooded.order[static_cast<std::size_t>(w)] < flooded.order[v] &&
+                   flooded.value[static_cast<std::size_t>(w)] <= flooded.value[v] - 0.1499f;
+      EXPECT_TRUE(carried) << v;
+    }
+  }
+}
+
+TEST(Flood, GeodesicDistanceOfABoxIsItsHeight) {
+  const VoxelGraph graph = graphOf(test::boxPart(7, 5, 9));
+  const std::vector<float> distance = geodesicDistance(graph, kQuiet);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    EXPECT_NEAR(distance[v], static_cast<float>(graph.cell[v][2] - 1) + 0.5f, 1e-5f);
+}
+
+TEST(CutVoxels, LossIsWhatHangsOnAVoxel) {
+  const VoxelGraph graph = graphOf(test::voxelPart(9, 3, 9, [](int i, int j, int k) {
+    // A post, a bridge one voxel thick to a ball.
+    return (i < 2 && k < 6) || (j == 1 && k == 4 && i < 6) || (i >= 6 && k >= 3 && k <= 5);
+  }));
+  const std::vector<std::uint8_t> all(graph.size(), 1);
+  const std::vector<std::int32_t> loss = lossWithout(graph, all);
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    std::vector<std::uint8_t> rest = all;
+    rest[v] = 0;
+    const Flood reached = flood(graph, rest, {}, 1.0f, kQuiet);
+    EXPECT_EQ(static_cast<std::size_t>(loss[v]), graph.size() - 1 - reached.reached) << v;
+  }
+}
+
+TEST(GridSolver, SolvesWhatItSays) {
+  const VoxelGraph graph = graphOf(test::blobPart(3));
+  std::mt19937 random(4);
+  std::vector<float> screen(graph.size()), truth(graph.size()), b(graph.size());
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    screen[v] = static_cast<float>(random() % 100) / 1000.0f;
+    truth[v] = static_cast<float>(graph.cell[v][2]) + 0.01f * static_cast<float>(random() % 100);
+  }
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    b[v] = (screen[v] + (graph.onPlatform[v] ? 2.0f : 0.0f)) * truth[v];
+    for (std::size_t s = 0; s < 6; ++s)
+      if (const std::int32_t w = graph.neighbour[v][s]; w >= 0)
+        b[v] += truth[v] - truth[static_cast<std::size_t>(w)];
+  }
+  GridSolver solver(graph);
+  solver.setScreen(screen);
+  std::vector<float> x(graph.size(), 0.0f);
+  EXPECT_LE(solver.solve(b, x, 1e-6, 40, kQuiet), 25);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    EXPECT_NEAR(x[v], truth[v], 2e-3f);
+}
+
+TEST(Platform, FitsWhatStandsOnThePlate) {
+  const voxel::SolidVoxels part = test::mushroomPart();
+  const std::vector<Eigen::Vector2d> fit = platformFit(part, 0.0);
+  double area = 0.0;
+  for (std::size_t i = 0; i < fit.size(); ++i) {
+    const Eigen::Vector2d &a = fit[i], &b = fit[(i + 1) % fit.size()];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  // Stem of radius 3 cells about a cell's centre: an octagon-like hull of a 7 x 7 plus.
+  EXPECT_GT(area, 29.0);
+  EXPECT_LE(area, 49.0);
+  EXPECT_EQ(platformRect(4.0, 2.0).size(), 4u);
+  for (const Eigen::Vector2d& p : platformDisc(10.0))
+    EXPECT_NEAR(p.norm(), 5.0, 1e-12);
+  voxel::SolidVoxels floating = test::voxelPart(3, 3, 5, [](int, int, int k) { return k > 2; });
+  EXPECT_THROW(platformFit(floating, 0.0), base::Error);
+}
+
+} // namespace
+} // namespace voluta::curved
