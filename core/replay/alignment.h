@@ -1,7 +1,7 @@
 // Which motion of a program is which point of the trajectory it was written from.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <limits>
 #include <vector>

@@ -4,14 +4,15 @@
 #include "base/parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 namespace voluta::replay {
 
 namespace {
 
-constexpr std::array<double, 2> kLines = {0.25, 0.75};
+// Lines a cell, along x and along y: few where they agree, more where a steep wall passes.
+constexpr int kFewLines = 2, kManyLines = 6;
 
 // Adds the length of [low, high] (in cells, from the column's foot) to the cells it passes.
 void addSpan(double low, double high, std::vector<float>& column) {
@@ -43,10 +44,11 @@ PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuer
     up[t] = (part.corner(t, 1) - a).cross(part.corner(t, 2) - a).z() > 0.0;
   }
 
+  // Returns how often the line crosses the part.
   const auto column = [&](double x, double y, std::vector<geometry::MeshQuery::Hit>& hits,
-                          std::vector<float>& fill) {
+                          std::vector<float>& fill) -> std::size_t {
     if (x < low.x() || x > high.x() || y < low.y() || y > high.y())
-      return;
+      return 0;
     query.hits({x, y, below}, {x, y, above}, hits);
     const auto cellsAt = [&](double t) {
       return (below + t * (above - below) - grid.origin.z()) / grid.pitch;
@@ -63,6 +65,24 @@ PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuer
       if (inside)
         addSpan(cellsAt(hits[h].t), cellsAt(hits[h + 1].t), fill);
     }
+    return hits.size();
+  };
+  // Sum over lines^2 lines of a column of cells; do all cross the part equally often?
+  const auto columnOfCells = [&](int i, std::size_t j, int lines,
+                                 std::vector<geometry::MeshQuery::Hit>& hits,
+                                 std::vector<float>& fill) {
+    std::fill(fill.begin(), fill.end(), 0.0f);
+    std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
+    for (int u = 0; u < lines; ++u)
+      for (int v = 0; v < lines; ++v) {
+        const std::size_t crossings =
+            column(grid.origin.x() + grid.pitch * (i + (u + 0.5) / lines),
+                   grid.origin.y() + grid.pitch * (static_cast<double>(j) + (v + 0.5) / lines),
+                   hits, fill);
+        least = std::min(least, crossings);
+        most = std::max(most, crossings);
+      }
+    return least == most;
   };
 
   base::parallelChunks(
@@ -71,13 +91,11 @@ PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuer
         std::vector<geometry::MeshQuery::Hit> hits;
         for (std::size_t j = begin; j < end && !ctx.cancelled(); ++j)
           for (int i = 0; i < grid.size.x(); ++i) {
-            std::fill(fill.begin(), fill.end(), 0.0f);
-            for (const double u : kLines)
-              for (const double v : kLines)
-                column(grid.origin.x() + grid.pitch * (i + u),
-                       grid.origin.y() + grid.pitch * (static_cast<double>(j) + v), hits, fill);
+            int lines = kFewLines;
+            if (!columnOfCells(i, j, lines, hits, fill))
+              columnOfCells(i, j, lines = kManyLines, hits, fill);
             for (int k = 0; k < grid.size.z(); ++k) {
-              const float f = 0.25f * fill[static_cast<std::size_t>(k)];
+              const float f = fill[static_cast<std::size_t>(k)] / static_cast<float>(lines * lines);
               if (f > 0.0f)
                 result.share[grid.index(i, static_cast<int>(j), k)] =
                     static_cast<std::uint8_t>(std::lround(255.0f * std::min(1.0f, f)));

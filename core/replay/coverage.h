@@ -5,6 +5,8 @@
 #include "geometry/triangle_mesh.h"
 #include "replay/depositor.h"
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +22,8 @@ struct PartCells {
   double volumeMm3 = 0.0;
 };
 
-// From the crossings of four vertical lines a column of cells: exact along z. Between crossings
+// From the crossings of vertical lines, four a column of cells and 36 where these cross the part
+// unequally often: exact along z. Between crossings
 // the winding decides; where it does not return to nothing (the mesh is open there), the
 // generalised winding number does. Throws Cancelled.
 PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuery& query,

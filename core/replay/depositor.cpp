@@ -201,10 +201,10 @@ private:
     }
     if (total <= 0.0)
       return left;
-    const double share = std::min(1.0, left / total);
+    const double part = std::min(1.0, left / total);
     for (std::size_t s = 0; s < count; ++s)
       if (room_[s] > 0.0)
-        left -= put(shares[s].cell, share * room_[s], placed_[s]);
+        left -= put(shares[s].cell, part * room_[s], placed_[s]);
     return left;
   }
 

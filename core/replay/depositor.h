@@ -12,7 +12,7 @@
 
 #include "voxel/voxel_grid.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

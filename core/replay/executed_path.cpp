@@ -25,7 +25,7 @@ constexpr double kRangeSlackRad = 1e-4; // likewise of joints
 constexpr double kJumpRad = 1.0;
 constexpr std::size_t kGrain = 1024;
 
-// A TCP pose in Base, or a tip and direction in the work frame.
+// A TCP pose in Base, the nozzle's in the work frame, or its tip and direction there.
 struct Target {
   Vector3d position = Vector3d::Zero();
   Quaterniond turn = Quaterniond::Identity();
@@ -58,6 +58,9 @@ public:
     path_.arm = cell_ != nullptr && n > 0;
     for (const plan::ProgramMotion& m : motions_)
       path_.arm = path_.arm && m.target != plan::TargetKind::ToolPoint;
+    inWork_ = path_.arm && std::all_of(motions_.begin(), motions_.end(), [](const auto& m) {
+                return m.target == plan::TargetKind::Joints;
+              });
     path_.dof = cell_ != nullptr ? cell_->dof() : 0;
     path_.targetTip.resize(n);
     path_.targetDirection.resize(n);
@@ -96,24 +99,25 @@ private:
     return Eigen::Map<const Eigen::VectorXd>(motion.joints.data(), cell_->dof());
   }
 
+  static Isometry3d poseOf(const Target& t) {
+    Isometry3d pose = Isometry3d::Identity();
+    pose.linear() = t.turn.toRotationMatrix();
+    pose.translation() = t.position;
+    return pose;
+  }
   void nozzleOf(const Target& t, bool toolPoint, Vector3d& tip, Vector3d& direction) const {
     if (toolPoint) {
       tip = t.position;
       direction = t.direction;
       return;
     }
-    Isometry3d base_T_tcp = Isometry3d::Identity();
-    base_T_tcp.linear() = t.turn.toRotationMatrix();
-    base_T_tcp.translation() = t.position;
-    const Isometry3d work_T_tool = cell_->work_T_toolOfFlange(base_T_tcp * tcp_T_flange_);
+    const Isometry3d work_T_tool =
+        inWork_ ? poseOf(t) : cell_->work_T_toolOfFlange(poseOf(t) * tcp_T_flange_);
     tip = work_T_tool.translation();
     direction = -work_T_tool.linear().col(2);
   }
   Isometry3d flangeOf(const Target& t) const {
-    Isometry3d base_T_tcp = Isometry3d::Identity();
-    base_T_tcp.linear() = t.turn.toRotationMatrix();
-    base_T_tcp.translation() = t.position;
-    return base_T_tcp * tcp_T_flange_;
+    return inWork_ ? cell_->base_T_flange(poseOf(t)) : poseOf(t) * tcp_T_flange_;
   }
 
   void findTargets() {
@@ -130,7 +134,8 @@ private:
           Isometry3d pose = motion.base_T_tcp;
           if (motion.target == plan::TargetKind::Joints) {
             const JointVector q = jointTarget(motion);
-            pose = cell_->robot().kinematics->flange(q) * program_.flange_T_tcp;
+            pose = inWork_ ? cell_->work_T_tool(q)
+                           : cell_->robot().kinematics->flange(q) * program_.flange_T_tcp;
           }
           t.position = pose.translation();
           t.turn = Quaterniond(pose.linear());
@@ -219,7 +224,10 @@ private:
                       static_cast<int>(std::ceil(turn / kArmStepRad))});
         for (int k = 1; k <= steps; ++k) {
           const double u = static_cast<double>(k) / steps;
-          reached = follow(m, u, q) && reached;
+          if (k == steps && motion.target == plan::TargetKind::Joints)
+            q = jointTarget(motion);
+          else
+            reached = follow(m, u, q) && reached;
           pushArm(m, u, q);
         }
       }
@@ -378,8 +386,9 @@ private:
         last = tip;
       }
     }
-    // 0.98: chords are shorter than the curve between them.
-    const double count = std::ceil(longest * kChords / (0.98 * step) - 1e-9);
+    // Chords are shorter than the curve between them.
+    const double slack = plain ? 1.0 : 0.98;
+    const double count = std::ceil(longest * kChords / (slack * step) - 1e-3);
     return static_cast<std::uint32_t>(std::clamp(count, 1.0, 20000.0));
   }
 
@@ -388,6 +397,7 @@ private:
   const robot::Cell* cell_;
   const base::RunContext& ctx_;
   Isometry3d tcp_T_flange_;
+  bool inWork_ = false; // targets are poses of the nozzle in the work frame, not of the TCP in Base
   std::vector<Target> targets_;
   std::vector<JointVector> solutions_;
   ExecutedPath path_;

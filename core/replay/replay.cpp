@@ -154,8 +154,8 @@ private:
         if (beads_.pieceExcessMm3[p] > beads_.pieceExcessMm3[worstPiece])
           worstPiece = p;
       }
-    out_.excessFraction = excess / volume;
-    out_.overfillFraction = (coverage.outsideMm3 + excess) / volume;
+    out_.excessFraction = std::max(0.0, excess / volume);
+    out_.overfillFraction = std::max(0.0, (coverage.outsideMm3 + excess) / volume);
     out_.massRatio = out_.depositedMm3 / volume;
     if (out_.coveredFraction < limits_.coveredMin)
       add("uncovered", {},

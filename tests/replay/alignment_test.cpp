@@ -1,0 +1,176 @@
+#include "replay/alignment.h"
+
+#include "base/run_context.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace voluta::replay {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Sequence {
+  std::vector<Vector3d> tip, direction;
+  operator PoseSequence() const { return {tip, direction}; }
+  void add(const Vector3d& p) {
+    tip.push_back(p);
+    direction.push_back(Vector3d::UnitZ());
+  }
+  void erase(std::size_t at, std::size_t count) {
+    const auto a = static_cast<std::ptrdiff_t>(at), n = static_cast<std::ptrdiff_t>(count);
+    tip.erase(tip.begin() + a, tip.begin() + a + n);
+    direction.erase(direction.begin() + a, direction.begin() + a + n);
+  }
+};
+
+// Rows of a zigzag: long collinear stretches, where a missing waypoint changes no geometry.
+Sequence zigzag(int rows, int columns, double step = 1.0) {
+  Sequence s;
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c)
+      s.add({step * (r % 2 ? columns - 1 - c : c), 1.1 * r, 0.0});
+  return s;
+}
+
+Alignment align(const Sequence& program, const Sequence& plan) {
+  return alignToPlan(program, plan, AlignmentOptions{}, base::RunContext());
+}
+
+TEST(Alignment, TheSameIsTheSame) {
+  const Sequence plan = zigzag(10, 40);
+  const Alignment a = align(plan, plan);
+  EXPECT_TRUE(a.deviations.empty());
+  for (std::size_t i = 0; i < a.pointOf.size(); ++i)
+    EXPECT_EQ(a.pointOf[i], i);
+}
+
+TEST(Alignment, FindsAMovedWaypoint) {
+  const Sequence plan = zigzag(10, 40);
+  for (const std::size_t at : {0u, 57u, 200u, 398u, 399u}) {
+    Sequence program = plan;
+    program.tip[at].x() += 2.0;
+    const Alignment a = align(program, plan);
+    ASSERT_EQ(a.deviations.size(), 1u) << at;
+    EXPECT_EQ(a.deviations[0].kind, DeviationKind::Moved);
+    EXPECT_EQ(a.deviations[0].motion, at);
+    EXPECT_NEAR(a.deviations[0].distanceMm, 2.0, 1e-9);
+  }
+}
+
+TEST(Alignment, FindsTenDeletedOnAStraightLine) {
+  const Sequence plan = zigzag(10, 40);
+  for (const std::size_t at : {0u, 5u, 121u, 215u, 350u}) {
+    Sequence program = plan;
+    program.erase(at, 10);
+    const Alignment a = align(program, plan);
+    ASSERT_EQ(a.deviations.size(), 1u) << at;
+    EXPECT_EQ(a.deviations[0].kind, DeviationKind::Missing);
+    EXPECT_EQ(a.deviations[0].motion, at);
+    EXPECT_EQ(a.deviations[0].point, at);
+    EXPECT_EQ(a.deviations[0].count, 10u);
+  }
+}
+
+TEST(Alignment, FindsSwappedNeighboursAndFarOnes) {
+  const Sequence plan = zigzag(10, 40);
+  for (const std::size_t apart : {1u, 2u, 7u, 60u}) {
+    Sequence program = plan;
+    std::swap(program.tip[100], program.tip[100 + apart]);
+    const Alignment a = align(program, plan);
+    ASSERT_FALSE(a.deviations.empty());
+    EXPECT_EQ(a.deviations[0].motion, 100u);
+    if (apart < 3) {
+      ASSERT_EQ(a.deviations.size(), 1u);
+      EXPECT_EQ(a.deviations[0].kind, DeviationKind::Swapped);
+      EXPECT_EQ(a.deviations[0].other, 100u + apart);
+    } else {
+      ASSERT_EQ(a.deviations.size(), 2u);
+      EXPECT_EQ(a.deviations[1].motion, 100u + apart);
+    }
+  }
+}
+
+TEST(Alignment, FindsInsertedMotions) {
+  const Sequence plan = zigzag(10, 40);
+  Sequence program = plan;
+  program.tip.insert(program.tip.begin() + 150, Vector3d(3, 3, 30));
+  program.direction.insert(program.direction.begin() + 150, Vector3d::UnitZ());
+  const Alignment a = align(program, plan);
+  ASSERT_EQ(a.deviations.size(), 1u);
+  EXPECT_EQ(a.deviations[0].kind, DeviationKind::Extra);
+  EXPECT_EQ(a.deviations[0].motion, 150u);
+}
+
+TEST(Alignment, FindsWhereAFileIsCutShort) {
+  const Sequence plan = zigzag(10, 40);
+  for (const std::size_t left : {1u, 40u, 399u}) {
+    Sequence program = plan;
+    program.erase(left, 400 - left);
+    const Alignment a = align(program, plan);
+    ASSERT_EQ(a.deviations.size(), 1u);
+    EXPECT_EQ(a.deviations[0].kind, DeviationKind::CutShort);
+    EXPECT_EQ(a.deviations[0].motion, left - 1);
+    EXPECT_EQ(a.deviations[0].count, 400 - left);
+  }
+}
+
+TEST(Alignment, SeesMissingPointsCloserThanItsTolerance) {
+  const Sequence plan = zigzag(4, 200, 0.04);
+  Sequence program = plan;
+  program.erase(90, 1);
+  const Alignment a = align(program, plan);
+  ASSERT_EQ(a.deviations.size(), 1u);
+  EXPECT_EQ(a.deviations[0].kind, DeviationKind::Missing);
+  EXPECT_EQ(a.deviations[0].motion, 90u);
+}
+
+TEST(Alignment, ALargeGapAndAnotherProgramEnd) {
+  const Sequence plan = zigzag(50, 40);
+  Sequence program = plan;
+  program.erase(500, 300);
+  Alignment a = align(program, plan);
+  ASSERT_EQ(a.deviations.size(), 1u);
+  EXPECT_EQ(a.deviations[0].count, 300u);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> u(0, 100);
+  Sequence other;
+  for (int i = 0; i < 3000; ++i)
+    other.add({u(random), u(random), u(random)});
+  a = align(other, plan);
+  EXPECT_TRUE(a.gaveUp);
+}
+
+// Rounding to four decimals and one random edit: the edit is named, nothing else is.
+TEST(Alignment, OneRandomEditIsOneDeviation) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int round = 0; round < 200; ++round) {
+    Sequence plan;
+    Vector3d p = Vector3d::Zero();
+    for (int i = 0; i < 300; ++i) {
+      p += Vector3d(1.0 + u(random) * 0.3, u(random), 0.2 * u(random));
+      plan.add(p);
+    }
+    Sequence program = plan;
+    for (Vector3d& q : program.tip)
+      q = (q * 1e4).array().round().matrix() * 1e-4;
+    const auto at = static_cast<std::size_t>(random() % 280) + 5;
+    switch (round % 3) {
+    case 0:
+      program.tip[at] += Vector3d(0, 0, 0.4);
+      break;
+    case 1:
+      program.erase(at, 3);
+      break;
+    default:
+      std::swap(program.tip[at], program.tip[at + 1]);
+    }
+    const Alignment a = align(program, plan);
+    ASSERT_EQ(a.deviations.size(), 1u) << round;
+    EXPECT_EQ(a.deviations[0].motion, at);
+  }
+}
+
+} // namespace
+} // namespace voluta::replay

@@ -1,0 +1,244 @@
+// Beads by hand: volumes, envelopes, coverage, support. No robot.
+#include "base/error.h"
+#include "base/run_context.h"
+#include "geometry/mesh_query.h"
+#include "process/bead_model.h"
+#include "replay/beads.h"
+#include "replay/coverage.h"
+#include "replay/depositor.h"
+#include "replay/printed_part.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+#include <numeric>
+#include <random>
+
+namespace voluta::replay {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+const base::RunContext kOne;
+constexpr double kPitch = 0.3;
+
+// A bead along points, cut into pieces of half a millimetre; volume by the section.
+void addBead(std::vector<BeadPiece>& pieces, const std::vector<Vector3d>& points, double width,
+             double height, double flow = 1.0, const Vector3d& up = Vector3d::UnitZ()) {
+  const std::uint32_t run = pieces.empty() ? 1 : pieces.back().run + 1;
+  double runMm = 0.0;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const Vector3d step = points[k] - points[k - 1];
+    const int cuts = std::max(1, static_cast<int>(std::ceil(step.norm() / 0.5 - 1e-9)));
+    for (int c = 0; c < cuts; ++c) {
+      BeadPiece p;
+      p.from = points[k - 1] + step * c / cuts;
+      p.to = points[k - 1] + step * (c + 1) / cuts;
+      p.fromDirection = p.toDirection = up;
+      p.fromHeightMm = p.toHeightMm = static_cast<float>(height);
+      p.volumeMm3 =
+          static_cast<float>(flow * process::beadArea(width, height) * step.norm() / cuts);
+      p.runMm = static_cast<float>(runMm += step.norm() / cuts);
+      p.run = run;
+      p.motion = static_cast<std::uint32_t>(pieces.size());
+      pieces.push_back(p);
+    }
+  }
+}
+
+BeadGrid lay(const std::vector<BeadPiece>& pieces, const Vector3d& low, const Vector3d& high,
+             const base::RunContext& ctx = kOne) {
+  return depositBeads(gridOver(low, high, kPitch, 50'000'000), pieces, DepositOptions{}, ctx);
+}
+
+double filled(const BeadGrid& beads) {
+  return std::accumulate(beads.fill.begin(), beads.fill.end(), 0.0) * std::pow(beads.grid.pitch, 3);
+}
+
+TEST(Depositor, AStraightWallHasItsHandCalculatedVolume) {
+  std::vector<BeadPiece> pieces;
+  for (int k = 1; k <= 10; ++k)
+    addBead(pieces, {{0.13, 0.07, 0.8 * k}, {50.13, 0.07, 0.8 * k}}, 1.2, 0.8);
+  const BeadGrid beads = lay(pieces, {-3, -3, -1}, {54, 3, 10});
+  const double byHand = 10 * 50.0 * (1.2 * 0.8 - (1 - pi / 4) * 0.64);
+  EXPECT_NEAR(filled(beads), byHand, 0.01 * byHand);
+  EXPECT_NEAR(beads.excessMm3, 0.0, 0.001 * byHand);
+  // In its envelope, but for cells that reach out of it.
+  double outside = 0.0;
+  for (std::size_t c = 0; c < beads.fill.size(); ++c) {
+    const Eigen::Vector3i i = beads.grid.cell(c);
+    const Vector3d p = beads.grid.centre(i.x(), i.y(), i.z());
+    if (std::abs(p.y() - 0.07) > 0.6 + 0.16 || p.z() < -0.16 || p.z() > 8.16 || p.x() < -0.05 ||
+        p.x() > 50.3)
+      outside += beads.fill[c];
+  }
+  EXPECT_LT(outside * std::pow(kPitch, 3), 0.002 * byHand);
+}
+
+TEST(Depositor, ACylinderOfTwentyRings) {
+  std::vector<BeadPiece> pieces;
+  const double radius = 15.0;
+  for (int k = 1; k <= 20; ++k) {
+    std::vector<Vector3d> ring;
+    for (int a = 0; a <= 360; a += 2)
+      ring.emplace_back(radius * std::cos(a * pi / 180), radius * std::sin(a * pi / 180), 0.8 * k);
+    addBead(pieces, ring, 1.4, 0.8);
+  }
+  const BeadGrid beads = lay(pieces, {-18, -18, -1}, {18, 18, 18});
+  const double byHand = 20 * 2 * pi * radius * process::beadArea(1.4, 0.8);
+  EXPECT_NEAR(filled(beads), byHand, 0.01 * byHand);
+  EXPECT_LT(beads.excessMm3, 0.002 * byHand);
+}
+
+// Lines at the hatch that the bead model gives fill a box without gaps.
+std::vector<BeadPiece> solidBox(double side, int lines, int layers, double height,
+                                double flow = 1.0, int leaveOutLine = -1) {
+  std::vector<BeadPiece> pieces;
+  const double hatch = side / lines, width = process::widthOfHatch(hatch, height);
+  for (int k = 0; k < layers; ++k)
+    for (int l = 0; l < lines; ++l) {
+      if (l == leaveOutLine)
+        continue;
+      const double y = (l + 0.5) * hatch, z = (k + 1) * height;
+      const bool back = l % 2 != 0;
+      addBead(pieces, {{back ? side : 0, y, z}, {back ? 0 : side, y, z}}, width, height, flow);
+    }
+  return pieces;
+}
+
+struct Judged {
+  double covered, mass, overfill, excess;
+};
+Judged judge(const std::vector<BeadPiece>& pieces, const geometry::TriangleMesh& part,
+             const Vector3d& low, const Vector3d& high) {
+  const BeadGrid beads = lay(pieces, low, high);
+  const geometry::MeshQuery query(part);
+  const PartCells cells = partCells(part, query, beads.grid, kOne);
+  const Coverage c = measureCoverage(beads, cells, query, 0.3, kOne);
+  return {c.coveredFraction, beads.laidMm3 / cells.volumeMm3, c.outsideMm3 / cells.volumeMm3,
+          beads.excessMm3 / cells.volumeMm3};
+}
+
+TEST(Coverage, ASolidBoxIsCovered) {
+  const auto part = test::box({0, 0, 0}, {20, 20, 8});
+  const Judged j = judge(solidBox(20, 19, 10, 0.8), part, {-2.1, -2.2, -1}, {22, 22, 10});
+  EXPECT_GE(j.covered, 0.985);
+  EXPECT_NEAR(j.mass, 1.0, 0.003);
+  EXPECT_LT(j.overfill, 0.002);
+  EXPECT_LT(j.excess, 0.005);
+}
+
+TEST(Coverage, AMissingStripIsMissed) {
+  const auto part = test::box({0, 0, 0}, {20, 20, 8});
+  const Judged whole = judge(solidBox(20, 19, 10, 0.8), part, {-2, -2, -1}, {22, 22, 10});
+  const Judged gap = judge(solidBox(20, 19, 10, 0.8, 1.0, 9), part, {-2, -2, -1}, {22, 22, 10});
+  EXPECT_NEAR(whole.covered - gap.covered, 1.0 / 19, 0.01);
+  EXPECT_NEAR(whole.mass - gap.mass, 1.0 / 19, 0.001);
+}
+
+TEST(Coverage, TooMuchFlowIsExcessOrOutside) {
+  const auto part = test::box({0, 0, 0}, {20, 20, 8});
+  const Judged j = judge(solidBox(20, 19, 10, 0.8, 1.3), part, {-3, -3, -1}, {23, 23, 12});
+  EXPECT_NEAR(j.mass, 1.3, 0.01);
+  EXPECT_GT(j.overfill + j.excess, 0.2);
+}
+
+TEST(Coverage, PartCellsHoldThePartsVolume) {
+  const auto ball = test::sphere({0.1, 0.2, 10}, 10, 32);
+  const geometry::MeshQuery query(ball);
+  const auto grid = gridOver({-12, -12, -1}, {12, 12, 22}, kPitch, 50'000'000);
+  const PartCells cells = partCells(ball, query, grid, kOne);
+  double volume = 0.0;
+  for (std::size_t t = 0; t < ball.triangles.size(); ++t)
+    volume += ball.corner(t, 0).dot(ball.corner(t, 1).cross(ball.corner(t, 2))) / 6.0;
+  EXPECT_NEAR(cells.volumeMm3, volume, 0.002 * volume);
+}
+
+TEST(Depositor, MaterialIsNeverLost) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> u(0, 1);
+  std::vector<BeadPiece> pieces;
+  for (int k = 0; k < 120; ++k) {
+    const Vector3d a(12 * u(random), 12 * u(random), 1 + 4 * u(random));
+    const Vector3d b = a + 6.0 * Vector3d(u(random) - 0.5, u(random) - 0.5, 0.3 * u(random));
+    const Vector3d up = Vector3d(u(random) - 0.5, u(random) - 0.5, 1).normalized();
+    addBead(pieces, {a, b}, 1.0 + u(random), 0.4 + 0.6 * u(random), 0.2 + 2 * u(random), up);
+  }
+  const BeadGrid beads = lay(pieces, {-3, -3, -2}, {15, 15, 9});
+  EXPECT_GT(beads.excessMm3, 0.0);
+  EXPECT_NEAR((filled(beads) + beads.excessMm3) / beads.laidMm3, 1.0, 1e-6);
+  for (const float f : beads.fill) {
+    EXPECT_GE(f, 0.0f);
+    EXPECT_LE(f, 1.0f);
+  }
+  const BeadGrid again = lay(pieces, {-3, -3, -2}, {15, 15, 9}, base::RunContext({}, 2));
+  EXPECT_EQ(beads.fill, again.fill);
+  EXPECT_EQ(beads.filledBy, again.filledBy);
+  EXPECT_EQ(beads.excessMm3, again.excessMm3);
+}
+
+TEST(Depositor, BeadsOnTopOfEachOtherAreExcess) {
+  std::vector<BeadPiece> pieces;
+  addBead(pieces, {{0, 0, 0.8}, {20, 0, 0.8}}, 1.2, 0.8);
+  addBead(pieces, {{0, 0, 0.8}, {20, 0, 0.8}}, 1.2, 0.8);
+  const BeadGrid beads = lay(pieces, {-3, -3, -1}, {23, 3, 3});
+  // Room for it: the corners of the rectangle and a quarter of a width to either side.
+  const double area = process::beadArea(1.2, 0.8), room = 1.5 * 1.2 * 0.8 - area;
+  EXPECT_NEAR(beads.excessMm3, 20 * (area - room), 0.15 * 20 * area);
+}
+
+TEST(Depositor, StopsWhenCancelled) {
+  base::CancelToken cancel;
+  cancel.cancel();
+  EXPECT_THROW(
+      lay(solidBox(20, 19, 1, 0.8), {-2, -2, -1}, {22, 22, 3}, base::RunContext(cancel, 2)),
+      base::Cancelled);
+}
+
+double unsupported(const std::vector<BeadPiece>& pieces, double slackZ = 0.0) {
+  const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20 + slackZ});
+  const PrintedPart printed(beads, pieces);
+  const PlatformTop platform{{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}}};
+  const SupportedBeads s = findSupport(pieces, printed, platform, kOne);
+  return s.unsupportedMm / s.lengthMm;
+}
+
+TEST(Support, AWallStandsAndOneInMidAirDoesNot) {
+  std::vector<BeadPiece> wall, air;
+  for (int k = 1; k <= 8; ++k)
+    addBead(wall, {{0, 5, 0.8 * k}, {30, 5, 0.8 * k}}, 1.2, 0.8);
+  EXPECT_EQ(unsupported(wall), 0.0);
+  addBead(air, {{0, 5, 6.0}, {30, 5, 6.0}}, 1.2, 0.8);
+  EXPECT_EQ(unsupported(air), 1.0);
+}
+
+TEST(Support, ANeighbourInTheSameLayerIsNone) {
+  std::vector<BeadPiece> pieces;
+  addBead(pieces, {{0, 5, 6.0}, {30, 5, 6.0}}, 1.2, 0.8);
+  addBead(pieces,
+          {{0, 5 + process::hatchOf(1.2, 0.8), 6.0}, {30, 5 + process::hatchOf(1.2, 0.8), 6.0}},
+          1.2, 0.8);
+  EXPECT_GT(unsupported(pieces), 0.95);
+}
+
+TEST(Support, LeansByHalfAWidthAndOverhangsNoMore) {
+  std::vector<BeadPiece> lean, over;
+  for (int k = 1; k <= 10; ++k) {
+    addBead(lean, {{0, 5 + 0.5 * k, 0.8 * k}, {30, 5 + 0.5 * k, 0.8 * k}}, 1.2, 0.8);
+    addBead(over, {{0, 5 + 2.0 * k, 0.8 * k}, {30, 5 + 2.0 * k, 0.8 * k}}, 1.2, 0.8);
+  }
+  EXPECT_LT(unsupported(lean), 0.01);
+  EXPECT_NEAR(unsupported(over), 0.9, 0.01);
+}
+
+TEST(Support, ALongBridgeCountsByItsShare) {
+  std::vector<BeadPiece> pieces;
+  for (int k = 1; k <= 3; ++k)
+    for (const double x : {0.0, 20.0})
+      addBead(pieces, {{x, 5, 0.8 * k}, {x + 10, 5, 0.8 * k}}, 1.2, 0.8);
+  addBead(pieces, {{0, 5, 3.2}, {30, 5, 3.2}}, 1.2, 0.8);
+  EXPECT_NEAR(unsupported(pieces), 10.0 / 90.0, 0.02);
+}
+
+} // namespace
+} // namespace voluta::replay

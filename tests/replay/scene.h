@@ -1,0 +1,176 @@
+// A small print by hand: tool-paths, and a trajectory of the ur5-fixed cell along them.
+#pragma once
+
+#include "base/error.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "process/bead_model.h"
+#include "replay/distances.h"
+#include "robot/cell.h"
+#include "support/shapes.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+namespace voluta::test {
+
+struct Scene {
+  process::Process process;
+  robot::Cell cell;
+  geometry::TriangleMesh part;
+  plan::ToolPlan plan;
+  plan::Trajectory trajectory;
+};
+
+inline void usesSourceTreeResources() {
+  setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
+}
+
+// A bead of waypoints a millimetre apart between the corners.
+inline void addPath(plan::ToolPlan& plan, const std::vector<Eigen::Vector3d>& corners, double width,
+                    double height, double speed, int layer) {
+  plan::ToolPath path;
+  path.first = plan.position.size();
+  path.layer = layer;
+  const auto add = [&](const Eigen::Vector3d& p) {
+    plan.position.push_back(p);
+    plan.direction.push_back(Eigen::Vector3d::UnitZ());
+    plan.widthMm.push_back(static_cast<float>(width));
+    plan.heightMm.push_back(static_cast<float>(height));
+    plan.speedMmPerS.push_back(static_cast<float>(speed));
+  };
+  add(corners.front());
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    const Eigen::Vector3d step = corners[k] - corners[k - 1];
+    const int n = std::max(1, static_cast<int>(std::lround(step.norm())));
+    for (int i = 1; i <= n; ++i)
+      add(corners[k - 1] + step * i / n);
+  }
+  path.count = plan.position.size() - path.first;
+  plan.paths.push_back(path);
+}
+
+// A box of 100 % infill, centred over the plate: zigzags, alternating between x and y.
+inline plan::ToolPlan boxPlan(double side, int lines, int layers, const process::Process& p,
+                              double z0 = 0.0) {
+  plan::ToolPlan plan;
+  const double hatch = side / lines, h = p.layerHeightMm, w = process::widthOfHatch(hatch, h);
+  for (int k = 0; k < layers; ++k)
+    for (int l = 0; l < lines; ++l) {
+      const double across = (l + 0.5) * hatch - 0.5 * side;
+      const double from = l % 2 ? 0.5 * side : -0.5 * side, z = z0 + (k + 1) * h;
+      std::vector<Eigen::Vector3d> ends = {{from, across, z}, {-from, across, z}};
+      if (k % 2)
+        for (Eigen::Vector3d& e : ends)
+          std::swap(e.x(), e.y());
+      addPath(plan, ends, w, h, p.speedMmPerS, k);
+    }
+  return plan;
+}
+
+// Least distance of the bodies that are not to meet; only chooses where a walk begins.
+inline double clearance(const robot::Cell& cell, const robot::JointVector& q) {
+  std::vector<Eigen::Isometry3d> frames;
+  cell.framePoses(q, frames);
+  double least = 1e9;
+  for (const auto& [a, b] : cell.checkedPairs()) {
+    const robot::Body &x = cell.bodies()[static_cast<std::size_t>(a)],
+                      &y = cell.bodies()[static_cast<std::size_t>(b)];
+    const bool nozzleOnPlate = x.role == robot::BodyRole::Head || y.role == robot::BodyRole::Head;
+    for (const robot::Shape& s : x.shapes)
+      for (const robot::Shape& t : y.shapes)
+        if (!nozzleOnPlate)
+          least = std::min(least,
+                           replay::distanceBetween(s, frames[static_cast<std::size_t>(x.frame)], t,
+                                                   frames[static_cast<std::size_t>(y.frame)]));
+  }
+  return least;
+}
+
+// Walks the paths with a fixed turn about the nozzle, the one with most clearance at the start;
+// between them up, over and down, straight.
+inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell,
+                             const process::Process& process, double liftMm = 3.0) {
+  plan::Trajectory t;
+  t.dof = cell.dof();
+  robot::JointVector q = cell.home();
+  std::vector<robot::JointVector> solutions;
+  double time = 0.0, extruded = 0.0;
+  Eigen::Vector3d last = Eigen::Vector3d::Zero();
+  const auto poseAt = [](const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
+                         double turn) {
+    Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
+    const Eigen::Vector3d x = (Eigen::Vector3d::UnitX() - direction.x() * direction).normalized();
+    work_T_tool.linear() << x, (-direction).cross(x), -direction;
+    work_T_tool.translation() = tip;
+    work_T_tool.rotate(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
+    return work_T_tool;
+  };
+  double turn = 0.0, best = -1.0;
+  for (int k = 0; k < 12; ++k) {
+    solutions.clear();
+    cell.inverse(poseAt(plan.position.front(), plan.direction.front(), k * 0.5235987755982988),
+                 cell.home(), solutions);
+    for (const robot::JointVector& s : solutions)
+      if (const double c = clearance(cell, s); c > best) {
+        best = c;
+        turn = k * 0.5235987755982988;
+        q = robot::JointVector(s);
+      }
+  }
+  const auto put = [&](plan::MoveKind move, const Eigen::Vector3d& tip,
+                       const Eigen::Vector3d& direction, std::size_t waypoint, double speed) {
+    solutions.clear();
+    cell.inverse(poseAt(tip, direction, turn), q, solutions);
+    base::require(!solutions.empty(), "scene: in reach");
+    const bool first = t.timeS.empty();
+    const robot::JointVector* nearest = &solutions.front();
+    for (const auto& s : solutions)
+      if ((s - q).squaredNorm() < (*nearest - q).squaredNorm())
+        nearest = &s;
+    q = robot::JointVector(*nearest);
+    if (!first)
+      time += (tip - last).norm() / speed;
+    last = tip;
+    t.joints.insert(t.joints.end(), q.data(), q.data() + q.size());
+    t.timeS.push_back(time);
+    t.move.push_back(move);
+    t.waypoint.push_back(waypoint);
+    t.extrudedMm3.push_back(extruded);
+  };
+  for (const plan::ToolPath& path : plan.paths) {
+    const std::size_t a = path.first, b = path.first + path.count - 1;
+    const bool start = t.timeS.empty();
+    put(start ? plan::MoveKind::Joint : plan::MoveKind::Linear,
+        plan.position[a] + liftMm * plan.direction[a], plan.direction[a], plan::kNoWaypoint,
+        process.travelSpeedMmPerS);
+    put(plan::MoveKind::Linear, plan.position[a], plan.direction[a], a, process.travelSpeedMmPerS);
+    for (std::size_t w = a + 1; w <= b; ++w) {
+      extruded += (plan.position[w] - plan.position[w - 1]).norm() *
+                  process::beadArea(plan.widthMm[w], plan.heightMm[w]);
+      put(plan::MoveKind::Print, plan.position[w], plan.direction[w], w, plan.speedMmPerS[w]);
+    }
+    put(plan::MoveKind::Linear, plan.position[b] + liftMm * plan.direction[b], plan.direction[b],
+        plan::kNoWaypoint, process.travelSpeedMmPerS);
+  }
+  return t;
+}
+
+inline std::vector<Eigen::Vector2d> squarePlatform(double side) {
+  const double a = 0.5 * side;
+  return {{-a, -a}, {a, -a}, {a, a}, {-a, a}};
+}
+
+// A solid box of 12 x 12 x (0.8 x layers) mm, printed.
+inline Scene boxScene(int layers = 4) {
+  usesSourceTreeResources();
+  process::Process p = process::loadProcess("fdm-1.0");
+  robot::Cell cell = robot::loadCell("ur5-fixed", p, squarePlatform(12.0));
+  plan::ToolPlan plan = boxPlan(12.0, 11, layers, p);
+  plan::Trajectory t = walk(plan, cell, p);
+  return {p, cell, box({-6, -6, 0}, {6, 6, layers * p.layerHeightMm}), std::move(plan),
+          std::move(t)};
+}
+
+} // namespace voluta::test
