@@ -49,22 +49,24 @@ std::uint32_t connectedGroup(std::uint32_t mask) {
   return group;
 }
 
-// Levels from ranks: two rounds of averaging over face neighbours take the steps out.
+// Levels from ranks: a few rounds of averaging over pairs of opposite neighbours take the steps out
+// and leave what is even as it is, at the rim too.
 void smoothRanks(std::vector<double>& value, const std::vector<int>& printed,
                  const std::vector<std::uint8_t>& isPrinted, const std::array<int, 27>& neighbour,
                  const base::RunContext& ctx) {
-  constexpr std::array<int, 6> faces = {4, 10, 12, 14, 16, 22};
+  constexpr std::array<std::size_t, 3> ahead = {14, 16, 22};
   std::vector<double> next(value);
   for (int round = 0; round < 4; ++round) {
     base::parallelChunks(ctx, printed.size(), kGrain, [&](std::size_t b, std::size_t e) {
       for (std::size_t p = b; p < e; ++p) {
         const int v = printed[p];
         double sum = 2.0 * value[static_cast<std::size_t>(v)], weight = 2.0;
-        for (int f : faces) {
-          const auto u = static_cast<std::size_t>(v + neighbour[static_cast<std::size_t>(f)]);
-          if (isPrinted[u]) {
-            sum += value[u];
-            weight += 1.0;
+        for (std::size_t f : ahead) {
+          const auto u = static_cast<std::size_t>(v + neighbour[f]);
+          const auto w = static_cast<std::size_t>(v - neighbour[f]);
+          if (isPrinted[u] && isPrinted[w]) {
+            sum += value[u] + value[w];
+            weight += 2.0;
           }
         }
         next[static_cast<std::size_t>(v)] = sum / weight;

@@ -16,6 +16,7 @@ constexpr int kRounds = 8;
 // Shape of a triangle: 4 sqrt(3) area / sum of squared sides, 1 when equilateral. What is better
 // than this needs no help; a collapse may leave nothing worse unless it was worse before.
 constexpr double kGoodShape = 0.4, kFairShape = 0.15;
+constexpr double kWeldMm = 1e-3; // shorter edges go whatever shape that leaves
 constexpr double kTurned = 0.3;  // cosine: a triangle may not turn further in a collapse
 constexpr double kCrease = 0.85; // cosine: edges sharper than this are not flipped
 
@@ -244,7 +245,8 @@ private:
       turned |= after.dot(before) < kTurned * after.norm() * before.norm() || after.norm() < 1e-12;
       worst = std::min(worst, shapeOf(p[0], p[1], p[2]));
     });
-    if (turned || edgeTriangles != (boundaryEdge ? 1 : 2))
+    const bool weld = (point(u) - point(v)).norm() < kWeldMm;
+    if ((turned && !weld) || edgeTriangles != (boundaryEdge ? 1 : 2))
       return -1.0;
     std::sort(mine_.begin(), mine_.end());
     mine_.erase(std::unique(mine_.begin(), mine_.end()), mine_.end());
@@ -252,7 +254,7 @@ private:
       shared += std::binary_search(neighbours_.begin(), neighbours_.end(), w) ? 1 : 0;
     if (shared != edgeTriangles)
       return -1.0;
-    if (worst < kFairShape && worst < worstBefore)
+    if (!weld && worst < kFairShape && worst < worstBefore)
       return -1.0;
     return worst;
   }

@@ -1,0 +1,169 @@
+// layer_report [--pitch MM] [--threads N] [--scale F] [--vtp FILE] STL... Layers of real parts and
+// what an outside view finds of them: volume, boundaries, support, triangles, coverage by sampling.
+#include "base/stopwatch.h"
+#include "curved/curved_layers.h"
+#include "curved/decompose.h"
+#include "curved/platform.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_reader.h"
+#include "layers/vtp_writer.h"
+#include "voxel/solid_voxels.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <string>
+
+using namespace voluta;
+
+namespace {
+
+geometry::TriangleMesh placed(geometry::TriangleMesh mesh, double scale) {
+  for (auto& v : mesh.vertices)
+    v *= scale;
+  const Eigen::AlignedBox3d box = geometry::bounds(mesh);
+  const Eigen::Vector3d shift(-box.center().x(), -box.center().y(), -box.min().z());
+  for (auto& v : mesh.vertices)
+    v += shift;
+  return mesh;
+}
+
+// Share of points, drawn evenly inside the part, that lie within half a thickness of a layer.
+void sampleCoverage(const layers::LayerStack& stack, const geometry::MeshQuery& part,
+                    const Eigen::AlignedBox3d& box) {
+  geometry::TriangleMesh all;
+  std::vector<double> thickness;
+  std::vector<int> layer;
+  for (const auto& p : stack.patches) {
+    const int base = static_cast<int>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), p.surface.vertices.begin(), p.surface.vertices.end());
+    thickness.insert(thickness.end(), p.thicknessMm.begin(), p.thicknessMm.end());
+    for (const auto& t : p.surface.triangles) {
+      all.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+      layer.push_back(p.layer);
+    }
+  }
+  const geometry::MeshQuery query(all);
+  std::mt19937 random(7);
+  int inside = 0, covered = 0, missedNearSurface = 0;
+  for (int n = 0; n < 30000; ++n) {
+    Eigen::Vector3d p;
+    for (int axis = 0; axis < 3; ++axis)
+      p[axis] = std::uniform_real_distribution<double>(box.min()[axis], box.max()[axis])(random);
+    if (!part.inside(p))
+      continue;
+    ++inside;
+    const auto found = query.closest(p, 3.0);
+    double half = 0.0;
+    if (found.triangle >= 0) {
+      const auto& t = all.triangles[static_cast<std::size_t>(found.triangle)];
+      for (int v : t)
+        half += thickness[static_cast<std::size_t>(v)] / 6.0;
+    }
+    if (found.triangle >= 0 && found.distance <= 1.03 * half + 0.01)
+      ++covered;
+    else if (part.closest(p).distance < 0.8)
+      ++missedNearSurface;
+  }
+  std::printf("  points within a layer %.4f of %d; of the rest %.2f within 0.8 mm of the surface\n",
+              static_cast<double>(covered) / inside, inside,
+              inside > covered ? static_cast<double>(missedNearSurface) / (inside - covered) : 0.0);
+}
+
+void triangleQuality(const layers::LayerStack& stack) {
+  std::size_t triangles = 0, below5 = 0, below15 = 0;
+  double shortest = 1e9;
+  for (const auto& p : stack.patches)
+    for (std::size_t t = 0; t < p.surface.triangles.size(); ++t) {
+      double least = 180.0;
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d a = p.surface.corner(t, (k + 1) % 3) - p.surface.corner(t, k),
+                              b = p.surface.corner(t, (k + 2) % 3) - p.surface.corner(t, k);
+        least = std::min(least, std::atan2(a.cross(b).norm(), a.dot(b)) * 57.29578);
+        shortest = std::min(shortest, a.norm());
+      }
+      ++triangles;
+      below5 += least < 5.0;
+      below15 += least < 15.0;
+    }
+  std::printf("  %zu triangles; least angle below 5: %.4f, below 15: %.4f; shortest edge %.5f\n",
+              triangles, static_cast<double>(below5) / static_cast<double>(triangles),
+              static_cast<double>(below15) / static_cast<double>(triangles), shortest);
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+  double pitch = 0.8, scale = 1.0;
+  int threads = 2;
+  std::string vtp;
+  curved::CurvedOptions growth;
+  std::vector<std::string> files;
+  for (int i = 1; i < argc; ++i) {
+    const std::string a = argv[i];
+    const auto next = [&] { return i + 1 < argc ? std::string(argv[++i]) : std::string(); };
+    if (a == "--pitch")
+      pitch = std::stod(next());
+    else if (a == "--scale")
+      scale = std::stod(next());
+    else if (a == "--threads")
+      threads = std::stoi(next());
+    else if (a == "--growth")
+      growth.growth = next();
+    else if (a == "--rounds")
+      growth.rounds = std::stoi(next());
+    else if (a == "--vtp")
+      vtp = next();
+    else
+      files.push_back(a);
+  }
+  const base::RunContext ctx({}, threads);
+  for (const std::string& file : files) {
+    const geometry::TriangleMesh part = placed(geometry::readMesh(file).mesh, scale);
+    base::Stopwatch clock;
+    const auto solid = voxel::solidVoxels(part, pitch, ctx);
+    const auto d = curved::decompose(solid, curved::platformFit(solid, 0.0), growth, ctx);
+    const double grown = clock.seconds();
+    const auto r = curved::curvedLayers(d, part, {}, ctx);
+    const auto& s = r.statistics;
+    const double volume = geometry::volume(part);
+    std::printf("%s: %zu voxels, missed %zu, decompose %.1f s, extract %.2f s, trim %.2f s\n",
+                file.c_str(), d.voxels, d.missedVoxels, grown, r.seconds.extract, r.seconds.trim);
+    std::printf(
+        "  area x thickness / volume %.4f (%.0f mm3), spacing %.4f, %d layers, %zu patches, "
+        "area %.0f mm2\n",
+        r.volumeMm3 / volume, volume, r.spacingMm, s.count, s.patches, s.areaMm2);
+    std::printf("  thickness %.3f +- %.3f, P01 %.3f, P99 %.3f, within limits %.4f\n",
+                s.thicknessMeanMm, s.thicknessStdMm, s.thicknessP01Mm, s.thicknessP99Mm,
+                s.withinLimitsFraction);
+    std::printf("  dropped %zu pieces, %.1f mm3 (%.4f); unsupported patches %zu\n", r.droppedPieces,
+                r.droppedVolumeMm3, r.droppedVolumeMm3 / volume, r.unsupportedPatches);
+    const geometry::MeshQuery query(part);
+    const auto boundary = layers::checkBoundaries(r.stack, query, 1e-3, ctx);
+    std::size_t notSimple = 0, off = 0;
+    for (const auto& b : boundary) {
+      notSimple += !b.simple;
+      off += b.farthestMm > 1e-3;
+    }
+    std::printf("  boundary farthest %.5f mm, patches off %zu, not simple %zu\n",
+                r.boundaryFarthestMm, off, notSimple);
+    double below = 0.0;
+    for (const auto& c : layers::checkSupport(r.stack, 1.25, ctx))
+      below = std::max(below, 1.0 - c.supportedFraction);
+    std::printf("  worst patch: %.2f of it unsupported\n", below);
+    triangleQuality(r.stack);
+    sampleCoverage(r.stack, query, geometry::bounds(part));
+    for (const auto& f : r.findings)
+      std::printf("  %s: %s at %.1f %.1f %.1f\n", f.kind.c_str(), f.reason.c_str(), f.where->x(),
+                  f.where->y(), f.where->z());
+    std::fflush(stdout);
+    if (!vtp.empty())
+      std::ofstream(vtp, std::ios::binary) << layers::writeLayersVtp(r.stack);
+  }
+  return 0;
+} catch (const std::exception& e) {
+  std::cerr << e.what() << '\n';
+  return 1;
+}

@@ -1,0 +1,226 @@
+// Trimming, cleaning, pieces and order on surfaces made by hand.
+#include "base/run_context.h"
+#include "geometry/measures.h"
+#include "layers/clean_surface.h"
+#include "layers/layer_checks.h"
+#include "layers/order.h"
+#include "layers/patches.h"
+#include "layers/polygon_fill.h"
+#include "layers/trim.h"
+#include "layers/vtp_writer.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace voluta::layers {
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+// A flat grid of triangles at height z over [-half, half]^2.
+LevelSurface flatGrid(double half, double step, double z) {
+  LevelSurface s;
+  const int n = static_cast<int>(std::ceil(2 * half / step));
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      s.surface.vertices.emplace_back(-half + i * step, -half + j * step, z);
+      s.thicknessMm.push_back(0.8);
+      s.direction.push_back(Vector3d::UnitZ());
+      s.clearDirection.push_back(Vector3d::UnitZ());
+    }
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = i + (n + 1) * j, b = a + 1, c = a + n + 1, d = c + 1;
+      s.surface.triangles.push_back({a, b, d});
+      s.surface.triangles.push_back({a, d, c});
+    }
+  return s;
+}
+
+geometry::TriangleMesh turned(geometry::TriangleMesh m, double angle) {
+  const Eigen::Matrix3d r = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+  for (auto& v : m.vertices)
+    v = r * v;
+  return m;
+}
+
+TEST(TrimToPart, CutsABoxAtAnyAngleWithItsCorners) {
+  for (double angle : {0.0, 0.1, 0.5, 0.785}) {
+    const auto part = turned(test::box({-7.3, -4.1, -5}, {7.3, 4.1, 5}), angle);
+    const PartBoundary boundary(part, 0.8, {});
+    LevelSurface s = trimToPart(flatGrid(10, 0.7, 0.2), boundary, {}, {});
+    EXPECT_NEAR(geometry::area(s.surface), 14.6 * 8.2, 0.03) << angle;
+    cleanSurface(s, {}, {});
+    EXPECT_NEAR(geometry::area(s.surface), 14.6 * 8.2, 0.05) << angle;
+    LayerStack stack;
+    for (auto& p : makePatches(s, {}).patches)
+      stack.patches.push_back(p);
+    ASSERT_EQ(stack.patches.size(), 1u);
+    const auto check = checkBoundaries(stack, boundary.query(), 1e-3, {});
+    EXPECT_LT(check[0].farthestMm, 1e-4);
+    EXPECT_TRUE(check[0].simple);
+  }
+}
+
+TEST(TrimToPart, FollowsFacesThatLieInTheGridsOwnPlanes) {
+  // The part's walls run along rows of vertices, where every test is a tie.
+  const auto part = test::box({-7, -4.2, -5}, {7, 4.2, 5});
+  const PartBoundary boundary(part, 0.8, {});
+  const LevelSurface s = trimToPart(flatGrid(9.8, 0.7, 0.2), boundary, {}, {});
+  EXPECT_NEAR(geometry::area(s.surface), 14.0 * 8.4, 0.01);
+}
+
+TEST(TrimToPart, KeepsSlotsAndWallsThinnerThanATriangle) {
+  geometry::TriangleMesh part = test::box({-8, -8, -5}, {-0.15, 8, 5});
+  const geometry::TriangleMesh right = test::box({0.15, -8, -5}, {0.45, 8, 5});
+  const int base = static_cast<int>(part.vertices.size());
+  part.vertices.insert(part.vertices.end(), right.vertices.begin(), right.vertices.end());
+  for (const auto& t : right.triangles)
+    part.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+  const PartBoundary boundary(part, 0.8, {});
+  const LevelSurface s = trimToPart(flatGrid(10, 0.83, 0.1), boundary, {}, {});
+  EXPECT_NEAR(geometry::area(s.surface), (7.85 + 0.3) * 16, 0.3);
+}
+
+TEST(TrimToPart, LeavesHolesAndCavitiesEmpty) {
+  geometry::TriangleMesh part = test::sphere({0, 0, 0}, 9, 48);
+  geometry::TriangleMesh hole = test::sphere({1, 0, 0}, 4, 48);
+  for (auto& t : hole.triangles)
+    std::swap(t[0], t[1]);
+  const int base = static_cast<int>(part.vertices.size());
+  part.vertices.insert(part.vertices.end(), hole.vertices.begin(), hole.vertices.end());
+  for (const auto& t : hole.triangles)
+    part.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+  const PartBoundary boundary(part, 0.8, {});
+  const LevelSurface s = trimToPart(flatGrid(11, 0.7, 0.03), boundary, {}, {});
+  EXPECT_NEAR(geometry::area(s.surface) / (std::numbers::pi * (81 - 16)), 1.0, 0.004);
+}
+
+TEST(TrimToPart, NothingIsLeftOutside) {
+  const auto part = test::box({-1, -1, 10}, {1, 1, 12});
+  const PartBoundary boundary(part, 0.8, {});
+  EXPECT_TRUE(trimToPart(flatGrid(5, 0.7, 0.0), boundary, {}, {}).surface.empty());
+}
+
+TEST(FillPolygon, AreaIsKeptOnRandomStars) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> radius(0.3, 2.0);
+  for (int round = 0; round < 200; ++round) {
+    const int n = 3 + round % 10;
+    std::vector<Vector2d> star;
+    double area = 0.0;
+    for (int i = 0; i < n; ++i) {
+      const double a = 2 * std::numbers::pi * i / n;
+      star.push_back(radius(random) * Vector2d(std::cos(a), std::sin(a)));
+    }
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      const Vector2d &p = star[i], &q = star[(i + 1) % star.size()];
+      area += 0.5 * (p.x() * q.y() - p.y() * q.x());
+    }
+    double filled = 0.0;
+    for (const auto& t : fillPolygon(star)) {
+      const auto at = [&](int k) {
+        return star[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+      };
+      const Vector2d u = at(1) - at(0), v = at(2) - at(0);
+      const double a = 0.5 * (u.x() * v.y() - u.y() * v.x());
+      EXPECT_GE(a, -1e-12);
+      filled += a;
+    }
+    EXPECT_NEAR(filled, area, 1e-9);
+  }
+}
+
+TEST(MakePatches, DropsWhatIsTooSmallAndCountsIt) {
+  LevelSurface s = flatGrid(5, 0.5, 1.0);
+  const LevelSurface crumb = flatGrid(0.4, 0.2, 2.0); // 0.64 mm2: less than a round bead
+  const int base = static_cast<int>(s.surface.vertices.size());
+  for (std::size_t v = 0; v < crumb.surface.vertices.size(); ++v) {
+    s.surface.vertices.push_back(crumb.surface.vertices[v]);
+    s.thicknessMm.push_back(0.8);
+    s.direction.push_back(Vector3d::UnitZ());
+    s.clearDirection.push_back(Vector3d::UnitZ());
+  }
+  for (const auto& t : crumb.surface.triangles)
+    s.surface.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+  const PatchesOfLevel patches = makePatches(s, {});
+  ASSERT_EQ(patches.patches.size(), 1u);
+  EXPECT_NEAR(patches.areaMm2, 100.0, 1e-9);
+  ASSERT_EQ(patches.dropped.size(), 1u);
+  EXPECT_NEAR(patches.dropped[0].volumeMm3, 0.64 * 0.8, 1e-9);
+  EXPECT_NEAR(patches.dropped[0].centre.z(), 2.0, 1e-9);
+}
+
+TEST(MakePatches, ClampsThicknessAndSaysHowMuch) {
+  LevelSurface s = flatGrid(5, 0.5, 1.0);
+  for (std::size_t v = 0; v < s.thicknessMm.size(); ++v)
+    s.thicknessMm[v] = s.surface.vertices[v].x() < 0 ? 1.4 : 0.7;
+  const PatchesOfLevel patches = makePatches(s, {});
+  EXPECT_NEAR(patches.withinLimitsMm2 / patches.areaMm2, 0.5, 0.06);
+  for (double t : patches.patches.at(0).thicknessMm)
+    EXPECT_LE(t, 1.0);
+}
+
+TEST(OrderForPrinting, LayersFirstThenShortWays) {
+  LayerStack stack;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-50, 50);
+  for (int n = 0; n < 60; ++n) {
+    Patch p;
+    p.surface = flatGrid(1, 1, n % 4).surface;
+    const double x = place(random);
+    for (auto& v : p.surface.vertices)
+      v.x() += x;
+    p.layer = n % 4;
+    stack.patches.push_back(p);
+  }
+  const auto travel = [](const LayerStack& s) {
+    double way = 0.0;
+    for (std::size_t p = 1; p < s.patches.size(); ++p)
+      way += (s.patches[p].surface.vertices[0] - s.patches[p - 1].surface.vertices[0]).norm();
+    return way;
+  };
+  const double before = travel(stack);
+  orderForPrinting(stack);
+  EXPECT_EQ(stack.layerCount, 4);
+  for (std::size_t p = 1; p < stack.patches.size(); ++p)
+    EXPECT_LE(stack.patches[p - 1].layer, stack.patches[p].layer);
+  EXPECT_LT(travel(stack), 0.3 * before);
+}
+
+TEST(LayerStatistics, AreaTimesMeanIsTheVolume) {
+  LayerStack stack;
+  stack.layerCount = 2;
+  for (double t : {0.5, 0.9}) {
+    Patch p;
+    p.surface = flatGrid(5, 0.5, 1.0).surface;
+    p.thicknessMm.assign(p.surface.vertices.size(), t);
+    stack.patches.push_back(p);
+  }
+  const LayerStatistics s = layerStatistics(stack);
+  EXPECT_NEAR(s.areaMm2, 200.0, 1e-9);
+  EXPECT_NEAR(s.volumeMm3(), 140.0, 1e-9);
+  EXPECT_NEAR(s.thicknessStdMm, 0.2, 1e-9);
+  EXPECT_NEAR(s.thicknessP01Mm, 0.5, 1e-9);
+  EXPECT_NEAR(s.thicknessP99Mm, 0.9, 1e-9);
+}
+
+TEST(VtpWriter, DeclaresWhatItHolds) {
+  LayerStack stack;
+  Patch p;
+  p.surface = flatGrid(1, 1, 0.4).surface;
+  p.thicknessMm.assign(p.surface.vertices.size(), 0.8);
+  p.direction.assign(p.surface.vertices.size(), Vector3d::UnitZ());
+  stack.patches.push_back(p);
+  const std::string xml = writeLayersVtp(stack);
+  EXPECT_NE(xml.find("NumberOfPoints=\"9\" NumberOfPolys=\"8\""), std::string::npos);
+  for (const char* name : {"thickness", "direction", "layer", "group", "connectivity", "offsets"})
+    EXPECT_NE(xml.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
+  // Eight bytes of length and 9 floats of 0.8 in base64.
+  EXPECT_NE(xml.find("JAAAAAAAAADNzEw/zcxMP83MTD/NzEw/zcxMP83MTD/NzEw/zcxMP83MTD8="),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace voluta::layers
