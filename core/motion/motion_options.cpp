@@ -26,8 +26,8 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   MotionOptions o;
   o.printing.bodiesMm = values.number("bodyClearanceMm");
   o.printing.partMm = values.number("partClearanceMm");
-  o.travelling.bodiesMm = o.printing.bodiesMm + 1.0;
-  o.travelling.partMm = o.printing.partMm + 1.0;
+  o.travelling.bodiesMm = o.printing.bodiesMm;
+  o.travelling.partMm = o.printing.partMm;
   o.liftMm = values.number("liftMm");
   o.hopLiftMm = std::min(o.hopLiftMm, o.liftMm);
   o.samples = static_cast<int>(values.integer("redundancySamples"));

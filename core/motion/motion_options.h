@@ -15,7 +15,7 @@ struct MotionOptions {
   double maxStepRad = 0.25;  // largest joint step between waypoints
   double deviationMm = 0.02; // of the nozzle from its straight way between targets
   collision::Margins printing{2.0, 2.0, 0.0};
-  collision::Margins travelling{3.0, 3.0, 0.6}; // head: beyond the eroded one
+  collision::Margins travelling{2.0, 2.0, 0.6}; // head: beyond the eroded one
   double liftMm = 2.0;                          // before a transfer
   double hopMm = 3.0;                           // transfers no longer than this lift less
   double hopLiftMm = 1.0;

@@ -26,6 +26,9 @@ constexpr int kTries = 40;        // of blocking what failed and searching again
 constexpr int kTriesBeforeJudgingAll = 6;
 constexpr double kSmoothing = 200.0; // waves under about 24 waypoints go
 constexpr double kLimitCost = 0.5;   // of a joint at its limit, rad of way
+constexpr double kTurnCost = 0.3;    // of turning a joint back by a whole turn, rad of way
+constexpr double kBranchStep = 1.0;  // rad, a joint's step beyond which the branch is another
+constexpr double kBranchCost = 4.0;  // a rad beyond it
 constexpr std::size_t kHeadChunk = 256, kCheckChunk = 16, kRungChunk = 2, kJudgeChunk = 1;
 
 // Costs of being near a joint's limit, rising from four fifths of its range.
@@ -38,6 +41,19 @@ double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& li
     cost += kLimitCost * beyond * beyond;
   }
   return cost;
+}
+
+// Costs of going from one path's end to the next one's start: turning a joint back by whole turns
+// is done quickly with the nozzle lifted, another branch is a long way through the cell.
+double startCostOf(const JointVector& from, const JointVector& to) {
+  double cost = 0.0, largest = 0.0;
+  for (Eigen::Index j = 0; j < from.size(); ++j) {
+    const double turns = std::round((to[j] - from[j]) / kTurn);
+    const double rest = std::abs(to[j] - from[j] - kTurn * turns);
+    cost += rest + kTurnCost * std::abs(turns);
+    largest = std::max(largest, rest);
+  }
+  return cost + kBranchCost * std::max(0.0, largest - kBranchStep);
 }
 
 } // namespace
@@ -318,6 +334,40 @@ std::vector<std::size_t> PathPlanner::failures(const std::vector<RunPoint>& poin
   return waypoints;
 }
 
+// Of two ways to begin, by whole turns: near where the arm is, which may wind it up against its
+// limits, and near home. The one that gets further, then the cheaper one.
+LadderWay PathPlanner::bestWay(Ladder& ladder, const Station& from) const {
+  const auto search = [&] {
+    std::vector<double> startCost;
+    for (const LadderNode& node : ladder.rungs.front())
+      startCost.push_back(startCostOf(from.q, node.q));
+    return shortestWay(ladder.rungs, startCost, scene_.cell.limits(), ladder.options);
+  };
+  const auto beginNear = [&](const JointVector& near) {
+    bool changed = false;
+    for (LadderNode& node : ladder.rungs.front())
+      for (Eigen::Index j = 0; j < node.q.size(); ++j) {
+        const double turns = std::round((near[j] - node.q[j]) / kTurn);
+        const auto& limit = scene_.cell.limits()[static_cast<std::size_t>(j)];
+        const double q = node.q[j] + kTurn * turns;
+        if (turns != 0.0 && q >= limit.min && q <= limit.max) {
+          node.q[j] = q;
+          changed = true;
+        }
+      }
+    return changed;
+  };
+  beginNear(from.q);
+  LadderWay near = search();
+  if (!beginNear(scene_.cell.home()))
+    return near;
+  LadderWay unwound = search();
+  if (unwound.reached > near.reached ||
+      (unwound.reached == near.reached && unwound.cost < near.cost))
+    return unwound;
+  return near;
+}
+
 std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::size_t count,
                                     const Station& from, const base::RunContext& ctx,
                                     std::vector<Run>& runs, std::vector<Refused>& refused) {
@@ -387,7 +437,6 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
 
   Run run;
   run.path = path;
-  bool unwound = false; // start with joints near home's, not near the last ones
   const auto close = [&](const LadderWay& way) {
     // Nothing further is joined: what is, is printed, and the rest begins anew.
     const std::size_t last = ladder.places[way.reached - 1].waypoint;
@@ -402,20 +451,7 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
   for (int tries = 0;; ++tries) {
     ctx.checkpoint();
     base::Stopwatch watch;
-    std::vector<double> startCost;
-    for (LadderNode& node : ladder.rungs.front()) {
-      if (unwound)
-        for (Eigen::Index j = 0; j < node.q.size(); ++j) {
-          const double turns = std::round((scene_.cell.home()[j] - node.q[j]) / kTurn);
-          const auto& l = scene_.cell.limits()[static_cast<std::size_t>(j)];
-          const double q = node.q[j] + kTurn * turns;
-          if (q >= l.min && q <= l.max)
-            node.q[j] = q;
-        }
-      startCost.push_back((node.q - from.q).lpNorm<1>());
-    }
-    const LadderWay way =
-        shortestWay(ladder.rungs, startCost, scene_.cell.limits(), ladder.options);
+    const LadderWay way = bestWay(ladder, from);
     times_.graph += watch.seconds();
 
     if (way.reached == 0) {
@@ -427,10 +463,6 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
       const std::size_t r = way.reached;
       if (refine(r))
         continue;
-      if (!unwound) {
-        unwound = true;
-        continue;
-      }
       if (r == 1) {
         refuse(ladder.places[0], {LadderNode{}});
         return 1;

@@ -89,6 +89,7 @@ private:
   };
   struct Ladder;
 
+  LadderWay bestWay(Ladder& ladder, const Station& from) const;
   void carryTools(std::size_t first, std::size_t count, const Eigen::Quaterniond& from);
   std::vector<std::size_t> rungWaypoints(std::size_t first, std::size_t count) const;
   void addNodes(Ladder& ladder, const std::vector<std::size_t>& rungs, const Station& from,

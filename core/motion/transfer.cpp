@@ -20,7 +20,7 @@ namespace {
 constexpr double kStepMm = 2.0, kStepRad = 1.0 * base::kPi / 180.0;
 constexpr double kLinearJointStep = 0.15; // rad between checks of a linear move
 constexpr double kLinearPieceMm = 25.0;   // longest linear move that is written
-constexpr double kJointCheck = 0.5 * base::kPi / 180.0;
+constexpr double kJointCheck = 0.5 * base::kPi / 180.0, kCloseJointCheck = 0.2 * base::kPi / 180.0;
 constexpr double kJointPiece = 20.0 * base::kPi / 180.0; // longest joint move that is written
 constexpr double kJointMarginMm = 3.0;                   // more, for what moves between checks
 constexpr double kSameJoints = 1e-6;
@@ -88,10 +88,10 @@ bool TransferPlanner::linear(const Station& from, const Vector3d& tip, const Qua
 }
 
 bool TransferPlanner::jointSegmentFree(const JointVector& a, const JointVector& b,
-                                       std::size_t before,
-                                       const collision::Margins& margins) const {
+                                       std::size_t before, const collision::Margins& margins,
+                                       double checkRad) const {
   const int steps =
-      std::max(1, static_cast<int>(std::ceil((b - a).cwiseAbs().maxCoeff() / kJointCheck)));
+      std::max(1, static_cast<int>(std::ceil((b - a).cwiseAbs().maxCoeff() / checkRad)));
   // Coarse to fine: what collides is found sooner.
   int stride = 1;
   while (stride < steps)
@@ -165,23 +165,30 @@ std::optional<TransferKind> TransferPlanner::swing(const Station& from, const St
                                                    std::size_t before, std::uint64_t seed,
                                                    const base::RunContext& ctx,
                                                    Points& points) const {
-  const collision::Margins wide = widened(scene_.options.travelling, kJointMarginMm);
-  if (jointSegmentFree(from.q, to.q, before, wide)) {
-    appendJointWay({from.q, to.q}, to, points);
-    return TransferKind::Joint;
-  }
-  // The ends may be closer to something than the wider margin.
-  for (const collision::Margins& margins : {wide, scene_.options.travelling}) {
-    if (!free(from.q, before, margins) || !free(to.q, before, margins))
+  // Once with room for what moves between checks, once checked closely: the ends may be closer to
+  // something than the wider margin.
+  struct Care {
+    collision::Margins margins;
+    double checkRad;
+  };
+  const Care wide{widened(scene_.options.travelling, kJointMarginMm), kJointCheck};
+  const Care close{scene_.options.travelling, kCloseJointCheck};
+  for (const Care& care : {wide, close})
+    if (jointSegmentFree(from.q, to.q, before, care.margins, care.checkRad)) {
+      appendJointWay({from.q, to.q}, to, points);
+      return TransferKind::Joint;
+    }
+  for (const Care& care : {wide, close}) {
+    if (!free(from.q, before, care.margins) || !free(to.q, before, care.margins))
       continue;
     TreeOptions options;
     options.iterations = scene_.options.treeIterations;
     options.seed = seed;
     const auto way = treeWay(
         from.q, to.q, scene_.cell.limits(),
-        [&](const JointVector& q) { return free(q, before, margins); },
+        [&](const JointVector& q) { return free(q, before, care.margins); },
         [&](const JointVector& a, const JointVector& b) {
-          return jointSegmentFree(a, b, before, margins);
+          return jointSegmentFree(a, b, before, care.margins, care.checkRad);
         },
         options, ctx);
     if (!way.empty()) {

@@ -36,8 +36,8 @@ public:
   // turn: lift along the nozzle, straight, down (lifts from 1 mm for hops or liftMm up); out of the
   // surrounding ball and round it on an arc; the same lifts with a joint move between; RRT-Connect
   // between the lifted stations. Lifting along the nozzle frees a head that is free, since it is
-  // convex along its axis. Checked at steps of at most 2 mm and 1 degree (linear) or half a degree
-  // a joint with 3 mm more clearance (joint moves). None: no way was found.
+  // convex along its axis. Checked at steps of at most 2 mm and 1 degree (linear), half a degree a
+  // joint with 3 mm more clearance or a fifth of a degree (joint moves). None: no way was found.
   std::optional<Transfer> plan(const Station& from, const Station& to, bool hop, std::size_t before,
                                const Surround& surround, std::uint64_t seed,
                                const base::RunContext& ctx) const;
@@ -58,7 +58,8 @@ private:
   bool linear(const Station& from, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
               std::size_t before, const collision::Margins& margins, Points& points) const;
   bool jointSegmentFree(const robot::JointVector& a, const robot::JointVector& b,
-                        std::size_t before, const collision::Margins& margins) const;
+                        std::size_t before, const collision::Margins& margins,
+                        double checkRad) const;
   bool arc(const Station& from, const Station& to, const Surround& surround, std::size_t before,
            Points& points) const;
   // Joint move or tree between two lifted stations.
