@@ -1,5 +1,6 @@
 #include "motion/motion.h"
 
+#include "base/error.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "motion/sample_plans.h"
@@ -43,18 +44,203 @@ struct Planned {
 
 } // namespace
 
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+// Everything a finished motion promises, from its joints alone.
+void expectSound(const Planned& p) {
+  const plan::Trajectory& t = p.result.trajectory;
+  ASSERT_GT(t.pointCount(), 2u);
+  const auto q = [&](std::size_t i) {
+    return robot::JointVector(Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof));
+  };
+  EXPECT_LT((q(0) - p.cell.home()).norm(), 1e-12);
+  EXPECT_LT((q(t.pointCount() - 1) - p.cell.home()).norm(), 1e-12);
+  EXPECT_EQ(t.timeS.front(), 0.0);
+
+  std::vector<int> printed(p.plan.waypointCount(), 0);
+  double volume = 0.0;
+  std::size_t last = plan::kNoWaypoint;
+  for (std::size_t i = 0; i < t.pointCount(); ++i) {
+    for (int j = 0; j < t.dof; ++j) {
+      const auto& limit = p.cell.limits()[static_cast<std::size_t>(j)];
+      EXPECT_GE(t.at(i)[j], limit.min);
+      EXPECT_LE(t.at(i)[j], limit.max);
+    }
+    // The nozzle is where the plan wants it, along the wanted direction.
+    if (t.waypoint[i] != plan::kNoWaypoint) {
+      const Isometry3d pose = p.cell.work_T_tool(q(i));
+      const std::size_t w = t.waypoint[i];
+      EXPECT_LT((pose.translation() - p.plan.position[w]).norm(), 1e-6);
+      EXPECT_LT((-pose.linear().col(2) - p.plan.direction[w]).norm(), 1e-6);
+      ++printed[w];
+    }
+    if (i == 0)
+      continue;
+    const double dt = t.timeS[i] - t.timeS[i - 1];
+    const robot::JointVector dq = (q(i) - q(i - 1)).cwiseAbs();
+    ASSERT_GT(dt, 0.0);
+    for (int j = 0; j < t.dof; ++j)
+      EXPECT_LE(dq[j] / dt, p.cell.limits()[static_cast<std::size_t>(j)].velocity);
+    if (t.move[i] == plan::MoveKind::Print) {
+      EXPECT_LE(dq.maxCoeff(), 0.25); // no jump
+      // What the controller drives: flange poses interpolated, half way.
+      const Isometry3d a = p.cell.robot().kinematics->flange(q(i - 1)) * p.cell.flange_T_moved();
+      const Isometry3d b = p.cell.robot().kinematics->flange(q(i)) * p.cell.flange_T_moved();
+      Isometry3d half = Isometry3d::Identity();
+      half.translation() = 0.5 * (a.translation() + b.translation());
+      half.linear() = Eigen::Quaterniond(a.linear())
+                          .slerp(0.5, Eigen::Quaterniond(b.linear()))
+                          .toRotationMatrix();
+      const Vector3d tip =
+          p.cell.work_T_toolOfFlange(half * p.cell.flange_T_moved().inverse()).translation();
+      const Vector3d middle = 0.5 * (p.cell.work_T_tool(q(i - 1)).translation() +
+                                     p.cell.work_T_tool(q(i)).translation());
+      EXPECT_LT((tip - middle).norm(), 0.03);
+      EXPECT_GE(t.extrudedMm3[i], volume);
+    } else {
+      EXPECT_EQ(t.extrudedMm3[i], volume);
+    }
+    volume = t.extrudedMm3[i];
+    last = t.waypoint[i] == plan::kNoWaypoint ? last : t.waypoint[i];
+  }
+  std::size_t missing = 0;
+  for (const int count : printed)
+    missing += count == 0;
+  EXPECT_EQ(missing, p.result.skipped.size());
+  EXPECT_EQ(p.result.statistics.waypoints, printed.size() - missing);
+}
+
+double plannedVolume(const plan::ToolPlan& plan) {
+  double volume = 0.0;
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      volume +=
+          (1.2 * 0.8 - (1 - M_PI / 4) * 0.64) * (plan.position[i] - plan.position[i - 1]).norm();
+  return volume;
+}
+
 TEST(Motion, Cylinder) {
-  const Planned p(test::cylinder(15, 25));
+  const Planned p(test::cylinder(15, 12));
   p.print("cylinder");
   EXPECT_TRUE(p.result.findings.empty());
+  expectSound(p);
+  const double volume = plannedVolume(p.plan);
+  EXPECT_NEAR(p.result.trajectory.extrudedMm3.back(), volume, 1e-5 * volume);
 }
+
 TEST(Motion, Slab) {
-  const Planned p(test::slab(30, 6), 22);
+  const Planned p(test::slab(30, 3), 22);
   p.print("slab");
   EXPECT_TRUE(p.result.findings.empty());
+  expectSound(p);
 }
+
+// A wall that leans out by 50 degrees.
+TEST(Motion, LeaningWall) {
+  const double lean = 0.87;
+  const Planned p(test::rings(
+                      14, [&](int l) { return 10 + 0.8 * std::sin(lean) * l; },
+                      [&](int l) { return 0.8 + 0.8 * std::cos(lean) * l; },
+                      [&](int l) { return std::min(lean, 0.15 * l); }),
+                  9);
+  p.print("leaning wall");
+  EXPECT_TRUE(p.result.findings.empty());
+  expectSound(p);
+}
+
 TEST(Motion, Hemisphere) {
-  const Planned p(test::hemisphere(25, 35, 1.6, 0.3), 12);
+  const Planned p(test::hemisphere(18, 35, 1.6, 0.3), 12);
   p.print("hemisphere");
   EXPECT_TRUE(p.result.findings.empty());
+  expectSound(p);
+}
+
+// The motion again, looked at by a finer brush: no body in anything, at any time.
+TEST(Motion, NothingMeetsOnAFinerLook) {
+  const Planned p(test::hemisphere(14, 30, 1.4, 0.5), 10);
+  const collision::CellCollision collision(p.cell, p.process);
+  const plan::Trajectory& t = p.result.trajectory;
+  std::size_t next = 0, checks = 0;
+  for (std::size_t i = 1; i < t.pointCount(); ++i) {
+    if (t.waypoint[i] != plan::kNoWaypoint)
+      next = t.waypoint[i];
+    const Eigen::Map<const Eigen::VectorXd> a(t.at(i - 1), t.dof), b(t.at(i), t.dof);
+    const int pieces = std::max(1, static_cast<int>((b - a).cwiseAbs().maxCoeff() / 0.003));
+    for (int k = 0; k < pieces; ++k, ++checks) {
+      const robot::JointVector q = a + (k + 0.37) / pieces * (b - a);
+      collision::CellCollision::Frames frames;
+      p.cell.framePoses(q, frames);
+      const auto bodies = collision.bodies(frames, {0.0, 0.0, -0.1});
+      EXPECT_FALSE(bodies) << i;
+      EXPECT_FALSE(collision.bodiesAndPart(frames, p.part, next, {0.0, 0.0, 0.0})) << i;
+      if (t.move[i] != plan::MoveKind::Print && t.waypoint[i] == plan::kNoWaypoint) {
+        EXPECT_FALSE(collision.headTouchesPart(p.cell.work_T_tool(q), p.part, next, -0.1)) << i;
+      }
+    }
+  }
+  EXPECT_GT(checks, t.pointCount());
+}
+
+TEST(Motion, SameForAnyNumberOfThreads) {
+  const auto plan = test::hemisphere(12, 30, 1.3, 0.5);
+  const Planned one(plan, 10, 1), two(plan, 10, 2);
+  EXPECT_EQ(one.result.trajectory.joints, two.result.trajectory.joints);
+  EXPECT_EQ(one.result.trajectory.timeS, two.result.trajectory.timeS);
+  EXPECT_EQ(one.result.trajectory.waypoint, two.result.trajectory.waypoint);
+  EXPECT_EQ(one.result.statistics.minClearanceMm, two.result.statistics.minClearanceMm);
+}
+
+// Far out of reach: nothing is printed, and it is said where and why.
+TEST(Motion, OutOfReachIsNamed) {
+  auto plan = test::cylinder(15, 2);
+  std::vector<Vector3d> far, up;
+  for (int i = 0; i < 20; ++i) {
+    far.emplace_back(i, 0, 1500);
+    up.emplace_back(0, 0, 1);
+  }
+  const std::size_t first = plan.waypointCount();
+  test::appendPath(plan, far, up, 2);
+  process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
+  const collision::GrowingPart part(plan, 2.0, {});
+  const auto result = motion::planMotion(plan, cell, process, part, {}, {});
+  EXPECT_EQ(result.statistics.unreachable, 20u);
+  ASSERT_EQ(result.skipped.size(), 20u);
+  EXPECT_EQ(result.skipped.front(), first);
+  ASSERT_EQ(result.findings.size(), 1u);
+  EXPECT_EQ(result.findings.front().kind, "unreachable");
+  EXPECT_EQ(result.findings.front().count, 20u);
+  ASSERT_TRUE(result.findings.front().where);
+  EXPECT_NEAR(result.findings.front().where->z(), 1500, 1e-9);
+}
+
+// A nozzle sent below the plate.
+TEST(Motion, HeadInThePlateIsNamed) {
+  auto plan = test::cylinder(15, 2);
+  for (std::size_t i = 20; i < 25; ++i)
+    plan.position[i].z() = -2.0;
+  process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
+  const collision::GrowingPart part(plan, 0.5, {});
+  const auto result = motion::planMotion(plan, cell, process, part, {}, {});
+  ASSERT_FALSE(result.findings.empty());
+  EXPECT_EQ(result.findings.front().kind, "collision");
+  EXPECT_GE(result.statistics.collisions, 5u);
+  EXPECT_FALSE(result.skipped.empty());
+}
+
+TEST(Motion, EmptyPlanAndCancel) {
+  process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
+  const plan::ToolPlan none;
+  const auto result =
+      motion::planMotion(none, cell, process, collision::GrowingPart(none, 0.5, {}), {}, {});
+  EXPECT_EQ(result.trajectory.pointCount(), 1u);
+  const base::CancelToken cancel;
+  cancel.cancel();
+  const auto plan = test::cylinder(15, 2);
+  const collision::GrowingPart part(plan, 0.5, {});
+  EXPECT_THROW(motion::planMotion(plan, cell, process, part, {}, base::RunContext(cancel, 2)),
+               base::Cancelled);
 }

@@ -1,0 +1,119 @@
+#include "motion/ladder.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+
+using namespace voluta;
+using motion::LadderNode;
+using motion::Rung;
+
+namespace {
+
+struct Case {
+  std::vector<Rung> rungs;
+  std::vector<double> startCost;
+  std::vector<robot::JointLimits> limits{{-10, 10, 1, 1}, {-10, 10, 1, 1}};
+  motion::LadderOptions options;
+};
+
+Case randomCase(std::mt19937& engine, bool blocks) {
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
+  Case c;
+  c.options.samples = 6;
+  c.options.window = 1;
+  c.rungs.resize(5);
+  for (Rung& rung : c.rungs)
+    for (int n = 0; n < 6; ++n) {
+      LadderNode node;
+      node.q.resize(2);
+      node.q << number(-1, 1), number(-1, 1);
+      node.sample = n;
+      node.cost = number(0, 0.3);
+      node.blocked = blocks && number(0, 1) < 0.4;
+      rung.push_back(node);
+    }
+  for (int n = 0; n < 6; ++n)
+    c.startCost.push_back(number(0, 1));
+  c.options.maxStepRad.assign(5, 0.9);
+  return c;
+}
+
+// Every sequence of nodes. Returns {rungs reached, cost}.
+std::pair<std::size_t, double> exhaustive(const Case& c) {
+  std::size_t reached = 0;
+  double best = std::numeric_limits<double>::infinity();
+  std::vector<std::size_t> chosen;
+  const std::function<void(double)> go = [&](double cost) {
+    if (chosen.size() > reached || (chosen.size() == reached && cost < best)) {
+      reached = chosen.size();
+      best = cost;
+    }
+    if (chosen.size() == c.rungs.size())
+      return;
+    const Rung& rung = c.rungs[chosen.size()];
+    for (std::size_t n = 0; n < rung.size(); ++n) {
+      if (rung[n].blocked)
+        continue;
+      double add = rung[n].cost;
+      if (chosen.empty()) {
+        add += c.startCost[n];
+      } else {
+        const LadderNode& last = c.rungs[chosen.size() - 1][chosen.back()];
+        const int apart = std::abs(last.sample - rung[n].sample);
+        const auto d = (rung[n].q - last.q).cwiseAbs();
+        if ((apart != 0 && apart != 1 && apart != 5) || d.maxCoeff() > 0.9)
+          continue;
+        add += d.sum();
+      }
+      chosen.push_back(n);
+      go(cost + add);
+      chosen.pop_back();
+    }
+  };
+  go(0.0);
+  return {reached, best};
+}
+
+} // namespace
+
+TEST(Ladder, AgainstExhaustiveSearch) {
+  std::mt19937 engine(5);
+  int whole = 0, cut = 0;
+  for (int n = 0; n < 200; ++n) {
+    const Case c = randomCase(engine, n % 2 == 1);
+    const auto [reached, cost] = exhaustive(c);
+    const motion::LadderWay way = shortestWay(c.rungs, c.startCost, c.limits, c.options);
+    EXPECT_EQ(way.reached, reached);
+    if (reached > 0) {
+      EXPECT_NEAR(way.cost, cost, 1e-12);
+      EXPECT_EQ(way.node.size(), reached);
+    }
+    (reached == c.rungs.size() ? whole : cut)++;
+  }
+  EXPECT_GT(whole, 20);
+  EXPECT_GT(cut, 5);
+}
+
+// A joint that turns on and on is followed over +-180 degrees, and not beyond its limit.
+TEST(Ladder, TurnsAreFollowedUpToTheLimit) {
+  std::vector<Rung> rungs;
+  for (int r = 0; r < 20; ++r) {
+    LadderNode node;
+    node.q.resize(1);
+    const double angle = 0.5 * r;
+    node.q << std::remainder(angle, 2 * M_PI);
+    rungs.push_back({node});
+  }
+  motion::LadderOptions options;
+  options.maxStepRad.assign(rungs.size(), 0.6);
+  const std::vector<robot::JointLimits> wide{{-20, 20, 1, 1}}, narrow{{-6, 6, 1, 1}};
+  const auto all = shortestWay(rungs, {0.0}, wide, options);
+  ASSERT_EQ(all.reached, rungs.size());
+  for (std::size_t r = 0; r < rungs.size(); ++r)
+    EXPECT_NEAR(all.q[r][0], 0.5 * static_cast<double>(r), 1e-12);
+  EXPECT_EQ(shortestWay(rungs, {0.0}, narrow, options).reached, 13u); // 6 rad at the 13th
+}

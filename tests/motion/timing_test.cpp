@@ -1,0 +1,123 @@
+#include "motion/timing.h"
+
+#include "motion/even_turns.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using motion::TimedPoint;
+
+namespace {
+
+motion::TimingLimits limitsOf(int dof) {
+  motion::TimingLimits limits;
+  limits.joints.assign(static_cast<std::size_t>(dof), {-6, 6, 3.0, 14.0});
+  limits.accelerationMmPerS2 = 500;
+  return limits;
+}
+
+} // namespace
+
+// A line of 100 mm at 20 mm/s with 500 mm/s2: two ramps of 0.04 s over 0.4 mm each.
+TEST(Timing, TrapezoidInClosedForm) {
+  std::vector<TimedPoint> points;
+  for (int i = 0; i <= 100; ++i) {
+    TimedPoint p;
+    p.q = robot::JointVector::Zero(2);
+    p.tip = {static_cast<double>(i), 0, 0};
+    p.speedMmPerS = 20;
+    points.push_back(p);
+  }
+  const auto times = motion::timesOf(points, limitsOf(2));
+  EXPECT_NEAR(times.back(), 2 * 0.04 + (100 - 0.8) / 20, 1e-9);
+  const auto single = motion::timesOf({points.front(), points.back()}, limitsOf(2));
+  EXPECT_NEAR(single.back(), times.back(), 1e-9);
+}
+
+TEST(Timing, KeepsEveryLimit) {
+  std::mt19937 engine(3);
+  std::normal_distribution<double> normal;
+  for (int n = 0; n < 100; ++n) {
+    std::vector<TimedPoint> points(60);
+    robot::JointVector q = robot::JointVector::Zero(6);
+    Eigen::Vector3d tip = Eigen::Vector3d::Zero();
+    for (auto& p : points) {
+      for (int j = 0; j < 6; ++j)
+        q[j] += (n % 3 == 0 ? 0.1 : 0.01) * normal(engine);
+      tip += (n % 2 ? 1.0 : 0.2) * Eigen::Vector3d(normal(engine), normal(engine), normal(engine));
+      p.q = q;
+      p.tip = tip;
+      p.speedMmPerS = n % 5 == 0 ? 100 : 20;
+      p.jointMove = n % 7 == 0;
+    }
+    const auto limits = limitsOf(6);
+    const auto times = motion::timesOf(points, limits);
+    robot::JointVector last = robot::JointVector::Zero(6);
+    double lastDt = 0.0;
+    for (std::size_t i = 1; i <= points.size(); ++i) {
+      const bool end = i == points.size();
+      const double dt = end ? 0.0 : times[i] - times[i - 1];
+      robot::JointVector v = robot::JointVector::Zero(6);
+      if (!end) {
+        ASSERT_GT(dt, 0.0);
+        v = (points[i].q - points[i - 1].q) / dt;
+        EXPECT_LE(v.cwiseAbs().maxCoeff(), 3.0);
+        if (!points[i].jointMove) {
+          EXPECT_LE((points[i].tip - points[i - 1].tip).norm() / dt,
+                    points[i].speedMmPerS * (1 + 1e-9));
+        }
+      }
+      EXPECT_LE((v - last).cwiseAbs().maxCoeff() / (0.5 * (dt + lastDt)), 14.0) << n << " " << i;
+      last = v;
+      lastDt = dt;
+    }
+  }
+}
+
+// A joint that follows t^3 has the jerk 6 everywhere but where it starts and stops.
+TEST(Timing, JerkOfACubic) {
+  std::vector<TimedPoint> points;
+  std::vector<double> times;
+  for (int i = 0; i <= 20; ++i) {
+    TimedPoint p;
+    p.q.resize(1);
+    const double t = 0.1 * i;
+    p.q << t * t * t;
+    points.push_back(p);
+    times.push_back(t);
+  }
+  points.resize(20); // the stop at the end has a jerk of its own
+  times.resize(20);
+  const auto jerk = motion::jerkOf(points, times);
+  EXPECT_GE(jerk.maxAbs[0], 6.0);
+  EXPECT_GE(jerk.sumSquared, 17 * 36.0);
+}
+
+TEST(EvenTurns, KeepsLinesAndSolvesItsEquations) {
+  std::vector<double> line;
+  for (int i = 0; i < 50; ++i)
+    line.push_back(0.3 * i - 2);
+  const auto same = motion::evened(line, 200);
+  for (std::size_t i = 0; i < line.size(); ++i)
+    EXPECT_NEAR(same[i], line[i], 1e-9);
+  std::mt19937 engine(1);
+  std::normal_distribution<double> normal;
+  std::vector<double> y;
+  for (int i = 0; i < 40; ++i)
+    y.push_back(normal(engine));
+  const auto x = motion::evened(y, 7.0);
+  // x + lambda D'D x = y, written out.
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    double sum = x[i];
+    for (std::size_t k = 0; k + 2 < y.size(); ++k) {
+      const double second = x[k] - 2 * x[k + 1] + x[k + 2];
+      if (i == k || i == k + 2)
+        sum += 7.0 * second;
+      else if (i == k + 1)
+        sum -= 14.0 * second;
+    }
+    EXPECT_NEAR(sum, y[i], 1e-9);
+  }
+}
