@@ -14,6 +14,7 @@
 #include "curved/voxel_graph.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -83,29 +84,29 @@ void growGreedy(const VoxelGraph& graph, Decomposition& out, const base::RunCont
   out.seconds.grow = watch.seconds();
 }
 
-// The order that misses fewest voxels; of equals the one nearest to strict accessibility. No sheet
-// is best for every part, and a pass is cheap (growth.md), so the next is tried where one fails.
+// The order that misses fewest voxels. Strict accessibility first; where that loses some, half a
+// voxel of tolerance at stuck moments, then another sheet: none is best for every part.
 Peeling plainOrder(const VoxelGraph& graph, const base::RunContext& ctx) {
   Peeling best;
   std::size_t bestLaid = 0;
   double done = 0.0;
-  for (const double stuckTolerance : {0.0, 0.5})
-    for (const double sheet : {0.6, 1.0}) {
-      PeelOptions options;
-      options.sheet = sheet;
-      options.stuckTolerance = stuckTolerance;
-      Peeling result = peelAll(graph, {}, {}, options, ctx.sub(done, done + 0.25));
-      done += 0.25;
-      const auto laid = static_cast<std::size_t>(
-          std::count_if(result.rank.begin(), result.rank.end(), [](int r) { return r > 0; }));
-      if (best.rank.empty() || laid > bestLaid ||
-          (laid == bestLaid && result.relaxed < best.relaxed)) {
-        best = std::move(result);
-        bestLaid = laid;
-      }
-      if (best.givenUp == 0)
-        return best;
+  constexpr std::array<std::array<double, 2>, 3> kSheetAndStuck{
+      {{0.6, 0.0}, {0.6, 0.5}, {1.0, 0.5}}};
+  for (const auto& [sheet, stuckTolerance] : kSheetAndStuck) {
+    PeelOptions options;
+    options.sheet = sheet;
+    options.stuckTolerance = stuckTolerance;
+    Peeling result = peelAll(graph, {}, {}, options, ctx.sub(done, done + 0.3));
+    done += 0.3;
+    const auto laid = static_cast<std::size_t>(
+        std::count_if(result.rank.begin(), result.rank.end(), [](int r) { return r > 0; }));
+    if (best.rank.empty() || laid > bestLaid) {
+      best = std::move(result);
+      bestLaid = laid;
     }
+    if (best.givenUp == 0)
+      break;
+  }
   return best;
 }
 
@@ -135,12 +136,15 @@ void growReverse(const VoxelGraph& graph, const CurvedOptions& options, Decompos
   Peeling guided = peel(laid, {}, guide, strict, ctx.sub(0.85, 0.95));
   std::vector<std::int32_t> rank = std::move(guided.rank);
   out.layers = guided.ranks;
+  std::size_t relaxed = guided.relaxed;
   if (guided.remaining > 0 || guided.relaxed > plain.relaxed) {
+    relaxed = plain.relaxed;
     for (std::size_t v = 0; v < graph.size(); ++v)
       if (plain.rank[v] > 0)
         rank[static_cast<std::size_t>(laid.voxelAt[cellOf(graph, v)])] = plain.rank[v];
     out.layers = plain.ranks;
   }
+  out.epsilonMm = relaxed > 0 ? strict.stuckTolerance * out.grid.pitch : 0.0;
 
   ctx.report(0.95, "growth");
   std::vector<std::int32_t> level(laid.size());

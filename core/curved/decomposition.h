@@ -22,6 +22,8 @@ struct Decomposition {
   std::vector<Eigen::Vector3f> frontNormal; // outward normal of the convex front through the voxel
                                             // when it is laid: a direction in which a flat head
                                             // clears all that is earlier. Zero outside.
+  double epsilonMm = 0.0; // how deep inside the hull of the platform and all lower ranks a voxel's
+                          // centre may lie: 0, or half a voxel where loops close only so
   std::vector<Eigen::Vector2d> platform;    // convex polygon (counter-clockwise) material starts on
   std::string growth;                       // scheme that made it
   std::size_t voxels = 0;

@@ -27,10 +27,11 @@ Decomposition grown(const voxel::SolidVoxels& part, const std::string& growth = 
   return decompose(part, platformFit(part, 0.0), options, ctx);
 }
 
-void expectValid(const Decomposition& d, const voxel::SolidVoxels& part, double tolerance = 0.0) {
+void expectValid(const Decomposition& d, const voxel::SolidVoxels& part) {
   const test::RankVerdict verdict = test::checkRanks(d, part.solid);
   EXPECT_EQ(verdict.unsupported, 0u);
-  EXPECT_LE(verdict.deepest, tolerance + 1e-7);
+  EXPECT_LE(verdict.deepest, d.epsilonMm / d.grid.pitch + 1e-7);
+  EXPECT_LE(d.epsilonMm, 0.5 * d.grid.pitch);
   EXPECT_EQ(verdict.wrongCells, 0u);
   EXPECT_EQ(verdict.missed, d.missedVoxels);
   EXPECT_EQ(verdict.printed + verdict.missed, d.voxels);
@@ -72,7 +73,7 @@ TEST(Decompose, OverhangsAndLoopsLoseNothing) {
   for (const voxel::SolidVoxels& part :
        {test::mushroomPart(), test::archPart(), test::conePart()}) {
     const Decomposition d = grown(part);
-    expectValid(d, part, 0.5);
+    expectValid(d, part);
     EXPECT_EQ(d.missedVoxels, 0u);
     const test::FieldVerdict field = test::checkField(d, 0.8, 0.4, 1.0);
     EXPECT_EQ(field.islands, 0u);
@@ -84,7 +85,7 @@ TEST(Decompose, OverhangsAndLoopsLoseNothing) {
 TEST(Decompose, RandomBlobsKeepBothConstraints) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     const voxel::SolidVoxels part = test::blobPart(seed);
-    expectValid(grown(part), part, 0.5);
+    expectValid(grown(part), part);
     expectValid(grown(part, "greedy"), part);
   }
 }
@@ -156,7 +157,7 @@ TEST(Decompose, AHookThatHangsDownBesideItsStemIsShadowed) {
     return i < 5 || i >= 26 || k >= 19 || (i >= 13 && i < 18 && k >= 4);
   });
   const Decomposition d = grown(part);
-  expectValid(d, part, 0.5);
+  expectValid(d, part);
   EXPECT_GT(d.shadowedVoxels, 0u);
   ASSERT_FALSE(d.findings.empty());
   EXPECT_EQ(d.findings[0].kind, "shadowedVoxels");
@@ -221,7 +222,7 @@ TEST_P(Models, NothingMissedAndAnEvenField) {
   const geometry::TriangleMesh mesh = geometry::readMesh(file).mesh;
   const voxel::SolidVoxels part = voxel::solidVoxels(mesh, 2.2, kQuiet);
   const Decomposition d = grown(part, "auto", base::RunContext(base::CancelToken{}, 2));
-  expectValid(d, part, 0.5);
+  expectValid(d, part);
   EXPECT_EQ(d.missedVoxels, 0u);
   const test::FieldVerdict field = test::checkField(d, 0.8, 0.4, 1.0);
   EXPECT_GT(field.within, 0.99);
