@@ -10,6 +10,8 @@ namespace voluta::curved {
 
 namespace {
 
+constexpr float kBehind = 2.0f; // cells
+
 class Peeler {
 public:
   Peeler(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
@@ -62,8 +64,24 @@ private:
     for (level_ = highest - step; level_ > -step && front_.count() > 0; level_ -= step) {
       reportProgress();
       round(options_.sheet, options_.tolerance);
+      freeWhatHangsBack();
     }
     level_ = 0.0f;
+  }
+
+  // Voxels that stay behind the level would end up in one thick layer at the bottom. Where their
+  // number does not fall they hang on one another's support: another order of support frees them.
+  void freeWhatHangsBack() {
+    std::size_t behind = 0;
+    for (std::size_t v = 0; v < graph_.size(); ++v)
+      behind += present_[v] && guide_[v] > level_ + kBehind;
+    const bool stuck = behind > 0 && behind >= behind_;
+    behind_ = behind;
+    if (!stuck)
+      return;
+    order_ = flood(graph_, present_, {}, 1.0f, ctx_).order;
+    if (!round(options_.sheet, options_.tolerance) && options_.stuckTolerance > options_.tolerance)
+      round(options_.sheet + 0.5, options_.stuckTolerance);
   }
 
   // Tells whether anything was peeled.
@@ -213,7 +231,7 @@ private:
   std::vector<std::int32_t> removedIn_, lockedIn_, candidateIn_; // round
   std::vector<std::int32_t> candidates_, taken_, locks_;
   std::int32_t round_ = 0;
-  std::size_t start_ = 1;
+  std::size_t start_ = 1, behind_ = 0;
   float level_ = 0.0f;
   Peeling out_;
 };
