@@ -111,8 +111,13 @@ public:
   Bead bead(const SurfaceCurve& c, const CellShare& share, PathKind kind, int ring) const {
     const std::size_t n = c.points.size(), segments = share.volumeMm3.size();
     std::vector<double> volume = share.volumeMm3, length(segments);
+    // Material is laid by the way of the tip, longer than the middle's on a convex layer.
+    std::vector<Vector3d> tip(n);
+    for (std::size_t i = 0; i < n; ++i)
+      tip[i] = c.points[i].position + 0.5 * s_.interpolate(s_.thicknessMm, c.points[i]) *
+                                          s_.interpolate(s_.direction, c.points[i]);
     for (std::size_t i = 0; i < segments; ++i)
-      length[i] = (c.points[(i + 1) % n].position - c.points[i].position).norm();
+      length[i] = (tip[(i + 1) % n] - tip[i]).norm();
     smoothValues(volume, c.closed, 2);
     smoothValues(length, c.closed, 2);
     Bead b;
@@ -153,7 +158,9 @@ double volumeOf(const std::vector<Bead>& beads) {
   for (const Bead& b : beads)
     for (std::size_t i = 1; i < b.points.size(); ++i) {
       const BeadPoint &p = b.points[i - 1], &q = b.points[i];
-      v += (q.middle - p.middle).norm() * 0.5 *
+      const Vector3d from = p.middle + 0.5 * p.heightMm * p.direction;
+      const Vector3d to = q.middle + 0.5 * q.heightMm * q.direction;
+      v += (to - from).norm() * 0.5 *
            (process::beadArea(p.widthMm, p.heightMm) + process::beadArea(q.widthMm, q.heightMm));
     }
   return v;

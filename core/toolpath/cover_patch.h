@@ -33,7 +33,7 @@ struct PatchCover {
   std::vector<Bead> beads;    // walls from outside inwards, infill, gap fill
   double areaMm2 = 0.0;       // of the patch
   double volumeMm3 = 0.0;     // of the patch: area x thickness
-  double beadVolumeMm3 = 0.0; // length x section, sections taken as the mean of each segment's ends
+  double beadVolumeMm3 = 0.0; // length of the tip's way x section (mean of each segment's ends)
   double coveredMm2 = 0.0, overlapMm2 = 0.0; // coverage.h
   bool simple = false;                       // the patch has one boundary loop
 };

@@ -51,7 +51,8 @@ std::vector<double> findCorners(const ByLength& c, bool closed, const ResampleOp
   std::vector<double> s, turn;
   for (std::size_t i = 0; i < c.knots().size(); ++i) {
     const double at = c.knots()[i];
-    if (!closed && (at < window || at > c.length() - window))
+    if (closed ? i + 1 == c.knots().size() // the first knot once more
+               : at < window || at > c.length() - window)
       continue;
     if (!s.empty() && at - s.back() < 0.02)
       continue;
@@ -70,6 +71,8 @@ std::vector<double> findCorners(const ByLength& c, bool closed, const ResampleOp
     if (peak && (corners.empty() || s[i] - corners.back() > window))
       corners.push_back(s[i]);
   }
+  if (closed && corners.size() > 1 && corners.front() + c.length() - corners.back() < window)
+    corners.pop_back();
   return corners;
 }
 

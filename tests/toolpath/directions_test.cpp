@@ -1,0 +1,185 @@
+#include "base/error.h"
+#include "base/run_context.h"
+#include "base/units.h"
+#include "collision/growing_part.h"
+#include "process/bead_model.h"
+#include "toolpath/head_clearance.h"
+#include "toolpath/plan_toolpaths.h"
+#include "toolpath/shapes.h"
+#include "toolpath/vtp_writer.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace {
+using namespace voluta;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+process::Process testProcess() {
+  process::Process p;
+  p.head.sections = {{0, 0.9}, {12, 6}, {12, 10}, {45, 10}, {45, 22}, {110, 22}};
+  return p;
+}
+
+// A dome of `count` caps over a plate; directions lean up to 40 degrees more than the dome's, so
+// that the head of a tilted nozzle would cut into the plate or into what stands around.
+layers::LayerStack dome(int count, double extraTilt) {
+  layers::LayerStack stack;
+  for (int k = 0; k < count; ++k) {
+    const double r = 8 + 0.8 * k;
+    layers::Patch p = test::patchOver({test::circle(1.2 * r)}, 0.8, test::onSphere(r));
+    const double drop = 8 * std::cos(1.2) - 0.5;
+    for (std::size_t v = 0; v < p.direction.size(); ++v) {
+      Vector3d& x = p.surface.vertices[v];
+      x.z() -= drop - 0.8;
+      const Vector3d out = Vector3d(x.x(), x.y(), 0).normalized();
+      p.clearDirection[v] = Vector3d::UnitZ();
+      if (out.allFinite())
+        p.direction[v] = (p.direction[v] + extraTilt * out).normalized();
+    }
+    p.layer = k;
+    stack.patches.push_back(std::move(p));
+  }
+  stack.layerCount = count;
+  return stack;
+}
+
+TEST(PlanToolpaths, KeepsThePlansContract) {
+  const auto stack = dome(3, 0.0);
+  toolpath::ToolpathOptions o;
+  const auto r = toolpath::planToolpaths(stack, testProcess(), o, base::RunContext{});
+  const plan::ToolPlan& p = r.plan;
+  ASSERT_GT(p.waypointCount(), 1000u);
+  ASSERT_EQ(p.direction.size(), p.waypointCount());
+  ASSERT_EQ(p.widthMm.size(), p.waypointCount());
+  std::size_t next = 0;
+  int layer = 0;
+  for (const plan::ToolPath& path : p.paths) {
+    EXPECT_EQ(path.first, next);
+    EXPECT_GE(path.count, 2u);
+    EXPECT_GE(path.layer, layer);
+    layer = path.layer;
+    next += path.count;
+    if (path.closed) {
+      EXPECT_LT((p.position[path.first] - p.position[next - 1]).norm(), 1e-9);
+    }
+    for (std::size_t i = path.first; i < next; ++i) {
+      EXPECT_NEAR(p.direction[i].norm(), 1.0, 1e-9);
+      EXPECT_GE(p.widthMm[i], 1.0f - 1e-5f);
+      EXPECT_LE(p.widthMm[i], 2.0f + 1e-5f);
+      EXPECT_LE(p.heightMm[i], p.widthMm[i] + 1e-5f);
+      if (i > path.first) {
+        // Chords of a closed-form sphere; the tip's way is longer than the surface's.
+        EXPECT_LT((p.position[i] - p.position[i - 1]).norm(), 1.15 * o.stepMm);
+        const double turn = std::atan2(p.direction[i - 1].cross(p.direction[i]).norm(),
+                                       p.direction[i - 1].dot(p.direction[i]));
+        EXPECT_LE(base::radiansToDegrees(turn), o.turnLimitDeg + 1e-6);
+      }
+    }
+  }
+  EXPECT_EQ(next, p.waypointCount());
+  EXPECT_EQ(r.statistics.simpleRegions, 3u);
+  EXPECT_NEAR(r.statistics.materialMm3 / r.statistics.layerVolumeMm3, 1.0, 0.01);
+}
+
+TEST(PlanToolpaths, SameForAnyNumberOfThreads) {
+  const auto stack = dome(3, 0.6);
+  const auto one = toolpath::planToolpaths(stack, testProcess(), {}, base::RunContext{});
+  const auto two =
+      toolpath::planToolpaths(stack, testProcess(), {}, base::RunContext(base::CancelToken{}, 2));
+  EXPECT_EQ(toolpath::writeToolpathVtp(one.plan), toolpath::writeToolpathVtp(two.plan));
+}
+
+TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
+  const auto stack = dome(4, 1.0);
+  const process::Process process = testProcess();
+  toolpath::ToolpathOptions o;
+  o.platform = test::circle(60);
+  const auto r = toolpath::planToolpaths(stack, process, o, base::RunContext{});
+  EXPECT_EQ(r.statistics.gouges, 0u);
+  EXPECT_TRUE(r.findings.empty());
+
+  // By brute force over the cells' centres: none filled earlier is inside the head, and no point of
+  // the head is below the plate's top.
+  const plan::ToolPlan& p = r.plan;
+  const collision::GrowingPart part(p, 0.8, base::RunContext{});
+  const auto head = process::erodedHead(process.head, process.contactToleranceMm);
+  std::size_t hits = 0, checked = 0;
+  double lowest = 0.0;
+  for (std::size_t i = 0; i < p.waypointCount(); i += 37) {
+    ++checked;
+    const Vector3d d = p.direction[i];
+    for (std::size_t s = 0; s < head.sections.size(); ++s)
+      lowest = std::min(lowest, p.position[i].z() + head.sections[s].zMm * d.z() -
+                                    head.sections[s].radiusMm * std::sqrt(1 - d.z() * d.z()));
+    for (std::size_t c = 0; c < part.grid().cellCount(); ++c) {
+      // A slack of half a cell: the planner's grid is another one.
+      if (part.filledAt(c) >= i)
+        continue;
+      const Eigen::Vector3i k = part.grid().cell(c);
+      const Vector3d q = part.grid().centre(k.x(), k.y(), k.z()) - p.position[i];
+      const double z = q.dot(d), aside = (q - z * d).norm();
+      for (std::size_t s = 1; s < head.sections.size(); ++s) {
+        const auto &a = head.sections[s - 1], &b = head.sections[s];
+        if (z <= a.zMm + 0.4 || z >= b.zMm)
+          continue;
+        if (aside < a.radiusMm + (b.radiusMm - a.radiusMm) * (z - a.zMm) / (b.zMm - a.zMm) - 0.4)
+          ++hits;
+      }
+    }
+  }
+  EXPECT_GT(checked, 50u);
+  EXPECT_EQ(hits, 0u);
+  EXPECT_GE(lowest, -1e-9);
+
+  // And there was something to lean away from.
+  const toolpath::HeadClearance clearance(process, o.platform);
+  std::vector<toolpath::PatchCover> covers;
+  for (const layers::Patch& patch : stack.patches)
+    covers.push_back(toolpath::coverPatch(patch, process, o, base::RunContext{}));
+  const auto raw = toolpath::assemble(stack, covers, process);
+  const collision::GrowingPart rawPart(raw.plan, 0.6, base::RunContext{});
+  std::size_t gouges = 0;
+  for (std::size_t i = 0; i < raw.plan.waypointCount(); ++i)
+    gouges += !clearance.clears(rawPart, raw.plan.position[i], raw.plan.direction[i], i);
+  EXPECT_GT(gouges, 0u);
+}
+
+TEST(PlanToolpaths, NoRoomForTheHeadIsAFinding) {
+  // A disc at the bottom of a well, printed after its wall.
+  layers::LayerStack stack;
+  for (int k = 0; k < 40; ++k) {
+    layers::Patch ring =
+        test::patchOver({test::circle(5), test::circle(3, true)}, 1.0,
+                        [&](const Vector2d& p) { return Vector3d(p.x(), p.y(), 0.4 + 0.8 * k); });
+    ring.layer = k;
+    stack.patches.push_back(std::move(ring));
+  }
+  stack.patches.push_back(test::patchOver({test::circle(2)}));
+  stack.layerCount = 40;
+  const auto r = toolpath::planToolpaths(stack, testProcess(), {}, base::RunContext{});
+  EXPECT_GT(r.statistics.gouges, 0u);
+  ASSERT_EQ(r.findings.size(), 1u);
+  EXPECT_EQ(r.findings[0].kind, "gouge");
+  ASSERT_TRUE(r.findings[0].where);
+  EXPECT_LT(r.findings[0].where->head<2>().norm(), 2.5);
+  EXPECT_NEAR(r.findings[0].where->z(), 0.8, 0.5);
+}
+
+TEST(PlanToolpaths, Cancels) {
+  base::CancelToken token;
+  token.cancel();
+  EXPECT_THROW(toolpath::planToolpaths(dome(2, 0), testProcess(), {}, base::RunContext(token, 2)),
+               base::Cancelled);
+}
+
+TEST(PlanToolpaths, NothingInNothingOut) {
+  const auto r = toolpath::planToolpaths({}, testProcess(), {}, base::RunContext{});
+  EXPECT_EQ(r.plan.waypointCount(), 0u);
+  EXPECT_TRUE(r.findings.empty());
+}
+
+} // namespace
