@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "curved/extraction.h"
+#include "geometry/measures.h"
 #include "layers/clean_surface.h"
 #include "layers/order.h"
 #include "layers/part_boundary.h"
@@ -104,17 +105,19 @@ void tellDropped(LayersResult& result, const std::vector<layers::DroppedPiece>& 
 void tellUnsupported(LayersResult& result, const base::RunContext& ctx) {
   const auto support = layers::checkSupport(result.stack, kSupportReach, ctx);
   const layers::SupportCheck* first = nullptr;
-  double area = 0.0;
+  double area = 0.0, loose = 0.0, whole = 0.0;
   for (std::size_t p = 0; p < support.size(); ++p) {
+    const double patch = geometry::area(result.stack.patches[p].surface);
+    whole += patch;
+    loose += (1.0 - support[p].supportedFraction) * patch;
     if (support[p].supportedFraction >= kSupportedShare)
       continue;
     ++result.unsupportedPatches;
-    layers::LayerStack one;
-    one.patches.push_back(result.stack.patches[p]);
-    area += layers::layerStatistics(one).areaMm2;
+    area += patch;
     if (first == nullptr)
       first = &support[p];
   }
+  result.unsupportedFraction = whole > 0.0 ? loose / whole : 0.0;
   if (first == nullptr)
     return;
   plan::Finding f;

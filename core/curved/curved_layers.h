@@ -26,6 +26,8 @@ struct LayersResult {
   std::size_t droppedPieces = 0; // too small for a bead
   double droppedVolumeMm3 = 0.0;
   double volumeMm3 = 0.0;             // sum of patch area x thickness
+  double unsupportedFraction = 0.0;   // of the area (sampled): nothing within 1.25 of the two half
+                                      // thicknesses, neither plate nor one of the two layers below
   std::size_t unsupportedPatches = 0; // with neither plate nor an earlier layer under them
   double boundaryFarthestMm = 0.0;    // of a boundary vertex from the part's surface; where voxels
                                       // were missed, boundaries end inside the part

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <random>
@@ -126,11 +127,15 @@ int main(int argc, char** argv) try {
     const auto solid = voxel::solidVoxels(part, pitch, ctx);
     const auto d = curved::decompose(solid, curved::platformFit(solid, 0.0), growth, ctx);
     const double grown = clock.seconds();
+    const std::clock_t before = std::clock();
     const auto r = curved::curvedLayers(d, part, {}, ctx);
+    const double cpu = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
     const auto& s = r.statistics;
     const double volume = geometry::volume(part);
-    std::printf("%s: %zu voxels, missed %zu, decompose %.1f s, extract %.2f s, trim %.2f s\n",
-                file.c_str(), d.voxels, d.missedVoxels, grown, r.seconds.extract, r.seconds.trim);
+    std::printf("%s: %zu voxels, missed %zu, decompose %.1f s, extract %.2f s, trim %.2f s "
+                "(%.2f s of processor time)\n",
+                file.c_str(), d.voxels, d.missedVoxels, grown, r.seconds.extract, r.seconds.trim,
+                cpu);
     std::printf(
         "  area x thickness / volume %.4f (%.0f mm3), spacing %.4f, %d layers, %zu patches, "
         "area %.0f mm2\n",
@@ -152,7 +157,8 @@ int main(int argc, char** argv) try {
     double below = 0.0;
     for (const auto& c : layers::checkSupport(r.stack, 1.25, ctx))
       below = std::max(below, 1.0 - c.supportedFraction);
-    std::printf("  worst patch: %.2f of it unsupported\n", below);
+    std::printf("  unsupported %.5f of the area; worst patch: %.2f of it\n", r.unsupportedFraction,
+                below);
     triangleQuality(r.stack);
     sampleCoverage(r.stack, query, geometry::bounds(part));
     for (const auto& f : r.findings)
