@@ -58,6 +58,9 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
   std::vector<std::vector<double>> cost(rungs.size());
   std::vector<std::vector<int>> parent(rungs.size());
   std::vector<robot::JointVector> here, before;
+  // Reached nodes of the rung before; all turns are neighbours where the window spans the circle.
+  std::vector<std::vector<int>> bySample(static_cast<std::size_t>(options.samples));
+  const int reach = std::min(options.window, (options.samples - 1) / 2);
   for (std::size_t r = 0; r < rungs.size(); ++r) {
     const Rung& rung = rungs[r];
     cost[r].assign(rung.size(), kInfinity);
@@ -71,19 +74,20 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
         cost[r][n] = startCost[n] + rung[n].cost;
         here[n] = rung[n].q;
       } else {
-        const Rung& last = rungs[r - 1];
-        for (std::size_t m = 0; m < last.size(); ++m) {
-          if (cost[r - 1][m] + rung[n].cost >= cost[r][n])
-            continue;
-          int apart = std::abs(last[m].sample - rung[n].sample);
-          apart = std::min(apart, options.samples - apart);
-          if (apart > options.window)
-            continue;
-          const double total = cost[r - 1][m] + rung[n].cost +
-                               step(before[m], rung[n].q, limits, options.maxStepRad[r]);
-          if (total < cost[r][n]) {
-            cost[r][n] = total;
-            parent[r][n] = static_cast<int>(m);
+        for (int k = -reach; k <= reach; ++k) {
+          const int sample =
+              ((rung[n].sample + k) % options.samples + options.samples) % options.samples;
+          for (const int m : bySample[static_cast<std::size_t>(sample)]) {
+            const auto from = static_cast<std::size_t>(m);
+            const double soFar = cost[r - 1][from] + rung[n].cost;
+            if (soFar >= cost[r][n])
+              continue;
+            const double total =
+                soFar + step(before[from], rung[n].q, limits, options.maxStepRad[r]);
+            if (total < cost[r][n]) {
+              cost[r][n] = total;
+              parent[r][n] = m;
+            }
           }
         }
         if (parent[r][n] >= 0)
@@ -96,6 +100,11 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
       break;
     way.reached = r + 1;
     before.swap(here);
+    for (auto& nodes : bySample)
+      nodes.clear();
+    for (std::size_t n = 0; n < rung.size(); ++n)
+      if (cost[r][n] < kInfinity)
+        bySample[static_cast<std::size_t>(rung[n].sample)].push_back(static_cast<int>(n));
   }
   if (way.reached == 0)
     return way;

@@ -33,9 +33,9 @@ struct LadderWay {
 // first rung to the last, starting costs (one a node of the first rung) and node costs included.
 // Joints are taken by whole turns nearest to the predecessor's, as long as limits allow it. Where
 // no node of a rung can be reached the way ends before it, at the cheapest node. Ties go to the
-// node that comes first.
+// node that is met first, by sample.
 // Preconditions: startCost as long as rungs.front(), maxStepRad as rungs; all q of one length,
-// limits as long.
+// limits as long; samples in [0, options.samples).
 LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>& startCost,
                       const std::vector<robot::JointLimits>& limits, const LadderOptions& options);
 

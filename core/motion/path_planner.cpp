@@ -359,7 +359,10 @@ LadderWay PathPlanner::bestWay(Ladder& ladder, const Station& from) const {
   };
   beginNear(from.q);
   LadderWay near = search();
-  if (!beginNear(scene_.cell.home()))
+  const JointVector first = near.reached > 0 ? near.q.front() : from.q;
+  const bool changed = beginNear(scene_.cell.home());
+  if (!changed || (near.reached == ladder.rungs.size() &&
+                   first == ladder.rungs.front()[static_cast<std::size_t>(near.node.front())].q))
     return near;
   LadderWay unwound = search();
   if (unwound.reached > near.reached ||
