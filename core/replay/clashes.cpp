@@ -107,12 +107,12 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
           moment = {static_cast<std::uint32_t>(p), last.run, last.runMm,
                     static_cast<float>(2.0 * width)};
           const Isometry3d head_T_work = work_T_head.inverse(Eigen::Isometry);
-          const auto distance = [&](const Vector3d& q) {
-            return againstPart.distance(head_T_work * q);
+          const auto within = [&](const Vector3d& q, double reach) {
+            return againstPart.within(head_T_work * q, reach);
           };
           const Ball ball = againstPart.ball();
           if (const auto cell =
-                  printed.firstWithin(work_T_head * ball.centre, ball.radius, moment, distance)) {
+                  printed.firstWithin(work_T_head * ball.centre, ball.radius, moment, within)) {
             const Eigen::Vector3i c = printed.grid().cell(*cell);
             touches.push_back({s, kPart, printed.grid().centre(c.x(), c.y(), c.z())});
           }
@@ -271,9 +271,10 @@ private:
         continue;
       }
       const Isometry3d body_T_work = work_T_body.inverse(Eigen::Isometry);
-      const auto cell = printed_.firstWithin(centre, ball.radius, moment, [&](const Vector3d& q) {
-        return distanceToPoint(body.shapes[i], body_T_work * q);
-      });
+      const auto cell =
+          printed_.firstWithin(centre, ball.radius, moment, [&](const Vector3d& q, double reach) {
+            return distanceToPoint(body.shapes[i], body_T_work * q) <= reach;
+          });
       if (cell) {
         const Eigen::Vector3i c = printed_.grid().cell(*cell);
         where = printed_.grid().centre(c.x(), c.y(), c.z());

@@ -24,8 +24,9 @@ struct Share {
   float bead, rectangle, margin;
 };
 
+// Of x >= 0.
 double fraction(double x) {
-  return x - std::floor(x);
+  return x - static_cast<double>(static_cast<int>(x));
 }
 
 // Scratch of one thread for the cells round a piece.
@@ -135,23 +136,26 @@ private:
     low_ = grid_.cellOf(Eigen::Vector3d(low) - slack);
     const Eigen::Vector3i top = grid_.cellOf(Eigen::Vector3d(high) + slack);
     size_ = top - low_ + Eigen::Vector3i::Ones();
+    corner_ = grid_.origin + grid_.pitch * low_.cast<double>();
+    perPitch_ = 1.0 / grid_.pitch;
     tallies_.assign(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) *
                         static_cast<std::size_t>(size_.z()),
                     Tally{0, 0, 0});
   }
   Tally& tally(const Eigen::Vector3d& p) {
-    const Eigen::Vector3i c = (grid_.cellOf(p) - low_)
-                                  .cwiseMax(Eigen::Vector3i::Zero())
-                                  .cwiseMin(size_ - Eigen::Vector3i::Ones());
-    return tallies_[static_cast<std::size_t>(c.x()) +
-                    static_cast<std::size_t>(size_.x()) *
-                        (static_cast<std::size_t>(c.y()) +
-                         static_cast<std::size_t>(size_.y()) * static_cast<std::size_t>(c.z()))];
+    const Eigen::Array3d cells = (p - corner_).array() * perPitch_;
+    // Never negative but for rounding, which truncation takes to 0.
+    const int i = std::clamp(static_cast<int>(cells.x()), 0, size_.x() - 1);
+    const int j = std::clamp(static_cast<int>(cells.y()), 0, size_.y() - 1);
+    const int k = std::clamp(static_cast<int>(cells.z()), 0, size_.z() - 1);
+    return tallies_[static_cast<std::size_t>(i + size_.x() * (j + size_.y() * k))];
   }
 
   const voxel::VoxelGrid& grid_;
   const DepositOptions& options_;
   Eigen::Vector3i low_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
+  Eigen::Vector3d corner_ = Eigen::Vector3d::Zero(); // of low_
+  double perPitch_ = 1.0;
   std::vector<Tally> tallies_;
 };
 

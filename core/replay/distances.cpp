@@ -16,12 +16,12 @@ using Eigen::Vector3d;
 constexpr double kTolerance = 1e-4;
 
 // (radius, z) against the trapezoid under the line (r0, z0) - (r1, z1).
-double trapezoidDistance(const Vector2d& p, double r0, double z0, double r1, double z1) {
+double trapezoidSquared(const Vector2d& p, double r0, double z0, double r1, double z1) {
   const auto toSegment = [&](const Vector2d& a, const Vector2d& b) {
     const Vector2d ab = b - a;
     const double squared = ab.squaredNorm();
     const double t = squared > 0.0 ? std::clamp((p - a).dot(ab) / squared, 0.0, 1.0) : 0.0;
-    return (p - a - t * ab).norm();
+    return (p - a - t * ab).squaredNorm();
   };
   if (p.y() >= z0 && p.y() <= z1) {
     const double t = z1 > z0 ? (p.y() - z0) / (z1 - z0) : 0.0;
@@ -49,7 +49,7 @@ struct PointDistance {
     const double height = (f.p1 - f.p0).norm();
     const Vector3d axis = (f.p1 - f.p0) / height, r = p - f.p0;
     const double z = r.dot(axis);
-    return trapezoidDistance({(r - z * axis).norm(), z}, f.r0, 0.0, f.r1, height);
+    return std::sqrt(trapezoidSquared({(r - z * axis).norm(), z}, f.r0, 0.0, f.r1, height));
   }
   double operator()(const robot::Prism& s) const {
     bool inside = true;
@@ -297,14 +297,30 @@ HeadSolid::HeadSolid(const process::HeadShape& shape) : sections_(shape.sections
 }
 
 double HeadSolid::distance(const Eigen::Vector3d& point) const {
-  const Vector2d p(std::hypot(point.x(), point.y()), point.z());
+  const Vector2d p(point.head<2>().norm(), point.z());
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < sections_.size() && nearest > 0.0; ++i)
     if (sections_[i].zMm > sections_[i - 1].zMm)
       nearest =
-          std::min(nearest, trapezoidDistance(p, sections_[i - 1].radiusMm, sections_[i - 1].zMm,
-                                              sections_[i].radiusMm, sections_[i].zMm));
-  return nearest;
+          std::min(nearest, trapezoidSquared(p, sections_[i - 1].radiusMm, sections_[i - 1].zMm,
+                                             sections_[i].radiusMm, sections_[i].zMm));
+  return std::sqrt(nearest);
+}
+
+bool HeadSolid::within(const Eigen::Vector3d& point, double reach) const {
+  // Nearly all that is asked for lies below the tip.
+  if (point.z() < sections_.front().zMm - reach || point.z() > sections_.back().zMm + reach)
+    return false;
+  const Vector2d p(point.head<2>().norm(), point.z());
+  for (std::size_t i = 1; i < sections_.size(); ++i) {
+    const process::HeadSection &a = sections_[i - 1], &b = sections_[i];
+    if (b.zMm <= a.zMm || p.y() < a.zMm - reach || p.y() > b.zMm + reach ||
+        p.x() > std::max(a.radiusMm, b.radiusMm) + reach)
+      continue;
+    if (trapezoidSquared(p, a.radiusMm, a.zMm, b.radiusMm, b.zMm) <= reach * reach)
+      return true;
+  }
+  return false;
 }
 
 double HeadSolid::lowest(double tipZ, double axisZ) const {

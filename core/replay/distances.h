@@ -36,6 +36,8 @@ public:
 
   // From a point (head's frame) to the solid; 0 inside. Exact: in the (radius, z) half plane.
   double distance(const Eigen::Vector3d& point) const;
+  // distance(point) <= reach, quicker.
+  bool within(const Eigen::Vector3d& point, double reach) const;
   // Its lowest point over the plane z = 0 of a frame in which the tip is at tipZ and the axis makes
   // the angle with cosine `axisZ` to z.
   double lowest(double tipZ, double axisZ) const;

@@ -41,11 +41,11 @@ public:
            printed(beads_.grid.index(c.x(), c.y(), c.z()), moment);
   }
 
-  // A printed cell whose centre `distance` (from a point of the work frame to a solid, 0 inside)
-  // finds in the solid; the solid lies within the ball of `radius` round `centre`.
-  template <typename Distance>
+  // A printed cell whose centre is in a solid. `within(point, reach)` tells whether a point of the
+  // work frame is no further than reach from it; it lies in the ball of `radius` round `centre`.
+  template <typename Within>
   std::optional<std::size_t> firstWithin(const Eigen::Vector3d& centre, double radius,
-                                         const Moment& moment, const Distance& distance) const {
+                                         const Moment& moment, const Within& within) const {
     if (levels_.empty())
       return std::nullopt;
     const Level& top = levels_.back();
@@ -63,7 +63,7 @@ public:
       for (int j = low.y(); j <= high.y(); ++j)
         for (int i = low.x(); i <= high.x(); ++i)
           if (const auto found =
-                  search(levels_.size() - 1, {i, j, k}, centre, radius, moment, distance))
+                  search(levels_.size() - 1, {i, j, k}, centre, radius, moment, within))
             return found;
     return std::nullopt;
   }
@@ -83,17 +83,17 @@ private:
   };
   static constexpr int kBranch = 4;
 
-  template <typename Distance>
+  template <typename Within>
   std::optional<std::size_t> search(std::size_t level, const Eigen::Vector3i& block,
                                     const Eigen::Vector3d& centre, double radius,
-                                    const Moment& moment, const Distance& distance) const {
+                                    const Moment& moment, const Within& within) const {
     const Level& here = levels_[level];
     if (here.least[here.index(block)] >= moment.before)
       return std::nullopt;
     const double width = grid().pitch * here.cells, reach = 0.8660254037844387 * width;
     const Eigen::Vector3d middle =
         grid().origin + width * (block.cast<double>() + Eigen::Vector3d::Constant(0.5));
-    if ((middle - centre).norm() > radius + reach || distance(middle) > reach)
+    if ((middle - centre).norm() > radius + reach || !within(middle, reach))
       return std::nullopt;
     const Eigen::Vector3i first = kBranch * block;
     const Eigen::Vector3i end = (first + Eigen::Vector3i::Constant(kBranch))
@@ -102,12 +102,12 @@ private:
       for (int j = first.y(); j < end.y(); ++j)
         for (int i = first.x(); i < end.x(); ++i) {
           if (level > 0) {
-            if (const auto found = search(level - 1, {i, j, k}, centre, radius, moment, distance))
+            if (const auto found = search(level - 1, {i, j, k}, centre, radius, moment, within))
               return found;
             continue;
           }
           const std::size_t cell = grid().index(i, j, k);
-          if (printed(cell, moment) && distance(grid().centre(i, j, k)) <= 0.0)
+          if (printed(cell, moment) && within(grid().centre(i, j, k), 0.0))
             return cell;
         }
     return std::nullopt;

@@ -125,6 +125,7 @@ TEST(Distances, AHeadIsItsFrusta) {
     for (const robot::Shape& f : head.frusta())
       least = std::min(least, distanceToPoint(f, p));
     EXPECT_NEAR(head.distance(p), least, 1e-9);
+    EXPECT_EQ(head.within(p, 3.0), least <= 3.0);
   }
   EXPECT_NEAR(head.lowest(1.0, 1.0), 1.0, 1e-12);
   EXPECT_NEAR(head.lowest(30.0, 0.0), 8.0, 1e-12);
