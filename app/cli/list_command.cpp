@@ -1,0 +1,128 @@
+#include "base/nearest_name.h"
+#include "cli/commands.h"
+#include "pipeline/modes.h"
+#include "program/dialect.h"
+#include "robot/cell.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+namespace voluta::cli {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+Json listModes() {
+  Json rows = Json::array();
+  for (const pipeline::Mode& mode : pipeline::modes())
+    rows.push_back(Json{{"id", mode.id}, {"label", mode.label}});
+  return rows;
+}
+
+Json listCells() {
+  Json rows = Json::array();
+  for (const std::string& id : robot::cellIds()) {
+    const robot::Cell cell =
+        robot::loadCell(id, process::loadProcess(process::processIds().front()),
+                        {{-40, -40}, {40, -40}, {40, 40}, {-40, 40}});
+    rows.push_back(Json{{"id", id}, {"label", cell.label()}, {"robot", cell.robot().id}});
+  }
+  return rows;
+}
+
+Json listRobots() {
+  Json rows = Json::array();
+  for (const std::string& id : robot::robotIds()) {
+    const robot::RobotModel model = robot::loadRobot(id);
+    rows.push_back(Json{{"id", id},
+                        {"label", model.label},
+                        {"maker", model.maker},
+                        {"controller", model.controller},
+                        {"assumed", model.assumed}});
+  }
+  return rows;
+}
+
+Json listFormats() {
+  Json rows = Json::array();
+  for (const program::Dialect& dialect : program::dialects())
+    rows.push_back(
+        Json{{"id", dialect.id}, {"label", dialect.label}, {"extension", dialect.extension}});
+  return rows;
+}
+
+Json listProcesses() {
+  Json rows = Json::array();
+  for (const std::string& id : process::processIds())
+    rows.push_back(Json{{"id", id}, {"label", process::loadProcess(id).label}});
+  return rows;
+}
+
+Json valueJson(const base::ParameterValue& value) {
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+Json listParameters() {
+  const std::vector<std::string> types{"number", "integer", "boolean", "choice", "text"};
+  const base::ParameterTable table = pipeline::allParameters();
+  Json rows = Json::array();
+  for (const base::ParameterSpec& spec : table.specs()) {
+    Json row{{"id", spec.key},      {"label", spec.label},
+             {"group", spec.group}, {"type", types[static_cast<std::size_t>(spec.type)]},
+             {"unit", spec.unit},   {"default", valueJson(spec.defaultValue)}};
+    if (spec.type == base::ParameterType::Number || spec.type == base::ParameterType::Integer) {
+      row["min"] = spec.minimum;
+      row["max"] = spec.maximum;
+    }
+    if (!spec.choices.empty())
+      row["choices"] = spec.choices;
+    row["simple"] = spec.simple;
+    row["help"] = spec.help;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+struct Listing {
+  std::string_view what;
+  Json (*rows)();
+};
+constexpr Listing kListings[] = {{"modes", listModes},         {"cells", listCells},
+                                 {"robots", listRobots},       {"formats", listFormats},
+                                 {"processes", listProcesses}, {"parameters", listParameters}};
+
+std::string textOf(const Json& row) {
+  std::string text =
+      fmt::format("{:<18} {}", row.at("id").get<std::string>(), row.at("label").get<std::string>());
+  if (row.contains("default"))
+    text += fmt::format(" = {} {}", row.at("default").dump(), row.at("unit").get<std::string>());
+  if (row.contains("min"))
+    text += fmt::format(" [{} to {}]", row.at("min").dump(), row.at("max").dump());
+  if (row.contains("choices"))
+    text += " " + row.at("choices").dump();
+  return text;
+}
+} // namespace
+
+ExitCode listCommand(const ListOptions& options) {
+  std::vector<std::string> known;
+  for (const Listing& listing : kListings) {
+    known.emplace_back(listing.what);
+    if (options.what != listing.what)
+      continue;
+    const Json rows = listing.rows();
+    if (options.json) {
+      fmt::print("{}\n", rows.dump(2));
+      return kDone;
+    }
+    for (const Json& row : rows)
+      fmt::print("{}\n", textOf(row));
+    return kDone;
+  }
+  throw base::Error(base::ErrorCode::Usage, fmt::format("cannot list '{}'", options.what), {},
+                    "did you mean " + base::nearestName(options.what, known) + "?");
+}
+
+} // namespace voluta::cli

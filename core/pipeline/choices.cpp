@@ -1,0 +1,159 @@
+#include "pipeline/choices.h"
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "curved/decompose.h"
+#include "curved/platform.h"
+#include "motion/motion_options.h"
+#include "pipeline/modes.h"
+#include "pipeline/road.h"
+#include "program/dialect.h"
+#include "robot/cell.h"
+#include "toolpath/options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace voluta::pipeline {
+
+namespace {
+using base::Error;
+using base::ErrorCode;
+
+bool parseNumber(std::string_view text, double& value) {
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return status == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+}
+
+void checkName(const std::string& what, const std::string& name,
+               const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw Error(ErrorCode::Usage, fmt::format("unknown {} '{}'", what, name), {},
+                fmt::format("did you mean {}?", base::nearestName(name, known)));
+}
+
+struct Platform {
+  std::string kind;
+  double width = 0.0, depth = 0.0; // disc: diameter in width; fit: margin in width
+};
+
+Platform parsedPlatform(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  Platform p;
+  p.kind = text.substr(0, colon);
+  checkName("platform", p.kind, {"fit", "disc", "rect"});
+  const std::string size = colon == std::string::npos ? "" : text.substr(colon + 1);
+  const auto wrong = [&](const char* form) {
+    return Error(ErrorCode::Usage, fmt::format("platform '{}' has no usable size", text), {},
+                 fmt::format("write {}, in mm", form));
+  };
+  constexpr double kLargest = 5000.0;
+  const auto within = [](double v) { return v > 0.0 && v <= kLargest; };
+  if (p.kind == "fit") {
+    if (!size.empty() && (!parseNumber(size, p.width) || p.width < 0.0 || p.width > kLargest))
+      throw wrong("fit or fit:MARGIN");
+  } else if (p.kind == "disc") {
+    if (!parseNumber(size, p.width) || !within(p.width))
+      throw wrong("disc:DIAMETER");
+  } else {
+    const std::size_t times = size.find('x');
+    if (times == std::string::npos || !parseNumber(size.substr(0, times), p.width) ||
+        !parseNumber(size.substr(times + 1), p.depth) || !within(p.width) || !within(p.depth))
+      throw wrong("rect:WIDTHxDEPTH");
+  }
+  return p;
+}
+} // namespace
+
+base::ParameterTable allParameters() {
+  base::ParameterTable table({
+      base::numberParameter("layerHeightMm", "mm", 0.8, 0.05, 10.0, "Layers", "layer height",
+                            "Wanted height of a layer; the process limits what it may become.",
+                            true),
+      base::numberParameter("beadWidthMm", "mm", 1.2, 0.1, 20.0, "Beads", "bead width",
+                            "Wanted width of a bead; the process limits what it may become.", true),
+      base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads", "step",
+                            "Longest distance of waypoints along a tool-path."),
+      base::booleanParameter("output.debug", false, "Output", "write what every stage made",
+                             "Adds voxels.vti, layers.vtp, toolpath.vtp and trajectory.csv."),
+  });
+  table.append(curved::curvedParameters());
+  table.append(toolpath::toolpathParameters());
+  table.append(motion::motionParameters());
+  return table;
+}
+
+void setParameters(Choices& choices, const std::vector<std::string>& assignments) {
+  base::ParameterValues values(allParameters());
+  for (const std::string& assignment : assignments)
+    values.setAssignment(assignment);
+  for (const auto& [key, value] : values.changes())
+    choices.parameters[key] = base::formatParameter(value);
+}
+
+base::ParameterValues parameterValues(const Choices& choices) {
+  base::ParameterValues values(allParameters());
+  for (const auto& [key, text] : choices.parameters)
+    values.set(key, text);
+  return values;
+}
+
+process::Process chosenProcess(const Choices& choices, const base::ParameterValues& values) {
+  process::Process p = process::loadProcess(choices.process);
+  const auto put = [&](const char* key, double& field, double least, double most) {
+    if (!values.changed(key))
+      return;
+    field = values.number(key);
+    if (field < least || field > most)
+      throw Error(ErrorCode::Usage, fmt::format("{:g} mm is beyond process {}", field, p.id), key,
+                  fmt::format("give {:g} to {:g} mm", least, most));
+  };
+  put("layerHeightMm", p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
+  put("beadWidthMm", p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
+  put("stepMm", p.stepMm, 0.1, 10.0);
+  return p;
+}
+
+void checkPlatform(const std::string& platform) {
+  parsedPlatform(platform);
+}
+
+std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
+                                             const voxel::SolidVoxels& voxels) {
+  const Platform p = parsedPlatform(platform);
+  if (p.kind == "disc")
+    return curved::platformDisc(p.width);
+  if (p.kind == "rect")
+    return curved::platformRect(p.width, p.depth);
+  return curved::platformFit(voxels, p.width);
+}
+
+double parsedScale(const std::string& scale) {
+  if (scale == "fit")
+    return 0.0;
+  double value = 0.0;
+  if (!parseNumber(scale, value) || value < 1e-4 || value > 1e4)
+    throw Error(ErrorCode::Usage, fmt::format("scale '{}' is not a usable factor", scale), {},
+                "give a number from 0.0001 to 10000, or fit");
+  return value;
+}
+
+void checkChoices(const Choices& choices) {
+  std::vector<std::string> modeIds, formatIds;
+  for (const Mode& mode : modes())
+    modeIds.emplace_back(mode.id);
+  for (const program::Dialect& dialect : program::dialects())
+    formatIds.emplace_back(dialect.id);
+  checkName("mode", choices.mode, modeIds);
+  checkName("growth", choices.growth, curved::growthSchemes());
+  checkName("cell", choices.cell, robot::cellIds());
+  checkName("process", choices.process, process::processIds());
+  for (const std::string& format : choices.formats)
+    checkName("format", format, formatIds);
+  checkPlatform(choices.platform);
+  parsedScale(choices.scale);
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,35 @@
+// From what the user typed to what the stages take.
+#pragma once
+
+#include "base/parameters.h"
+#include "pipeline/job.h"
+#include "process/process.h"
+#include "voxel/solid_voxels.h"
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace voluta::pipeline {
+
+// The values of choices.parameters over allParameters(). Throws Error{Usage}.
+base::ParameterValues parameterValues(const Choices& choices);
+
+// The process of choices with the parameters layerHeightMm, beadWidthMm and stepMm put in.
+// Throws Error{Usage}: unknown process, a value outside the process's limits (names them).
+process::Process chosenProcess(const Choices& choices, const base::ParameterValues& values);
+
+// Checks the text of --platform without a part. Throws Error{Usage} that names what there is.
+void checkPlatform(const std::string& platform);
+// The polygon of "fit", "fit:MARGIN", "disc:D" or "rect:WxD". Throws Error{Usage};
+// Error{UnusableInput} when nothing of the part stands on the plate.
+std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
+                                             const voxel::SolidVoxels& voxels);
+
+// A number > 0, or "fit" (returns 0). Throws Error{Usage}.
+double parsedScale(const std::string& scale);
+
+// Throws Error{Usage} for any name that nothing answers to, naming the nearest.
+void checkChoices(const Choices& choices);
+
+} // namespace voluta::pipeline

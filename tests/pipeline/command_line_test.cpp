@@ -1,0 +1,247 @@
+// The program as its users meet it: started as a process, judged by its exit code, its one line on
+// stderr and what it leaves on the disk.
+#include "base/files.h"
+#include "support/shapes.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+using namespace voluta;
+
+namespace {
+
+struct Ended {
+  int code = -1;
+  std::string out, err;
+};
+
+class CommandLine : public ::testing::Test {
+protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "voluta-cli.XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  pid_t start(const std::vector<std::string>& words) const {
+    std::vector<std::string> all{VOLUTA_CLI};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<char*> argv;
+    for (std::string& word : all)
+      argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      const int out = ::open((folder_ / "stdout").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
+      const int err = ::open((folder_ / "stderr").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
+      ::dup2(out, STDOUT_FILENO);
+      ::dup2(err, STDERR_FILENO);
+      ::execv(argv[0], argv.data());
+      ::_exit(127);
+    }
+    return child;
+  }
+  Ended finish(pid_t child) const {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    Ended ended;
+    ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    ended.out = base::readFile(folder_ / "stdout");
+    ended.err = base::readFile(folder_ / "stderr");
+    return ended;
+  }
+  Ended run(const std::vector<std::string>& words) const { return finish(start(words)); }
+
+  // A binary STL of a mesh.
+  std::string stl(const std::string& name, const geometry::TriangleMesh& mesh) const {
+    std::string bytes(80, ' ');
+    const auto put = [&](const auto& value) {
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    put(static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (int k = 0; k < 3; ++k)
+        put(0.0f);
+      for (int k = 0; k < 3; ++k)
+        for (int axis = 0; axis < 3; ++axis)
+          put(static_cast<float>(mesh.corner(t, k)[axis]));
+      put(std::uint16_t{0});
+    }
+    base::writeFile(folder_ / name, bytes);
+    return (folder_ / name).string();
+  }
+  std::string smallBox() const {
+    return stl("box.stl", test::box(Eigen::Vector3d(-6, -5, 0), Eigen::Vector3d(6, 5, 6)));
+  }
+  // Every entry of the folder but the two that hold the child's words.
+  std::set<std::string> entries() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      if (entry.path().filename() != "stdout" && entry.path().filename() != "stderr")
+        names.insert(entry.path().filename().string());
+    return names;
+  }
+
+  fs::path folder_;
+};
+
+void expectOneLine(const Ended& ended, int code, const std::vector<std::string>& says) {
+  EXPECT_EQ(ended.code, code) << ended.err;
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  for (const std::string& word : says)
+    EXPECT_NE(ended.err.find(word), std::string::npos) << "no '" << word << "' in: " << ended.err;
+}
+
+TEST_F(CommandLine, WrongRequestsNameTheNearest) {
+  const std::string part = smallBox();
+  const std::string out = (folder_ / "out").string();
+  expectOneLine(run({"plan", part, "-o", out, "--mode", "curvd"}), 2, {"curvd", "curved"});
+  expectOneLine(run({"plan", part, "-o", out, "--cell", "ur5-fixd"}), 2, {"ur5-fixed"});
+  expectOneLine(run({"plan", part, "-o", out, "--process", "fdm"}), 2, {"fdm-1.0"});
+  expectOneLine(run({"plan", part, "-o", out, "--growth", "gready"}), 2, {"greedy"});
+  expectOneLine(run({"plan", part, "-o", out, "--format", "urscrip"}), 2, {"urscript"});
+  expectOneLine(run({"plan", part, "-o", out, "--set", "voxelmm=1"}), 2, {"voxelMm"});
+  expectOneLine(run({"plan", part, "-o", out, "--set", "voxelMm=900"}), 2, {"voxelMm", " to "});
+  expectOneLine(run({"plan", part, "-o", out, "--set", "infill=zigzak"}), 2, {"zigzag"});
+  expectOneLine(run({"plan", part, "-o", out, "--platform", "disk:9"}), 2, {"disc"});
+  expectOneLine(run({"plan", part, "-o", out, "--scale", "huge"}), 2, {"scale"});
+  expectOneLine(run({"plan", part, "-o", out, "--until", "motin"}), 2, {"motion"});
+  expectOneLine(run({"plan", part}), 2, {"-o"});
+  expectOneLine(run({"plam"}), 2, {});
+  expectOneLine(run({"list", "robot"}), 2, {"robots"});
+  expectOneLine(run({"robot", "ur6", "--fk", "0,0,0,0,0,0"}), 2, {"ur5"});
+  expectOneLine(run({"robot", "ur5", "--fk", "0,0,0"}), 2, {"6"});
+  EXPECT_EQ(entries(), std::set<std::string>{"box.stl"}) << "a refused request left something";
+}
+
+TEST_F(CommandLine, InputThatCannotBeUsedSaysWhatAndWhere) {
+  const std::string out = (folder_ / "out").string();
+  base::writeFile(folder_ / "text.stl", "this is a letter, not a mesh\n");
+  base::writeFile(folder_ / "empty.stl", "");
+  const auto plan = [&](const std::string& name) {
+    return run({"plan", (folder_ / name).string(), "-o", out});
+  };
+  expectOneLine(plan("none.stl"), 3, {"none.stl", "no such file"});
+  fs::create_directory(folder_ / "folder.stl");
+  expectOneLine(plan("folder.stl"), 3, {"folder.stl", "directory"});
+  expectOneLine(plan("text.stl"), 3, {"text.stl"});
+  expectOneLine(plan("empty.stl"), 3, {"empty.stl"});
+  expectOneLine(run({"inspect", (folder_ / "none.stl").string()}), 3, {"none.stl"});
+  expectOneLine(run({"verify", (folder_ / "none.script").string(), "--job",
+                     (folder_ / "none.voluta").string()}),
+                3, {"none"});
+  base::writeFile(folder_ / "no.voluta", "not a job");
+  expectOneLine(
+      run({"verify", (folder_ / "text.stl").string(), "--job", (folder_ / "no.voluta").string()}),
+      3, {"no.voluta"});
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(CommandLine, AFolderThatCannotBeWrittenIsSaidFirst) {
+  const std::string part = smallBox();
+  base::writeFile(folder_ / "file", "x");
+  expectOneLine(run({"plan", part, "-o", (folder_ / "file").string()}), 2, {"file"});
+  expectOneLine(run({"plan", part, "-o", (folder_ / "file" / "below").string()}), 2, {"file"});
+  expectOneLine(run({"plan", part, "-o", "/proc/voluta"}), 2, {"/proc/voluta"});
+}
+
+TEST_F(CommandLine, ListsAnswerInTextAndJson) {
+  for (const char* what : {"modes", "cells", "robots", "formats", "processes", "parameters"}) {
+    const Ended text = run({"list", what});
+    EXPECT_EQ(text.code, 0);
+    EXPECT_FALSE(text.out.empty()) << what;
+    const Ended json = run({"list", what, "--json"});
+    EXPECT_EQ(json.code, 0);
+    const auto parsed = nlohmann::json::parse(json.out);
+    ASSERT_TRUE(parsed.is_array()) << what;
+    EXPECT_FALSE(parsed.empty()) << what;
+  }
+}
+
+TEST_F(CommandLine, RobotAnswersInDegreesAndMillimetres) {
+  const Ended forward = run({"robot", "ur5", "--fk", "0,-90,90,-90,-90,0"});
+  ASSERT_EQ(forward.code, 0) << forward.err;
+  const auto pose = nlohmann::json::parse(forward.out);
+  EXPECT_NEAR(pose.at("positionMm")[0].get<double>(), -486.9, 1e-3);
+  EXPECT_NEAR(pose.at("positionMm")[2].get<double>(), 431.859, 1e-3);
+  const Ended inverse =
+      run({"robot", "ur5", "--ik", "-486.9,-109.15,431.859,0,-0.70710678,-0.70710678,0"});
+  ASSERT_EQ(inverse.code, 0) << inverse.err;
+  EXPECT_EQ(nlohmann::json::parse(inverse.out).at("solutions").size(), 8u);
+}
+
+TEST_F(CommandLine, ASmallPartGoesTheWholeRoad) {
+  const std::string part = smallBox();
+  const std::string out = (folder_ / "out").string();
+  const Ended ended = run({"plan", part, "-o", out, "--set", "output.debug=true"});
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  for (const char* name : {"job.voluta", "report.json", "box.script", "box.gcode", "voxels.vti",
+                           "layers.vtp", "toolpath.vtp", "trajectory.csv"})
+    EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
+  const auto report = nlohmann::json::parse(base::readFile(folder_ / "out" / "report.json"));
+  EXPECT_TRUE(report.at("replay").at("passed").get<bool>());
+  EXPECT_EQ(report.at("decomposition").at("missedVoxels").get<int>(), 0);
+  EXPECT_NEAR(report.at("model").at("volumeMm3").get<double>(), 720.0, 1e-6);
+  EXPECT_NEAR(report.at("toolpath").at("materialMm3").get<double>(), 720.0, 0.03 * 720.0);
+  for (const char* name : {"box.script", "box.gcode"}) {
+    const Ended verified = run({"verify", (folder_ / "out" / name).string(), "--job",
+                                (folder_ / "out" / "job.voluta").string()});
+    EXPECT_EQ(verified.code, 0) << name << ": " << verified.err << verified.out;
+  }
+}
+
+// What must not depend on the number of threads, nor on the run.
+nlohmann::json comparable(nlohmann::json report) {
+  report.erase("timingS");
+  report.erase("threads");
+  report.erase("peakRssMb");
+  return report;
+}
+
+TEST_F(CommandLine, OneAndTwoThreadsPlanTheSame) {
+  const std::string part = smallBox();
+  for (const char* threads : {"1", "2"})
+    run({"plan", part, "-o", (folder_ / threads).string(), "--threads", threads});
+  const auto report = [&](const char* threads) {
+    return comparable(nlohmann::json::parse(base::readFile(folder_ / threads / "report.json")));
+  };
+  EXPECT_EQ(report("1"), report("2"));
+  EXPECT_EQ(base::readFile(folder_ / "1" / "box.script"),
+            base::readFile(folder_ / "2" / "box.script"));
+}
+
+TEST_F(CommandLine, CancelLeavesTheFolderAsItWas) {
+  const std::string part = smallBox();
+  fs::create_directory(folder_ / "out");
+  base::writeFile(folder_ / "out" / "report.json", "kept");
+  std::mt19937 random(11);
+  int cancelled = 0;
+  for (int trial = 0; trial < 10; ++trial) {
+    base::writeFile(folder_ / "out" / "report.json", "kept");
+    const auto before = entries();
+    const pid_t child = start({"plan", part, "-o", (folder_ / "out").string()});
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 1500));
+    ::kill(child, SIGINT);
+    const Ended ended = finish(child);
+    if (ended.code != 5)
+      continue; // it was done before the signal came
+    ++cancelled;
+    EXPECT_EQ(base::readFile(folder_ / "out" / "report.json"), "kept");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "out"), fs::directory_iterator{}), 1);
+    EXPECT_EQ(entries(), before) << "something was left beside the folder";
+  }
+  EXPECT_GE(cancelled, 1);
+}
+
+} // namespace
