@@ -25,11 +25,11 @@ Vector3d tipOf(const BeadPoint& p) {
 int turnOf(const Bead& b) {
   switch (b.kind) {
   case PathKind::Wall:
-    return b.ring;
+    return b.ring == 0 ? -1 : 1000 - b.ring;
   case PathKind::Infill:
-    return 1000;
+    return 0;
   default:
-    return 2000;
+    return 1;
   }
 }
 
