@@ -170,7 +170,7 @@ base::ParameterTable curvedParameters() {
       base::numberParameter("voxelMm", "mm", 0.8, 0.1, 10.0, "Layers", "Voxel width",
                             "Width of the voxels that growth works on; layers are not bound to it.",
                             true),
-      base::integerParameter("fieldRounds", 6, 1, 30, "Layers", "Field rounds",
+      base::integerParameter("fieldRounds", 4, 1, 30, "Layers", "Field rounds",
                              "How often growth and smooth field are fitted to each other."),
   });
 }

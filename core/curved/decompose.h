@@ -15,7 +15,7 @@ namespace voluta::curved {
 struct CurvedOptions {
   std::string growth = "auto"; // auto, reverse: the loop of smoothField; greedy: ranks only
   double layerHeightMm = 0.8, heightMinMm = 0.4, heightMaxMm = 1.0; // heights a layer may have
-  int rounds = 6;                                                   // of growth and refit, >= 1
+  int rounds = 4;                                                   // of growth and refit, >= 1
 };
 
 // Schemes that `growth` may name, in the order they are offered.

@@ -10,7 +10,8 @@ namespace voluta::curved {
 
 namespace {
 
-constexpr float kBehind = 2.0f; // cells
+constexpr float kBehind = 4.0f;      // cells
+constexpr std::size_t kFewPer = 200; // one voxel in so many may hang back: a fit smooths that out
 
 class Peeler {
 public:
@@ -75,7 +76,7 @@ private:
     std::size_t behind = 0;
     for (std::size_t v = 0; v < graph_.size(); ++v)
       behind += present_[v] && guide_[v] > level_ + kBehind;
-    const bool stuck = behind > 0 && behind >= behind_;
+    const bool stuck = behind > start_ / kFewPer && behind >= behind_;
     behind_ = behind;
     if (!stuck)
       return;
