@@ -24,6 +24,8 @@ using plan::PathKind;
 constexpr double kReach = 1.8;    // mm: further from a centreline, nothing is laid
 constexpr double kPlanStep = 0.5; // mm between points while centrelines move
 constexpr int kRelaxations = 2;
+constexpr double kArcStep = 0.2; // mm; with the passes, right angles become arcs of about 0.4 mm
+constexpr int kArcPasses = 4;
 
 struct Centrelines {
   std::vector<SurfaceCurve> curves;
@@ -166,6 +168,30 @@ double volumeOf(const std::vector<Bead>& beads) {
   return v;
 }
 
+// Where fronts from opposite sides of the boundary meet, distance has a ridge that coarse triangles
+// cut off; whether two beads or one have room there hangs on its height.
+PatchSurface refineAtRidges(const PatchSurface& s, const process::Process& process) {
+  constexpr double kFine = 0.2;    // mm
+  constexpr double kFlatter = 0.8; // of the gradient's true length, 1
+  constexpr double kDeepest = 5.0; // hatches: further in, infill lies over the ridge
+  const std::vector<double> d = distanceToSegments(s, boundarySegments(s), 1e9);
+  const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  std::vector<char> marks(s.position.size(), 0);
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const auto v = [&](std::size_t k) { return static_cast<std::size_t>(s.triangles[t][k]); };
+    const double deepest = std::max({d[v(0)], d[v(1)], d[v(2)]});
+    if (deepest < 0.35 * hatch || deepest > kDeepest * hatch || s.triangleArea[t] < 1e-9)
+      continue;
+    Vector3d gradient = Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+      gradient += d[v(k)] * s.triangleNormal[t].cross(s.position[v((k + 2) % 3)] -
+                                                      s.position[v((k + 1) % 3)]);
+    if (gradient.norm() / (2 * s.triangleArea[t]) < kFlatter)
+      marks[v(0)] = marks[v(1)] = marks[v(2)] = 1;
+  }
+  return s.refinedAt(std::move(marks), kFine);
+}
+
 Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                         const ToolpathOptions& o, int layer, const base::RunContext& ctx) {
   const std::size_t n = s.position.size();
@@ -198,7 +224,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   PatchCover cover;
   if (patch.surface.empty())
     return cover;
-  const PatchSurface s = PatchSurface::refine(patch, o.edgeMm);
+  const PatchSurface s = refineAtRidges(PatchSurface::refine(patch, o.edgeMm), process);
   cover.areaMm2 = s.areaMm2;
   cover.volumeMm3 = s.volumeMm3;
   cover.simple = oneLoop(s);
@@ -222,11 +248,13 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
   }
-  ResampleOptions final;
+  // Corners become arcs: straight beads that meet at an angle leave a wedge open at its outside.
+  ResampleOptions fine = dense, final;
+  fine.stepMm = kArcStep;
   final.stepMm = o.stepMm;
   for (SurfaceCurve& c : lines.curves) {
-    Resampled r = resample(s, c, dense);
-    smoothCurve(s, r.curve, r.corner, 2);
+    Resampled r = resample(s, c, fine);
+    smoothCurve(s, r.curve, std::vector<char>(r.corner.size(), 0), kArcPasses);
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();

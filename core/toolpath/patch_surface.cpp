@@ -49,7 +49,9 @@ Vector3d closestOnTriangle(const Vector3d& p, const Vector3d& a, const Vector3d&
 // Splits every edge longer than the limit once; returns whether any was.
 class EdgeSplitter {
 public:
-  EdgeSplitter(PatchSurface& s, double limit) : s_(s), limit2_(limit * limit) {}
+  // marks: per vertex, split only edges between marked ones; empty: all.
+  EdgeSplitter(PatchSurface& s, double limit, std::vector<char> marks = {})
+      : s_(s), limit2_(limit * limit), marks_(std::move(marks)) {}
 
   bool pass() {
     middle_.clear();
@@ -69,11 +71,15 @@ private:
   int middleOf(int a, int b) {
     if ((s_.position[at(a)] - s_.position[at(b)]).squaredNorm() <= limit2_)
       return -1;
+    if (!marks_.empty() && !(marks_[at(a)] && marks_[at(b)]))
+      return -1;
     const auto lo = static_cast<std::uint64_t>(std::min(a, b)),
                hi = static_cast<std::uint64_t>(std::max(a, b));
     const auto [it, fresh] =
         middle_.try_emplace(lo << 32 | hi, static_cast<int>(s_.position.size()));
     if (fresh) {
+      if (!marks_.empty())
+        marks_.push_back(1);
       const auto mix = [&](auto& values) {
         values.push_back(((values[at(a)] + values[at(b)]) / 2.0).eval());
       };
@@ -127,6 +133,7 @@ private:
 
   PatchSurface& s_;
   double limit2_;
+  std::vector<char> marks_;
   std::unordered_map<std::uint64_t, int> middle_;
 };
 } // namespace
@@ -144,6 +151,22 @@ PatchSurface PatchSurface::refine(const layers::Patch& patch, double edgeMm) {
   s.clearDirection = patch.clearDirection;
   s.triangles = patch.surface.triangles;
   EdgeSplitter splitter(s, edgeMm);
+  while (splitter.pass()) {
+  }
+  s.link();
+  return s;
+}
+
+PatchSurface PatchSurface::refinedAt(std::vector<char> marks, double edgeMm) const {
+  base::require(marks.size() == position.size(), "one mark a vertex");
+  base::require(edgeMm > 0, "edge length is positive");
+  PatchSurface s;
+  s.position = position;
+  s.thicknessMm = thicknessMm;
+  s.direction = direction;
+  s.clearDirection = clearDirection;
+  s.triangles = triangles;
+  EdgeSplitter splitter(s, edgeMm, std::move(marks));
   while (splitter.pass()) {
   }
   s.link();

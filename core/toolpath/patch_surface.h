@@ -54,6 +54,9 @@ struct PatchSurface {
   // Refines the patch by splitting edges until none is longer than `edgeMm`.
   // Preconditions: per-vertex arrays of the patch match its vertices; edgeMm > 0.
   static PatchSurface refine(const layers::Patch& patch, double edgeMm);
+  // The same with no edge between two marked vertices longer than `edgeMm`; vertices that halve
+  // such an edge are marked too. Precondition: a mark per vertex.
+  PatchSurface refinedAt(std::vector<char> marks, double edgeMm) const;
 
 private:
   void link();

@@ -58,7 +58,9 @@ inline Painted paint(const layers::Patch& patch, const std::vector<toolpath::Bea
       const double length = along.norm(), w = 0.5 * (p.widthMm + q.widthMm),
                    h = 0.5 * (p.heightMm + q.heightMm);
       const Eigen::Vector3d side = p.direction.cross(along / length).normalized();
-      double material = length * process::beadArea(w, h) / h;
+      const double tipLength =
+          (along + 0.5 * (q.heightMm * q.direction - p.heightMm * p.direction)).norm();
+      double material = tipLength * process::beadArea(w, h) / h;
       std::vector<std::pair<double, std::size_t>> near; // by distance aside
       const Eigen::Vector3d middle = 0.5 * (p.middle + q.middle);
       const int r = 2;
