@@ -58,14 +58,15 @@ double startCostOf(const JointVector& from, const JointVector& to) {
 
 } // namespace
 
-double MotionScene::bend(const Vector3d& tip, double angle) const {
+double MotionScene::bend(const Vector3d& from, const Vector3d& to, double angle) const {
   if (cell.nozzleMount() == robot::Mount::Flange)
     return 0.0; // the tool centre is the tip itself
-  return tip.norm() * angle * angle / 8.0;
+  const double lever = std::max(from.norm(), to.norm());
+  return lever * angle * angle / 8.0 + (to - from).norm() * angle / 4.0;
 }
 
-int MotionScene::divisions(const Vector3d& tip, double angle) const {
-  const double bends = bend(tip, angle);
+int MotionScene::divisions(const Vector3d& from, const Vector3d& to, double angle) const {
+  const double bends = bend(from, to, angle);
   if (bends <= options.deviationMm)
     return 1;
   return static_cast<int>(std::ceil(std::sqrt(bends / options.deviationMm)));
@@ -296,7 +297,7 @@ bool PathPlanner::fill(std::size_t first, const std::vector<double>& turns,
   for (std::size_t i = first + 1; i < first + turns.size(); ++i) {
     const Quaterniond from = toolAt(i - 1), to = toolAt(i);
     const Vector3d a = plan.position[i - 1], b = plan.position[i];
-    const int n = scene_.divisions(b.norm() > a.norm() ? b : a, angleBetween(from, to));
+    const int n = scene_.divisions(a, b, angleBetween(from, to));
     const double volume = 0.5 *
                           (process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]) +
                            process::beadArea(plan.widthMm[i], plan.heightMm[i])) *

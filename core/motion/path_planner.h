@@ -47,11 +47,13 @@ struct MotionScene {
   const collision::GrowingPart& part;
   const MotionOptions& options;
 
-  // How far a nozzle path bends when flange poses are interpolated over a turn of `angle` while
-  // the tip is at `tip`: with the plate on the flange the tip swings about the plate's centre. mm.
-  double bend(const Eigen::Vector3d& tip, double angle) const;
-  // Into how many steps such a turn is to be divided.
-  int divisions(const Eigen::Vector3d& tip, double angle) const;
+  // At most how far the nozzle leaves its straight way on the part, in mm, where flange poses are
+  // interpolated between two tips over a turn of `angle`. With the plate on the flange
+  // tip(t) = R(t)^T (n - o(t)), o straight and R even: its second derivative is the tip's swing
+  // about the plate's centre and twice turn times travel, an eighth of which is the sagitta.
+  double bend(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
+  // Into how many steps such a move is to be divided.
+  int divisions(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
 };
 
 // The joints that bring the nozzle there, nearest to `near` (largest joint step); false when there

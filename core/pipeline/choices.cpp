@@ -78,6 +78,9 @@ base::ParameterTable allParameters() {
                             "Longest distance of waypoints along a tool-path."),
       base::booleanParameter("output.debug", false, "Output", "write what every stage made",
                              "Adds voxels.vti, layers.vtp, toolpath.vtp and trajectory.csv."),
+      base::booleanParameter("output.refused", false, "Output", "write refused programs",
+                             "Also writes programs that the replay refused, as refused-NAME, to "
+                             "be looked at and never to be run."),
   });
   table.append(curved::curvedParameters());
   table.append(toolpath::toolpathParameters());

@@ -115,7 +115,7 @@ void planMotionStage(PlanResult& result, const process::Process& process, const 
 
 // Writes each program, reads it back and replays it; those that hold are kept.
 void programStage(PlanResult& result, const process::Process& process, const robot::Cell& cell,
-                  const base::RunContext& ctx) {
+                  bool keepRefused, const base::RunContext& ctx) {
   const std::vector<std::string> formats = chosenFormats(result.job.choices, cell);
   const std::string name = std::filesystem::path(result.job.partName).stem().string();
   const program::ProgramInput input{*result.job.toolPlan, *result.job.trajectory, cell, process,
@@ -148,13 +148,16 @@ void programStage(PlanResult& result, const process::Process& process, const rob
     if (!judged || !verdict.passed)
       append(result.report.findings, verdict.findings);
     judged = true;
-    if (verdict.passed)
-      result.programs.push_back(std::move(written));
-    else
+    if (!verdict.passed)
       append(result.report.findings, {{"replay", "programRefused", std::nullopt, std::nullopt, 1,
                                        fmt::format("the {} program is not handed over: {}",
                                                    formats[i], failedThresholds(verdict)),
                                        "see the findings before this one"}});
+    if (!verdict.passed)
+      for (plan::ProgramFile& file : written.files)
+        file.name = "refused-" + file.name;
+    if (verdict.passed || keepRefused)
+      result.programs.push_back(std::move(written));
   }
 }
 } // namespace
@@ -221,7 +224,7 @@ PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx) {
   if (request.until == Until::Motion || !result.job.trajectory)
     return finish();
 
-  programStage(result, process, cell, ctx.sub(0.8, 1.0));
+  programStage(result, process, cell, values.boolean("output.refused"), ctx.sub(0.8, 1.0));
   return finish();
 }
 

@@ -36,7 +36,8 @@ struct PlanRequest {
 struct PlanResult {
   Job job;
   Report report;
-  std::vector<plan::Program> programs; // those that may be handed over
+  std::vector<plan::Program> programs; // those that may be handed over; where asked for, also
+                                       // refused ones, their files named refused-...
   // What the stages made, for --set output.debug=true; null where not reached.
   bool debug = false;
   std::shared_ptr<const curved::Decomposition> decomposition;
