@@ -20,7 +20,7 @@ std::size_t at(int i) {
 
 constexpr double kOpenEnd = 0.08;  // hatches from the region's edge to an end that isn't joined
 constexpr double kJoinedEnd = 0.5; // and to the bead that joins two lines
-constexpr double kNarrow = 2.2;    // hatches: shallower parts are filled along their edge
+constexpr double kNarrow = 4.2;    // hatches: shallower parts are filled along their edge
 
 // A function of (nearly) unit gradient whose isolines are the lines.
 std::vector<double> acrossLines(const PatchSurface& s, int layer) {

