@@ -96,7 +96,7 @@ bool chordsHold(const ByLength& c, double s0, double s1, int n, double tolerance
 
 void fillStretch(const ByLength& c, double s0, double s1, const ResampleOptions& o,
                  std::vector<double>& out) {
-  constexpr double kShortest = 0.25; // mm: below it a robot's blending eats what steps would show
+  constexpr double kShortest = 0.33; // mm: below it a robot's blending eats what steps would show
   int n = std::max(1, static_cast<int>(std::ceil((s1 - s0) / o.stepMm - 1e-6)));
   if (!chordsHold(c, s0, s1, n, o.chordMm)) {
     if (s1 - s0 > 2 * o.stepMm) {

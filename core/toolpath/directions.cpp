@@ -59,6 +59,8 @@ public:
     judge(r);
     return r;
   }
+  // Per waypoint of the result of run().
+  const std::vector<Vector3d>& subdividedClear() const { return subdividedClear_; }
 
 private:
   Vector3d tipAt(std::size_t i, const Vector3d& d) const {
@@ -150,9 +152,10 @@ private:
     ctx_.checkpoint();
   }
 
-  ToolPlan subdivided() const {
+  ToolPlan subdivided() {
     const double limit = base::degreesToRadians(o_.turnLimitDeg);
     ToolPlan out;
+    subdividedClear_.clear();
     const auto add = [&](const Vector3d& middle, const Vector3d& d, float w, float h, float v) {
       out.position.push_back(middle + 0.5 * h * d);
       out.direction.push_back(d);
@@ -174,9 +177,11 @@ private:
             add((1 - t) * middle_[i - 1] + t * middle_[i],
                 between(direction_[i - 1], direction_[i], t), mix(plan_.widthMm),
                 mix(plan_.heightMm), plan_.speedMmPerS[i]);
+            subdividedClear_.push_back(between(clear_[i - 1], clear_[i], t));
           }
         }
         add(middle_[i], direction_[i], plan_.widthMm[i], plan_.heightMm[i], plan_.speedMmPerS[i]);
+        subdividedClear_.push_back(clear_[i]);
       }
       path.first = first;
       path.count = out.waypointCount() - first;
@@ -220,9 +225,9 @@ private:
   const ToolPlan& plan_;
   const std::vector<Vector3d>& clear_;
   const ToolpathOptions& o_;
-  const base::RunContext& ctx_;
+  const base::RunContext ctx_;
   HeadClearance head_;
-  std::vector<Vector3d> middle_, direction_;
+  std::vector<Vector3d> middle_, direction_, subdividedClear_;
 };
 } // namespace
 
@@ -232,7 +237,22 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
   if (plan.waypointCount() == 0)
     return {};
-  return Orienter(plan, clearDirection, process, options, ctx).run();
+  // Leaning moves tips and beads a little, and subdividing adds waypoints: what isn't clear after
+  // that is gone over again.
+  constexpr int kRounds = 4;
+  ToolPlan current = plan;
+  std::vector<Vector3d> clear = clearDirection;
+  OrientResult result;
+  for (int round = 0; round < kRounds; ++round) {
+    Orienter orienter(current, clear, process, options,
+                      round == 0 ? ctx.sub(0.0, 0.7) : ctx.sub(0.7, 1.0));
+    result = orienter.run();
+    if (result.gouges == 0)
+      break;
+    clear = orienter.subdividedClear();
+    current = result.plan;
+  }
+  return result;
 }
 
 } // namespace voluta::toolpath

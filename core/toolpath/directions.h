@@ -27,8 +27,9 @@ struct OrientResult {
 // it, and leans it towards its clear direction only as far as it must, else towards whatever
 // nearby clears; low-passes along the path where neighbours differ by more than smoothBeyondDeg
 // (Dai 3.5.2) unless that gouges; subdivides steps that turn more than turnLimitDeg. The middle of
-// each bead stays where it is: tip = middle + 1/2 height x direction.
-// clearDirection: per waypoint, unit. Preconditions: sizes match. Throws Cancelled.
+// each bead stays where it is: tip = middle + 1/2 height x direction. Gone over up to four times
+// while anything gouges. clearDirection: per waypoint, unit. Preconditions: sizes match. Throws
+// Cancelled.
 OrientResult orientDirections(const plan::ToolPlan& plan,
                               const std::vector<Eigen::Vector3d>& clearDirection,
                               const process::Process& process, const ToolpathOptions& options,
