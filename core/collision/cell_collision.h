@@ -54,8 +54,9 @@ public:
   std::optional<Contact> bodiesAndPart(const Frames& base_T_frame, const GrowingPart& part,
                                        std::size_t before, const Margins& margins) const;
 
-  // The eroded head, grown by marginMm, against the part. The head is round, so this depends on
-  // tip and axis alone, not on the joints.
+  // The eroded head, grown by marginMm less half a cell of the part's grid (nearer the grid cannot
+  // tell), against the part. The head is round, so this depends on tip and axis alone, not on the
+  // joints.
   bool headTouchesPart(const Eigen::Isometry3d& work_T_tool, const GrowingPart& part,
                        std::size_t before, double marginMm) const;
   // The eroded head against the plate and what carries it.

@@ -148,32 +148,46 @@ private:
       });
     ctx.checkpoint();
 
+    // Where no way leads on, the arm goes home with what is printed by then, and on from there.
     Sequence kept;
+    std::optional<Transfer> parked; // the way home from the last kept run, once it was needed
     for (std::size_t r = 0; r < runs.size(); ++r) {
       const RunPoint& first = runs[r].points.front();
+      const Surround& surround = surrounds_[runs[r].path];
+      const std::uint64_t seed = options_.seed + first.next;
       std::optional<Transfer> way;
-      if (kept.runs.empty())
-        way = planner.approach(home_, first.at, first.next, surrounds_[runs[r].path], options_.seed,
-                               ctx);
-      else if (r > 0 && !blocked_.empty() && blocked_.back() == r - 1)
-        way = wayBetween(kept.runs.back(), runs[r]);
-      else
-        way = std::move(found[r]);
+      if (kept.runs.empty()) {
+        way = planner.approach(home_, first.at, first.next, surround, seed, ctx);
+      } else if (!parked) {
+        way = std::move(found[r]); // from run r - 1, which is the last kept one
+        if (!way)
+          parked = planner.leave(kept.runs.back().points.back().at, home_, first.next, surround,
+                                 seed, ctx);
+      }
+      if (!way && parked &&
+          (way = planner.approach(home_, first.at, first.next, surround, seed, ctx))) {
+        way->points.insert(way->points.begin(), parked->points.begin(), parked->points.end());
+        parked.reset();
+      }
       if (!way) {
-        blocked_.push_back(r);
+        ++blockedRuns_;
         for (const RunPoint& p : runs[r].points)
           if (p.waypoint != plan::kNoWaypoint)
             unapproached_.push_back(p.waypoint);
+        // What follows cannot lead on from a run that is not there.
+        if (!parked && !kept.runs.empty() && r + 1 < runs.size())
+          found[r + 1] = wayBetween(kept.runs.back(), runs[r + 1]);
         continue;
       }
       kept.ways.push_back(std::move(*way));
       kept.runs.push_back(std::move(runs[r]));
     }
     if (!kept.runs.empty()) {
-      const Station& end = kept.runs.back().points.back().at;
-      if (auto way = planner.leave(end, home_, plan_.waypointCount(), surrounds_.back(),
-                                   options_.seed, ctx))
-        kept.ways.push_back(std::move(*way));
+      if (!parked)
+        parked = planner.leave(kept.runs.back().points.back().at, home_, plan_.waypointCount(),
+                               surrounds_.back(), options_.seed, ctx);
+      if (parked)
+        kept.ways.push_back(std::move(*parked));
       else
         stranded_ = true;
     }
@@ -294,7 +308,7 @@ private:
       add("transfer", unapproached_.front(), timeOf[unapproached_.front()], unapproached_.size(),
           placeOf(scene_, unapproached_.front()) +
               fmt::format(": no way to {} path piece(s) was found that keeps clear of everything",
-                          blocked_.size()),
+                          blockedRuns_),
           "turn the part, or allow less clearance");
     if (stranded_)
       add("transfer", plan_.waypointCount(), s.durationS, 1,
@@ -323,7 +337,7 @@ private:
   Station home_;
   std::vector<std::size_t> headBefore_;
   std::vector<Refused> refused_;
-  std::vector<std::size_t> blocked_;      // runs without a way to them
+  std::size_t blockedRuns_ = 0;           // without a way to them
   std::vector<std::size_t> unapproached_; // their waypoints
   bool stranded_ = false;                 // no way home
   TrajectoryCheck check_;

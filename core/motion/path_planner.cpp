@@ -29,6 +29,7 @@ constexpr double kLimitCost = 0.5;   // of a joint at its limit, rad of way
 constexpr double kTurnCost = 0.3;    // of turning a joint back by a whole turn, rad of way
 constexpr double kBranchStep = 1.0;  // rad, a joint's step beyond which the branch is another
 constexpr double kBranchCost = 4.0;  // a rad beyond it
+constexpr double kLiftStepMm = 2.0, kLiftFactor = 10.0; // of liftMm, from both ends of a run
 constexpr std::size_t kHeadChunk = 256, kCheckChunk = 16, kRungChunk = 2, kJudgeChunk = 1;
 
 // Costs of being near a joint's limit, rising from four fifths of its range.
@@ -242,6 +243,47 @@ void PathPlanner::judge(Ladder& ladder, const std::vector<std::size_t>& rungs,
   times_.collision += watch.seconds();
 }
 
+bool PathPlanner::liftable(const Station& station, std::size_t before) const {
+  std::vector<JointVector> scratch;
+  JointVector q = station.q;
+  for (double height = kLiftStepMm; height <= kLiftFactor * scene_.options.liftMm;
+       height += kLiftStepMm) {
+    const JointVector last = q;
+    if (!solveNear(scene_.cell, station.tip + height * station.direction(), station.tool, last,
+                   scene_.options.maxStepRad, scratch, q) ||
+        contactAt(q, before))
+      return false;
+  }
+  return true;
+}
+
+void PathPlanner::blockUnliftable(Ladder& ladder, std::size_t rung, std::size_t before,
+                                  const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  Place& place = ladder.places[rung];
+  Rung& nodes = ladder.rungs[rung];
+  place.lifted = true;
+  std::vector<char> bad(nodes.size(), 0);
+  base::parallelChunks(ctx, nodes.size(), 4, [&](std::size_t b, std::size_t e) {
+    for (std::size_t n = b; n < e; ++n) {
+      if (nodes[n].blocked)
+        continue;
+      const Station station{
+          scene_.plan.position[place.waypoint],
+          turned(tools_[place.waypoint - toolsFirst_],
+                 kTurn * nodes[n].sample / static_cast<double>(scene_.options.samples)),
+          nodes[n].q};
+      bad[n] = contactAt(nodes[n].q, before).has_value() || !liftable(station, before);
+    }
+  });
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    if (bad[n]) {
+      nodes[n].blocked = true;
+      place.unliftable.push_back(n);
+    }
+  times_.collision += watch.seconds();
+}
+
 // Turns about the nozzle at every waypoint from the ladder's: linear in the way between rungs.
 std::vector<double> PathPlanner::turnsOf(const Ladder& ladder, const LadderWay& way) const {
   const plan::ToolPlan& plan = scene_.plan;
@@ -393,7 +435,7 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
         ++old;
       } else {
         fresh.push_back(places.size());
-        places.push_back({w, false, {}});
+        places.push_back({w, false, false, {}, {}});
         rungs.emplace_back();
       }
     }
@@ -441,6 +483,7 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
 
   Run run;
   run.path = path;
+  bool wantsLift = true; // from both ends
   const auto close = [&](const LadderWay& way) {
     // Nothing further is joined: what is, is printed, and the rest begins anew.
     const std::size_t last = ladder.places[way.reached - 1].waypoint;
@@ -458,6 +501,20 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
     const LadderWay way = bestWay(ladder, from);
     times_.graph += watch.seconds();
 
+    if (way.reached < ladder.places.size() && wantsLift) {
+      bool relaxed = false;
+      for (std::size_t r = 0; r < ladder.places.size(); ++r) {
+        for (const std::size_t n : ladder.places[r].unliftable)
+          ladder.rungs[r][n].blocked = false;
+        relaxed = relaxed || !ladder.places[r].unliftable.empty();
+        ladder.places[r].unliftable.clear();
+      }
+      // Better a run that is hard to leave than none.
+      if (relaxed) {
+        wantsLift = false;
+        continue;
+      }
+    }
     if (way.reached == 0) {
       judge(ladder, {0}, ctx); // for the reason
       refuse(ladder.places[0], ladder.rungs[0]);
@@ -501,6 +558,19 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
       times_.collision += watch.seconds();
       good = failed.empty();
     }
+    if (good && wantsLift) {
+      const auto endRung = ladder.places.size() - 1;
+      const bool startHeld = !ladder.places.front().lifted &&
+                             !liftable(run.points.front().at, run.points.front().next);
+      const bool endHeld = !ladder.places[endRung].lifted &&
+                           !liftable(run.points.back().at, run.points.back().next + 1);
+      if (startHeld)
+        blockUnliftable(ladder, 0, first, ctx);
+      if (endHeld)
+        blockUnliftable(ladder, endRung, first + count, ctx);
+      if (startHeld || endHeld)
+        continue;
+    }
     if (good) {
       runs.push_back(std::move(run));
       return count;
@@ -511,7 +581,7 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
       // Settle for what comes before the first failure.
       const std::size_t end = failed.front();
       if (end < first + 2) {
-        refuse({first, true, {}}, {LadderNode{}});
+        refuse({first, true, true, {}, {}}, {LadderNode{}});
         return 1;
       }
       count = end - first;

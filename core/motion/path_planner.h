@@ -86,7 +86,9 @@ public:
 private:
   struct Place { // a rung: its waypoint and what is known of its nodes
     std::size_t waypoint;
-    bool judged = false;                      // all nodes were checked for collisions
+    bool judged = false; // all nodes were checked for collisions
+    bool lifted = false; // nodes from which the arm cannot lift the nozzle were blocked
+    std::vector<std::size_t> unliftable;      // those nodes
     std::vector<collision::Contact> contacts; // why nodes are blocked, where by collision
   };
   struct Ladder;
@@ -102,6 +104,11 @@ private:
             std::vector<RunPoint>& points, std::size_t& failedAt) const;
   std::vector<std::size_t> failures(const std::vector<RunPoint>& points,
                                     const base::RunContext& ctx) const;
+  // Can the arm lift the nozzle from there, far enough for a transfer?
+  bool liftable(const Station& station, std::size_t before) const;
+  // Blocks the nodes of a path's first or last rung from which it cannot.
+  void blockUnliftable(Ladder& ladder, std::size_t rung, std::size_t before,
+                       const base::RunContext& ctx);
   std::optional<collision::Contact> contactAt(const robot::JointVector& q,
                                               std::size_t waypoint) const;
   // Plans as many of the waypoints as can be joined; returns how many it dealt with (>= 1).

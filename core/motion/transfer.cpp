@@ -7,9 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
-#include <sstream>
-#include <cstdlib>
 
 namespace voluta::motion {
 
@@ -258,10 +255,6 @@ std::optional<Transfer> TransferPlanner::plan(const Station& from, const Station
   const Station high = upWay.empty() ? from : upWay.back().at;
   const Station low = downWay.empty() ? to : downWay.back().at;
   const auto kind = swing(high, low, before, seed, ctx, transfer.points);
-  if (!kind && std::getenv("DBG")) { std::ostringstream o; o << "DBG up " << up.size() << " down " << down.size() << " far " << farUp.size() << farDown.size() << " kind " << (kind ? int(*kind) : -1) << " tip " << from.tip.transpose() << " -> " << to.tip.transpose() << "\n  " << from.q.transpose()*57.3 << "\n  " << to.q.transpose()*57.3 << "\n  " << high.q.transpose()*57.3 << "\n  " << low.q.transpose()*57.3 << "\n";
-  const auto wide = widened(scene_.options.travelling, kJointMarginMm); for (auto* st : {&high,&low}) { collision::CellCollision::Frames f; scene_.cell.framePoses(st->q, f); auto c = scene_.collision.any(f, scene_.part, before, wide); if (c) o << "   end meets " << scene_.collision.nameOf(c->first) << " " << scene_.collision.nameOf(c->second) << "\n"; }
-  for (int k=0;k<=720;++k) { collision::CellCollision::Frames f; scene_.cell.framePoses(high.q + k/720.*(low.q-high.q), f); auto c = scene_.collision.any(f, scene_.part, before, wide); if (c) { o << "   way meets at " << k << " " << scene_.collision.nameOf(c->first) << " " << scene_.collision.nameOf(c->second) << "\n"; break; } }
-  std::cerr << o.str(); }
   if (!kind)
     return std::nullopt;
   transfer.kind = *kind;

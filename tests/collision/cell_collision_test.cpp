@@ -159,11 +159,11 @@ TEST_F(CellCollisionTest, PartAndHead) {
   plan.paths.push_back({0, 31});
   const collision::GrowingPart part(plan, 0.2, {});
   const Isometry3d on = toolAt({0, 0, 0.8}, Vector3d::UnitZ(), 0),
-                   in = toolAt({0, 0, 0.2}, Vector3d::UnitZ(), 0);
+                   in = toolAt({0, 0, 0.0}, Vector3d::UnitZ(), 0);
   EXPECT_FALSE(collision.headTouchesPart(on, part, 31, 0.0));
   EXPECT_TRUE(collision.headTouchesPart(in, part, 31, 0.0));
   EXPECT_FALSE(collision.headTouchesPart(in, part, 8, 0.0)); // not yet printed there
-  EXPECT_TRUE(collision.headTouchesPart(on, part, 31, 0.6));
+  EXPECT_TRUE(collision.headTouchesPart(on, part, 31, 0.7));
 }
 
 // Figures, not checks.
