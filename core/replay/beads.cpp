@@ -52,6 +52,31 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
   return result;
 }
 
+namespace {
+// Pieces shorter than a cell of the grid are laid by few samples, unevenly; so samples that lie on
+// a line are one piece. Blends stay within this of their chord where programs keep to theirs.
+constexpr double kPieceMm = 1.05, kPieceSagittaMm = 0.03;
+
+// The last sample before `end` that a straight piece from sample `start` may reach.
+std::size_t straightFrom(const std::vector<Eigen::Vector3d>& tip, std::size_t start,
+                         std::size_t end) {
+  std::size_t last = start + 1;
+  for (std::size_t s = start + 2; s < end; ++s) {
+    const Eigen::Vector3d chord = tip[s] - tip[start];
+    if (chord.norm() > kPieceMm)
+      break;
+    const Eigen::Vector3d along = chord.normalized();
+    for (std::size_t k = start + 1; k < s; ++k) {
+      const Eigen::Vector3d r = tip[k] - tip[start];
+      if ((r - r.dot(along) * along).norm() > kPieceSagittaMm || r.dot(along) < 0.0)
+        return last;
+    }
+    last = s;
+  }
+  return last;
+}
+} // namespace
+
 std::vector<BeadPiece> beadPieces(const plan::ReadProgram& program, const ExecutedPath& path,
                                   const std::vector<BeadKnowledge>& knowledge) {
   base::require(knowledge.size() == path.motionCount(), "beadPieces: knowledge per motion");
@@ -89,18 +114,22 @@ std::vector<BeadPiece> beadPieces(const plan::ReadProgram& program, const Execut
       continue;
     }
     double done = 0.0;
-    for (std::size_t s = std::max<std::size_t>(first, 1); s < end; ++s) {
-      const double step = (path.tip[s] - path.tip[s - 1]).norm();
-      if (step <= 0.0)
-        continue;
+    for (std::size_t s = std::max<std::size_t>(first, 1); s < end;) {
+      const std::size_t last = straightFrom(path.tip, s - 1, end);
+      double step = 0.0;
+      for (std::size_t k = s; k <= last; ++k)
+        step += (path.tip[k] - path.tip[k - 1]).norm();
       const auto heightAt = [&](double at) {
         return static_cast<float>(known.fromHeightMm +
                                   at / length * (known.toHeightMm - known.fromHeightMm));
       };
       piece.from = path.tip[s - 1];
-      piece.to = path.tip[s];
+      piece.to = path.tip[last];
       piece.fromDirection = path.direction[s - 1];
-      piece.toDirection = path.direction[s];
+      piece.toDirection = path.direction[last];
+      s = last + 1;
+      if (step <= 0.0)
+        continue;
       piece.fromHeightMm = heightAt(done);
       done += step;
       runMm += step;

@@ -34,8 +34,9 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
                                          const plan::Trajectory& trajectory,
                                          const plan::ToolPlan& plan, double defaultHeightMm);
 
-// One piece between consecutive samples of every extruding motion, volume by length. A motion that
-// extrudes on the spot gives a piece without length (which the depositor counts as excess).
+// Straight pieces of about a millimetre over the samples of every extruding motion, volume by
+// length. A motion that extrudes on the spot gives a piece without length (which the depositor
+// counts as excess).
 // Precondition: knowledge per motion.
 std::vector<BeadPiece> beadPieces(const plan::ReadProgram& program, const ExecutedPath& path,
                                   const std::vector<BeadKnowledge>& knowledge);

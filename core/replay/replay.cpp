@@ -123,8 +123,9 @@ private:
     high = (high + Vector3d::Constant(margin)).cwiseMin(mostHigh);
     const voxel::VoxelGrid grid = gridOver(low, high, 0.25 * in_.process.beadWidthMm, kMaxCells);
     out_.pitchMm = grid.pitch;
-    beads_ = depositBeads(grid, pieces_, DepositOptions{3.0 * in_.process.beadWidthMaxMm, 3},
-                          ctx_.sub(0.2, 0.5));
+    DepositOptions depositOptions;
+    depositOptions.widthMaxMm = 3.0 * in_.process.beadWidthMaxMm;
+    beads_ = depositBeads(grid, pieces_, depositOptions, ctx_.sub(0.2, 0.5));
     for (const BeadPiece& piece : pieces_)
       (piece.ofPart ? out_.depositedMm3 : out_.supportMm3) += static_cast<double>(piece.volumeMm3);
   }

@@ -152,8 +152,11 @@ Resampled resample(const PatchSurface& surface, const SurfaceCurve& curve,
     fillStretch(c, s0, c.length(), o, stations);
     stations.push_back(c.length());
   }
+  // A loop shorter than a step is still a loop.
+  if (curve.closed && stations.size() < 3)
+    stations = {0.0, c.length() / 3.0, 2.0 * c.length() / 3.0};
   Resampled r;
-  r.curve.closed = curve.closed && stations.size() > 2;
+  r.curve.closed = curve.closed;
   for (const double s : stations) {
     const SurfacePoint raw = c.at(s);
     r.curve.points.push_back(surface.project(raw.position, raw.triangle));

@@ -110,4 +110,18 @@ TEST(CurveTools, ResampledStepsAreEvenAndKeepCorners) {
   }
 }
 
+TEST(CurveTools, ALoopShorterThanAStepStaysALoop) {
+  const auto s = toolpath::PatchSurface::refine(test::patchOver({test::rectangle(20, 20)}), 0.5);
+  toolpath::SurfaceCurve tiny;
+  tiny.closed = true;
+  for (const Vector2d& c : {Vector2d(0, 0), Vector2d(0.05, 0), Vector2d(0.05, 0.05)})
+    tiny.points.push_back(s.project(Vector3d(c.x(), c.y(), 0.4), 0));
+  toolpath::ResampleOptions o;
+  o.stepMm = 0.9;
+  const auto r = toolpath::resample(s, tiny, o);
+  EXPECT_TRUE(r.curve.closed);
+  EXPECT_GE(r.curve.points.size(), 3u);
+  EXPECT_EQ(r.corner.size(), r.curve.points.size());
+}
+
 } // namespace
