@@ -69,6 +69,13 @@ private:
 
 const char* const kWriteAgain = "write the program again, or plan anew with this change";
 
+// Lines without a motion may stand in a gap, so both of its ends are named.
+std::string gapBefore(const plan::ReadProgram& program, std::size_t motion) {
+  if (motion == 0)
+    return "before this one";
+  return "between " + placeName(program, placeOf(program, motion - 1)) + " and this one";
+}
+
 void tellDeviations(const Alignment& alignment, const plan::Trajectory& trajectory,
                     const plan::ReadProgram& program, Report& report) {
   for (const Deviation& d : alignment.deviations) {
@@ -83,8 +90,9 @@ void tellDeviations(const Alignment& alignment, const plan::Trajectory& trajecto
       break;
     case DeviationKind::Missing:
       report.atMotion("waypointsMissing", d.motion,
-                      counted(d.count, "planned motion") + " missing before this one", kWriteAgain,
-                      d.count);
+                      counted(d.count, "planned motion") + " missing " +
+                          gapBefore(program, d.motion),
+                      kWriteAgain, d.count);
       break;
     case DeviationKind::Extra:
       report.atMotion("motionsUnplanned", d.motion,
