@@ -21,9 +21,7 @@ double peakResidentMb() {
 void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
                 const base::RunContext& ctx) {
   if (result.decomposition)
-    // Ranks may lie half a voxel inside the front where nothing else could go on.
-    base::writeFile(folder / "voxels.vti",
-                    voxelsVti(*result.decomposition, 0.5 * result.decomposition->grid.pitch));
+    base::writeFile(folder / "voxels.vti", voxelsVti(*result.decomposition));
   ctx.checkpoint();
   if (result.layers)
     base::writeFile(folder / "layers.vtp", layers::writeLayersVtp(*result.layers));

@@ -148,14 +148,14 @@ void programStage(PlanResult& result, const process::Process& process, const rob
     if (!judged || !verdict.passed)
       append(result.report.findings, verdict.findings);
     judged = true;
-    if (!verdict.passed)
+    if (!verdict.passed) {
       append(result.report.findings, {{"replay", "programRefused", std::nullopt, std::nullopt, 1,
                                        fmt::format("the {} program is not handed over: {}",
                                                    formats[i], failedThresholds(verdict)),
                                        "see the findings before this one"}});
-    if (!verdict.passed)
       for (plan::ProgramFile& file : written.files)
         file.name = "refused-" + file.name;
+    }
     if (verdict.passed || keepRefused)
       result.programs.push_back(std::move(written));
   }

@@ -16,11 +16,11 @@ template <typename T> std::size_t append(std::string& data, const std::vector<T>
 }
 } // namespace
 
-std::string voxelsVti(const curved::Decomposition& d, double epsilonMm) {
+std::string voxelsVti(const curved::Decomposition& d) {
   std::vector<double> platform;
   for (const Eigen::Vector2d& corner : d.platform)
     platform.insert(platform.end(), {corner.x(), corner.y()});
-  const std::vector<double> epsilon{epsilonMm};
+  const std::vector<double> epsilon{d.epsilonMm};
   const std::vector<std::uint8_t> kind(d.rank.size(), 0);
 
   std::string data = "_";

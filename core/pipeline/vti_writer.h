@@ -10,6 +10,6 @@ namespace voluta::pipeline {
 // VTK XML ImageData: cell data `rank` (0 outside, n >= 1 its layer, -1 missed) and `kind` (0 part,
 // 1 support), field data `platform` (x, y of the polygon's corners) and `epsilon` (depth in mm to
 // which a voxel may lie inside the front). Raw appended little-endian arrays.
-std::string voxelsVti(const curved::Decomposition& decomposition, double epsilonMm);
+std::string voxelsVti(const curved::Decomposition& decomposition);
 
 } // namespace voluta::pipeline

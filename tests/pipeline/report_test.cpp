@@ -62,7 +62,7 @@ TEST(Vti, ArraysStandWhereTheHeaderSays) {
   d.grid.size = {2, 1, 1};
   d.rank = {3, -1};
   d.platform = {{0, 0}, {1, 0}, {0, 1}};
-  const std::string text = pipeline::voxelsVti(d, 0.25);
+  const std::string text = pipeline::voxelsVti(d);
   const std::size_t start = text.find("<AppendedData encoding=\"raw\">\n_") + 31;
   const std::string marker = "Name=\"rank\" format=\"appended\" offset=\"";
   const std::size_t at = start + std::stoul(text.substr(text.find(marker) + marker.size()));
