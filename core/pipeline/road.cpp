@@ -136,12 +136,15 @@ void programStage(PlanResult& result, const process::Process& process, const rob
       row.bytes += file.text.size();
     }
     base::Stopwatch replaying;
-    const replay::Verification verdict =
+    replay::Verification verdict =
         replayText(written.format, written.files, result.job, cell, process, part.sub(0.1, 1.0));
     result.report.timings.replay += replaying.seconds();
     row.maxDeviationMm = verdict.maxDeviationMm;
     row.maxDeviationRad = verdict.maxDeviationRad;
     result.report.programs.push_back(row);
+    // Lines are of this program's text, and there are several programs.
+    for (plan::Finding& finding : verdict.findings)
+      finding.reason = fmt::format("{}: {}", formats[i], finding.reason);
     // The first program, the cell's own unless the user chose others, carries the verdict.
     if (!judged)
       result.report.replay = replayReport(verdict);
