@@ -1,6 +1,7 @@
 #include "toolpath/patch_surface.h"
 
 #include "base/error.h"
+#include "geometry/triangle_queries.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,36 +15,6 @@ using Eigen::Vector3d;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-// Closest point of triangle abc to p (Ericson, Real-Time Collision Detection, 5.1.5).
-Vector3d closestOnTriangle(const Vector3d& p, const Vector3d& a, const Vector3d& b,
-                           const Vector3d& c) {
-  const Vector3d ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0)
-    return a;
-  const Vector3d bp = p - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3)
-    return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 - d3 > 0)
-    return a + d1 / (d1 - d3) * ab;
-  const Vector3d cp = p - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6)
-    return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0 && d2 - d6 > 0)
-    return a + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0 && (d4 - d3) + (d5 - d6) > 0)
-    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-  const double sum = va + vb + vc;
-  if (!(sum > 0))
-    return a;
-  return a + vb / sum * ab + vc / sum * ac;
 }
 
 // Splits every edge longer than the limit once; returns whether any was.
@@ -252,8 +223,8 @@ SurfacePoint PatchSurface::project(const Vector3d& point, int start) const {
   double least = (best.position - point).squaredNorm();
   const auto tryTriangle = [&](int i) {
     const auto& t = triangles[at(i)];
-    const Vector3d q =
-        closestOnTriangle(point, position[at(t[0])], position[at(t[1])], position[at(t[2])]);
+    const Vector3d q = geometry::closestPointOnTriangle(point, position[at(t[0])],
+                                                        position[at(t[1])], position[at(t[2])]);
     const double d = (q - point).squaredNorm();
     if (d < least - 1e-15) {
       least = d;

@@ -13,17 +13,9 @@ using Eigen::Vector3d;
 using geometry::MeshQuery;
 using geometry::TriangleMesh;
 
-namespace {
+using test::append;
 
-void append(TriangleMesh& mesh, const TriangleMesh& other, bool reversed = false) {
-  const int offset = static_cast<int>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (auto t : other.triangles) {
-    if (reversed)
-      std::swap(t[1], t[2]);
-    mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-  }
-}
+namespace {
 
 TriangleMesh hollowSphere() {
   TriangleMesh m = test::sphere({1, 2, 3}, 10.0, 20);

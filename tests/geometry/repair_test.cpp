@@ -18,17 +18,9 @@ using geometry::TriangleMesh;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-namespace {
+using test::append;
 
-void append(TriangleMesh& mesh, const TriangleMesh& other, bool reversed = false) {
-  const int offset = static_cast<int>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (auto t : other.triangles) {
-    if (reversed)
-      std::swap(t[1], t[2]);
-    mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-  }
-}
+namespace {
 
 TriangleMesh unitBox() {
   return test::box({0, 0, 0}, {10, 10, 10});

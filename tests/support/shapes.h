@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace voluta::test {
 
@@ -16,6 +17,18 @@ inline geometry::TriangleMesh box(const Eigen::Vector3d& low, const Eigen::Vecto
   m.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                  {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return m;
+}
+
+// Adds the triangles of `other` to `mesh`, turned inside out where asked.
+inline void append(geometry::TriangleMesh& mesh, const geometry::TriangleMesh& other,
+                   bool reversed = false) {
+  const int offset = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (auto t : other.triangles) {
+    if (reversed)
+      std::swap(t[1], t[2]);
+    mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
 }
 
 // Sphere by latitude and longitude; vertices on the sphere.
