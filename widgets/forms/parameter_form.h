@@ -1,0 +1,79 @@
+// A form made from a table of parameters: groups that fold, simple or all, search, marks where a
+// value is not the default, reset.
+#pragma once
+
+#include "base/parameters.h"
+
+#include <QWidget>
+#include <map>
+#include <string>
+#include <vector>
+
+class QButtonGroup;
+class QLabel;
+class QLineEdit;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace voluta::forms {
+
+class Fold;
+class ParameterRow;
+
+class ParameterForm : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit ParameterForm(base::ParameterTable table, QWidget* parent = nullptr);
+  ~ParameterForm() override;
+
+  // Puts a widget above the groups, inside the scrolled area; the form takes it over.
+  void setHeader(QWidget* header);
+
+  // Texts by key of the parameters that were changed; all others show their default. Emits
+  // nothing. A text that its parameter cannot take, or an unknown key, is left out.
+  void setValues(const std::map<std::string, std::string>& changed);
+
+  bool showsAll() const { return showsAll_; }
+  // false: only what every user needs, and whatever was changed.
+  void setShowAll(bool all);
+  // Shows only what has all words of `text` in its label, key, group or help, of all parameters.
+  void setSearch(const QString& text);
+  // Brings a parameter into sight and gives it the keyboard; false: no such key.
+  bool reveal(const QString& key);
+
+signals:
+  // A value was committed; `text` is what base::parseParameter takes.
+  void changed(const QString& key, const QString& text);
+  void resetRequested(const QString& key);
+  void resetAllRequested();
+  void showAllChanged(bool all);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  struct Group {
+    std::string name;
+    Fold* fold = nullptr;
+    std::vector<ParameterRow*> rows;
+  };
+  void build();
+  void filter();
+  void mark();
+  void retranslate();
+
+  base::ParameterTable table_;
+  std::vector<Group> groups_;
+  QLineEdit* search_ = nullptr;
+  QToolButton* simple_ = nullptr;
+  QToolButton* all_ = nullptr;
+  QToolButton* resetAll_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
+  QVBoxLayout* column_ = nullptr;
+  QLabel* nothingFound_ = nullptr;
+  bool showsAll_ = false;
+};
+
+} // namespace voluta::forms

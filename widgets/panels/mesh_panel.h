@@ -1,0 +1,51 @@
+// What the mesh is like: what was found in it, what was mended, what remains.
+#pragma once
+
+#include <Eigen/Core>
+#include <QWidget>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+
+namespace voluta::panels {
+
+struct MeshSummary {
+  std::string name; // file name without folder
+  std::size_t triangles = 0;
+  Eigen::Vector3d sizeMm = Eigen::Vector3d::Zero(); // as it lies in the file
+  double volumeMm3 = 0.0;
+  bool watertight = false;
+  std::vector<std::string> found, repaired, remains; // a sentence each
+};
+
+class MeshPanel : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit MeshPanel(QWidget* parent = nullptr);
+
+  // nullopt: no part.
+  void setSummary(std::optional<MeshSummary> summary);
+  // Emits nothing.
+  void setRepair(bool repair);
+
+signals:
+  void repairToggled(bool repair);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void retranslate();
+
+  std::optional<MeshSummary> summary_;
+  QLabel* text_ = nullptr;
+  QLabel* state_ = nullptr;
+  QLabel* stateIcon_ = nullptr;
+  QCheckBox* repair_ = nullptr;
+};
+
+} // namespace voluta::panels

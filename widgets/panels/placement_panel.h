@@ -1,0 +1,81 @@
+// Where and how the part lies, in numbers: move, turn, scale.
+#pragma once
+
+#include "pipeline/job.h"
+
+#include <Eigen/Geometry>
+#include <QWidget>
+#include <array>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace voluta::forms {
+class NumberBox;
+}
+
+namespace voluta::panels {
+
+class PlacementPanel : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PlacementPanel(QWidget* parent = nullptr);
+
+  // None of these emits.
+  void setPlacement(const pipeline::Placement& placement);
+  // `text` as in the choices: a number or "fit"; `factor` is what it came to (0: not known yet).
+  void setScale(const QString& text, double factor);
+  // Size of the placed part along the axes of the work frame, mm.
+  void setSizeMm(const Eigen::Vector3d& sizeMm);
+  // Is a click in the viewport awaited?
+  void setLayOnFace(bool waiting);
+
+  const pipeline::Placement& placement() const { return placement_; }
+
+signals:
+  // `editName` names the edit for undo, in the user's language.
+  void placementChanged(const voluta::pipeline::Placement& placement, const QString& editName);
+  void scaleChanged(const QString& text);
+  void layOnFaceToggled(bool waiting);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void build();
+  void showPlacement();
+  void showScale();
+  void showSize();
+  void moved(int axis, double mm);
+  void turned(int axis, double degrees);
+  void turnBy(int axis, double degrees);
+  void change(const pipeline::Placement& placement, const QString& editName);
+  void retranslate();
+
+  pipeline::Placement placement_;
+  Eigen::Vector3d angles_ = Eigen::Vector3d::Zero(); // radians, as shown
+  Eigen::Vector3d sizeMm_ = Eigen::Vector3d::Zero();
+  QString scaleText_ = QStringLiteral("1");
+  double factor_ = 1.0;
+
+  std::array<forms::NumberBox*, 3> move_{}, turn_{};
+  std::array<QToolButton*, 3> less_{}, more_{};
+  std::array<QLabel*, 3> axis_{};
+  QLabel* moveLabel_ = nullptr;
+  QLabel* turnLabel_ = nullptr;
+  QLabel* percentLabel_ = nullptr;
+  QLabel* factorLabel_ = nullptr;
+  QLabel* sizeLabel_ = nullptr;
+  QLabel* size_ = nullptr;
+  forms::NumberBox* percent_ = nullptr;
+  forms::NumberBox* scale_ = nullptr;
+  QPushButton* fit_ = nullptr;
+  QPushButton* drop_ = nullptr;
+  QPushButton* layOnFace_ = nullptr;
+  QPushButton* centre_ = nullptr;
+  QPushButton* reset_ = nullptr;
+};
+
+} // namespace voluta::panels

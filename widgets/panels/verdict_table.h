@@ -1,0 +1,42 @@
+// What the replay measured of a program, and the limits it has to keep to.
+#pragma once
+
+#include "pipeline/report.h"
+
+#include <QTableWidget>
+#include <optional>
+#include <vector>
+
+namespace voluta::panels {
+
+struct VerdictMeasure {
+  QString label, value, limit;
+  bool passed = false;
+};
+
+// The measures of a verdict in the user's language.
+std::vector<VerdictMeasure> verdictMeasures(const pipeline::ReplayReport& report);
+
+// Measure, value, limit and a tick or a stop sign.
+class VerdictTable : public QTableWidget {
+  Q_OBJECT
+
+public:
+  explicit VerdictTable(QWidget* parent = nullptr);
+
+  // nullopt: no program was replayed.
+  void setReport(std::optional<pipeline::ReplayReport> report);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void retranslate();
+
+  std::optional<pipeline::ReplayReport> report_;
+};
+
+} // namespace voluta::panels
