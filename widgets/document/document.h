@@ -1,0 +1,151 @@
+// The project being edited: a part, the choices made for it, and what was last planned.
+#pragma once
+
+#include "base/error.h"
+#include "pipeline/job.h"
+#include "pipeline/load_stage.h"
+#include "pipeline/road.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace voluta::document {
+
+enum class StageState {
+  Nothing,   // no result of this stage
+  Running,   // being worked on now
+  Done,      // the result on show is that of the choices
+  OutOfDate, // the choices have changed since
+  Blocked,   // done, but something of it cannot be printed, reached or verified
+  Failed     // the last run ended in an error here
+};
+
+// A run that ended in an error.
+struct Failure {
+  pipeline::Stage stage;
+  base::Error error;
+};
+
+// Edits are commands on undoStack(), each with a name; undo brings back choices and part, results
+// are kept by what they were made from and never by an edit. Lives on the thread of the window.
+class Document : public QObject {
+  Q_OBJECT
+
+public:
+  explicit Document(QObject* parent = nullptr);
+  ~Document() override;
+
+  // ---- what is edited
+  const pipeline::Choices& choices() const { return choices_; }
+  // null: no part is open.
+  std::shared_ptr<const pipeline::LoadedPart> source() const;
+  // Where the part was read from, or "sample:NAME"; empty when it came with a project.
+  QString sourcePath() const;
+  // False while the part is still being repaired: planning waits for it.
+  bool sourceReady() const;
+  // Empty: never saved.
+  const QString& projectFile() const { return projectFile_; }
+  // For the title: the project's file name without folder and ending, else the part's, else
+  // "Untitled".
+  QString name() const;
+  bool dirty() const;
+  QUndoStack* undoStack() { return &undo_; }
+  // Counts every change of choices or source, undo and redo included.
+  std::uint64_t revision() const { return revision_; }
+
+  // ---- edits; `editName` is what the Edit menu shows after "Undo". One that changes nothing is
+  // not an edit.
+  void setChoices(const pipeline::Choices& choices, const QString& editName);
+  // A text of base::ParameterTable. The default's text takes the parameter back to unchanged.
+  // Throws Error{Usage} for an unknown key or a wrong value; then nothing changes.
+  void setParameter(const QString& key, const QString& text);
+  void resetParameter(const QString& key);
+  void resetParameters();
+  // Edits between beginDrag and endDrag become one command.
+  void place(const pipeline::Placement& placement, const QString& editName);
+  void setScale(const QString& scale);
+  void beginDrag();
+  void endDrag();
+  // Shows another part, an edit too; `ready` false when a repaired version will follow. Keeps the
+  // choices but for the placement and the scale.
+  void openPart(std::shared_ptr<const pipeline::LoadedPart> part, const QString& path, bool ready);
+  // The repaired version of `part`, wherever edits refer to it. Not an edit.
+  void replaceSource(const std::shared_ptr<const pipeline::LoadedPart>& part,
+                     std::shared_ptr<const pipeline::LoadedPart> repaired);
+
+  // ---- whole projects; these clear the undo stack
+  void clear();
+  // `file` empty: a project without a file of its own. `unsaved`: counts as changed.
+  void openJob(const pipeline::Job& job, const QString& file, bool unsaved);
+  // After a save of `revision`: the file is the project's, and clean if nothing changed since.
+  void saved(const QString& file, std::uint64_t revision);
+
+  // ---- results
+  // The plan that the data of a stage is shown from; null: none. Not always that of the choices:
+  // see state().
+  std::shared_ptr<const pipeline::PlanResult> result(pipeline::Stage stage) const;
+  // The plan of the furthest stage that has one.
+  std::shared_ptr<const pipeline::PlanResult> lastResult() const;
+  StageState state(pipeline::Stage stage) const;
+  // The result on show is that of the choices.
+  bool upToDate(pipeline::Stage stage) const;
+  const std::optional<Failure>& failure() const { return failure_; }
+
+  // Called by Planning.
+  void planStarted(pipeline::Stage until);
+  void stageDone(pipeline::Stage stage, std::shared_ptr<const pipeline::PlanResult> result);
+  void planEnded();
+  void planFailed(const base::Error& error);
+
+  // All that a run needs; the part counts by its content.
+  pipeline::PlanRequest request(pipeline::Stage until) const;
+  // Everything to be saved, sharing the big arrays: may go to another thread. Results that are out
+  // of date are left out.
+  pipeline::Job snapshot() const;
+
+signals:
+  void choicesChanged();
+  void sourceChanged();
+  void resultChanged(voluta::pipeline::Stage stage);
+  void stateChanged();
+  void dirtyChanged(bool dirty);
+  void nameChanged(const QString& name);
+  // An edit, an undo or a redo; not for what Planning delivers.
+  void edited();
+
+private:
+  struct Source;
+  class EditCommand;
+  using Keys = std::array<std::string, pipeline::kStageCount>;
+
+  void push(const pipeline::Choices& choices, std::shared_ptr<Source> source,
+            const QString& editName);
+  void apply(const pipeline::Choices& choices, const std::shared_ptr<Source>& source);
+  void refreshKeys();
+  void dropResults();
+  void emitDirtyAndName();
+
+  pipeline::Choices choices_;
+  std::shared_ptr<Source> source_;
+  QString projectFile_;
+  QUndoStack undo_;
+  bool unsaved_ = false; // changed in a way that the undo stack does not know of
+  bool wasDirty_ = false;
+  QString lastName_;
+  int dragId_ = 0, drags_ = 0;
+  std::uint64_t revision_ = 0;
+
+  Keys keys_; // of the choices; empty texts where they have none
+  std::array<std::shared_ptr<const pipeline::PlanResult>, pipeline::kStageCount> results_;
+  std::optional<Failure> failure_;
+  Keys failedKeys_;
+  std::optional<pipeline::Stage> running_, until_;
+};
+
+} // namespace voluta::document

@@ -1,0 +1,57 @@
+// Parts and projects read in the background.
+#pragma once
+
+#include "document/autosave.h"
+#include "jobs/job_runner.h"
+#include "pipeline/load_stage.h"
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+
+namespace voluta::document {
+
+class Document;
+class Planning;
+
+// A part comes in twice: as read, at once, and then repaired. A new request replaces one under way.
+class Opening : public QObject {
+  Q_OBJECT
+
+public:
+  // Both outlive this.
+  Opening(Document& document, Planning& planning, QObject* parent = nullptr);
+  ~Opening() override;
+
+  // A project by its ending .voluta, anything else as a part; "sample:NAME" too.
+  void open(const QString& path);
+  void openPart(const QString& path);
+  void openProject(const QString& file);
+  // As a project that is not saved, with the file it was saved to before, if any.
+  void openRecovered(const Recovered& recovered);
+  // A repair under way is given up: the part stays as read and will not be planned before it is
+  // opened again or repaired.
+  void cancel();
+  bool running() const { return runner_.running(); }
+
+signals:
+  void started(const QString& path);
+  void progressed(const voluta::jobs::Progress& progress);
+  // The part as read or the project is in the document.
+  void opened(const QString& path, bool project);
+  // The repaired part is in the document.
+  void repaired();
+  void cancelled();
+  // One line: what, where, what would help. The document is as it was.
+  void failed(const QString& path, const QString& message);
+
+private:
+  void readProject(const QString& file, const QString& projectFile, bool unsaved);
+
+  Document& document_;
+  Planning& planning_;
+  jobs::JobRunner runner_;
+};
+
+} // namespace voluta::document

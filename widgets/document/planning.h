@@ -1,0 +1,68 @@
+// Plans a document in the background and brings the results in, stage by stage.
+#pragma once
+
+#include "jobs/job_runner.h"
+#include "pipeline/road.h"
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+class QTimer;
+
+namespace voluta::pipeline {
+class StageCache;
+}
+
+namespace voluta::document {
+
+class Document;
+
+// Results stay on show, marked out of date, until newer ones replace them; a cancel or an error
+// leaves the last ones. Only what changed is computed again.
+class Planning : public QObject {
+  Q_OBJECT
+
+public:
+  // `document` outlives this.
+  explicit Planning(Document& document, QObject* parent = nullptr);
+  ~Planning() override;
+
+  // Starts, or starts over. While the part is still being repaired it waits for that. Without a
+  // part nothing happens.
+  void plan(pipeline::Stage until = pipeline::Stage::Replay);
+  // The window is free when this returns.
+  void cancel();
+  bool running() const;
+  // On: a change of the document while a run is under way starts it over (0.3 s after the last
+  // change). Off, as at first: the run goes on and its results arrive out of date.
+  void setStartsOver(bool on) { startsOver_ = on; }
+  // >= 1; jobs::defaultThreads() at first.
+  void setThreads(int threads) { threads_ = threads; }
+
+  const jobs::Progress& progress() const { return runner_.progress(); }
+  // Fills the cache with what an opened project holds.
+  void seed(const pipeline::Job& job);
+
+signals:
+  void started(voluta::pipeline::Stage until);
+  void progressed(const voluta::jobs::Progress& progress);
+  void stageDone(voluta::pipeline::Stage stage);
+  void finished();
+  void cancelled();
+  void failed(voluta::pipeline::Stage stage, const QString& message);
+
+private:
+  void start();
+
+  Document& document_;
+  std::shared_ptr<pipeline::StageCache> cache_;
+  jobs::JobRunner runner_;
+  QTimer* startOver_;
+  std::optional<pipeline::Stage> waiting_; // for the repair
+  pipeline::Stage until_ = pipeline::Stage::Replay;
+  bool startsOver_ = false;
+  int threads_ = jobs::defaultThreads();
+};
+
+} // namespace voluta::document

@@ -1,0 +1,103 @@
+// Core's work on a thread of its own; progress and results on the thread of the window.
+#pragma once
+
+#include "base/outcome.h"
+#include "base/run_context.h"
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+class QTimer;
+
+namespace voluta::jobs {
+
+struct Progress {
+  QString stage;                     // as the core names it
+  double fraction = 0.0;             // of the whole run, [0, 1]
+  std::optional<double> secondsLeft; // smoothed; nothing in the first 2 s
+};
+
+// Hands a function to the thread of the window, to be called there in order while its run is the
+// current one; dropped once the run was cancelled, replaced or its runner destroyed. Copies are
+// cheap and may outlive the run.
+using Post = std::function<void(std::function<void()>)>;
+
+// Threads that a run may use when nobody says otherwise: all of the machine's.
+int defaultThreads();
+
+// One run at a time. All functions and signals belong to the thread that the runner lives in.
+class JobRunner : public QObject {
+  Q_OBJECT
+
+public:
+  explicit JobRunner(QObject* parent = nullptr);
+  // Cancels; returns at once.
+  ~JobRunner() override;
+
+  // Calls work(ctx) or work(ctx, post) on a thread of its own and then done(outcome) on this one.
+  // A run under way is cancelled first and its `done` is never called: of several runs in a row
+  // only the newest delivers. `work` must not touch objects of the window; it is destroyed on its
+  // own thread, `done` on this one. Precondition: threads >= 1.
+  template <typename Work, typename Done>
+  void run(Work work, Done done, int threads = defaultThreads());
+
+  // Ends the run for the window at once: done(Cancelled) is called before this returns. The thread
+  // ends at its next checkpoint, unseen, and its result is dropped. Nothing happens without a run.
+  void cancel();
+
+  bool running() const { return static_cast<bool>(run_); }
+  // Of the current run; of the last one after its end.
+  const Progress& progress() const { return progress_; }
+
+signals:
+  void started();
+  void progressed(const voluta::jobs::Progress& progress); // at most 20 a second
+  void finished();                                         // after done() of the newest run
+
+private:
+  struct Run;
+  using ErasedWork = std::function<std::shared_ptr<void>(const base::RunContext&, const Post&)>;
+  // nullptr: cancelled.
+  using ErasedDone = std::function<void(std::shared_ptr<void>)>;
+
+  void start(ErasedWork work, ErasedDone done, int threads);
+  void abandon();
+  void finish(const std::shared_ptr<void>& outcome);
+  void tick();
+
+  std::shared_ptr<Run> run_;
+  ErasedDone done_;
+  Progress progress_;
+  QTimer* timer_;
+};
+
+template <typename Work, typename Done> void JobRunner::run(Work work, Done done, int threads) {
+  auto call = [work = std::move(work)](const base::RunContext& ctx, const Post& post) mutable {
+    if constexpr (std::is_invocable_v<Work&, const base::RunContext&, const Post&>)
+      return work(ctx, post);
+    else
+      return work(ctx);
+  };
+  using T = std::invoke_result_t<decltype(call)&, const base::RunContext&, const Post&>;
+  auto shared = std::make_shared<decltype(call)>(std::move(call));
+  start(
+      [shared](const base::RunContext& ctx, const Post& post) -> std::shared_ptr<void> {
+        return std::make_shared<base::Outcome<T>>(
+            base::outcomeOf([&]() -> T { return (*shared)(ctx, post); }));
+      },
+      [done = std::move(done)](const std::shared_ptr<void>& outcome) mutable {
+        if (outcome)
+          done(std::move(*std::static_pointer_cast<base::Outcome<T>>(outcome)));
+        else
+          done(base::Outcome<T>(base::Cancelled{}));
+      },
+      threads);
+}
+
+} // namespace voluta::jobs

@@ -1,0 +1,79 @@
+// Angle and speed of every joint over time, with their limits, in step with the time-line.
+#pragma once
+
+#include "plan/trajectory.h"
+#include "robot/robot_model.h"
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+class QActionGroup;
+class QHBoxLayout;
+class QToolButton;
+
+namespace voluta::jobs {
+class JobRunner;
+}
+
+namespace voluta::timeline {
+
+class ChartCanvas;
+class JointCurves;
+
+enum class PlotKind { Angle, Speed, Both };
+
+// Curves are prepared on a worker and reduced to the least and greatest value a pixel column, anew
+// only when the view is zoomed, moved or resized. The wheel zooms about the pointer, a drag moves
+// the view, a double click shows all; colours follow the palette.
+class JointPlots : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit JointPlots(QWidget* parent = nullptr);
+  ~JointPlots() override;
+
+  // null: nothing to show. Limits: one a joint, or none. Returns at once; ready() follows.
+  void setTrajectory(std::shared_ptr<const plan::Trajectory> trajectory,
+                     std::vector<robot::JointLimits> limits);
+  bool prepared() const { return static_cast<bool>(curves_); }
+
+  void setKind(PlotKind kind);
+  PlotKind kind() const { return kind_; }
+  void setJointShown(int joint, bool shown);
+  bool jointShown(int joint) const;
+  // Span of time on show, seconds; held inside the trajectory.
+  void setSpan(double fromS, double toS);
+  double spanFromS() const { return fromS_; }
+  double spanToS() const { return toS_; }
+
+public slots:
+  void setTimeS(double timeS);
+
+signals:
+  void timeClicked(double timeS);
+  void ready();
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void buildWidgets();
+  void makeJointButtons();
+  void colourJointButtons();
+  void applyKind();
+  void refresh();
+  void retranslate();
+
+  jobs::JobRunner* runner_;
+  std::shared_ptr<const JointCurves> curves_;
+  std::vector<robot::JointLimits> limits_;
+  std::vector<bool> shown_;
+  PlotKind kind_ = PlotKind::Both;
+  double fromS_ = 0.0, toS_ = 0.0;
+  ChartCanvas *angle_ = nullptr, *speed_ = nullptr;
+  QHBoxLayout* jointRow_ = nullptr;
+  std::vector<QToolButton*> jointButtons_, kindButtons_;
+};
+
+} // namespace voluta::timeline

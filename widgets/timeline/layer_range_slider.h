@@ -1,0 +1,70 @@
+// Which layers are shown: two handles on a vertical groove.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+namespace voluta::timeline {
+
+// Layers are counted from 0 inside and from 1 on the labels. Keys: up and down move the upper
+// handle, with Shift the lower one, Page up and Page down by ten; Home and End show all from the
+// first or up to the last. The wheel moves the upper handle, with Shift the lower one, with Ctrl
+// both. A click on the groove brings the nearer handle; a double click shows a single layer, and
+// again all of them. In single layer mode both handles move as one.
+class LayerRangeSlider : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit LayerRangeSlider(QWidget* parent = nullptr);
+
+  int layerCount() const { return count_; }
+  int first() const { return first_; }
+  int last() const { return last_; }
+  bool single() const { return single_; }
+
+  // Heights of the layers' tops in mm for the labels: empty, or one a layer. Shows all layers when
+  // the count changes. count >= 0.
+  void setLayers(int count, std::vector<double> topMm = {});
+  // Held inside [0, layerCount() - 1]; first <= last.
+  void setRange(int first, int last);
+  void setSingle(bool single);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+signals:
+  void rangeChanged(int first, int last);
+  void dragging(bool on);
+  void singleChanged(bool single);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  enum class Handle { None, Lower, Upper };
+
+  QRectF grooveRect() const;
+  double yOf(int layer) const;
+  int layerAt(double y) const;
+  Handle nearestHandle(double y) const;
+  QRectF handleRect(Handle handle) const;
+  QString labelOf(int layer) const;
+  void paintLabel(QPainter& painter, int layer, double y) const;
+  void moveHandle(Handle handle, int layer);
+  void describe();
+
+  int count_ = 0, first_ = 0, last_ = 0;
+  std::vector<double> topMm_;
+  bool single_ = false;
+  Handle held_ = Handle::None;
+  int wheelRest_ = 0; // eighths of a degree not yet spent on a step
+};
+
+} // namespace voluta::timeline

@@ -1,0 +1,101 @@
+// The bar under the viewport: play, step, scrub.
+#pragma once
+
+#include "timeline/clock.h"
+
+#include <QString>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace voluta::timeline {
+
+class Player;
+class ScrubSlider;
+
+// Where a finding lies on the time-line.
+struct Mark {
+  double timeS = 0.0;
+  bool blocking = true;
+  QString text; // tool tip
+};
+
+// Time: over the whole program, in seconds (Simulate page). Moves: over the moves of the layer on
+// show (Layers page); the position is the number of moves shown.
+enum class BarMode { Time, Moves };
+
+// Keys while it has the focus: space plays and pauses, left and right step by a move, with Ctrl by
+// a layer, Home and End go to the ends. The same as slots, for shortcuts of the whole window.
+class TimelineBar : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit TimelineBar(QWidget* parent = nullptr);
+
+  BarMode mode() const { return mode_; }
+  void setMode(BarMode mode);
+
+  // The program on show; null or empty: the bar is disabled in mode Time. The time is kept where
+  // it is still inside.
+  void setClock(std::shared_ptr<const Clock> clock);
+  const std::shared_ptr<const Clock>& clock() const { return clock_; }
+  // Moves of the layer on show, >= 0; shows all of them.
+  void setMoveCount(int moves);
+  void setMarks(std::vector<Mark> marks);
+
+  double timeS() const { return timeS_; }
+  int move() const { return move_; }
+  bool playing() const;
+  double speed() const;
+
+public slots:
+  // Move the bar and everything in step with it; signals only where the value changes.
+  void setTimeS(double timeS);
+  void setMove(int move);
+  // One of 1, 2, 5, 10, 20, 50, 100.
+  void setSpeed(double factor);
+  void play();
+  void pause();
+  void togglePlay();
+  void nextMove();
+  void previousMove();
+  // In mode Moves they ask for another layer instead: layerStepRequested.
+  void nextLayer();
+  void previousLayer();
+
+signals:
+  void timeChanged(double timeS);
+  void moveChanged(int moves);       // [0, moves of the layer]
+  void layerStepRequested(int step); // mode Moves: +1 or -1
+  void playingChanged(bool playing);
+  void dragging(bool on); // the handle is held, for level of detail
+
+protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  void buildWidgets();
+  void retranslate();
+  void redrawIcons();
+  void enterMode();
+  void showPosition();
+  void setPosition(double position);
+
+  std::shared_ptr<const Clock> clock_;
+  BarMode mode_ = BarMode::Time;
+  double timeS_ = 0.0;
+  int move_ = 0, moveCount_ = 0;
+  Player* player_;
+  ScrubSlider* slider_ = nullptr;
+  QToolButton *previousLayer_ = nullptr, *previousMove_ = nullptr, *play_ = nullptr,
+              *nextMove_ = nullptr, *nextLayer_ = nullptr;
+  QComboBox* speed_ = nullptr;
+  QLabel* label_ = nullptr;
+};
+
+} // namespace voluta::timeline
