@@ -1,0 +1,83 @@
+#include "scene/colouring.h"
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::scene {
+
+const std::vector<ColourByRow>& colourByTable() {
+  static const std::vector<ColourByRow> table{
+      {ColourBy::Layer, "layer", "Layer", "", false},
+      {ColourBy::Group, "group", "Group", "", true},
+      {ColourBy::Kind, "kind", "Kind", "", true},
+      {ColourBy::Height, "height", "Height", "mm", false},
+      {ColourBy::Width, "width", "Width", "mm", false},
+      {ColourBy::Speed, "speed", "Speed", "mm/s", false},
+      {ColourBy::Time, "time", "Time", "min", false},
+      {ColourBy::Direction, "direction", "Tilt of the nozzle", "deg", false},
+  };
+  return table;
+}
+
+ColourBy colourByOf(std::string_view id) {
+  std::vector<std::string> ids;
+  for (const ColourByRow& row : colourByTable()) {
+    if (row.id == id)
+      return row.colourBy;
+    ids.emplace_back(row.id);
+  }
+  throw base::Error(base::ErrorCode::Usage, "unknown colour '" + std::string(id) + "'", {},
+                    "did you mean '" + base::nearestName(id, ids) + "'?");
+}
+
+namespace {
+
+// Hue turns from violet-blue over green to yellow while lightness rises evenly: the path that
+// keeps neighbouring steps apart for every kind of colour vision. Stops in CIE L*a*b*.
+struct Lab {
+  double l, a, b;
+};
+constexpr Lab kStops[] = {{22, 30, -38}, {36, 6, -38},  {50, -18, -18},
+                          {64, -34, 10}, {78, -28, 44}, {92, -6, 66}};
+
+double linearToSrgb(double v) {
+  v = std::clamp(v, 0.0, 1.0);
+  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+}
+
+Colour srgbOf(const Lab& lab) {
+  const auto cube = [](double f) {
+    constexpr double d = 6.0 / 29.0;
+    return f > d ? f * f * f : 3.0 * d * d * (f - 4.0 / 29.0);
+  };
+  const double fy = (lab.l + 16.0) / 116.0;
+  const double x = 0.95047 * cube(fy + lab.a / 500.0);
+  const double y = cube(fy);
+  const double z = 1.08883 * cube(fy - lab.b / 200.0);
+  return {linearToSrgb(3.2406 * x - 1.5372 * y - 0.4986 * z),
+          linearToSrgb(-0.9689 * x + 1.8758 * y + 0.0415 * z),
+          linearToSrgb(0.0557 * x - 0.2040 * y + 1.0570 * z)};
+}
+
+} // namespace
+
+Colour sequentialColour(double t) {
+  constexpr int last = static_cast<int>(std::size(kStops)) - 1;
+  const double place = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0) * last;
+  const int i = std::min(static_cast<int>(place), last - 1);
+  const double f = place - i;
+  const Lab &p = kStops[i], &q = kStops[i + 1];
+  return srgbOf({p.l + f * (q.l - p.l), p.a + f * (q.a - p.a), p.b + f * (q.b - p.b)});
+}
+
+Colour categoricalColour(int index) {
+  static constexpr Colour kColours[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45},
+                                        {0.80, 0.47, 0.65}, {0.34, 0.71, 0.91}, {0.94, 0.89, 0.26},
+                                        {0.45, 0.45, 0.45}};
+  return kColours[static_cast<std::size_t>(index) % std::size(kColours)];
+}
+
+} // namespace voluta::scene

@@ -1,0 +1,79 @@
+// One picture: drawings, a view on them and a camera, as a VTK renderer. Belongs to one thread;
+// needs a rendering context only when its renderer is drawn.
+#pragma once
+
+#include "scene/colouring.h"
+#include "scene/drawings.h"
+#include "scene/theme.h"
+#include "scene/view_state.h"
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+class vtkRenderer;
+
+namespace voluta::scene {
+
+enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric };
+
+struct Hit {
+  enum class What { Part, Platform, Voxel, Layer, Path, Cell };
+  What what = What::Part;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // work frame, mm
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // unit, of the facet; zero for paths and cell
+  int layer = -1;                                   // Voxel, Layer, Path
+  std::size_t path = 0, waypoint = 0;               // Path: indices in the ToolPlan
+  std::size_t patch = 0;                            // Layer: index in the LayerStack
+  std::size_t voxel = 0;                            // Voxel: cell of the grid
+  std::size_t body = 0;                             // Cell: index in Cell::bodies()
+};
+
+class Scene {
+public:
+  explicit Scene(const Theme& theme);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  // To be added to one render window. Owned by the scene.
+  vtkRenderer* renderer();
+
+  void setTheme(const Theme& theme);
+
+  // Null: not there. What a view asks for and is not there is not drawn.
+  void setPart(std::shared_ptr<const PartDrawing> part);
+  void setPlatform(std::shared_ptr<const PlatformDrawing> platform);
+  void setVoxels(std::shared_ptr<const VoxelDrawing> voxels);
+  void setLayers(std::shared_ptr<const LayersDrawing> layers);
+  void setPaths(std::shared_ptr<const PathsDrawing> paths);
+  void setCell(std::shared_ptr<const CellDrawing> cell);
+
+  // Cheap; draws nothing by itself.
+  void setView(const ViewState& view);
+  const ViewState& view() const;
+  // Pixels a point of text and an overlay's line take: the screen's device pixel ratio.
+  void setPixelRatio(double ratio);
+
+  // Of what is shown under the view: voxels before layers before paths, whichever is visible.
+  Legend legend() const;
+
+  // Camera. All keep the projection; frameAll and standardView see everything that is visible.
+  void frameAll();
+  void standardView(StandardView view);
+  void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
+  void setParallelProjection(bool parallel);
+  // Call after the camera was moved from outside (an interactor).
+  void cameraMoved();
+
+  // What is drawn at a pixel (x to the right, y upwards from the lower left corner of the
+  // renderer's window), nearest first; nothing when it is background. Needs no rendering context.
+  std::optional<Hit> pick(int x, int y) const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace voluta::scene

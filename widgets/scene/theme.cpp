@@ -1,0 +1,53 @@
+#include "scene/theme.h"
+
+namespace voluta::scene {
+
+Theme lightTheme() {
+  Theme t;
+  t.backgroundTop = {0.93, 0.945, 0.96};
+  t.backgroundBottom = {0.985, 0.985, 0.98};
+  t.text = {0.16, 0.18, 0.21};
+  t.axisX = {0.84, 0.37, 0.0};
+  t.axisY = {0.0, 0.55, 0.42};
+  t.axisZ = {0.0, 0.40, 0.70};
+  t.part = {0.66, 0.73, 0.80};
+  t.partEdges = {0.40, 0.47, 0.54};
+  t.partInside = {0.86, 0.78, 0.66};
+  t.platform = {0.78, 0.79, 0.80};
+  t.platformEdges = {0.36, 0.39, 0.43};
+  t.grid = {0.80, 0.815, 0.83};
+  t.robotLight = {0.80, 0.82, 0.84};
+  t.robotDark = {0.50, 0.60, 0.70};
+  t.head = {0.72, 0.60, 0.42};
+  t.obstacle = {0.62, 0.63, 0.64};
+  t.material = {0.90, 0.87, 0.80};
+  t.travel = {0.55, 0.57, 0.60};
+  t.marker = {0.80, 0.47, 0.65};
+  t.blocked = {0.85, 0.10, 0.12};
+  return t;
+}
+
+Theme darkTheme() {
+  Theme t = lightTheme();
+  t.backgroundTop = {0.13, 0.14, 0.16};
+  t.backgroundBottom = {0.20, 0.21, 0.23};
+  t.text = {0.90, 0.91, 0.93};
+  t.axisX = {0.95, 0.55, 0.20};
+  t.axisY = {0.20, 0.75, 0.58};
+  t.axisZ = {0.40, 0.70, 0.95};
+  t.part = {0.56, 0.64, 0.72};
+  t.partEdges = {0.24, 0.29, 0.34};
+  t.partInside = {0.60, 0.53, 0.43};
+  t.platform = {0.40, 0.42, 0.44};
+  t.platformEdges = {0.66, 0.69, 0.72};
+  t.grid = {0.28, 0.295, 0.315};
+  t.robotLight = {0.68, 0.70, 0.72};
+  t.robotDark = {0.38, 0.48, 0.58};
+  t.obstacle = {0.45, 0.46, 0.47};
+  t.material = {0.84, 0.80, 0.72};
+  t.travel = {0.50, 0.52, 0.55};
+  t.blocked = {0.95, 0.22, 0.22};
+  return t;
+}
+
+} // namespace voluta::scene

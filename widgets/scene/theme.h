@@ -1,0 +1,26 @@
+// Colours of everything drawn. Red is kept for what is blocked.
+#pragma once
+
+#include <array>
+
+namespace voluta::scene {
+
+// sRGB, each in [0, 1].
+using Colour = std::array<double, 3>;
+
+struct Theme {
+  Colour backgroundTop, backgroundBottom;
+  Colour text, axisX, axisY, axisZ;
+  Colour part, partEdges, partInside; // inside: what a section lays open
+  Colour platform, platformEdges, grid;
+  Colour robotLight, robotDark, head, obstacle; // links alternate between light and dark
+  Colour material;                              // laid beads without a colouring
+  Colour travel;
+  Colour marker;  // place of a finding
+  Colour blocked; // what cannot be printed or reached
+};
+
+Theme lightTheme();
+Theme darkTheme();
+
+} // namespace voluta::scene

@@ -1,0 +1,50 @@
+// Everything about a picture that may change from frame to frame. A value: compare, store, undo.
+#pragma once
+
+#include "robot/robot_model.h"
+#include "scene/colouring.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace voluta::scene {
+
+inline constexpr std::size_t kAllMoves = std::numeric_limits<std::size_t>::max();
+inline constexpr int kAllLayers = std::numeric_limits<int>::max();
+
+// What stands still: Work for preparing and layers, Base (the robot's) for the simulation. With a
+// plate on the flange part and beads ride on the arm in Base.
+enum class World { Work, Base };
+
+struct ViewState {
+  bool part = true, platform = true, cell = false, voxels = false, layers = false, paths = false;
+  bool travels = false; // of the paths shown
+  bool axes = true;     // triad in the lower left corner
+  double partOpacity = 1.0;
+
+  World world = World::Work;
+  robot::JointVector joints; // empty: the cell's home
+
+  // Layers, voxels and paths shown: first <= layer <= last, from 0.
+  int firstLayer = 0, lastLayer = kAllLayers;
+  // Of the last layer shown, the first `moves` waypoints (ToolPlan paths only).
+  std::size_t moves = kAllMoves;
+  // Simulation: paths only up to this waypoint of the plan, of all layers in the range.
+  std::size_t printedWaypoints = kAllMoves;
+
+  ColourBy colourBy = ColourBy::Layer;
+  bool materialColour = false; // paths in the colour of the material; the layer being laid as
+                               // colourBy says
+  bool beads = true;           // paths as rounded beads; false: as thin lines
+
+  bool sectionOn = false; // cuts part, voxels, layers and paths away on the side the normal shows
+  Eigen::Vector3d sectionOrigin = Eigen::Vector3d::Zero(), sectionNormal = Eigen::Vector3d::UnitX();
+
+  std::optional<Eigen::Vector3d> marker; // place of a finding, work frame
+  bool legend = false;                   // drawn into the picture (a window shows its own)
+  bool dragging = false;                 // less detail, faster frames
+};
+
+} // namespace voluta::scene
