@@ -3,7 +3,6 @@
 #include "geometry/mesh_reader.h"
 #include "geometry/placement.h"
 #include "geometry/repair.h"
-#include "pipeline/load_stage.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -53,7 +53,7 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
   addRunOptions(*plan, values->options.threads, values->progress);
   plan->callback([values, &parsed] {
     parsed.run = [values] {
-      values->options.request.until = pipeline::untilOf(values->until);
+      values->options.request.until = pipeline::stageOf(values->until);
       values->options.progress = kProgressStyles.at(values->progress);
       pipeline::setParameters(values->options.request.choices, values->sets);
       return planCommand(values->options);

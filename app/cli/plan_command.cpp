@@ -45,7 +45,7 @@ ExitCode planCommand(const PlanOptions& options) {
       [request = options.request, folder](const base::RunContext& ctx) {
         pipeline::PlanResult result = pipeline::planPart(request, ctx.sub(0.0, 0.97));
         pipeline::writeOutputs(result, folder, ctx.sub(0.97, 1.0));
-        return result.report;
+        return result.job.report;
       },
       options.threads, progressSink(options.progress), [&] { staged.discard(); });
   endProgress(options.progress);

@@ -21,6 +21,38 @@ TriangleMesh placeOnPlate(const TriangleMesh& mesh, double scale) {
   return placed;
 }
 
+TriangleMesh place(const TriangleMesh& mesh, double scale, const Placement& placement) {
+  const Eigen::Vector4d& q = placement.rotation.coeffs();
+  base::require(q.allFinite() && q.norm() > 0.0, "place: a rotation that is finite and not zero");
+  base::require(placement.centreMm.allFinite() && std::isfinite(placement.liftMm),
+                "place: centre and lift finite");
+  // Skipped where they change nothing: adding 0 or turning by nothing would still turn -0 to 0.
+  TriangleMesh placed;
+  if (q.head<3>().isZero(0.0)) {
+    placed = placeOnPlate(mesh, scale);
+  } else {
+    const Eigen::Matrix3d turn = placement.rotation.normalized().toRotationMatrix();
+    TriangleMesh turned = mesh;
+    for (Vector3d& v : turned.vertices)
+      v = turn * v;
+    placed = placeOnPlate(turned, scale);
+  }
+  const Vector3d shift(placement.centreMm.x(), placement.centreMm.y(), placement.liftMm);
+  if (!shift.isZero(0.0))
+    for (Vector3d& v : placed.vertices)
+      v += shift;
+  return placed;
+}
+
+Eigen::Quaterniond rotationLayingFlat(const Vector3d& normal) {
+  base::require(normal.allFinite() && normal.norm() > 0.0, "rotationLayingFlat: a direction");
+  const Vector3d n = normal.normalized();
+  // Upside down has no shortest way: about x then.
+  if (n.z() > 1.0 - 1e-12)
+    return Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
+  return Eigen::Quaterniond::FromTwoVectors(n, -Vector3d::UnitZ());
+}
+
 UnitGuess guessUnits(const TriangleMesh& mesh) {
   UnitGuess guess;
   if (mesh.empty())

@@ -38,7 +38,7 @@ public:
     if (mesh_.empty())
       throw base::Error(base::ErrorCode::UnusableInput, "no triangle with area is left");
     ctx_.report(0.9, "repair: check");
-    RepairResult result{std::move(mesh_), std::move(told_), {}, {}};
+    RepairResult result{std::move(mesh_), std::move(told_), {}, {}, std::move(found_)};
     result.diagnosis = diagnose(result.mesh, ctx_);
     result.remains = result.diagnosis.sentences();
     return result;
@@ -136,10 +136,10 @@ private:
 
 RepairResult repair(const TriangleMesh& mesh, const base::RunContext& ctx) {
   ctx.report(0.0, "repair: diagnosis");
-  Diagnosis found = diagnose(mesh, ctx);
+  const Diagnosis found = diagnose(mesh, ctx);
   if (found.clean())
-    return {mesh, {}, {}, std::move(found)};
-  return Repair(mesh, std::move(found), ctx).run();
+    return {mesh, {}, {}, found, found};
+  return Repair(mesh, found, ctx).run();
 }
 
 } // namespace voluta::geometry

@@ -15,6 +15,7 @@ struct RepairResult {
   std::vector<std::string> repairs; // what was done, a sentence each; empty when nothing was
   std::vector<std::string> remains; // what could not be mended, a sentence each
   Diagnosis diagnosis;              // of `mesh`
+  Diagnosis found;                  // of the mesh as it came
 };
 
 // In this order, each only where the diagnosis asks for it: near-duplicate points merged (up to

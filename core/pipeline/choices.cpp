@@ -103,6 +103,23 @@ base::ParameterValues parameterValues(const Choices& choices) {
   return values;
 }
 
+std::string parameterText(const base::ParameterTable& table, const base::ParameterValues& values) {
+  std::string text;
+  for (const base::ParameterSpec& spec : table.specs()) {
+    const auto changed = values.changes().find(spec.key);
+    text += fmt::format("{}={}\n", spec.key,
+                        base::formatParameter(changed == values.changes().end() ? spec.defaultValue
+                                                                                : changed->second));
+  }
+  return text;
+}
+
+std::vector<std::string> chosenFormats(const Choices& choices, const robot::Cell& cell) {
+  if (!choices.formats.empty())
+    return choices.formats;
+  return {cell.robot().controller, "gcode-extended", "csv"};
+}
+
 process::Process chosenProcess(const Choices& choices, const base::ParameterValues& values) {
   process::Process p = process::loadProcess(choices.process);
   const auto put = [&](const char* key, double& field, double least, double most) {
@@ -157,6 +174,10 @@ void checkChoices(const Choices& choices) {
     checkName("format", format, formatIds);
   checkPlatform(choices.platform);
   parsedScale(choices.scale);
+  const geometry::Placement& place = choices.placement;
+  if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||
+      !place.centreMm.allFinite() || !std::isfinite(place.liftMm))
+    throw Error(ErrorCode::Usage, "the placement is not a turn and a place in mm");
 }
 
 } // namespace voluta::pipeline

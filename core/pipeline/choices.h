@@ -4,6 +4,7 @@
 #include "base/parameters.h"
 #include "pipeline/job.h"
 #include "process/process.h"
+#include "robot/cell.h"
 #include "voxel/solid_voxels.h"
 
 #include <Eigen/Core>
@@ -14,6 +15,12 @@ namespace voluta::pipeline {
 
 // The values of choices.parameters over allParameters(). Throws Error{Usage}.
 base::ParameterValues parameterValues(const Choices& choices);
+
+// "key=value" a line of the parameters of `table` as `values` have them.
+std::string parameterText(const base::ParameterTable& table, const base::ParameterValues& values);
+
+// The ids of choices.formats, or what stands in for an empty list in this cell.
+std::vector<std::string> chosenFormats(const Choices& choices, const robot::Cell& cell);
 
 // The process of choices with the parameters layerHeightMm, beadWidthMm and stepMm put in.
 // Throws Error{Usage}: unknown process, a value outside the process's limits (names them).
@@ -29,7 +36,8 @@ std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
 // A number > 0, or "fit" (returns 0). Throws Error{Usage}.
 double parsedScale(const std::string& scale);
 
-// Throws Error{Usage} for any name that nothing answers to, naming the nearest.
+// Throws Error{Usage} for a placement that is no rotation or not finite, and for any name that
+// nothing answers to, naming the nearest.
 void checkChoices(const Choices& choices);
 
 } // namespace voluta::pipeline

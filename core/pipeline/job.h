@@ -1,18 +1,28 @@
 // The project file: a part, the choices made for it and what was planned (DESIGN §3, §5).
 #pragma once
 
+#include "curved/decomposition.h"
+#include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
+#include "layers/layer_stack.h"
+#include "pipeline/load_stage.h"
+#include "pipeline/report.h"
+#include "pipeline/stage.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace voluta::pipeline {
+
+using geometry::Placement;
 
 // What the user chose; together with the mesh it decides every result.
 struct Choices {
@@ -21,25 +31,56 @@ struct Choices {
   std::string platform = "fit:0";
   std::string cell = "ur5-fixed";
   std::string process = "fdm-1.0";
-  std::string scale = "1";                       // a number or "fit"
-  std::vector<std::string> formats;              // empty: the cell's controller and gcode-extended
+  std::string scale = "1"; // a number or "fit"
+  Placement placement;
+  bool repair = true;               // false: the mesh as it was read
+  std::vector<std::string> formats; // empty: the cell's controller, gcode-extended, csv
   std::map<std::string, std::string> parameters; // changed ones, as text
   int seed = 1;
 };
 
-struct Job {
-  std::string partName;                               // file name without folder
-  std::shared_ptr<const geometry::TriangleMesh> part; // repaired and placed in the work frame
-  double scale = 1.0;                                 // what `scale` came to
-  Choices choices;
-  std::vector<Eigen::Vector2d> platform;              // polygon material starts on, work frame
-  std::shared_ptr<const plan::ToolPlan> toolPlan;     // null: not planned that far
-  std::shared_ptr<const plan::Trajectory> trajectory; // null: not planned that far
+// What is kept of a stage beside its payload.
+struct StageRecord {
+  std::string key;          // what went in; empty: not made
+  std::size_t findings = 0; // how many of the report's findings are its own; they follow one
+                            // another in the order of the stages
+  Timings timings; // its own seconds, `total` apart
 };
 
-// job.voluta as bytes: a line "VOLUTA 1", the length of a JSON header, the header (choices and a
-// table of blocks), then the blocks: little-endian arrays, each with a CRC-32.
+// Results are null where the plan did not come that far. Copies are cheap: arrays are shared.
+struct Job {
+  std::string partName; // file name without folder
+  std::shared_ptr<const LoadedPart> loaded;
+  Choices choices;
+
+  std::optional<Stage> reached; // last stage that is done; none: nothing planned
+  std::array<StageRecord, kStageCount> stages;
+  Report report; // of all stages that are done
+
+  double scale = 1.0;                                 // what `scale` came to
+  std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
+  std::vector<Eigen::Vector2d> platform;              // polygon material starts on, work frame
+  std::shared_ptr<const curved::Decomposition> decomposition; // also null in modes without voxels
+  std::shared_ptr<const layers::LayerStack> layers;
+  std::shared_ptr<const plan::ToolPlan> toolPlan;
+  std::shared_ptr<const plan::Trajectory> trajectory; // also null when nothing is left to print
+
+  // Keys of what is there, to be compared with stageKeys() of what is wanted.
+  StageKeys keys() const;
+};
+
+// The job without the results after `last`; none: without any.
+Job upTo(Job job, std::optional<Stage> last);
+
+// job.voluta as bytes: a line "VOLUTA 2", a line with length and CRC-32 of a JSON header, the
+// header (choices, counts and a table of blocks), then the blocks: little-endian arrays, each with
+// a CRC-32. Good for any thread. Precondition: job.loaded.
 std::string jobBytes(const Job& job);
+// jobBytes into a file, whole or not at all. Throws Error{CannotWrite}.
+void writeJob(const std::filesystem::path& file, const Job& job);
+
+// Also reads "VOLUTA 1", which holds neither the part before it was placed (`loaded` is then made
+// from the placed one) nor decomposition, layers and report.
 // Throws Error{UnreadableFile} that says what is wrong: not a job, a newer version, cut short, a
 // damaged block.
 Job readJob(const std::filesystem::path& file);

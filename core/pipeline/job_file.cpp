@@ -201,6 +201,10 @@ std::string jobBytes(const Job& job) {
   return std::string(kMagic) + std::to_string(text.size()) + "\n" + text + blocks.bytes();
 }
 
+void writeJob(const std::filesystem::path& file, const Job& job) {
+  base::writeFile(file, jobBytes(job));
+}
+
 Job readJob(const std::filesystem::path& file) {
   const std::string where = file.string();
   const std::string bytes = base::readFile(file);

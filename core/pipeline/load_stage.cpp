@@ -3,12 +3,10 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/stopwatch.h"
-#include "geometry/diagnosis.h"
-#include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
-#include "geometry/placement.h"
 #include "geometry/repair.h"
 #include "geometry/sample_part.h"
+#include "pipeline/content_hash.h"
 
 #include <filesystem>
 
@@ -16,65 +14,88 @@ namespace voluta::pipeline {
 
 namespace {
 constexpr std::string_view kSamplePrefix = "sample:";
+
+using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
+
+// Fills in all that follows from source, readNotes and `repair`.
+void mend(LoadedPart& part, const base::RunContext& ctx) {
+  base::Stopwatch mending;
+  part.notes = part.readNotes;
+  if (part.repair) {
+    geometry::RepairResult repaired = geometry::repair(*part.source, ctx);
+    part.notes.insert(part.notes.end(), repaired.repairs.begin(), repaired.repairs.end());
+    part.remains = std::move(repaired.remains);
+    part.found = std::move(repaired.found);
+    part.mesh = part.found.clean()
+                    ? part.source
+                    : std::make_shared<geometry::TriangleMesh>(std::move(repaired.mesh));
+  } else {
+    part.mesh = part.source;
+    part.found = geometry::diagnose(*part.source, ctx);
+    part.remains = part.found.sentences();
+  }
+  part.repairS = mending.seconds();
+  if (part.mesh->empty())
+    throw base::Error(base::ErrorCode::UnusableInput, "nothing is left of the mesh after repair",
+                      part.name);
+  part.units = geometry::guessUnits(*part.mesh);
+  if (!part.units.note.empty())
+    part.notes.push_back(part.units.note);
 }
+
+std::shared_ptr<const LoadedPart> mended(LoadedPart part, const base::RunContext& ctx) {
+  mend(part, ctx);
+  return std::make_shared<LoadedPart>(std::move(part));
+}
+} // namespace
 
 std::vector<std::string> sampleNames() {
   return {"vase"};
 }
 
-LoadedPart loadPart(const std::string& part, Timings& timings, const base::RunContext& ctx) {
+std::shared_ptr<const LoadedPart> loadedFrom(std::string name, Mesh source,
+                                             std::vector<std::string> readNotes, bool repair,
+                                             const base::RunContext& ctx) {
+  LoadedPart part;
+  part.name = std::move(name);
+  part.hash = contentHash(*source);
+  part.source = std::move(source);
+  part.readNotes = std::move(readNotes);
+  part.repair = repair;
+  return mended(std::move(part), ctx);
+}
+
+std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
+                                           const base::RunContext& ctx) {
+  base::Stopwatch reading;
   LoadedPart loaded;
+  loaded.repair = repair;
   if (part.starts_with(kSamplePrefix)) {
     const std::string name = part.substr(kSamplePrefix.size());
     if (name != sampleNames().front())
       throw base::Error(base::ErrorCode::Usage, "unknown sample '" + name + "'", {},
                         "did you mean " + base::nearestName(name, sampleNames()) + "?");
     loaded.name = name + ".stl";
-    loaded.mesh = geometry::samplePart();
-    return loaded;
+    loaded.source = std::make_shared<geometry::TriangleMesh>(geometry::samplePart());
+  } else {
+    geometry::MeshFile file = geometry::readMesh(std::filesystem::path(part));
+    loaded.name = std::filesystem::path(part).filename().string();
+    loaded.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
+    loaded.readNotes = std::move(file.repairs);
   }
-  base::Stopwatch reading;
-  geometry::MeshFile file = geometry::readMesh(std::filesystem::path(part));
-  timings.load = reading.seconds();
+  loaded.hash = contentHash(*loaded.source);
+  loaded.readS = reading.seconds();
   ctx.report(0.3, "repair");
-  base::Stopwatch repairing;
-  geometry::RepairResult repaired = geometry::repair(file.mesh, ctx.sub(0.3, 1.0));
-  timings.repair = repairing.seconds();
-  loaded.name = std::filesystem::path(part).filename().string();
-  loaded.mesh = std::move(repaired.mesh);
-  loaded.notes = std::move(file.repairs);
-  loaded.notes.insert(loaded.notes.end(), repaired.repairs.begin(), repaired.repairs.end());
-  loaded.remains = std::move(repaired.remains);
-  if (const std::string note = geometry::guessUnits(loaded.mesh).note; !note.empty())
-    loaded.notes.push_back(note);
-  if (loaded.mesh.empty())
-    throw base::Error(base::ErrorCode::UnusableInput, "nothing is left of the mesh after repair",
-                      part);
-  return loaded;
+  return mended(std::move(loaded), ctx.sub(0.3, 1.0));
 }
 
-std::shared_ptr<const geometry::TriangleMesh> placePart(const LoadedPart& part, double scale,
-                                                        Report& report) {
-  auto placed = std::make_shared<geometry::TriangleMesh>(geometry::placeOnPlate(part.mesh, scale));
-  const geometry::Diagnosis diagnosis = geometry::diagnose(*placed);
-  ModelReport& m = report.model;
-  m.file = part.name;
-  m.scale = scale;
-  m.triangles = placed->triangles.size();
-  m.watertight = diagnosis.watertight;
-  m.volumeMm3 = diagnosis.volumeMm3;
-  m.boundsMm = diagnosis.boundsMm;
-  m.repairs = part.notes;
-  for (const std::string& defect : part.remains) {
-    plan::Finding finding;
-    finding.stage = "load";
-    finding.kind = "meshDefect";
-    finding.reason = defect;
-    finding.remedy = "mend the mesh in a modelling program if the result looks wrong";
-    finding.blocking = false;
-    report.findings.push_back(std::move(finding));
-  }
-  return placed;
+std::shared_ptr<const LoadedPart> withRepair(std::shared_ptr<const LoadedPart> part, bool repair,
+                                             const base::RunContext& ctx) {
+  if (part->repair == repair)
+    return part;
+  LoadedPart again = *part;
+  again.repair = repair;
+  return mended(std::move(again), ctx);
 }
 
 } // namespace voluta::pipeline

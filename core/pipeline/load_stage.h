@@ -1,9 +1,10 @@
-// From a file to a sound mesh on the plate.
+// A part as it came from its file, before it is placed.
 #pragma once
 
 #include "base/run_context.h"
+#include "geometry/diagnosis.h"
+#include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
-#include "pipeline/report.h"
 
 #include <memory>
 #include <string>
@@ -11,23 +12,36 @@
 
 namespace voluta::pipeline {
 
+struct LoadedPart {
+  std::string name; // file name without folder; "vase.stl" for sample:vase
+  std::shared_ptr<const geometry::TriangleMesh> source; // as read
+  std::shared_ptr<const geometry::TriangleMesh> mesh;   // as used: mended, or `source` itself
+  bool repair = true;                                   // was mending asked for
+  std::vector<std::string> readNotes;                   // what reading left out, a sentence each
+  std::vector<std::string> notes;    // all that was found and mended, readNotes among them
+  std::vector<std::string> remains;  // what could not be mended, a sentence each
+  geometry::Diagnosis found;         // of `source`, before any repair
+  geometry::UnitGuess units;         // of `mesh`
+  std::string hash;                  // of the content of `source`, hexadecimal
+  double readS = 0.0, repairS = 0.0; // wall seconds it took
+};
+
 // Parts that the program makes itself, to be named "sample:NAME".
 std::vector<std::string> sampleNames();
 
-struct LoadedPart {
-  std::string name;                 // file name without folder; "vase.stl" for sample:vase
-  geometry::TriangleMesh mesh;      // repaired, as it lies in the file
-  std::vector<std::string> notes;   // what was found and mended, a sentence each
-  std::vector<std::string> remains; // what could not be mended, a sentence each
-};
+// Reads a part and, where `repair` is true, mends it. `part` is a path or "sample:NAME". Throws
+// Error{UnreadableFile, UnusableInput}; Error{Usage} for an unknown sample; Cancelled.
+std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
+                                           const base::RunContext& ctx);
 
-// Reads and repairs. `part` is a path or "sample:NAME". Throws Error{UnreadableFile,
-// UnusableInput}; Error{Usage} for an unknown sample.
-LoadedPart loadPart(const std::string& part, Timings& timings, const base::RunContext& ctx);
+// A part from a mesh at hand, e.g. of a project file. Throws as loadPart does.
+std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
+                                             std::shared_ptr<const geometry::TriangleMesh> source,
+                                             std::vector<std::string> readNotes, bool repair,
+                                             const base::RunContext& ctx);
 
-// The loaded mesh scaled and put on the plate; what the report says of it, defects that remain
-// among its findings.
-std::shared_ptr<const geometry::TriangleMesh> placePart(const LoadedPart& part, double scale,
-                                                        Report& report);
+// `part` itself where it was loaded with that choice; else mended anew, or as it was read.
+std::shared_ptr<const LoadedPart> withRepair(std::shared_ptr<const LoadedPart> part, bool repair,
+                                             const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -7,52 +7,33 @@
 #include "pipeline/choices.h"
 #include "voxel/solid_voxels.h"
 
+#include <fmt/format.h>
+
 namespace voluta::pipeline {
 
 namespace {
 
-void append(plan::Findings& findings, const plan::Findings& more) {
-  findings.insert(findings.end(), more.begin(), more.end());
+std::string heightsText(const process::Process& p) {
+  return fmt::format("layer height {} in [{}, {}]\n", p.layerHeightMm, p.layerHeightMinMm,
+                     p.layerHeightMaxMm);
 }
 
-void reportDecomposition(const curved::Decomposition& d, Report& report) {
-  DecompositionReport& r = report.decomposition;
-  r.growth = d.growth;
-  r.voxelMm = d.grid.pitch;
-  r.voxels = d.voxels;
-  r.layers = d.layers;
-  r.missedVoxels = r.missedAfterSupports = d.missedVoxels;
-  r.shadowedVoxels = d.shadowedVoxels;
-  r.unreachedVoxels = d.unreachedVoxels;
-  r.pieces = 1;
-  append(report.findings, d.findings);
-  report.timings.peel += d.seconds.peel;
-  report.timings.grow += d.seconds.grow;
-  report.timings.smooth += d.seconds.smooth;
+std::string curvedDecomposeKey(const ModeChoices& in) {
+  return fmt::format("growth {}\nplatform {}\n{}", in.choices.growth, in.choices.platform,
+                     heightsText(in.process)) +
+         parameterText(curved::curvedParameters(), in.values);
 }
 
-void reportLayers(const curved::LayersResult& l, Report& report) {
-  LayersReport& r = report.layers;
-  r.count = l.statistics.count;
-  r.areaMm2 = l.statistics.areaMm2;
-  r.thicknessMeanMm = l.statistics.thicknessMeanMm;
-  r.thicknessStdMm = l.statistics.thicknessStdMm;
-  r.thicknessP01Mm = l.statistics.thicknessP01Mm;
-  r.thicknessP99Mm = l.statistics.thicknessP99Mm;
-  r.withinLimitsFraction = l.statistics.withinLimitsFraction;
-  append(report.findings, l.findings);
-  report.timings.extract += l.seconds.extract;
-  report.timings.trim += l.seconds.trim;
-}
-
-ModeResult buildCurved(const ModeInput& in, Report& report, const base::RunContext& ctx) {
-  ModeResult result;
+std::shared_ptr<const DecomposeStage> decomposeCurved(const geometry::TriangleMesh& part,
+                                                      const ModeChoices& in,
+                                                      const base::RunContext& ctx) {
+  auto stage = std::make_shared<DecomposeStage>();
   base::Stopwatch voxelising;
   ctx.report(0.0, "voxelise");
   const voxel::SolidVoxels solid =
-      voxel::solidVoxels(in.part, in.values.number("voxelMm"), ctx.sub(0.0, 0.05));
-  report.timings.voxelise = voxelising.seconds();
-  result.platform = platformPolygon(in.choices.platform, solid);
+      voxel::solidVoxels(part, in.values.number("voxelMm"), ctx.sub(0.0, 0.07));
+  stage->timings.voxelise = voxelising.seconds();
+  stage->platform = platformPolygon(in.choices.platform, solid);
 
   curved::CurvedOptions growth;
   growth.growth = in.choices.growth;
@@ -61,28 +42,61 @@ ModeResult buildCurved(const ModeInput& in, Report& report, const base::RunConte
   growth.heightMaxMm = in.process.layerHeightMaxMm;
   growth.rounds = static_cast<int>(in.values.integer("fieldRounds"));
   const auto decomposition = std::make_shared<curved::Decomposition>(
-      curved::decompose(solid, result.platform, growth, ctx.sub(0.05, 0.7)));
-  reportDecomposition(*decomposition, report);
-  result.decomposition = decomposition;
-  if (in.untilDecompose)
-    return result;
+      curved::decompose(solid, stage->platform, growth, ctx.sub(0.07, 1.0)));
+  const curved::Decomposition& d = *decomposition;
+  DecompositionReport& r = stage->report;
+  r.mode = in.choices.mode;
+  r.growth = d.growth;
+  r.voxelMm = d.grid.pitch;
+  r.voxels = d.voxels;
+  r.layers = d.layers;
+  r.missedVoxels = r.missedAfterSupports = d.missedVoxels;
+  r.shadowedVoxels = d.shadowedVoxels;
+  r.unreachedVoxels = d.unreachedVoxels;
+  r.pieces = 1;
+  stage->findings = d.findings;
+  stage->timings.peel = d.seconds.peel;
+  stage->timings.grow = d.seconds.grow;
+  stage->timings.smooth = d.seconds.smooth;
+  stage->decomposition = decomposition;
+  return stage;
+}
 
+std::string curvedLayersKey(const ModeChoices& in) {
+  return fmt::format("{}bead width {}\n", heightsText(in.process), in.process.beadWidthMm);
+}
+
+std::shared_ptr<const LayersStage> curvedLayersOf(const DecomposeStage& decomposed,
+                                                  const geometry::TriangleMesh& part,
+                                                  const ModeChoices& in,
+                                                  const base::RunContext& ctx) {
+  auto stage = std::make_shared<LayersStage>();
   curved::LayerOptions cut;
   cut.layerHeightMm = in.process.layerHeightMm;
   cut.heightMinMm = in.process.layerHeightMinMm;
   cut.heightMaxMm = in.process.layerHeightMaxMm;
   cut.beadWidthMm = in.process.beadWidthMm;
-  curved::LayersResult layers =
-      curved::curvedLayers(*decomposition, in.part, cut, ctx.sub(0.7, 1.0));
-  reportLayers(layers, report);
-  result.layers = std::make_shared<layers::LayerStack>(std::move(layers.stack));
-  return result;
+  curved::LayersResult layers = curved::curvedLayers(*decomposed.decomposition, part, cut, ctx);
+  LayersReport& r = stage->report;
+  r.count = layers.statistics.count;
+  r.areaMm2 = layers.statistics.areaMm2;
+  r.thicknessMeanMm = layers.statistics.thicknessMeanMm;
+  r.thicknessStdMm = layers.statistics.thicknessStdMm;
+  r.thicknessP01Mm = layers.statistics.thicknessP01Mm;
+  r.thicknessP99Mm = layers.statistics.thicknessP99Mm;
+  r.withinLimitsFraction = layers.statistics.withinLimitsFraction;
+  stage->findings = std::move(layers.findings);
+  stage->timings.extract = layers.seconds.extract;
+  stage->timings.trim = layers.seconds.trim;
+  stage->layers = std::make_shared<layers::LayerStack>(std::move(layers.stack));
+  return stage;
 }
 
 } // namespace
 
 const std::vector<Mode>& modes() {
-  static const std::vector<Mode> kModes{{"curved", "Curved layers", buildCurved}};
+  static const std::vector<Mode> kModes{{"curved", "Curved layers", curvedDecomposeKey,
+                                         curvedLayersKey, decomposeCurved, curvedLayersOf}};
   return kModes;
 }
 

@@ -4,38 +4,35 @@
 
 #include "base/parameters.h"
 #include "base/run_context.h"
-#include "curved/decomposition.h"
 #include "geometry/triangle_mesh.h"
-#include "layers/layer_stack.h"
 #include "pipeline/job.h"
-#include "pipeline/report.h"
+#include "pipeline/stages.h"
 #include "process/process.h"
-#include "voxel/solid_voxels.h"
 
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace voluta::pipeline {
 
-struct ModeInput {
-  const geometry::TriangleMesh& part; // placed
+struct ModeChoices {
   const Choices& choices;
   const base::ParameterValues& values;
   const process::Process& process;
-  bool untilDecompose = false; // layers are not asked for
-};
-
-struct ModeResult {
-  std::vector<Eigen::Vector2d> platform;                      // polygon material starts on
-  std::shared_ptr<const curved::Decomposition> decomposition; // null in modes without voxels
-  std::shared_ptr<const layers::LayerStack> layers;           // null after untilDecompose
 };
 
 struct Mode {
   std::string_view id, label;
-  // Fills in the decomposition and layers of `report`, its findings and timings.
-  ModeResult (*build)(const ModeInput&, Report& report, const base::RunContext&);
+  // What of the choices goes into each of the two stages, as text for their keys.
+  std::string (*decomposeKey)(const ModeChoices&);
+  std::string (*layersKey)(const ModeChoices&);
+  // `part` is placed.
+  std::shared_ptr<const DecomposeStage> (*decompose)(const geometry::TriangleMesh& part,
+                                                     const ModeChoices&, const base::RunContext&);
+  std::shared_ptr<const LayersStage> (*layers)(const DecomposeStage&,
+                                               const geometry::TriangleMesh& part,
+                                               const ModeChoices&, const base::RunContext&);
 };
 
 const std::vector<Mode>& modes();

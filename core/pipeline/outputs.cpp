@@ -20,11 +20,11 @@ double peakResidentMb() {
 
 void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
                 const base::RunContext& ctx) {
-  if (result.decomposition)
-    base::writeFile(folder / "voxels.vti", voxelsVti(*result.decomposition));
+  if (result.job.decomposition)
+    base::writeFile(folder / "voxels.vti", voxelsVti(*result.job.decomposition));
   ctx.checkpoint();
-  if (result.layers)
-    base::writeFile(folder / "layers.vtp", layers::writeLayersVtp(*result.layers));
+  if (result.job.layers)
+    base::writeFile(folder / "layers.vtp", layers::writeLayersVtp(*result.job.layers));
   ctx.checkpoint();
   if (result.job.toolPlan)
     base::writeFile(folder / "toolpath.vtp", toolpath::writeToolpathVtp(*result.job.toolPlan));
@@ -34,23 +34,30 @@ void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
 }
 } // namespace
 
+std::string writtenName(const CheckedProgram& program, const plan::ProgramFile& file) {
+  return (program.passed ? "" : "refused-") + file.name;
+}
+
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx) {
   base::Stopwatch writing;
   ctx.report(0.0, "write files");
-  base::writeFile(folder / "job.voluta", jobBytes(result.job));
-  for (const plan::Program& program : result.programs)
-    for (const plan::ProgramFile& file : program.files) {
+  writeJob(folder / "job.voluta", result.job);
+  for (const auto& checked : result.checked) {
+    if (!checked->passed && !result.keepRefused)
+      continue;
+    for (const plan::ProgramFile& file : checked->program.files) {
       ctx.checkpoint();
-      base::writeFile(folder / file.name, file.text);
+      base::writeFile(folder / writtenName(*checked, file), file.text);
     }
+  }
   if (result.debug)
     writeDebug(result, folder, ctx);
   ctx.checkpoint();
-  result.report.timings.write += writing.seconds();
-  result.report.timings.total += writing.seconds();
-  result.report.peakRssMb = peakResidentMb();
-  base::writeFile(folder / "report.json", reportJson(result.report));
+  result.job.report.timings.write += writing.seconds();
+  result.job.report.timings.total += writing.seconds();
+  result.job.report.peakRssMb = peakResidentMb();
+  base::writeFile(folder / "report.json", reportJson(result.job.report));
 }
 
 } // namespace voluta::pipeline

@@ -5,11 +5,16 @@
 #include "pipeline/road.h"
 
 #include <filesystem>
+#include <string>
 
 namespace voluta::pipeline {
 
+// The name under which a program's file is written: "refused-" before it where the replay refused
+// it.
+std::string writtenName(const CheckedProgram& program, const plan::ProgramFile& file);
+
 // job.voluta, report.json, the programs and, where asked for, what every stage made. Fills in
-// report.timings.write and peakRssMb first. Throws Error{CannotWrite}.
+// the report's timings.write and peakRssMb. Throws Error{CannotWrite}.
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx);
 

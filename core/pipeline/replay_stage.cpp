@@ -1,21 +1,26 @@
 #include "pipeline/replay_stage.h"
 
-#include "base/error.h"
+#include "base/stopwatch.h"
 #include "program/dialect.h"
 
 #include <fmt/format.h>
 
 namespace voluta::pipeline {
 
-replay::Verification replayText(const std::string& format,
-                                const std::vector<plan::ProgramFile>& files, const Job& job,
-                                const robot::Cell& cell, const process::Process& process,
-                                const base::RunContext& ctx) {
-  base::require(job.part && job.toolPlan && job.trajectory, "replayText: the job is planned");
+namespace {
+TextLine textLine(std::size_t file, std::size_t line) {
+  return {static_cast<std::uint32_t>(file), static_cast<std::uint32_t>(line)};
+}
+} // namespace
+
+ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
+                    const ProgramStageInput& in, const base::RunContext& ctx) {
   ctx.report(0.0, "replay " + format);
-  const plan::ReadProgram read = program::readProgram(format, files, process, ctx.sub(0.0, 0.1));
-  return replay::replayProgram({read, *job.toolPlan, *job.trajectory, cell, process, *job.part}, {},
-                               ctx.sub(0.1, 1.0));
+  ReadBack back;
+  back.read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
+  back.verdict = replay::replayProgram(
+      {back.read, in.toolPlan, in.trajectory, in.cell, in.process, in.part}, {}, ctx.sub(0.1, 1.0));
+  return back;
 }
 
 ReplayReport replayReport(const replay::Verification& verdict) {
@@ -49,6 +54,42 @@ std::string failedThresholds(const replay::Verification& verdict) {
     text += fmt::format("{}{} places where the text is not what was planned",
                         text.empty() ? "" : ", ", verdict.deviations);
   return text.empty() ? "passed" : text;
+}
+
+std::shared_ptr<const CheckedProgram>
+programStage(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx) {
+  auto checked = std::make_shared<CheckedProgram>();
+  base::Stopwatch writing;
+  ctx.report(0.0, "write " + format);
+  checked->program = program::writeProgram(
+      format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name}, ctx.sub(0.0, 0.1));
+  checked->timings.write = writing.seconds();
+  base::Stopwatch replaying;
+  ReadBack back = replayText(format, checked->program.files, in, ctx.sub(0.1, 1.0));
+  checked->timings.replay = replaying.seconds();
+  checked->motionLines.reserve(back.read.motions.size());
+  for (const plan::ProgramMotion& motion : back.read.motions)
+    checked->motionLines.push_back(textLine(motion.file, motion.line));
+  replay::Verification& verdict = back.verdict;
+  checked->verdict = replayReport(verdict);
+  checked->passed = verdict.passed;
+  checked->failed = failedThresholds(verdict);
+  checked->maxDeviationMm = verdict.maxDeviationMm;
+  checked->maxDeviationRad = verdict.maxDeviationRad;
+  // Lines are of this program's text, and there are several programs.
+  for (plan::Finding& finding : verdict.findings)
+    finding.reason = fmt::format("{}: {}", format, finding.reason);
+  checked->findings = std::move(verdict.findings);
+  for (const replay::TextPlace& place : verdict.places)
+    checked->findingLines.push_back(textLine(place.file, place.line));
+  return checked;
+}
+
+std::vector<TextLine> linesOfPoints(const CheckedProgram& program,
+                                    const plan::Trajectory& trajectory) {
+  std::vector<TextLine> lines = program.motionLines;
+  lines.resize(trajectory.pointCount());
+  return lines;
 }
 
 } // namespace voluta::pipeline

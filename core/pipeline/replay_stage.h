@@ -2,23 +2,24 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "pipeline/job.h"
 #include "pipeline/report.h"
+#include "pipeline/stages.h"
 #include "plan/program.h"
-#include "process/process.h"
 #include "replay/verification.h"
-#include "robot/cell.h"
 
 #include <string>
 #include <vector>
 
 namespace voluta::pipeline {
 
-// Reads `files` as `format` and replays them. Preconditions: the job holds ToolPlan and Trajectory.
-replay::Verification replayText(const std::string& format,
-                                const std::vector<plan::ProgramFile>& files, const Job& job,
-                                const robot::Cell& cell, const process::Process& process,
-                                const base::RunContext& ctx);
+struct ReadBack {
+  plan::ReadProgram read;
+  replay::Verification verdict;
+};
+
+// Reads `files` as `format` and replays them against what they were written from.
+ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
+                    const ProgramStageInput& planned, const base::RunContext& ctx);
 
 ReplayReport replayReport(const replay::Verification& verdict);
 

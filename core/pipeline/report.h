@@ -76,7 +76,26 @@ struct Timings {
   double load = 0, repair = 0, voxelise = 0, peel = 0, grow = 0, smooth = 0, extract = 0, trim = 0,
          decompose = 0, toolpath = 0, orient = 0, ik = 0, graph = 0, jerk = 0, collision = 0,
          transfer = 0, write = 0, replay = 0, total = 0;
+
+  Timings& operator+=(const Timings& more);
 };
+
+// The keys of the report, in its order.
+struct TimingName {
+  const char* key;
+  double Timings::*seconds;
+};
+inline constexpr TimingName kTimingNames[] = {
+    {"load", &Timings::load},           {"repair", &Timings::repair},
+    {"voxelise", &Timings::voxelise},   {"peel", &Timings::peel},
+    {"grow", &Timings::grow},           {"smooth", &Timings::smooth},
+    {"extract", &Timings::extract},     {"trim", &Timings::trim},
+    {"decompose", &Timings::decompose}, {"toolpath", &Timings::toolpath},
+    {"orient", &Timings::orient},       {"ik", &Timings::ik},
+    {"graph", &Timings::graph},         {"jerk", &Timings::jerk},
+    {"collision", &Timings::collision}, {"transfer", &Timings::transfer},
+    {"write", &Timings::write},         {"replay", &Timings::replay},
+    {"total", &Timings::total}};
 
 struct Report {
   ModelReport model;
@@ -94,5 +113,7 @@ struct Report {
 
 // The whole report as JSON text, every key present, in the order of DESIGN §5.
 std::string reportJson(const Report& report);
+// The inverse. Throws Error{UnreadableFile} where keys are missing or of another kind.
+Report readReportJson(const std::string& text);
 
 } // namespace voluta::pipeline

@@ -122,15 +122,18 @@ Json replayJson(const ReplayReport& r) {
 }
 
 Json timingsJson(const Timings& t) {
-  return Json{{"load", t.load},         {"repair", t.repair}, {"voxelise", t.voxelise},
-              {"peel", t.peel},         {"grow", t.grow},     {"smooth", t.smooth},
-              {"extract", t.extract},   {"trim", t.trim},     {"decompose", t.decompose},
-              {"toolpath", t.toolpath}, {"orient", t.orient}, {"ik", t.ik},
-              {"graph", t.graph},       {"jerk", t.jerk},     {"collision", t.collision},
-              {"transfer", t.transfer}, {"write", t.write},   {"replay", t.replay},
-              {"total", t.total}};
+  Json all;
+  for (const TimingName& row : kTimingNames)
+    all[row.key] = t.*row.seconds;
+  return all;
 }
 } // namespace
+
+Timings& Timings::operator+=(const Timings& more) {
+  for (const TimingName& row : kTimingNames)
+    this->*row.seconds += more.*row.seconds;
+  return *this;
+}
 
 std::string reportJson(const Report& report) {
   Json findings = Json::array();

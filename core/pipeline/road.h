@@ -3,23 +3,20 @@
 
 #include "base/parameters.h"
 #include "base/run_context.h"
-#include "curved/decomposition.h"
-#include "layers/layer_stack.h"
 #include "pipeline/job.h"
 #include "pipeline/report.h"
+#include "pipeline/stage.h"
+#include "pipeline/stage_cache.h"
+#include "pipeline/stages.h"
 #include "plan/program.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace voluta::pipeline {
-
-// The stages in order; a plan ends after the one asked for.
-enum class Until { Load, Decompose, Layers, Toolpath, Motion, Replay };
-// Throws Error{Usage} for an unknown name, naming the nearest.
-Until untilOf(const std::string& name);
 
 // Every module's parameters in one table.
 base::ParameterTable allParameters();
@@ -28,25 +25,41 @@ base::ParameterTable allParameters();
 void setParameters(Choices& choices, const std::vector<std::string>& assignments);
 
 struct PlanRequest {
-  std::string part; // path of a mesh, or "sample:NAME"
+  std::string part;                         // path of a mesh, or "sample:NAME"
+  std::shared_ptr<const LoadedPart> loaded; // used instead of `part` when set
   Choices choices;
-  Until until = Until::Replay;
+  Stage until = Stage::Replay; // the plan ends after it
 };
 
+// Copies are cheap: whatever is large is shared.
 struct PlanResult {
-  Job job;
-  Report report;
-  std::vector<plan::Program> programs; // those that may be handed over; where asked for, also
-                                       // refused ones, their files named refused-...
-  // What the stages made, for --set output.debug=true; null where not reached.
-  bool debug = false;
-  std::shared_ptr<const curved::Decomposition> decomposition;
-  std::shared_ptr<const layers::LayerStack> layers;
+  Job job; // choices, results and report
+  std::shared_ptr<const process::Process> process;
+  std::shared_ptr<const robot::Cell> cell; // with the job's platform; null before Decompose is done
+  std::vector<std::shared_ptr<const CheckedProgram>> checked; // one a format, refused ones too
+  bool debug = false;                                         // --set output.debug=true
+  bool keepRefused = false;                                   // --set output.refused=true
 };
 
+// Called on the running thread as soon as a stage is done, taken from the cache or not, with all
+// that is there so far.
+using StageObserver = std::function<void(Stage, const PlanResult&)>;
+
+// Stages whose key is in the cache are taken from there. The report's timings are what each stage
+// took when it was made, `total` what this plan took.
 // Throws Error{Usage}: unknown names, values out of range; Error{UnreadableFile, UnusableInput}:
-// the part. Whatever cannot be printed, reached or verified is in report.findings.
-PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx);
+// the part. Whatever cannot be printed, reached or verified is in job.report.findings.
+PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx,
+                    StageCache* cache = nullptr, const StageObserver& onStage = {});
+
+// The keys that the stages of this request have, whatever its `until`. What is shown and has
+// another key is out of date. Reads the cell's and the process's file; takes about a millisecond.
+// Precondition: request.loaded. Throws Error{Usage} as planPart does.
+StageKeys stageKeys(const PlanRequest& request);
+
+// A reopened job as planPart left it, but for the programs. Throws Error{Usage, UnreadableFile,
+// UnusableInput} where its cell or process is not there any more.
+PlanResult resultOf(Job job);
 
 // No blocking finding, and the replay passed where the road came that far.
 bool nothingBlocks(const Report& report);

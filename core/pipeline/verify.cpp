@@ -22,8 +22,9 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
                       program.string(), "see: list formats");
   const process::Process process = chosenProcess(planned.choices, parameterValues(planned.choices));
   const robot::Cell cell = robot::loadCell(planned.choices.cell, process, planned.platform);
-  const replay::Verification verdict =
-      replayText(std::string(dialect->id), files, planned, cell, process, ctx);
+  const ProgramStageInput in{*planned.part, *planned.toolPlan, *planned.trajectory,
+                             cell,          process,           planned.partName};
+  const replay::Verification verdict = replayText(std::string(dialect->id), files, in, ctx).verdict;
   return {std::string(dialect->id), replayReport(verdict), verdict.findings};
 }
 

@@ -1,0 +1,85 @@
+#include "pipeline/stage_cache.h"
+
+#include "pipeline/job.h"
+#include "pipeline/stages.h"
+
+#include <algorithm>
+
+namespace voluta::pipeline {
+
+StageCache::Value StageCache::findAny(Stage stage, const std::string& slot,
+                                      const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  const auto shelf = shelves_.find({stage, slot});
+  if (shelf == shelves_.end())
+    return nullptr;
+  auto& kept = shelf->second;
+  const auto found =
+      std::find_if(kept.begin(), kept.end(), [&](const auto& entry) { return entry.first == key; });
+  if (found == kept.end())
+    return nullptr;
+  std::rotate(kept.begin(), found, found + 1);
+  return kept.front().second;
+}
+
+void StageCache::keepAny(Stage stage, const std::string& slot, const std::string& key,
+                         Value value) {
+  std::vector<Value> dropped; // freed outside the lock: results may be large
+  const std::lock_guard lock(mutex_);
+  auto& kept = shelves_[{stage, slot}];
+  const auto same =
+      std::find_if(kept.begin(), kept.end(), [&](const auto& entry) { return entry.first == key; });
+  if (same != kept.end()) {
+    dropped.push_back(std::move(same->second));
+    kept.erase(same);
+  }
+  kept.insert(kept.begin(), {key, std::move(value)});
+  while (kept.size() > kept_) {
+    dropped.push_back(std::move(kept.back().second));
+    kept.pop_back();
+  }
+}
+
+void StageCache::clear() {
+  decltype(shelves_) dropped;
+  const std::lock_guard lock(mutex_);
+  dropped.swap(shelves_);
+}
+
+void seedCache(StageCache& cache, const Job& job) {
+  if (!job.reached)
+    return;
+  std::size_t firstFinding = 0;
+  const auto& all = job.report.findings;
+  const auto seed = [&](auto stage, const auto& report, plan::Findings* findings) {
+    using T = typename decltype(stage)::element_type;
+    const StageRecord& record = job.stages[indexOf(T::kStage)];
+    if (findings)
+      findings->assign(all.begin() + static_cast<std::ptrdiff_t>(firstFinding),
+                       all.begin() + static_cast<std::ptrdiff_t>(firstFinding + record.findings));
+    firstFinding += record.findings;
+    stage->report = report;
+    stage->timings = record.timings;
+    if (*job.reached >= T::kStage && !record.key.empty())
+      cache.keep<T>(record.key, stage);
+  };
+  auto load = std::make_shared<LoadStage>();
+  load->scale = job.scale;
+  load->part = job.part;
+  seed(load, job.report.model, nullptr);
+  auto decompose = std::make_shared<DecomposeStage>();
+  decompose->platform = job.platform;
+  decompose->decomposition = job.decomposition;
+  seed(decompose, job.report.decomposition, &decompose->findings);
+  auto layers = std::make_shared<LayersStage>();
+  layers->layers = job.layers;
+  seed(layers, job.report.layers, &layers->findings);
+  auto toolpath = std::make_shared<ToolpathStage>();
+  toolpath->toolPlan = job.toolPlan;
+  seed(toolpath, job.report.toolpath, &toolpath->findings);
+  auto motion = std::make_shared<MotionStage>();
+  motion->trajectory = job.trajectory;
+  seed(motion, job.report.motion, &motion->findings);
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,52 @@
+// Results of stages, kept by what went into them.
+#pragma once
+
+#include "pipeline/stage.h"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace voluta::pipeline {
+
+struct Job;
+
+// Good for several threads at once. T is one of the stage values of pipeline/stages.h, each of
+// which names its stage.
+class StageCache {
+public:
+  // Keeps the last `kept` results of each stage, of the programs for each format.
+  explicit StageCache(std::size_t kept = 3) : kept_(kept) {}
+
+  // nullptr: not kept. `slot`: a format's id for programs.
+  template <typename T>
+  std::shared_ptr<const T> find(const std::string& key, const std::string& slot = {}) {
+    return std::static_pointer_cast<const T>(findAny(T::kStage, slot, key));
+  }
+  template <typename T>
+  void keep(const std::string& key, std::shared_ptr<const T> value, const std::string& slot = {}) {
+    keepAny(T::kStage, slot, key, std::move(value));
+  }
+  void clear();
+
+private:
+  using Value = std::shared_ptr<const void>;
+  Value findAny(Stage stage, const std::string& slot, const std::string& key);
+  void keepAny(Stage stage, const std::string& slot, const std::string& key, Value value);
+
+  std::size_t kept_;
+  std::mutex mutex_;
+  // Latest first.
+  std::map<std::pair<Stage, std::string>, std::vector<std::pair<std::string, Value>>> shelves_;
+};
+
+// Puts what a job read from disk holds into the cache, so that a plan of the same choices makes
+// only what is not in the file (the programs).
+void seedCache(StageCache& cache, const Job& job);
+
+} // namespace voluta::pipeline

@@ -1,0 +1,105 @@
+#include "pipeline/stage_keys.h"
+
+#include "base/data_files.h"
+#include "base/files.h"
+#include "curved/platform.h"
+#include "motion/motion_options.h"
+#include "pipeline/choices.h"
+#include "pipeline/content_hash.h"
+#include "pipeline/modes.h"
+#include "robot/cell.h"
+#include "toolpath/options.h"
+
+#include <fmt/format.h>
+
+namespace voluta::pipeline {
+
+namespace {
+
+std::string fileHash(const std::string& folder, const std::string& id, const std::string& what) {
+  return contentHash(base::readFile(base::dataFile(folder, id, what)));
+}
+
+std::string cellText(const robot::Cell& cell) {
+  const std::string& robot = cell.robot().id;
+  return fmt::format("cell {} {}\nrobot {} {}\n", cell.id(), fileHash("cells", cell.id(), "cell"),
+                     robot, fileHash("robots", robot, "robot"));
+}
+
+std::string headText(const process::Process& p) {
+  std::string text = fmt::format("head tolerance {}", p.contactToleranceMm);
+  for (const process::HeadSection& section : p.head.sections)
+    text += fmt::format(" {}:{}", section.zMm, section.radiusMm);
+  return text + "\n";
+}
+
+std::string beadText(const process::Process& p) {
+  return fmt::format("height {} in [{}, {}]\nwidth {} in [{}, {}]\nstep {}\nspeed {}\nflow {}\n",
+                     p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm, p.beadWidthMm,
+                     p.beadWidthMinMm, p.beadWidthMaxMm, p.stepMm, p.speedMmPerS, p.maxFlowMm3PerS);
+}
+
+std::string travelText(const process::Process& p) {
+  return fmt::format("travel {}\nacceleration {}\n", p.travelSpeedMmPerS, p.accelerationMmPerS2);
+}
+
+std::string loadText(const LoadedPart& loaded, const Choices& c, const process::Process& process,
+                     const std::string& cell) {
+  const geometry::Placement& p = c.placement;
+  const Eigen::Vector4d q = p.rotation.coeffs();
+  std::string text = fmt::format(
+      "mesh {}\nrepair {}\nrotation {} {} {} {}\ncentre {} {}\nlift {}\nscale {}\n", loaded.hash,
+      c.repair, q[3], q[0], q[1], q[2], p.centreMm.x(), p.centreMm.y(), p.liftMm, c.scale);
+  if (c.scale == "fit")
+    text += cell + headText(process);
+  return text;
+}
+
+std::string programText(const std::string& partName, const process::Process& p) {
+  return fmt::format("name {}\nprocess {}\nmaterial {} {}\nprime {}\nnozzle {}\n", partName, p.id,
+                     p.material, p.densityGPerCm3, p.primeS, p.nozzleDiameterMm) +
+         beadText(p) + headText(p) + travelText(p);
+}
+
+std::string next(const std::string& before, Stage stage, const std::string& own) {
+  return fmt::format("{}[{}]\n{}", before, stageName(stage), own);
+}
+
+} // namespace
+
+StageKeys keysOf(const LoadedPart& loaded, const Choices& choices,
+                 const base::ParameterValues& values, const process::Process& process) {
+  const robot::Cell cell =
+      robot::loadCell(choices.cell, process, curved::platformDisc(80.0)); // the platform is no part
+                                                                          // of the cell's text
+  const Mode& mode = findMode(choices.mode);
+  const ModeChoices in{choices, values, process};
+  const std::string cellKey = cellText(cell);
+
+  StageKeys keys;
+  const auto put = [&](Stage stage, const std::string& own) {
+    const std::string before = stage == Stage::Load ? "" : keys[indexOf(stage) - 1];
+    keys[indexOf(stage)] = next(before, stage, own);
+  };
+  put(Stage::Load, loadText(loaded, choices, process, cellKey));
+  put(Stage::Decompose, fmt::format("mode {}\n", mode.id) + mode.decomposeKey(in));
+  put(Stage::Layers, mode.layersKey(in));
+  put(Stage::Toolpath, parameterText(toolpath::toolpathParameters(), values) + beadText(process) +
+                           headText(process));
+  put(Stage::Motion, cellKey + travelText(process) + headText(process) +
+                         parameterText(motion::motionParameters(), values) +
+                         fmt::format("seed {}\n", choices.seed));
+  std::string formats;
+  for (const std::string& format : chosenFormats(choices, cell))
+    formats += " " + format;
+  put(Stage::Replay, programText(loaded.name, process) + "formats" + formats + "\n");
+  return keys;
+}
+
+std::string programKey(const StageKeys& keys, const std::string& partName,
+                       const process::Process& process, const std::string& format) {
+  return next(keys[indexOf(Stage::Motion)], Stage::Replay,
+              programText(partName, process) + "format " + format + "\n");
+}
+
+} // namespace voluta::pipeline
