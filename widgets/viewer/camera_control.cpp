@@ -1,0 +1,131 @@
+#include "viewer/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkRenderer.h>
+
+namespace voluta::viewer {
+
+namespace {
+using Eigen::Vector3d;
+
+constexpr double kPoleMargin = std::numbers::pi / 180.0;
+constexpr double kNearestMm = 2.0, kFarthestMm = 20000.0;
+
+Vector3d vectorOf(const double* p) {
+  return {p[0], p[1], p[2]};
+}
+} // namespace
+
+vtkCamera* CameraControl::camera() const {
+  return renderer_->GetActiveCamera();
+}
+
+Vector3d CameraControl::focalPoint() const {
+  return vectorOf(camera()->GetFocalPoint());
+}
+
+Eigen::Matrix3d CameraControl::axes() const {
+  const vtkMatrix4x4* view = camera()->GetViewTransformMatrix();
+  Eigen::Matrix3d columns;
+  for (int row = 0; row < 3; ++row)
+    for (int axis = 0; axis < 3; ++axis)
+      columns(axis, row) = view->GetElement(row, axis);
+  return columns;
+}
+
+void CameraControl::place(const Vector3d& focal, const Vector3d& towardsEye, double distance) {
+  const Vector3d direction = towardsEye.normalized();
+  const double elevation = std::asin(std::clamp(direction.z(), -1.0, 1.0));
+  const double limit = 0.5 * std::numbers::pi - kPoleMargin;
+  Vector3d eye = direction;
+  if (std::abs(elevation) > limit) {
+    const double azimuth = std::abs(direction.x()) + std::abs(direction.y()) > 1e-9
+                               ? std::atan2(direction.y(), direction.x())
+                               : -0.5 * std::numbers::pi;
+    const double held = std::copysign(limit, elevation);
+    eye = {std::cos(held) * std::cos(azimuth), std::cos(held) * std::sin(azimuth), std::sin(held)};
+  }
+  const Vector3d position = focal + distance * eye;
+  vtkCamera* c = camera();
+  c->SetFocalPoint(focal.x(), focal.y(), focal.z());
+  c->SetPosition(position.x(), position.y(), position.z());
+  c->SetViewUp(0.0, 0.0, 1.0);
+  renderer_->ResetCameraClippingRange();
+}
+
+void CameraControl::orbit(double dxPixels, double dyPixels) {
+  const double perPixel = std::numbers::pi / std::max(1, renderer_->GetSize()[1]);
+  const Vector3d eye = axes().col(2);
+  const double limit = 0.5 * std::numbers::pi - kPoleMargin;
+  const double azimuth = std::atan2(eye.y(), eye.x()) - dxPixels * perPixel;
+  const double elevation =
+      std::clamp(std::asin(std::clamp(eye.z(), -1.0, 1.0)) - dyPixels * perPixel, -limit, limit);
+  place(focalPoint(),
+        {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+         std::sin(elevation)},
+        camera()->GetDistance());
+}
+
+void CameraControl::pan(double dxPixels, double dyPixels) {
+  const double mm = mmPerPixel(focalPoint());
+  const Eigen::Matrix3d a = axes();
+  place(focalPoint() - mm * (dxPixels * a.col(0) + dyPixels * a.col(1)), a.col(2),
+        camera()->GetDistance());
+}
+
+void CameraControl::zoom(double factor, double x, double y) {
+  const double distance = camera()->GetDistance();
+  const double wanted = std::clamp(distance / factor, kNearestMm, kFarthestMm);
+  const double mm = mmPerPixel(focalPoint());
+  const int* size = renderer_->GetSize();
+  const Eigen::Matrix3d a = axes();
+  const Vector3d under = mm * ((x - 0.5 * size[0]) * a.col(0) + (y - 0.5 * size[1]) * a.col(1));
+  place(focalPoint() + (1.0 - wanted / distance) * under, a.col(2), wanted);
+}
+
+void CameraControl::viewFrom(const Vector3d& towardsEye) {
+  place(focalPoint(), towardsEye, camera()->GetDistance());
+}
+
+void CameraControl::frame(const Vector3d& centre, double radius) {
+  const int* size = renderer_->GetSize();
+  const double aspect = size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;
+  const double half = 0.5 * camera()->GetViewAngle() * std::numbers::pi / 180.0;
+  const double narrow = aspect < 1.0 ? std::atan(std::tan(half) * aspect) : half;
+  place(centre, axes().col(2), std::clamp(radius / std::sin(narrow), kNearestMm, kFarthestMm));
+}
+
+Ray CameraControl::rayThrough(double x, double y) const {
+  const int* size = renderer_->GetSize();
+  const double mm = mmPerPixel(focalPoint());
+  const Eigen::Matrix3d a = axes();
+  const Vector3d through =
+      focalPoint() + mm * ((x - 0.5 * size[0]) * a.col(0) + (y - 0.5 * size[1]) * a.col(1));
+  const Vector3d origin = vectorOf(camera()->GetPosition());
+  return {origin, (through - origin).normalized()};
+}
+
+Vector3d CameraControl::project(const Vector3d& world) const {
+  const int* size = renderer_->GetSize();
+  const Vector3d position = vectorOf(camera()->GetPosition());
+  const Vector3d inView = axes().transpose() * (world - position);
+  const double depth = -inView.z();
+  if (depth <= 1e-9)
+    return {0.0, 0.0, -1.0};
+  const double half = 0.5 * camera()->GetViewAngle() * std::numbers::pi / 180.0;
+  const double pixels = 0.5 * size[1] / (std::tan(half) * depth);
+  return {0.5 * size[0] + pixels * inView.x(), 0.5 * size[1] + pixels * inView.y(), 0.5};
+}
+
+double CameraControl::mmPerPixel(const Vector3d& world) const {
+  const Vector3d position = vectorOf(camera()->GetPosition());
+  const double depth = std::max(1e-6, (position - world).dot(axes().col(2)));
+  const double half = 0.5 * camera()->GetViewAngle() * std::numbers::pi / 180.0;
+  return 2.0 * depth * std::tan(half) / std::max(1, renderer_->GetSize()[1]);
+}
+
+} // namespace voluta::viewer

@@ -1,0 +1,218 @@
+#include "viewer/gizmo.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QPalette>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace voluta::viewer {
+
+namespace {
+using Eigen::Vector3d;
+
+constexpr double kLengthPixels = 90.0, kGrabPixels = 8.0;
+constexpr int kRingPoints = 64;
+constexpr int kAll = 3;
+
+Vector3d unit(int axis) {
+  return Vector3d::Unit(axis);
+}
+
+// Blue, bluish green and orange, which colour-blind people tell apart; the handles carry their
+// letter too.
+QColor axisColour(int axis) {
+  static const std::array<QColor, 4> kColours{QColor(213, 130, 0), QColor(0, 158, 115),
+                                              QColor(0, 114, 178), QColor(130, 130, 130)};
+  return kColours[static_cast<std::size_t>(axis)];
+}
+
+double distanceToLine(const QPolygonF& line, const QPointF& p) {
+  double best = 1e9;
+  for (int i = 0; i + 1 < line.size(); ++i) {
+    const QPointF d = line[i + 1] - line[i];
+    const double lengthSquared = QPointF::dotProduct(d, d);
+    const double t = lengthSquared > 0.0
+                         ? std::clamp(QPointF::dotProduct(p - line[i], d) / lengthSquared, 0.0, 1.0)
+                         : 0.0;
+    const QPointF off = p - (line[i] + t * d);
+    best = std::min(best, std::hypot(off.x(), off.y()));
+  }
+  return best;
+}
+
+double snapped(double value, double step, bool snap) {
+  return snap ? std::round(value / step) * step : value;
+}
+} // namespace
+
+void Gizmo::setTool(Tool tool) {
+  tool_ = tool;
+  grabbed_ = -1;
+  dragging_ = false;
+}
+
+std::vector<Gizmo::Handle> Gizmo::handles(const Projection& project, double mmPerPixel) const {
+  const double length = kLengthPixels * mmPerPixel;
+  std::vector<Handle> found;
+  if (tool_ == Tool::Move || tool_ == Tool::Scale) {
+    for (int axis = 0; axis < 3; ++axis)
+      found.push_back({axis,
+                       QPolygonF({project(centre_ + 0.12 * length * unit(axis)),
+                                  project(centre_ + length * unit(axis))}),
+                       false});
+    if (tool_ == Tool::Move) {
+      const double near = 0.22 * length, far = 0.45 * length;
+      QPolygonF square;
+      for (const auto& [x, y] :
+           {std::pair{near, near}, {far, near}, {far, far}, {near, far}, {near, near}})
+        square << project(centre_ + Vector3d(x, y, 0.0));
+      found.push_back({kAll, square, true});
+    }
+  } else if (tool_ == Tool::Turn) {
+    for (int axis = 0; axis < 3; ++axis) {
+      QPolygonF ring;
+      const Vector3d a = unit((axis + 1) % 3), b = unit((axis + 2) % 3);
+      for (int i = 0; i <= kRingPoints; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kRingPoints;
+        ring << project(centre_ + length * (std::cos(angle) * a + std::sin(angle) * b));
+      }
+      found.push_back({axis, ring, false});
+    }
+  }
+  return found;
+}
+
+void Gizmo::paint(QPainter& painter, const Projection& project, double mmPerPixel,
+                  const QPalette& palette) const {
+  for (const Handle& handle : handles(project, mmPerPixel)) {
+    const bool hot = handle.axis == grabbed_;
+    if (dragging_ && !hot)
+      continue;
+    const QColor colour = hot ? palette.highlight().color() : axisColour(handle.axis);
+    painter.setPen(QPen(palette.window().color(), hot ? 6.0 : 5.0, Qt::SolidLine, Qt::RoundCap));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(handle.line);
+    painter.setPen(QPen(colour, hot ? 4.0 : 3.0, Qt::SolidLine, Qt::RoundCap));
+    if (handle.closed) {
+      QColor fill = colour;
+      fill.setAlpha(70);
+      painter.setBrush(fill);
+      painter.drawPolygon(handle.line);
+      continue;
+    }
+    painter.drawPolyline(handle.line);
+    if (tool_ == Tool::Turn || handle.axis == kAll)
+      continue;
+    const QPointF tip = handle.line.last();
+    painter.setBrush(colour);
+    painter.setPen(QPen(palette.window().color(), 1.0));
+    if (tool_ == Tool::Scale) {
+      painter.drawRect(QRectF(tip.x() - 6, tip.y() - 6, 12, 12));
+    } else {
+      painter.drawEllipse(tip, 8.0, 8.0);
+      painter.setPen(Qt::white);
+      QFont letter = painter.font();
+      letter.setPixelSize(11);
+      letter.setBold(true);
+      painter.setFont(letter);
+      painter.drawText(QRectF(tip.x() - 8, tip.y() - 8, 16, 16), Qt::AlignCenter,
+                       QString(QChar('X' + handle.axis)));
+    }
+  }
+}
+
+bool Gizmo::hover(const QPointF& cursor, const Projection& project, double mmPerPixel) {
+  if (dragging_)
+    return true;
+  grabbed_ = -1;
+  double best = kGrabPixels;
+  for (const Handle& handle : handles(project, mmPerPixel)) {
+    double distance = distanceToLine(handle.line, cursor);
+    if (handle.closed && handle.line.containsPoint(cursor, Qt::OddEvenFill))
+      distance = 0.0;
+    if (distance < best) {
+      best = distance;
+      grabbed_ = handle.axis;
+    }
+  }
+  return grabbed_ >= 0;
+}
+
+double Gizmo::alongAxis(const Ray& ray) const {
+  // Closest point of the axis to the ray.
+  const Vector3d axis = unit(grabbed_), between = centreAtBegin_ - ray.origin;
+  const double along = axis.dot(ray.direction);
+  const double denominator = 1.0 - along * along;
+  if (denominator < 1e-6)
+    return beganAt_;
+  return (along * ray.direction.dot(between) - axis.dot(between)) / denominator;
+}
+
+std::optional<Vector3d> Gizmo::onPlane(const Ray& ray, const Vector3d& normal) const {
+  const double along = normal.dot(ray.direction);
+  if (std::abs(along) < 1e-3)
+    return std::nullopt;
+  return ray.origin + normal.dot(centreAtBegin_ - ray.origin) / along * ray.direction;
+}
+
+double Gizmo::angleOnRing(const Ray& ray, const QPointF& cursor) const {
+  const Vector3d axis = unit(grabbed_);
+  if (std::abs(axis.dot(ray.direction)) > 0.1)
+    if (const auto hit = onPlane(ray, axis)) {
+      const Vector3d d = *hit - centreAtBegin_;
+      return std::atan2(d.dot(unit((grabbed_ + 2) % 3)), d.dot(unit((grabbed_ + 1) % 3)));
+    }
+  // Seen from its edge, a ring turns by the cursor's way along it.
+  const QPointF d = cursor - centreOnScreen_;
+  return (d.x() - d.y()) / kLengthPixels;
+}
+
+void Gizmo::begin(const QPointF& cursor, const Ray& ray, const Projection& project, double) {
+  dragging_ = true;
+  centreAtBegin_ = centre_;
+  centreOnScreen_ = project(centre_);
+  if (tool_ == Tool::Turn)
+    beganAt_ = angleOnRing(ray, cursor);
+  else if (tool_ == Tool::Scale)
+    beganAt_ = std::max(
+        4.0, std::hypot(cursor.x() - centreOnScreen_.x(), cursor.y() - centreOnScreen_.y()));
+  else if (grabbed_ == kAll)
+    beganOnPlane_ = onPlane(ray, Vector3d::UnitZ()).value_or(centre_);
+  else
+    beganAt_ = alongAxis(ray);
+}
+
+GizmoChange Gizmo::drag(const QPointF& cursor, const Ray& ray, bool snap) {
+  GizmoChange change;
+  if (tool_ == Tool::Turn) {
+    const double turned = std::remainder(angleOnRing(ray, cursor) - beganAt_, 2 * std::numbers::pi);
+    const double angle = snapped(turned, std::numbers::pi / 12.0, snap);
+    change.turn = Eigen::AngleAxisd(angle, unit(grabbed_));
+    change.text = QString::fromUtf8("%1°").arg(angle * 180.0 / std::numbers::pi, 0, 'f', 1);
+  } else if (tool_ == Tool::Scale) {
+    const double now =
+        std::hypot(cursor.x() - centreOnScreen_.x(), cursor.y() - centreOnScreen_.y());
+    change.scale = std::clamp(snapped(now / beganAt_, 0.05, snap), 0.01, 100.0);
+    change.text = QString("%1 %").arg(100.0 * change.scale, 0, 'f', 1);
+  } else {
+    if (grabbed_ == kAll) {
+      if (const auto hit = onPlane(ray, Vector3d::UnitZ()))
+        change.moveMm = *hit - beganOnPlane_;
+      change.moveMm.x() = snapped(change.moveMm.x(), 1.0, snap);
+      change.moveMm.y() = snapped(change.moveMm.y(), 1.0, snap);
+    } else {
+      change.moveMm = snapped(alongAxis(ray) - beganAt_, 1.0, snap) * unit(grabbed_);
+    }
+    centre_ = centreAtBegin_ + change.moveMm;
+    change.text =
+        grabbed_ == kAll
+            ? tr("%1, %2 mm").arg(change.moveMm.x(), 0, 'f', 1).arg(change.moveMm.y(), 0, 'f', 1)
+            : tr("%1 mm").arg(change.moveMm[grabbed_], 0, 'f', 1);
+  }
+  return change;
+}
+
+} // namespace voluta::viewer

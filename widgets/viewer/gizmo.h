@@ -1,0 +1,77 @@
+// Handles about the part to move, turn and scale it with the mouse: where they are on the screen,
+// which one is under the cursor, and what a drag of one means. Knows a camera, no widget.
+#pragma once
+
+#include "viewer/camera_control.h"
+
+#include <Eigen/Geometry>
+#include <QCoreApplication>
+#include <QPointF>
+#include <QPolygonF>
+#include <QString>
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QPainter;
+class QPalette;
+
+namespace voluta::viewer {
+
+enum class Tool { None, Move, Turn, Scale, LayFlat };
+
+// What a drag came to since it began.
+struct GizmoChange {
+  Eigen::Vector3d moveMm = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity(); // about the gizmo's centre, world axes
+  double scale = 1.0;
+  QString text; // for the label beside the cursor
+};
+
+class Gizmo {
+  Q_DECLARE_TR_FUNCTIONS(Gizmo)
+
+public:
+  void setTool(Tool tool);
+  Tool tool() const { return tool_; }
+  // Centre in world mm; the handles keep their size on the screen.
+  void setCentre(const Eigen::Vector3d& centre) { centre_ = centre; }
+
+  // Widget coordinates of a place in the world.
+  using Projection = std::function<QPointF(const Eigen::Vector3d&)>;
+  // mmPerPixel: of the widget's pixels at the centre.
+  void paint(QPainter& painter, const Projection& project, double mmPerPixel,
+             const QPalette& palette) const;
+  // True when a handle is under the cursor; it is drawn as such from then on.
+  bool hover(const QPointF& cursor, const Projection& project, double mmPerPixel);
+
+  // Precondition of begin: hover() was true. The ray is the cursor's.
+  void begin(const QPointF& cursor, const Ray& ray, const Projection& project, double mmPerPixel);
+  bool dragging() const { return dragging_; }
+  // snap: whole mm, 15 degrees, 5 %.
+  GizmoChange drag(const QPointF& cursor, const Ray& ray, bool snap);
+  void end() { dragging_ = false; }
+
+private:
+  // An axis (0-2), or 3: all of them (the plane z for Move, the middle for Scale).
+  struct Handle {
+    int axis;
+    QPolygonF line;
+    bool closed;
+  };
+  std::vector<Handle> handles(const Projection& project, double mmPerPixel) const;
+  double alongAxis(const Ray& ray) const; // mm along the axis grabbed
+  std::optional<Eigen::Vector3d> onPlane(const Ray& ray, const Eigen::Vector3d& normal) const;
+  double angleOnRing(const Ray& ray, const QPointF& cursor) const;
+
+  Tool tool_ = Tool::None;
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  int grabbed_ = -1; // under the cursor or being dragged
+  bool dragging_ = false;
+  Eigen::Vector3d centreAtBegin_ = Eigen::Vector3d::Zero();
+  QPointF centreOnScreen_;
+  double beganAt_ = 0.0;
+  Eigen::Vector3d beganOnPlane_ = Eigen::Vector3d::Zero();
+};
+
+} // namespace voluta::viewer

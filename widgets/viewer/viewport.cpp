@@ -1,0 +1,316 @@
+#include "viewer/viewport.h"
+
+#include "viewer/view_cube.h"
+
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QStyleHints>
+#include <cmath>
+#include <vtkRenderer.h>
+
+namespace voluta::viewer {
+
+namespace {
+constexpr int kMargin = 10;
+constexpr int kSettleMs = 180; // after the last wheel step the full detail comes back
+constexpr int kRestMs = 120;   // the cursor rests
+constexpr double kWheelFactor = 1.15, kKeyOrbitPixels = 30.0;
+} // namespace
+
+// The handles, drawn by Qt over VTK's picture: always on top and sharp.
+class Viewport::Overlay : public QWidget {
+public:
+  explicit Overlay(Viewport* parent) : QWidget(parent), viewport_(*parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+  }
+
+protected:
+  void paintEvent(QPaintEvent*) override {
+    if (viewport_.gizmo_.tool() == Tool::None || viewport_.gizmo_.tool() == Tool::LayFlat)
+      return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    viewport_.gizmo_.paint(
+        painter, [this](const Eigen::Vector3d& p) { return viewport_.projected(p); },
+        viewport_.gizmoMmPerPixel(), palette());
+    if (viewport_.gizmoText_.isEmpty())
+      return;
+    const QRectF text = painter.boundingRect(QRectF(), Qt::AlignLeft, viewport_.gizmoText_);
+    const QRectF box = text.translated(viewport_.last_ + QPointF(18, 10) - text.topLeft());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().toolTipBase());
+    painter.drawRoundedRect(box.adjusted(-6, -3, 6, 3), 4, 4);
+    painter.setPen(palette().toolTipText().color());
+    painter.drawText(box, Qt::AlignCenter, viewport_.gizmoText_);
+  }
+
+private:
+  Viewport& viewport_;
+};
+
+Viewport::Viewport(const scene::Theme& theme, QWidget* parent)
+    : VtkView(parent), scene_(theme), camera_(scene_.renderer()), overlay_(new Overlay(this)),
+      cube_(new ViewCube(this)) {
+  setObjectName("viewport");
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setMinimumSize(320, 240);
+  addRenderer(scene_.renderer());
+  scene_.standardView(scene::StandardView::Isometric);
+  connect(cube_, &ViewCube::viewFrom, this, &Viewport::viewFrom);
+  connect(cube_, &ViewCube::orbit, this, [this](double dx, double dy) {
+    camera_.orbit(dx, dy);
+    moved();
+  });
+  settle_.setSingleShot(true);
+  settle_.setInterval(kSettleMs);
+  connect(&settle_, &QTimer::timeout, this, &Viewport::applyDetail);
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRestMs);
+  connect(&rest_, &QTimer::timeout, this, [this] { emit hovered(hitAt(last_)); });
+}
+
+Viewport::~Viewport() = default;
+
+void Viewport::initializeGL() {
+  VtkView::initializeGL();
+  scene_.setPixelRatio(devicePixelRatioF());
+}
+
+void Viewport::setView(const scene::ViewState& view) {
+  scene::ViewState shown = view;
+  shown.dragging = heldByOthers_ || settle_.isActive() || turning_ || moving_;
+  scene_.setView(shown);
+  requestFrame();
+}
+
+void Viewport::applyDetail() {
+  const bool coarse = heldByOthers_ || settle_.isActive() || turning_ || moving_;
+  if (scene_.view().dragging == coarse)
+    return;
+  scene::ViewState view = scene_.view();
+  view.dragging = coarse;
+  scene_.setView(view);
+  requestFrame();
+}
+
+void Viewport::setDragging(bool on) {
+  heldByOthers_ = on;
+  applyDetail();
+}
+
+void Viewport::setTool(Tool tool) {
+  if (gizmo_.tool() == tool)
+    return;
+  gizmo_.setTool(tool);
+  gizmo_.setCentre(gizmoCentre_);
+  gizmoText_.clear();
+  setCursor(tool == Tool::LayFlat ? Qt::CrossCursor : Qt::ArrowCursor);
+  overlay_->update();
+  emit toolChanged(tool);
+}
+
+void Viewport::setGizmoCentre(const Eigen::Vector3d& centre) {
+  gizmoCentre_ = centre;
+  if (!gizmo_.dragging())
+    gizmo_.setCentre(centre);
+  overlay_->update();
+}
+
+void Viewport::setLegendWidget(QWidget* legend) {
+  legend_ = legend;
+  legend_->setParent(this);
+  layOut();
+}
+
+void Viewport::layOut() {
+  overlay_->setGeometry(rect());
+  cube_->move(width() - cube_->width() - kMargin, kMargin);
+  if (legend_) {
+    legend_->adjustSize();
+    legend_->move(kMargin, kMargin);
+  }
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+  VtkView::resizeEvent(event);
+  layOut();
+}
+
+void Viewport::beforeFrame() {
+  scene_.setPixelRatio(devicePixelRatioF());
+  cube_->setAxes(camera_.axes());
+}
+
+void Viewport::moved() {
+  scene_.cameraMoved();
+  settle_.start();
+  applyDetail();
+  requestFrame();
+  overlay_->update();
+  emit cameraMoved();
+}
+
+void Viewport::frameAll() {
+  scene_.frameAll();
+  moved();
+}
+
+void Viewport::viewFrom(const Eigen::Vector3d& towardsEye) {
+  camera_.viewFrom(towardsEye);
+  moved();
+}
+
+void Viewport::lookAt(const Eigen::Vector3d& pointInWork, double radiusMm) {
+  scene_.lookAt(pointInWork, radiusMm);
+  moved();
+}
+
+std::optional<scene::Hit> Viewport::hitAt(const QPointF& place) const {
+  const QPointF display = toDisplay(place);
+  return scene_.pick(static_cast<int>(display.x()), static_cast<int>(display.y()));
+}
+
+QPointF Viewport::projected(const Eigen::Vector3d& world) const {
+  const Eigen::Vector3d display = camera_.project(world);
+  return fromDisplay({display.x(), display.y()});
+}
+
+double Viewport::gizmoMmPerPixel() const {
+  return camera_.mmPerPixel(gizmoCentre_) * devicePixelRatioF();
+}
+
+Ray Viewport::rayAt(const QPointF& place) const {
+  const QPointF display = toDisplay(place);
+  return camera_.rayThrough(display.x(), display.y());
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  if (button_ != Qt::NoButton)
+    return;
+  setFocus(Qt::MouseFocusReason);
+  button_ = event->button();
+  pressedAt_ = last_ = event->position();
+  dragged_ = false;
+  const auto project = [this](const Eigen::Vector3d& p) { return projected(p); };
+  if (button_ == Qt::LeftButton && !(event->modifiers() & Qt::ShiftModifier) &&
+      gizmo_.hover(last_, project, gizmoMmPerPixel())) {
+    gizmo_.begin(last_, rayAt(last_), project, gizmoMmPerPixel());
+    emit gizmoStarted();
+  }
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF d = event->position() - last_;
+  last_ = event->position();
+  if (gizmo_.dragging()) {
+    const GizmoChange change =
+        gizmo_.drag(last_, rayAt(last_), event->modifiers() & Qt::ControlModifier);
+    gizmoText_ = change.text;
+    dragged_ = true;
+    overlay_->update();
+    emit gizmoDragged(change, false);
+    return;
+  }
+  if (button_ == Qt::NoButton) {
+    const bool hot = gizmo_.hover(
+        last_, [this](const Eigen::Vector3d& p) { return projected(p); }, gizmoMmPerPixel());
+    if (gizmo_.tool() != Tool::None && gizmo_.tool() != Tool::LayFlat) {
+      setCursor(hot ? Qt::OpenHandCursor : Qt::ArrowCursor);
+      overlay_->update();
+    }
+    rest_.start();
+    return;
+  }
+  if (!dragged_ &&
+      (last_ - pressedAt_).manhattanLength() < QGuiApplication::styleHints()->startDragDistance())
+    return;
+  dragged_ = true;
+  const double ratio = devicePixelRatioF();
+  const bool shift = event->modifiers() & Qt::ShiftModifier;
+  moving_ = button_ != Qt::LeftButton || shift;
+  turning_ = !moving_;
+  if (turning_)
+    camera_.orbit(ratio * d.x(), -ratio * d.y());
+  else
+    camera_.pan(ratio * d.x(), -ratio * d.y());
+  moved();
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != button_)
+    return;
+  button_ = Qt::NoButton;
+  if (gizmo_.dragging()) {
+    const GizmoChange change = gizmo_.drag(event->position(), rayAt(event->position()),
+                                           event->modifiers() & Qt::ControlModifier);
+    gizmo_.end();
+    gizmoText_.clear();
+    overlay_->update();
+    emit gizmoDragged(dragged_ ? change : GizmoChange{}, true);
+    return;
+  }
+  turning_ = moving_ = false;
+  applyDetail();
+  if (!dragged_ && event->button() == Qt::LeftButton)
+    emit clicked(hitAt(event->position()));
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton)
+    return;
+  if (const auto hit = hitAt(event->position()); hit && scene_.view().world == scene::World::Work)
+    lookAt(hit->point, 15.0);
+  else
+    frameAll();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  const QPointF display = toDisplay(event->position());
+  camera_.zoom(std::pow(kWheelFactor, event->angleDelta().y() / 120.0), display.x(), display.y());
+  moved();
+  event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+  const double step = kKeyOrbitPixels * devicePixelRatioF();
+  const QPointF middle = toDisplay(QPointF(0.5 * width(), 0.5 * height()));
+  switch (event->key()) {
+  case Qt::Key_Left:
+    camera_.orbit(-step, 0.0);
+    break;
+  case Qt::Key_Right:
+    camera_.orbit(step, 0.0);
+    break;
+  case Qt::Key_Up:
+    camera_.orbit(0.0, step);
+    break;
+  case Qt::Key_Down:
+    camera_.orbit(0.0, -step);
+    break;
+  case Qt::Key_Plus:
+    camera_.zoom(kWheelFactor, middle.x(), middle.y());
+    break;
+  case Qt::Key_Minus:
+    camera_.zoom(1.0 / kWheelFactor, middle.x(), middle.y());
+    break;
+  case Qt::Key_Escape:
+    setTool(Tool::None);
+    return;
+  default:
+    VtkView::keyPressEvent(event);
+    return;
+  }
+  moved();
+}
+
+void Viewport::leaveEvent(QEvent* event) {
+  rest_.stop();
+  emit hovered(std::nullopt);
+  VtkView::leaveEvent(event);
+}
+
+} // namespace voluta::viewer

@@ -1,0 +1,91 @@
+// The viewport: a scene, a turntable camera under the mouse, handles to place the part with, the
+// view cube. Left drag turns the view, middle or Shift+left drag moves it, the wheel zooms at the
+// cursor; arrow keys turn, plus and minus zoom.
+#pragma once
+
+#include "scene/scene.h"
+#include "viewer/camera_control.h"
+#include "viewer/gizmo.h"
+#include "viewer/vtk_view.h"
+
+#include <QTimer>
+#include <optional>
+
+namespace voluta::viewer {
+
+class ViewCube;
+
+class Viewport : public VtkView {
+  Q_OBJECT
+
+public:
+  explicit Viewport(const scene::Theme& theme, QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  scene::Scene& scene() { return scene_; }
+  // Shows this; a frame follows.
+  void setView(const scene::ViewState& view);
+  const scene::ViewState& view() const { return scene_.view(); }
+
+  void setTool(Tool tool);
+  Tool tool() const { return gizmo_.tool(); }
+  // Centre of the part in the world, for the handles.
+  void setGizmoCentre(const Eigen::Vector3d& centre);
+
+  void frameAll();
+  void viewFrom(const Eigen::Vector3d& towardsEye);
+  void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
+  // Something other than the camera is being dragged: less detail, faster frames.
+  void setDragging(bool on);
+  // A widget laid over the viewport, at its lower left corner above what is there already.
+  void setLegendWidget(QWidget* legend);
+
+signals:
+  void toolChanged(voluta::viewer::Tool tool);
+  // A drag of a handle: what it came to so far, once more with finished = true.
+  void gizmoDragged(const voluta::viewer::GizmoChange& change, bool finished);
+  void gizmoStarted();
+  // A click that did not drag.
+  void clicked(const std::optional<voluta::scene::Hit>& hit);
+  // The cursor rests on something.
+  void hovered(const std::optional<voluta::scene::Hit>& hit);
+  void cameraMoved();
+
+protected:
+  void initializeGL() override;
+  void resizeEvent(QResizeEvent* event) override;
+  void beforeFrame() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+private:
+  class Overlay;
+
+  void moved();
+  void layOut();
+  void applyDetail();
+  std::optional<scene::Hit> hitAt(const QPointF& place) const;
+  QPointF projected(const Eigen::Vector3d& world) const;
+  double gizmoMmPerPixel() const;
+  Ray rayAt(const QPointF& place) const;
+
+  scene::Scene scene_;
+  CameraControl camera_;
+  Gizmo gizmo_;
+  Eigen::Vector3d gizmoCentre_ = Eigen::Vector3d::Zero();
+  QString gizmoText_;
+  Overlay* overlay_;
+  ViewCube* cube_;
+  QWidget* legend_ = nullptr;
+  QTimer settle_, rest_;
+  QPointF pressedAt_, last_;
+  Qt::MouseButton button_ = Qt::NoButton;
+  bool turning_ = false, moving_ = false, dragged_ = false, heldByOthers_ = false;
+};
+
+} // namespace voluta::viewer

@@ -1,0 +1,147 @@
+#include "viewer/vtk_view.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QSurfaceFormat>
+#include <cmath>
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+
+namespace voluta::viewer {
+
+namespace {
+constexpr int kMajor = 3, kMinor = 2;
+
+QSurfaceFormat vtkFormat() {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(kMajor, kMinor);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  format.setAlphaBufferSize(8);
+  format.setSamples(0); // on software rendering multisampling is too slow
+  return format;
+}
+
+// VTK asks through events whether its context is current and to make it so.
+void answerVtk(vtkObject*, unsigned long event, void* client, void* data) {
+  auto* view = static_cast<VtkView*>(client);
+  const bool current = view->context() && QOpenGLContext::currentContext() == view->context();
+  if (event == vtkCommand::WindowIsCurrentEvent)
+    *static_cast<bool*>(data) = current;
+  else if (event == vtkCommand::WindowSupportsOpenGLEvent)
+    *static_cast<int*>(data) = 1;
+  else if (event == vtkCommand::WindowMakeCurrentEvent && !current && view->isValid())
+    // Only when it isn't current: makeCurrent would bind Qt's framebuffer in the middle of a frame.
+    view->makeCurrent();
+}
+} // namespace
+
+void VtkView::setDefaultFormat() {
+  QSurfaceFormat::setDefaultFormat(vtkFormat());
+}
+
+VtkView::VtkView(QWidget* parent)
+    : QOpenGLWidget(parent), window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()) {
+  setFormat(vtkFormat());
+  window_->SetOwnContext(0);
+  window_->SetFrameBlitModeToBlitToCurrent();
+  window_->SetReadyForRendering(false);
+  window_->SetMultiSamples(0);
+  window_->SetMapped(1);
+  const auto answer = vtkSmartPointer<vtkCallbackCommand>::New();
+  answer->SetCallback(answerVtk);
+  answer->SetClientData(this);
+  for (const unsigned long event :
+       {vtkCommand::WindowIsCurrentEvent, vtkCommand::WindowSupportsOpenGLEvent,
+        vtkCommand::WindowMakeCurrentEvent})
+    window_->AddObserver(event, answer);
+}
+
+VtkView::~VtkView() {
+  releaseGl();
+  window_->RemoveAllObservers();
+}
+
+void VtkView::addRenderer(vtkRenderer* renderer) {
+  window_->AddRenderer(renderer);
+}
+
+QSize VtkView::deviceSize() const {
+  const double ratio = devicePixelRatioF();
+  return {static_cast<int>(std::lround(width() * ratio)),
+          static_cast<int>(std::lround(height() * ratio))};
+}
+
+QPointF VtkView::toDisplay(const QPointF& widget) const {
+  const double ratio = devicePixelRatioF();
+  return {widget.x() * ratio, (height() - widget.y()) * ratio};
+}
+
+QPointF VtkView::fromDisplay(const QPointF& display) const {
+  const double ratio = devicePixelRatioF();
+  return {display.x() / ratio, height() - display.y() / ratio};
+}
+
+void VtkView::initializeGL() {
+  const QSurfaceFormat found = context()->format();
+  usable_ = found.version() >= qMakePair(kMajor, kMinor);
+  if (!usable_) {
+    emit openGlMissing(QString("%1.%2").arg(found.majorVersion()).arg(found.minorVersion()));
+    return;
+  }
+  // The context goes before the widget when the widget moves to another window.
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkView::releaseGl,
+          Qt::DirectConnection);
+  window_->OpenGLInit();
+}
+
+void VtkView::resizeGL(int, int) {
+  const QSize size = deviceSize();
+  window_->SetSize(size.width(), size.height());
+}
+
+void VtkView::paintGL() {
+  if (!usable_)
+    return;
+  QElapsedTimer timer;
+  timer.start();
+  const QSize size = deviceSize();
+  if (window_->GetSize()[0] != size.width() || window_->GetSize()[1] != size.height())
+    window_->SetSize(size.width(), size.height());
+  beforeFrame();
+  // Qt has used the context since VTK's last frame; VTK's picture of its state is stale.
+  vtkOpenGLState* state = window_->GetState();
+  state->Reset();
+  state->Push();
+  window_->SetReadyForRendering(true);
+  window_->Render();
+  window_->SetReadyForRendering(false);
+  state->Pop();
+  // What VTK leaves in the alpha channel would let the desktop shine through.
+  QOpenGLFunctions* gl = context()->functions();
+  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl->glDisable(GL_SCISSOR_TEST);
+  gl->glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+  gl->glClear(GL_COLOR_BUFFER_BIT);
+  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl->glFinish(); // so that the time is the frame's and not that of its submission
+  lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  emit framePainted(lastFrameMs_);
+}
+
+void VtkView::releaseGl() {
+  if (!usable_)
+    return;
+  usable_ = false;
+  makeCurrent();
+  window_->SetReadyForRendering(false);
+  window_->Finalize();
+  doneCurrent();
+}
+
+} // namespace voluta::viewer

@@ -1,0 +1,55 @@
+// The Qt side of the viewport (DESIGN §7): a QOpenGLWidget that owns a VTK render window. VTK
+// renders only inside paintGL; whoever changes the scene asks for a frame with requestFrame().
+#pragma once
+
+#include <QOpenGLWidget>
+#include <vtkSmartPointer.h>
+
+class vtkGenericOpenGLRenderWindow;
+class vtkRenderer;
+
+namespace voluta::viewer {
+
+class VtkView : public QOpenGLWidget {
+  Q_OBJECT
+
+public:
+  // To be called once before QApplication exists: the surface that VTK needs.
+  static void setDefaultFormat();
+
+  explicit VtkView(QWidget* parent = nullptr);
+  ~VtkView() override;
+
+  void addRenderer(vtkRenderer* renderer);
+  // A frame soon, however often it is asked for.
+  void requestFrame() { update(); }
+  // Milliseconds that the last frame took to paint; 0 before the first.
+  double lastFrameMs() const { return lastFrameMs_; }
+  // Widget coordinates (y down, logical pixels) to VTK display coordinates and back.
+  QPointF toDisplay(const QPointF& widget) const;
+  QPointF fromDisplay(const QPointF& display) const;
+  // A copy of what is shown.
+  QImage grabFrame() { return grabFramebuffer(); }
+
+signals:
+  void framePainted(double ms);
+  // The display offers less than OpenGL 3.2; nothing can be drawn.
+  void openGlMissing(const QString& found);
+
+protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  // For what is to be in step with every frame; called before VTK renders.
+  virtual void beforeFrame() {}
+
+private:
+  void releaseGl();
+  QSize deviceSize() const;
+
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+  double lastFrameMs_ = 0.0;
+  bool usable_ = false;
+};
+
+} // namespace voluta::viewer
