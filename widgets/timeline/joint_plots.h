@@ -8,7 +8,6 @@
 #include <memory>
 #include <vector>
 
-class QActionGroup;
 class QHBoxLayout;
 class QToolButton;
 
@@ -74,6 +73,7 @@ private:
   ChartCanvas *angle_ = nullptr, *speed_ = nullptr;
   QHBoxLayout* jointRow_ = nullptr;
   std::vector<QToolButton*> jointButtons_, kindButtons_;
+  QToolButton* limitsButton_ = nullptr;
 };
 
 } // namespace voluta::timeline

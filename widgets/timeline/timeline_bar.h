@@ -56,7 +56,7 @@ public slots:
   // Move the bar and everything in step with it; signals only where the value changes.
   void setTimeS(double timeS);
   void setMove(int move);
-  // One of 1, 2, 5, 10, 20, 50, 100.
+  // One of 1, 2, 5, 10, 20, 50, 100; others are left alone.
   void setSpeed(double factor);
   void play();
   void pause();
@@ -83,6 +83,7 @@ private:
   void retranslate();
   void redrawIcons();
   void enterMode();
+  void showMarks();
   void showPosition();
   void setPosition(double position);
 
@@ -90,6 +91,7 @@ private:
   BarMode mode_ = BarMode::Time;
   double timeS_ = 0.0;
   int move_ = 0, moveCount_ = 0;
+  std::vector<Mark> marks_;
   Player* player_;
   ScrubSlider* slider_ = nullptr;
   QToolButton *previousLayer_ = nullptr, *previousMove_ = nullptr, *play_ = nullptr,

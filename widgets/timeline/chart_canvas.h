@@ -1,0 +1,86 @@
+// One chart over time as a picture, with a cursor that moves over it without drawing it anew.
+#pragma once
+
+#include <QColor>
+#include <QGraphicsScene>
+#include <QList>
+#include <QPixmap>
+#include <QPointF>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+QT_BEGIN_NAMESPACE
+class QChart;
+class QValueAxis;
+QT_END_NAMESPACE
+
+namespace voluta::timeline {
+
+struct ChartCurve {
+  QList<QPointF> points;
+  QColor colour;
+  std::optional<double> low, high; // limits, drawn dashed
+};
+
+class ChartCanvas : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit ChartCanvas(QWidget* parent = nullptr);
+  ~ChartCanvas() override;
+
+  // What lies along the upright axis, with its unit.
+  void setAxisTitle(const QString& title);
+  void setTimeTitle(const QString& title);
+  // Values in view: [low, high], low < high.
+  void setContent(std::vector<ChartCurve> curves, double fromS, double toS, double low,
+                  double high);
+  // Shown instead of curves; empty: none.
+  void setHint(const QString& hint);
+  void setTimeS(double timeS);
+
+  // Pixel columns that curves are worth being reduced to.
+  int columns() const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+signals:
+  void timeClicked(double timeS);
+  void spanWanted(double fromS, double toS);
+  void allWanted();
+  void resized();
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+private:
+  QRectF plotArea() const;
+  double xOf(double timeS) const;
+  double timeAt(double x) const;
+  void applyPalette();
+  void drawPicture();
+
+  QGraphicsScene scene_;
+  QChart* chart_; // the scene's
+  QValueAxis *time_, *value_;
+  std::vector<ChartCurve> curves_;
+  QString hint_;
+  double fromS_ = 0.0, toS_ = 1.0, timeS_ = 0.0;
+  QPixmap picture_;
+  bool stale_ = true;
+  std::optional<double> pressedX_;
+  double draggedFromS_ = 0.0;
+  bool moved_ = false;
+};
+
+} // namespace voluta::timeline

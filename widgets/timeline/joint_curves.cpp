@@ -1,0 +1,101 @@
+#include "timeline/joint_curves.h"
+
+#include "base/error.h"
+#include "base/units.h"
+
+#include <algorithm>
+
+namespace voluta::timeline {
+
+JointCurves::JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
+                         const base::RunContext& ctx)
+    : trajectory_(std::move(trajectory)) {
+  base::require(trajectory_ && trajectory_->pointCount() > 0, "JointCurves: points to draw");
+  const plan::Trajectory& t = *trajectory_;
+  base::require(std::is_sorted(t.timeS.begin(), t.timeS.end()),
+                "JointCurves: times do not decrease");
+  const std::size_t count = t.pointCount(), dof = static_cast<std::size_t>(t.dof);
+  for (std::size_t joint = 0; joint < dof; ++joint) {
+    ctx.checkpoint();
+    std::vector<float> angles(count), speeds(count, 0.0f);
+    for (std::size_t i = 0; i < count; ++i) {
+      angles[i] = static_cast<float>(base::radiansToDegrees(t.joints[i * dof + joint]));
+      if (i + 1 == count)
+        break;
+      const double step = t.joints[(i + 1) * dof + joint] - t.joints[i * dof + joint];
+      const double seconds = t.timeS[i + 1] - t.timeS[i];
+      // Two points at one moment: nothing lasts, so the speed before goes on.
+      speeds[i] = seconds > 0.0 ? static_cast<float>(base::radiansToDegrees(step / seconds))
+                                : (i > 0 ? speeds[i - 1] : 0.0f);
+    }
+    angle_.emplace_back(std::move(angles));
+    speed_.emplace_back(std::move(speeds));
+  }
+}
+
+QList<QPointF> JointCurves::angle(int joint, double fromS, double toS, int columns) const {
+  return reduced(angle_.at(static_cast<std::size_t>(joint)), fromS, toS, columns, false);
+}
+
+QList<QPointF> JointCurves::speed(int joint, double fromS, double toS, int columns) const {
+  return reduced(speed_.at(static_cast<std::size_t>(joint)), fromS, toS, columns, true);
+}
+
+ValueRange JointCurves::angleRange(int joint) const {
+  const CurvePyramid& curve = angle_.at(static_cast<std::size_t>(joint));
+  return curve.over(0, curve.size());
+}
+
+ValueRange JointCurves::speedRange(int joint) const {
+  const CurvePyramid& curve = speed_.at(static_cast<std::size_t>(joint));
+  return curve.over(0, curve.size());
+}
+
+QList<QPointF> JointCurves::reduced(const CurvePyramid& curve, double fromS, double toS,
+                                    int columns, bool steps) const {
+  const std::vector<double>& times = trajectory_->timeS;
+  const auto indexOf = [&](auto at) { return static_cast<std::size_t>(at - times.begin()); };
+  // One point beyond each end, so that the curve leaves the picture instead of stopping in it.
+  std::size_t begin = indexOf(std::lower_bound(times.begin(), times.end(), fromS));
+  begin = begin > 0 ? begin - 1 : 0;
+  std::size_t end = indexOf(std::upper_bound(times.begin(), times.end(), toS));
+  end = std::min(end + 1, times.size());
+
+  QList<QPointF> points;
+  const auto add = [&](std::size_t i) {
+    if (steps && i > 0)
+      points.append({times[i], curve[i - 1]});
+    points.append({times[i], curve[i]});
+  };
+  if (end - begin <= 2 * static_cast<std::size_t>(columns)) {
+    points.reserve(static_cast<qsizetype>(2 * (end - begin)));
+    for (std::size_t i = begin; i < end; ++i)
+      add(i);
+    return points;
+  }
+  points.reserve(5 * columns);
+  const double width = (toS - fromS) / columns;
+  for (std::size_t i = begin; i < end;) {
+    const int column = static_cast<int>((times[i] - fromS) / width);
+    const double edge = fromS + (column + 1) * width;
+    const std::size_t next = std::max(
+        i + 1,
+        std::min(end, indexOf(std::lower_bound(times.begin() + static_cast<std::ptrdiff_t>(i),
+                                               times.end(), edge))));
+    if (next - i <= 2) {
+      for (; i < next; ++i)
+        add(i);
+      continue;
+    }
+    const ValueRange range = curve.over(i, next);
+    const double middle = 0.5 * (times[i] + times[next - 1]);
+    add(i);
+    points.append({middle, range.low});
+    points.append({middle, range.high});
+    points.append({times[next - 1], curve[next - 1]});
+    i = next;
+  }
+  return points;
+}
+
+} // namespace voluta::timeline

@@ -1,0 +1,290 @@
+#include "timeline/joint_plots.h"
+
+#include "base/units.h"
+#include "forms/colours.h"
+#include "jobs/job_runner.h"
+#include "timeline/chart_canvas.h"
+#include "timeline/joint_curves.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace voluta::timeline {
+
+namespace {
+constexpr double kLeastSpanS = 0.5;
+constexpr double kMargin = 0.05; // of the values on show, above and below
+
+// Told apart by the colour-blind too, and none is red: red means blocked. One row for light
+// palettes, one for dark ones.
+constexpr std::array<std::array<QRgb, 8>, 2> kJointColours{
+    {{0xff0072b2, 0xffc77f00, 0xff00805d, 0xffb3559c, 0xff2fa3dd, 0xff6b5b00, 0xff555555,
+      0xff5b3fa8},
+     {0xff4aa8e8, 0xffe69f00, 0xff20c496, 0xffe093c4, 0xff9ad6f5, 0xffe8dc50, 0xffb5b5b5,
+      0xffa793ee}}};
+
+QColor jointColour(std::size_t joint, const QPalette& palette) {
+  const auto& colours = kJointColours[forms::isDark(palette) ? 1 : 0];
+  return QColor::fromRgb(colours[joint % colours.size()]);
+}
+
+QIcon swatch(const QColor& colour) {
+  QPixmap drawn(24, 24);
+  drawn.fill(Qt::transparent);
+  QPainter painter(&drawn);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  painter.drawRoundedRect(QRectF(2, 8, 20, 8), 3, 3);
+  return QIcon(drawn);
+}
+
+struct Span {
+  double low, high;
+};
+
+// Curves of one quantity and the values that hold them.
+Span spanOf(const std::vector<ChartCurve>& curves, const std::vector<ValueRange>& ranges,
+            bool withLimits) {
+  Span span{0.0, 0.0};
+  bool any = false;
+  const auto hold = [&](double value) {
+    span = any ? Span{std::min(span.low, value), std::max(span.high, value)} : Span{value, value};
+    any = true;
+  };
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    hold(ranges[i].low);
+    hold(ranges[i].high);
+    if (withLimits && curves[i].low)
+      hold(*curves[i].low);
+    if (withLimits && curves[i].high)
+      hold(*curves[i].high);
+  }
+  const double margin = std::max(kMargin * (span.high - span.low), 0.5);
+  return {span.low - margin, span.high + margin};
+}
+} // namespace
+
+JointPlots::JointPlots(QWidget* parent) : QWidget(parent), runner_(new jobs::JobRunner(this)) {
+  buildWidgets();
+  retranslate();
+  applyKind();
+  refresh();
+}
+
+JointPlots::~JointPlots() = default;
+
+void JointPlots::buildWidgets() {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 4, 6, 4);
+  column->setSpacing(2);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
+  jointRow_ = new QHBoxLayout;
+  jointRow_->setSpacing(2);
+  row->addLayout(jointRow_);
+  row->addStretch(1);
+  auto* kinds = new QButtonGroup(this);
+  for (int i = 0; i < 3; ++i) {
+    auto* button = new QToolButton(this);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    kinds->addButton(button, i);
+    kindButtons_.push_back(button);
+    row->addWidget(button);
+  }
+  row->addSpacing(8);
+  limitsButton_ = new QToolButton(this);
+  limitsButton_->setCheckable(true);
+  limitsButton_->setChecked(true);
+  limitsButton_->setAutoRaise(true);
+  row->addWidget(limitsButton_);
+  column->addLayout(row);
+  connect(kinds, &QButtonGroup::idClicked, this,
+          [this](int id) { setKind(static_cast<PlotKind>(id)); });
+  connect(limitsButton_, &QToolButton::toggled, this, &JointPlots::refresh);
+
+  angle_ = new ChartCanvas(this);
+  speed_ = new ChartCanvas(this);
+  for (ChartCanvas* canvas : {angle_, speed_}) {
+    column->addWidget(canvas, 1);
+    connect(canvas, &ChartCanvas::timeClicked, this, &JointPlots::timeClicked);
+    connect(canvas, &ChartCanvas::spanWanted, this, &JointPlots::setSpan);
+    connect(canvas, &ChartCanvas::allWanted, this,
+            [this] { setSpan(0.0, curves_ ? curves_->durationS() : 0.0); });
+  }
+  // Both have the same width: one of them says for both.
+  connect(angle_, &ChartCanvas::resized, this, &JointPlots::refresh);
+  connect(speed_, &ChartCanvas::resized, this, &JointPlots::refresh);
+}
+
+void JointPlots::retranslate() {
+  angle_->setAxisTitle(tr("Angle (°)"));
+  speed_->setAxisTitle(tr("Speed (°/s)"));
+  for (ChartCanvas* canvas : {angle_, speed_})
+    canvas->setTimeTitle(tr("Time (s)"));
+  const std::array<QString, 3> kinds{tr("Angle"), tr("Speed"), tr("Both")};
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    kindButtons_[i]->setText(kinds[i]);
+  limitsButton_->setText(tr("Limits"));
+  limitsButton_->setToolTip(tr("Show the limits of the joints as dashed lines"));
+  for (std::size_t i = 0; i < jointButtons_.size(); ++i)
+    jointButtons_[i]->setToolTip(tr("Show joint %1").arg(i + 1));
+}
+
+void JointPlots::setTrajectory(std::shared_ptr<const plan::Trajectory> trajectory,
+                               std::vector<robot::JointLimits> limits) {
+  limits_ = std::move(limits);
+  curves_.reset();
+  if (!trajectory || trajectory->pointCount() == 0) {
+    runner_->cancel();
+    refresh();
+    return;
+  }
+  refresh();
+  runner_->run(
+      [trajectory = std::move(trajectory)](const base::RunContext& ctx) {
+        return std::make_shared<const JointCurves>(trajectory, ctx);
+      },
+      [this](base::Outcome<std::shared_ptr<const JointCurves>> outcome) {
+        auto* curves = std::get_if<std::shared_ptr<const JointCurves>>(&outcome);
+        if (!curves)
+          return;
+        curves_ = std::move(*curves);
+        fromS_ = 0.0;
+        toS_ = std::max(curves_->durationS(), kLeastSpanS);
+        makeJointButtons();
+        refresh();
+        emit ready();
+      },
+      1);
+}
+
+void JointPlots::makeJointButtons() {
+  const std::size_t count = static_cast<std::size_t>(curves_->dof());
+  if (jointButtons_.size() != count) {
+    for (QToolButton* button : jointButtons_)
+      delete button;
+    jointButtons_.clear();
+    shown_.assign(count, true);
+    for (std::size_t i = 0; i < count; ++i) {
+      auto* button = new QToolButton(this);
+      button->setText(QStringLiteral("J%1").arg(i + 1));
+      button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+      button->setCheckable(true);
+      button->setChecked(true);
+      button->setAutoRaise(true);
+      connect(button, &QToolButton::toggled, this,
+              [this, i](bool on) { setJointShown(static_cast<int>(i), on); });
+      jointRow_->addWidget(button);
+      jointButtons_.push_back(button);
+    }
+    retranslate();
+  }
+  colourJointButtons();
+}
+
+void JointPlots::colourJointButtons() {
+  for (std::size_t i = 0; i < jointButtons_.size(); ++i)
+    jointButtons_[i]->setIcon(swatch(jointColour(i, palette())));
+}
+
+void JointPlots::setKind(PlotKind kind) {
+  kind_ = kind;
+  applyKind();
+  refresh();
+}
+
+void JointPlots::applyKind() {
+  angle_->setVisible(kind_ != PlotKind::Speed);
+  speed_->setVisible(kind_ != PlotKind::Angle);
+  kindButtons_[static_cast<std::size_t>(kind_)]->setChecked(true);
+}
+
+void JointPlots::setJointShown(int joint, bool shown) {
+  const auto i = static_cast<std::size_t>(joint);
+  if (i >= shown_.size() || shown_[i] == shown)
+    return;
+  shown_[i] = shown;
+  jointButtons_[i]->setChecked(shown);
+  refresh();
+}
+
+bool JointPlots::jointShown(int joint) const {
+  const auto i = static_cast<std::size_t>(joint);
+  return i < shown_.size() && shown_[i];
+}
+
+void JointPlots::setSpan(double fromS, double toS) {
+  const double end = curves_ ? std::max(curves_->durationS(), kLeastSpanS) : 0.0;
+  const double span = std::clamp(toS - fromS, std::min(kLeastSpanS, end), end);
+  fromS_ = std::clamp(fromS, 0.0, end - span);
+  toS_ = fromS_ + span;
+  refresh();
+}
+
+void JointPlots::setTimeS(double timeS) {
+  angle_->setTimeS(timeS);
+  speed_->setTimeS(timeS);
+}
+
+void JointPlots::refresh() {
+  limitsButton_->setEnabled(!limits_.empty());
+  if (!curves_) {
+    const QString hint = runner_->running()
+                             ? tr("Preparing the curves…")
+                             : tr("Joints are drawn here once the motion is planned.");
+    for (ChartCanvas* canvas : {angle_, speed_}) {
+      canvas->setContent({}, 0.0, 1.0, 0.0, 1.0);
+      canvas->setHint(hint);
+    }
+    return;
+  }
+  const bool limits = limitsButton_->isChecked();
+  for (ChartCanvas* canvas : {angle_, speed_}) {
+    if (canvas->isHidden())
+      continue;
+    std::vector<ChartCurve> curves;
+    std::vector<ValueRange> ranges;
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+      if (!shown_[i])
+        continue;
+      const int joint = static_cast<int>(i);
+      ChartCurve curve;
+      curve.colour = jointColour(i, palette());
+      const bool angles = canvas == angle_;
+      curve.points = angles ? curves_->angle(joint, fromS_, toS_, canvas->columns())
+                            : curves_->speed(joint, fromS_, toS_, canvas->columns());
+      if (limits && i < limits_.size()) {
+        const robot::JointLimits& l = limits_[i];
+        curve.low = base::radiansToDegrees(angles ? l.min : -l.velocity);
+        curve.high = base::radiansToDegrees(angles ? l.max : l.velocity);
+      }
+      ranges.push_back(angles ? curves_->angleRange(joint) : curves_->speedRange(joint));
+      curves.push_back(std::move(curve));
+    }
+    const Span span = spanOf(curves, ranges, limits);
+    canvas->setHint(curves.empty() ? tr("No joint is chosen.") : QString());
+    canvas->setContent(std::move(curves), fromS_, toS_, span.low, span.high);
+  }
+}
+
+void JointPlots::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+    refresh();
+  }
+  if (event->type() == QEvent::PaletteChange) {
+    colourJointButtons();
+    refresh();
+  }
+  QWidget::changeEvent(event);
+}
+
+} // namespace voluta::timeline

@@ -1,0 +1,302 @@
+#include "timeline/layer_range_slider.h"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::timeline {
+
+namespace {
+constexpr double kHandleHeight = 12.0, kHandleWidth = 18.0;
+constexpr double kGrooveWidth = 4.0;
+constexpr int kWheelStep = 120; // eighths of a degree of one notch
+constexpr int kPage = 10;
+} // namespace
+
+LayerRangeSlider::LayerRangeSlider(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+  describe();
+}
+
+void LayerRangeSlider::setLayers(int count, std::vector<double> topMm) {
+  const bool changed = count != count_;
+  count_ = std::max(0, count);
+  topMm_ = std::move(topMm);
+  topMm_.resize(topMm_.empty() ? 0 : static_cast<std::size_t>(count_), 0.0);
+  setEnabled(count_ > 0);
+  updateGeometry();
+  update();
+  if (!changed)
+    return;
+  held_ = Handle::None;
+  if (single_) {
+    single_ = false;
+    emit singleChanged(false);
+  }
+  first_ = 0;
+  last_ = std::max(0, count_ - 1);
+  describe();
+  emit rangeChanged(first_, last_);
+}
+
+void LayerRangeSlider::setRange(int first, int last) {
+  const int top = std::max(0, count_ - 1);
+  const int newLast = std::clamp(last, 0, top);
+  const int newFirst = single_ ? newLast : std::clamp(first, 0, newLast);
+  if (newFirst == first_ && newLast == last_)
+    return;
+  first_ = newFirst;
+  last_ = newLast;
+  describe();
+  update();
+  emit rangeChanged(first_, last_);
+}
+
+void LayerRangeSlider::setSingle(bool single) {
+  if (single == single_)
+    return;
+  single_ = single;
+  emit singleChanged(single_);
+  setRange(single_ ? last_ : 0, last_);
+  update();
+}
+
+QSize LayerRangeSlider::sizeHint() const {
+  return {minimumSizeHint().width(), 300};
+}
+
+QSize LayerRangeSlider::minimumSizeHint() const {
+  int text = fontMetrics().horizontalAdvance(QStringLiteral("0000"));
+  for (const int layer : {0, count_ / 2, count_ - 1})
+    if (layer >= 0)
+      text = std::max(text, fontMetrics().horizontalAdvance(labelOf(layer)));
+  return {text + static_cast<int>(kHandleWidth) + 14, 120};
+}
+
+QRectF LayerRangeSlider::grooveRect() const {
+  const double top = kHandleHeight + 1.5 * fontMetrics().height();
+  const double x = width() - 0.5 * kHandleWidth - 4.0;
+  return {x - 0.5 * kGrooveWidth, top, kGrooveWidth, std::max(1.0, height() - 2.0 * top)};
+}
+
+double LayerRangeSlider::yOf(int layer) const {
+  const QRectF groove = grooveRect();
+  const double share = count_ > 1 ? static_cast<double>(layer) / (count_ - 1) : 0.0;
+  return groove.bottom() - share * groove.height();
+}
+
+int LayerRangeSlider::layerAt(double y) const {
+  const QRectF groove = grooveRect();
+  const double share = std::clamp((groove.bottom() - y) / groove.height(), 0.0, 1.0);
+  return static_cast<int>(std::lround(share * std::max(0, count_ - 1)));
+}
+
+// The handles point away from each other, so that both can be held where they meet.
+QRectF LayerRangeSlider::handleRect(Handle handle) const {
+  const double x = grooveRect().center().x() - 0.5 * kHandleWidth;
+  return handle == Handle::Upper
+             ? QRectF(x, yOf(last_) - kHandleHeight, kHandleWidth, kHandleHeight)
+             : QRectF(x, yOf(first_), kHandleWidth, kHandleHeight);
+}
+
+LayerRangeSlider::Handle LayerRangeSlider::nearestHandle(double y) const {
+  if (single_)
+    return Handle::Upper;
+  const double upper = std::abs(y - handleRect(Handle::Upper).center().y());
+  const double lower = std::abs(y - handleRect(Handle::Lower).center().y());
+  return lower < upper ? Handle::Lower : Handle::Upper;
+}
+
+QString LayerRangeSlider::labelOf(int layer) const {
+  const QString number = locale().toString(layer + 1);
+  if (static_cast<std::size_t>(layer) >= topMm_.size())
+    return number;
+  return QStringLiteral("%1\n%2").arg(
+      number, tr("%1 mm").arg(locale().toString(topMm_[static_cast<std::size_t>(layer)], 'f', 1)));
+}
+
+void LayerRangeSlider::moveHandle(Handle handle, int layer) {
+  if (handle == Handle::Upper)
+    setRange(single_ ? layer : std::min(first_, layer), layer);
+  else if (handle == Handle::Lower)
+    setRange(layer, std::max(last_, layer));
+}
+
+void LayerRangeSlider::describe() {
+  setAccessibleName(tr("Layers on show"));
+  setAccessibleDescription(
+      count_ == 0 ? tr("No layers")
+                  : tr("Layers %1 to %2 of %3").arg(first_ + 1).arg(last_ + 1).arg(count_));
+  setToolTip(count_ == 0
+                 ? tr("Layers are shown here once they are planned.")
+                 : tr("Layers %1 to %2 of %3. Up and down keys move the upper end, with Shift the "
+                      "lower one; a double click shows a single layer.")
+                       .arg(first_ + 1)
+                       .arg(last_ + 1)
+                       .arg(count_));
+}
+
+void LayerRangeSlider::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || count_ == 0)
+    return;
+  const double y = event->position().y();
+  held_ = nearestHandle(y);
+  emit dragging(true);
+  // A click on a handle takes it as it lies; beside them it brings the nearer one.
+  if (!handleRect(held_).adjusted(-4, -2, 4, 2).contains(event->position()))
+    moveHandle(held_, layerAt(y));
+  update();
+}
+
+void LayerRangeSlider::mouseMoveEvent(QMouseEvent* event) {
+  if (held_ == Handle::None)
+    return;
+  const double away = held_ == Handle::Upper ? 0.5 * kHandleHeight : -0.5 * kHandleHeight;
+  moveHandle(held_, layerAt(event->position().y() + away));
+}
+
+void LayerRangeSlider::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || held_ == Handle::None)
+    return;
+  held_ = Handle::None;
+  emit dragging(false);
+  update();
+}
+
+void LayerRangeSlider::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || count_ == 0)
+    return;
+  if (single_) {
+    setSingle(false);
+  } else {
+    const int layer = layerAt(event->position().y());
+    single_ = true;
+    emit singleChanged(true);
+    setRange(layer, layer);
+    update();
+  }
+}
+
+void LayerRangeSlider::keyPressEvent(QKeyEvent* event) {
+  const bool lower = event->modifiers().testFlag(Qt::ShiftModifier) && !single_;
+  const auto step = [&](int by) {
+    if (lower)
+      moveHandle(Handle::Lower, std::clamp(first_ + by, 0, last_));
+    else
+      moveHandle(Handle::Upper, std::clamp(last_ + by, single_ ? 0 : first_, count_ - 1));
+  };
+  switch (event->key()) {
+  case Qt::Key_Up:
+    step(1);
+    break;
+  case Qt::Key_Down:
+    step(-1);
+    break;
+  case Qt::Key_PageUp:
+    step(kPage);
+    break;
+  case Qt::Key_PageDown:
+    step(-kPage);
+    break;
+  case Qt::Key_Home:
+    single_ ? setRange(0, 0) : setRange(0, last_);
+    break;
+  case Qt::Key_End:
+    setRange(first_, count_ - 1);
+    break;
+  default:
+    QWidget::keyPressEvent(event);
+  }
+}
+
+void LayerRangeSlider::wheelEvent(QWheelEvent* event) {
+  wheelRest_ += event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
+  const int by = wheelRest_ / kWheelStep;
+  wheelRest_ -= by * kWheelStep;
+  event->accept();
+  if (by == 0 || count_ == 0)
+    return;
+  if (event->modifiers().testFlag(Qt::ControlModifier) && !single_) {
+    const int held = std::clamp(by, -first_, count_ - 1 - last_);
+    setRange(first_ + held, last_ + held);
+  } else if (event->modifiers().testFlag(Qt::ShiftModifier) && !single_) {
+    moveHandle(Handle::Lower, std::clamp(first_ + by, 0, last_));
+  } else {
+    moveHandle(Handle::Upper, std::clamp(last_ + by, single_ ? 0 : first_, count_ - 1));
+  }
+}
+
+void LayerRangeSlider::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange)
+    describe();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::LocaleChange)
+    updateGeometry();
+  QWidget::changeEvent(event);
+}
+
+void LayerRangeSlider::paintLabel(QPainter& painter, int layer, double y) const {
+  const double right = grooveRect().center().x() - 0.5 * kHandleWidth - 4.0;
+  const int lines = topMm_.empty() ? 1 : 2;
+  const double tall = lines * fontMetrics().height();
+  const double top = std::clamp(y - 0.5 * tall, 0.0, height() - tall);
+  painter.drawText(QRectF(0.0, top, right, tall), Qt::AlignRight | Qt::AlignVCenter,
+                   labelOf(layer));
+}
+
+void LayerRangeSlider::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QPalette::ColorGroup group = isEnabled() ? QPalette::Active : QPalette::Disabled;
+  const QColor full = palette().color(group, isEnabled() ? QPalette::Highlight : QPalette::Mid);
+  const QRectF groove = grooveRect();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(palette().color(group, QPalette::Mid));
+  painter.drawRoundedRect(groove, 0.5 * kGrooveWidth, 0.5 * kGrooveWidth);
+  if (count_ == 0)
+    return;
+  painter.setBrush(full);
+  painter.drawRect(
+      QRectF(QPointF(groove.left(), yOf(last_)), QPointF(groove.right(), yOf(first_))));
+
+  const double x = groove.center().x(), half = 0.5 * kHandleWidth;
+  const double upper = yOf(last_), lower = yOf(first_);
+  painter.setPen(QPen(palette().color(group, QPalette::Window), 1.0));
+  painter.drawPolygon(QPolygonF({{x, upper},
+                                 {x - half, upper - 0.4 * kHandleHeight},
+                                 {x - half, upper - kHandleHeight},
+                                 {x + half, upper - kHandleHeight},
+                                 {x + half, upper - 0.4 * kHandleHeight}}));
+  painter.drawPolygon(QPolygonF({{x, lower},
+                                 {x - half, lower + 0.4 * kHandleHeight},
+                                 {x - half, lower + kHandleHeight},
+                                 {x + half, lower + kHandleHeight},
+                                 {x + half, lower + 0.4 * kHandleHeight}}));
+
+  painter.setPen(palette().color(group, QPalette::WindowText));
+  const double tall = (topMm_.empty() ? 1.0 : 2.0) * fontMetrics().height();
+  double upperLabel = upper - 0.5 * kHandleHeight, lowerLabel = lower + 0.5 * kHandleHeight;
+  if (first_ == last_) {
+    paintLabel(painter, last_, upper);
+  } else {
+    const double overlap = tall - (lowerLabel - upperLabel);
+    if (overlap > 0.0) {
+      upperLabel -= 0.5 * overlap;
+      lowerLabel += 0.5 * overlap;
+    }
+    paintLabel(painter, last_, upperLabel);
+    paintLabel(painter, first_, lowerLabel);
+  }
+  if (hasFocus()) {
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0, Qt::DotLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 3.0, 3.0);
+  }
+}
+
+} // namespace voluta::timeline

@@ -1,0 +1,164 @@
+#include "timeline/scrub_slider.h"
+
+#include "forms/colours.h"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::timeline {
+
+namespace {
+constexpr double kHandleRadius = 7.0;
+constexpr double kGrooveHeight = 4.0;
+constexpr double kMarkHalf = 4.0; // of a mark's width
+constexpr double kSnapPx = 5.0;   // a click this near to a mark means the mark
+} // namespace
+
+ScrubSlider::ScrubSlider(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void ScrubSlider::setEnd(double end) {
+  end_ = std::max(0.0, end);
+  position_ = std::clamp(position_, 0.0, end_);
+  update();
+}
+
+void ScrubSlider::setPosition(double position) {
+  const double held = std::clamp(position, 0.0, end_);
+  if (held == position_)
+    return;
+  position_ = held;
+  update();
+}
+
+void ScrubSlider::setMarks(std::vector<SliderMark> marks) {
+  marks_ = std::move(marks);
+  // Blocking ones are drawn last, over the others.
+  std::stable_sort(marks_.begin(), marks_.end(), [](const SliderMark& a, const SliderMark& b) {
+    return !a.blocking && b.blocking;
+  });
+  update();
+}
+
+QSize ScrubSlider::sizeHint() const {
+  return {400, 30};
+}
+
+QSize ScrubSlider::minimumSizeHint() const {
+  return {80, 30};
+}
+
+QRectF ScrubSlider::groove() const {
+  return {kHandleRadius + 1.0, 0.5 * (height() - kGrooveHeight),
+          width() - 2.0 * kHandleRadius - 2.0, kGrooveHeight};
+}
+
+double ScrubSlider::xOf(double position) const {
+  const QRectF g = groove();
+  return end_ > 0.0 ? g.left() + g.width() * position / end_ : g.left();
+}
+
+double ScrubSlider::positionAt(double x) const {
+  const QRectF g = groove();
+  return std::clamp((x - g.left()) / std::max(1.0, g.width()), 0.0, 1.0) * end_;
+}
+
+const ScrubSlider::SliderMark* ScrubSlider::markAt(double x) const {
+  const SliderMark* nearest = nullptr;
+  double distance = kSnapPx;
+  for (const SliderMark& mark : marks_) {
+    const double away = std::abs(xOf(mark.position) - x);
+    if (away < distance || (nearest && away == distance && mark.blocking)) {
+      nearest = &mark;
+      distance = away;
+    }
+  }
+  return nearest;
+}
+
+void ScrubSlider::follow(double x) {
+  const double wanted = positionAt(x);
+  if (wanted == position_)
+    return;
+  setPosition(wanted);
+  emit moved(position_);
+}
+
+bool ScrubSlider::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip)
+    return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const SliderMark* mark = markAt(help->pos().x());
+  const QString position = textOf_ && end_ > 0.0
+                               ? textOf_(mark ? mark->position : positionAt(help->pos().x()))
+                               : QString();
+  QToolTip::showText(help->globalPos(),
+                     mark ? QStringLiteral("%1\n%2").arg(position, mark->text) : position, this);
+  return true;
+}
+
+void ScrubSlider::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || end_ <= 0.0)
+    return;
+  held_ = true;
+  emit dragging(true);
+  const double x = event->position().x();
+  const SliderMark* mark = markAt(x);
+  follow(mark ? xOf(mark->position) : x);
+  update();
+}
+
+void ScrubSlider::mouseMoveEvent(QMouseEvent* event) {
+  if (held_)
+    follow(event->position().x());
+}
+
+void ScrubSlider::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !held_)
+    return;
+  held_ = false;
+  emit dragging(false);
+  update();
+}
+
+// Findings that block are squares above the groove, others triangles: told apart without colour.
+void ScrubSlider::paintMark(QPainter& painter, const SliderMark& mark) const {
+  const double x = xOf(mark.position), top = 1.0;
+  if (mark.blocking) {
+    painter.setBrush(forms::blockedColour(palette()));
+    painter.drawRect(QRectF(x - 0.75 * kMarkHalf, top, 1.5 * kMarkHalf, 1.5 * kMarkHalf));
+  } else {
+    painter.setBrush(forms::warningColour(palette()));
+    painter.drawPolygon(QPolygonF({{x - kMarkHalf, top + 1.6 * kMarkHalf},
+                                   {x, top},
+                                   {x + kMarkHalf, top + 1.6 * kMarkHalf}}));
+  }
+}
+
+void ScrubSlider::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  const QRectF g = groove();
+  const QPalette::ColorGroup group = isEnabled() ? QPalette::Active : QPalette::Disabled;
+  const QColor full = palette().color(group, isEnabled() ? QPalette::Highlight : QPalette::Mid);
+  painter.setBrush(palette().color(group, QPalette::Mid));
+  painter.drawRoundedRect(g, 0.5 * kGrooveHeight, 0.5 * kGrooveHeight);
+  const double x = xOf(position_);
+  painter.setBrush(full);
+  painter.drawRoundedRect(QRectF(g.topLeft(), QPointF(x, g.bottom())), 0.5 * kGrooveHeight,
+                          0.5 * kGrooveHeight);
+  for (const SliderMark& mark : marks_)
+    paintMark(painter, mark);
+  painter.setPen(QPen(palette().color(group, QPalette::Window), 1.5));
+  painter.setBrush(full);
+  const double radius = held_ ? kHandleRadius : kHandleRadius - 1.0;
+  painter.drawEllipse(QPointF(x, g.center().y()), radius, radius);
+}
+
+} // namespace voluta::timeline

@@ -1,0 +1,59 @@
+// The groove of the time-line: a handle at a position, marks where findings are.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+namespace voluta::timeline {
+
+// A position in [0, end], as fine as the pixels are.
+class ScrubSlider : public QWidget {
+  Q_OBJECT
+
+public:
+  struct SliderMark {
+    double position;
+    bool blocking;
+    QString text;
+  };
+
+  explicit ScrubSlider(QWidget* parent = nullptr);
+
+  void setEnd(double end);
+  void setPosition(double position); // does not emit
+  double position() const { return position_; }
+  void setMarks(std::vector<SliderMark> marks);
+  // What the tool tip says of a position.
+  void setTextOf(std::function<QString(double)> textOf) { textOf_ = std::move(textOf); }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+signals:
+  void moved(double position); // by the user
+  void dragging(bool on);
+
+protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+  QRectF groove() const;
+  double xOf(double position) const;
+  double positionAt(double x) const;
+  const SliderMark* markAt(double x) const;
+  void follow(double x);
+  void paintMark(QPainter& painter, const SliderMark& mark) const;
+
+  double end_ = 0.0, position_ = 0.0;
+  std::vector<SliderMark> marks_;
+  std::function<QString(double)> textOf_;
+  bool held_ = false;
+};
+
+} // namespace voluta::timeline

@@ -1,0 +1,330 @@
+#include "timeline/timeline_bar.h"
+
+#include "timeline/player.h"
+#include "timeline/scrub_slider.h"
+#include "timeline/timeline_icons.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace voluta::timeline {
+
+namespace {
+constexpr std::array<int, 7> kSpeeds{1, 2, 5, 10, 20, 50, 100};
+// Moves of a layer have no time of their own here: a millimetre apart, about as fast as printed.
+constexpr double kMovesPerSecond = 20.0;
+
+// mm:ss, with hours in front where the whole takes as long.
+QString timeText(double timeS, double endS) {
+  const int total = static_cast<int>(std::floor(timeS + 1e-9));
+  const QString minutes = QStringLiteral("%1:%2")
+                              .arg(total / 60 % 60, 2, 10, QLatin1Char('0'))
+                              .arg(total % 60, 2, 10, QLatin1Char('0'));
+  return endS < 3600.0 ? minutes : QStringLiteral("%1:%2").arg(total / 3600).arg(minutes);
+}
+
+QToolButton* makeButton(QWidget* parent, BarIcon which) {
+  auto* button = new QToolButton(parent);
+  button->setIcon(icon(which));
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::NoFocus);
+  return button;
+}
+} // namespace
+
+TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent), player_(new Player(this)) {
+  setFocusPolicy(Qt::StrongFocus);
+  buildWidgets();
+  connect(player_, &Player::positionChanged, this, &TimelineBar::setPosition);
+  connect(player_, &Player::playingChanged, this, [this](bool playing) {
+    play_->setIcon(icon(playing ? BarIcon::Pause : BarIcon::Play));
+    retranslate();
+    emit playingChanged(playing);
+  });
+  retranslate();
+  enterMode();
+}
+
+void TimelineBar::buildWidgets() {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(6, 2, 6, 2);
+  row->setSpacing(2);
+  previousLayer_ = makeButton(this, BarIcon::PreviousLayer);
+  previousMove_ = makeButton(this, BarIcon::PreviousMove);
+  play_ = makeButton(this, BarIcon::Play);
+  nextMove_ = makeButton(this, BarIcon::NextMove);
+  nextLayer_ = makeButton(this, BarIcon::NextLayer);
+  for (QToolButton* button : {previousLayer_, previousMove_, play_, nextMove_, nextLayer_})
+    row->addWidget(button);
+  row->addSpacing(4);
+  slider_ = new ScrubSlider(this);
+  slider_->setTextOf([this](double position) {
+    return mode_ == BarMode::Time ? timeText(position, player_->end())
+                                  : tr("move %1").arg(std::llround(position));
+  });
+  row->addWidget(slider_, 1);
+  row->addSpacing(4);
+  label_ = new QLabel(this);
+  label_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->addWidget(label_);
+  row->addSpacing(4);
+  speed_ = new QComboBox(this);
+  speed_->setFocusPolicy(Qt::NoFocus);
+  for (const int speed : kSpeeds)
+    speed_->addItem(QStringLiteral("%1×").arg(speed), speed);
+  row->addWidget(speed_);
+
+  connect(previousLayer_, &QToolButton::clicked, this, &TimelineBar::previousLayer);
+  connect(previousMove_, &QToolButton::clicked, this, &TimelineBar::previousMove);
+  connect(play_, &QToolButton::clicked, this, &TimelineBar::togglePlay);
+  connect(nextMove_, &QToolButton::clicked, this, &TimelineBar::nextMove);
+  connect(nextLayer_, &QToolButton::clicked, this, &TimelineBar::nextLayer);
+  connect(slider_, &ScrubSlider::moved, this, [this](double position) {
+    player_->setPosition(mode_ == BarMode::Time ? position : std::round(position));
+  });
+  connect(slider_, &ScrubSlider::dragging, this, &TimelineBar::dragging);
+  connect(speed_, &QComboBox::currentIndexChanged, this,
+          [this] { player_->setSpeed(speed_->currentData().toDouble()); });
+}
+
+void TimelineBar::retranslate() {
+  const auto name = [](QWidget* widget, const QString& text, const QString& keys) {
+    widget->setToolTip(keys.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, keys));
+    widget->setAccessibleName(text);
+  };
+  const auto keys = [](QKeyCombination combination) {
+    return QKeySequence(combination).toString(QKeySequence::NativeText);
+  };
+  name(previousLayer_, tr("Previous layer"), keys(Qt::CTRL | Qt::Key_Left));
+  name(previousMove_, tr("Previous move"), keys(Qt::Key_Left));
+  name(play_, playing() ? tr("Pause") : tr("Play"), keys(Qt::Key_Space));
+  name(nextMove_, tr("Next move"), keys(Qt::Key_Right));
+  name(nextLayer_, tr("Next layer"), keys(Qt::CTRL | Qt::Key_Right));
+  name(speed_, tr("Speed of playing"), {});
+  slider_->setAccessibleName(mode_ == BarMode::Time ? tr("Time") : tr("Moves of the layer"));
+}
+
+void TimelineBar::redrawIcons() {
+  for (QToolButton* button : {previousLayer_, previousMove_, play_, nextMove_, nextLayer_})
+    button->update();
+}
+
+bool TimelineBar::playing() const {
+  return player_->playing();
+}
+
+double TimelineBar::speed() const {
+  return player_->speed();
+}
+
+void TimelineBar::setMode(BarMode mode) {
+  if (mode == mode_)
+    return;
+  player_->pause();
+  mode_ = mode;
+  enterMode();
+  showMarks();
+  retranslate();
+}
+
+// The player serves the mode on show; what the other mode shows stays as it was.
+void TimelineBar::enterMode() {
+  const bool time = mode_ == BarMode::Time;
+  const double end = time ? (clock_ ? clock_->durationS() : 0.0) : moveCount_;
+  {
+    const QSignalBlocker quiet(player_);
+    player_->setUnitsPerSecond(time ? 1.0 : kMovesPerSecond);
+    player_->setEnd(end);
+    player_->setPosition(time ? timeS_ : move_);
+  }
+  slider_->setEnd(end);
+  const bool alive = end > 0.0;
+  for (QWidget* widget : {static_cast<QWidget*>(previousMove_), static_cast<QWidget*>(play_),
+                          static_cast<QWidget*>(nextMove_), static_cast<QWidget*>(slider_)})
+    widget->setEnabled(alive);
+  for (QToolButton* button : {previousLayer_, nextLayer_})
+    button->setEnabled(alive || !time);
+  setPosition(player_->position());
+  showPosition();
+}
+
+void TimelineBar::setClock(std::shared_ptr<const Clock> clock) {
+  clock_ = clock && !clock->empty() ? std::move(clock) : nullptr;
+  if (mode_ == BarMode::Time) {
+    player_->pause();
+    enterMode();
+  } else {
+    timeS_ = std::min(timeS_, clock_ ? clock_->durationS() : 0.0);
+  }
+}
+
+void TimelineBar::setMoveCount(int moves) {
+  const bool changed = moves != moveCount_ || move_ != moves;
+  moveCount_ = std::max(0, moves);
+  if (mode_ == BarMode::Moves)
+    player_->pause();
+  if (!changed)
+    return;
+  move_ = moveCount_;
+  if (mode_ == BarMode::Moves) {
+    enterMode();
+    emit moveChanged(move_);
+  }
+}
+
+void TimelineBar::setMarks(std::vector<Mark> marks) {
+  marks_ = std::move(marks);
+  showMarks();
+}
+
+void TimelineBar::showMarks() {
+  std::vector<ScrubSlider::SliderMark> shown;
+  if (mode_ == BarMode::Time)
+    for (const Mark& mark : marks_)
+      shown.push_back({mark.timeS, mark.blocking, mark.text});
+  slider_->setMarks(std::move(shown));
+}
+
+void TimelineBar::setTimeS(double timeS) {
+  if (mode_ == BarMode::Time)
+    player_->setPosition(timeS);
+  else
+    timeS_ = std::clamp(timeS, 0.0, clock_ ? clock_->durationS() : 0.0);
+}
+
+void TimelineBar::setMove(int move) {
+  if (mode_ == BarMode::Moves)
+    player_->setPosition(move);
+  else
+    move_ = std::clamp(move, 0, moveCount_);
+}
+
+void TimelineBar::setPosition(double position) {
+  if (mode_ == BarMode::Time) {
+    if (position != timeS_) {
+      timeS_ = position;
+      showPosition();
+      emit timeChanged(timeS_);
+    }
+    return;
+  }
+  // Playing moves by fractions; what is shown are whole moves.
+  const int move = static_cast<int>(std::floor(position + 1e-6));
+  if (move != move_) {
+    move_ = move;
+    showPosition();
+    emit moveChanged(move_);
+  }
+}
+
+void TimelineBar::showPosition() {
+  slider_->setPosition(mode_ == BarMode::Time ? timeS_ : move_);
+  const double end = player_->end();
+  const QLocale locale = this->locale();
+  const auto text = [&](double at) {
+    return mode_ == BarMode::Time
+               ? QStringLiteral("%1 / %2").arg(timeText(at, end), timeText(end, end))
+               : QStringLiteral("%1 / %2").arg(locale.toString(static_cast<int>(at)),
+                                               locale.toString(moveCount_));
+  };
+  label_->setText(text(mode_ == BarMode::Time ? timeS_ : move_));
+  // Wide enough for the end, so that the slider does not change its length while playing.
+  label_->setMinimumWidth(label_->fontMetrics().horizontalAdvance(text(end).replace(
+                              QRegularExpression(QStringLiteral("[0-9]")), QStringLiteral("0"))) +
+                          4);
+}
+
+void TimelineBar::setSpeed(double factor) {
+  const int index = speed_->findData(static_cast<int>(factor));
+  if (index >= 0)
+    speed_->setCurrentIndex(index);
+}
+
+void TimelineBar::play() {
+  player_->play();
+}
+
+void TimelineBar::pause() {
+  player_->pause();
+}
+
+void TimelineBar::togglePlay() {
+  player_->toggle();
+}
+
+void TimelineBar::nextMove() {
+  player_->pause();
+  if (mode_ == BarMode::Moves)
+    player_->setPosition(move_ + 1);
+  else if (clock_)
+    player_->setPosition(clock_->nextMoveS(timeS_));
+}
+
+void TimelineBar::previousMove() {
+  player_->pause();
+  if (mode_ == BarMode::Moves)
+    player_->setPosition(move_ - 1);
+  else if (clock_)
+    player_->setPosition(clock_->previousMoveS(timeS_));
+}
+
+void TimelineBar::nextLayer() {
+  player_->pause();
+  if (mode_ == BarMode::Moves)
+    emit layerStepRequested(1);
+  else if (clock_)
+    player_->setPosition(clock_->nextLayerS(timeS_));
+}
+
+void TimelineBar::previousLayer() {
+  player_->pause();
+  if (mode_ == BarMode::Moves)
+    emit layerStepRequested(-1);
+  else if (clock_)
+    player_->setPosition(clock_->previousLayerS(timeS_));
+}
+
+void TimelineBar::keyPressEvent(QKeyEvent* event) {
+  const bool layer = event->modifiers().testFlag(Qt::ControlModifier);
+  switch (event->key()) {
+  case Qt::Key_Space:
+    togglePlay();
+    break;
+  case Qt::Key_Right:
+    layer ? nextLayer() : nextMove();
+    break;
+  case Qt::Key_Left:
+    layer ? previousLayer() : previousMove();
+    break;
+  case Qt::Key_Home:
+    player_->setPosition(0.0);
+    break;
+  case Qt::Key_End:
+    player_->setPosition(player_->end());
+    break;
+  default:
+    QWidget::keyPressEvent(event);
+  }
+}
+
+void TimelineBar::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange)
+    retranslate();
+  if (event->type() == QEvent::PaletteChange)
+    redrawIcons();
+  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange ||
+      event->type() == QEvent::FontChange)
+    showPosition();
+  QWidget::changeEvent(event);
+}
+
+} // namespace voluta::timeline
