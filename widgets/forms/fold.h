@@ -14,6 +14,8 @@ public:
   // Takes `content` over; open at first.
   explicit Fold(QWidget* content, QWidget* parent = nullptr);
 
+  QLayout* contentLayout() const { return content_->layout(); }
+
   void setTitle(const QString& title);
   // A dot behind the title: something under it was changed.
   void setMarked(bool marked);

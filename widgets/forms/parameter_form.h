@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-class QButtonGroup;
 class QLabel;
 class QLineEdit;
 class QScrollArea;

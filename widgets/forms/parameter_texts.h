@@ -13,6 +13,8 @@ namespace voluta::forms {
 QString parameterText(const std::string& text);
 // "mm", "mm/s"; "deg" becomes the degree sign.
 QString unitText(const std::string& unit);
+// A value with its unit, as the form shows it.
+QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& value);
 // Help, key, range and default of a parameter, as a tool tip.
 QString parameterToolTip(const base::ParameterSpec& spec);
 // The texts listed for translation; a test holds it to the tables.

@@ -36,10 +36,7 @@ public:
   void retranslate();
 
 private:
-  void choose();
-
-  plan::Findings findings_;        // sorted
-  std::vector<std::size_t> shown_; // rows of findings_
+  plan::Findings findings_; // sorted, so that the blocking ones come first
   std::size_t blocking_ = 0;
   bool blockedOnly_ = false;
 };

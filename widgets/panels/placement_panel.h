@@ -1,7 +1,7 @@
 // Where and how the part lies, in numbers: move, turn, scale.
 #pragma once
 
-#include "pipeline/job.h"
+#include "geometry/placement.h"
 
 #include <Eigen/Geometry>
 #include <QWidget>
@@ -24,7 +24,7 @@ public:
   explicit PlacementPanel(QWidget* parent = nullptr);
 
   // None of these emits.
-  void setPlacement(const pipeline::Placement& placement);
+  void setPlacement(const geometry::Placement& placement);
   // `text` as in the choices: a number or "fit"; `factor` is what it came to (0: not known yet).
   void setScale(const QString& text, double factor);
   // Size of the placed part along the axes of the work frame, mm.
@@ -32,11 +32,11 @@ public:
   // Is a click in the viewport awaited?
   void setLayOnFace(bool waiting);
 
-  const pipeline::Placement& placement() const { return placement_; }
+  const geometry::Placement& placement() const { return placement_; }
 
 signals:
   // `editName` names the edit for undo, in the user's language.
-  void placementChanged(const voluta::pipeline::Placement& placement, const QString& editName);
+  void placementChanged(const voluta::geometry::Placement& placement, const QString& editName);
   void scaleChanged(const QString& text);
   void layOnFaceToggled(bool waiting);
 
@@ -51,10 +51,10 @@ private:
   void moved(int axis, double mm);
   void turned(int axis, double degrees);
   void turnBy(int axis, double degrees);
-  void change(const pipeline::Placement& placement, const QString& editName);
+  void change(const geometry::Placement& placement, const QString& editName);
   void retranslate();
 
-  pipeline::Placement placement_;
+  geometry::Placement placement_;
   Eigen::Vector3d angles_ = Eigen::Vector3d::Zero(); // radians, as shown
   Eigen::Vector3d sizeMm_ = Eigen::Vector3d::Zero();
   QString scaleText_ = QStringLiteral("1");
@@ -66,7 +66,6 @@ private:
   QLabel* moveLabel_ = nullptr;
   QLabel* turnLabel_ = nullptr;
   QLabel* percentLabel_ = nullptr;
-  QLabel* factorLabel_ = nullptr;
   QLabel* sizeLabel_ = nullptr;
   QLabel* size_ = nullptr;
   forms::NumberBox* percent_ = nullptr;

@@ -16,6 +16,7 @@ public:
   // nullptr: no lines. Lines end with \n, \r\n or the text's end.
   explicit TextLines(std::shared_ptr<const std::string> text);
 
+  const std::shared_ptr<const std::string>& text() const { return text_; }
   std::size_t count() const { return count_; }
   // Bytes of the longest line.
   std::size_t longest() const { return longest_; }

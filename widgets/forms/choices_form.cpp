@@ -1,0 +1,122 @@
+#include "forms/choices_form.h"
+
+#include "forms/platform_editor.h"
+#include "forms/value_boxes.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <limits>
+
+namespace voluta::forms {
+
+namespace {
+void fillCombo(QComboBox* combo, const std::vector<ChoiceItem>& items) {
+  const QSignalBlocker quiet(combo);
+  const QString chosen = combo->currentData().toString();
+  combo->clear();
+  for (const ChoiceItem& item : items) {
+    combo->addItem(item.label.isEmpty() ? item.id : item.label, item.id);
+    combo->setItemData(combo->count() - 1, item.help, Qt::ToolTipRole);
+  }
+  if (const int at = combo->findData(chosen); at >= 0)
+    combo->setCurrentIndex(at);
+}
+
+void choose(QComboBox* combo, const QString& id) {
+  const QSignalBlocker quiet(combo);
+  int at = combo->findData(id);
+  if (at < 0 && !id.isEmpty()) {
+    combo->addItem(id, id);
+    at = combo->count() - 1;
+  }
+  combo->setCurrentIndex(at);
+}
+} // namespace
+
+ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(12, 2, 4, 6);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(1, 1);
+  mode_ = addCombo(QStringLiteral("mode"), 0);
+  growth_ = addCombo(QStringLiteral("growth"), 1);
+  cell_ = addCombo(QStringLiteral("cell"), 3);
+  process_ = addCombo(QStringLiteral("process"), 4);
+
+  platformLabel_ = new QLabel(this);
+  platform_ = new PlatformEditor(this);
+  platform_->setObjectName(QStringLiteral("platform"));
+  grid->addWidget(platformLabel_, 2, 0, Qt::AlignTop);
+  grid->addWidget(platform_, 2, 1);
+  connect(platform_, &PlatformEditor::changed, this,
+          [this](const QString& text) { emit changed(QStringLiteral("platform"), text); });
+
+  seedLabel_ = new QLabel(this);
+  seed_ = makeIntegerBox(this);
+  seed_->setObjectName(QStringLiteral("seed"));
+  seed_->setRange(0, std::numeric_limits<int>::max());
+  seed_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  seedLabel_->setBuddy(seed_);
+  grid->addWidget(seedLabel_, 5, 0);
+  grid->addWidget(seed_, 5, 1);
+  connect(seed_, &QSpinBox::valueChanged, this,
+          [this](int value) { emit changed(QStringLiteral("seed"), QString::number(value)); });
+  retranslate();
+}
+
+ChoicesForm::Row ChoicesForm::addCombo(const QString& field, int at) {
+  Row row;
+  row.label = new QLabel(this);
+  row.combo = makeCombo(this);
+  row.combo->setObjectName(field);
+  row.label->setBuddy(row.combo);
+  auto* grid = static_cast<QGridLayout*>(layout());
+  grid->addWidget(row.label, at, 0);
+  grid->addWidget(row.combo, at, 1);
+  connect(row.combo, &QComboBox::currentIndexChanged, this, [this, field, combo = row.combo] {
+    combo->setToolTip(combo->currentData(Qt::ToolTipRole).toString());
+    emit changed(field, combo->currentData().toString());
+  });
+  return row;
+}
+
+void ChoicesForm::setLists(const ChoiceLists& lists) {
+  fillCombo(mode_.combo, lists.modes);
+  fillCombo(growth_.combo, lists.growths);
+  fillCombo(cell_.combo, lists.cells);
+  fillCombo(process_.combo, lists.processes);
+}
+
+void ChoicesForm::setTexts(const ChoiceTexts& texts) {
+  choose(mode_.combo, texts.mode);
+  choose(growth_.combo, texts.growth);
+  choose(cell_.combo, texts.cell);
+  choose(process_.combo, texts.process);
+  platform_->setText(texts.platform);
+  const QSignalBlocker quiet(seed_);
+  seed_->setValue(texts.seed);
+}
+
+void ChoicesForm::retranslate() {
+  mode_.label->setText(tr("Mode"));
+  growth_.label->setText(tr("Growth"));
+  platformLabel_->setText(tr("Platform"));
+  cell_.label->setText(tr("Cell"));
+  process_.label->setText(tr("Process"));
+  seedLabel_->setText(tr("Seed"));
+  seed_->setToolTip(tr("Another seed may find other ways through the air; the same seed always "
+                       "gives the same result."));
+}
+
+void ChoicesForm::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange)
+    retranslate();
+  QWidget::changeEvent(event);
+}
+
+} // namespace voluta::forms

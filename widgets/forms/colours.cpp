@@ -1,0 +1,34 @@
+#include "forms/colours.h"
+
+namespace voluta::forms {
+
+bool isDark(const QPalette& palette) {
+  return palette.color(QPalette::WindowText).lightness() >
+         palette.color(QPalette::Window).lightness();
+}
+
+QColor blockedColour(const QPalette& palette) {
+  return isDark(palette) ? QColor(0xff, 0x6b, 0x60) : QColor(0xc6, 0x28, 0x28);
+}
+
+QColor warningColour(const QPalette& palette) {
+  return isDark(palette) ? QColor(0xff, 0xbf, 0x47) : QColor(0xb2, 0x6a, 0x00);
+}
+
+QColor goodColour(const QPalette& palette) {
+  return isDark(palette) ? QColor(0x6c, 0xc9, 0x70) : QColor(0x2e, 0x7d, 0x32);
+}
+
+QColor mutedColour(const QPalette& palette) {
+  // A third of the way to the ground keeps the contrast of small text above 4.5.
+  const QColor text = palette.color(QPalette::Text), ground = palette.color(QPalette::Base);
+  const auto mix = [](int a, int b) { return (2 * a + b) / 3; };
+  return QColor(mix(text.red(), ground.red()), mix(text.green(), ground.green()),
+                mix(text.blue(), ground.blue()));
+}
+
+QColor matchColour(const QPalette& palette) {
+  return isDark(palette) ? QColor(0x6b, 0x5a, 0x12) : QColor(0xff, 0xe5, 0x8a);
+}
+
+} // namespace voluta::forms

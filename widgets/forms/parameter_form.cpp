@@ -1,0 +1,227 @@
+#include "forms/parameter_form.h"
+
+#include "base/error.h"
+#include "forms/fold.h"
+#include "forms/icons.h"
+#include "forms/parameter_row.h"
+#include "forms/parameter_texts.h"
+
+#include <QButtonGroup>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace voluta::forms {
+
+ParameterForm::ParameterForm(base::ParameterTable table, QWidget* parent)
+    : QWidget(parent), table_(std::move(table)) {
+  build();
+  retranslate();
+  filter();
+}
+
+ParameterForm::~ParameterForm() = default;
+
+void ParameterForm::build() {
+  search_ = new QLineEdit(this);
+  search_->setObjectName(QStringLiteral("search"));
+  search_->setClearButtonEnabled(true);
+  connect(search_, &QLineEdit::textChanged, this, &ParameterForm::filter);
+
+  const auto switchButton = [this](const char* name) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(QLatin1String(name));
+    button->setCheckable(true);
+    return button;
+  };
+  simple_ = switchButton("simple");
+  all_ = switchButton("all");
+  auto* either = new QButtonGroup(this);
+  either->addButton(simple_);
+  either->addButton(all_);
+  simple_->setChecked(true);
+  connect(all_, &QToolButton::toggled, this, &ParameterForm::setShowAll);
+
+  resetAll_ = new QToolButton(this);
+  resetAll_->setObjectName(QStringLiteral("resetAll"));
+  resetAll_->setIcon(icon(Icon::Reset));
+  resetAll_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  resetAll_->setAutoRaise(true);
+  connect(resetAll_, &QToolButton::clicked, this, [this] {
+    setValues({});
+    emit resetAllRequested();
+  });
+
+  auto* content = new QWidget(this);
+  column_ = new QVBoxLayout(content);
+  column_->setContentsMargins(0, 0, 4, 4);
+  column_->setSpacing(4);
+  for (const base::ParameterSpec& spec : table_.specs()) {
+    auto group = std::find_if(groups_.begin(), groups_.end(),
+                              [&](const Group& g) { return g.name == spec.group; });
+    if (group == groups_.end()) {
+      auto* rows = new QWidget(content);
+      auto* rowColumn = new QVBoxLayout(rows);
+      rowColumn->setContentsMargins(0, 0, 0, 0);
+      rowColumn->setSpacing(2);
+      auto* fold = new Fold(rows, content);
+      fold->setObjectName(QString::fromStdString(spec.group));
+      column_->addWidget(fold);
+      groups_.push_back({spec.group, fold, {}});
+      group = std::prev(groups_.end());
+    }
+    auto* row = new ParameterRow(spec, group->fold);
+    group->rows.push_back(row);
+    group->fold->contentLayout()->addWidget(row);
+    connect(row, &ParameterRow::committed, this, [this](const QString& key, const QString& text) {
+      mark();
+      emit changed(key, text);
+    });
+    connect(row, &ParameterRow::resetRequested, this, [this](const QString& key) {
+      mark();
+      emit resetRequested(key);
+    });
+  }
+  nothingFound_ = new QLabel(content);
+  nothingFound_->setWordWrap(true);
+  nothingFound_->setAlignment(Qt::AlignCenter);
+  nothingFound_->hide();
+  column_->addWidget(nothingFound_);
+  column_->addStretch(1);
+
+  scroll_ = new QScrollArea(this);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setWidget(content);
+
+  auto* bar = new QHBoxLayout;
+  bar->setSpacing(0);
+  bar->addWidget(simple_);
+  bar->addWidget(all_);
+  bar->addStretch(1);
+  bar->addWidget(resetAll_);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(6, 6, 2, 2);
+  all->setSpacing(6);
+  all->addWidget(search_);
+  all->addLayout(bar);
+  all->addWidget(scroll_, 1);
+  setFocusProxy(search_);
+}
+
+void ParameterForm::setHeader(QWidget* header) {
+  column_->insertWidget(0, header);
+}
+
+void ParameterForm::setValues(const std::map<std::string, std::string>& changedTexts) {
+  for (const Group& group : groups_)
+    for (ParameterRow* row : group.rows) {
+      const base::ParameterSpec& spec = row->spec();
+      base::ParameterValue value = spec.defaultValue;
+      if (const auto found = changedTexts.find(spec.key); found != changedTexts.end()) {
+        try {
+          value = base::parseParameter(spec, found->second);
+        } catch (const base::Error&) {
+          continue;
+        }
+      }
+      if (value != row->value())
+        row->setValue(value);
+    }
+  mark();
+  filter();
+}
+
+void ParameterForm::setShowAll(bool all) {
+  if (all == showsAll_)
+    return;
+  showsAll_ = all;
+  (all ? all_ : simple_)->setChecked(true);
+  filter();
+  emit showAllChanged(all);
+}
+
+void ParameterForm::setSearch(const QString& text) {
+  search_->setText(text);
+}
+
+bool ParameterForm::reveal(const QString& key) {
+  for (const Group& group : groups_)
+    for (ParameterRow* row : group.rows)
+      if (row->key() == key) {
+        search_->clear();
+        if (!row->spec().simple && !row->isChanged())
+          setShowAll(true);
+        group.fold->setOpen(true);
+        // The rows above may have just been shown: their places are known after a layout.
+        scroll_->widget()->layout()->activate();
+        scroll_->widget()->adjustSize();
+        scroll_->ensureWidgetVisible(row);
+        row->editor()->setFocus(Qt::OtherFocusReason);
+        return true;
+      }
+  return false;
+}
+
+void ParameterForm::filter() {
+  const QStringList words = search_->text().split(QChar(' '), Qt::SkipEmptyParts);
+  bool any = false;
+  for (const Group& group : groups_) {
+    bool anyInGroup = false;
+    for (ParameterRow* row : group.rows) {
+      const bool shown = words.isEmpty() ? showsAll_ || row->spec().simple || row->isChanged()
+                                         : row->matches(words);
+      row->setVisible(shown);
+      row->highlight(words);
+      anyInGroup = anyInGroup || shown;
+    }
+    group.fold->setVisible(anyInGroup);
+    if (anyInGroup && !words.isEmpty())
+      group.fold->setOpen(true);
+    any = any || anyInGroup;
+  }
+  nothingFound_->setVisible(!any);
+}
+
+void ParameterForm::mark() {
+  bool any = false;
+  for (const Group& group : groups_) {
+    const bool changedOne = std::any_of(group.rows.begin(), group.rows.end(),
+                                        [](const ParameterRow* row) { return row->isChanged(); });
+    group.fold->setMarked(changedOne);
+    any = any || changedOne;
+  }
+  resetAll_->setEnabled(any);
+}
+
+void ParameterForm::retranslate() {
+  search_->setPlaceholderText(tr("Search parameters"));
+  simple_->setText(tr("Simple"));
+  simple_->setToolTip(tr("Show what is needed most, and what was changed"));
+  all_->setText(tr("All"));
+  all_->setToolTip(tr("Show every parameter"));
+  resetAll_->setText(tr("Reset all"));
+  resetAll_->setToolTip(tr("Give every parameter its default"));
+  nothingFound_->setText(tr("No parameter has these words."));
+  for (const Group& group : groups_) {
+    group.fold->setTitle(parameterText(group.name));
+    for (ParameterRow* row : group.rows)
+      row->retranslate();
+  }
+  mark();
+}
+
+void ParameterForm::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+    retranslate();
+  QWidget::changeEvent(event);
+}
+
+} // namespace voluta::forms

@@ -1,0 +1,207 @@
+#include "forms/parameter_row.h"
+
+#include "forms/colours.h"
+#include "forms/icons.h"
+#include "forms/parameter_texts.h"
+#include "forms/value_boxes.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <algorithm>
+#include <limits>
+
+namespace voluta::forms {
+
+namespace {
+int clampToInt(double value) {
+  return static_cast<int>(std::clamp(value, double(std::numeric_limits<int>::min()),
+                                     double(std::numeric_limits<int>::max())));
+}
+
+// Does `c` at `at` belong to one of the words, wherever they occur?
+std::vector<bool> matchedLetters(const QString& text, const QStringList& words) {
+  std::vector<bool> matched(static_cast<std::size_t>(text.size()), false);
+  for (const QString& word : words)
+    for (qsizetype at = text.indexOf(word, 0, Qt::CaseInsensitive); at >= 0;
+         at = text.indexOf(word, at + 1, Qt::CaseInsensitive))
+      std::fill_n(matched.begin() + at, word.size(), true);
+  return matched;
+}
+} // namespace
+
+ParameterRow::ParameterRow(const base::ParameterSpec& spec, QWidget* parent)
+    : QWidget(parent), spec_(spec), value_(spec.defaultValue) {
+  setObjectName(key());
+  label_ = new QLabel(this);
+  label_->setWordWrap(true);
+  label_->setTextFormat(Qt::RichText);
+  label_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  label_->setMinimumWidth(fontMetrics().averageCharWidth() * 12);
+
+  buildEditor();
+  editor_->setObjectName(QStringLiteral("editor"));
+  label_->setBuddy(editor_);
+
+  reset_ = new QToolButton(this);
+  reset_->setObjectName(QStringLiteral("reset"));
+  reset_->setIcon(icon(Icon::Reset));
+  reset_->setAutoRaise(true);
+  QSizePolicy keepsItsPlace = reset_->sizePolicy();
+  keepsItsPlace.setRetainSizeWhenHidden(true);
+  reset_->setSizePolicy(keepsItsPlace);
+  connect(reset_, &QToolButton::clicked, this, [this] {
+    setValue(spec_.defaultValue);
+    emit resetRequested(key());
+  });
+
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 1, 0, 1);
+  row->setSpacing(4);
+  row->addWidget(label_, 1);
+  row->addWidget(editor_, 0);
+  row->addWidget(reset_, 0);
+  retranslate();
+  showValue();
+}
+
+void ParameterRow::buildEditor() {
+  const int width = fontMetrics().averageCharWidth() * 16;
+  switch (spec_.type) {
+  case base::ParameterType::Number: {
+    auto* box = new NumberBox(this);
+    box->setRange(spec_.minimum, spec_.maximum);
+    box->setSingleStep(stepFor(std::get<double>(spec_.defaultValue), spec_.maximum));
+    box->setUnit(unitText(spec_.unit));
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this](double value) { commit(value); });
+    editor_ = box;
+    break;
+  }
+  case base::ParameterType::Integer: {
+    QSpinBox* box = makeIntegerBox(this);
+    box->setRange(clampToInt(spec_.minimum), clampToInt(spec_.maximum));
+    connect(box, &QSpinBox::valueChanged, this,
+            [this](int value) { commit(static_cast<long long>(value)); });
+    editor_ = box;
+    break;
+  }
+  case base::ParameterType::Boolean: {
+    auto* box = new QCheckBox(this);
+    connect(box, &QCheckBox::toggled, this, [this](bool value) { commit(value); });
+    editor_ = box;
+    break;
+  }
+  case base::ParameterType::Choice: {
+    QComboBox* combo = makeCombo(this);
+    for (const std::string& choice : spec_.choices)
+      combo->addItem(QString::fromStdString(choice), QString::fromStdString(choice));
+    connect(combo, &QComboBox::activated, this,
+            [this, combo] { commit(combo->currentData().toString().toStdString()); });
+    editor_ = combo;
+    break;
+  }
+  case base::ParameterType::Text: {
+    auto* line = new QLineEdit(this);
+    connect(line, &QLineEdit::editingFinished, this,
+            [this, line] { commit(line->text().toStdString()); });
+    editor_ = line;
+    break;
+  }
+  }
+  editor_->setFixedWidth(width);
+}
+
+void ParameterRow::setValue(const base::ParameterValue& value) {
+  value_ = value;
+  showValue();
+}
+
+void ParameterRow::commit(const base::ParameterValue& value) {
+  if (value == value_)
+    return;
+  value_ = value;
+  showLabel();
+  emit committed(key(), QString::fromStdString(base::formatParameter(value)));
+}
+
+bool ParameterRow::isChanged() const {
+  return value_ != spec_.defaultValue;
+}
+
+void ParameterRow::showValue() {
+  const QSignalBlocker quiet(editor_);
+  switch (spec_.type) {
+  case base::ParameterType::Number:
+    static_cast<NumberBox*>(editor_)->setValue(std::get<double>(value_));
+    break;
+  case base::ParameterType::Integer:
+    static_cast<QSpinBox*>(editor_)->setValue(
+        clampToInt(static_cast<double>(std::get<long long>(value_))));
+    break;
+  case base::ParameterType::Boolean:
+    static_cast<QCheckBox*>(editor_)->setChecked(std::get<bool>(value_));
+    break;
+  case base::ParameterType::Choice: {
+    auto* combo = static_cast<QComboBox*>(editor_);
+    combo->setCurrentIndex(combo->findData(QString::fromStdString(std::get<std::string>(value_))));
+    break;
+  }
+  case base::ParameterType::Text:
+    static_cast<QLineEdit*>(editor_)->setText(
+        QString::fromStdString(std::get<std::string>(value_)));
+    break;
+  }
+  showLabel();
+}
+
+bool ParameterRow::matches(const QStringList& words) const {
+  const QString all = parameterText(spec_.label) + QChar(' ') + key() + QChar(' ') +
+                      parameterText(spec_.group) + QChar(' ') + parameterText(spec_.help);
+  return std::all_of(words.begin(), words.end(),
+                     [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+}
+
+void ParameterRow::highlight(const QStringList& words) {
+  words_ = words;
+  showLabel();
+}
+
+void ParameterRow::showLabel() {
+  const QString text = parameterText(spec_.label);
+  const std::vector<bool> matched = matchedLetters(text, words_);
+  const QString mark =
+      QStringLiteral("<span style=\"background-color:%1\">").arg(matchColour(palette()).name());
+  QString html;
+  bool inside = false;
+  for (qsizetype i = 0; i < text.size(); ++i) {
+    if (const bool now = matched[static_cast<std::size_t>(i)]; now != inside) {
+      html += now ? mark : QStringLiteral("</span>");
+      inside = now;
+    }
+    html += QString(text[i]).toHtmlEscaped();
+  }
+  if (inside)
+    html += QStringLiteral("</span>");
+  label_->setText(isChanged() ? QStringLiteral("<b>• %1</b>").arg(html) : html);
+  if (reset_)
+    reset_->setVisible(isChanged());
+}
+
+void ParameterRow::retranslate() {
+  showLabel();
+  const QString tip = parameterToolTip(spec_);
+  label_->setToolTip(tip);
+  editor_->setToolTip(tip);
+  editor_->setAccessibleName(parameterText(spec_.label));
+  reset_->setToolTip(tr("Reset to %1").arg(valueText(spec_, spec_.defaultValue)));
+  if (auto* combo = qobject_cast<QComboBox*>(editor_))
+    for (int i = 0; i < combo->count(); ++i)
+      combo->setItemText(i, parameterText(combo->itemData(i).toString().toStdString()));
+}
+
+} // namespace voluta::forms

@@ -1,0 +1,109 @@
+#include "forms/parameter_texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <array>
+
+namespace voluta::forms {
+
+namespace {
+// What the tables of core say: groups, labels, helps, choices.
+constexpr auto kTexts = std::to_array<const char*>({
+    QT_TRANSLATE_NOOP("Parameters", "Layers"),
+    QT_TRANSLATE_NOOP("Parameters", "Beads"),
+    QT_TRANSLATE_NOOP("Parameters", "Output"),
+    QT_TRANSLATE_NOOP("Parameters", "Tool-paths"),
+    QT_TRANSLATE_NOOP("Parameters", "Motion"),
+    QT_TRANSLATE_NOOP("Parameters", "layer height"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Wanted height of a layer; the process limits what it may become."),
+    QT_TRANSLATE_NOOP("Parameters", "bead width"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Wanted width of a bead; the process limits what it may become."),
+    QT_TRANSLATE_NOOP("Parameters", "step"),
+    QT_TRANSLATE_NOOP("Parameters", "Longest distance of waypoints along a tool-path."),
+    QT_TRANSLATE_NOOP("Parameters", "write what every stage made"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Adds voxels.vti, layers.vtp, toolpath.vtp and trajectory.csv."),
+    QT_TRANSLATE_NOOP("Parameters", "write refused programs"),
+    QT_TRANSLATE_NOOP("Parameters", "Also writes programs that the replay refused, as "
+                                    "refused-NAME, to be looked at and never to be run."),
+    QT_TRANSLATE_NOOP("Parameters", "Voxel width"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Width of the voxels that growth works on; layers are not bound to it."),
+    QT_TRANSLATE_NOOP("Parameters", "Field rounds"),
+    QT_TRANSLATE_NOOP("Parameters", "How often growth and smooth field are fitted to each other."),
+    QT_TRANSLATE_NOOP("Parameters", "walls"),
+    QT_TRANSLATE_NOOP("Parameters", "Beads laid along the edge of each layer before it is filled."),
+    QT_TRANSLATE_NOOP("Parameters", "infill"),
+    QT_TRANSLATE_NOOP("Parameters", "How the inside of each layer is filled."),
+    QT_TRANSLATE_NOOP("Parameters", "zigzag"),
+    QT_TRANSLATE_NOOP("Parameters", "concentric"),
+    QT_TRANSLATE_NOOP("Parameters", "infill density"),
+    QT_TRANSLATE_NOOP("Parameters", "Share of the inside that is filled; 1 is solid."),
+    QT_TRANSLATE_NOOP("Parameters", "clearance of the arm"),
+    QT_TRANSLATE_NOOP("Parameters", "Distance that links, plate, nozzle holder and obstacles keep "
+                                    "from each other."),
+    QT_TRANSLATE_NOOP("Parameters", "clearance of the part"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Distance that all but the print head keeps from what is printed."),
+    QT_TRANSLATE_NOOP("Parameters", "lift"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "How far the nozzle leaves the part, at least, before it travels."),
+    QT_TRANSLATE_NOOP("Parameters", "turns about the nozzle"),
+    QT_TRANSLATE_NOOP("Parameters", "How many turns of the part about the nozzle's axis are tried "
+                                    "at each place."),
+});
+} // namespace
+
+QString parameterText(const std::string& text) {
+  if (text.empty())
+    return {};
+  QString shown = QCoreApplication::translate("Parameters", text.c_str());
+  shown[0] = shown[0].toUpper();
+  return shown;
+}
+
+QString unitText(const std::string& unit) {
+  return unit == "deg" ? QStringLiteral("°") : QString::fromStdString(unit);
+}
+
+QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& value) {
+  const QString unit = unitText(spec.unit);
+  const QLocale locale;
+  const QString space = unit.isEmpty() || unit == QStringLiteral("°") ? QString() : QString(' ');
+  if (const auto* number = std::get_if<double>(&value))
+    return locale.toString(*number, 'g', 6) + space + unit;
+  if (const auto* whole = std::get_if<long long>(&value))
+    return locale.toString(static_cast<qlonglong>(*whole)) + space + unit;
+  if (const auto* yes = std::get_if<bool>(&value))
+    return *yes ? QCoreApplication::translate("Parameters", "on")
+                : QCoreApplication::translate("Parameters", "off");
+  const std::string& text = std::get<std::string>(value);
+  return spec.type == base::ParameterType::Choice ? parameterText(text)
+                                                  : QString::fromStdString(text);
+}
+
+QString parameterToolTip(const base::ParameterSpec& spec) {
+  const auto line = [](const QString& text) { return QStringLiteral("<br>") + text; };
+  QString tip = parameterText(spec.help).toHtmlEscaped();
+  tip += QStringLiteral("<br>");
+  if (spec.type == base::ParameterType::Number)
+    tip += line(QCoreApplication::translate("Parameters", "Range: %1 to %2")
+                    .arg(valueText(spec, spec.minimum), valueText(spec, spec.maximum)));
+  if (spec.type == base::ParameterType::Integer)
+    tip += line(QCoreApplication::translate("Parameters", "Range: %1 to %2")
+                    .arg(valueText(spec, static_cast<long long>(spec.minimum)),
+                         valueText(spec, static_cast<long long>(spec.maximum))));
+  tip += line(QCoreApplication::translate("Parameters", "Default: %1")
+                  .arg(valueText(spec, spec.defaultValue).toHtmlEscaped()));
+  tip += line(QCoreApplication::translate("Parameters", "Key: %1")
+                  .arg(QString::fromStdString(spec.key).toHtmlEscaped()));
+  return QStringLiteral("<qt>%1</qt>").arg(tip);
+}
+
+std::vector<const char*> listedParameterTexts() {
+  return {kTexts.begin(), kTexts.end()};
+}
+
+} // namespace voluta::forms

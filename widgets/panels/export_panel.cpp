@@ -1,0 +1,260 @@
+#include "panels/export_panel.h"
+
+#include "panels/text_preview.h"
+#include "panels/verdict_table.h"
+
+#include "forms/icons.h"
+#include "forms/value_boxes.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace voluta::panels {
+
+ExportPanel::ExportPanel(QWidget* parent) : QWidget(parent) {
+  build();
+  retranslate();
+}
+
+void ExportPanel::build() {
+  const auto title = [this] {
+    auto* label = new QLabel(this);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+  };
+  formatsTitle_ = title();
+  list_ = new FormatList(this);
+  list_->setObjectName(QStringLiteral("formats"));
+  connect(list_, &FormatList::checkedChanged, this, [this](const QStringList& ids) {
+    showButton();
+    emit formatsChanged(ids);
+  });
+  connect(list_, &FormatList::currentChangedTo, this, [this](const QString& id) {
+    showFormat(id);
+    emit previewFormatChanged(id);
+  });
+  verdictTitle_ = title();
+  verdict_ = new VerdictTable(this);
+
+  fileLabel_ = new QLabel(this);
+  file_ = forms::makeCombo(this);
+  file_->setObjectName(QStringLiteral("file"));
+  connect(file_, &QComboBox::currentIndexChanged, this, &ExportPanel::showFile);
+  preview_ = new TextPreview(this);
+  preview_->setObjectName(QStringLiteral("preview"));
+  preview_->setMinimumHeight(fontMetrics().height() * 6);
+  connect(preview_, &TextPreview::lineClicked, this,
+          [this](qulonglong line) { emit lineClicked(file_->currentIndex(), line); });
+
+  folderLabel_ = new QLabel(this);
+  folder_ = new QLineEdit(this);
+  folder_->setObjectName(QStringLiteral("folder"));
+  connect(folder_, &QLineEdit::textChanged, this, &ExportPanel::showButton);
+  connect(folder_, &QLineEdit::editingFinished, this, [this] {
+    if (folder_->isModified())
+      emit folderChanged(folder());
+    folder_->setModified(false);
+  });
+  browse_ = new QPushButton(this);
+  connect(browse_, &QPushButton::clicked, this, &ExportPanel::browse);
+
+  reason_ = new QLabel(this);
+  reason_->setObjectName(QStringLiteral("reason"));
+  reason_->setWordWrap(true);
+  export_ = new QPushButton(this);
+  export_->setObjectName(QStringLiteral("export"));
+  export_->setDefault(true);
+  connect(export_, &QPushButton::clicked, this, &ExportPanel::exportNow);
+
+  auto* fileRow = new QHBoxLayout;
+  fileRow->addWidget(fileLabel_);
+  fileRow->addWidget(file_, 1);
+  auto* folderRow = new QHBoxLayout;
+  folderRow->addWidget(folder_, 1);
+  folderRow->addWidget(browse_);
+  auto* exportRow = new QHBoxLayout;
+  exportRow->addWidget(reason_, 1);
+  exportRow->addWidget(export_, 0, Qt::AlignRight);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 6, 6, 6);
+  column->setSpacing(4);
+  column->addWidget(formatsTitle_);
+  column->addWidget(list_);
+  column->addSpacing(4);
+  column->addWidget(verdictTitle_);
+  column->addWidget(verdict_);
+  column->addSpacing(4);
+  column->addLayout(fileRow);
+  column->addWidget(preview_, 1);
+  column->addSpacing(4);
+  column->addWidget(folderLabel_);
+  column->addLayout(folderRow);
+  column->addLayout(exportRow);
+}
+
+const ExportFormat* ExportPanel::find(const QString& id) const {
+  const auto found = std::find_if(formats_.begin(), formats_.end(),
+                                  [&](const ExportFormat& format) { return format.id == id; });
+  return found == formats_.end() ? nullptr : &*found;
+}
+
+void ExportPanel::setFormats(std::vector<ExportFormat> formats) {
+  formats_ = std::move(formats);
+  list_->setFormats(formats_);
+  showFormat(list_->currentId());
+  showButton();
+}
+
+void ExportPanel::setChecked(const QStringList& ids) {
+  list_->setChecked(ids);
+  showButton();
+}
+
+void ExportPanel::setFolder(const QString& folder) {
+  folder_->setText(QDir::toNativeSeparators(folder));
+  folder_->setModified(false);
+}
+
+void ExportPanel::setBlockedReason(const QString& reason) {
+  blockedReason_ = reason;
+  showButton();
+}
+
+void ExportPanel::showLine(std::size_t file, std::size_t line) {
+  if (static_cast<int>(file) >= file_->count())
+    return;
+  file_->setCurrentIndex(static_cast<int>(file));
+  preview_->showLine(line);
+}
+
+QString ExportPanel::previewFormat() const {
+  return list_->currentId();
+}
+
+QString ExportPanel::folder() const {
+  return QDir::fromNativeSeparators(folder_->text().trimmed());
+}
+
+QStringList ExportPanel::checkedFormats() const {
+  return list_->checkedIds();
+}
+
+void ExportPanel::showFormat(const QString& id) {
+  const ExportFormat* format = find(id);
+  verdictTitle_->setText(format ? tr("Replay of %1").arg(format->label) : tr("Replay"));
+  verdict_->setReport(format ? format->verdict : std::nullopt);
+  const int before = file_->currentIndex();
+  {
+    const QSignalBlocker quiet(file_);
+    file_->clear();
+    if (format)
+      for (const ExportFile& file : format->files)
+        file_->addItem(tr("%1 (%2)").arg(
+            file.name, QLocale().formattedDataSize(
+                           file.text ? static_cast<qint64>(file.text->size()) : 0, 1)));
+    file_->setEnabled(file_->count() > 0);
+    file_->setCurrentIndex(std::min(std::max(before, 0), file_->count() - 1));
+  }
+  showFile(file_->currentIndex());
+}
+
+void ExportPanel::showFile(int index) {
+  const ExportFormat* format = find(list_->currentId());
+  const bool there = format && index >= 0 && index < static_cast<int>(format->files.size());
+  const auto text = there ? format->files[static_cast<std::size_t>(index)].text : nullptr;
+  if (text != preview_->lines().text())
+    preview_->setText(text);
+}
+
+void ExportPanel::showButton() {
+  QString why = blockedReason_;
+  if (why.isEmpty() && list_->checkedIds().isEmpty())
+    why = tr("Choose at least one format.");
+  if (why.isEmpty() && folder_->text().trimmed().isEmpty())
+    why = tr("Choose a folder.");
+  export_->setEnabled(why.isEmpty());
+  reason_->setText(why);
+}
+
+void ExportPanel::browse() {
+  const QString chosen =
+      QFileDialog::getExistingDirectory(this, tr("Folder for the programs"), folder());
+  if (chosen.isEmpty())
+    return;
+  setFolder(chosen);
+  emit folderChanged(folder());
+}
+
+void ExportPanel::exportNow() {
+  QStringList refused;
+  for (const QString& id : list_->checkedIds())
+    if (const ExportFormat* format = find(id); format && format->state == VerdictState::Refused)
+      for (const ExportFile& file : format->files)
+        refused << file.name;
+  bool include = false;
+  if (!refused.isEmpty()) {
+    QMessageBox box(QMessageBox::Warning, tr("Refused programs"),
+                    tr("The replay refused %n program file(s). Never run them on a robot.", nullptr,
+                       static_cast<int>(refused.size())),
+                    QMessageBox::NoButton, this);
+    QStringList names;
+    for (const QString& name : refused)
+      names << (name.startsWith(QLatin1String("refused-")) ? name
+                                                           : QStringLiteral("refused-") + name);
+    constexpr int kNamed = 5;
+    const QString more = names.size() > kNamed ? QStringLiteral("\n…") : QString();
+    box.setInformativeText(tr("To be looked at, they can be written as:") + QChar('\n') +
+                           names.mid(0, kNamed).join(QChar('\n')) + more);
+    QPushButton* all = box.addButton(tr("Write them too"), QMessageBox::DestructiveRole);
+    all->setObjectName(QStringLiteral("writeRefused"));
+    QPushButton* passed = nullptr;
+    const QStringList checked = list_->checkedIds();
+    if (std::any_of(checked.begin(), checked.end(), [this](const QString& id) {
+          const ExportFormat* format = find(id);
+          return format && format->state != VerdictState::Refused;
+        }))
+      passed = box.addButton(tr("Leave them out"), QMessageBox::AcceptRole);
+    QPushButton* cancel = box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(passed ? passed : cancel);
+    box.setEscapeButton(cancel);
+    box.exec();
+    if (box.clickedButton() == cancel || !box.clickedButton())
+      return;
+    include = box.clickedButton() == all;
+  }
+  emit exportRequested(folder(), list_->checkedIds(), include);
+}
+
+void ExportPanel::retranslate() {
+  formatsTitle_->setText(tr("Formats"));
+  list_->setAccessibleName(tr("Formats"));
+  fileLabel_->setText(tr("File"));
+  preview_->setAccessibleName(tr("Text of the program"));
+  folderLabel_->setText(tr("Folder"));
+  folder_->setAccessibleName(tr("Folder"));
+  browse_->setText(tr("Browse…"));
+  export_->setText(tr("Export"));
+  showFormat(list_->currentId());
+  showButton();
+}
+
+void ExportPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange)
+    retranslate();
+  QWidget::changeEvent(event);
+}
+
+} // namespace voluta::panels

@@ -1,0 +1,222 @@
+#include "panels/findings_panel.h"
+
+#include "forms/colours.h"
+#include "forms/icons.h"
+#include "panels/findings_model.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QListView>
+#include <QLocale>
+#include <QPainter>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QStyledItemDelegate>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace voluta::panels {
+
+namespace {
+// Icon, reason, and a grey second line.
+class FindingDelegate : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    return {option.fontMetrics.averageCharWidth() * 20, 2 * option.fontMetrics.height() + 8};
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& given,
+             const QModelIndex& index) const override {
+    QStyleOptionViewItem option(given);
+    initStyleOption(&option, index);
+    const QString reason = option.text;
+    option.text.clear();
+    const QStyle* style = option.widget->style();
+    style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
+
+    const int side = option.fontMetrics.height();
+    const QRect whole = option.rect.adjusted(6, 4, -6, -4);
+    const bool blocking = index.data(FindingsModel::BlockingRole).toBool();
+    forms::paintIcon(*painter, QRectF(whole.left(), whole.top(), side, side),
+                     blocking ? forms::Icon::Blocked : forms::Icon::Warning, option.palette);
+
+    const bool selected = option.state & QStyle::State_Selected;
+    const QRect text = whole.adjusted(side + 6, 0, 0, 0);
+    const QRect top(text.left(), text.top(), text.width(), side);
+    const QRect bottom(text.left(), text.top() + side, text.width(), side);
+    painter->save();
+    painter->setFont(option.font);
+    const QColor plain =
+        option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
+    painter->setPen(plain);
+    painter->drawText(top, Qt::AlignVCenter | Qt::AlignLeft,
+                      option.fontMetrics.elidedText(reason, Qt::ElideRight, top.width()));
+    painter->setPen(selected ? plain : forms::mutedColour(option.palette));
+    const QString detail = index.data(FindingsModel::DetailRole).toString();
+    painter->drawText(bottom, Qt::AlignVCenter | Qt::AlignLeft,
+                      option.fontMetrics.elidedText(detail, Qt::ElideRight, bottom.width()));
+    painter->restore();
+  }
+};
+
+QLabel* wrappedLabel(QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label->setTextFormat(Qt::PlainText);
+  return label;
+}
+} // namespace
+
+FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
+  model_ = new FindingsModel(this);
+  title_ = new QLabel(this);
+  QFont bold = title_->font();
+  bold.setBold(true);
+  title_->setFont(bold);
+  blockedOnly_ = new QToolButton(this);
+  blockedOnly_->setObjectName(QStringLiteral("blockedOnly"));
+  blockedOnly_->setCheckable(true);
+  blockedOnly_->setIcon(forms::icon(forms::Icon::Blocked));
+  blockedOnly_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  connect(blockedOnly_, &QToolButton::toggled, this, [this](bool only) {
+    model_->setBlockedOnly(only);
+    showState();
+  });
+
+  list_ = new QListView(this);
+  list_->setObjectName(QStringLiteral("list"));
+  list_->setModel(model_);
+  list_->setItemDelegate(new FindingDelegate(list_));
+  list_->setUniformItemSizes(true);
+  list_->setAlternatingRowColors(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  list_->installEventFilter(this);
+  connect(list_, &QListView::clicked, this, &FindingsPanel::activateCurrent);
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          &FindingsPanel::showCurrent);
+  empty_ = wrappedLabel(this);
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setMargin(12);
+  pages_ = new QStackedWidget(this);
+  pages_->addWidget(list_);
+  pages_->addWidget(empty_);
+
+  details_ = new QWidget(this);
+  details_->setObjectName(QStringLiteral("details"));
+  reason_ = wrappedLabel(details_);
+  where_ = wrappedLabel(details_);
+  where_->setForegroundRole(QPalette::PlaceholderText);
+  remedy_ = wrappedLabel(details_);
+  show_ = new QPushButton(details_);
+  show_->setObjectName(QStringLiteral("show"));
+  connect(show_, &QPushButton::clicked, this, &FindingsPanel::activateCurrent);
+  auto* detailColumn = new QVBoxLayout(details_);
+  detailColumn->setContentsMargins(6, 4, 6, 4);
+  detailColumn->setSpacing(4);
+  detailColumn->addWidget(reason_);
+  detailColumn->addWidget(where_);
+  detailColumn->addWidget(remedy_);
+  detailColumn->addWidget(show_, 0, Qt::AlignRight);
+
+  auto* heading = new QHBoxLayout;
+  heading->setContentsMargins(6, 0, 0, 0);
+  heading->addWidget(title_, 1);
+  heading->addWidget(blockedOnly_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(2, 2, 2, 2);
+  column->setSpacing(4);
+  column->addLayout(heading);
+  column->addWidget(pages_, 1);
+  column->addWidget(details_);
+  retranslate();
+}
+
+void FindingsPanel::setFindings(const plan::Findings& findings) {
+  model_->setFindings(findings);
+  showState();
+}
+
+void FindingsPanel::setPlanned(bool planned) {
+  planned_ = planned;
+  showState();
+}
+
+void FindingsPanel::setBlockedOnly(bool only) {
+  blockedOnly_->setChecked(only);
+}
+
+void FindingsPanel::activateCurrent() {
+  if (const QModelIndex current = list_->currentIndex(); current.isValid()) {
+    // A copy: whoever is told may set other findings.
+    const plan::Finding finding = model_->finding(current.row());
+    emit activated(finding);
+  }
+}
+
+void FindingsPanel::showCurrent() {
+  const QModelIndex current = list_->currentIndex();
+  details_->setVisible(current.isValid());
+  if (!current.isValid())
+    return;
+  const plan::Finding& finding = model_->finding(current.row());
+  reason_->setText(QString::fromStdString(finding.reason));
+  where_->setText(FindingsModel::detail(finding));
+  remedy_->setText(tr("What would help: %1").arg(QString::fromStdString(finding.remedy)));
+  remedy_->setVisible(!finding.remedy.empty());
+  show_->setEnabled(finding.where || finding.whenS);
+}
+
+void FindingsPanel::showState() {
+  const QLocale locale;
+  const auto count = [&](std::size_t n) { return locale.toString(static_cast<qulonglong>(n)); };
+  title_->setText(model_->total() == 0 ? tr("Findings")
+                                       : tr("Findings (%1)").arg(count(model_->total())));
+  title_->setToolTip(
+      tr("%1 blocked, %2 worth knowing")
+          .arg(count(model_->blocking()), count(model_->total() - model_->blocking())));
+  blockedOnly_->setEnabled(model_->total() > 0);
+  blockedOnly_->setText(tr("Blocked (%1)").arg(count(model_->blocking())));
+  if (model_->rowCount() > 0)
+    pages_->setCurrentWidget(list_);
+  else
+    pages_->setCurrentWidget(empty_);
+  empty_->setText(model_->total() > 0 ? tr("Nothing is blocked.")
+                  : planned_          ? tr("No problems found.")
+                                      : tr("Nothing found so far."));
+  showCurrent();
+}
+
+void FindingsPanel::retranslate() {
+  blockedOnly_->setToolTip(tr("Show only what is blocked"));
+  show_->setText(tr("Show"));
+  show_->setToolTip(tr("Take the camera, the sliders and the robot there"));
+  list_->setAccessibleName(tr("Findings"));
+  model_->retranslate();
+  showState();
+}
+
+void FindingsPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange)
+    retranslate();
+  QWidget::changeEvent(event);
+}
+
+bool FindingsPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == list_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+      activateCurrent();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+} // namespace voluta::panels

@@ -1,0 +1,140 @@
+#include "panels/format_list.h"
+
+#include "forms/icons.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <algorithm>
+
+namespace voluta::panels {
+
+namespace {
+constexpr int kLabel = 0, kForeign = 1, kVerdict = 2;
+constexpr int kIdRole = Qt::UserRole;
+
+forms::Icon iconOf(VerdictState state) {
+  switch (state) {
+  case VerdictState::Passed:
+    return forms::Icon::Good;
+  case VerdictState::Refused:
+    return forms::Icon::Blocked;
+  case VerdictState::NotYet:
+    break;
+  }
+  return forms::Icon::Pending;
+}
+} // namespace
+
+FormatList::FormatList(QWidget* parent) : QTreeWidget(parent) {
+  setColumnCount(3);
+  setHeaderHidden(true);
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setAllColumnsShowFocus(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  header()->setStretchLastSection(false);
+  header()->setMinimumSectionSize(fontMetrics().height());
+  header()->setSectionResizeMode(kLabel, QHeaderView::Stretch);
+  header()->setSectionResizeMode(kForeign, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(kVerdict, QHeaderView::ResizeToContents);
+  connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem*, int column) {
+    if (column == kLabel)
+      emit checkedChanged(checkedIds());
+  });
+  connect(this, &QTreeWidget::currentItemChanged, this,
+          [this] { emit currentChangedTo(currentId()); });
+}
+
+void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
+  const QSignalBlocker quiet(this);
+  const QString current = currentId();
+  const QStringList checked = checkedIds();
+  formats_ = formats;
+  clear();
+  for (const ExportFormat& format : formats_) {
+    auto* item = new QTreeWidgetItem(this);
+    item->setData(kLabel, kIdRole, format.id);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(kLabel, checked.contains(format.id) ? Qt::Checked : Qt::Unchecked);
+    if (format.id == current)
+      setCurrentItem(item);
+  }
+  if (!currentItem() && topLevelItemCount() > 0)
+    setCurrentItem(topLevelItem(0));
+  retranslate();
+  updateGeometry();
+}
+
+void FormatList::setChecked(const QStringList& ids) {
+  const QSignalBlocker quiet(this);
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    QTreeWidgetItem* item = topLevelItem(i);
+    item->setCheckState(
+        kLabel, ids.contains(item->data(kLabel, kIdRole).toString()) ? Qt::Checked : Qt::Unchecked);
+  }
+}
+
+QStringList FormatList::checkedIds() const {
+  QStringList ids;
+  for (int i = 0; i < topLevelItemCount(); ++i)
+    if (topLevelItem(i)->checkState(kLabel) == Qt::Checked)
+      ids << topLevelItem(i)->data(kLabel, kIdRole).toString();
+  return ids;
+}
+
+QString FormatList::currentId() const {
+  return currentItem() ? currentItem()->data(kLabel, kIdRole).toString() : QString();
+}
+
+QSize FormatList::sizeHint() const {
+  const int row = topLevelItemCount() > 0 ? sizeHintForRow(0) : fontMetrics().height() + 4;
+  const int rows = std::clamp(topLevelItemCount(), 3, 8);
+  return {fontMetrics().averageCharWidth() * 40, rows * row + 2 * frameWidth()};
+}
+
+QSize FormatList::minimumSizeHint() const {
+  return {fontMetrics().averageCharWidth() * 20, sizeHint().height()};
+}
+
+void FormatList::retranslate() {
+  const QSignalBlocker quiet(this);
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    const ExportFormat& format = formats_[static_cast<std::size_t>(i)];
+    QTreeWidgetItem* item = topLevelItem(i);
+    item->setText(kLabel, format.label);
+    QString tip = format.label;
+    if (format.foreign) {
+      item->setIcon(kForeign, forms::icon(forms::Icon::Foreign));
+      item->setText(kForeign, tr("foreign"));
+      const QString why = tr("For another maker's controller: where the nozzle goes, not how this "
+                             "robot moves");
+      item->setToolTip(kForeign, why);
+    }
+    item->setIcon(kVerdict, forms::icon(iconOf(format.state)));
+    QString verdict;
+    switch (format.state) {
+    case VerdictState::NotYet:
+      verdict = tr("Not replayed yet");
+      break;
+    case VerdictState::Passed:
+      verdict = tr("Passed: the replay found nothing wrong");
+      break;
+    case VerdictState::Refused:
+      verdict = tr("Refused by the replay: %1").arg(format.whyRefused);
+      break;
+    }
+    item->setToolTip(kVerdict, verdict);
+    item->setToolTip(kLabel, tip + QStringLiteral("\n") + verdict);
+    item->setData(kVerdict, Qt::AccessibleTextRole, verdict);
+  }
+}
+
+void FormatList::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange)
+    retranslate();
+}
+
+} // namespace voluta::panels

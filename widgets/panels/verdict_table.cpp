@@ -1,0 +1,114 @@
+#include "panels/verdict_table.h"
+
+#include "forms/icons.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QLocale>
+#include <cmath>
+
+namespace voluta::panels {
+
+std::vector<VerdictMeasure> verdictMeasures(const pipeline::ReplayReport& r) {
+  const QLocale locale;
+  const auto percent = [&](double share) {
+    return locale.toString(100.0 * share, 'f', 2) + QStringLiteral(" %");
+  };
+  const auto atLeast = [](const QString& limit) { return QStringLiteral("≥ ") + limit; };
+  const auto atMost = [](const QString& limit) { return QStringLiteral("≤ ") + limit; };
+  const auto whole = [&](std::size_t n) { return locale.toString(static_cast<qulonglong>(n)); };
+  const auto mm = [&](double value) {
+    return locale.toString(value, 'f', 3) + QStringLiteral(" mm");
+  };
+  const auto& limits = r.thresholds;
+  const double massError = std::abs(r.massRatio - 1.0);
+  return {
+      {VerdictTable::tr("Part covered"), percent(r.coveredFraction),
+       atLeast(percent(limits.covered)), r.coveredFraction >= limits.covered},
+      {VerdictTable::tr("Unsupported"), percent(r.unsupportedFraction),
+       atMost(percent(limits.unsupported)), r.unsupportedFraction <= limits.unsupported},
+      {VerdictTable::tr("Overfill"), percent(r.overfillFraction), atMost(percent(limits.overfill)),
+       r.overfillFraction <= limits.overfill},
+      {VerdictTable::tr("Mass off by"), percent(massError), atMost(percent(limits.mass)),
+       massError <= limits.mass},
+      {VerdictTable::tr("Collisions"), whole(r.collisions), atMost(whole(limits.collisions)),
+       r.collisions <= limits.collisions},
+      {VerdictTable::tr("Limits broken"), whole(r.limitViolations),
+       atMost(whole(limits.limitViolations)), r.limitViolations <= limits.limitViolations},
+      {VerdictTable::tr("Off the plan"), mm(r.maxDeviationMm), atMost(mm(limits.deviationMm)),
+       r.maxDeviationMm <= limits.deviationMm},
+  };
+}
+
+VerdictTable::VerdictTable(QWidget* parent) : QTableWidget(0, 4, parent) {
+  setSelectionMode(QAbstractItemView::NoSelection);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setFocusPolicy(Qt::NoFocus);
+  setShowGrid(false);
+  setAlternatingRowColors(true);
+  setWordWrap(false);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+  QHeaderView* head = horizontalHeader();
+  head->setHighlightSections(false);
+  head->setSectionsClickable(false);
+  head->setMinimumSectionSize(fontMetrics().height());
+  head->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  head->setSectionResizeMode(QHeaderView::ResizeToContents);
+  head->setSectionResizeMode(0, QHeaderView::Stretch);
+  retranslate();
+}
+
+void VerdictTable::setReport(std::optional<pipeline::ReplayReport> report) {
+  report_ = std::move(report);
+  retranslate();
+}
+
+QSize VerdictTable::sizeHint() const {
+  const int rows = static_cast<int>(verdictMeasures({}).size());
+  return {fontMetrics().averageCharWidth() * 40, horizontalHeader()->sizeHint().height() +
+                                                     rows * verticalHeader()->defaultSectionSize() +
+                                                     2 * frameWidth()};
+}
+
+QSize VerdictTable::minimumSizeHint() const {
+  return {fontMetrics().averageCharWidth() * 20, sizeHint().height()};
+}
+
+void VerdictTable::retranslate() {
+  setHorizontalHeaderLabels({tr("Measure"), tr("Value"), tr("Limit"), QString()});
+  const std::vector<VerdictMeasure> measures =
+      verdictMeasures(report_.value_or(pipeline::ReplayReport{}));
+  setRowCount(static_cast<int>(measures.size()));
+  for (int row = 0; row < rowCount(); ++row) {
+    const VerdictMeasure& m = measures[static_cast<std::size_t>(row)];
+    const auto put = [&](int column, const QString& text) {
+      auto* item = new QTableWidgetItem(text);
+      item->setToolTip(text);
+      if (column == 1 || column == 2)
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      setItem(row, column, item);
+    };
+    const QString none = QStringLiteral("–");
+    put(0, m.label);
+    put(1, report_ ? m.value : none);
+    put(2, report_ ? m.limit : none);
+    put(3, {});
+    if (!report_)
+      continue;
+    item(row, 3)->setIcon(forms::icon(m.passed ? forms::Icon::Good : forms::Icon::Blocked));
+    item(row, 3)->setToolTip(m.passed ? tr("Kept") : tr("Not kept"));
+    item(row, 3)->setData(Qt::AccessibleTextRole, m.passed ? tr("Kept") : tr("Not kept"));
+  }
+}
+
+void VerdictTable::changeEvent(QEvent* event) {
+  QTableWidget::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange)
+    retranslate();
+}
+
+} // namespace voluta::panels
