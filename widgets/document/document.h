@@ -5,6 +5,7 @@
 #include "pipeline/job.h"
 #include "pipeline/load_stage.h"
 #include "pipeline/road.h"
+#include "pipeline/stage.h"
 
 #include <QObject>
 #include <QString>
@@ -14,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace voluta::document {
 
@@ -75,14 +77,15 @@ public:
   // Shows another part, an edit too; `ready` false when a repaired version will follow. Keeps the
   // choices but for the placement and the scale.
   void openPart(std::shared_ptr<const pipeline::LoadedPart> part, const QString& path, bool ready);
-  // The repaired version of `part`, wherever edits refer to it. Not an edit.
+  // The repaired version of `part`, wherever edits refer to it; it is ready now. Not an edit.
   void replaceSource(const std::shared_ptr<const pipeline::LoadedPart>& part,
                      std::shared_ptr<const pipeline::LoadedPart> repaired);
 
   // ---- whole projects; these clear the undo stack
   void clear();
-  // `file` empty: a project without a file of its own. `unsaved`: counts as changed.
-  void openJob(const pipeline::Job& job, const QString& file, bool unsaved);
+  // What readJob and resultOf made of a file; `file` empty: a project without a file of its own.
+  // `unsaved`: counts as changed. Precondition: the job has a part.
+  void openJob(const pipeline::PlanResult& opened, const QString& file, bool unsaved);
   // After a save of `revision`: the file is the project's, and clean if nothing changed since.
   void saved(const QString& file, std::uint64_t revision);
 
@@ -100,8 +103,10 @@ public:
   // Called by Planning.
   void planStarted(pipeline::Stage until);
   void stageDone(pipeline::Stage stage, std::shared_ptr<const pipeline::PlanResult> result);
-  void planEnded();
-  void planFailed(const base::Error& error);
+  // `result`: of all stages, or null when the run was cancelled.
+  void planEnded(std::shared_ptr<const pipeline::PlanResult> result);
+  // Where the run stopped.
+  pipeline::Stage planFailed(const base::Error& error);
 
   // All that a run needs; the part counts by its content.
   pipeline::PlanRequest request(pipeline::Stage until) const;
@@ -118,34 +123,44 @@ signals:
   void nameChanged(const QString& name);
   // An edit, an undo or a redo; not for what Planning delivers.
   void edited();
+  // Nothing would be lost now: the document was saved, opened from its file, or closed.
+  void settled();
 
 private:
   struct Source;
   class EditCommand;
-  using Keys = std::array<std::string, pipeline::kStageCount>;
+  // What the stages' data on show was made from.
+  struct Shown {
+    std::shared_ptr<const pipeline::PlanResult> result;
+    std::string key;
+  };
 
   void push(const pipeline::Choices& choices, std::shared_ptr<Source> source,
             const QString& editName);
   void apply(const pipeline::Choices& choices, const std::shared_ptr<Source>& source);
+  void replaceAll(const pipeline::Choices& choices, std::shared_ptr<Source> source,
+                  const QString& file, bool unsaved);
   void refreshKeys();
   void dropResults();
-  void emitDirtyAndName();
+  void tellDirtyAndName();
 
   pipeline::Choices choices_;
   std::shared_ptr<Source> source_;
+  std::vector<std::weak_ptr<Source>> sources_; // all that edits may refer to
   QString projectFile_;
   QUndoStack undo_;
   bool unsaved_ = false; // changed in a way that the undo stack does not know of
   bool wasDirty_ = false;
   QString lastName_;
-  int dragId_ = 0, drags_ = 0;
+  int dragId_, drags_ = 0;
   std::uint64_t revision_ = 0;
 
-  Keys keys_; // of the choices; empty texts where they have none
-  std::array<std::shared_ptr<const pipeline::PlanResult>, pipeline::kStageCount> results_;
+  pipeline::StageKeys keys_; // of the choices; empty texts where they have none
+  std::array<Shown, pipeline::kStageCount> shown_;
   std::optional<Failure> failure_;
-  Keys failedKeys_;
-  std::optional<pipeline::Stage> running_, until_;
+  pipeline::StageKeys runKeys_; // of the choices that the last run began with
+  std::optional<pipeline::Stage> running_;
+  pipeline::Stage until_ = pipeline::Stage::Replay;
 };
 
 } // namespace voluta::document

@@ -1,13 +1,12 @@
 // Parts and projects read in the background.
 #pragma once
 
-#include "document/autosave.h"
+#include "document/recovery.h"
 #include "jobs/job_runner.h"
 #include "pipeline/load_stage.h"
 
 #include <QObject>
 #include <QString>
-#include <functional>
 #include <memory>
 
 namespace voluta::document {
@@ -15,7 +14,8 @@ namespace voluta::document {
 class Document;
 class Planning;
 
-// A part comes in twice: as read, at once, and then repaired. A new request replaces one under way.
+// A part comes in twice: as read, at once, and then repaired; and again repaired, or as read, when
+// that choice changes. A new request replaces one under way.
 class Opening : public QObject {
   Q_OBJECT
 
@@ -30,8 +30,7 @@ public:
   void openProject(const QString& file);
   // As a project that is not saved, with the file it was saved to before, if any.
   void openRecovered(const Recovered& recovered);
-  // A repair under way is given up: the part stays as read and will not be planned before it is
-  // opened again or repaired.
+  // A repair under way is given up: the part stays as read, and is repaired when it is planned.
   void cancel();
   bool running() const { return runner_.running(); }
 
@@ -48,10 +47,17 @@ signals:
 
 private:
   void readProject(const QString& file, const QString& projectFile, bool unsaved);
+  void repair();
+  void endRepair(const base::Outcome<std::shared_ptr<const pipeline::LoadedPart>>& outcome,
+                 const QString& path);
+  void giveUpRepair();
 
   Document& document_;
   Planning& planning_;
   jobs::JobRunner runner_;
+  std::shared_ptr<const pipeline::LoadedPart> repairing_; // as it was before
+  // Whose repair was given up or failed: not tried again until the choice or the part changes.
+  std::shared_ptr<const pipeline::LoadedPart> refused_;
 };
 
 } // namespace voluta::document

@@ -5,6 +5,7 @@
 #include "pipeline/road.h"
 
 #include <QObject>
+#include <QString>
 #include <memory>
 #include <optional>
 
@@ -41,8 +42,8 @@ public:
   void setThreads(int threads) { threads_ = threads; }
 
   const jobs::Progress& progress() const { return runner_.progress(); }
-  // Fills the cache with what an opened project holds.
-  void seed(const pipeline::Job& job);
+  // Kept results, to be seeded from an opened project; good for any thread.
+  const std::shared_ptr<pipeline::StageCache>& cache() const { return cache_; }
 
 signals:
   void started(voluta::pipeline::Stage until);
@@ -54,6 +55,9 @@ signals:
 
 private:
   void start();
+  void noteEdit();
+  void noteSource();
+  void end(const base::Outcome<std::shared_ptr<const pipeline::PlanResult>>& outcome);
 
   Document& document_;
   std::shared_ptr<pipeline::StageCache> cache_;

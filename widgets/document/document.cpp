@@ -1,0 +1,395 @@
+#include "document/document.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QUndoCommand>
+#include <algorithm>
+#include <tuple>
+
+namespace voluta::document {
+
+using pipeline::indexOf;
+using pipeline::kStageCount;
+using pipeline::Stage;
+
+namespace {
+constexpr int kNoMerge = -1;
+
+bool sameChoices(const pipeline::Choices& a, const pipeline::Choices& b) {
+  const auto tied = [](const pipeline::Choices& c) {
+    return std::tie(c.mode, c.growth, c.platform, c.cell, c.process, c.scale, c.repair, c.formats,
+                    c.parameters, c.seed, c.placement.liftMm);
+  };
+  return tied(a) == tied(b) && a.placement.centreMm == b.placement.centreMm &&
+         a.placement.rotation.coeffs() == b.placement.rotation.coeffs();
+}
+
+Stage stageAt(std::size_t index) {
+  return static_cast<Stage>(index);
+}
+} // namespace
+
+// Shared by all edits that refer to the same part, so that its repaired version reaches them all.
+struct Document::Source {
+  std::shared_ptr<const pipeline::LoadedPart> part;
+  QString path;
+  bool ready = true;
+};
+
+class Document::EditCommand : public QUndoCommand {
+public:
+  struct State {
+    pipeline::Choices choices;
+    std::shared_ptr<Source> source;
+  };
+
+  EditCommand(Document& document, State before, State after, const QString& name, int mergeId)
+      : QUndoCommand(name), document_(document), before_(std::move(before)),
+        after_(std::move(after)), mergeId_(mergeId) {}
+
+  void undo() override { document_.apply(before_.choices, before_.source); }
+  void redo() override { document_.apply(after_.choices, after_.source); }
+  int id() const override { return mergeId_; }
+
+  // Only asked for commands of one id: those of one drag.
+  bool mergeWith(const QUndoCommand* next) override {
+    after_ = static_cast<const EditCommand*>(next)->after_;
+    setText(next->text());
+    setObsolete(sameChoices(before_.choices, after_.choices));
+    return true;
+  }
+
+private:
+  Document& document_;
+  State before_, after_;
+  int mergeId_;
+};
+
+Document::Document(QObject* parent) : QObject(parent), dragId_(kNoMerge) {
+  lastName_ = name();
+  connect(&undo_, &QUndoStack::cleanChanged, this, &Document::tellDirtyAndName);
+}
+
+// The stack's last signals must find nobody.
+Document::~Document() {
+  undo_.disconnect(this);
+}
+
+std::shared_ptr<const pipeline::LoadedPart> Document::source() const {
+  return source_ ? source_->part : nullptr;
+}
+
+QString Document::sourcePath() const {
+  return source_ ? source_->path : QString();
+}
+
+bool Document::sourceReady() const {
+  return source_ && source_->ready;
+}
+
+QString Document::name() const {
+  if (!projectFile_.isEmpty())
+    return QFileInfo(projectFile_).completeBaseName();
+  if (source_)
+    return QFileInfo(QString::fromStdString(source_->part->name)).completeBaseName();
+  return tr("Untitled");
+}
+
+bool Document::dirty() const {
+  return unsaved_ || !undo_.isClean();
+}
+
+void Document::tellDirtyAndName() {
+  if (const bool now = dirty(); now != wasDirty_) {
+    wasDirty_ = now;
+    emit dirtyChanged(now);
+  }
+  if (const QString now = name(); now != lastName_) {
+    lastName_ = now;
+    emit nameChanged(now);
+  }
+}
+
+// ---- edits
+
+void Document::push(const pipeline::Choices& choices, std::shared_ptr<Source> source,
+                    const QString& editName) {
+  if (source == source_ && sameChoices(choices, choices_))
+    return;
+  undo_.push(
+      new EditCommand(*this, {choices_, source_}, {choices, std::move(source)}, editName, dragId_));
+  tellDirtyAndName();
+}
+
+void Document::apply(const pipeline::Choices& choices, const std::shared_ptr<Source>& source) {
+  const bool newChoices = !sameChoices(choices, choices_), newSource = source != source_;
+  const bool otherPart =
+      newSource && !(source && source_ && source->part->hash == source_->part->hash);
+  choices_ = choices;
+  source_ = source;
+  ++revision_;
+  refreshKeys();
+  if (otherPart)
+    dropResults();
+  if (newSource)
+    emit sourceChanged();
+  if (newChoices)
+    emit choicesChanged();
+  emit stateChanged();
+  tellDirtyAndName();
+  emit edited();
+}
+
+void Document::setChoices(const pipeline::Choices& choices, const QString& editName) {
+  push(choices, source_, editName);
+}
+
+void Document::setParameter(const QString& key, const QString& text) {
+  const base::ParameterTable table = pipeline::allParameters();
+  base::ParameterValues values(table);
+  values.set(key.toStdString(), text.toStdString());
+  const base::ParameterSpec& spec = *table.find(key.toStdString());
+  const base::ParameterValue& value = values.changes().at(spec.key);
+  pipeline::Choices choices = choices_;
+  if (value == spec.defaultValue)
+    choices.parameters.erase(spec.key);
+  else
+    choices.parameters[spec.key] = base::formatParameter(value);
+  push(choices, source_,
+       tr("Change %1").arg(QCoreApplication::translate("Parameters", spec.label.c_str())));
+}
+
+void Document::resetParameter(const QString& key) {
+  pipeline::Choices choices = choices_;
+  choices.parameters.erase(key.toStdString());
+  const base::ParameterTable table = pipeline::allParameters();
+  const base::ParameterSpec* spec = table.find(key.toStdString());
+  push(choices, source_,
+       tr("Reset %1")
+           .arg(spec ? QCoreApplication::translate("Parameters", spec->label.c_str()) : key));
+}
+
+void Document::resetParameters() {
+  pipeline::Choices choices = choices_;
+  choices.parameters.clear();
+  push(choices, source_, tr("Reset all parameters"));
+}
+
+void Document::place(const pipeline::Placement& placement, const QString& editName) {
+  pipeline::Choices choices = choices_;
+  choices.placement = placement;
+  push(choices, source_, editName);
+}
+
+void Document::setScale(const QString& scale) {
+  pipeline::Choices choices = choices_;
+  choices.scale = scale.toStdString();
+  push(choices, source_, tr("Scale the part"));
+}
+
+void Document::beginDrag() {
+  dragId_ = ++drags_;
+}
+
+void Document::endDrag() {
+  dragId_ = kNoMerge;
+}
+
+void Document::openPart(std::shared_ptr<const pipeline::LoadedPart> part, const QString& path,
+                        bool ready) {
+  base::require(part != nullptr, "Document: a part to open");
+  pipeline::Choices choices = choices_;
+  const pipeline::Choices fresh;
+  choices.placement = fresh.placement;
+  choices.scale = fresh.scale;
+  const QString editName = tr("Open %1").arg(QString::fromStdString(part->name));
+  const auto opened = std::make_shared<Source>(Source{std::move(part), path, ready});
+  std::erase_if(sources_, [](const std::weak_ptr<Source>& s) { return s.expired(); });
+  sources_.push_back(opened);
+  push(choices, opened, editName);
+}
+
+void Document::replaceSource(const std::shared_ptr<const pipeline::LoadedPart>& part,
+                             std::shared_ptr<const pipeline::LoadedPart> repaired) {
+  for (const std::weak_ptr<Source>& held : sources_) {
+    const std::shared_ptr<Source> any = held.lock();
+    if (any && any->part == part) {
+      any->part = repaired;
+      any->ready = true;
+    }
+  }
+  if (!source_ || source_->part != repaired)
+    return;
+  refreshKeys();
+  emit sourceChanged();
+  emit stateChanged();
+}
+
+// ---- whole projects
+
+void Document::replaceAll(const pipeline::Choices& choices, std::shared_ptr<Source> source,
+                          const QString& file, bool unsaved) {
+  undo_.clear();
+  choices_ = choices;
+  source_ = std::move(source);
+  sources_.assign(source_ ? 1 : 0, source_);
+  projectFile_ = file;
+  unsaved_ = unsaved;
+  ++revision_;
+  refreshKeys();
+  dropResults();
+  emit sourceChanged();
+  emit choicesChanged();
+}
+
+void Document::clear() {
+  replaceAll({}, nullptr, {}, false);
+  emit stateChanged();
+  tellDirtyAndName();
+  emit settled();
+}
+
+void Document::openJob(const pipeline::PlanResult& opened, const QString& file, bool unsaved) {
+  const pipeline::Job& job = opened.job;
+  base::require(job.loaded != nullptr, "Document: a project with a part");
+  replaceAll(job.choices, std::make_shared<Source>(Source{job.loaded, {}, true}), file, unsaved);
+  if (job.reached) {
+    const auto result = std::make_shared<const pipeline::PlanResult>(opened);
+    for (std::size_t s = 0; s <= indexOf(*job.reached); ++s) {
+      shown_[s] = {result, job.stages[s].key};
+      emit resultChanged(stageAt(s));
+    }
+  }
+  emit stateChanged();
+  tellDirtyAndName();
+  if (!unsaved)
+    emit settled();
+}
+
+void Document::saved(const QString& file, std::uint64_t revision) {
+  projectFile_ = file;
+  if (revision == revision_) {
+    unsaved_ = false;
+    undo_.setClean();
+  }
+  tellDirtyAndName();
+  if (!dirty())
+    emit settled();
+}
+
+// ---- results
+
+void Document::refreshKeys() {
+  keys_ = {};
+  if (!source_)
+    return;
+  try {
+    keys_ = pipeline::stageKeys(request(Stage::Replay));
+  } catch (const base::Error&) {
+    // Choices that cannot be planned have no keys: whatever is shown is not theirs. Planning them
+    // tells what is wrong.
+  }
+}
+
+void Document::dropResults() {
+  failure_.reset();
+  for (std::size_t s = 0; s < kStageCount; ++s) {
+    if (!shown_[s].result)
+      continue;
+    shown_[s] = {};
+    emit resultChanged(stageAt(s));
+  }
+}
+
+std::shared_ptr<const pipeline::PlanResult> Document::result(Stage stage) const {
+  return shown_[indexOf(stage)].result;
+}
+
+std::shared_ptr<const pipeline::PlanResult> Document::lastResult() const {
+  for (std::size_t s = kStageCount; s-- > 0;)
+    if (shown_[s].result)
+      return shown_[s].result;
+  return nullptr;
+}
+
+bool Document::upToDate(Stage stage) const {
+  const std::size_t s = indexOf(stage);
+  return shown_[s].result && !keys_[s].empty() && shown_[s].key == keys_[s];
+}
+
+StageState Document::state(Stage stage) const {
+  const std::size_t s = indexOf(stage);
+  if (running_ == stage)
+    return StageState::Running;
+  if (!running_ && failure_ && failure_->stage == stage && runKeys_[s] == keys_[s])
+    return StageState::Failed;
+  if (!shown_[s].result)
+    return StageState::Nothing;
+  if (!upToDate(stage))
+    return StageState::OutOfDate;
+  const plan::Findings& findings = shown_[s].result->job.report.findings;
+  const bool blocked = std::any_of(findings.begin(), findings.end(), [&](const plan::Finding& f) {
+    return f.blocking && f.stage == pipeline::stageName(stage);
+  });
+  return blocked ? StageState::Blocked : StageState::Done;
+}
+
+void Document::planStarted(Stage until) {
+  running_ = Stage::Load;
+  until_ = until;
+  runKeys_ = keys_;
+  failure_.reset();
+  emit stateChanged();
+}
+
+void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult> result) {
+  const std::size_t done = indexOf(stage);
+  const bool changed = shown_[done].key != result->job.stages[done].key || !shown_[done].result ||
+                       stage == Stage::Replay; // a reopened one lacks the programs
+  for (std::size_t s = 0; s <= done; ++s)
+    shown_[s] = {result, result->job.stages[s].key};
+  running_ = stage < until_ ? std::optional(stageAt(done + 1)) : std::nullopt;
+  if (changed)
+    emit resultChanged(stage);
+  emit stateChanged();
+}
+
+void Document::planEnded(std::shared_ptr<const pipeline::PlanResult> result) {
+  if (result && result->job.reached)
+    for (std::size_t s = 0; s <= indexOf(*result->job.reached); ++s)
+      shown_[s].result = result;
+  running_.reset();
+  emit stateChanged();
+}
+
+Stage Document::planFailed(const base::Error& error) {
+  const Stage where = running_.value_or(until_);
+  failure_ = Failure{where, error};
+  running_.reset();
+  emit stateChanged();
+  return where;
+}
+
+pipeline::PlanRequest Document::request(Stage until) const {
+  pipeline::PlanRequest request;
+  request.loaded = source();
+  request.choices = choices_;
+  request.until = until;
+  return request;
+}
+
+pipeline::Job Document::snapshot() const {
+  std::size_t current = 0; // stages from the first on whose results are those of the choices
+  while (current < kStageCount && upToDate(stageAt(current)))
+    ++current;
+  pipeline::Job job;
+  if (current > 0)
+    job = pipeline::upTo(shown_[current - 1].result->job, stageAt(current - 1));
+  job.choices = choices_;
+  job.loaded = source();
+  if (job.loaded)
+    job.partName = job.loaded->name;
+  return job;
+}
+
+} // namespace voluta::document

@@ -1,0 +1,135 @@
+#include "document/opening.h"
+
+#include "document/document.h"
+#include "document/planning.h"
+#include "pipeline/job.h"
+#include "pipeline/stage_cache.h"
+
+#include <QFileInfo>
+#include <filesystem>
+#include <utility>
+
+namespace voluta::document {
+
+namespace {
+using Part = std::shared_ptr<const pipeline::LoadedPart>;
+
+std::filesystem::path pathOf(const QString& file) {
+  return file.toStdString();
+}
+} // namespace
+
+Opening::Opening(Document& document, Planning& planning, QObject* parent)
+    : QObject(parent), document_(document), planning_(planning) {
+  connect(&runner_, &jobs::JobRunner::progressed, this, &Opening::progressed);
+  connect(&runner_, &jobs::JobRunner::finished, this, &Opening::repair);
+  connect(&document_, &Document::edited, this, &Opening::repair);
+}
+
+Opening::~Opening() = default;
+
+void Opening::open(const QString& path) {
+  if (path.endsWith(QStringLiteral(".voluta"), Qt::CaseInsensitive))
+    openProject(path);
+  else
+    openPart(path);
+}
+
+void Opening::openPart(const QString& path) {
+  giveUpRepair();
+  runner_.run(
+      [this, path, repair = document_.choices().repair](const base::RunContext& ctx,
+                                                        const jobs::Post& post) {
+        const Part asRead = pipeline::loadPart(path.toStdString(), false, ctx.sub(0.0, 0.3));
+        // `this` is only used in what is posted, on the thread of the window.
+        post([this, path, asRead, repair] {
+          planning_.cancel();
+          document_.openPart(asRead, path, !repair);
+          repairing_ = asRead;
+          emit opened(path, false);
+        });
+        return pipeline::withRepair(asRead, repair, ctx.sub(0.3, 1.0));
+      },
+      [this, path](const base::Outcome<Part>& outcome) { endRepair(outcome, path); });
+  emit started(path);
+}
+
+void Opening::openProject(const QString& file) {
+  readProject(file, file, false);
+}
+
+void Opening::openRecovered(const Recovered& recovered) {
+  readProject(recovered.file, recovered.originalPath, true);
+}
+
+void Opening::readProject(const QString& file, const QString& projectFile, bool unsaved) {
+  giveUpRepair();
+  using Opened = std::shared_ptr<const pipeline::PlanResult>;
+  runner_.run(
+      [file, cache = planning_.cache()](const base::RunContext& ctx) -> Opened {
+        ctx.report(0.0, "open");
+        pipeline::Job job = pipeline::readJob(pathOf(file));
+        ctx.report(0.8, "open");
+        pipeline::seedCache(*cache, job);
+        return std::make_shared<const pipeline::PlanResult>(pipeline::resultOf(std::move(job)));
+      },
+      [this, file, projectFile, unsaved](const base::Outcome<Opened>& outcome) {
+        if (const auto* result = std::get_if<Opened>(&outcome)) {
+          planning_.cancel();
+          document_.openJob(**result, projectFile, unsaved);
+          emit opened(file, true);
+        } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
+          emit failed(file, QString::fromUtf8(error->what()));
+        } else {
+          emit cancelled();
+        }
+      },
+      1);
+  emit started(file);
+}
+
+// Brings the part in line with the choice whether it is to be repaired.
+void Opening::repair() {
+  const Part part = document_.source();
+  if (runner_.running() || !part)
+    return;
+  const bool wanted = document_.choices().repair;
+  if (part->repair == wanted)
+    refused_.reset();
+  if (part->repair == wanted || part == refused_)
+    return;
+  repairing_ = part;
+  runner_.run(
+      [part, wanted](const base::RunContext& ctx) {
+        return pipeline::withRepair(part, wanted, ctx);
+      },
+      [this](const base::Outcome<Part>& outcome) { endRepair(outcome, document_.sourcePath()); });
+  emit started(document_.sourcePath());
+}
+
+void Opening::endRepair(const base::Outcome<Part>& outcome, const QString& path) {
+  if (const auto* part = std::get_if<Part>(&outcome)) {
+    document_.replaceSource(std::exchange(repairing_, nullptr), *part);
+    emit repaired();
+    return;
+  }
+  giveUpRepair();
+  if (const auto* error = std::get_if<base::Error>(&outcome))
+    emit failed(path, QString::fromUtf8(error->what()));
+  else
+    emit cancelled();
+}
+
+// The part stays as it is; planning it repairs it.
+void Opening::giveUpRepair() {
+  if (!repairing_)
+    return;
+  refused_ = std::exchange(repairing_, nullptr);
+  document_.replaceSource(refused_, refused_);
+}
+
+void Opening::cancel() {
+  runner_.cancel();
+}
+
+} // namespace voluta::document

@@ -1,0 +1,111 @@
+#include "document/planning.h"
+
+#include "document/document.h"
+#include "pipeline/stage_cache.h"
+
+#include <QTimer>
+
+namespace voluta::document {
+
+using pipeline::Stage;
+
+namespace {
+constexpr int kStartOverMs = 300;
+using Result = std::shared_ptr<const pipeline::PlanResult>;
+} // namespace
+
+Planning::Planning(Document& document, QObject* parent)
+    : QObject(parent), document_(document), cache_(std::make_shared<pipeline::StageCache>()),
+      startOver_(new QTimer(this)) {
+  startOver_->setSingleShot(true);
+  startOver_->setInterval(kStartOverMs);
+  connect(startOver_, &QTimer::timeout, this, [this] {
+    if (runner_.running())
+      start();
+  });
+  connect(&document_, &Document::edited, this, &Planning::noteEdit);
+  connect(&document_, &Document::sourceChanged, this, &Planning::noteSource);
+  connect(&runner_, &jobs::JobRunner::progressed, this, &Planning::progressed);
+}
+
+Planning::~Planning() = default;
+
+bool Planning::running() const {
+  return runner_.running() || waiting_.has_value();
+}
+
+void Planning::plan(Stage until) {
+  if (!document_.source())
+    return;
+  until_ = until;
+  if (!document_.sourceReady()) {
+    waiting_ = until;
+    return;
+  }
+  start();
+}
+
+void Planning::start() {
+  waiting_.reset();
+  startOver_->stop();
+  document_.planStarted(until_);
+  emit started(until_);
+  runner_.run(
+      [this, request = document_.request(until_), cache = cache_](const base::RunContext& ctx,
+                                                                  const jobs::Post& post) {
+        // `this` is only used in what is posted, on the thread of the window.
+        const auto tell = [&](Stage stage, const pipeline::PlanResult& soFar) {
+          post([this, stage, loaded = request.loaded,
+                snapshot = std::make_shared<const pipeline::PlanResult>(soFar)] {
+            // The plan repairs, or takes as read, what was not loaded so.
+            if (snapshot->job.loaded != loaded)
+              document_.replaceSource(loaded, snapshot->job.loaded);
+            document_.stageDone(stage, snapshot);
+            emit stageDone(stage);
+          });
+        };
+        return std::make_shared<const pipeline::PlanResult>(
+            pipeline::planPart(request, ctx, cache.get(), tell));
+      },
+      [this](const base::Outcome<Result>& outcome) { end(outcome); }, threads_);
+}
+
+void Planning::end(const base::Outcome<Result>& outcome) {
+  startOver_->stop();
+  if (const auto* result = std::get_if<Result>(&outcome)) {
+    document_.planEnded(*result);
+    emit finished();
+  } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
+    const Stage where = document_.planFailed(*error);
+    emit failed(where, QString::fromUtf8(error->what()));
+  } else {
+    document_.planEnded(nullptr);
+    emit cancelled();
+  }
+}
+
+void Planning::cancel() {
+  if (waiting_ && !runner_.running()) {
+    waiting_.reset();
+    emit cancelled();
+    return;
+  }
+  waiting_.reset();
+  runner_.cancel();
+}
+
+void Planning::noteEdit() {
+  if (!document_.source())
+    cancel();
+  else if (startsOver_ && runner_.running())
+    startOver_->start();
+}
+
+void Planning::noteSource() {
+  if (waiting_ && document_.sourceReady())
+    start();
+  else if (waiting_ && !document_.source())
+    cancel();
+}
+
+} // namespace voluta::document
