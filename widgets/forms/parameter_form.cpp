@@ -22,6 +22,7 @@ namespace voluta::forms {
 ParameterForm::ParameterForm(base::ParameterTable table, QWidget* parent)
     : QWidget(parent), table_(std::move(table)) {
   build();
+  showSwitch();
   retranslate();
   filter();
 }
@@ -144,6 +145,7 @@ void ParameterForm::setShowAll(bool all) {
     return;
   showsAll_ = all;
   (all ? all_ : simple_)->setChecked(true);
+  showSwitch();
   filter();
   emit showAllChanged(all);
 }
@@ -168,6 +170,15 @@ bool ParameterForm::reveal(const QString& key) {
         return true;
       }
   return false;
+}
+
+void ParameterForm::showSwitch() {
+  // Pressed and raised are hard to tell apart in a dark palette.
+  for (QToolButton* button : {simple_, all_}) {
+    QFont font = button->font();
+    font.setBold(button->isChecked());
+    button->setFont(font);
+  }
 }
 
 void ParameterForm::filter() {

@@ -61,6 +61,7 @@ private:
   void build();
   void filter();
   void mark();
+  void showSwitch();
   void retranslate();
 
   base::ParameterTable table_;

@@ -207,8 +207,7 @@ void ExportPanel::exportNow() {
   bool include = false;
   if (!refused.isEmpty()) {
     QMessageBox box(QMessageBox::Warning, tr("Refused programs"),
-                    tr("The replay refused %n program file(s). Never run them on a robot.", nullptr,
-                       static_cast<int>(refused.size())),
+                    tr("The replay refused some of the programs. Never run them on a robot."),
                     QMessageBox::NoButton, this);
     QStringList names;
     for (const QString& name : refused)

@@ -94,6 +94,8 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
 QString FindingsModel::detail(const plan::Finding& finding) {
   const QLocale locale;
   QStringList parts{stageText(finding.stage)};
+  if (finding.count > 1)
+    parts << QStringLiteral("× ") + locale.toString(static_cast<qulonglong>(finding.count));
   if (finding.where) {
     const Eigen::Vector3d& at = *finding.where;
     parts << tr("at %1, %2, %3 mm")
@@ -104,8 +106,6 @@ QString FindingsModel::detail(const plan::Finding& finding) {
     const auto whole = static_cast<long long>(std::floor(*finding.whenS));
     parts << QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
   }
-  if (finding.count > 1)
-    parts << QStringLiteral("× ") + locale.toString(static_cast<qulonglong>(finding.count));
   return parts.join(QStringLiteral(" · "));
 }
 

@@ -27,7 +27,7 @@ public:
   QVariant data(const QModelIndex& index, int role) const override;
   // Precondition: 0 <= row < rowCount().
   const plan::Finding& finding(int row) const;
-  // Stage, place, time and count in one line.
+  // Stage, count, place and time in one line.
   static QString detail(const plan::Finding& finding);
 
   std::size_t blocking() const { return blocking_; }

@@ -1,10 +1,12 @@
 #include "panels/format_list.h"
 
+#include "forms/colours.h"
 #include "forms/icons.h"
 
 #include <QEvent>
 #include <QHeaderView>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 #include <algorithm>
 
 namespace voluta::panels {
@@ -24,10 +26,25 @@ forms::Icon iconOf(VerdictState state) {
   }
   return forms::Icon::Pending;
 }
+
+// Fusion draws the edge of a check box in a darker shade of the window, which can't be seen on a
+// dark list.
+class FormatDelegate : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (forms::isDark(option->palette))
+      option->palette.setColor(QPalette::Window, forms::mutedColour(option->palette));
+  }
+};
 } // namespace
 
 FormatList::FormatList(QWidget* parent) : QTreeWidget(parent) {
   setColumnCount(3);
+  setItemDelegate(new FormatDelegate(this));
   setHeaderHidden(true);
   setRootIsDecorated(false);
   setUniformRowHeights(true);

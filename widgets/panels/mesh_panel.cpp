@@ -82,8 +82,8 @@ void MeshPanel::retranslate() {
   const Eigen::Vector3d& size = summary_->sizeMm;
   const auto number = [&](double value) { return locale.toString(value, 'f', 1); };
   QString html = QString::fromStdString(summary_->name).toHtmlEscaped();
-  html +=
-      QStringLiteral("<br>") + tr("%n triangle(s)", nullptr, static_cast<int>(summary_->triangles));
+  html += QStringLiteral("<br>") +
+          tr("Triangles: %1").arg(locale.toString(static_cast<qulonglong>(summary_->triangles)));
   html += QStringLiteral("<br>") +
           tr("%1 × %2 × %3 mm").arg(number(size.x()), number(size.y()), number(size.z()));
   if (summary_->watertight)

@@ -80,6 +80,8 @@ QSize VerdictTable::minimumSizeHint() const {
 
 void VerdictTable::retranslate() {
   setHorizontalHeaderLabels({tr("Measure"), tr("Value"), tr("Limit"), QString()});
+  for (const int column : {1, 2})
+    horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   const std::vector<VerdictMeasure> measures =
       verdictMeasures(report_.value_or(pipeline::ReplayReport{}));
   setRowCount(static_cast<int>(measures.size()));

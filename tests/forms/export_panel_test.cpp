@@ -1,0 +1,144 @@
+#include "gallery_data.h"
+#include "panels/export_panel.h"
+#include "panels/text_preview.h"
+#include "panels/verdict_table.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTimer>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+
+namespace {
+class ExportPanelTest : public testing::Test {
+protected:
+  ExportPanelTest() : requested(&panel, &panels::ExportPanel::exportRequested) {
+    panel.setFormats(gallery::sampleFormats());
+    panel.setFolder("/tmp/programs");
+    panel.resize(300, 800);
+    panel.show();
+    (void)QTest::qWaitForWindowExposed(&panel);
+  }
+  QPushButton* button() { return panel.findChild<QPushButton*>(QStringLiteral("export")); }
+  QString reason() { return panel.findChild<QLabel*>(QStringLiteral("reason"))->text(); }
+  // Presses the named button of the box that is about to open, or Cancel.
+  void answerWith(const QString& name) {
+    QTimer::singleShot(50, &panel, [this, name] {
+      auto* box = panel.findChild<QMessageBox*>();
+      ASSERT_NE(box, nullptr);
+      asked = box->text() + box->informativeText();
+      if (auto* chosen = box->findChild<QPushButton*>(name))
+        chosen->click();
+      else
+        box->button(QMessageBox::Cancel)->click();
+    });
+  }
+
+  panels::ExportPanel panel;
+  QSignalSpy requested;
+  QString asked;
+};
+} // namespace
+
+TEST_F(ExportPanelTest, OneClickExportsWhatIsChecked) {
+  panel.setChecked({"urscript"});
+  ASSERT_TRUE(button()->isEnabled());
+  button()->click();
+  ASSERT_EQ(requested.size(), 1);
+  EXPECT_EQ(requested[0][0].toString(), "/tmp/programs");
+  EXPECT_EQ(requested[0][1].toStringList(), QStringList{"urscript"});
+  EXPECT_FALSE(requested[0][2].toBool());
+}
+
+TEST_F(ExportPanelTest, DisabledWithAReason) {
+  EXPECT_FALSE(button()->isEnabled());
+  EXPECT_EQ(reason(), "Choose at least one format.");
+  panel.setChecked({"urscript"});
+  panel.setBlockedReason("Nothing is planned yet.");
+  EXPECT_FALSE(button()->isEnabled());
+  EXPECT_EQ(reason(), "Nothing is planned yet.");
+  panel.setBlockedReason({});
+  panel.setFolder({});
+  EXPECT_EQ(reason(), "Choose a folder.");
+}
+
+TEST_F(ExportPanelTest, RefusedProgramsOnlyAfterTheUsersWord) {
+  panel.setChecked({"urscript", "gcode-extended"});
+  answerWith("none");
+  button()->click();
+  EXPECT_EQ(requested.size(), 0);
+  EXPECT_TRUE(asked.contains("refused-kitten.gcode")) << qPrintable(asked);
+  answerWith("writeRefused");
+  button()->click();
+  ASSERT_EQ(requested.size(), 1);
+  EXPECT_TRUE(requested[0][2].toBool());
+}
+
+TEST_F(ExportPanelTest, CheckingAndChoosingAreTold) {
+  QSignalSpy formats(&panel, &panels::ExportPanel::formatsChanged);
+  QSignalSpy preview(&panel, &panels::ExportPanel::previewFormatChanged);
+  panel.setChecked({"urscript"});
+  EXPECT_EQ(formats.size(), 0);
+  auto* list = panel.findChild<panels::FormatList*>();
+  list->topLevelItem(3)->setCheckState(0, Qt::Checked);
+  ASSERT_EQ(formats.size(), 1);
+  EXPECT_EQ(formats[0][0].toStringList(), (QStringList{"urscript", "csv"}));
+  list->setCurrentItem(list->topLevelItem(1));
+  ASSERT_EQ(preview.size(), 1);
+  EXPECT_EQ(preview[0][0].toString(), "gcode-extended");
+  EXPECT_EQ(panel.findChild<panels::VerdictTable*>()->item(0, 1)->text(), "94.20 %");
+}
+
+TEST_F(ExportPanelTest, NewResultsKeepChecksFormatAndPlaceInTheText) {
+  auto formats = gallery::sampleFormats();
+  panel.setFormats(formats);
+  panel.setChecked({"gcode-extended"});
+  panel.showLine(0, 1204);
+  formats[1].state = panels::VerdictState::Passed;
+  panel.setFormats(formats);
+  EXPECT_EQ(panel.checkedFormats(), QStringList{"gcode-extended"});
+  EXPECT_EQ(panel.previewFormat(), "urscript");
+  EXPECT_EQ(panel.findChild<panels::TextPreview*>()->currentLine(), 1204u);
+}
+
+TEST_F(ExportPanelTest, AClickedLineIsTold) {
+  QSignalSpy clicked(&panel, &panels::ExportPanel::lineClicked);
+  auto* preview = panel.findChild<panels::TextPreview*>();
+  QTest::mouseClick(preview->viewport(), Qt::LeftButton, {}, QPoint(80, 3));
+  ASSERT_EQ(clicked.size(), 1);
+  EXPECT_EQ(clicked[0][0].toInt(), 0);
+  EXPECT_EQ(clicked[0][1].toULongLong(), 1u);
+}
+
+TEST_F(ExportPanelTest, ATypedFolderIsToldOnce) {
+  QSignalSpy folder(&panel, &panels::ExportPanel::folderChanged);
+  auto* line = panel.findChild<QLineEdit*>(QStringLiteral("folder"));
+  line->setFocus();
+  QTest::keyClicks(line, "/more");
+  QTest::keyClick(line, Qt::Key_Return);
+  QTest::keyClick(line, Qt::Key_Return);
+  ASSERT_EQ(folder.size(), 1);
+  EXPECT_EQ(folder[0][0].toString(), "/tmp/programs/more");
+}
+
+TEST_F(ExportPanelTest, FitsIntoANarrowPanel) {
+  EXPECT_LE(panel.minimumSizeHint().width(), 300);
+}
+
+TEST(VerdictMeasures, EveryMeasureIsHeldToItsLimit) {
+  pipeline::ReplayReport r;
+  r.coveredFraction = 0.97;
+  r.massRatio = 0.96;
+  r.thresholds = {0.97, 0.005, 0.03, 0.03, 0.05, 0, 0};
+  const auto measures = panels::verdictMeasures(r);
+  ASSERT_EQ(measures.size(), 7u);
+  EXPECT_TRUE(measures[0].passed);
+  EXPECT_FALSE(measures[3].passed);
+  EXPECT_EQ(measures[3].value, "4.00 %");
+}

@@ -1,0 +1,255 @@
+#include "forms/choices_form.h"
+#include "forms/parameter_form.h"
+#include "forms/parameter_row.h"
+#include "forms/platform_editor.h"
+#include "forms/value_boxes.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+
+namespace {
+base::ParameterTable table() {
+  std::vector<base::ParameterSpec> specs{
+      base::numberParameter("height", "mm", 0.8, 0.05, 10.0, "Layers", "layer height",
+                            "Wanted height.", true),
+      base::integerParameter("walls", 2, 0, 20, "Beads", "walls", "Beads at the edge.", true),
+      base::choiceParameter("infill", "zigzag", {"zigzag", "concentric"}, "Beads", "infill",
+                            "How it is filled.", true),
+      base::booleanParameter("debug", false, "Output", "write all", "For those who look inside."),
+  };
+  for (int i = 0; i < 30; ++i)
+    specs.push_back(base::numberParameter("extra" + std::to_string(i), "mm", 1.0, 0.0, 5.0, "More",
+                                          "extra", "One more."));
+  return base::ParameterTable(specs);
+}
+
+class ParameterFormTest : public testing::Test {
+protected:
+  ParameterFormTest() : form(table()), changes(&form, &forms::ParameterForm::changed) {
+    form.resize(300, 400);
+    form.show();
+    (void)QTest::qWaitForWindowExposed(&form);
+  }
+
+  forms::ParameterRow* row(const char* key) {
+    return form.findChild<forms::ParameterRow*>(QLatin1String(key));
+  }
+  template <class Box> Box* editor(const char* key) {
+    return qobject_cast<Box*>(row(key)->editor());
+  }
+  QToolButton* reset(const char* key) {
+    return row(key)->findChild<QToolButton*>(QStringLiteral("reset"));
+  }
+  void type(QWidget* box, const QString& text) {
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(box, text);
+  }
+
+  forms::ParameterForm form;
+  QSignalSpy changes;
+};
+} // namespace
+
+TEST_F(ParameterFormTest, TypingIsCommittedOnceByEnterAndNotByKeystrokes) {
+  auto* box = editor<forms::NumberBox>("height");
+  type(box, "1.25");
+  EXPECT_EQ(changes.size(), 0);
+  QTest::keyClick(box, Qt::Key_Return);
+  ASSERT_EQ(changes.size(), 1);
+  EXPECT_EQ(changes[0][0].toString(), "height");
+  EXPECT_EQ(changes[0][1].toString(), "1.25");
+  QTest::keyClick(box, Qt::Key_Return);
+  EXPECT_EQ(changes.size(), 1);
+}
+
+TEST_F(ParameterFormTest, StepAndChoiceAndCheckBoxCommitAtOnce) {
+  auto* walls = editor<QSpinBox>("walls");
+  QTest::keyClick(walls, Qt::Key_Up);
+  auto* infill = editor<QComboBox>("infill");
+  QTest::keyClick(infill, Qt::Key_Down);
+  form.setShowAll(true);
+  editor<QCheckBox>("debug")->click();
+  ASSERT_EQ(changes.size(), 3);
+  EXPECT_EQ(changes[0][1].toString(), "3");
+  EXPECT_EQ(changes[1][1].toString(), "concentric");
+  EXPECT_EQ(changes[2][1].toString(), "true");
+}
+
+TEST_F(ParameterFormTest, EveryEmittedTextIsOneThatTheTableTakes) {
+  auto* box = editor<forms::NumberBox>("height");
+  for (const char* typed : {"3", "0.0001", "99999", "0.123456"}) {
+    type(box, typed);
+    QTest::keyClick(box, Qt::Key_Return);
+  }
+  ASSERT_GT(changes.size(), 0);
+  for (const auto& change : changes)
+    EXPECT_NO_THROW(
+        base::parseParameter(*table().find("height"), change[1].toString().toStdString()))
+        << qPrintable(change[1].toString());
+}
+
+TEST_F(ParameterFormTest, SetValuesEmitsNothingMarksAndUnmarks) {
+  form.setValues({{"height", "0.6"}, {"walls", "many"}, {"nobody", "1"}});
+  EXPECT_EQ(changes.size(), 0);
+  EXPECT_DOUBLE_EQ(editor<forms::NumberBox>("height")->value(), 0.6);
+  EXPECT_TRUE(row("height")->isChanged());
+  EXPECT_TRUE(reset("height")->isVisible());
+  EXPECT_TRUE(row("height")->findChild<QLabel*>()->text().contains("<b>"));
+  EXPECT_EQ(editor<QSpinBox>("walls")->value(), 2);
+  EXPECT_FALSE(row("walls")->isChanged());
+  form.setValues({});
+  EXPECT_FALSE(row("height")->isChanged());
+  EXPECT_FALSE(reset("height")->isVisible());
+  EXPECT_EQ(changes.size(), 0);
+}
+
+TEST_F(ParameterFormTest, AValueFinerThanTheBoxShowsStaysAsItIs) {
+  form.setValues({{"height", "0.123456789"}});
+  auto* box = editor<forms::NumberBox>("height");
+  box->setFocus();
+  QTest::keyClick(box, Qt::Key_Return);
+  form.setFocus();
+  EXPECT_EQ(changes.size(), 0);
+}
+
+TEST_F(ParameterFormTest, ResetOfOneAndOfAll) {
+  form.setValues({{"height", "0.6"}, {"walls", "5"}});
+  QSignalSpy one(&form, &forms::ParameterForm::resetRequested);
+  QSignalSpy all(&form, &forms::ParameterForm::resetAllRequested);
+  reset("height")->click();
+  ASSERT_EQ(one.size(), 1);
+  EXPECT_EQ(one[0][0].toString(), "height");
+  EXPECT_DOUBLE_EQ(editor<forms::NumberBox>("height")->value(), 0.8);
+  auto* resetAll = form.findChild<QToolButton*>(QStringLiteral("resetAll"));
+  EXPECT_TRUE(resetAll->isEnabled());
+  resetAll->click();
+  EXPECT_EQ(all.size(), 1);
+  EXPECT_EQ(editor<QSpinBox>("walls")->value(), 2);
+  EXPECT_FALSE(resetAll->isEnabled());
+  EXPECT_EQ(changes.size(), 0);
+}
+
+TEST_F(ParameterFormTest, SimpleShowsSimpleAndChangedOnes) {
+  EXPECT_TRUE(row("height")->isVisible());
+  EXPECT_FALSE(row("debug")->isVisible());
+  form.setValues({{"debug", "true"}});
+  EXPECT_TRUE(row("debug")->isVisible());
+  form.setValues({});
+  EXPECT_FALSE(row("debug")->isVisible());
+  form.setShowAll(true);
+  EXPECT_TRUE(row("debug")->isVisible());
+}
+
+TEST_F(ParameterFormTest, SearchFiltersAsOneTypesOverLabelKeyAndHelp) {
+  auto* search = form.findChild<QLineEdit*>(QStringLiteral("search"));
+  QTest::keyClicks(search, "LOOK ins");
+  EXPECT_TRUE(row("debug")->isVisible());
+  EXPECT_FALSE(row("height")->isVisible());
+  form.setSearch("heig");
+  EXPECT_TRUE(row("height")->isVisible());
+  EXPECT_TRUE(row("height")->findChild<QLabel*>()->text().contains("background-color"));
+  EXPECT_FALSE(row("walls")->isVisible());
+  form.setSearch({});
+  EXPECT_TRUE(row("walls")->isVisible());
+  EXPECT_FALSE(row("height")->findChild<QLabel*>()->text().contains("background-color"));
+}
+
+TEST_F(ParameterFormTest, RevealShowsAHiddenParameterAndGivesItTheKeyboard) {
+  form.setSearch("nothing has this");
+  ASSERT_TRUE(form.reveal("extra29"));
+  EXPECT_TRUE(row("extra29")->isVisible());
+  EXPECT_FALSE(row("extra29")->visibleRegion().isEmpty());
+  EXPECT_EQ(form.focusWidget(), row("extra29")->editor());
+  EXPECT_FALSE(form.reveal("nobody"));
+}
+
+TEST_F(ParameterFormTest, WheelOverAnUnfocusedBoxScrollsTheFormInstead) {
+  form.setShowAll(true);
+  QTest::qWait(20);
+  auto* scroll = form.findChild<QScrollArea*>();
+  ASSERT_GT(scroll->verticalScrollBar()->maximum(), 0);
+  form.findChild<QLineEdit*>(QStringLiteral("search"))->setFocus();
+  auto* box = editor<forms::NumberBox>("height");
+  const auto wheel = [&] {
+    const QPointF at(5, 5);
+    QWheelEvent event(at, box->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    // An event of the program's own would not be handed on to what lies around the box.
+    QSpontaneKeyEvent::setSpontaneous(&event);
+    qApp->notify(box, &event);
+  };
+  wheel();
+  EXPECT_DOUBLE_EQ(box->value(), 0.8);
+  EXPECT_GT(scroll->verticalScrollBar()->value(), 0);
+  form.activateWindow();
+  box->setFocus();
+  if (box->hasFocus()) {
+    wheel();
+    EXPECT_LT(box->value(), 0.8);
+  }
+}
+
+TEST_F(ParameterFormTest, NothingIsWiderThanANarrowPanel) {
+  form.setShowAll(true);
+  form.setValues({{"height", "0.6"}});
+  QTest::qWait(20);
+  EXPECT_LE(form.minimumSizeHint().width(), 300);
+  auto* scroll = form.findChild<QScrollArea*>();
+  EXPECT_LE(scroll->widget()->minimumSizeHint().width(), scroll->viewport()->width());
+}
+
+TEST(PlatformEditor, TextGoesInAndComesOut) {
+  forms::PlatformEditor editor;
+  QSignalSpy changed(&editor, &forms::PlatformEditor::changed);
+  for (const char* text : {"fit:0", "fit:2.5", "disc:120", "rect:200x80.25"}) {
+    editor.setText(text);
+    EXPECT_EQ(editor.text(), text);
+  }
+  editor.setText("fit");
+  EXPECT_EQ(editor.text(), "fit:0");
+  editor.setText("hexagon:3");
+  editor.setText("rect:12");
+  EXPECT_EQ(editor.text(), "fit:0");
+  EXPECT_EQ(changed.size(), 0);
+  auto* kind = editor.findChild<QComboBox*>();
+  kind->setCurrentIndex(kind->findData("rect"));
+  ASSERT_EQ(changed.size(), 1);
+  EXPECT_EQ(changed[0][0].toString(), "rect:200x200");
+}
+
+TEST(ChoicesForm, TellsFieldAndTextAndIsQuietWhenSet) {
+  forms::ChoicesForm form;
+  QSignalSpy changed(&form, &forms::ChoicesForm::changed);
+  forms::ChoiceLists lists;
+  lists.modes = {{"curved", "Curved layers", ""}, {"planar", "Planar pieces", ""}};
+  lists.growths = {{"auto", "", ""}, {"greedy", "", ""}};
+  form.setLists(lists);
+  form.setTexts({"planar", "greedy", "disc:90", "own-cell", "fdm-1.0", 7});
+  EXPECT_EQ(changed.size(), 0);
+  const auto combo = [&](const char* name) {
+    return form.findChild<QComboBox*>(QLatin1String(name));
+  };
+  EXPECT_EQ(combo("mode")->currentText(), "Planar pieces");
+  EXPECT_EQ(combo("cell")->currentData().toString(), "own-cell");
+  QTest::keyClick(combo("mode"), Qt::Key_Up);
+  auto* seed = form.findChild<QSpinBox*>(QStringLiteral("seed"));
+  QTest::keyClick(seed, Qt::Key_Up);
+  ASSERT_EQ(changed.size(), 2);
+  EXPECT_EQ(changed[0][0].toString(), "mode");
+  EXPECT_EQ(changed[0][1].toString(), "curved");
+  EXPECT_EQ(changed[1][0].toString(), "seed");
+  EXPECT_EQ(changed[1][1].toString(), "8");
+}
