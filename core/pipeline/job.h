@@ -44,7 +44,7 @@ struct StageRecord {
   std::string key;          // what went in; empty: not made
   std::size_t findings = 0; // how many of the report's findings are its own; they follow one
                             // another in the order of the stages
-  Timings timings; // its own seconds, `total` apart
+  Timings timings;          // its own seconds, `total` apart
 };
 
 // Results are null where the plan did not come that far. Copies are cheap: arrays are shared.

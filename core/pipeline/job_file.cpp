@@ -1,204 +1,329 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "pipeline/block_file.h"
+#include "pipeline/content_hash.h"
 #include "pipeline/job.h"
+#include "pipeline/job_blocks.h"
 
-#include <boost/crc.hpp>
-#include <cstring>
+#include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
-#include <type_traits>
 
 namespace voluta::pipeline {
 
 namespace {
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kMagic = "VOLUTA 1\n";
-static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double));
-static_assert(sizeof(Eigen::Vector2d) == 2 * sizeof(double));
+constexpr std::string_view kMagic = "VOLUTA ";
+constexpr int kFormat = 2;
 
-std::uint32_t crcOf(std::string_view bytes) {
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return crc.checksum();
+base::Error unreadable(const std::string& what, const std::string& where,
+                       const std::string& remedy = {}) {
+  return base::Error(base::ErrorCode::UnreadableFile, what, where, remedy);
 }
 
-// Collects blocks; each becomes one row of the header's table.
-class BlockWriter {
-public:
-  template <typename T> void add(const std::string& name, const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T> || std::is_same_v<T, Eigen::Vector3d> ||
-                  std::is_same_v<T, Eigen::Vector2d>);
-    const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
-                                 values.size() * sizeof(T));
-    table_.push_back(Json{{"name", name},
-                          {"offset", bytes_.size()},
-                          {"bytes", bytes.size()},
-                          {"item", sizeof(T)},
-                          {"crc32", crcOf(bytes)}});
-    bytes_.append(bytes);
-  }
-  const Json& table() const { return table_; }
-  const std::string& bytes() const { return bytes_; }
+// ---- choices
 
-private:
-  Json table_ = Json::array();
-  std::string bytes_;
+Json choicesJson(const Choices& c) {
+  const Placement& p = c.placement;
+  return Json{{"mode", c.mode},
+              {"growth", c.growth},
+              {"platform", c.platform},
+              {"cell", c.cell},
+              {"process", c.process},
+              {"scale", c.scale},
+              {"placement",
+               Json{{"rotation", {p.rotation.w(), p.rotation.x(), p.rotation.y(), p.rotation.z()}},
+                    {"centreMm", {p.centreMm.x(), p.centreMm.y()}},
+                    {"liftMm", p.liftMm}}},
+              {"repair", c.repair},
+              {"formats", c.formats},
+              {"parameters", c.parameters},
+              {"seed", c.seed}};
+}
+
+Choices readChoices(const Json& j, int format) {
+  Choices c;
+  j.at("mode").get_to(c.mode);
+  j.at("growth").get_to(c.growth);
+  j.at("platform").get_to(c.platform);
+  j.at("cell").get_to(c.cell);
+  j.at("process").get_to(c.process);
+  j.at("scale").get_to(c.scale);
+  j.at("formats").get_to(c.formats);
+  j.at("parameters").get_to(c.parameters);
+  j.at("seed").get_to(c.seed);
+  if (format >= 2) {
+    const Json& p = j.at("placement");
+    const Json &q = p.at("rotation"), &centre = p.at("centreMm");
+    c.placement.rotation = Eigen::Quaterniond(q.at(0).get<double>(), q.at(1).get<double>(),
+                                              q.at(2).get<double>(), q.at(3).get<double>());
+    c.placement.centreMm = {centre.at(0).get<double>(), centre.at(1).get<double>()};
+    p.at("liftMm").get_to(c.placement.liftMm);
+    j.at("repair").get_to(c.repair);
+  }
+  return c;
+}
+
+// ---- the part as it came
+
+struct DefectName {
+  const char* key;
+  geometry::Defect geometry::Diagnosis::*defect;
+};
+using geometry::Diagnosis;
+constexpr DefectName kDefectNames[] = {{"boundaryEdges", &Diagnosis::boundaryEdges},
+                                       {"nonManifoldEdges", &Diagnosis::nonManifoldEdges},
+                                       {"misorientedEdges", &Diagnosis::misorientedEdges},
+                                       {"duplicateFaces", &Diagnosis::duplicateFaces},
+                                       {"degenerateFaces", &Diagnosis::degenerateFaces},
+                                       {"selfIntersections", &Diagnosis::selfIntersections},
+                                       {"insideOutComponents", &Diagnosis::insideOutComponents}};
+
+Json pointJson(const Eigen::Vector3d& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
+Eigen::Vector3d point(const Json& j) {
+  return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()};
+}
+
+Json diagnosisJson(const Diagnosis& d) {
+  Json j{{"triangles", d.triangles},   {"vertices", d.vertices},
+         {"components", d.components}, {"boundaryLoops", d.boundaryLoops},
+         {"watertight", d.watertight}, {"volumeMm3", d.volumeMm3},
+         {"areaMm2", d.areaMm2},       {"genus", d.genus ? Json(*d.genus) : Json()}};
+  if (!d.boundsMm.isEmpty())
+    j["boundsMm"] = Json::array({pointJson(d.boundsMm.min()), pointJson(d.boundsMm.max())});
+  for (const DefectName& row : kDefectNames)
+    j[row.key] = Json{{"count", (d.*row.defect).count}, {"at", pointJson((d.*row.defect).at)}};
+  return j;
+}
+
+Diagnosis readDiagnosis(const Json& j) {
+  Diagnosis d;
+  j.at("triangles").get_to(d.triangles);
+  j.at("vertices").get_to(d.vertices);
+  j.at("components").get_to(d.components);
+  j.at("boundaryLoops").get_to(d.boundaryLoops);
+  j.at("watertight").get_to(d.watertight);
+  j.at("volumeMm3").get_to(d.volumeMm3);
+  j.at("areaMm2").get_to(d.areaMm2);
+  if (!j.at("genus").is_null())
+    d.genus = j.at("genus").get<int>();
+  if (j.contains("boundsMm"))
+    d.boundsMm = Eigen::AlignedBox3d(point(j.at("boundsMm").at(0)), point(j.at("boundsMm").at(1)));
+  for (const DefectName& row : kDefectNames) {
+    j.at(row.key).at("count").get_to((d.*row.defect).count);
+    (d.*row.defect).at = point(j.at(row.key).at("at"));
+  }
+  return d;
+}
+
+void addLoaded(BlockWriter& out, const LoadedPart& part) {
+  out.addText("source", Json{{"name", part.name},
+                             {"repair", part.repair},
+                             {"mended", part.mesh != part.source},
+                             {"readNotes", part.readNotes},
+                             {"notes", part.notes},
+                             {"remains", part.remains},
+                             {"found", diagnosisJson(part.found)},
+                             {"readS", part.readS},
+                             {"repairS", part.repairS}}
+                            .dump(-1, ' ', false, Json::error_handler_t::replace));
+  addMesh(out, "source", *part.source);
+  if (part.mesh != part.source)
+    addMesh(out, "mended", *part.mesh);
+}
+
+std::shared_ptr<const LoadedPart> getLoaded(const BlockReader& in) {
+  auto part = std::make_shared<LoadedPart>();
+  const Json j = Json::parse(in.text("source"));
+  j.at("name").get_to(part->name);
+  j.at("repair").get_to(part->repair);
+  j.at("readNotes").get_to(part->readNotes);
+  j.at("notes").get_to(part->notes);
+  j.at("remains").get_to(part->remains);
+  part->found = readDiagnosis(j.at("found"));
+  j.at("readS").get_to(part->readS);
+  j.at("repairS").get_to(part->repairS);
+  part->source = std::make_shared<geometry::TriangleMesh>(getMesh(in, "source"));
+  part->mesh = j.at("mended").get<bool>()
+                   ? std::make_shared<geometry::TriangleMesh>(getMesh(in, "mended"))
+                   : part->source;
+  part->units = geometry::guessUnits(*part->mesh);
+  part->hash = contentHash(*part->source);
+  return part;
+}
+
+// Format 1 has only the placed part: what it was made from, but for where it lay.
+std::shared_ptr<const LoadedPart> loadedFromPlaced(const Job& job) {
+  auto source = std::make_shared<geometry::TriangleMesh>(*job.part);
+  for (Eigen::Vector3d& v : source->vertices)
+    v /= job.scale;
+  auto part = std::make_shared<LoadedPart>();
+  part->name = job.partName;
+  part->readNotes = {"taken from a project of format 1, as it was repaired and placed there"};
+  part->notes = part->readNotes;
+  part->found = geometry::diagnose(*source);
+  part->remains = part->found.sentences();
+  part->units = geometry::guessUnits(*source);
+  part->hash = contentHash(*source);
+  part->source = part->mesh = std::move(source);
+  return part;
+}
+
+// ---- what the stages left
+
+Json recordsJson(const Job& job) {
+  Json all = Json::array();
+  for (const StageRecord& record : job.stages) {
+    Json seconds;
+    for (const TimingName& row : kTimingNames)
+      if (record.timings.*row.seconds != 0.0)
+        seconds[row.key] = record.timings.*row.seconds;
+    all.push_back(Json{{"key", record.key}, {"findings", record.findings}, {"timingS", seconds}});
+  }
+  return all;
+}
+
+void readRecords(const Json& j, Job& job) {
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    StageRecord& record = job.stages[i];
+    j.at(i).at("key").get_to(record.key);
+    j.at(i).at("findings").get_to(record.findings);
+    const Json& seconds = j.at(i).at("timingS");
+    for (const TimingName& row : kTimingNames)
+      if (seconds.is_object() && seconds.contains(row.key))
+        seconds.at(row.key).get_to(record.timings.*row.seconds);
+  }
+}
+
+Json tableJson(const std::vector<BlockRow>& rows) {
+  Json table = Json::array();
+  for (const BlockRow& row : rows)
+    table.push_back(Json{{"name", row.name},
+                         {"offset", row.offset},
+                         {"bytes", row.bytes},
+                         {"item", row.item},
+                         {"crc32", row.crc32}});
+  return table;
+}
+
+std::vector<BlockRow> readTable(const Json& j) {
+  std::vector<BlockRow> table;
+  for (const Json& row : j)
+    table.push_back({row.at("name").get<std::string>(), row.at("offset").get<std::size_t>(),
+                     row.at("bytes").get<std::size_t>(), row.at("item").get<std::size_t>(),
+                     row.at("crc32").get<std::uint32_t>()});
+  return table;
+}
+
+// ---- the file's frame
+
+// Takes a number and the character that ends it off the front; false: there is none.
+bool takeNumber(std::string_view& text, char end, std::size_t& value) {
+  const auto [rest, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto used = static_cast<std::size_t>(rest - text.data());
+  if (status != std::errc{} || used >= text.size() || *rest != end)
+    return false;
+  text.remove_prefix(used + 1);
+  return true;
+}
+
+struct Frame {
+  int format = 0;
+  std::string_view header, body;
 };
 
-class BlockReader {
-public:
-  BlockReader(std::string where, const Json& table, std::string_view bytes)
-      : where_(std::move(where)), table_(table), bytes_(bytes) {}
-
-  template <typename T> std::vector<T> get(const std::string& name) const {
-    for (const Json& row : table_) {
-      if (row.at("name") != name)
-        continue;
-      const auto offset = row.at("offset").get<std::size_t>();
-      const auto length = row.at("bytes").get<std::size_t>();
-      if (offset > bytes_.size() || length > bytes_.size() - offset)
-        throw base::Error(base::ErrorCode::UnreadableFile, "the job file is cut short", where_,
-                          "plan the part again");
-      const std::string_view block = bytes_.substr(offset, length);
-      if (row.at("item").get<std::size_t>() != sizeof(T) || length % sizeof(T) != 0 ||
-          crcOf(block) != row.at("crc32").get<std::uint32_t>())
-        throw base::Error(base::ErrorCode::UnreadableFile,
-                          "block '" + name + "' of the job file is damaged", where_,
-                          "plan the part again");
-      std::vector<T> values(length / sizeof(T));
-      std::memcpy(static_cast<void*>(values.data()), block.data(), length);
-      return values;
-    }
-    throw base::Error(base::ErrorCode::UnreadableFile, "the job file lacks '" + name + "'", where_,
-                      "plan the part again");
-  }
-
-private:
-  std::string where_;
-  const Json& table_;
-  std::string_view bytes_;
-};
-
-// Paths are stored as columns, so that the format doesn't depend on the struct's layout.
-void addToolPlan(BlockWriter& out, const plan::ToolPlan& p) {
-  out.add("plan.position", p.position);
-  out.add("plan.direction", p.direction);
-  out.add("plan.width", p.widthMm);
-  out.add("plan.height", p.heightMm);
-  out.add("plan.speed", p.speedMmPerS);
-  std::vector<std::int64_t> rows;
-  for (const plan::ToolPath& path : p.paths)
-    rows.insert(rows.end(),
-                {static_cast<std::int64_t>(path.first), static_cast<std::int64_t>(path.count),
-                 static_cast<std::int64_t>(path.kind), path.layer, path.patch, path.group,
-                 path.closed ? 1 : 0});
-  out.add("plan.paths", rows);
+Frame frameOf(std::string_view bytes, const std::string& where) {
+  if (!bytes.starts_with(kMagic))
+    throw unreadable("not a Voluta job", where);
+  std::string_view rest = bytes.substr(kMagic.size());
+  std::size_t format = 0, length = 0, crc = 0;
+  if (!takeNumber(rest, '\n', format) || format == 0)
+    throw unreadable("the job file is damaged or cut short in its first line", where);
+  if (format > static_cast<std::size_t>(kFormat))
+    throw unreadable("made by a newer version of Voluta (format " + std::to_string(format) +
+                         "; this one reads up to " + std::to_string(kFormat) + ")",
+                     where, "open it with the version that made it, or install that one");
+  const bool summed = format >= 2; // format 1 has no checksum of its header
+  if (!takeNumber(rest, summed ? ' ' : '\n', length) || (summed && !takeNumber(rest, '\n', crc)) ||
+      length > rest.size())
+    throw unreadable("the job file is cut short", where);
+  Frame frame{static_cast<int>(format), rest.substr(0, length), rest.substr(length)};
+  if (summed && crcOf(frame.header) != crc)
+    throw unreadable("the job file's header is damaged", where);
+  return frame;
 }
 
-plan::ToolPlan getToolPlan(const BlockReader& in) {
-  plan::ToolPlan p;
-  p.position = in.get<Eigen::Vector3d>("plan.position");
-  p.direction = in.get<Eigen::Vector3d>("plan.direction");
-  p.widthMm = in.get<float>("plan.width");
-  p.heightMm = in.get<float>("plan.height");
-  p.speedMmPerS = in.get<float>("plan.speed");
-  const std::vector<std::int64_t> rows = in.get<std::int64_t>("plan.paths");
-  for (std::size_t i = 0; i + 7 <= rows.size(); i += 7) {
-    plan::ToolPath path;
-    path.first = static_cast<std::size_t>(rows[i]);
-    path.count = static_cast<std::size_t>(rows[i + 1]);
-    path.kind = static_cast<plan::PathKind>(rows[i + 2]);
-    path.layer = static_cast<int>(rows[i + 3]);
-    path.patch = static_cast<int>(rows[i + 4]);
-    path.group = static_cast<int>(rows[i + 5]);
-    path.closed = rows[i + 6] != 0;
-    p.paths.push_back(path);
+Job readFrame(const Frame& frame, const std::string& where) {
+  Job job;
+  const Json header = Json::parse(frame.header);
+  header.at("part").get_to(job.partName);
+  header.at("scale").get_to(job.scale);
+  job.choices = readChoices(header.at("choices"), frame.format);
+  const BlockReader blocks(where, readTable(header.at("blocks")), frame.body);
+  const auto holds = [&](const char* key) { return header.at(key).get<bool>(); };
+  if (frame.format == 1 || holds("placed"))
+    job.part = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "part"));
+  job.platform = blocks.get<Eigen::Vector2d>("platform");
+  if (holds("planned"))
+    job.toolPlan = std::make_shared<plan::ToolPlan>(getToolPlan(blocks));
+  if (const int dof = header.at("dof").get<int>(); dof > 0)
+    job.trajectory = std::make_shared<plan::Trajectory>(getTrajectory(blocks, dof));
+  if (frame.format >= 2) {
+    job.loaded = getLoaded(blocks);
+    if (holds("decomposed"))
+      job.decomposition = std::make_shared<curved::Decomposition>(getDecomposition(blocks));
+    if (holds("layered"))
+      job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
+    job.report = readReportJson(blocks.text("report"));
+    readRecords(header.at("stages"), job);
+    if (!header.at("reached").is_null())
+      job.reached = stageOf(header.at("reached").get<std::string>());
   }
-  return p;
-}
-
-void addTrajectory(BlockWriter& out, const plan::Trajectory& t) {
-  out.add("trajectory.joints", t.joints);
-  out.add("trajectory.time", t.timeS);
-  std::vector<std::uint8_t> move;
-  std::vector<std::uint64_t> waypoint(t.waypoint.begin(), t.waypoint.end());
-  for (const plan::MoveKind kind : t.move)
-    move.push_back(static_cast<std::uint8_t>(kind));
-  out.add("trajectory.move", move);
-  out.add("trajectory.waypoint", waypoint);
-  out.add("trajectory.extruded", t.extrudedMm3);
-}
-
-plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
-  plan::Trajectory t;
-  t.dof = dof;
-  t.joints = in.get<double>("trajectory.joints");
-  t.timeS = in.get<double>("trajectory.time");
-  for (const std::uint8_t kind : in.get<std::uint8_t>("trajectory.move"))
-    t.move.push_back(static_cast<plan::MoveKind>(kind));
-  for (const std::uint64_t w : in.get<std::uint64_t>("trajectory.waypoint"))
-    t.waypoint.push_back(static_cast<std::size_t>(w));
-  t.extrudedMm3 = in.get<double>("trajectory.extruded");
-  return t;
-}
-
-void requireConsistent(const Job& job, const std::string& where) {
-  bool good = true;
-  if (const auto& mesh = job.part) {
-    for (const auto& triangle : mesh->triangles)
-      for (const int v : triangle)
-        good = good && v >= 0 && static_cast<std::size_t>(v) < mesh->vertices.size();
-  }
-  if (job.toolPlan) {
-    const plan::ToolPlan& p = *job.toolPlan;
-    const std::size_t n = p.waypointCount();
-    good = good && p.direction.size() == n && p.widthMm.size() == n && p.heightMm.size() == n &&
-           p.speedMmPerS.size() == n;
-    for (const plan::ToolPath& path : p.paths)
-      good = good && path.first <= n && path.count <= n - path.first;
-  }
-  if (job.trajectory) {
-    const plan::Trajectory& t = *job.trajectory;
-    const std::size_t n = t.pointCount();
-    good = good && t.dof > 0 && t.joints.size() == n * static_cast<std::size_t>(t.dof) &&
-           t.move.size() == n && t.waypoint.size() == n && t.extrudedMm3.size() == n;
-    for (const std::size_t w : t.waypoint)
-      good =
-          good && (w == plan::kNoWaypoint || (job.toolPlan && w < job.toolPlan->waypointCount()));
-  }
-  if (!good)
-    throw base::Error(base::ErrorCode::UnreadableFile, "the job file contradicts itself", where,
-                      "plan the part again");
+  if (!std::isfinite(job.scale) || job.scale <= 0.0 || !isConsistent(job))
+    throw unreadable("the job file contradicts itself", where, "plan the part again");
+  if (!job.loaded)
+    job.loaded = loadedFromPlaced(job);
+  return job;
 }
 } // namespace
 
 std::string jobBytes(const Job& job) {
-  base::require(job.part != nullptr, "jobBytes: a job has a part");
+  base::require(job.loaded != nullptr, "jobBytes: a job has a part");
   BlockWriter blocks;
-  blocks.add("part.vertices", job.part->vertices);
-  blocks.add("part.triangles", job.part->triangles);
+  addLoaded(blocks, *job.loaded);
+  if (job.part)
+    addMesh(blocks, "part", *job.part);
   blocks.add("platform", job.platform);
+  if (job.decomposition)
+    addDecomposition(blocks, *job.decomposition);
+  if (job.layers)
+    addLayers(blocks, *job.layers);
   if (job.toolPlan)
     addToolPlan(blocks, *job.toolPlan);
   if (job.trajectory)
     addTrajectory(blocks, *job.trajectory);
-  const Choices& c = job.choices;
+  blocks.addText("report", reportJson(job.report));
   const Json header{{"part", job.partName},
                     {"scale", job.scale},
-                    {"choices", Json{{"mode", c.mode},
-                                     {"growth", c.growth},
-                                     {"platform", c.platform},
-                                     {"cell", c.cell},
-                                     {"process", c.process},
-                                     {"scale", c.scale},
-                                     {"formats", c.formats},
-                                     {"parameters", c.parameters},
-                                     {"seed", c.seed}}},
+                    {"choices", choicesJson(job.choices)},
+                    {"reached", job.reached ? Json(stageName(*job.reached)) : Json()},
+                    {"stages", recordsJson(job)},
+                    {"placed", job.part != nullptr},
+                    {"decomposed", job.decomposition != nullptr},
+                    {"layered", job.layers != nullptr},
                     {"planned", job.toolPlan != nullptr},
                     {"dof", job.trajectory ? job.trajectory->dof : 0},
-                    {"blocks", blocks.table()}};
-  const std::string text = header.dump(1);
-  return std::string(kMagic) + std::to_string(text.size()) + "\n" + text + blocks.bytes();
+                    {"blocks", tableJson(blocks.table())}};
+  const std::string text = header.dump(1, ' ', false, Json::error_handler_t::replace);
+  std::string bytes = std::string(kMagic) + std::to_string(kFormat) + "\n" +
+                      std::to_string(text.size()) + " " + std::to_string(crcOf(text)) + "\n";
+  bytes.reserve(bytes.size() + text.size() + blocks.size());
+  bytes += text;
+  blocks.appendTo(bytes);
+  return bytes;
 }
 
 void writeJob(const std::filesystem::path& file, const Job& job) {
@@ -208,52 +333,16 @@ void writeJob(const std::filesystem::path& file, const Job& job) {
 Job readJob(const std::filesystem::path& file) {
   const std::string where = file.string();
   const std::string bytes = base::readFile(file);
-  const auto damaged = [&](const std::string& what) {
-    return base::Error(base::ErrorCode::UnreadableFile, what, where);
-  };
-  if (bytes.compare(0, 7, "VOLUTA ") != 0)
-    throw damaged("not a Voluta job");
-  if (bytes.compare(0, kMagic.size(), kMagic) != 0)
-    throw damaged("a job of another version of Voluta");
-  const std::size_t lineEnd = bytes.find('\n', kMagic.size());
-  if (lineEnd == std::string::npos || lineEnd - kMagic.size() > 12)
-    throw damaged("the job file is cut short");
-  Job job;
+  const Frame frame = frameOf(bytes, where);
   try {
-    const std::size_t length = std::stoul(bytes.substr(kMagic.size(), lineEnd - kMagic.size()));
-    if (length > bytes.size() - lineEnd - 1)
-      throw damaged("the job file is cut short");
-    const std::string_view all = bytes;
-    const Json header = Json::parse(all.substr(lineEnd + 1, length));
-    const Json& c = header.at("choices");
-    job.partName = header.at("part").get<std::string>();
-    job.scale = header.at("scale").get<double>();
-    c.at("mode").get_to(job.choices.mode);
-    c.at("growth").get_to(job.choices.growth);
-    c.at("platform").get_to(job.choices.platform);
-    c.at("cell").get_to(job.choices.cell);
-    c.at("process").get_to(job.choices.process);
-    c.at("scale").get_to(job.choices.scale);
-    c.at("formats").get_to(job.choices.formats);
-    c.at("parameters").get_to(job.choices.parameters);
-    c.at("seed").get_to(job.choices.seed);
-    const BlockReader blocks(where, header.at("blocks"), all.substr(lineEnd + 1 + length));
-    geometry::TriangleMesh mesh;
-    mesh.vertices = blocks.get<Eigen::Vector3d>("part.vertices");
-    mesh.triangles = blocks.get<std::array<int, 3>>("part.triangles");
-    job.part = std::make_shared<geometry::TriangleMesh>(std::move(mesh));
-    job.platform = blocks.get<Eigen::Vector2d>("platform");
-    if (header.at("planned").get<bool>())
-      job.toolPlan = std::make_shared<plan::ToolPlan>(getToolPlan(blocks));
-    if (const int dof = header.at("dof").get<int>(); dof > 0)
-      job.trajectory = std::make_shared<plan::Trajectory>(getTrajectory(blocks, dof));
+    return readFrame(frame, where);
   } catch (const nlohmann::json::exception& e) {
-    throw damaged(std::string("the job file's header is damaged: ") + e.what());
-  } catch (const std::logic_error&) {
-    throw damaged("the job file's header is damaged");
+    throw unreadable(std::string("the job file's header is damaged: ") + e.what(), where);
+  } catch (const base::Error& e) {
+    if (e.code() == base::ErrorCode::UnreadableFile && !e.context().empty())
+      throw;
+    throw unreadable(e.message(), where, e.remedy());
   }
-  requireConsistent(job, where);
-  return job;
 }
 
 } // namespace voluta::pipeline

@@ -13,7 +13,7 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
   const std::vector<plan::ProgramFile> files{
       {program.filename().string(), base::readFile(program)}};
   const Job planned = readJob(job);
-  if (!planned.toolPlan || !planned.trajectory)
+  if (!planned.part || !planned.toolPlan || !planned.trajectory)
     throw base::Error(base::ErrorCode::UnusableInput, "the job holds no motion to verify against",
                       job.string(), "plan it without --until");
   const program::Dialect* dialect = program::detectDialect(files[0].name, files[0].text);

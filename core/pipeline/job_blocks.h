@@ -1,0 +1,38 @@
+// The results of a job as blocks. Structs are stored as columns, so that the format doesn't depend
+// on their layout.
+#pragma once
+
+#include "curved/decomposition.h"
+#include "geometry/triangle_mesh.h"
+#include "layers/layer_stack.h"
+#include "pipeline/block_file.h"
+#include "pipeline/job.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+
+#include <string>
+
+namespace voluta::pipeline {
+
+// What is added has to outlive the writer. Getters throw Error{UnreadableFile}.
+void addMesh(BlockWriter& out, const std::string& name, const geometry::TriangleMesh& mesh);
+geometry::TriangleMesh getMesh(const BlockReader& in, const std::string& name);
+
+void addDecomposition(BlockWriter& out, const curved::Decomposition& decomposition);
+// Findings are not among it: the report has them.
+curved::Decomposition getDecomposition(const BlockReader& in);
+
+void addLayers(BlockWriter& out, const layers::LayerStack& stack);
+layers::LayerStack getLayers(const BlockReader& in);
+
+void addToolPlan(BlockWriter& out, const plan::ToolPlan& toolPlan);
+plan::ToolPlan getToolPlan(const BlockReader& in);
+
+void addTrajectory(BlockWriter& out, const plan::Trajectory& trajectory);
+plan::Trajectory getTrajectory(const BlockReader& in, int dof);
+
+// Do indices lie in their arrays, are arrays of one length, are coordinates finite, is there what
+// `reached` says?
+bool isConsistent(const Job& job);
+
+} // namespace voluta::pipeline
