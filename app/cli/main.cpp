@@ -1,5 +1,6 @@
 // voluta-cli: everything that the window can do, without one (DESIGN §5).
 #include "cli/commands.h"
+#include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/version.h"
 
@@ -110,6 +111,23 @@ void addList(CLI::App& app, Parsed& parsed) {
   list->callback([options, &parsed] { parsed.run = [options] { return listCommand(*options); }; });
 }
 
+void addRender(CLI::App& app, Parsed& parsed) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* render = app.add_subcommand("render", "a picture of a job, also without a display");
+  render->add_option("JOB", options->job, "job.voluta")->required();
+  render->add_option("-o", options->picture, "PNG file to write")->required();
+  render->add_option("--show", options->show, "part, voxels, layers, paths or robot");
+  render->add_option("--layer", options->layer, "show layers 1 to this one");
+  render->add_option("--time", options->timeS, "robot: seconds from the program's start");
+  render->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
+  render->add_option("--colour", options->colour,
+                     "layer, group, kind, height, width, speed, time or direction");
+  render->add_option("--view", options->view, "isometric, front, back, left, right, top or bottom");
+  render->add_flag("--dark", options->dark, "dark background");
+  render->callback(
+      [options, &parsed] { parsed.run = [options] { return renderCommand(*options); }; });
+}
+
 // Values such as "-90,10" belong to their option though they begin with a dash.
 std::vector<std::string> joinedNegativeValues(int argc, char** argv) {
   std::vector<std::string> words;
@@ -132,6 +150,7 @@ int run(int argc, char** argv) {
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   addPlan(app, parsed, threads);
   addVerify(app, parsed, threads);
+  addRender(app, parsed);
   addInspect(app, parsed);
   addRobot(app, parsed);
   addList(app, parsed);

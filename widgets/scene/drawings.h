@@ -25,7 +25,7 @@ struct LayersDrawing;
 struct PathsDrawing;
 struct CellDrawing;
 
-// The part as a solid: shaded smoothly up to a feature angle of 35 degrees, edges sharper than
+// The part as a solid: shaded smoothly up to a feature angle of 45 degrees, edges sharper than
 // that and open boundaries as lines.
 std::shared_ptr<const PartDrawing> drawPart(const geometry::TriangleMesh& part);
 
@@ -46,7 +46,7 @@ std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack)
 int layerCount(const LayersDrawing& drawing);
 
 // Beads with their width and height, travel moves between them. `trajectory` gives the times for
-// ColourBy::Time; without it that colouring falls back on the order of printing.
+// ColourBy::Time; without it that colouring falls back on the layer.
 std::shared_ptr<const PathsDrawing> drawPaths(const plan::ToolPlan& plan,
                                               const plan::Trajectory* trajectory = nullptr);
 int layerCount(const PathsDrawing& drawing);

@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,10 +26,12 @@ public:
   OffscreenTarget(const OffscreenTarget&) = delete;
   OffscreenTarget& operator=(const OffscreenTarget&) = delete;
 
-  // width, height in [16, 8192]. Each pixel is the mean of samples x samples (1 or more); text
-  // keeps its size. Throws Error{Usage} for a size out of range. Call on the thread that made the
-  // target; the scene's renderer must be in no other window.
-  Image imageOf(Scene& scene, int width, int height, int samples = 2);
+  // width, height in [16, 8192]. `placeCamera` is called once the scene knows the picture's
+  // proportions (frameAll() and its like need them). Each pixel is the mean of samples x samples
+  // (1 or more); text keeps its size. Throws Error{Usage} for a size out of range. Call on the
+  // thread that made the target; the scene's renderer must be in no other window.
+  Image imageOf(Scene& scene, int width, int height, const std::function<void()>& placeCamera = {},
+                int samples = 2);
 
 private:
   struct Impl;

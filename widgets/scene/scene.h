@@ -44,6 +44,9 @@ public:
 
   // Null: not there. What a view asks for and is not there is not drawn.
   void setPart(std::shared_ptr<const PartDrawing> part);
+  // Draws the part moved, until it is set again: while handles are dragged. Picks, sections and
+  // frames are of the part where it was.
+  void setPartPreview(const Eigen::Affine3d& moved_T_part);
   void setPlatform(std::shared_ptr<const PlatformDrawing> platform);
   void setVoxels(std::shared_ptr<const VoxelDrawing> voxels);
   void setLayers(std::shared_ptr<const LayersDrawing> layers);

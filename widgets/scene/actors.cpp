@@ -1,0 +1,93 @@
+#include "scene/actors.h"
+
+#include <vtkLight.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+namespace voluta::scene {
+
+namespace {
+
+// A mapper keeps times on its input: each scene has its own shell over the shared arrays.
+vtkSmartPointer<vtkPolyData> shellOf(vtkPolyData* data) {
+  auto shell = vtkSmartPointer<vtkPolyData>::New();
+  if (data)
+    shell->ShallowCopy(data);
+  return shell;
+}
+
+} // namespace
+
+RangeActor RangeActor::make(vtkRenderer* renderer) {
+  RangeActor out;
+  out.actor = vtkSmartPointer<vtkActor>::New();
+  out.mapper = vtkSmartPointer<RangeMapper>::New();
+  out.actor->SetMapper(out.mapper);
+  giveSolidLook(out.actor);
+  out.mapper->SetInputData(shellOf(nullptr));
+  renderer->AddActor(out.actor);
+  return out;
+}
+
+void RangeActor::setData(vtkPolyData* data) {
+  mapper->SetInputData(shellOf(data));
+}
+
+vtkSmartPointer<vtkActor> addSolid(vtkRenderer* renderer) {
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->ScalarVisibilityOff();
+  mapper->SetInputData(shellOf(nullptr));
+  actor->SetMapper(mapper);
+  giveSolidLook(actor);
+  renderer->AddActor(actor);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> addLines(vtkRenderer* renderer) {
+  auto actor = addSolid(renderer);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+void setData(vtkActor* actor, vtkPolyData* data) {
+  static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(shellOf(data));
+}
+
+void setColour(vtkActor* actor, const Colour& colour) {
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+}
+
+void setPose(vtkActor* actor, const Eigen::Isometry3d& world_T_model) {
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c)
+      matrix->SetElement(r, c, world_T_model(r, c));
+  actor->SetUserMatrix(matrix);
+}
+
+void giveSolidLook(vtkActor* actor) {
+  vtkProperty* look = actor->GetProperty();
+  look->SetAmbient(0.42);
+  look->SetDiffuse(0.68);
+  look->SetSpecular(0.06);
+  look->SetSpecularPower(20.0);
+}
+
+void addLights(vtkRenderer* renderer) {
+  renderer->AutomaticLightCreationOff();
+  const auto add = [&](double x, double y, double z, double intensity) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(x, y, z);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(intensity);
+    renderer->AddLight(light);
+  };
+  add(-0.40, 0.70, 1.0, 0.85);
+  add(0.8, -0.15, 0.7, 0.25);
+}
+
+} // namespace voluta::scene

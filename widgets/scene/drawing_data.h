@@ -1,0 +1,83 @@
+// What the drawings hold. Private to the module.
+#pragma once
+
+#include "scene/colouring.h"
+#include "scene/drawings.h"
+#include "scene/layered_faces.h"
+
+#include <cstdint>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+namespace voluta::scene {
+
+struct PartDrawing {
+  geometry::TriangleMesh mesh;
+  vtkSmartPointer<vtkPolyData> surface, edges;
+  Eigen::AlignedBox3d box;
+};
+
+struct PlatformDrawing {
+  std::vector<Eigen::Vector2d> polygon;
+  vtkSmartPointer<vtkPolyData> plate, outline, grid;
+  Eigen::AlignedBox3d box; // of the plate
+};
+
+struct VoxelDrawing {
+  voxel::VoxelGrid grid;
+  std::vector<std::int32_t> rank;
+  int layers = 0;
+  // Faces on the outside, and those between ranks: these are needed only when not all layers are
+  // shown.
+  vtkSmartPointer<vtkPolyData> outside, inside, missed;
+  LayeredFaces outer, upper, lower;
+  Eigen::AlignedBox3d box;
+};
+
+// Values behind the colourings, one an item.
+struct ColourValues {
+  std::vector<std::int32_t> layer, group, kind; // empty: no such colouring
+  std::vector<float> height, width, speed, minutes, tiltDeg;
+};
+
+struct LayersDrawing {
+  vtkSmartPointer<vtkPolyData> surface;
+  LayeredFaces bands, upper, lower;
+  ColourValues values; // a point
+  std::vector<std::uint32_t> patchOfTriangle;
+  Eigen::AlignedBox3d box;
+  int layers = 0;
+};
+
+// Stretch of beads that is hidden as a whole once all that lies around it is there.
+struct BeadChunk {
+  std::size_t first = 0, count = 0; // segments, in drawn order
+  int layer = 0, hidingLayer = 0;
+  std::uint32_t hidingWaypoint = 0;
+};
+
+struct PathsDrawing {
+  // Points 2 i and 2 i + 1 are the two sides of waypoint i's bead; a segment is two triangles.
+  vtkSmartPointer<vtkPolyData> beads;
+  vtkSmartPointer<vtkPolyData> travels; // one line a travel move
+  // Segments in drawn order: by layer, within it in print order; the ones that stay visible first,
+  // then the others in chunks.
+  std::vector<std::uint32_t> arrival; // waypoint at a segment's end
+  std::vector<std::size_t> outerStart;
+  std::vector<BeadChunk> chunks;
+  std::vector<std::size_t> chunkStart; // of a layer, in chunks
+  std::vector<std::uint32_t> travelArrival;
+  std::vector<std::size_t> travelStart;
+  std::vector<std::vector<std::uint32_t>> waypointsOfLayer;
+  std::vector<std::uint32_t> pathOf; // a waypoint
+  std::vector<int> layerOfPath;
+  ColourValues values; // a waypoint
+  Eigen::AlignedBox3d box;
+};
+
+struct CellDrawing {
+  robot::Cell cell;
+  std::vector<vtkSmartPointer<vtkPolyData>> bodies;
+};
+
+} // namespace voluta::scene

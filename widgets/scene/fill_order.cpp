@@ -1,0 +1,79 @@
+#include "scene/fill_order.h"
+
+#include "base/units.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::scene {
+
+namespace {
+
+// Beads farther apart than this many cells count as open: a cell is a bead wide, and the next
+// cell's beads must not be mistaken for the bead itself.
+constexpr double kReachInCells = 1.4;
+constexpr double kMaxCells = 4e7;
+
+Eigen::Vector3d centreOf(const plan::ToolPlan& plan, std::size_t i) {
+  return plan.position[i] - 0.5 * double(plan.heightMm[i]) * plan.direction[i];
+}
+
+} // namespace
+
+FillOrder::FillOrder(const plan::ToolPlan& plan) {
+  Eigen::AlignedBox3d box;
+  double width = 0.0;
+  for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
+    box.extend(plan.position[i]);
+    width += plan.widthMm[i];
+  }
+  if (box.isEmpty())
+    return;
+  grid_.pitch = std::max(0.1, width / static_cast<double>(plan.waypointCount()));
+  const Eigen::Vector3d sizes = box.sizes().array() + 4 * grid_.pitch;
+  grid_.pitch = std::max(grid_.pitch, std::cbrt(sizes.prod() / kMaxCells));
+  grid_.origin = box.min() - Eigen::Vector3d::Constant(2 * grid_.pitch);
+  grid_.size = (sizes / grid_.pitch).array().ceil().matrix().cast<int>();
+  filledAt_.assign(grid_.cellCount(), kNeverFilled);
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+      const Eigen::Vector3d to = centreOf(plan, i);
+      const Eigen::Vector3d from = i > path.first ? centreOf(plan, i - 1) : to;
+      const int steps =
+          std::max(1, static_cast<int>(std::ceil(2 * (to - from).norm() / grid_.pitch)));
+      for (int s = 0; s <= steps; ++s) {
+        const Eigen::Vector3i c = grid_.cellOf(from + (to - from) * (double(s) / steps));
+        if (!grid_.contains(c.x(), c.y(), c.z()))
+          continue;
+        std::uint32_t& cell = filledAt_[grid_.index(c.x(), c.y(), c.z())];
+        cell = std::min(cell, static_cast<std::uint32_t>(i));
+      }
+    }
+}
+
+std::uint32_t FillOrder::filledAt(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3i c = grid_.cellOf(point);
+  return grid_.contains(c.x(), c.y(), c.z()) ? filledAt_[grid_.index(c.x(), c.y(), c.z())]
+                                             : kNeverFilled;
+}
+
+std::uint32_t FillOrder::surroundedAt(const plan::ToolPlan& plan, std::size_t waypoint) const {
+  const Eigen::Vector3d a = centreOf(plan, waypoint - 1), b = centreOf(plan, waypoint);
+  const Eigen::Vector3d middle = (a + b) / 2;
+  const Eigen::Vector3d up = plan.direction[waypoint];
+  const Eigen::Vector3d side = (b - a).cross(up).normalized();
+  const double reach = kReachInCells * grid_.pitch;
+  std::uint32_t last = 0;
+  for (int i = 0; i < 8; ++i) {
+    const double angle = i * base::kPi / 4;
+    // What lies on the platform is closed from below.
+    const Eigen::Vector3d probe = middle + reach * (std::cos(angle) * side + std::sin(angle) * up);
+    if (probe.z() < 0.0)
+      continue;
+    last = std::max(last, filledAt(probe));
+  }
+  return last;
+}
+
+} // namespace voluta::scene

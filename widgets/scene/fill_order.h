@@ -1,0 +1,31 @@
+// When each place of a plan is filled, on a coarse grid: enough to tell which beads end up hidden.
+#pragma once
+
+#include "plan/tool_plan.h"
+#include "voxel/voxel_grid.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace voluta::scene {
+
+inline constexpr std::uint32_t kNeverFilled = std::numeric_limits<std::uint32_t>::max();
+
+class FillOrder {
+public:
+  explicit FillOrder(const plan::ToolPlan& plan);
+
+  // The waypoint with whose arrival the bead that ends at `waypoint` (coming from the one before
+  // it) is surrounded on all sides; kNeverFilled where a side stays open. Precondition: it is not
+  // the first of its path.
+  std::uint32_t surroundedAt(const plan::ToolPlan& plan, std::size_t waypoint) const;
+
+private:
+  std::uint32_t filledAt(const Eigen::Vector3d& point) const;
+
+  voxel::VoxelGrid grid_;
+  std::vector<std::uint32_t> filledAt_;
+};
+
+} // namespace voluta::scene

@@ -1,0 +1,219 @@
+#include "scene/drawing_data.h"
+#include "scene/mesh_buffers.h"
+
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+namespace voluta::scene {
+
+namespace {
+
+using CellKey = std::uint64_t;
+
+// Which layers have material in a cell: asked for the next one above or below a layer.
+class LayerMarks {
+public:
+  LayerMarks(const Eigen::Vector3d& origin, double pitch) : origin_(origin), pitch_(pitch) {}
+
+  void mark(const Eigen::Vector3d& p, std::int32_t layer) { marks_.emplace_back(keyOf(p), layer); }
+  void finish() {
+    std::sort(marks_.begin(), marks_.end());
+    marks_.erase(std::unique(marks_.begin(), marks_.end()), marks_.end());
+    for (std::size_t i = 0; i < marks_.size(); ++i)
+      if (i == 0 || marks_[i].first != marks_[i - 1].first)
+        firstOf_.emplace(marks_[i].first, i);
+  }
+  std::optional<std::int32_t> above(const Eigen::Vector3d& p, std::int32_t layer) const {
+    for (std::size_t i = firstAt(p), end = i; i < marks_.size(); ++i) {
+      if (marks_[i].first != marks_[end].first)
+        break;
+      if (marks_[i].second > layer)
+        return marks_[i].second;
+    }
+    return std::nullopt;
+  }
+  std::optional<std::int32_t> below(const Eigen::Vector3d& p, std::int32_t layer) const {
+    std::optional<std::int32_t> best;
+    for (std::size_t i = firstAt(p), begin = i; i < marks_.size(); ++i) {
+      if (marks_[i].first != marks_[begin].first || marks_[i].second >= layer)
+        break;
+      best = marks_[i].second;
+    }
+    return best;
+  }
+
+private:
+  CellKey keyOf(const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d c = ((p - origin_) / pitch_).array().floor().matrix();
+    constexpr double kHalf = 1 << 20; // 21 bits an axis
+    return (static_cast<CellKey>(c.x() + kHalf) << 42) |
+           (static_cast<CellKey>(c.y() + kHalf) << 21) | static_cast<CellKey>(c.z() + kHalf);
+  }
+  std::size_t firstAt(const Eigen::Vector3d& p) const {
+    const auto found = firstOf_.find(keyOf(p));
+    return found == firstOf_.end() ? marks_.size() : found->second;
+  }
+
+  Eigen::Vector3d origin_;
+  double pitch_;
+  std::vector<std::pair<CellKey, std::int32_t>> marks_;
+  std::unordered_map<CellKey, std::size_t> firstOf_;
+};
+
+double meanThickness(const layers::LayerStack& stack) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const layers::Patch& patch : stack.patches)
+    for (const double t : patch.thicknessMm) {
+      sum += t;
+      ++count;
+    }
+  return count > 0 ? sum / static_cast<double>(count) : 1.0;
+}
+
+LayerMarks marksOf(const layers::LayerStack& stack) {
+  LayerMarks marks(Eigen::Vector3d::Zero(), meanThickness(stack));
+  for (const layers::Patch& patch : stack.patches)
+    for (const auto& t : patch.surface.triangles) {
+      const Eigen::Vector3d &a = patch.surface.vertices[static_cast<std::size_t>(t[0])],
+                            &b = patch.surface.vertices[static_cast<std::size_t>(t[1])],
+                            &c = patch.surface.vertices[static_cast<std::size_t>(t[2])];
+      for (const Eigen::Vector3d& p :
+           {a, b, c, Eigen::Vector3d((a + b) / 2), Eigen::Vector3d((b + c) / 2),
+            Eigen::Vector3d((c + a) / 2), Eigen::Vector3d((a + b + c) / 3)})
+        marks.mark(p, patch.layer);
+    }
+  marks.finish();
+  return marks;
+}
+
+using Edge = std::pair<int, int>;
+
+// Edges of one triangle only, in that triangle's sense.
+std::vector<Edge> boundaryOf(const geometry::TriangleMesh& surface) {
+  std::vector<std::pair<Edge, Edge>> edges; // sorted ends, and as the triangle runs
+  for (const auto& t : surface.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Edge edge{t[k], t[(k + 1) % 3]};
+      edges.push_back({std::minmax(edge.first, edge.second), edge});
+    }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> boundary;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t j = i + 1;
+    while (j < edges.size() && edges[j].first == edges[i].first)
+      ++j;
+    if (j == i + 1)
+      boundary.push_back(edges[i].second);
+    i = j;
+  }
+  return boundary;
+}
+
+// Collects points with their values and triangles with their patch, each triangle to one of the
+// three kinds of faces.
+class SlabBuilder {
+public:
+  void add(const layers::Patch& patch, std::uint32_t index, const LayerMarks& marks) {
+    const auto& vertices = patch.surface.vertices;
+    std::vector<std::int32_t> top(vertices.size()), bottom(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      const Eigen::Vector3d half = 0.5 * patch.thicknessMm[v] * patch.direction[v];
+      top[v] = addPoint(vertices[v] + half, patch.direction[v], patch, v);
+      bottom[v] = addPoint(vertices[v] - half, -patch.direction[v], patch, v);
+    }
+    for (const auto& t : patch.surface.triangles) {
+      const auto a = static_cast<std::size_t>(t[0]), b = static_cast<std::size_t>(t[1]),
+                 c = static_cast<std::size_t>(t[2]);
+      const Eigen::Vector3d centre = (vertices[a] + vertices[b] + vertices[c]) / 3.0;
+      const Eigen::Vector3d step =
+          (patch.thicknessMm[a] * patch.direction[a] + patch.thicknessMm[b] * patch.direction[b] +
+           patch.thicknessMm[c] * patch.direction[c]) /
+          3.0;
+      const auto above = marks.above(centre + step, patch.layer);
+      const auto below = marks.below(centre - step, patch.layer);
+      addFace(upper, patch.layer, above ? *above : kNeverHidden, {top[a], top[b], top[c]}, index);
+      addFace(lower, patch.layer, below ? -*below : kNeverHidden, {bottom[a], bottom[c], bottom[b]},
+              index);
+    }
+    for (const auto& [from, to] : boundaryOf(patch.surface)) {
+      const auto a = static_cast<std::size_t>(from), b = static_cast<std::size_t>(to);
+      const Eigen::Vector3d out =
+          (vertices[b] - vertices[a]).cross(patch.direction[a] + patch.direction[b]).normalized();
+      const Eigen::Vector3d halfA = 0.5 * patch.thicknessMm[a] * patch.direction[a],
+                            halfB = 0.5 * patch.thicknessMm[b] * patch.direction[b];
+      const auto p = addPoint(vertices[a] - halfA, out, patch, a);
+      const auto q = addPoint(vertices[b] - halfB, out, patch, b);
+      const auto r = addPoint(vertices[b] + halfB, out, patch, b);
+      const auto s = addPoint(vertices[a] + halfA, out, patch, a);
+      addFace(bands, patch.layer, kNeverHidden, {p, q, r}, index);
+      addFace(bands, patch.layer, kNeverHidden, {p, r, s}, index);
+    }
+  }
+
+  // Appends the faces' triangles in their sorted order.
+  LayeredFaces sorted(std::vector<LayeredFace>& faces, std::vector<std::uint32_t>& patches) {
+    const std::size_t first = buffers.corners.size() / 3;
+    LayeredFaces result(faces, first, 1);
+    for (const LayeredFace& f : faces) {
+      const auto& t = triangles_[static_cast<std::size_t>(f.face)];
+      buffers.addTriangle(t[0], t[1], t[2]);
+      patches.push_back(patchOf_[static_cast<std::size_t>(f.face)]);
+    }
+    return result;
+  }
+
+  MeshBuffers buffers;
+  ColourValues values;
+  std::vector<LayeredFace> bands, upper, lower;
+
+private:
+  std::int32_t addPoint(const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
+                        const layers::Patch& patch, std::size_t vertex) {
+    values.layer.push_back(patch.layer);
+    values.group.push_back(patch.group);
+    values.height.push_back(static_cast<float>(patch.thicknessMm[vertex]));
+    values.tiltDeg.push_back(static_cast<float>(
+        base::radiansToDegrees(std::acos(std::clamp(patch.direction[vertex].z(), -1.0, 1.0)))));
+    return buffers.addPoint(p, normal);
+  }
+  void addFace(std::vector<LayeredFace>& to, std::int32_t layer, std::int32_t key,
+               const std::array<std::int32_t, 3>& triangle, std::uint32_t patch) {
+    to.push_back({layer, key, static_cast<std::int32_t>(triangles_.size())});
+    triangles_.push_back(triangle);
+    patchOf_.push_back(patch);
+  }
+
+  std::vector<std::array<std::int32_t, 3>> triangles_;
+  std::vector<std::uint32_t> patchOf_;
+};
+
+} // namespace
+
+std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack) {
+  auto drawing = std::make_shared<LayersDrawing>();
+  const LayerMarks marks = marksOf(stack);
+  SlabBuilder slabs;
+  for (std::size_t i = 0; i < stack.patches.size(); ++i) {
+    slabs.add(stack.patches[i], static_cast<std::uint32_t>(i), marks);
+    for (const Eigen::Vector3d& v : stack.patches[i].surface.vertices)
+      drawing->box.extend(v);
+    drawing->layers = std::max(drawing->layers, stack.patches[i].layer + 1);
+  }
+  drawing->bands = slabs.sorted(slabs.bands, drawing->patchOfTriangle);
+  drawing->upper = slabs.sorted(slabs.upper, drawing->patchOfTriangle);
+  drawing->lower = slabs.sorted(slabs.lower, drawing->patchOfTriangle);
+  drawing->surface = polyDataOf(slabs.buffers);
+  drawing->values = std::move(slabs.values);
+  return drawing;
+}
+
+int layerCount(const LayersDrawing& drawing) {
+  return drawing.layers;
+}
+
+} // namespace voluta::scene

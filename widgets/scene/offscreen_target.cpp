@@ -1,0 +1,198 @@
+#include "scene/offscreen_target.h"
+
+#include "scene/vtk_modules.h"
+
+#include "base/error.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <algorithm>
+#include <fmt/format.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtk_glew.h>
+
+namespace voluta::scene {
+
+namespace {
+
+constexpr int kSmallest = 16, kLargest = 8192;
+
+[[noreturn]] void noOpenGl(const char* what) {
+  throw base::Error(base::ErrorCode::UnusableInput,
+                    fmt::format("this machine gives no OpenGL 3.2 without a display: {}", what), {},
+                    "install Mesa (libegl1, libgl1-mesa-dri)");
+}
+
+// VTK's GLEW asks GLX for its version and fails on EGL though every function is there.
+class EglWindow : public vtkGenericOpenGLRenderWindow {
+public:
+  static EglWindow* New();
+  vtkTypeMacro(EglWindow, vtkGenericOpenGLRenderWindow);
+
+  void OpenGLInitContext() override {
+    if (Initialized)
+      return;
+    ContextCreationTime.Modified();
+    glewInit();
+    if (glGenVertexArrays == nullptr || glMultiDrawElements == nullptr)
+      noOpenGl("its functions cannot be found");
+    GlewInitValid = true;
+    Initialized = true;
+    int widths[2] = {1, 1};
+    glGetIntegerv(GL_ALIASED_LINE_WIDTH_RANGE, widths);
+    MaximumHardwareLineWidth = static_cast<float>(widths[1]);
+  }
+};
+vtkStandardNewMacro(EglWindow);
+
+// Surfaceless: there is nothing to draw on but framebuffers of one's own.
+class EglContext {
+public:
+  EglContext() {
+    const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+        eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    if (platformDisplay == nullptr)
+      noOpenGl("EGL lacks platform displays");
+    display_ = platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
+      noOpenGl("EGL cannot start");
+    // Any kind of surface: none is made.
+    const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint found = 0;
+    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
+                              3,
+                              EGL_CONTEXT_MINOR_VERSION,
+                              2,
+                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                              EGL_NONE};
+    if (eglBindAPI(EGL_OPENGL_API) && eglChooseConfig(display_, wanted, &config, 1, &found) &&
+        found > 0)
+      context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version);
+    if (context_ == EGL_NO_CONTEXT) {
+      eglTerminate(display_);
+      noOpenGl("no context can be made");
+    }
+  }
+  ~EglContext() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display_, context_);
+    eglTerminate(display_);
+  }
+  EglContext(const EglContext&) = delete;
+  EglContext& operator=(const EglContext&) = delete;
+
+  void makeCurrent() const {
+    if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+      noOpenGl("the context cannot be used");
+  }
+
+private:
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+// Mean of samples x samples, rows turned round: OpenGL counts them from below.
+Image reduced(const unsigned char* pixels, int width, int height, int samples) {
+  Image image{width, height, {}};
+  image.rgb.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const std::size_t row = 3 * static_cast<std::size_t>(width * samples);
+  const unsigned count = static_cast<unsigned>(samples * samples);
+  std::uint8_t* out = image.rgb.data();
+  for (int y = height - 1; y >= 0; --y)
+    for (int x = 0; x < width; ++x)
+      for (int k = 0; k < 3; ++k) {
+        unsigned sum = 0;
+        for (int j = 0; j < samples; ++j)
+          for (int i = 0; i < samples; ++i)
+            sum +=
+                pixels[static_cast<std::size_t>(y * samples + j) * row +
+                       3 * static_cast<std::size_t>(x * samples + i) + static_cast<std::size_t>(k)];
+        *out++ = static_cast<std::uint8_t>((sum + count / 2) / count);
+      }
+  return image;
+}
+
+} // namespace
+
+struct OffscreenTarget::Impl {
+  EglContext context;
+  vtkSmartPointer<EglWindow> window;
+};
+
+OffscreenTarget::OffscreenTarget() : impl_(std::make_unique<Impl>()) {
+  registerVtkModules();
+  impl_->context.makeCurrent();
+  impl_->window = vtkSmartPointer<EglWindow>::New();
+  EglWindow& window = *impl_->window;
+  window.SetOwnContext(0);
+  window.SetMultiSamples(0);
+  window.SetIsCurrent(true);
+  window.SetReadyForRendering(true);
+  window.SetSupportsOpenGL(1);
+  window.SetMapped(1);
+  window.SetShowWindow(false);
+  window.SetUseOffScreenBuffers(true);
+}
+
+OffscreenTarget::~OffscreenTarget() {
+  impl_->window->Finalize();
+}
+
+Image OffscreenTarget::imageOf(Scene& scene, int width, int height,
+                               const std::function<void()>& placeCamera, int samples) {
+  if (width < kSmallest || height < kSmallest || width > kLargest || height > kLargest)
+    throw base::Error(base::ErrorCode::Usage,
+                      fmt::format("a picture of {} x {} pixels cannot be drawn", width, height), {},
+                      fmt::format("choose {} to {} pixels a side", kSmallest, kLargest));
+  samples = std::clamp(samples, 1, std::max(1, kLargest / std::max(width, height)));
+  impl_->context.makeCurrent();
+  EglWindow& window = *impl_->window;
+  vtkRenderer* renderer = scene.renderer();
+  window.AddRenderer(renderer);
+  window.SetSize(width * samples, height * samples);
+  scene.setPixelRatio(samples);
+  if (placeCamera)
+    placeCamera();
+  const bool smoothed = renderer->GetUseFXAA();
+  if (samples > 1)
+    renderer->SetUseFXAA(false);
+  window.Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window.GetPixelData(0, 0, width * samples - 1, height * samples - 1, 0, pixels, 0);
+  const Image image = reduced(pixels->GetPointer(0), width, height, samples);
+  renderer->SetUseFXAA(smoothed);
+  scene.setPixelRatio(1.0);
+  // Buffers and programs live in this context.
+  renderer->ReleaseGraphicsResources(&window);
+  window.RemoveRenderer(renderer);
+  return image;
+}
+
+std::string pngBytes(const Image& image) {
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(image.width, image.height, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const std::size_t row = 3 * static_cast<std::size_t>(image.width);
+  for (int y = 0; y < image.height; ++y)
+    std::copy_n(image.rgb.data() + static_cast<std::size_t>(y) * row, row,
+                static_cast<unsigned char*>(data->GetScalarPointer(0, image.height - 1 - y, 0)));
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(data);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  const vtkUnsignedCharArray* bytes = writer->GetResult();
+  return {reinterpret_cast<const char*>(const_cast<vtkUnsignedCharArray*>(bytes)->GetPointer(0)),
+          static_cast<std::size_t>(bytes->GetNumberOfTuples())};
+}
+
+} // namespace voluta::scene

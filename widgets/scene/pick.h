@@ -1,0 +1,41 @@
+// What a ray meets first. All in the work frame, by the drawings' own data: no rendering context.
+#pragma once
+
+#include "scene/drawing_data.h"
+#include "scene/scene.h"
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <optional>
+
+namespace voluta::scene {
+
+struct Ray {
+  Eigen::Vector3d origin, direction; // direction: unit
+  Eigen::Vector3d at(double t) const { return origin + t * direction; }
+};
+
+struct RayHit {
+  double t = 0.0;
+  Hit hit;
+};
+
+// Is a point there to be met: not on the side that the section cuts away.
+using IsShown = std::function<bool(const Eigen::Vector3d&)>;
+
+std::optional<RayHit> pickPart(const PartDrawing& part, const Ray& ray, const IsShown& shown);
+std::optional<RayHit> pickPlatform(const PlatformDrawing& platform, const Ray& ray);
+// Layers first <= layer <= last.
+std::optional<RayHit> pickVoxel(const VoxelDrawing& voxels, const Ray& ray, int first, int last,
+                                const IsShown& shown);
+// The triangles of the stretches.
+std::optional<RayHit> pickLayer(const LayersDrawing& layers, const Ray& ray,
+                                const std::vector<Stretch>& stretches, const IsShown& shown);
+// The segments of the stretches (two triangles each).
+std::optional<RayHit> pickPath(const PathsDrawing& paths, const Ray& ray,
+                               const std::vector<Stretch>& stretches, const IsShown& shown);
+// Poses of all frames of the cell in the work frame.
+std::optional<RayHit> pickCell(const CellDrawing& cell,
+                               const std::vector<Eigen::Isometry3d>& work_T_frame, const Ray& ray);
+
+} // namespace voluta::scene

@@ -1,0 +1,615 @@
+#include "scene/scene.h"
+
+#include "scene/actors.h"
+#include "scene/bead_shader.h"
+#include "scene/colour_values.h"
+#include "scene/drawing_data.h"
+#include "scene/overlay.h"
+#include "scene/pick.h"
+#include "scene/shape_mesh.h"
+#include "scene/visible_beads.h"
+#include "scene/vtk_modules.h"
+
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkMapper.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace voluta::scene {
+
+namespace {
+
+constexpr double kLineBeadScale = 0.22; // beads as thin lines
+constexpr double kMarkerShare = 0.012;  // of the picture's height
+constexpr double kHaloOpacity = 0.35;
+
+// What the colours of a range actor were made for.
+struct ColourState {
+  const void* drawing = nullptr;
+  ColourBy colourBy = ColourBy::Layer;
+  bool operator==(const ColourState&) const = default;
+};
+
+void setColours(const RangeActor& shown, const std::vector<std::uint8_t>& rgb) {
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(rgb.size() / 3));
+  if (!rgb.empty())
+    std::memcpy(colours->GetPointer(0), rgb.data(), rgb.size());
+  shown.mapper->GetInput()->GetPointData()->SetScalars(colours);
+}
+
+vtkSmartPointer<vtkPolyData> unitSphere() {
+  MeshBuffers buffers;
+  addShape(buffers, robot::Capsule{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1.0});
+  return polyDataOf(buffers);
+}
+
+std::vector<Stretch> everything(vtkPolyData* data) {
+  return {{0, static_cast<std::size_t>(data->GetNumberOfPolys() + data->GetNumberOfLines())}};
+}
+
+} // namespace
+
+struct Scene::Impl {
+  vtkSmartPointer<vtkRenderer> renderer;
+  Theme theme;
+  ViewState view;
+  std::unique_ptr<Overlay> overlay;
+  vtkNew<vtkCallbackCommand> beforeFrame;
+  vtkNew<vtkPlane> section;
+
+  std::shared_ptr<const PartDrawing> part;
+  std::shared_ptr<const PlatformDrawing> platform;
+  std::shared_ptr<const VoxelDrawing> voxels;
+  std::shared_ptr<const LayersDrawing> layers;
+  std::shared_ptr<const PathsDrawing> paths;
+  std::shared_ptr<const CellDrawing> cell;
+
+  vtkSmartPointer<vtkActor> partSurface, partEdges, plate, outline, grid, voxelMissed;
+  RangeActor voxelOutside, voxelInside, missedHalo, slabs, beads, travels, marker, markerHalo;
+  std::vector<vtkSmartPointer<vtkActor>> bodies;
+
+  ColourState slabColours, beadColours;
+  Eigen::Isometry3d world_T_work = Eigen::Isometry3d::Identity();
+  std::vector<Eigen::Isometry3d> world_T_frame; // of the cell
+
+  explicit Impl(const Theme& given) : theme(given) {
+    registerVtkModules();
+    renderer = vtkSmartPointer<vtkRenderer>::New();
+    renderer->GradientBackgroundOn();
+    renderer->SetClippingRangeExpansion(0.05);
+    addLights(renderer);
+    plate = addSolid(renderer);
+    grid = addLines(renderer);
+    outline = addLines(renderer);
+    partSurface = addSolid(renderer);
+    partEdges = addLines(renderer);
+    voxelOutside = RangeActor::make(renderer);
+    voxelInside = RangeActor::make(renderer);
+    voxelMissed = addSolid(renderer);
+    slabs = RangeActor::make(renderer);
+    beads = RangeActor::make(renderer);
+    drawAsBeads(beads.actor, beads.mapper);
+    addPlainColour(beads.actor);
+    travels = RangeActor::make(renderer);
+    travels.actor->GetProperty()->LightingOff();
+    missedHalo = halo();
+    marker = RangeActor::make(renderer);
+    marker.setData(unitSphere());
+    marker.mapper->setStretches(everything(marker.mapper->GetInput()));
+    markerHalo = halo();
+    markerHalo.setData(unitSphere());
+    markerHalo.mapper->setStretches(everything(markerHalo.mapper->GetInput()));
+    overlay = std::make_unique<Overlay>(renderer);
+    applyTheme();
+    beforeFrame->SetClientData(this);
+    beforeFrame->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+      static_cast<Impl*>(self)->prepareFrame();
+    });
+    renderer->AddObserver(vtkCommand::StartEvent, beforeFrame);
+  }
+  ~Impl() { renderer->RemoveObserver(beforeFrame); }
+
+  // Seen through whatever is before it.
+  RangeActor halo() {
+    RangeActor out = RangeActor::make(renderer);
+    out.mapper->setThroughEverything(true);
+    out.actor->GetProperty()->SetOpacity(kHaloOpacity);
+    out.actor->ForceTranslucentOn();
+    return out;
+  }
+
+  void applyTheme() {
+    renderer->SetBackground(theme.backgroundBottom.data());
+    renderer->SetBackground2(theme.backgroundTop.data());
+    setColour(partSurface, theme.part);
+    vtkNew<vtkProperty> inside;
+    inside->SetColor(theme.partInside.data());
+    inside->SetAmbient(0.75);
+    inside->SetDiffuse(0.25);
+    partSurface->SetBackfaceProperty(inside);
+    setColour(partEdges, theme.partEdges);
+    setColour(plate, theme.platform);
+    setColour(outline, theme.platformEdges);
+    setColour(grid, theme.grid);
+    setColour(voxelMissed, theme.blocked);
+    setColour(missedHalo.actor, theme.blocked);
+    setColour(travels.actor, theme.travel);
+    setColour(marker.actor, theme.marker);
+    setColour(markerHalo.actor, theme.marker);
+    beads.mapper->setPlainColour(theme.material);
+    overlay->setTheme(theme);
+    colourBodies();
+  }
+
+  void colourBodies() {
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      setColour(bodies[i], bodyColour(cell->cell.bodies()[i]));
+  }
+  const Colour& bodyColour(const robot::Body& body) const {
+    switch (body.role) {
+    case robot::BodyRole::Link:
+      return body.frame % 2 == 0 ? theme.robotLight : theme.robotDark;
+    case robot::BodyRole::Head:
+      return theme.head;
+    case robot::BodyRole::Platform:
+      return theme.platform;
+    case robot::BodyRole::Holder:
+      return theme.robotDark;
+    case robot::BodyRole::Obstacle:
+      break;
+    }
+    return theme.obstacle;
+  }
+
+  void poseAll() {
+    world_T_work.setIdentity();
+    if (cell) {
+      const robot::Cell& c = cell->cell;
+      c.framePoses(view.joints.size() == c.dof() ? view.joints : c.home(), world_T_frame);
+      const Eigen::Isometry3d base_T_work = world_T_frame[static_cast<std::size_t>(c.workFrame())];
+      if (view.world == World::Base) {
+        world_T_work = base_T_work;
+      } else {
+        const Eigen::Isometry3d work_T_base = base_T_work.inverse();
+        for (Eigen::Isometry3d& pose : world_T_frame)
+          pose = work_T_base * pose;
+      }
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+        setPose(bodies[i], world_T_frame[static_cast<std::size_t>(c.bodies()[i].frame)]);
+    }
+    for (vtkActor* actor :
+         {partSurface.Get(), partEdges.Get(), plate.Get(), outline.Get(), grid.Get(),
+          voxelMissed.Get(), voxelOutside.actor.Get(), voxelInside.actor.Get(),
+          missedHalo.actor.Get(), slabs.actor.Get(), beads.actor.Get(), travels.actor.Get()})
+      setPose(actor, world_T_work);
+  }
+
+  bool shows(bool wanted, const void* drawing) const { return wanted && drawing; }
+
+  void showPart() {
+    const bool on = shows(view.part, part.get()) && view.partOpacity > 0.0;
+    partSurface->SetVisibility(on);
+    partEdges->SetVisibility(on && view.partOpacity >= 0.5);
+    partSurface->GetProperty()->SetOpacity(view.partOpacity);
+    // Translucent walls are sorted by showing only those that face the eye.
+    partSurface->GetProperty()->SetBackfaceCulling(view.partOpacity < 1.0);
+  }
+
+  void showPlatform() {
+    const bool on = shows(view.platform, platform.get());
+    const bool byCell = shows(view.cell, cell.get());
+    plate->SetVisibility(on && !byCell);
+    outline->SetVisibility(on);
+    grid->SetVisibility(on && !byCell);
+  }
+
+  void showVoxels() {
+    const bool on = shows(view.voxels, voxels.get());
+    voxelOutside.actor->SetVisibility(on);
+    voxelInside.actor->SetVisibility(false);
+    voxelMissed->SetVisibility(on);
+    missedHalo.actor->SetVisibility(on);
+    if (!on)
+      return;
+    std::vector<Stretch> outer, inner;
+    voxels->outer.append(outer, view.firstLayer, view.lastLayer, -kNeverHidden);
+    voxelOutside.mapper->setStretches(std::move(outer));
+    if (view.sectionOn) {
+      voxels->upper.append(inner, view.firstLayer, view.lastLayer, -kNeverHidden);
+    } else {
+      voxels->upper.append(inner, view.firstLayer, view.lastLayer, view.lastLayer);
+      voxels->lower.append(inner, view.firstLayer, view.lastLayer, -view.firstLayer);
+    }
+    voxelInside.actor->SetVisibility(!inner.empty());
+    voxelInside.mapper->setStretches(std::move(inner));
+  }
+
+  std::vector<Stretch> layerStretches() const {
+    std::vector<Stretch> shown;
+    const std::int32_t above = view.sectionOn ? -kNeverHidden : view.lastLayer;
+    const std::int32_t below = view.sectionOn ? -kNeverHidden : -view.firstLayer;
+    layers->bands.append(shown, view.firstLayer, view.lastLayer, -kNeverHidden);
+    layers->upper.append(shown, view.firstLayer, view.lastLayer, above);
+    layers->lower.append(shown, view.firstLayer, view.lastLayer, below);
+    return shown;
+  }
+
+  void showLayers() {
+    const bool on = shows(view.layers, layers.get());
+    slabs.actor->SetVisibility(on);
+    if (!on)
+      return;
+    const ColourState wanted{layers.get(), shownColouring(layers->values, view.colourBy)};
+    if (!(wanted == slabColours))
+      setColours(slabs, coloursOf(layers->values, wanted.colourBy, 1));
+    slabColours = wanted;
+    slabs.mapper->setStretches(layerStretches());
+  }
+
+  void showPaths() {
+    const bool on = shows(view.paths, paths.get());
+    beads.actor->SetVisibility(on);
+    travels.actor->SetVisibility(on && view.travels);
+    if (!on)
+      return;
+    const ColourState wanted{paths.get(), shownColouring(paths->values, view.colourBy)};
+    if (!(wanted == beadColours))
+      setColours(beads, coloursOf(paths->values, wanted.colourBy, 2));
+    beadColours = wanted;
+    beads.mapper->setStretches(visibleBeads(*paths, view));
+    setBeadScale(beads.actor, view.beads ? 1.0 : kLineBeadScale);
+    if (view.travels)
+      travels.mapper->setStretches(visibleTravels(*paths, view));
+  }
+
+  void showCell() {
+    for (const auto& body : bodies)
+      body->SetVisibility(view.cell);
+  }
+
+  void showMarker() {
+    marker.actor->SetVisibility(view.marker.has_value());
+    markerHalo.actor->SetVisibility(view.marker.has_value());
+  }
+
+  void cut() {
+    if (view.sectionOn) {
+      const Eigen::Vector3d origin = world_T_work * view.sectionOrigin;
+      const Eigen::Vector3d normal = world_T_work.linear() * view.sectionNormal;
+      section->SetOrigin(origin.x(), origin.y(), origin.z());
+      section->SetNormal(-normal.x(), -normal.y(), -normal.z());
+    }
+    for (vtkActor* actor :
+         {partSurface.Get(), partEdges.Get(), voxelMissed.Get(), voxelOutside.actor.Get(),
+          voxelInside.actor.Get(), missedHalo.actor.Get(), slabs.actor.Get(), beads.actor.Get(),
+          travels.actor.Get()}) {
+      vtkMapper* mapper = actor->GetMapper();
+      const bool isCut = mapper->GetClippingPlanes() != nullptr;
+      if (view.sectionOn && !isCut)
+        mapper->AddClippingPlane(section);
+      else if (!view.sectionOn && isCut)
+        mapper->RemoveAllClippingPlanes();
+    }
+  }
+
+  void applyView() {
+    poseAll();
+    showPart();
+    showPlatform();
+    showVoxels();
+    showLayers();
+    showPaths();
+    showCell();
+    showMarker();
+    cut();
+    overlay->showTriad(view.axes);
+    overlay->setLegend(view.legend ? legend() : Legend{});
+    renderer->SetUseFXAA(!view.dragging);
+  }
+
+  Legend legend() const {
+    if (shows(view.voxels, voxels.get()))
+      return layerLegend(voxels->layers);
+    if (shows(view.layers, layers.get()))
+      return legendOf(layers->values, shownColouring(layers->values, view.colourBy));
+    if (shows(view.paths, paths.get()) && !view.materialColour)
+      return legendOf(paths->values, shownColouring(paths->values, view.colourBy));
+    return {};
+  }
+
+  double pixelSize(const Eigen::Vector3d& worldPoint) const {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    if (camera->GetParallelProjection())
+      return 2.0 * camera->GetParallelScale();
+    const Eigen::Vector3d eye(camera->GetPosition());
+    return 2.0 * (worldPoint - eye).norm() * std::tan(camera->GetViewAngle() * base::kPi / 360.0);
+  }
+
+  void prepareFrame() {
+    if (view.marker) {
+      const Eigen::Vector3d place = world_T_work * *view.marker;
+      const double radius = kMarkerShare * pixelSize(place);
+      for (vtkActor* actor : {marker.actor.Get(), markerHalo.actor.Get()}) {
+        actor->SetPosition(place.x(), place.y(), place.z());
+        actor->SetScale(actor == marker.actor ? radius : 2.0 * radius);
+      }
+    }
+    overlay->update();
+    renderer->ResetCameraClippingRange();
+  }
+
+  // What the camera should see: in the world.
+  Eigen::AlignedBox3d visibleBox() const {
+    Eigen::AlignedBox3d box;
+    const auto extend = [&](const Eigen::AlignedBox3d& inWork) {
+      for (int corner = 0; corner < 8 && !inWork.isEmpty(); ++corner)
+        box.extend(world_T_work *
+                   inWork.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    };
+    if (shows(view.part, part.get()))
+      extend(part->box);
+    if (shows(view.voxels, voxels.get()))
+      extend(voxels->box);
+    if (shows(view.layers, layers.get()))
+      extend(layers->box);
+    if (shows(view.paths, paths.get()))
+      extend(paths->box);
+    if (shows(view.platform, platform.get()))
+      extend(platform->box);
+    if (shows(view.cell, cell.get()))
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (cell->cell.bodies()[i].role != robot::BodyRole::Obstacle) {
+          const double* b = bodies[i]->GetBounds();
+          box.extend(Eigen::Vector3d(b[0], b[2], b[4]));
+          box.extend(Eigen::Vector3d(b[1], b[3], b[5]));
+        }
+    return box;
+  }
+
+  void frame() {
+    const Eigen::AlignedBox3d box = visibleBox();
+    if (box.isEmpty())
+      return;
+    const double bounds[6] = {box.min().x(), box.max().x(), box.min().y(),
+                              box.max().y(), box.min().z(), box.max().z()};
+    renderer->ResetCamera(bounds);
+    // VTK frames the box's ball, which leaves a wide margin.
+    closeIn(box);
+  }
+
+  // Moves the camera so that the corners of the box just fit.
+  void closeIn(const Eigen::AlignedBox3d& box) {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    const int* size = renderer->GetSize();
+    const double aspect = size[1] > 0 ? double(size[0]) / size[1] : 1.28;
+    const Eigen::Vector3d eye(camera->GetPosition()), centre = box.center();
+    const Eigen::Vector3d back = (eye - centre).normalized();
+    const Eigen::Vector3d right = Eigen::Vector3d(camera->GetViewUp()).cross(back).normalized();
+    const Eigen::Vector3d up = back.cross(right);
+    const double slope = std::tan(camera->GetViewAngle() * base::kPi / 360.0);
+    double distance = 0.0, half = 0.0;
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector3d v =
+          box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)) - centre;
+      const double extent = std::max(std::abs(v.dot(right)) / aspect, std::abs(v.dot(up)));
+      half = std::max(half, extent);
+      distance = std::max(distance, v.dot(back) + extent / slope);
+    }
+    constexpr double kMargin = 1.06;
+    const Eigen::Vector3d place = centre + kMargin * distance * back;
+    camera->SetFocalPoint(centre.x(), centre.y(), centre.z());
+    camera->SetPosition(place.x(), place.y(), place.z());
+    camera->SetParallelScale(kMargin * half);
+    renderer->ResetCameraClippingRange();
+  }
+};
+
+Scene::Scene(const Theme& theme) : impl_(std::make_unique<Impl>(theme)) {
+  impl_->applyView();
+  standardView(StandardView::Isometric);
+}
+Scene::~Scene() = default;
+
+vtkRenderer* Scene::renderer() {
+  return impl_->renderer;
+}
+
+void Scene::setTheme(const Theme& theme) {
+  impl_->theme = theme;
+  impl_->applyTheme();
+}
+
+void Scene::setPart(std::shared_ptr<const PartDrawing> part) {
+  setData(impl_->partSurface, part ? part->surface.Get() : nullptr);
+  setData(impl_->partEdges, part ? part->edges.Get() : nullptr);
+  impl_->part = std::move(part);
+  impl_->applyView();
+}
+
+void Scene::setPartPreview(const Eigen::Affine3d& moved_T_part) {
+  const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> elements = moved_T_part.matrix();
+  const auto moved = vtkSmartPointer<vtkMatrix4x4>::New();
+  moved->DeepCopy(elements.data());
+  for (vtkActor* actor : {impl_->partSurface.Get(), impl_->partEdges.Get()})
+    actor->SetUserMatrix(moved);
+}
+
+void Scene::setPlatform(std::shared_ptr<const PlatformDrawing> platform) {
+  setData(impl_->plate, platform ? platform->plate.Get() : nullptr);
+  setData(impl_->outline, platform ? platform->outline.Get() : nullptr);
+  setData(impl_->grid, platform ? platform->grid.Get() : nullptr);
+  impl_->platform = std::move(platform);
+  impl_->applyView();
+}
+
+void Scene::setVoxels(std::shared_ptr<const VoxelDrawing> voxels) {
+  impl_->voxelOutside.setData(voxels ? voxels->outside.Get() : nullptr);
+  impl_->voxelInside.setData(voxels ? voxels->inside.Get() : nullptr);
+  setData(impl_->voxelMissed, voxels ? voxels->missed.Get() : nullptr);
+  impl_->missedHalo.setData(voxels ? voxels->missed.Get() : nullptr);
+  if (voxels)
+    impl_->missedHalo.mapper->setStretches(everything(voxels->missed));
+  impl_->voxels = std::move(voxels);
+  impl_->applyView();
+}
+
+void Scene::setLayers(std::shared_ptr<const LayersDrawing> layers) {
+  impl_->slabs.setData(layers ? layers->surface.Get() : nullptr);
+  impl_->slabColours = {};
+  impl_->layers = std::move(layers);
+  impl_->applyView();
+}
+
+void Scene::setPaths(std::shared_ptr<const PathsDrawing> paths) {
+  impl_->beads.setData(paths ? paths->beads.Get() : nullptr);
+  impl_->travels.setData(paths ? paths->travels.Get() : nullptr);
+  impl_->beadColours = {};
+  impl_->paths = std::move(paths);
+  impl_->applyView();
+}
+
+void Scene::setCell(std::shared_ptr<const CellDrawing> cell) {
+  for (const auto& body : impl_->bodies)
+    impl_->renderer->RemoveActor(body);
+  impl_->bodies.clear();
+  impl_->cell = std::move(cell);
+  if (impl_->cell)
+    for (const auto& data : impl_->cell->bodies) {
+      impl_->bodies.push_back(addSolid(impl_->renderer));
+      setData(impl_->bodies.back(), data);
+    }
+  impl_->colourBodies();
+  impl_->applyView();
+}
+
+void Scene::setView(const ViewState& view) {
+  impl_->view = view;
+  impl_->applyView();
+}
+
+const ViewState& Scene::view() const {
+  return impl_->view;
+}
+
+void Scene::setPixelRatio(double ratio) {
+  impl_->overlay->setPixelRatio(ratio);
+}
+
+Legend Scene::legend() const {
+  return impl_->legend();
+}
+
+void Scene::frameAll() {
+  impl_->frame();
+}
+
+void Scene::standardView(StandardView view) {
+  Eigen::Vector3d back(0.75, -1.0, 0.62), up = Eigen::Vector3d::UnitZ();
+  switch (view) {
+  case StandardView::Front:
+    back = -Eigen::Vector3d::UnitY();
+    break;
+  case StandardView::Back:
+    back = Eigen::Vector3d::UnitY();
+    break;
+  case StandardView::Left:
+    back = -Eigen::Vector3d::UnitX();
+    break;
+  case StandardView::Right:
+    back = Eigen::Vector3d::UnitX();
+    break;
+  case StandardView::Top:
+    back = Eigen::Vector3d::UnitZ();
+    up = Eigen::Vector3d::UnitY();
+    break;
+  case StandardView::Bottom:
+    back = -Eigen::Vector3d::UnitZ();
+    up = Eigen::Vector3d::UnitY();
+    break;
+  case StandardView::Isometric:
+    break;
+  }
+  vtkCamera* camera = impl_->renderer->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(back.data());
+  camera->SetViewUp(up.data());
+  impl_->frame();
+}
+
+void Scene::lookAt(const Eigen::Vector3d& pointInWork, double radiusMm) {
+  vtkCamera* camera = impl_->renderer->GetActiveCamera();
+  const Eigen::Vector3d target = impl_->world_T_work * pointInWork;
+  const Eigen::Vector3d back =
+      (Eigen::Vector3d(camera->GetPosition()) - Eigen::Vector3d(camera->GetFocalPoint()))
+          .normalized();
+  const Eigen::Vector3d place =
+      target + back * (radiusMm / std::sin(camera->GetViewAngle() * base::kPi / 360.0));
+  camera->SetFocalPoint(target.x(), target.y(), target.z());
+  camera->SetPosition(place.x(), place.y(), place.z());
+  camera->SetParallelScale(radiusMm);
+  cameraMoved();
+}
+
+void Scene::setParallelProjection(bool parallel) {
+  impl_->renderer->GetActiveCamera()->SetParallelProjection(parallel);
+}
+
+void Scene::cameraMoved() {
+  impl_->renderer->ResetCameraClippingRange();
+}
+
+std::optional<Hit> Scene::pick(int x, int y) const {
+  const Impl& s = *impl_;
+  const auto world = [&](double depth) {
+    double p[4];
+    s.renderer->SetDisplayPoint(x, y, depth);
+    s.renderer->DisplayToWorld();
+    s.renderer->GetWorldPoint(p);
+    return Eigen::Vector3d(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
+  };
+  const Eigen::Isometry3d work_T_world = s.world_T_work.inverse();
+  const Eigen::Vector3d from = work_T_world * world(0.0), to = work_T_world * world(1.0);
+  if (!from.allFinite() || !to.allFinite() || (to - from).norm() == 0.0)
+    return std::nullopt;
+  const Ray ray{from, (to - from).normalized()};
+  const IsShown shown = [&](const Eigen::Vector3d& p) {
+    return !s.view.sectionOn || (p - s.view.sectionOrigin).dot(s.view.sectionNormal) <= 0.0;
+  };
+  std::optional<RayHit> best;
+  const auto consider = [&](const std::optional<RayHit>& hit) {
+    if (hit && (!best || hit->t < best->t))
+      best = hit;
+  };
+  if (s.shows(s.view.part, s.part.get()) && s.view.partOpacity > 0.0)
+    consider(pickPart(*s.part, ray, shown));
+  if (s.shows(s.view.platform, s.platform.get()))
+    consider(pickPlatform(*s.platform, ray));
+  if (s.shows(s.view.voxels, s.voxels.get()))
+    consider(pickVoxel(*s.voxels, ray, s.view.firstLayer, s.view.lastLayer, shown));
+  if (s.shows(s.view.layers, s.layers.get()))
+    consider(pickLayer(*s.layers, ray, s.layerStretches(), shown));
+  if (s.shows(s.view.paths, s.paths.get()))
+    consider(pickPath(*s.paths, ray, visibleBeads(*s.paths, s.view), shown));
+  if (s.shows(s.view.cell, s.cell.get())) {
+    std::vector<Eigen::Isometry3d> work_T_frame = s.world_T_frame;
+    for (Eigen::Isometry3d& pose : work_T_frame)
+      pose = work_T_world * pose;
+    consider(pickCell(*s.cell, work_T_frame, ray));
+  }
+  return best ? std::optional(best->hit) : std::nullopt;
+}
+
+} // namespace voluta::scene

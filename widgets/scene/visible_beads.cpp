@@ -1,0 +1,90 @@
+#include "scene/visible_beads.h"
+
+#include <algorithm>
+
+namespace voluta::scene {
+
+namespace {
+
+// The layers of a view and how far each of them is printed.
+class Extent {
+public:
+  Extent(const PathsDrawing& paths, const ViewState& view)
+      : first(std::max(0, view.firstLayer)), last(std::min(view.lastLayer, layerCount(paths) - 1)),
+        printed_(view.printedWaypoints) {
+    const auto& ofLast = waypointsOfLayer(paths, last);
+    partial_ = view.moves < ofLast.size();
+    if (partial_)
+      lastLimit_ = view.moves == 0 ? 0 : ofLast[view.moves - 1] + std::size_t{1};
+  }
+
+  int first, last;
+  // Waypoints of a layer are shown below this index.
+  std::size_t limit(int layer) const {
+    return layer == last ? std::min(printed_, lastLimit_) : printed_;
+  }
+  bool hides(const BeadChunk& chunk) const {
+    // Nothing lies below the first layer shown: its inner beads can be seen from there.
+    const bool openBelow = first > 0 && chunk.layer <= first + 1;
+    return !openBelow && chunk.hidingLayer <= (partial_ ? last - 1 : last) &&
+           chunk.hidingWaypoint < printed_;
+  }
+
+private:
+  std::size_t printed_, lastLimit_ = kAllMoves;
+  bool partial_ = false;
+};
+
+std::size_t shownUpTo(const std::vector<std::uint32_t>& arrival, std::size_t from, std::size_t to,
+                      std::size_t limit) {
+  const auto begin = arrival.begin();
+  return static_cast<std::size_t>(std::lower_bound(begin + static_cast<std::ptrdiff_t>(from),
+                                                   begin + static_cast<std::ptrdiff_t>(to), limit) -
+                                  begin);
+}
+
+int layerBeingLaid(const PathsDrawing& paths, const ViewState& view, const Extent& extent) {
+  if (view.printedWaypoints == kAllMoves || paths.pathOf.empty())
+    return extent.last;
+  const std::size_t waypoint =
+      std::min(view.printedWaypoints, paths.pathOf.size()) - (view.printedWaypoints > 0 ? 1 : 0);
+  return paths.layerOfPath[paths.pathOf[waypoint]];
+}
+
+} // namespace
+
+std::vector<Stretch> visibleBeads(const PathsDrawing& paths, const ViewState& view) {
+  const Extent extent(paths, view);
+  const int laid = layerBeingLaid(paths, view, extent);
+  std::vector<Stretch> shown;
+  const auto add = [&](int layer, std::size_t from, std::size_t to) {
+    const std::size_t end = shownUpTo(paths.arrival, from, to, extent.limit(layer));
+    appendStretch(shown, {2 * from, 2 * (end - from), view.materialColour && layer != laid});
+  };
+  for (int layer = extent.first; layer <= extent.last; ++layer) {
+    const auto l = static_cast<std::size_t>(layer);
+    add(layer, paths.outerStart[l], paths.outerStart[l + 1]);
+  }
+  for (int layer = extent.first; layer <= extent.last; ++layer) {
+    const auto l = static_cast<std::size_t>(layer);
+    for (std::size_t c = paths.chunkStart[l]; c < paths.chunkStart[l + 1]; ++c)
+      if (const BeadChunk& chunk = paths.chunks[c]; view.sectionOn || !extent.hides(chunk))
+        add(layer, chunk.first, chunk.first + chunk.count);
+  }
+  return shown;
+}
+
+std::vector<Stretch> visibleTravels(const PathsDrawing& paths, const ViewState& view) {
+  const Extent extent(paths, view);
+  std::vector<Stretch> shown;
+  for (int layer = extent.first; layer <= extent.last; ++layer) {
+    const auto l = static_cast<std::size_t>(layer);
+    const std::size_t from = paths.travelStart[l];
+    const std::size_t end =
+        shownUpTo(paths.travelArrival, from, paths.travelStart[l + 1], extent.limit(layer));
+    appendStretch(shown, {from, end - from});
+  }
+  return shown;
+}
+
+} // namespace voluta::scene

@@ -1,0 +1,14 @@
+// VTK's object factories; its autoinit would put this into every file.
+#include <vtkAutoInit.h>
+
+#include "scene/vtk_modules.h"
+
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
+VTK_MODULE_INIT(vtkRenderingFreeType)
+VTK_MODULE_INIT(vtkInteractionStyle)
+
+namespace voluta::scene {
+
+void registerVtkModules() {}
+
+} // namespace voluta::scene

@@ -1,0 +1,8 @@
+// Makes the linker keep the file that registers VTK's object factories.
+#pragma once
+
+namespace voluta::scene {
+
+void registerVtkModules();
+
+} // namespace voluta::scene
