@@ -1,8 +1,9 @@
 // Shows every form and panel with sample data and keeps a picture of each:
-// gallery FOLDER [--dark] [--width PX]
+// gallery FOLDER [--dark] [--long] [--width PX]
 #include "forms/choices_form.h"
 #include "forms/parameter_form.h"
 #include "gallery_data.h"
+#include "long_translator.h"
 #include "panels/export_panel.h"
 #include "panels/findings_panel.h"
 #include "panels/layer_info.h"
@@ -59,7 +60,8 @@ forms::ParameterForm* parameterForm(bool all, const QString& search) {
   if (!all)
     form->setHeader(choicesForm());
   form->setShowAll(all);
-  form->setValues({{"layerHeightMm", "0.6"}, {"infill", "concentric"}, {"output.debug", "true"}});
+  form->setValues({{"layerHeightMm", "1.4"}, {"infill", "concentric"}, {"output.debug", "true"}});
+  form->setProblems({{"layerHeightMm", "1.4 mm is beyond process fdm-1.0 (give 0.4 to 1 mm)"}});
   form->setSearch(search);
   return form;
 }
@@ -114,10 +116,14 @@ int main(int argc, char** argv) {
   QCommandLineParser options;
   options.addPositionalArgument("folder", "Where the pictures go");
   options.addOption({"dark", "With a dark palette"});
+  options.addOption({"long", "With every text a third longer"});
   options.addOption({"width", "Width of the panels", "pixels", "300"});
   options.process(application);
   if (options.isSet("dark"))
     QApplication::setPalette(darkPalette());
+  gallery::LongTranslator translator;
+  if (options.isSet("long"))
+    QApplication::installTranslator(&translator);
   const QString folder = options.positionalArguments().value(0, ".");
   QDir().mkpath(folder);
 

@@ -153,6 +153,21 @@ TEST_F(ParameterFormTest, SimpleShowsSimpleAndChangedOnes) {
   EXPECT_TRUE(row("debug")->isVisible());
 }
 
+TEST_F(ParameterFormTest, AProblemStandsUnderItsRowUntilItIsGone) {
+  form.setProblems({{"debug", "Out of paper."}});
+  EXPECT_TRUE(row("debug")->isVisible());
+  const auto says = [&] {
+    for (const QLabel* label : row("debug")->findChildren<QLabel*>())
+      if (label->isVisible() && label->text() == "Out of paper.")
+        return true;
+    return false;
+  };
+  EXPECT_TRUE(says());
+  form.setProblems({});
+  EXPECT_FALSE(says());
+  EXPECT_FALSE(row("debug")->isVisible());
+}
+
 TEST_F(ParameterFormTest, SearchFiltersAsOneTypesOverLabelKeyAndHelp) {
   auto* search = form.findChild<QLineEdit*>(QStringLiteral("search"));
   QTest::keyClicks(search, "LOOK ins");

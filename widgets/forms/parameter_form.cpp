@@ -140,6 +140,15 @@ void ParameterForm::setValues(const std::map<std::string, std::string>& changedT
   filter();
 }
 
+void ParameterForm::setProblems(const std::map<std::string, std::string>& byKey) {
+  for (const Group& group : groups_)
+    for (ParameterRow* row : group.rows) {
+      const auto found = byKey.find(row->spec().key);
+      row->setProblem(found == byKey.end() ? QString() : QString::fromStdString(found->second));
+    }
+  filter();
+}
+
 void ParameterForm::setShowAll(bool all) {
   if (all == showsAll_)
     return;
@@ -187,8 +196,9 @@ void ParameterForm::filter() {
   for (const Group& group : groups_) {
     bool anyInGroup = false;
     for (ParameterRow* row : group.rows) {
-      const bool shown = words.isEmpty() ? showsAll_ || row->spec().simple || row->isChanged()
-                                         : row->matches(words);
+      const bool shown =
+          words.isEmpty() ? showsAll_ || row->spec().simple || row->isChanged() || row->hasProblem()
+                          : row->matches(words);
       row->setVisible(shown);
       row->highlight(words);
       anyInGroup = anyInGroup || shown;

@@ -34,6 +34,10 @@ public:
   // nothing. A text that its parameter cannot take, or an unknown key, is left out.
   void setValues(const std::map<std::string, std::string>& changed);
 
+  // One line by key under the rows whose values can't be used, whatever view is on; those of all
+  // other rows go.
+  void setProblems(const std::map<std::string, std::string>& byKey);
+
   bool showsAll() const { return showsAll_; }
   // false: only what every user needs, and whatever was changed.
   void setShowAll(bool all);

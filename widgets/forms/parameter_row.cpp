@@ -13,6 +13,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
 
@@ -60,12 +61,28 @@ ParameterRow::ParameterRow(const base::ParameterSpec& spec, QWidget* parent)
     emit resetRequested(key());
   });
 
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 1, 0, 1);
+  problem_ = new QWidget(this);
+  problem_->hide();
+  problemIcon_ = new QLabel(problem_);
+  problemText_ = new QLabel(problem_);
+  problemText_->setWordWrap(true);
+  problemText_->setTextFormat(Qt::PlainText);
+  auto* problemRow = new QHBoxLayout(problem_);
+  problemRow->setContentsMargins(0, 0, 0, 2);
+  problemRow->setSpacing(4);
+  problemRow->addWidget(problemIcon_, 0, Qt::AlignTop);
+  problemRow->addWidget(problemText_, 1);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 1, 0, 1);
+  column->setSpacing(0);
+  auto* row = new QHBoxLayout;
   row->setSpacing(4);
   row->addWidget(label_, 1);
   row->addWidget(editor_, 0);
   row->addWidget(reset_, 0);
+  column->addLayout(row);
+  column->addWidget(problem_);
   retranslate();
   showValue();
 }
@@ -157,6 +174,18 @@ void ParameterRow::showValue() {
     break;
   }
   showLabel();
+}
+
+void ParameterRow::setProblem(const QString& problem) {
+  const int side = fontMetrics().height();
+  problemIcon_->setPixmap(icon(Icon::Blocked).pixmap(QSize(side, side), devicePixelRatioF()));
+  problemText_->setText(problem);
+  problem_->setVisible(!problem.isEmpty());
+  editor_->setAccessibleDescription(problem);
+}
+
+bool ParameterRow::hasProblem() const {
+  return !problemText_->text().isEmpty();
 }
 
 bool ParameterRow::matches(const QStringList& words) const {

@@ -25,6 +25,10 @@ public:
   base::ParameterValue value() const { return value_; }
   bool isChanged() const;
 
+  // One line under the row: why the value can't be used; empty: it can.
+  void setProblem(const QString& problem);
+  bool hasProblem() const;
+
   // Does every word occur in label, key, group or help? Letter case does not count.
   bool matches(const QStringList& words) const;
   // Sets off the words in the label.
@@ -47,6 +51,9 @@ private:
   QLabel* label_ = nullptr;
   QWidget* editor_ = nullptr;
   QToolButton* reset_ = nullptr;
+  QWidget* problem_ = nullptr;
+  QLabel* problemIcon_ = nullptr;
+  QLabel* problemText_ = nullptr;
 };
 
 } // namespace voluta::forms

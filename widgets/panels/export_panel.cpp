@@ -47,6 +47,7 @@ void ExportPanel::build() {
     emit previewFormatChanged(id);
   });
   verdictTitle_ = title();
+  verdictTitle_->setWordWrap(true);
   verdict_ = new VerdictTable(this);
 
   fileLabel_ = new QLabel(this);
@@ -162,7 +163,7 @@ void ExportPanel::showFormat(const QString& id) {
     file_->clear();
     if (format)
       for (const ExportFile& file : format->files)
-        file_->addItem(tr("%1 (%2)").arg(
+        file_->addItem(QStringLiteral("%1 (%2)").arg(
             file.name, QLocale().formattedDataSize(
                            file.text ? static_cast<qint64>(file.text->size()) : 0, 1)));
     file_->setEnabled(file_->count() > 0);

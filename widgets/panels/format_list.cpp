@@ -120,11 +120,9 @@ void FormatList::retranslate() {
   for (int i = 0; i < topLevelItemCount(); ++i) {
     const ExportFormat& format = formats_[static_cast<std::size_t>(i)];
     QTreeWidgetItem* item = topLevelItem(i);
-    item->setText(kLabel, format.label);
-    QString tip = format.label;
+    item->setText(kLabel, format.foreign ? tr("%1, foreign").arg(format.label) : format.label);
     if (format.foreign) {
       item->setIcon(kForeign, forms::icon(forms::Icon::Foreign));
-      item->setText(kForeign, tr("foreign"));
       const QString why = tr("For another maker's controller: where the nozzle goes, not how this "
                              "robot moves");
       item->setToolTip(kForeign, why);
@@ -143,7 +141,7 @@ void FormatList::retranslate() {
       break;
     }
     item->setToolTip(kVerdict, verdict);
-    item->setToolTip(kLabel, tip + QStringLiteral("\n") + verdict);
+    item->setToolTip(kLabel, item->text(kLabel) + QStringLiteral("\n") + verdict);
     item->setData(kVerdict, Qt::AccessibleTextRole, verdict);
   }
 }

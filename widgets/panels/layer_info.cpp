@@ -45,11 +45,11 @@ void LayerInfo::retranslate() {
   const std::array<std::pair<QString, QString>, kRows> rows{{
       {tr("Layer"), tr("%1 of %2").arg(m.index + 1).arg(m.layers)},
       {tr("Patches"), whole(m.patches)},
-      {tr("Area"), tr("%1 mm²").arg(number(m.areaMm2, 1))},
-      {tr("Thickness"), tr("%1 / %2 / %3 mm")
+      {tr("Area"), QStringLiteral("%1 mm²").arg(number(m.areaMm2, 1))},
+      {tr("Thickness"), QStringLiteral("%1 / %2 / %3 mm")
                             .arg(number(m.thicknessMinMm, 2), number(m.thicknessMeanMm, 2),
                                  number(m.thicknessMaxMm, 2))},
-      {tr("Length"), tr("%1 m").arg(number(m.lengthMm / 1000.0, 2))},
+      {tr("Length"), QStringLiteral("%1 m").arg(number(m.lengthMm / 1000.0, 2))},
       {tr("Time"), m.timeS > 0.0 ? timeText(m.timeS) : QStringLiteral("–")},
       {tr("Waypoints"), whole(m.waypoints)},
   }};

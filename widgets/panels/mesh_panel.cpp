@@ -84,10 +84,12 @@ void MeshPanel::retranslate() {
   QString html = QString::fromStdString(summary_->name).toHtmlEscaped();
   html += QStringLiteral("<br>") +
           tr("Triangles: %1").arg(locale.toString(static_cast<qulonglong>(summary_->triangles)));
-  html += QStringLiteral("<br>") +
-          tr("%1 × %2 × %3 mm").arg(number(size.x()), number(size.y()), number(size.z()));
+  html +=
+      QStringLiteral("<br>") +
+      QStringLiteral("%1 × %2 × %3 mm").arg(number(size.x()), number(size.y()), number(size.z()));
   if (summary_->watertight)
-    html += QStringLiteral("<br>") + tr("%1 cm³").arg(number(summary_->volumeMm3 / 1000.0));
+    html +=
+        QStringLiteral("<br>") + QStringLiteral("%1 cm³").arg(number(summary_->volumeMm3 / 1000.0));
   html += listHtml(tr("Found"), summary_->found);
   html += listHtml(tr("Repaired"), summary_->repaired);
   html += listHtml(tr("Remains"), summary_->remains);

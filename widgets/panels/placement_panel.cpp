@@ -208,8 +208,9 @@ void PlacementPanel::showScale() {
 void PlacementPanel::showSize() {
   const QLocale locale;
   const auto side = [&](int axis) { return locale.toString(sizeMm_[axis], 'f', 1); };
-  size_->setText(sizeMm_.isZero() ? QStringLiteral("–")
-                                  : tr("%1 × %2 × %3 mm").arg(side(0), side(1), side(2)));
+  size_->setText(sizeMm_.isZero()
+                     ? QStringLiteral("–")
+                     : QStringLiteral("%1 × %2 × %3 mm").arg(side(0), side(1), side(2)));
 }
 
 void PlacementPanel::moved(int axis, double mm) {

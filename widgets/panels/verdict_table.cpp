@@ -14,6 +14,9 @@ std::vector<VerdictMeasure> verdictMeasures(const pipeline::ReplayReport& r) {
   const auto percent = [&](double share) {
     return locale.toString(100.0 * share, 'f', 2) + QStringLiteral(" %");
   };
+  const auto shortPercent = [&](double share) {
+    return locale.toString(100.0 * share, 'g', 4) + QStringLiteral(" %");
+  };
   const auto atLeast = [](const QString& limit) { return QStringLiteral("≥ ") + limit; };
   const auto atMost = [](const QString& limit) { return QStringLiteral("≤ ") + limit; };
   const auto whole = [&](std::size_t n) { return locale.toString(static_cast<qulonglong>(n)); };
@@ -24,18 +27,19 @@ std::vector<VerdictMeasure> verdictMeasures(const pipeline::ReplayReport& r) {
   const double massError = std::abs(r.massRatio - 1.0);
   return {
       {VerdictTable::tr("Part covered"), percent(r.coveredFraction),
-       atLeast(percent(limits.covered)), r.coveredFraction >= limits.covered},
+       atLeast(shortPercent(limits.covered)), r.coveredFraction >= limits.covered},
       {VerdictTable::tr("Unsupported"), percent(r.unsupportedFraction),
-       atMost(percent(limits.unsupported)), r.unsupportedFraction <= limits.unsupported},
-      {VerdictTable::tr("Overfill"), percent(r.overfillFraction), atMost(percent(limits.overfill)),
-       r.overfillFraction <= limits.overfill},
-      {VerdictTable::tr("Mass off by"), percent(massError), atMost(percent(limits.mass)),
+       atMost(shortPercent(limits.unsupported)), r.unsupportedFraction <= limits.unsupported},
+      {VerdictTable::tr("Overfill"), percent(r.overfillFraction),
+       atMost(shortPercent(limits.overfill)), r.overfillFraction <= limits.overfill},
+      {VerdictTable::tr("Mass off by"), percent(massError), atMost(shortPercent(limits.mass)),
        massError <= limits.mass},
       {VerdictTable::tr("Collisions"), whole(r.collisions), atMost(whole(limits.collisions)),
        r.collisions <= limits.collisions},
       {VerdictTable::tr("Limits broken"), whole(r.limitViolations),
        atMost(whole(limits.limitViolations)), r.limitViolations <= limits.limitViolations},
-      {VerdictTable::tr("Off the plan"), mm(r.maxDeviationMm), atMost(mm(limits.deviationMm)),
+      {VerdictTable::tr("Off the plan"), mm(r.maxDeviationMm),
+       atMost(locale.toString(limits.deviationMm, 'g', 4) + QStringLiteral(" mm")),
        r.maxDeviationMm <= limits.deviationMm},
   };
 }
