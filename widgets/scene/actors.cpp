@@ -60,7 +60,7 @@ void setColour(vtkActor* actor, const Colour& colour) {
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
 }
 
-void setPose(vtkActor* actor, const Eigen::Isometry3d& world_T_model) {
+void setPose(vtkActor* actor, const Eigen::Affine3d& world_T_model) {
   vtkNew<vtkMatrix4x4> matrix;
   for (int r = 0; r < 4; ++r)
     for (int c = 0; c < 4; ++c)

@@ -26,7 +26,7 @@ vtkSmartPointer<vtkActor> addSolid(vtkRenderer* renderer);
 vtkSmartPointer<vtkActor> addLines(vtkRenderer* renderer);
 void setData(vtkActor* actor, vtkPolyData* data);
 void setColour(vtkActor* actor, const Colour& colour);
-void setPose(vtkActor* actor, const Eigen::Isometry3d& world_T_model);
+void setPose(vtkActor* actor, const Eigen::Affine3d& world_T_model);
 void giveSolidLook(vtkActor* actor);
 
 // Two lights that go with the camera: from above on the left, and a weaker one against the shade.

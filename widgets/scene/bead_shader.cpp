@@ -51,9 +51,10 @@ in vec3 beadFront;
 in float beadSide;
 )";
 
+// Less than fully round: rims dark to the last would be specks where beads are small.
 constexpr const char* kFragmentCode = R"(
   vec3 normalVCVSOutput = normalize(
-      beadSide * beadRim + sqrt(max(0.0, 1.0 - beadSide * beadSide)) * beadFront);
+      0.8 * beadSide * beadRim + sqrt(max(0.0, 1.0 - 0.64 * beadSide * beadSide)) * beadFront);
 )";
 
 } // namespace

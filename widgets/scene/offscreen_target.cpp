@@ -101,25 +101,31 @@ private:
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-// Mean of samples x samples, rows turned round: OpenGL counts them from below.
-Image reduced(const unsigned char* pixels, int width, int height, int samples) {
-  Image image{width, height, {}};
-  image.rgb.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  const std::size_t row = 3 * static_cast<std::size_t>(width * samples);
-  const unsigned count = static_cast<unsigned>(samples * samples);
-  std::uint8_t* out = image.rgb.data();
-  for (int y = height - 1; y >= 0; --y)
-    for (int x = 0; x < width; ++x)
+// Mean of samples x samples pixels.
+Image reduced(const Image& fine, int samples) {
+  Image image{fine.width / samples, fine.height / samples, {}};
+  image.rgb.reserve(3 * static_cast<std::size_t>(image.width) *
+                    static_cast<std::size_t>(image.height));
+  const std::size_t row = 3 * static_cast<std::size_t>(fine.width);
+  const auto count = static_cast<unsigned>(samples * samples);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
       for (int k = 0; k < 3; ++k) {
         unsigned sum = 0;
         for (int j = 0; j < samples; ++j)
           for (int i = 0; i < samples; ++i)
-            sum +=
-                pixels[static_cast<std::size_t>(y * samples + j) * row +
-                       3 * static_cast<std::size_t>(x * samples + i) + static_cast<std::size_t>(k)];
-        *out++ = static_cast<std::uint8_t>((sum + count / 2) / count);
+            sum += fine.rgb[static_cast<std::size_t>(y * samples + j) * row +
+                            static_cast<std::size_t>(3 * (x * samples + i) + k)];
+        image.rgb.push_back(static_cast<std::uint8_t>((sum + count / 2) / count));
       }
   return image;
+}
+
+void checkSize(int width, int height) {
+  if (width < kSmallest || height < kSmallest || width > kLargest || height > kLargest)
+    throw base::Error(base::ErrorCode::Usage,
+                      fmt::format("a picture of {} x {} pixels cannot be drawn", width, height), {},
+                      fmt::format("choose {} to {} pixels a side", kSmallest, kLargest));
 }
 
 } // namespace
@@ -150,31 +156,53 @@ OffscreenTarget::~OffscreenTarget() {
 
 Image OffscreenTarget::imageOf(Scene& scene, int width, int height,
                                const std::function<void()>& placeCamera, int samples) {
-  if (width < kSmallest || height < kSmallest || width > kLargest || height > kLargest)
-    throw base::Error(base::ErrorCode::Usage,
-                      fmt::format("a picture of {} x {} pixels cannot be drawn", width, height), {},
-                      fmt::format("choose {} to {} pixels a side", kSmallest, kLargest));
+  checkSize(width, height);
   samples = std::clamp(samples, 1, std::max(1, kLargest / std::max(width, height)));
-  impl_->context.makeCurrent();
-  EglWindow& window = *impl_->window;
-  vtkRenderer* renderer = scene.renderer();
-  window.AddRenderer(renderer);
-  window.SetSize(width * samples, height * samples);
+  Session session(*this, scene, width * samples, height * samples);
   scene.setPixelRatio(samples);
   if (placeCamera)
     placeCamera();
+  vtkRenderer* renderer = scene.renderer();
   const bool smoothed = renderer->GetUseFXAA();
   if (samples > 1)
     renderer->SetUseFXAA(false);
-  window.Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window.GetPixelData(0, 0, width * samples - 1, height * samples - 1, 0, pixels, 0);
-  const Image image = reduced(pixels->GetPointer(0), width, height, samples);
+  session.draw();
   renderer->SetUseFXAA(smoothed);
   scene.setPixelRatio(1.0);
-  // Buffers and programs live in this context.
-  renderer->ReleaseGraphicsResources(&window);
-  window.RemoveRenderer(renderer);
+  return reduced(session.image(), samples);
+}
+
+OffscreenTarget::Session::Session(OffscreenTarget& target, Scene& scene, int width, int height)
+    : target_(target), scene_(scene), width_(width), height_(height) {
+  checkSize(width, height);
+  target_.impl_->context.makeCurrent();
+  target_.impl_->window->AddRenderer(scene.renderer());
+  target_.impl_->window->SetSize(width, height);
+}
+
+// Buffers and programs live in the target's context.
+OffscreenTarget::Session::~Session() {
+  EglWindow* window = target_.impl_->window;
+  scene_.renderer()->ReleaseGraphicsResources(window);
+  window->RemoveRenderer(scene_.renderer());
+}
+
+void OffscreenTarget::Session::draw() {
+  target_.impl_->context.makeCurrent();
+  target_.impl_->window->Render();
+  glFinish();
+}
+
+Image OffscreenTarget::Session::image() const {
+  vtkNew<vtkUnsignedCharArray> pixels;
+  target_.impl_->window->GetPixelData(0, 0, width_ - 1, height_ - 1, 0, pixels, 0);
+  // OpenGL counts rows from below.
+  Image image{width_, height_, {}};
+  const std::size_t row = 3 * static_cast<std::size_t>(width_);
+  image.rgb.resize(row * static_cast<std::size_t>(height_));
+  for (int y = 0; y < height_; ++y)
+    std::copy_n(pixels->GetPointer(0) + static_cast<std::size_t>(height_ - 1 - y) * row, row,
+                image.rgb.data() + static_cast<std::size_t>(y) * row);
   return image;
 }
 

@@ -33,6 +33,25 @@ public:
   Image imageOf(Scene& scene, int width, int height, const std::function<void()>& placeCamera = {},
                 int samples = 2);
 
+  // A scene that stays in the target while it lives, to draw many frames of it. As imageOf with
+  // one sample a pixel.
+  class Session {
+  public:
+    Session(OffscreenTarget& target, Scene& scene, int width, int height);
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    // Draws a frame to its end.
+    void draw();
+    Image image() const; // of the last frame
+
+  private:
+    OffscreenTarget& target_;
+    Scene& scene_;
+    int width_, height_;
+  };
+
 private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

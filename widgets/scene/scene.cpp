@@ -71,6 +71,7 @@ struct Scene::Impl {
   vtkNew<vtkPlane> section;
 
   std::shared_ptr<const PartDrawing> part;
+  Eigen::Affine3d moved_T_part = Eigen::Affine3d::Identity();
   std::shared_ptr<const PlatformDrawing> platform;
   std::shared_ptr<const VoxelDrawing> voxels;
   std::shared_ptr<const LayersDrawing> layers;
@@ -191,10 +192,12 @@ struct Scene::Impl {
         setPose(bodies[i], world_T_frame[static_cast<std::size_t>(c.bodies()[i].frame)]);
     }
     for (vtkActor* actor :
-         {partSurface.Get(), partEdges.Get(), plate.Get(), outline.Get(), grid.Get(),
+         {plate.Get(), outline.Get(), grid.Get(),
           voxelMissed.Get(), voxelOutside.actor.Get(), voxelInside.actor.Get(),
           missedHalo.actor.Get(), slabs.actor.Get(), beads.actor.Get(), travels.actor.Get()})
       setPose(actor, world_T_work);
+    for (vtkActor* actor : {partSurface.Get(), partEdges.Get()})
+      setPose(actor, world_T_work * moved_T_part);
   }
 
   bool shows(bool wanted, const void* drawing) const { return wanted && drawing; }
@@ -440,11 +443,8 @@ void Scene::setPart(std::shared_ptr<const PartDrawing> part) {
 }
 
 void Scene::setPartPreview(const Eigen::Affine3d& moved_T_part) {
-  const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> elements = moved_T_part.matrix();
-  const auto moved = vtkSmartPointer<vtkMatrix4x4>::New();
-  moved->DeepCopy(elements.data());
-  for (vtkActor* actor : {impl_->partSurface.Get(), impl_->partEdges.Get()})
-    actor->SetUserMatrix(moved);
+  impl_->moved_T_part = moved_T_part;
+  impl_->applyView();
 }
 
 void Scene::setPlatform(std::shared_ptr<const PlatformDrawing> platform) {

@@ -7,7 +7,7 @@ Theme lightTheme() {
   t.backgroundTop = {0.93, 0.945, 0.96};
   t.backgroundBottom = {0.985, 0.985, 0.98};
   t.text = {0.16, 0.18, 0.21};
-  t.axisX = {0.84, 0.37, 0.0};
+  t.axisX = {0.86, 0.52, 0.0};
   t.axisY = {0.0, 0.55, 0.42};
   t.axisZ = {0.0, 0.40, 0.70};
   t.part = {0.70, 0.77, 0.84};
@@ -32,7 +32,7 @@ Theme darkTheme() {
   t.backgroundTop = {0.13, 0.14, 0.16};
   t.backgroundBottom = {0.20, 0.21, 0.23};
   t.text = {0.90, 0.91, 0.93};
-  t.axisX = {0.95, 0.55, 0.20};
+  t.axisX = {0.95, 0.62, 0.20};
   t.axisY = {0.20, 0.75, 0.58};
   t.axisZ = {0.40, 0.70, 0.95};
   t.part = {0.56, 0.64, 0.72};

@@ -1,0 +1,65 @@
+#include "scene/colouring.h"
+#include "scene/theme.h"
+
+#include "base/error.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace {
+using namespace voluta::scene;
+
+double distance(const Colour& a, const Colour& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+double luminance(const Colour& c) {
+  const auto linear = [](double v) { return std::pow(v, 2.2); };
+  return 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]);
+}
+
+TEST(Colouring, TableHasOneRowAQuantityInOrder) {
+  const auto& table = colourByTable();
+  ASSERT_EQ(table.size(), static_cast<std::size_t>(kColourByCount));
+  std::set<std::string_view> ids;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(table[i].colourBy), i);
+    EXPECT_EQ(colourByOf(table[i].id), table[i].colourBy);
+    ids.insert(table[i].id);
+  }
+  EXPECT_EQ(ids.size(), table.size());
+}
+
+TEST(Colouring, UnknownNameIsAnsweredWithTheNearest) {
+  try {
+    colourByOf("spede");
+    FAIL();
+  } catch (const voluta::base::Error& e) {
+    EXPECT_EQ(e.code(), voluta::base::ErrorCode::Usage);
+    EXPECT_NE(std::string(e.what()).find("speed"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Colouring, SequentialMapGetsLighterAllTheWay) {
+  double before = -1.0;
+  for (int i = 0; i <= 50; ++i) {
+    const double now = luminance(sequentialColour(i / 50.0));
+    EXPECT_GT(now, before) << i;
+    before = now;
+  }
+}
+
+TEST(Colouring, RedIsKeptForWhatIsBlocked) {
+  for (const Theme& theme : {lightTheme(), darkTheme()}) {
+    for (int i = 0; i <= 100; ++i)
+      EXPECT_GT(distance(sequentialColour(i / 100.0), theme.blocked), 0.45) << i;
+    for (int i = 0; i < 10; ++i)
+      EXPECT_GT(distance(categoricalColour(i), theme.blocked), 0.45) << i;
+    for (const Colour& c : {theme.part, theme.platform, theme.robotLight, theme.robotDark,
+                            theme.head, theme.material, theme.marker, theme.axisX})
+      EXPECT_GT(distance(c, theme.blocked), 0.3);
+  }
+}
+
+} // namespace

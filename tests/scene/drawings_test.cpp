@@ -1,0 +1,183 @@
+// What is left out of a picture is only what cannot be seen: counted against plain enumeration.
+#include "scene/drawing_data.h"
+#include "scene/visible_beads.h"
+
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace {
+using namespace voluta;
+using scene::Stretch;
+
+std::size_t total(const std::vector<Stretch>& stretches) {
+  std::size_t sum = 0;
+  for (const Stretch& s : stretches)
+    sum += s.count;
+  return sum;
+}
+
+TEST(VoxelDrawing, ShowsTheFacesBetweenWhatIsShownAndWhatIsNot) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> anyRank(0, 5);
+  curved::Decomposition d;
+  d.grid.size = {6, 5, 7};
+  d.rank.resize(d.grid.cellCount());
+  for (auto& rank : d.rank)
+    rank = anyRank(random);
+  const auto drawing = scene::drawVoxels(d);
+  ASSERT_EQ(scene::layerCount(*drawing), 5);
+
+  for (int first = 0; first < 5; ++first)
+    for (int last = first; last < 5; ++last) {
+      const auto shown = [&](int i, int j, int k) {
+        if (!d.grid.contains(i, j, k))
+          return false;
+        const int layer = d.rank[d.grid.index(i, j, k)] - 1;
+        return layer >= first && layer <= last;
+      };
+      std::size_t expected = 0;
+      for (int k = 0; k <= 7; ++k)
+        for (int j = 0; j <= 5; ++j)
+          for (int i = 0; i <= 6; ++i)
+            expected += std::size_t(shown(i, j, k) != shown(i - 1, j, k)) +
+                        std::size_t(shown(i, j, k) != shown(i, j - 1, k)) +
+                        std::size_t(shown(i, j, k) != shown(i, j, k - 1));
+      std::vector<Stretch> faces;
+      drawing->outer.append(faces, first, last, -scene::kNeverHidden);
+      drawing->upper.append(faces, first, last, last);
+      drawing->lower.append(faces, first, last, -first);
+      EXPECT_EQ(total(faces), 2 * expected) << first << " to " << last;
+    }
+}
+
+// A block of straight beads, 1 mm apart in y and z.
+plan::ToolPlan block(int layers, int beads, int waypoints) {
+  plan::ToolPlan plan;
+  for (int layer = 0; layer < layers; ++layer)
+    for (int bead = 0; bead < beads; ++bead) {
+      plan::ToolPath path;
+      path.first = plan.position.size();
+      path.count = static_cast<std::size_t>(waypoints);
+      path.layer = layer;
+      for (int i = 0; i < waypoints; ++i) {
+        plan.position.emplace_back(i, bead, layer + 1);
+        plan.direction.push_back(Eigen::Vector3d::UnitZ());
+        plan.widthMm.push_back(1.0f);
+        plan.heightMm.push_back(1.0f);
+        plan.speedMmPerS.push_back(20.0f);
+      }
+      plan.paths.push_back(path);
+    }
+  return plan;
+}
+
+TEST(PathsDrawing, LeavesOutWhatLaterBeadsSurround) {
+  const plan::ToolPlan plan = block(12, 12, 30);
+  const auto drawing = scene::drawPaths(plan);
+  const std::size_t segments = 12 * 12 * 29;
+  EXPECT_EQ(drawing->arrival.size(), segments);
+
+  scene::ViewState view;
+  const std::size_t all = total(scene::visibleBeads(*drawing, view));
+  // The outermost two rings of beads at least; not the heart of the block.
+  EXPECT_GE(all, 2 * (12 * 12 - 10 * 10) * 29u);
+  EXPECT_LT(all, 2 * segments * 3 / 4);
+
+  view.sectionOn = true;
+  EXPECT_EQ(total(scene::visibleBeads(*drawing, view)), 2 * segments);
+}
+
+TEST(PathsDrawing, TopLayerIsThereInFullForEveryRange) {
+  const plan::ToolPlan plan = block(10, 12, 20);
+  const auto drawing = scene::drawPaths(plan);
+  for (int last = 0; last < 10; ++last) {
+    scene::ViewState view;
+    view.lastLayer = last;
+    std::vector<char> seen(plan.waypointCount(), 0);
+    for (const Stretch& s : scene::visibleBeads(*drawing, view))
+      for (std::size_t i = s.first / 2; i < (s.first + s.count) / 2; ++i) {
+        const auto arrival = drawing->arrival[i];
+        EXPECT_FALSE(seen[arrival]) << "drawn twice";
+        seen[arrival] = 1;
+        EXPECT_LE(drawing->layerOfPath[drawing->pathOf[arrival]], last);
+      }
+    for (const plan::ToolPath& path : plan.paths)
+      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+        if (path.layer == last) {
+          EXPECT_TRUE(seen[i]) << "layer " << last << ", waypoint " << i;
+        }
+  }
+}
+
+TEST(PathsDrawing, MovesAndPrintedWaypointsClampThePrintOrder) {
+  const plan::ToolPlan plan = block(6, 8, 10);
+  const auto drawing = scene::drawPaths(plan);
+  const auto highest = [&](const scene::ViewState& view) {
+    std::size_t most = 0;
+    for (const Stretch& s : scene::visibleBeads(*drawing, view))
+      for (std::size_t i = s.first / 2; i < (s.first + s.count) / 2; ++i)
+        most = std::max<std::size_t>(most, drawing->arrival[i]);
+    return most;
+  };
+  scene::ViewState view;
+  view.lastLayer = 3;
+  view.moves = 25;
+  EXPECT_EQ(scene::waypointsOfLayer(*drawing, 3).size(), 80u);
+  EXPECT_EQ(highest(view), scene::waypointsOfLayer(*drawing, 3)[24]);
+  view.moves = 0;
+  EXPECT_LT(highest(view), scene::waypointsOfLayer(*drawing, 3)[0]);
+
+  view = {};
+  view.printedWaypoints = 137;
+  EXPECT_EQ(highest(view), 136u);
+  view.printedWaypoints = 0;
+  EXPECT_TRUE(scene::visibleBeads(*drawing, view).empty());
+}
+
+TEST(PathsDrawing, TravelsBelongToTheLayerTheyLeadTo) {
+  const plan::ToolPlan plan = block(3, 4, 5);
+  const auto drawing = scene::drawPaths(plan);
+  scene::ViewState view;
+  EXPECT_EQ(total(scene::visibleTravels(*drawing, view)), 11u);
+  view.firstLayer = view.lastLayer = 1;
+  EXPECT_EQ(total(scene::visibleTravels(*drawing, view)), 4u);
+  view.moves = 6; // the second bead of the layer has begun
+  EXPECT_EQ(total(scene::visibleTravels(*drawing, view)), 2u);
+}
+
+TEST(LayersDrawing, SidesThatOtherLayersCoverAreLeftOut) {
+  layers::LayerStack stack;
+  for (int layer = 0; layer < 3; ++layer) {
+    layers::Patch patch;
+    patch.layer = layer;
+    for (int j = 0; j <= 10; ++j)
+      for (int i = 0; i <= 10; ++i)
+        patch.surface.vertices.emplace_back(i, j, layer + 0.5);
+    for (int j = 0; j < 10; ++j)
+      for (int i = 0; i < 10; ++i) {
+        const int a = 11 * j + i;
+        patch.surface.triangles.push_back({a, a + 1, a + 12});
+        patch.surface.triangles.push_back({a, a + 12, a + 11});
+      }
+    patch.thicknessMm.assign(121, 1.0);
+    patch.direction.assign(121, Eigen::Vector3d::UnitZ());
+    stack.patches.push_back(patch);
+  }
+  stack.layerCount = 3;
+  const auto drawing = scene::drawLayers(stack);
+  EXPECT_EQ(scene::layerCount(*drawing), 3);
+  const auto shown = [&](const scene::LayeredFaces& faces, int first, int last, int key) {
+    std::vector<Stretch> stretches;
+    faces.append(stretches, first, last, key);
+    return total(stretches);
+  };
+  EXPECT_EQ(shown(drawing->bands, 0, 2, -scene::kNeverHidden), 3 * 2 * 40u);
+  EXPECT_EQ(shown(drawing->upper, 0, 2, 2), 200u);
+  EXPECT_EQ(shown(drawing->upper, 0, 1, 1), 200u);
+  EXPECT_EQ(shown(drawing->lower, 0, 2, 0), 200u);
+  EXPECT_EQ(shown(drawing->lower, 1, 2, -1), 200u);
+}
+
+} // namespace

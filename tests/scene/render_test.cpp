@@ -1,0 +1,166 @@
+// Pictures themselves, and the command that makes them with and without a display.
+#include "base/error.h"
+#include "base/files.h"
+#include "pipeline/job.h"
+#include "scene/offscreen_target.h"
+
+#include "support/shapes.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+using namespace voluta;
+
+struct Pixel {
+  int r, g, b;
+  bool red() const { return r > 150 && g < r / 2 && b < r / 2; }
+};
+
+Pixel at(const scene::Image& image, int x, int y) {
+  const auto* p = &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
+  return {p[0], p[1], p[2]};
+}
+
+std::size_t redPixels(const scene::Image& image) {
+  std::size_t count = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      count += at(image, x, y).red();
+  return count;
+}
+
+scene::Image picture(scene::Scene& scene, const scene::ViewState& view,
+                     scene::StandardView from = scene::StandardView::Isometric) {
+  scene.setView(view);
+  scene::OffscreenTarget target;
+  return target.imageOf(scene, 320, 200, [&] { scene.standardView(from); });
+}
+
+TEST(Render, PartIsInTheMiddleAndTheBackgroundAround) {
+  scene::Scene scene(scene::lightTheme());
+  scene.setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));
+  const scene::Image image = picture(scene, {});
+  ASSERT_EQ(image.rgb.size(), 3u * 320 * 200);
+  const Pixel middle = at(image, 160, 100), corner = at(image, 310, 10);
+  EXPECT_GT(middle.b, middle.r + 5) << "grey-blue";
+  EXPECT_GT(corner.r, 225);
+  EXPECT_LT(middle.r, corner.r - 20);
+}
+
+TEST(Render, SamePictureTwice) {
+  scene::Scene scene(scene::darkTheme());
+  scene.setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));
+  const scene::Image first = picture(scene, {});
+  EXPECT_EQ(first.rgb, picture(scene, {}).rgb);
+}
+
+TEST(Render, MissedVoxelsShineThroughAndNothingElseIsRed) {
+  curved::Decomposition d;
+  d.grid.size = {9, 9, 9};
+  for (std::size_t c = 0; c < d.grid.cellCount(); ++c)
+    d.rank.push_back(d.grid.cell(c).z() + 1);
+  scene::ViewState view;
+  view.part = false;
+  view.voxels = true;
+  scene::Scene scene(scene::lightTheme());
+  scene.setVoxels(scene::drawVoxels(d));
+  EXPECT_EQ(redPixels(picture(scene, view)), 0u);
+  const auto before = picture(scene, view, scene::StandardView::Front);
+  for (int i = 3; i < 6; ++i)
+    d.rank[d.grid.index(i, 8, 4)] = -1; // at the back
+  scene.setVoxels(scene::drawVoxels(d));
+  const auto after = picture(scene, view, scene::StandardView::Front);
+  EXPECT_GT(at(after, 160, 100).r, at(before, 160, 100).r + 30);
+  EXPECT_GT(redPixels(picture(scene, view, scene::StandardView::Back)), 100u);
+}
+
+TEST(Render, WrongSizeIsRefused) {
+  scene::Scene scene(scene::lightTheme());
+  scene::OffscreenTarget target;
+  EXPECT_THROW(target.imageOf(scene, 4, 4), base::Error);
+  EXPECT_THROW(target.imageOf(scene, 100000, 400), base::Error);
+}
+
+class RenderCommand : public ::testing::Test {
+protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "voluta-render.XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    pipeline::Job job;
+    job.partName = "ball.stl";
+    const auto mesh = std::make_shared<const geometry::TriangleMesh>(test::sphere({0, 0, 20}, 20));
+    auto loaded = std::make_shared<pipeline::LoadedPart>();
+    loaded->name = job.partName;
+    loaded->mesh = mesh;
+    job.loaded = loaded;
+    job.part = mesh;
+    job.platform = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
+    pipeline::writeJob(folder_ / "job.voluta", job);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  int run(const std::string& before, const std::string& words) const {
+    const std::string line = before + " " + VOLUTA_CLI + " render " +
+                             (folder_ / "job.voluta").string() + " " + words + " 2> " +
+                             (folder_ / "stderr").string();
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string picturePath(const char* name) const { return (folder_ / name).string(); }
+  std::string complaint() const { return base::readFile(folder_ / "stderr"); }
+
+  fs::path folder_;
+};
+
+TEST_F(RenderCommand, SamePictureWithAndWithoutADisplay) {
+  ASSERT_EQ(run("env -u DISPLAY -u WAYLAND_DISPLAY",
+                "--show part --size 400x300 -o " + picturePath("a.png")),
+            0)
+      << complaint();
+  const std::string bytes = base::readFile(picturePath("a.png"));
+  EXPECT_EQ(bytes.substr(1, 3), "PNG");
+  if (std::system("command -v xvfb-run > /dev/null") != 0)
+    GTEST_SKIP() << "no xvfb-run";
+  ASSERT_EQ(run("xvfb-run -a -s '-screen 0 800x600x24 +extension GLX'",
+                "--show part --size 400x300 -o " + picturePath("b.png")),
+            0)
+      << complaint();
+  EXPECT_EQ(bytes, base::readFile(picturePath("b.png")));
+}
+
+TEST_F(RenderCommand, SaysInOneLineWhatTheJobLacks) {
+  for (const char* what : {"voxels", "layers", "paths", "robot"}) {
+    EXPECT_EQ(run("", std::string("--show ") + what + " -o " + picturePath("none.png")), 3);
+    const std::string line = complaint();
+    EXPECT_NE(line.find("the job holds no"), std::string::npos) << line;
+    EXPECT_NE(line.find("voluta-cli plan"), std::string::npos) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 1) << line;
+    EXPECT_FALSE(fs::exists(picturePath("none.png")));
+  }
+}
+
+TEST_F(RenderCommand, RefusesWhatIsNotThereBeforeItDraws) {
+  const std::string to = " -o " + picturePath("none.png");
+  EXPECT_EQ(run("", "--show prat" + to), 2);
+  EXPECT_NE(complaint().find("part"), std::string::npos);
+  EXPECT_EQ(run("", "--show part --size 12" + to), 2);
+  EXPECT_EQ(run("", "--show part --size 4x4" + to), 2);
+  EXPECT_EQ(run("", "--show part --colour blu" + to), 2);
+  EXPECT_EQ(run("", "--show part --view abovee" + to), 2);
+  EXPECT_FALSE(fs::exists(picturePath("none.png")));
+}
+
+TEST_F(RenderCommand, UnwritablePlaceIsToldAndLeavesNothing) {
+  EXPECT_EQ(run("", "--show part -o " + (folder_ / "missing" / "a.png").string()), 2);
+  EXPECT_FALSE(fs::exists(folder_ / "missing"));
+}
+
+} // namespace
