@@ -50,7 +50,7 @@ Eigen::Quaterniond rotationLayingFlat(const Vector3d& normal) {
   // Upside down has no shortest way: about x then.
   if (n.z() > 1.0 - 1e-12)
     return Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
-  return Eigen::Quaterniond::FromTwoVectors(n, -Vector3d::UnitZ());
+  return Eigen::Quaterniond::FromTwoVectors(n, -Vector3d::UnitZ()).normalized();
 }
 
 UnitGuess guessUnits(const TriangleMesh& mesh) {

@@ -1,6 +1,8 @@
+#include "base/error.h"
 #include "pipeline/report.h"
 #include "pipeline/vti_writer.h"
 
+#include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -55,6 +57,28 @@ TEST(Report, TextThatIsNotUtf8StaysReadable) {
   pipeline::Report report;
   report.model.file = "part\xff.stl";
   EXPECT_NO_THROW(nlohmann::json::parse(pipeline::reportJson(report)));
+}
+
+TEST(Report, ComesBackFromItsText) {
+  pipeline::Report report;
+  report.model.repairs = {"closed 1 hole"};
+  report.model.boundsMm = Eigen::AlignedBox3d(Eigen::Vector3d(0.1, 2, 3), Eigen::Vector3d(4, 5, 6));
+  report.decomposition.growth = "reverse";
+  report.layers.thicknessP01Mm = 1.0 / 3.0;
+  report.toolpath.gouges = 3;
+  report.motion.maxJerk = {0.5, 1.5};
+  report.motion.minClearanceMm = std::nan("");
+  report.programs.push_back({"csv", true, {"a.csv"}, 12, 0.25, 0.5});
+  report.replay.thresholds.mass = 0.03;
+  report.findings.push_back({"load", "meshDefect", Eigen::Vector3d(1, 2, 3), 4.5, 6, "a", "b"});
+  report.findings.back().blocking = false;
+  report.findings.emplace_back();
+  report.timings.jerk = 0.125;
+  report.threads = 7;
+  const std::string text = pipeline::reportJson(report);
+  EXPECT_EQ(pipeline::reportJson(pipeline::readReportJson(text)), text);
+  EXPECT_THROW(pipeline::readReportJson("{}"), base::Error);
+  EXPECT_THROW(pipeline::readReportJson("report"), base::Error);
 }
 
 TEST(Vti, ArraysStandWhereTheHeaderSays) {

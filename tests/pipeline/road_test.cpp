@@ -1,0 +1,285 @@
+// The road as the window uses it: stages that are kept, keys that tell what is out of date,
+// projects that are reopened. A small box, so that a whole plan takes about a second.
+#include "pipeline/road.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+#include "pipeline/outputs.h"
+#include "support/shapes.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <unistd.h>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::shared_ptr<const LoadedPart> boxPart() {
+  static const auto kPart = loadedFrom("box.stl",
+                                       std::make_shared<geometry::TriangleMesh>(test::box(
+                                           Eigen::Vector3d(-10, -9, 0), Eigen::Vector3d(10, 9, 8))),
+                                       {}, true, {});
+  return kPart;
+}
+
+PlanRequest boxRequest(const std::map<std::string, std::string>& parameters = {}) {
+  PlanRequest request;
+  request.loaded = boxPart();
+  request.choices.parameters = parameters;
+  return request;
+}
+
+base::RunContext context() {
+  return base::RunContext(base::CancelToken(), 2);
+}
+
+// What a report says, but for how long it took and on how many threads.
+nlohmann::json said(const Report& report) {
+  auto j = nlohmann::json::parse(reportJson(report));
+  for (const char* key : {"timingS", "peakRssMb", "threads"})
+    j.erase(key);
+  return j;
+}
+
+void expectSamePrograms(const PlanResult& a, const PlanResult& b) {
+  ASSERT_EQ(a.checked.size(), b.checked.size());
+  for (std::size_t i = 0; i < a.checked.size(); ++i) {
+    ASSERT_EQ(a.checked[i]->program.files.size(), b.checked[i]->program.files.size());
+    for (std::size_t f = 0; f < a.checked[i]->program.files.size(); ++f) {
+      EXPECT_EQ(a.checked[i]->program.files[f].name, b.checked[i]->program.files[f].name);
+      EXPECT_TRUE(a.checked[i]->program.files[f].text == b.checked[i]->program.files[f].text)
+          << a.checked[i]->program.files[f].name;
+    }
+  }
+}
+
+// One plan with a cache that the tests look at.
+class PlannedBox : public ::testing::Test {
+protected:
+  static void SetUpTestSuite() {
+    cache_ = new StageCache();
+    first_ = new PlanResult(planPart(boxRequest(), context(), cache_));
+  }
+  static void TearDownTestSuite() {
+    delete first_;
+    delete cache_;
+  }
+  static StageCache* cache_;
+  static PlanResult* first_;
+};
+StageCache* PlannedBox::cache_ = nullptr;
+PlanResult* PlannedBox::first_ = nullptr;
+
+TEST_F(PlannedBox, EveryStageIsToldInOrderWithWhatIsThere) {
+  std::vector<Stage> told;
+  const PlanResult again =
+      planPart(boxRequest(), context(), cache_, [&](Stage stage, const PlanResult& r) {
+        told.push_back(stage);
+        EXPECT_EQ(r.job.reached, stage);
+        EXPECT_NE(r.job.part, nullptr);
+        EXPECT_EQ(r.job.decomposition != nullptr, stage >= Stage::Decompose);
+        EXPECT_EQ(r.cell != nullptr, stage >= Stage::Decompose);
+        EXPECT_EQ(r.job.layers != nullptr, stage >= Stage::Layers);
+        EXPECT_EQ(r.job.toolPlan != nullptr, stage >= Stage::Toolpath);
+        EXPECT_EQ(r.job.trajectory != nullptr, stage >= Stage::Motion);
+        EXPECT_EQ(!r.checked.empty(), stage >= Stage::Replay);
+      });
+  EXPECT_EQ(told, (std::vector<Stage>{Stage::Load, Stage::Decompose, Stage::Layers, Stage::Toolpath,
+                                      Stage::Motion, Stage::Replay}));
+  // All of it was kept.
+  EXPECT_EQ(again.job.part, first_->job.part);
+  EXPECT_EQ(again.job.trajectory, first_->job.trajectory);
+  EXPECT_EQ(again.checked, first_->checked);
+  EXPECT_EQ(said(again.job.report), said(first_->job.report));
+  EXPECT_EQ(again.job.report.timings.grow, first_->job.report.timings.grow);
+}
+
+TEST_F(PlannedBox, AnotherInfillLeavesTheLayersAndPlansTheSameAsAFreshPlan) {
+  const PlanRequest request = boxRequest({{"infill", "concentric"}});
+  const PlanResult second = planPart(request, context(), cache_);
+  EXPECT_EQ(second.job.decomposition, first_->job.decomposition) << "decomposed again";
+  EXPECT_EQ(second.job.layers, first_->job.layers) << "cut again";
+  EXPECT_NE(second.job.toolPlan, first_->job.toolPlan);
+  const PlanResult fresh = planPart(request, context());
+  EXPECT_NE(fresh.job.layers, first_->job.layers);
+  EXPECT_EQ(said(second.job.report), said(fresh.job.report));
+  expectSamePrograms(second, fresh);
+}
+
+TEST_F(PlannedBox, AnotherFormatOnlyWritesThatFormat) {
+  PlanRequest request = boxRequest();
+  request.choices.formats = {"csv", "urscript"};
+  const PlanResult second = planPart(request, context(), cache_);
+  EXPECT_EQ(second.job.trajectory, first_->job.trajectory);
+  ASSERT_EQ(second.checked.size(), 2u);
+  EXPECT_EQ(second.checked[0], first_->checked[2]);
+  EXPECT_EQ(second.checked[1], first_->checked[0]);
+}
+
+TEST_F(PlannedBox, ACancelledPlanKeepsWhatIsDone) {
+  StageCache cache;
+  const base::CancelToken token;
+  std::shared_ptr<const curved::Decomposition> made;
+  EXPECT_THROW(planPart(boxRequest(), base::RunContext(token, 1), &cache,
+                        [&](Stage stage, const PlanResult& r) {
+                          made = r.job.decomposition;
+                          if (stage == Stage::Decompose)
+                            token.cancel();
+                        }),
+               base::Cancelled);
+  PlanRequest again = boxRequest();
+  again.until = Stage::Layers;
+  EXPECT_EQ(planPart(again, context(), &cache).job.decomposition, made);
+}
+
+TEST_F(PlannedBox, ThePlanHasTheKeysThatWereAskedForBefore) {
+  EXPECT_EQ(first_->job.keys(), stageKeys(boxRequest()));
+  PlanRequest early = boxRequest();
+  early.until = Stage::Load;
+  const StageKeys keys = planPart(early, context()).job.keys();
+  EXPECT_EQ(keys[0], first_->job.keys()[0]);
+  EXPECT_TRUE(keys[1].empty());
+}
+
+TEST_F(PlannedBox, AReopenedProjectPlansOnlyItsProgramsAndTheSameOnes) {
+  std::string pattern = (fs::temp_directory_path() / "voluta-road.XXXXXX").string();
+  ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+  const fs::path file = fs::path(pattern) / "job.voluta";
+  writeJob(file, first_->job);
+  const Job job = readJob(file);
+  fs::remove_all(pattern);
+
+  EXPECT_EQ(said(job.report), said(first_->job.report));
+  const PlanResult shown = resultOf(job);
+  EXPECT_EQ(shown.cell->id(), "ur5-fixed");
+  EXPECT_EQ(shown.process->id, "fdm-1.0");
+
+  StageCache cache;
+  seedCache(cache, job);
+  PlanRequest request;
+  request.loaded = job.loaded;
+  request.choices = job.choices;
+  EXPECT_EQ(stageKeys(request), job.keys());
+  const PlanResult planned = planPart(request, context(), &cache);
+  EXPECT_EQ(planned.job.part, job.part);
+  EXPECT_EQ(planned.job.decomposition, job.decomposition);
+  EXPECT_EQ(planned.job.layers, job.layers);
+  EXPECT_EQ(planned.job.toolPlan, job.toolPlan);
+  EXPECT_EQ(planned.job.trajectory, job.trajectory);
+  EXPECT_EQ(said(planned.job.report), said(first_->job.report));
+  expectSamePrograms(planned, *first_);
+
+  // From the part alone the same comes out again.
+  const PlanResult fresh = planPart(request, context());
+  EXPECT_NE(fresh.job.layers, job.layers);
+  expectSamePrograms(fresh, *first_);
+}
+
+TEST_F(PlannedBox, EveryPointHasItsLine) {
+  const plan::Trajectory& t = *first_->job.trajectory;
+  for (const auto& checked : first_->checked) {
+    const std::vector<TextLine> lines = linesOfPoints(*checked, t);
+    ASSERT_EQ(lines.size(), t.pointCount()) << checked->program.format;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      ASSERT_EQ(lines[i].file, 0u);
+      ASSERT_GT(lines[i].line, i == 0 ? 0u : lines[i - 1].line) << checked->program.format;
+    }
+  }
+  // The joint table says time and first joint in each line.
+  const CheckedProgram& csv = *first_->checked[2];
+  ASSERT_EQ(csv.program.format, "csv");
+  std::vector<std::string> text{""}; // lines count from 1
+  std::istringstream in(csv.program.files[0].text);
+  for (std::string line; std::getline(in, line);)
+    text.push_back(line);
+  const std::vector<TextLine> lines = linesOfPoints(csv, t);
+  for (std::size_t i = 0; i < lines.size(); i += 37) {
+    double time = -1.0, degrees = 0.0;
+    ASSERT_EQ(std::sscanf(text.at(lines[i].line).c_str(), "%lf,%lf", &time, &degrees), 2);
+    EXPECT_NEAR(time, t.timeS[i], 1e-5);
+    EXPECT_NEAR(degrees * M_PI / 180.0, t.at(i)[0], 1e-6);
+  }
+  // A text that ends early has no lines for what it lacks.
+  CheckedProgram cut = csv;
+  cut.motionLines.resize(5);
+  EXPECT_GT(linesOfPoints(cut, t)[4].line, 0u);
+  EXPECT_EQ(linesOfPoints(cut, t)[5].line, 0u);
+}
+
+TEST_F(PlannedBox, RefusedProgramsAreThereToBeLookedAt) {
+  const PlanRequest request = boxRequest({{"infillDensity", "0.3"}});
+  const PlanResult sparse = planPart(request, context(), cache_);
+  ASSERT_EQ(sparse.checked.size(), 3u);
+  for (const auto& checked : sparse.checked) {
+    EXPECT_FALSE(checked->passed);
+    EXPECT_NE(checked->failed.find("coveredFraction"), std::string::npos) << checked->failed;
+    EXPECT_FALSE(checked->program.files.empty());
+    EXPECT_LT(checked->verdict.coveredFraction, 0.97);
+    EXPECT_EQ(checked->findingLines.size(), checked->findings.size());
+    EXPECT_EQ(writtenName(*checked, {"box.csv", ""}), "refused-box.csv");
+  }
+  EXPECT_TRUE(first_->checked[0]->passed);
+  EXPECT_EQ(writtenName(*first_->checked[0], {"box.csv", ""}), "box.csv");
+}
+
+// ---- load
+
+PlanResult placed(const std::shared_ptr<const LoadedPart>& part, const Choices& choices) {
+  PlanRequest request;
+  request.loaded = part;
+  request.choices = choices;
+  request.until = Stage::Load;
+  return planPart(request, context());
+}
+
+TEST(Load, ThePartLiesAsItIsPlaced) {
+  Choices choices;
+  choices.placement.rotation = geometry::rotationLayingFlat({1, 0, 0});
+  choices.placement.centreMm = {5, 6};
+  choices.placement.liftMm = 0.25;
+  choices.scale = "2";
+  const PlanResult result = placed(boxPart(), choices);
+  const Eigen::AlignedBox3d box = geometry::bounds(*result.job.part);
+  EXPECT_LT((box.min() - Eigen::Vector3d(-3, -12, 0.25)).norm(), 1e-9) << box.min().transpose();
+  EXPECT_LT((box.max() - Eigen::Vector3d(13, 24, 40.25)).norm(), 1e-9) << box.max().transpose();
+  EXPECT_NEAR(result.job.report.model.boundsMm.max().z(), 40.25, 1e-9);
+  EXPECT_NEAR(result.job.report.model.volumeMm3, 8 * 20 * 18 * 8, 1e-6);
+  EXPECT_EQ(result.job.report.model.file, "box.stl");
+}
+
+TEST(Load, WithoutRepairTheMeshIsAsItWasRead) {
+  auto open = *boxPart()->source;
+  open.triangles.pop_back();
+  const auto source = std::make_shared<geometry::TriangleMesh>(open);
+  const auto mended = loadedFrom("open.stl", source, {}, true, {});
+  EXPECT_EQ(mended->mesh->triangles.size(), 12u);
+  EXPECT_EQ(mended->found.boundaryEdges.count, 3u);
+  EXPECT_TRUE(mended->remains.empty());
+  Choices choices;
+  choices.repair = false;
+  const PlanResult raw = placed(mended, choices);
+  EXPECT_EQ(raw.job.part->triangles.size(), 11u);
+  EXPECT_FALSE(raw.job.report.model.watertight);
+  ASSERT_FALSE(raw.job.report.findings.empty());
+  EXPECT_EQ(raw.job.report.findings[0].kind, "meshDefect");
+  EXPECT_FALSE(raw.job.loaded->repair);
+  EXPECT_EQ(raw.job.loaded->mesh, source) << "no copy";
+  // And back.
+  const auto again = withRepair(raw.job.loaded, true, {});
+  EXPECT_EQ(again->mesh->triangles, mended->mesh->triangles);
+  EXPECT_EQ(again->notes, mended->notes);
+  EXPECT_EQ(again->hash, mended->hash);
+}
+
+TEST(Load, AMeshWithoutDefectsIsNotCopied) {
+  EXPECT_EQ(boxPart()->mesh, boxPart()->source);
+}
+
+} // namespace

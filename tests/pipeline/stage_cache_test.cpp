@@ -1,0 +1,81 @@
+#include "pipeline/stage_cache.h"
+
+#include "base/error.h"
+#include "pipeline/stages.h"
+
+#include <gtest/gtest.h>
+#include <thread>
+
+using namespace voluta;
+using pipeline::CheckedProgram;
+using pipeline::LayersStage;
+using pipeline::StageCache;
+using pipeline::ToolpathStage;
+
+namespace {
+
+TEST(Stage, NamesGoBothWays) {
+  for (std::size_t i = 0; i < pipeline::kStageCount; ++i) {
+    const auto stage = static_cast<pipeline::Stage>(i);
+    EXPECT_EQ(pipeline::stageOf(std::string(pipeline::stageName(stage))), stage);
+  }
+  EXPECT_THROW(pipeline::stageOf("motin"), base::Error);
+}
+
+TEST(StageCache, KeepsTheLastFewOfAStage) {
+  StageCache cache(2);
+  const auto a = std::make_shared<const LayersStage>(), b = std::make_shared<const LayersStage>(),
+             c = std::make_shared<const LayersStage>();
+  cache.keep<LayersStage>("a", a);
+  cache.keep<LayersStage>("b", b);
+  EXPECT_EQ(cache.find<LayersStage>("a"), a); // asked for: now younger than b
+  cache.keep<LayersStage>("c", c);
+  EXPECT_EQ(cache.find<LayersStage>("a"), a);
+  EXPECT_EQ(cache.find<LayersStage>("b"), nullptr);
+  EXPECT_EQ(cache.find<LayersStage>("c"), c);
+  EXPECT_EQ(cache.find<ToolpathStage>("a"), nullptr) << "a key is of one stage";
+  cache.clear();
+  EXPECT_EQ(cache.find<LayersStage>("c"), nullptr);
+}
+
+TEST(StageCache, KeepsProgramsOneByOneForEachFormat) {
+  StageCache cache(1);
+  const auto csv = std::make_shared<const CheckedProgram>(),
+             gcode = std::make_shared<const CheckedProgram>();
+  cache.keep<CheckedProgram>("k", csv, "csv");
+  cache.keep<CheckedProgram>("k", gcode, "gcode-extended");
+  EXPECT_EQ(cache.find<CheckedProgram>("k", "csv"), csv);
+  EXPECT_EQ(cache.find<CheckedProgram>("k", "gcode-extended"), gcode);
+}
+
+TEST(StageCache, AKeyKeptTwiceHasTheLatestValueOnce) {
+  StageCache cache(2);
+  const auto old = std::make_shared<const LayersStage>(),
+             latest = std::make_shared<const LayersStage>();
+  cache.keep<LayersStage>("other", old);
+  cache.keep<LayersStage>("k", old);
+  cache.keep<LayersStage>("k", latest);
+  EXPECT_EQ(cache.find<LayersStage>("k"), latest);
+  EXPECT_EQ(cache.find<LayersStage>("other"), old);
+}
+
+TEST(StageCache, SeveralThreadsMayUseIt) {
+  StageCache cache(3);
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&cache, t] {
+      for (int i = 0; i < 2000; ++i) {
+        const std::string key = std::to_string((i + t) % 7);
+        auto layers = std::make_shared<LayersStage>();
+        layers->report.count = (i + t) % 7;
+        cache.keep<LayersStage>(key, layers);
+        if (const auto found = cache.find<LayersStage>(key)) {
+          EXPECT_EQ(std::to_string(found->report.count), key);
+        }
+      }
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+}
+
+} // namespace

@@ -1,0 +1,182 @@
+// What makes a result out of date, and what doesn't.
+#include "base/error.h"
+#include "base/files.h"
+#include "pipeline/road.h"
+#include "support/shapes.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <map>
+#include <tuple>
+#include <unistd.h>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::shared_ptr<const LoadedPart> boxPart() {
+  static const auto kPart = loadedFrom("box.stl",
+                                       std::make_shared<geometry::TriangleMesh>(test::box(
+                                           Eigen::Vector3d(-10, -9, 0), Eigen::Vector3d(10, 9, 8))),
+                                       {}, true, {});
+  return kPart;
+}
+
+PlanRequest boxRequest(const std::map<std::string, std::string>& parameters = {}) {
+  PlanRequest request;
+  request.loaded = boxPart();
+  request.choices.parameters = parameters;
+  return request;
+}
+
+// The first stage whose key a parameter changes; kStageCount: none.
+const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
+    {"layerHeightMm", {"0.7", 1}},
+    {"beadWidthMm", {"1.3", 2}},
+    {"stepMm", {"0.9", 3}},
+    {"output.debug", {"true", kStageCount}},
+    {"output.refused", {"true", kStageCount}},
+    {"voxelMm", {"0.9", 1}},
+    {"fieldRounds", {"5", 1}},
+    {"walls", {"3", 3}},
+    {"infill", {"concentric", 3}},
+    {"infillDensity", {"0.5", 3}},
+    {"bodyClearanceMm", {"3", 4}},
+    {"partClearanceMm", {"3", 4}},
+    {"liftMm", {"3", 4}},
+    {"redundancySamples", {"12", 4}},
+};
+
+// Works on a copy of the program's data, to be changed.
+class StageKeysOf : public ::testing::Test {
+protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "voluta-keys.XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    fs::copy(base::resourceFolder() / "", folder_, fs::copy_options::recursive);
+    if (const char* before = std::getenv("VOLUTA_RESOURCES"))
+      before_ = before;
+    ::setenv("VOLUTA_RESOURCES", folder_.c_str(), 1);
+    default_ = stageKeys(boxRequest());
+  }
+  void TearDown() override {
+    if (before_.empty())
+      ::unsetenv("VOLUTA_RESOURCES");
+    else
+      ::setenv("VOLUTA_RESOURCES", before_.c_str(), 1);
+    fs::remove_all(folder_);
+  }
+  void replace(const char* file, const std::string& what, const std::string& with) const {
+    std::string text = base::readFile(folder_ / file);
+    const std::size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    base::writeFile(folder_ / file, text.replace(at, what.size(), with));
+  }
+  // Keys from stage `first` on differ from those of the defaults, those before don't.
+  void expectChangesFrom(const PlanRequest& request, std::size_t first,
+                         const std::string& what) const {
+    const StageKeys now = stageKeys(request);
+    for (std::size_t i = 0; i < kStageCount; ++i)
+      EXPECT_EQ(now[i] == default_[i], i < first) << what << ", stage " << i;
+  }
+
+  fs::path folder_;
+  std::string before_;
+  StageKeys default_;
+};
+
+TEST_F(StageKeysOf, ParametersReachTheStagesTheyMatterTo) {
+  const base::ParameterTable table = allParameters();
+  for (const base::ParameterSpec& spec : table.specs()) {
+    const auto row = kParameters.find(spec.key);
+    ASSERT_NE(row, kParameters.end()) << spec.key << ": which stage does it matter to?";
+    expectChangesFrom(boxRequest({{spec.key, row->second.first}}), row->second.second, spec.key);
+    expectChangesFrom(boxRequest({{spec.key, base::formatParameter(spec.defaultValue)}}),
+                      kStageCount, spec.key + " as it is by default");
+  }
+}
+
+TEST_F(StageKeysOf, ChoicesReachTheStagesTheyMatterTo) {
+  const auto check = [&](const char* what, std::size_t first, auto&& change) {
+    PlanRequest request = boxRequest();
+    change(request.choices);
+    expectChangesFrom(request, first, what);
+  };
+  check("nothing", kStageCount, [](Choices&) {});
+  check("rotation", 0, [](Choices& c) { c.placement.rotation = {0.6, 0.8, 0, 0}; });
+  check("centre", 0, [](Choices& c) { c.placement.centreMm.x() = 1.0; });
+  check("lift", 0, [](Choices& c) { c.placement.liftMm = 1.0; });
+  check("scale", 0, [](Choices& c) { c.scale = "0.9"; });
+  check("repair", 0, [](Choices& c) { c.repair = false; });
+  check("growth", 1, [](Choices& c) { c.growth = "greedy"; });
+  check("platform", 1, [](Choices& c) { c.platform = "disc:80"; });
+  check("seed", 4, [](Choices& c) { c.seed = 2; });
+  check("formats", 5, [](Choices& c) { c.formats = {"csv"}; });
+  check("the formats that are meant anyway", kStageCount, [](Choices& c) {
+    c.formats = {"urscript", "gcode-extended", "csv"};
+  });
+}
+
+TEST_F(StageKeysOf, ThePartCountsByItsContent) {
+  PlanRequest copy = boxRequest();
+  copy.loaded = loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(*boxPart()->source),
+                           {}, false, {}); // not mended yet: it will be when it is planned
+  expectChangesFrom(copy, kStageCount, "a copy of the mesh");
+  copy.loaded = loadedFrom("other.stl", boxPart()->source, {}, true, {});
+  expectChangesFrom(copy, 5, "another name"); // is written into the programs
+  auto moved = *boxPart()->source;
+  moved.vertices[3].z() += 1e-9;
+  copy.loaded =
+      loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(moved), {}, true, {});
+  expectChangesFrom(copy, 0, "a vertex moved by nearly nothing");
+}
+
+TEST_F(StageKeysOf, WrongChoicesAreAnErrorBeforeAnythingRuns) {
+  PlanRequest request = boxRequest();
+  request.choices.mode = "curvd";
+  EXPECT_THROW(stageKeys(request), base::Error);
+  request = boxRequest();
+  request.choices.placement.rotation.coeffs().setZero();
+  EXPECT_THROW(stageKeys(request), base::Error);
+  EXPECT_THROW(planPart(request, {}), base::Error);
+}
+
+TEST_F(StageKeysOf, TheCellCountsByItsContent) {
+  fs::copy(folder_ / "cells" / "ur5-fixed.json", folder_ / "cells" / "other.json");
+  replace("cells/other.json", "\"ur5-fixed\"", "\"other\"");
+  PlanRequest request = boxRequest();
+  request.choices.cell = "other";
+  expectChangesFrom(request, 4, "another cell");
+  request.choices.scale = "fit";
+  PlanRequest here = request;
+  here.choices.cell = "ur5-fixed";
+  EXPECT_NE(stageKeys(request)[0], stageKeys(here)[0]) << "scale to fit asks what is in reach";
+
+  replace("cells/ur5-fixed.json", "\"xyzMm\": [500, 0, 500]", "\"xyzMm\": [500, 0, 510]");
+  expectChangesFrom(boxRequest(), 4, "the nozzle stands elsewhere");
+}
+
+TEST_F(StageKeysOf, TheProcessCountsByItsNumbers) {
+  const std::tuple<const char*, const char*, std::size_t> rows[] = {
+      {"\"label\": \"FDM", "\"label\": \"Other", kStageCount},
+      {"\"layerHeightMm\": { \"default\": 0.8", "\"layerHeightMm\": { \"default\": 0.7", 1},
+      {"\"beadWidthMm\": { \"default\": 1.2", "\"beadWidthMm\": { \"default\": 1.3", 2},
+      {"\"speedMmPerS\": 20.0", "\"speedMmPerS\": 25.0", 3},
+      {"\"contactToleranceMm\": 0.4", "\"contactToleranceMm\": 0.3", 3},
+      {"[12.0, 6.0]", "[12.0, 7.0]", 3},
+      {"\"travelSpeedMmPerS\": 100.0", "\"travelSpeedMmPerS\": 90.0", 4},
+      {"\"accelerationMmPerS2\": 500.0", "\"accelerationMmPerS2\": 400.0", 4},
+      {"\"primeS\": 0.2", "\"primeS\": 0.3", 5},
+      {"\"material\": \"PLA\"", "\"material\": \"PETG\"", 5}};
+  for (const auto& [was, is, first] : rows) {
+    replace("processes/fdm-1.0.json", was, is);
+    expectChangesFrom(boxRequest(), first, is);
+    replace("processes/fdm-1.0.json", is, was);
+  }
+}
+
+} // namespace
