@@ -1,0 +1,76 @@
+#include "window/language.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QTranslator>
+
+namespace voluta::window {
+
+namespace {
+const QString kFolder = QStringLiteral(":/translations");
+
+// The application owns the translators in use; their names tell which they are.
+void removeTranslators() {
+  for (QTranslator* translator :
+       qApp->findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly)) {
+    QCoreApplication::removeTranslator(translator);
+    delete translator;
+  }
+}
+
+void install(const QString& file, const QString& folder) {
+  auto* translator = new QTranslator(qApp);
+  if (translator->load(file, folder))
+    QCoreApplication::installTranslator(translator);
+  else
+    delete translator;
+}
+} // namespace
+
+std::vector<Language> languagesThere() {
+  std::vector<Language> found{{"en", "English"}};
+  for (const QString& file : QDir(kFolder).entryList({"voluta_*.qm"}, QDir::Files, QDir::Name)) {
+    const QString code = file.mid(7, file.size() - 10);
+    QString name = QLocale(code).nativeLanguageName();
+    if (!name.isEmpty())
+      name[0] = name[0].toUpper();
+    found.push_back({code, name});
+  }
+  return found;
+}
+
+QString chosenLanguage() {
+  return qApp->property("volutaLanguage").toString().isEmpty()
+             ? QStringLiteral("en")
+             : qApp->property("volutaLanguage").toString();
+}
+
+void chooseLanguage(const QString& code) {
+  removeTranslators();
+  QString chosen = "en";
+  for (const Language& language : languagesThere())
+    if (language.code == code)
+      chosen = code;
+  qApp->setProperty("volutaLanguage", chosen);
+  QLocale::setDefault(QLocale(chosen));
+  if (chosen == "en")
+    return;
+  install("qtbase_" + chosen, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  install("voluta_" + chosen, kFolder);
+}
+
+QString wantedLanguage() {
+  const QString kept = QSettings().value("window/language").toString();
+  if (!kept.isEmpty())
+    return kept;
+  const QString system = QLocale::system().name().left(2);
+  for (const Language& language : languagesThere())
+    if (language.code == system)
+      return system;
+  return "en";
+}
+
+} // namespace voluta::window

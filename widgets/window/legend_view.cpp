@@ -1,0 +1,100 @@
+#include "window/legend_view.h"
+
+#include "window/scene_texts.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+namespace voluta::window {
+
+namespace {
+constexpr int kPadding = 10, kSwatch = 16, kGap = 8;
+
+QColor colourOf(const scene::Colour& c) {
+  return QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]),
+                          static_cast<float>(c[2]));
+}
+} // namespace
+
+LegendView::LegendView(QWidget* parent) : QWidget(parent) {
+  setObjectName("legend");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  hide();
+}
+
+void LegendView::setLegend(const scene::Legend& legend) {
+  legend_ = legend;
+  setVisible(!legend_.entries.empty());
+  resize(sizeHint());
+  update();
+}
+
+QString LegendView::title() const {
+  const QString name = sceneText(legend_.title);
+  return legend_.unit.empty() ? name
+                              : QString("%1 [%2]").arg(name, QString::fromStdString(legend_.unit));
+}
+
+QString LegendView::labelOf(const scene::LegendEntry& entry) const {
+  return sceneText(entry.label);
+}
+
+int LegendView::rowHeight() const {
+  return std::max(fontMetrics().height() + 2, kSwatch);
+}
+
+QSize LegendView::sizeHint() const {
+  int width = fontMetrics().horizontalAdvance(title());
+  for (const scene::LegendEntry& entry : legend_.entries)
+    width = std::max(width, kSwatch + kGap + fontMetrics().horizontalAdvance(labelOf(entry)));
+  const int rows = static_cast<int>(legend_.entries.size()) + 1;
+  return {width + 2 * kPadding, rows * rowHeight() + 2 * kPadding + 4};
+}
+
+void LegendView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QColor ground = palette().window().color();
+  ground.setAlpha(225);
+  painter.setBrush(ground);
+  painter.setPen(palette().mid().color());
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+  const int row = rowHeight();
+  painter.setPen(palette().windowText().color());
+  painter.drawText(QRect(kPadding, kPadding, width() - 2 * kPadding, row),
+                   Qt::AlignLeft | Qt::AlignVCenter, title());
+  const int top = kPadding + row + 4, count = static_cast<int>(legend_.entries.size());
+  // The greatest value of a scale is at the top, where the eye expects it.
+  const auto entryAt = [&](int i) -> const scene::LegendEntry& {
+    return legend_.entries[static_cast<std::size_t>(legend_.categorical ? i : count - 1 - i)];
+  };
+  if (!legend_.categorical && count > 1) {
+    QLinearGradient scale(0, top + row / 2.0, 0, top + (count - 0.5) * row);
+    for (int i = 0; i < count; ++i)
+      scale.setColorAt(static_cast<double>(i) / (count - 1), colourOf(entryAt(i).colour));
+    painter.fillRect(QRectF(kPadding, top + row / 2.0, kSwatch, (count - 1.0) * row), scale);
+  }
+  for (int i = 0; i < count; ++i) {
+    const int y = top + i * row;
+    if (legend_.categorical || count == 1) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(colourOf(entryAt(i).colour));
+      painter.drawRoundedRect(QRectF(kPadding, y + (row - 12) / 2.0, 12, 12), 2, 2);
+    }
+    painter.setPen(palette().windowText().color());
+    painter.drawText(QRect(kPadding + kSwatch + kGap, y, width(), row),
+                     Qt::AlignLeft | Qt::AlignVCenter, labelOf(entryAt(i)));
+  }
+}
+
+void LegendView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange) {
+    resize(sizeHint());
+    update();
+  }
+  QWidget::changeEvent(event);
+}
+
+} // namespace voluta::window

@@ -1,0 +1,266 @@
+#include "window/main_window.h"
+
+#include "curved/decompose.h"
+#include "forms/choices_form.h"
+#include "forms/parameter_form.h"
+#include "panels/export_panel.h"
+#include "panels/findings_panel.h"
+#include "panels/layer_info.h"
+#include "panels/mesh_panel.h"
+#include "panels/placement_panel.h"
+#include "pipeline/modes.h"
+#include "process/process.h"
+#include "robot/cell.h"
+#include "timeline/joint_plots.h"
+#include "timeline/layer_range_slider.h"
+#include "timeline/timeline_bar.h"
+#include "window/legend_view.h"
+#include "window/program_preview.h"
+#include "window/status_line.h"
+#include "window/welcome.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace voluta::window {
+
+namespace {
+constexpr int kPanelWidth = 340, kTreeWidth = 270;
+constexpr int kLayoutVersion = 1;
+
+scene::Theme sceneTheme(Appearance appearance) {
+  return appearance == Appearance::Dark ? scene::darkTheme() : scene::lightTheme();
+}
+
+forms::ChoiceItem item(std::string_view id, std::string_view label = {}) {
+  const QString name = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
+  return {name,
+          label.empty() ? name
+                        : QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size())),
+          {}};
+}
+
+forms::ChoiceLists choiceLists() {
+  forms::ChoiceLists lists;
+  for (const pipeline::Mode& mode : pipeline::modes())
+    lists.modes.push_back(item(mode.id, mode.label));
+  for (const std::string& growth : curved::growthSchemes())
+    lists.growths.push_back(item(growth));
+  for (const std::string& cell : robot::cellIds())
+    lists.cells.push_back(item(cell));
+  for (const std::string& process : process::processIds())
+    lists.processes.push_back(item(process));
+  return lists;
+}
+} // namespace
+
+MainWindow::MainWindow(Appearance appearance, QWidget* parent)
+    : QMainWindow(parent), planning_(document_), opening_(document_, planning_), saving_(document_),
+      autosave_(std::make_unique<document::Autosave>(document_)), appearance_(appearance) {
+  setObjectName("mainWindow");
+  setAcceptDrops(true);
+  planning_.setStartsOver(true);
+  buildCentre();
+  presenter_ = new Presenter(document_, *viewport_, this);
+  preview_ = new ProgramPreview(this);
+  buildPages();
+  buildDocks();
+  status_ = new StatusLine(this);
+  setStatusBar(status_);
+  buildMenus();
+  buildToolBar();
+  connectDocument();
+  connectPages();
+  retranslate();
+  showChoices();
+  showPart();
+  showStates();
+  setPage(Page::Prepare);
+  resize(1280, 800);
+  const QSettings settings;
+  restoreGeometry(settings.value("window/geometry").toByteArray());
+  restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildCentre() {
+  viewport_ = new viewer::Viewport(sceneTheme(appearance_), this);
+  legend_ = new LegendView(viewport_);
+  viewport_->setLegendWidget(legend_);
+  welcome_ = new Welcome(viewport_);
+  layers_ = new timeline::LayerRangeSlider(this);
+  layers_->setObjectName("layerSlider");
+  timeline_ = new timeline::TimelineBar(this);
+  timeline_->setObjectName("timeline");
+  auto* centre = new QWidget(this);
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  row->addWidget(viewport_, 1);
+  row->addWidget(layers_);
+  column->addLayout(row, 1);
+  column->addWidget(timeline_);
+  setCentralWidget(centre);
+}
+
+QScrollArea* MainWindow::scrolled(QWidget* content) {
+  auto* area = new QScrollArea(this);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(content);
+  return area;
+}
+
+void MainWindow::buildPages() {
+  placement_ = new panels::PlacementPanel(this);
+  placement_->setObjectName("placement");
+  mesh_ = new panels::MeshPanel(this);
+  choices_ = new forms::ChoicesForm(this);
+  choices_->setObjectName("choices");
+  choices_->setLists(choiceLists());
+  parameters_ = new forms::ParameterForm(pipeline::allParameters(), this);
+  parameters_->setObjectName("parameters");
+  parameters_->setHeader(choices_);
+  auto* part = new QWidget(this);
+  auto* partColumn = new QVBoxLayout(part);
+  partColumn->setContentsMargins(0, 0, 0, 0);
+  partColumn->addWidget(placement_);
+  partColumn->addWidget(mesh_);
+  partColumn->addStretch(1);
+  prepareTabs_ = new QTabWidget(this);
+  prepareTabs_->setObjectName("prepareTabs");
+  prepareTabs_->setDocumentMode(true);
+  prepareTabs_->addTab(parameters_, QString());
+  prepareTabs_->addTab(scrolled(part), QString());
+
+  options_ = new ViewOptions(this);
+  options_->setObjectName("viewOptions");
+  layerInfo_ = new panels::LayerInfo(this);
+  auto* layerPage = new QWidget(this);
+  auto* layerColumn = new QVBoxLayout(layerPage);
+  layerColumn->setContentsMargins(0, 0, 0, 0);
+  layerColumn->addWidget(options_);
+  layerColumn->addWidget(layerInfo_);
+  layerColumn->addStretch(1);
+
+  plots_ = new timeline::JointPlots(this);
+  plots_->setObjectName("plots");
+  export_ = new panels::ExportPanel(this);
+  export_->setObjectName("export");
+  export_->setFolder(QSettings().value("export/folder").toString());
+
+  pages_ = new QStackedWidget(this);
+  pages_->addWidget(prepareTabs_);
+  pages_->addWidget(scrolled(layerPage));
+  pages_->addWidget(plots_);
+  pages_->addWidget(export_);
+}
+
+void MainWindow::buildDocks() {
+  const auto dock = [this](const char* name, QWidget* content, Qt::DockWidgetArea area) {
+    auto* made = new QDockWidget(this);
+    made->setObjectName(name);
+    made->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    made->setWidget(content);
+    addDockWidget(area, made);
+    return made;
+  };
+  tree_ = new panels::ObjectTree(this);
+  tree_->setObjectName("tree");
+  findings_ = new panels::FindingsPanel(this);
+  findings_->setObjectName("findings");
+  partDock_ = dock("partDock", tree_, Qt::LeftDockWidgetArea);
+  findingsDock_ = dock("findingsDock", findings_, Qt::LeftDockWidgetArea);
+  auto* page = new QWidget(this);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(pages_, 1);
+  summary_ = new QLabel(page);
+  summary_->setObjectName("summary");
+  summary_->setWordWrap(true);
+  summary_->setContentsMargins(10, 6, 10, 6);
+  column->addWidget(summary_);
+  pageDock_ = dock("pageDock", page, Qt::RightDockWidgetArea);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  resizeDocks({partDock_, pageDock_}, {kTreeWidth, kPanelWidth}, Qt::Horizontal);
+  resizeDocks({partDock_, findingsDock_}, {200, 400}, Qt::Vertical);
+}
+
+void MainWindow::setPage(Page page) {
+  flow_->setPage(page);
+  pages_->setCurrentIndex(static_cast<int>(page));
+  layers_->setVisible(page == Page::Layers);
+  timeline_->setVisible(page != Page::Prepare);
+  timeline_->setMode(page == Page::Layers ? timeline::BarMode::Moves : timeline::BarMode::Time);
+  if (page != Page::Prepare)
+    setTool(viewer::Tool::None);
+  tools_->setEnabled(page == Page::Prepare && document_.source());
+  pageDock_->setWindowTitle(pageName(page));
+  showMoves();
+  showView();
+  const bool inCell = page == Page::Simulate || page == Page::Export;
+  if (inCell != framedInCell_) {
+    framedInCell_ = inCell;
+    viewport_->frameAll();
+  }
+  showExport();
+}
+
+void MainWindow::retranslate() {
+  partDock_->setWindowTitle(tr("Part and cell"));
+  findingsDock_->setWindowTitle(tr("Findings"));
+  pageDock_->setWindowTitle(pageName(flow_->page()));
+  prepareTabs_->setTabText(0, tr("Settings"));
+  prepareTabs_->setTabText(1, tr("Part"));
+  for (const auto& [menu, text] : menus_)
+    menu->setTitle(tr(text));
+  for (const Command& c : commands_) {
+    c.action->setText(tr(c.text));
+    const QString keys = c.action->shortcut().toString(QKeySequence::NativeText);
+    const QString tip = tr(c.tip);
+    c.action->setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
+    c.action->setStatusTip(tip);
+  }
+  retranslateUndo();
+  showStates();
+  showPart();
+  showView();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange && flow_)
+    retranslate();
+  if (event->type() == QEvent::PaletteChange && flow_)
+    redrawIcons();
+  QMainWindow::changeEvent(event);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!closing_ && document_.dirty()) {
+    event->ignore();
+    afterSaved([this] {
+      closing_ = true;
+      close();
+    });
+    return;
+  }
+  planning_.cancel();
+  opening_.cancel();
+  QSettings settings;
+  settings.setValue("window/geometry", saveGeometry());
+  settings.setValue("window/state", saveState(kLayoutVersion));
+  autosave_.reset();
+  QMainWindow::closeEvent(event);
+}
+
+} // namespace voluta::window

@@ -1,0 +1,196 @@
+// The window: one flow of four pages about one viewport (DESIGN §6). Puts the parts together;
+// what they do is their own.
+#pragma once
+
+#include "document/autosave.h"
+#include "document/document.h"
+#include "document/opening.h"
+#include "document/planning.h"
+#include "document/recent_files.h"
+#include "document/saving.h"
+#include "panels/object_tree.h"
+#include "viewer/viewport.h"
+#include "window/flow_bar.h"
+#include "window/presenter.h"
+#include "window/theme.h"
+#include "window/view_options.h"
+
+#include <QMainWindow>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QActionGroup;
+class QDockWidget;
+class QLabel;
+class QMenu;
+class QScrollArea;
+class QStackedWidget;
+class QTabWidget;
+
+namespace voluta::forms {
+class ChoicesForm;
+class ParameterForm;
+} // namespace voluta::forms
+namespace voluta::panels {
+class ExportPanel;
+class FindingsPanel;
+class LayerInfo;
+class MeshPanel;
+class PlacementPanel;
+} // namespace voluta::panels
+namespace voluta::timeline {
+class JointPlots;
+class LayerRangeSlider;
+class TimelineBar;
+} // namespace voluta::timeline
+
+namespace voluta::window {
+
+class LegendView;
+class ProgramPreview;
+class StatusLine;
+class Welcome;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+public:
+  explicit MainWindow(Appearance appearance, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  // A part, a project or "sample:NAME".
+  void open(const QString& path);
+  // Offers what a crash left, if anything is there.
+  void offerRecovered();
+
+  void setPage(Page page);
+  Page page() const { return flow_->page(); }
+
+  document::Document& document() { return document_; }
+  document::Planning& planning() { return planning_; }
+  viewer::Viewport& viewport() { return *viewport_; }
+  Presenter& presenter() { return *presenter_; }
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+private:
+  // main_window.cpp: what there is and how it is laid out
+  void buildCentre();
+  void buildPages();
+  void buildDocks();
+  void connectDocument();
+  void connectPages();
+  void retranslate();
+  QScrollArea* scrolled(QWidget* content);
+
+  // main_window_actions.cpp: menus, tool bar, keys
+  struct Command {
+    QAction* action;
+    const char* text; // source text, translated anew with the language
+    const char* tip;
+    QString icon;
+  };
+  void buildMenus();
+  void buildToolBar();
+  QAction* command(QMenu* menu, const char* id, const char* text, const char* tip,
+                   const QKeySequence& keys, const QString& icon, std::function<void()> does);
+  void showRecent();
+  void editShortcuts();
+  void showAbout();
+  void chooseFile();
+  void chooseExportedFile();
+  void newProject();
+  void save();
+  void saveAs();
+  void switchAppearance(Appearance appearance);
+  void switchLanguage(const QString& code);
+  void redrawIcons();
+  void retranslateUndo();
+
+  // main_window_flow.cpp: what happens when something changes
+  // Runs `then` once the user has saved or given up unsaved changes.
+  void afterSaved(std::function<void()> then);
+  void plan();
+  void cancel();
+  void showStates();
+  void showChoices();
+  void showPart();
+  void showFindings();
+  void showExport();
+  void showPreview();
+  QString summaryText() const;
+  void showLayerMeasures(int layer);
+  void showView();
+  void showMoves();
+  void goTo(const plan::Finding& finding);
+  void exportPrograms(const QString& folder, const QStringList& formats, bool includeRefused);
+  void writePrograms(const QString& folder, const QStringList& formats, bool includeRefused);
+  void tell(const QString& title, const QString& message);
+  void applyGizmo(const viewer::GizmoChange& change, bool finished);
+  void placeOnFace(const Eigen::Vector3d& normal);
+  void setTool(viewer::Tool tool);
+  bool shows(panels::SceneItem item) const;
+  void setTime(double timeS);
+  scene::ViewState viewState() const;
+  pipeline::Stage stageOfPage(Page page) const;
+
+  document::Document document_;
+  document::Planning planning_;
+  document::Opening opening_;
+  document::Saving saving_;
+  document::RecentFiles recent_;
+  std::unique_ptr<document::Autosave> autosave_;
+  jobs::JobRunner exporting_;
+  Appearance appearance_;
+
+  viewer::Viewport* viewport_ = nullptr;
+  LegendView* legend_ = nullptr;
+  Welcome* welcome_ = nullptr;
+  FlowBar* flow_ = nullptr;
+  StatusLine* status_ = nullptr;
+  timeline::TimelineBar* timeline_ = nullptr;
+  timeline::LayerRangeSlider* layers_ = nullptr;
+  Presenter* presenter_ = nullptr;
+
+  QDockWidget *partDock_ = nullptr, *findingsDock_ = nullptr, *pageDock_ = nullptr;
+  panels::ObjectTree* tree_ = nullptr;
+  panels::FindingsPanel* findings_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  panels::PlacementPanel* placement_ = nullptr;
+  panels::MeshPanel* mesh_ = nullptr;
+  forms::ChoicesForm* choices_ = nullptr;
+  forms::ParameterForm* parameters_ = nullptr;
+  ViewOptions* options_ = nullptr;
+  panels::LayerInfo* layerInfo_ = nullptr;
+  timeline::JointPlots* plots_ = nullptr;
+  panels::ExportPanel* export_ = nullptr;
+  ProgramPreview* preview_ = nullptr;
+  QLabel* summary_ = nullptr;
+  QTabWidget* prepareTabs_ = nullptr;
+
+  std::vector<Command> commands_;
+  QMenu* recentMenu_ = nullptr;
+  std::vector<std::pair<QMenu*, const char*>> menus_;
+  QActionGroup* tools_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *plan_ = nullptr, *cancel_ = nullptr;
+
+  std::optional<Eigen::Vector3d> marker_;
+  pipeline::Choices beforeGizmo_;
+  double scaleBeforeGizmo_ = 1.0;
+  std::function<void()> afterSave_;
+  struct PendingExport {
+    QString folder;
+    QStringList formats;
+    bool includeRefused;
+  };
+  std::optional<PendingExport> pendingExport_;
+  bool closing_ = false, framedInCell_ = false;
+};
+
+} // namespace voluta::window

@@ -1,0 +1,22 @@
+#include "window/mesh_summary.h"
+
+namespace voluta::window {
+
+panels::MeshSummary meshSummary(const pipeline::LoadedPart& part) {
+  panels::MeshSummary summary;
+  summary.name = part.name;
+  summary.triangles = part.mesh->triangles.size();
+  summary.sizeMm = part.found.boundsMm.isEmpty() ? Eigen::Vector3d::Zero().eval()
+                                                 : part.found.boundsMm.sizes().eval();
+  summary.volumeMm3 = part.found.volumeMm3;
+  // Mended without a remainder is as good as sound.
+  summary.watertight = part.repair ? part.remains.empty() : part.found.watertight;
+  summary.found = part.found.sentences();
+  summary.repaired = part.repair ? part.notes : part.readNotes;
+  if (!part.units.note.empty())
+    summary.found.push_back(part.units.note);
+  summary.remains = part.remains;
+  return summary;
+}
+
+} // namespace voluta::window

@@ -1,0 +1,240 @@
+#include "window/presenter.h"
+
+#include "geometry/measures.h"
+#include "pipeline/choices.h"
+#include "window/layer_measures.h"
+
+#include <algorithm>
+
+namespace voluta::window {
+
+namespace {
+using pipeline::Stage;
+
+constexpr double kGroundRadiusMm = 150.0;
+constexpr int kThreads = 1; // planning has the others
+} // namespace
+
+template <typename Work, typename Done> void Presenter::prepare(Slot slot, Work work, Done done) {
+  using Made = std::shared_ptr<std::invoke_result_t<Work&>>;
+  runners_[slot]->run(
+      [work = std::move(work)](const base::RunContext&) mutable {
+        return std::make_shared<std::invoke_result_t<Work&>>(work());
+      },
+      [done = std::move(done)](base::Outcome<Made> outcome) mutable {
+        if (const Made* made = std::get_if<Made>(&outcome))
+          done(std::move(**made));
+      },
+      kThreads);
+}
+
+Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, QObject* parent)
+    : QObject(parent), document_(document), viewport_(viewport) {
+  for (auto& runner : runners_)
+    runner = std::make_unique<jobs::JobRunner>();
+  connect(&document, &document::Document::sourceChanged, this, &Presenter::drawSource);
+  connect(&document, &document::Document::resultChanged, this, &Presenter::show);
+}
+
+Presenter::~Presenter() = default;
+
+int Presenter::layerCount() const {
+  if (pathLayers_ > 0)
+    return std::max(pathLayers_, patchLayers_);
+  return patchLayers_ > 0 ? patchLayers_ : voxelLayers_;
+}
+
+int Presenter::movesOf(int layer) const {
+  return paths_ ? static_cast<int>(scene::waypointsOfLayer(*paths_, layer).size()) : 0;
+}
+
+bool Presenter::busy() const {
+  return std::any_of(runners_.begin(), runners_.end(),
+                     [](const auto& runner) { return runner->running(); });
+}
+
+// The part as it was read is on show before the first stage has placed it.
+void Presenter::drawSource() {
+  const std::shared_ptr<const pipeline::LoadedPart> source = document_.source();
+  if (!source) {
+    viewport_.scene().setPart(nullptr);
+    partBox_.setEmpty();
+    drawn_[Part].reset();
+    viewport_.requestFrame();
+    emit partDrawn(true);
+    return;
+  }
+  if (document_.result(Stage::Load) && document_.upToDate(Stage::Load))
+    return;
+  const double wanted = pipeline::parsedScale(document_.choices().scale);
+  const geometry::Placement placement = document_.choices().placement;
+  prepare(
+      Part,
+      [source, placement, scale = wanted > 0.0 ? wanted : 1.0] {
+        geometry::TriangleMesh placed = geometry::place(*source->mesh, scale, placement);
+        return std::pair(scene::drawPart(placed), geometry::bounds(placed));
+      },
+      [this](auto&& made) {
+        viewport_.scene().setPart(made.first);
+        const bool another = partBox_.isEmpty() || shownSource_ != document_.source();
+        shownSource_ = document_.source();
+        partBox_ = made.second;
+        drawn_[Part].reset();
+        viewport_.requestFrame();
+        emit partDrawn(another);
+      });
+}
+
+void Presenter::drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh) {
+  if (!mesh || drawn_[Part] == mesh)
+    return;
+  drawn_[Part] = mesh;
+  prepare(
+      Part, [mesh] { return std::pair(scene::drawPart(*mesh), geometry::bounds(*mesh)); },
+      [this](auto&& made) {
+        viewport_.scene().setPart(made.first);
+        const bool another = partBox_.isEmpty() || shownSource_ != document_.source();
+        shownSource_ = document_.source();
+        partBox_ = made.second;
+        viewport_.requestFrame();
+        emit partDrawn(another);
+      });
+}
+
+void Presenter::drawPlate(const std::vector<Eigen::Vector2d>& polygon) {
+  prepare(
+      Plate, [polygon] { return scene::drawPlatform(polygon, kGroundRadiusMm); },
+      [this](auto&& made) {
+        viewport_.scene().setPlatform(made);
+        viewport_.requestFrame();
+      });
+}
+
+void Presenter::drawMotion() {
+  const auto result = document_.result(Stage::Motion);
+  if (!result || !result->job.trajectory || !result->job.toolPlan)
+    return;
+  const auto plan = result->job.toolPlan;
+  const auto trajectory = result->job.trajectory;
+  prepare(
+      Paths,
+      [plan, trajectory] {
+        return std::pair(scene::drawPaths(*plan, trajectory.get()),
+                         std::make_shared<const timeline::Clock>(trajectory, plan));
+      },
+      [this](auto&& made) {
+        paths_ = made.first;
+        pathLayers_ = scene::layerCount(*paths_);
+        clock_ = made.second;
+        viewport_.scene().setPaths(paths_);
+        viewport_.requestFrame();
+        emit pathsDrawn();
+        emit motionReady();
+        gatherFacts();
+      });
+}
+
+void Presenter::gatherFacts() {
+  const auto result = document_.result(Stage::Layers);
+  if (!result || !result->job.layers)
+    return;
+  const auto stack = result->job.layers;
+  const auto paths = document_.result(Stage::Toolpath);
+  const auto plan = paths ? paths->job.toolPlan : nullptr;
+  const auto clock = clock_ && clock_->toolPlan() == plan ? clock_ : nullptr;
+  prepare(
+      Facts,
+      [stack, plan, clock] {
+        auto facts = std::make_shared<LayerFacts>();
+        facts->measures = layerMeasures(*stack, plan.get(), clock.get());
+        facts->topsMm = layerTopsMm(facts->measures);
+        return std::shared_ptr<const LayerFacts>(facts);
+      },
+      [this](auto&& made) {
+        facts_ = made;
+        emit factsReady();
+      });
+}
+
+void Presenter::show(Stage stage) {
+  const auto result = document_.result(stage);
+  scene::Scene& scene = viewport_.scene();
+  if (!result) {
+    // Dropped with its part or project.
+    if (stage == Stage::Decompose) {
+      scene.setVoxels(nullptr);
+      voxelLayers_ = 0;
+    } else if (stage == Stage::Layers) {
+      scene.setLayers(nullptr);
+      patchLayers_ = 0;
+      facts_.reset();
+    } else if (stage == Stage::Toolpath) {
+      scene.setPaths(nullptr);
+      paths_.reset();
+      pathLayers_ = 0;
+    } else if (stage == Stage::Motion) {
+      clock_.reset();
+    }
+    drawn_.fill(nullptr);
+    viewport_.requestFrame();
+    return;
+  }
+  const pipeline::Job& job = result->job;
+  if (stage == Stage::Load) {
+    drawPart(job.part);
+  } else if (stage == Stage::Decompose) {
+    drawPlate(job.platform);
+    if (result->cell && drawn_[CellBodies] != result->cell) {
+      drawn_[CellBodies] = result->cell;
+      prepare(
+          CellBodies, [cell = result->cell] { return std::pair(scene::drawCell(*cell), cell); },
+          [this](auto&& made) {
+            viewport_.scene().setCell(made.first);
+            cell_ = made.second;
+            viewport_.requestFrame();
+          });
+    }
+    if (job.decomposition && drawn_[Voxels] != job.decomposition) {
+      drawn_[Voxels] = job.decomposition;
+      prepare(
+          Voxels, [d = job.decomposition] { return scene::drawVoxels(*d); },
+          [this](auto&& made) {
+            viewport_.scene().setVoxels(made);
+            voxelLayers_ = scene::layerCount(*made);
+            viewport_.requestFrame();
+            emit voxelsDrawn();
+          });
+    }
+  } else if (stage == Stage::Layers) {
+    if (!job.layers || drawn_[Patches] == job.layers)
+      return;
+    drawn_[Patches] = job.layers;
+    prepare(
+        Patches, [stack = job.layers] { return scene::drawLayers(*stack); },
+        [this](auto&& made) {
+          viewport_.scene().setLayers(made);
+          patchLayers_ = scene::layerCount(*made);
+          viewport_.requestFrame();
+          emit layersDrawn();
+          gatherFacts();
+        });
+  } else if (stage == Stage::Toolpath) {
+    if (!job.toolPlan || drawn_[Paths] == job.toolPlan)
+      return;
+    drawn_[Paths] = job.toolPlan;
+    prepare(
+        Paths, [plan = job.toolPlan] { return scene::drawPaths(*plan); },
+        [this](auto&& made) {
+          paths_ = made;
+          pathLayers_ = scene::layerCount(*paths_);
+          viewport_.scene().setPaths(paths_);
+          viewport_.requestFrame();
+          emit pathsDrawn();
+          gatherFacts();
+        });
+  } else if (stage == Stage::Motion) {
+    drawMotion();
+  }
+}
+
+} // namespace voluta::window

@@ -1,0 +1,84 @@
+// From the document's results to what the viewport draws and the panels show, prepared in the
+// background: the window's thread only swaps finished things in.
+#pragma once
+
+#include "document/document.h"
+#include "jobs/job_runner.h"
+#include "panels/layer_info.h"
+#include "timeline/clock.h"
+#include "viewer/viewport.h"
+
+#include <QObject>
+#include <array>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace voluta::window {
+
+// What the Layers page knows of the layers on show.
+struct LayerFacts {
+  std::vector<panels::LayerMeasures> measures;
+  std::vector<double> topsMm;
+};
+
+class Presenter : public QObject {
+  Q_OBJECT
+
+public:
+  // Both outlive this.
+  Presenter(document::Document& document, viewer::Viewport& viewport, QObject* parent = nullptr);
+  ~Presenter() override;
+
+  bool hasVoxels() const { return voxelLayers_ > 0; }
+  bool hasLayers() const { return patchLayers_ > 0; }
+  bool hasPaths() const { return pathLayers_ > 0; }
+  // Layers of what is drawn furthest down the road; 0: none.
+  int layerCount() const;
+  const std::shared_ptr<const timeline::Clock>& clock() const { return clock_; }
+  const std::shared_ptr<const LayerFacts>& facts() const { return facts_; }
+  // Moves of a layer, as the move slider counts them.
+  int movesOf(int layer) const;
+  // Of the part on show, work frame; empty: no part.
+  const Eigen::AlignedBox3d& partBox() const { return partBox_; }
+  std::shared_ptr<const robot::Cell> cell() const { return cell_; }
+
+  // Anything being prepared?
+  bool busy() const;
+
+signals:
+  void partDrawn(bool another); // another: not the one that was on show with another placement
+  void voxelsDrawn();
+  void layersDrawn();
+  void pathsDrawn();
+  void motionReady();
+  void factsReady();
+
+private:
+  enum Slot { Part, Plate, Voxels, Patches, Paths, CellBodies, Facts, kSlotCount };
+
+  void drawSource();
+  void show(pipeline::Stage stage);
+  void drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh);
+  void drawPlate(const std::vector<Eigen::Vector2d>& polygon);
+  void drawMotion();
+  void gatherFacts();
+  // Runs `work` in the background of a slot, `done` with what it gives; an error is a mistake in
+  // the program and shows nothing.
+  template <typename Work, typename Done> void prepare(Slot slot, Work work, Done done);
+
+  document::Document& document_;
+  viewer::Viewport& viewport_;
+  std::array<std::unique_ptr<jobs::JobRunner>, kSlotCount> runners_;
+  std::shared_ptr<const timeline::Clock> clock_;
+  std::shared_ptr<const LayerFacts> facts_;
+  std::shared_ptr<const scene::PathsDrawing> paths_;
+  std::shared_ptr<const robot::Cell> cell_;
+  std::shared_ptr<const void> shownSource_;
+  // What was drawn last, so that the same data is never drawn twice.
+  std::array<std::shared_ptr<const void>, kSlotCount> drawn_;
+  Eigen::AlignedBox3d partBox_;
+  int voxelLayers_ = 0, patchLayers_ = 0, pathLayers_ = 0;
+};
+
+} // namespace voluta::window

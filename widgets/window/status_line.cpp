@@ -1,0 +1,84 @@
+#include "window/status_line.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QProgressBar>
+#include <QTimer>
+#include <cmath>
+#include <unistd.h>
+
+namespace voluta::window {
+
+namespace {
+constexpr int kMemoryMs = 2000;
+constexpr double kMegabyte = 1024.0 * 1024.0;
+
+double residentMb() {
+  QFile file("/proc/self/statm");
+  if (!file.open(QIODevice::ReadOnly))
+    return 0.0;
+  const QList<QByteArray> fields = file.readAll().split(' ');
+  return fields.size() > 1
+             ? fields[1].toDouble() * static_cast<double>(sysconf(_SC_PAGESIZE)) / kMegabyte
+             : 0.0;
+}
+} // namespace
+
+QString durationText(double seconds) {
+  const auto whole = static_cast<long long>(std::llround(std::max(0.0, seconds)));
+  if (whole < 60)
+    return StatusLine::tr("%1 s").arg(whole);
+  if (whole < 3600)
+    return StatusLine::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+  return StatusLine::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
+}
+
+StatusLine::StatusLine(QWidget* parent)
+    : QStatusBar(parent), stage_(new QLabel(this)), left_(new QLabel(this)),
+      part_(new QLabel(this)), cell_(new QLabel(this)), memory_(new QLabel(this)),
+      bar_(new QProgressBar(this)) {
+  stage_->setObjectName("statusStage");
+  bar_->setObjectName("statusProgress");
+  bar_->setRange(0, 1000);
+  bar_->setFixedWidth(180);
+  bar_->setTextVisible(true);
+  bar_->hide();
+  addWidget(stage_, 1);
+  addWidget(bar_);
+  addWidget(left_);
+  for (QLabel* label : {part_, cell_, memory_})
+    addPermanentWidget(label);
+  auto* timer = new QTimer(this);
+  connect(timer, &QTimer::timeout, this, &StatusLine::showMemory);
+  timer->start(kMemoryMs);
+  showMemory();
+}
+
+void StatusLine::showProgress(const jobs::Progress& progress) {
+  stage_->setText(stageText(progress.stage));
+  bar_->show();
+  bar_->setValue(static_cast<int>(std::lround(1000.0 * progress.fraction)));
+  bar_->setFormat(QString("%1 %").arg(static_cast<int>(100.0 * progress.fraction)));
+  left_->setText(progress.secondsLeft ? tr("about %1 left").arg(durationText(*progress.secondsLeft))
+                                      : QString());
+}
+
+void StatusLine::showIdle(const QString& text) {
+  stage_->setText(text);
+  bar_->hide();
+  left_->clear();
+}
+
+void StatusLine::setPart(const QString& sizeText) {
+  part_->setText(sizeText);
+}
+
+void StatusLine::setCell(const QString& cell) {
+  cell_->setText(cell);
+}
+
+void StatusLine::showMemory() {
+  memory_->setText(tr("%1 MB").arg(std::lround(residentMb())));
+}
+
+} // namespace voluta::window

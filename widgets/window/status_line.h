@@ -1,0 +1,36 @@
+// The status bar: what is being done, how far, how long still; size of the part, cell, memory.
+#pragma once
+
+#include "jobs/job_runner.h"
+
+#include <QStatusBar>
+
+class QLabel;
+class QProgressBar;
+
+namespace voluta::window {
+
+class StatusLine : public QStatusBar {
+  Q_OBJECT
+
+public:
+  explicit StatusLine(QWidget* parent = nullptr);
+
+  void showProgress(const jobs::Progress& progress);
+  // Nothing runs; `text` says how it ended or what to do next.
+  void showIdle(const QString& text);
+  void setPart(const QString& sizeText);
+  void setCell(const QString& cell);
+
+private:
+  void showMemory();
+
+  QLabel *stage_, *left_, *part_, *cell_, *memory_;
+  QProgressBar* bar_;
+};
+
+// "loading the mesh" for "load" and so on; an unknown one as it is.
+QString stageText(const QString& coreName);
+QString durationText(double seconds);
+
+} // namespace voluta::window

@@ -1,0 +1,158 @@
+#include "window/view_options.h"
+
+#include "window/scene_texts.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace voluta::window {
+
+namespace {
+constexpr int kPlaceSteps = 1000;
+}
+
+ViewOptions::ViewOptions(QWidget* parent) : QWidget(parent) {
+  build();
+  retranslate();
+  setChoices(choices_);
+}
+
+void ViewOptions::build() {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(1, 1);
+  subjectLabel_ = new QLabel(this);
+  colourLabel_ = new QLabel(this);
+  subjects_ = new QButtonGroup(this);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  for (int id = 0; id < 4; ++id) {
+    auto* button = new QToolButton(this);
+    button->setCheckable(true);
+    button->setAutoRaise(false);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setObjectName(QString("subject%1").arg(id));
+    subjects_->addButton(button, id);
+    row->addWidget(button);
+  }
+  colourBy_ = new QComboBox(this);
+  colourBy_->setObjectName("colourBy");
+  for (const scene::ColourByRow& entry : scene::colourByTable())
+    colourBy_->addItem(QString(), static_cast<int>(entry.colourBy));
+  grid->addWidget(subjectLabel_, 0, 0, 1, 2);
+  grid->addLayout(row, 1, 0, 1, 2);
+  grid->addWidget(colourLabel_, 2, 0);
+  grid->addWidget(colourBy_, 2, 1);
+  column->addLayout(grid);
+  part_ = new QCheckBox(this);
+  travels_ = new QCheckBox(this);
+  beads_ = new QCheckBox(this);
+  section_ = new QCheckBox(this);
+  section_->setObjectName("section");
+  for (QCheckBox* box : {part_, travels_, beads_})
+    column->addWidget(box);
+  auto* plane = new QGridLayout;
+  axis_ = new QComboBox(this);
+  axis_->addItems({"X", "Y", "Z"});
+  place_ = new QSlider(Qt::Horizontal, this);
+  place_->setObjectName("sectionPlace");
+  place_->setRange(0, kPlaceSteps);
+  flip_ = new QToolButton(this);
+  flip_->setCheckable(true);
+  plane->addWidget(section_, 0, 0, 1, 3);
+  plane->addWidget(axis_, 1, 0);
+  plane->addWidget(place_, 1, 1);
+  plane->addWidget(flip_, 1, 2);
+  plane->setColumnStretch(1, 1);
+  column->addLayout(plane);
+  connect(subjects_, &QButtonGroup::idClicked, this, &ViewOptions::read);
+  for (QComboBox* combo : {colourBy_, axis_})
+    connect(combo, &QComboBox::currentIndexChanged, this, &ViewOptions::read);
+  for (QCheckBox* box : {part_, travels_, beads_, section_})
+    connect(box, &QCheckBox::toggled, this, &ViewOptions::read);
+  connect(flip_, &QToolButton::toggled, this, &ViewOptions::read);
+  connect(place_, &QSlider::valueChanged, this, &ViewOptions::read);
+  connect(place_, &QSlider::sliderPressed, this, [this] { emit dragging(true); });
+  connect(place_, &QSlider::sliderReleased, this, [this] { emit dragging(false); });
+}
+
+void ViewOptions::retranslate() {
+  subjectLabel_->setText(tr("Show"));
+  colourLabel_->setText(tr("Colour by"));
+  const QStringList names{tr("Latest"), tr("Voxels"), tr("Layers"), tr("Paths")};
+  const QStringList tips{tr("What the plan has come to"), tr("Voxels by the layer they belong to"),
+                         tr("Layers as slabs of their thickness"),
+                         tr("Tool-paths as the beads that are laid")};
+  for (int id = 0; id < 4; ++id) {
+    subjects_->button(id)->setText(names[id]);
+    subjects_->button(id)->setToolTip(tips[id]);
+  }
+  const QSignalBlocker quiet(colourBy_);
+  for (int i = 0; i < colourBy_->count(); ++i)
+    colourBy_->setItemText(i, sceneText(scene::colourByTable()[static_cast<std::size_t>(i)].label));
+  part_->setText(tr("Part's surface"));
+  travels_->setText(tr("Travel moves"));
+  beads_->setText(tr("Beads in their true width"));
+  section_->setText(tr("Section plane"));
+  flip_->setText(tr("Flip"));
+  flip_->setToolTip(tr("Cut away the other side"));
+  place_->setToolTip(tr("Place of the section plane"));
+}
+
+void ViewOptions::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange)
+    retranslate();
+  QWidget::changeEvent(event);
+}
+
+void ViewOptions::setChoices(const ViewChoices& choices) {
+  filling_ = true;
+  choices_ = choices;
+  subjects_->button(static_cast<int>(choices.subject))->setChecked(true);
+  colourBy_->setCurrentIndex(colourBy_->findData(static_cast<int>(choices.colourBy)));
+  part_->setChecked(choices.part);
+  travels_->setChecked(choices.travels);
+  beads_->setChecked(choices.beads);
+  section_->setChecked(choices.section);
+  axis_->setCurrentIndex(choices.sectionAxis);
+  place_->setValue(static_cast<int>(choices.sectionPlace * kPlaceSteps));
+  flip_->setChecked(choices.sectionFlipped);
+  for (QWidget* widget :
+       {static_cast<QWidget*>(axis_), static_cast<QWidget*>(place_), static_cast<QWidget*>(flip_)})
+    widget->setEnabled(choices.section);
+  filling_ = false;
+}
+
+void ViewOptions::setAvailable(bool voxels, bool layers, bool paths) {
+  subjects_->button(static_cast<int>(LayerSubject::Voxels))->setEnabled(voxels);
+  subjects_->button(static_cast<int>(LayerSubject::Layers))->setEnabled(layers);
+  subjects_->button(static_cast<int>(LayerSubject::Paths))->setEnabled(paths);
+}
+
+void ViewOptions::read() {
+  if (filling_)
+    return;
+  ViewChoices now;
+  now.subject = static_cast<LayerSubject>(subjects_->checkedId());
+  now.colourBy = static_cast<scene::ColourBy>(colourBy_->currentData().toInt());
+  now.part = part_->isChecked();
+  now.travels = travels_->isChecked();
+  now.beads = beads_->isChecked();
+  now.section = section_->isChecked();
+  now.sectionAxis = axis_->currentIndex();
+  now.sectionPlace = static_cast<double>(place_->value()) / kPlaceSteps;
+  now.sectionFlipped = flip_->isChecked();
+  setChoices(now);
+  emit changed(choices_);
+}
+
+} // namespace voluta::window

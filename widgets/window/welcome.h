@@ -1,0 +1,39 @@
+// What the empty viewport says: where to begin.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace voluta::window {
+
+class Welcome : public QWidget {
+  Q_OBJECT
+
+public:
+  // Keeps to the middle of its parent.
+  explicit Welcome(QWidget* parent);
+
+  // A message instead of the invitation, without buttons; empty: the invitation again.
+  void setMessage(const QString& message);
+
+signals:
+  void openRequested();
+  void sampleRequested();
+
+protected:
+  void paintEvent(QPaintEvent*) override;
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  void retranslate();
+  void keepToTheMiddle();
+
+  QString message_;
+  QLabel *title_, *text_;
+  QPushButton *open_, *sample_;
+};
+
+} // namespace voluta::window
