@@ -1,5 +1,5 @@
 // Shows every form and panel with sample data and keeps a picture of each:
-// gallery FOLDER [--dark] [--long] [--width PX]
+// forms_gallery FOLDER [--dark] [--long] [--width PX]
 #include "forms/choices_form.h"
 #include "forms/parameter_form.h"
 #include "gallery_data.h"
