@@ -77,7 +77,7 @@ TEST(PathsDrawing, LeavesOutWhatLaterBeadsSurround) {
   const plan::ToolPlan plan = block(12, 12, 30);
   const auto drawing = scene::drawPaths(plan);
   const std::size_t segments = 12 * 12 * 29;
-  EXPECT_EQ(drawing->arrival.size(), segments);
+  EXPECT_EQ(drawing->coarseStart.front(), segments);
 
   scene::ViewState view;
   const std::size_t all = total(scene::visibleBeads(*drawing, view));
@@ -85,8 +85,17 @@ TEST(PathsDrawing, LeavesOutWhatLaterBeadsSurround) {
   EXPECT_GE(all, 2 * (12 * 12 - 10 * 10) * 29u);
   EXPECT_LT(all, 2 * segments * 3 / 4);
 
+  // A section along the beads lays open those next to it.
   view.sectionOn = true;
-  EXPECT_EQ(total(scene::visibleBeads(*drawing, view)), 2 * segments);
+  view.sectionOrigin = {0, 6.0, 0};
+  view.sectionNormal = Eigen::Vector3d::UnitY();
+  EXPECT_GE(total(scene::visibleBeads(*drawing, view)), all + 2 * 2 * 8 * 29u);
+
+  view = {};
+  view.dragging = true;
+  const std::size_t fast = total(scene::visibleBeads(*drawing, view));
+  EXPECT_LT(fast, all * 7 / 10);
+  EXPECT_GT(fast, all / 2 - 1);
 }
 
 TEST(PathsDrawing, TopLayerIsThereInFullForEveryRange) {

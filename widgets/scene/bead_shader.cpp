@@ -16,6 +16,7 @@ constexpr const char* kVertexDeclarations = R"(//VTK::PositionVC::Dec
 in vec3 beadTangent;
 in vec3 beadDirection;
 in vec3 beadShape;
+in vec3 beadOpen;
 uniform int cameraParallel;
 out vec3 beadRim;
 out vec3 beadFront;
@@ -39,7 +40,8 @@ constexpr const char* kVertexCode = R"(
   beadRim = mat3(MCVCMatrix) * (rimNormal.x * sideways + rimNormal.y * upwards);
   beadFront = mat3(MCVCMatrix) * (eyeNormal.x * sideways + eyeNormal.y * upwards);
   beadSide = beadShape.z;
-  rim *= halves * beadSide;
+  bool away = hideBack != 0 && dot(beadOpen, toEye) < -0.3 * length(toEye);
+  rim *= away ? vec2(0.0) : halves * beadSide;
   vec4 placed = vec4(vertexMC.xyz + rim.x * sideways + rim.y * upwards, 1.0);
   vertexVCVSOutput = MCVCMatrix * placed;
   gl_Position = MCDCMatrix * placed;
@@ -62,7 +64,7 @@ constexpr const char* kFragmentCode = R"(
 void drawAsBeads(vtkActor* actor, RangeMapper* mapper) {
   // The shader works in the model's own coordinates.
   mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
-  for (const char* name : {"beadTangent", "beadDirection", "beadShape"})
+  for (const char* name : {"beadTangent", "beadDirection", "beadShape", "beadOpen"})
     mapper->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   vtkShaderProperty* shader = actor->GetShaderProperty();
   shader->AddVertexShaderReplacement("//VTK::PositionVC::Dec", true, kVertexDeclarations, false);
@@ -70,11 +72,16 @@ void drawAsBeads(vtkActor* actor, RangeMapper* mapper) {
   shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true, kFragmentDeclarations, false);
   shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true, kFragmentCode, false);
   setBeadScale(actor, 1.0);
+  setBackBeadsHidden(actor, false);
 }
 
 void setBeadScale(vtkActor* actor, double scale) {
   actor->GetShaderProperty()->GetVertexCustomUniforms()->SetUniformf("beadScale",
                                                                      static_cast<float>(scale));
+}
+
+void setBackBeadsHidden(vtkActor* actor, bool hidden) {
+  actor->GetShaderProperty()->GetVertexCustomUniforms()->SetUniformi("hideBack", hidden ? 1 : 0);
 }
 
 } // namespace voluta::scene

@@ -52,6 +52,8 @@ struct LayersDrawing {
 // Stretch of beads that is hidden as a whole once all that lies around it is there.
 struct BeadChunk {
   std::size_t first = 0, count = 0; // segments, in drawn order
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0.0; // of a ball that holds it
   int layer = 0, hidingLayer = 0;
   std::uint32_t hidingWaypoint = 0;
 };
@@ -61,9 +63,12 @@ struct PathsDrawing {
   vtkSmartPointer<vtkPolyData> beads;
   vtkSmartPointer<vtkPolyData> travels; // one line a travel move
   // Segments in drawn order: by layer, within it in print order; the ones that stay visible first,
-  // then the others in chunks.
+  // then the others in chunks. A place counts two triangles.
   std::vector<std::uint32_t> arrival; // waypoint at a segment's end
   std::vector<std::size_t> outerStart;
+  // After all of them: those that stay visible once more with every other waypoint left out, for
+  // fast frames. Their places count on from the fine ones' in `arrival`.
+  std::vector<std::size_t> coarseStart;
   std::vector<BeadChunk> chunks;
   std::vector<std::size_t> chunkStart; // of a layer, in chunks
   std::vector<std::uint32_t> travelArrival;

@@ -14,6 +14,7 @@ namespace {
 // cell's beads must not be mistaken for the bead itself.
 constexpr double kReachInCells = 1.4;
 constexpr double kMaxCells = 4e7;
+constexpr int kProbes = 8;
 
 Eigen::Vector3d centreOf(const plan::ToolPlan& plan, std::size_t i) {
   return plan.position[i] - 0.5 * double(plan.heightMm[i]) * plan.direction[i];
@@ -58,22 +59,42 @@ std::uint32_t FillOrder::filledAt(const Eigen::Vector3d& point) const {
                                              : kNeverFilled;
 }
 
-std::uint32_t FillOrder::surroundedAt(const plan::ToolPlan& plan, std::size_t waypoint) const {
+// Calls f(direction, when it is filled) for eight directions around the bead.
+template <typename F>
+void FillOrder::forProbes(const plan::ToolPlan& plan, std::size_t waypoint, F&& f) const {
   const Eigen::Vector3d a = centreOf(plan, waypoint - 1), b = centreOf(plan, waypoint);
   const Eigen::Vector3d middle = (a + b) / 2;
   const Eigen::Vector3d up = plan.direction[waypoint];
   const Eigen::Vector3d side = (b - a).cross(up).normalized();
   const double reach = kReachInCells * grid_.pitch;
-  std::uint32_t last = 0;
-  for (int i = 0; i < 8; ++i) {
-    const double angle = i * base::kPi / 4;
+  for (int i = 0; i < kProbes; ++i) {
+    const double angle = 2 * base::kPi * i / kProbes;
+    const Eigen::Vector3d direction = std::cos(angle) * side + std::sin(angle) * up;
+    const Eigen::Vector3d probe = middle + reach * direction;
     // What lies on the platform is closed from below.
-    const Eigen::Vector3d probe = middle + reach * (std::cos(angle) * side + std::sin(angle) * up);
-    if (probe.z() < 0.0)
-      continue;
-    last = std::max(last, filledAt(probe));
+    f(direction, probe.z() < 0.0 ? 0 : filledAt(probe));
   }
+}
+
+std::uint32_t FillOrder::surroundedAt(const plan::ToolPlan& plan, std::size_t waypoint) const {
+  std::uint32_t last = 0;
+  forProbes(plan, waypoint,
+            [&](const Eigen::Vector3d&, std::uint32_t filled) { last = std::max(last, filled); });
   return last;
+}
+
+Eigen::Vector3d FillOrder::openSide(const plan::ToolPlan& plan, std::size_t waypoint) const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int open = 0;
+  forProbes(plan, waypoint, [&](const Eigen::Vector3d& direction, std::uint32_t filled) {
+    if (filled == kNeverFilled) {
+      sum += direction;
+      ++open;
+    }
+  });
+  // More than half open: a thin wall or a lone bead, to be seen from all sides.
+  const bool oneSided = open > 0 && open <= kProbes / 2 && sum.norm() > 0.9;
+  return oneSided ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d::Zero();
 }
 
 } // namespace voluta::scene

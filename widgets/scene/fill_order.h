@@ -20,8 +20,13 @@ public:
   // it) is surrounded on all sides; kNeverFilled where a side stays open. Precondition: it is not
   // the first of its path.
   std::uint32_t surroundedAt(const plan::ToolPlan& plan, std::size_t waypoint) const;
+  // Unit vector to the side that stays open for ever; zero where none does, or opposite ones.
+  // Same precondition.
+  Eigen::Vector3d openSide(const plan::ToolPlan& plan, std::size_t waypoint) const;
 
 private:
+  template <typename F>
+  void forProbes(const plan::ToolPlan& plan, std::size_t waypoint, F&& f) const;
   std::uint32_t filledAt(const Eigen::Vector3d& point) const;
 
   voxel::VoxelGrid grid_;

@@ -17,7 +17,7 @@ constexpr std::size_t kChunk = 48; // segments
 
 // The arrays that the beads' shader takes (bead_shader.h).
 struct BeadArrays {
-  std::vector<float> tangent, direction, shape;
+  std::vector<float> tangent, direction, shape, open;
 };
 
 Eigen::Vector3d tangentAt(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i) {
@@ -62,8 +62,8 @@ void addPoints(const plan::ToolPlan& plan, MeshBuffers& buffers, BeadArrays& arr
   }
 }
 
-void addSegment(MeshBuffers& buffers, std::size_t arrival) {
-  const auto b = static_cast<std::int32_t>(2 * arrival), a = b - 2;
+void addSegment(MeshBuffers& buffers, std::size_t from, std::size_t to) {
+  const auto a = static_cast<std::int32_t>(2 * from), b = static_cast<std::int32_t>(2 * to);
   buffers.addTriangle(a, a + 1, b);
   buffers.addTriangle(a + 1, b + 1, b);
 }
@@ -85,7 +85,17 @@ std::vector<std::size_t> startsOf(const std::vector<std::size_t>& counts) {
   return starts;
 }
 
-void addSegments(const plan::ToolPlan& plan, PathsDrawing& drawing, MeshBuffers& buffers) {
+// The ball around the waypoints [first, last] of a chunk.
+void measure(const plan::ToolPlan& plan, std::size_t first, std::size_t last, BeadChunk& chunk) {
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = first; i <= last; ++i)
+    box.extend(plan.position[i]);
+  chunk.centre = box.center();
+  chunk.radius = 0.5 * box.diagonal().norm() + double(plan.widthMm[first]);
+}
+
+void addSegments(const plan::ToolPlan& plan, PathsDrawing& drawing, MeshBuffers& buffers,
+                 BeadArrays& arrays) {
   const FillOrder fill(plan);
   std::vector<std::uint32_t> surrounded(plan.waypointCount(), kNeverFilled);
   for (const plan::ToolPath& path : plan.paths)
@@ -100,35 +110,73 @@ void addSegments(const plan::ToolPlan& plan, PathsDrawing& drawing, MeshBuffers&
     const plan::ToolPath& path = plan.paths[p];
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
       if (!hidden(i)) {
-        addSegment(buffers, i);
+        addSegment(buffers, i - 1, i);
         drawing.arrival.push_back(static_cast<std::uint32_t>(i));
         ++counts[static_cast<std::size_t>(path.layer)];
       }
   }
   drawing.outerStart = startsOf(counts);
 
+  // The side of the segment that arrives, on both of the waypoint's points.
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+      const std::size_t arrival = std::max(i, path.first + 1);
+      const Eigen::Vector3d open =
+          hidden(arrival) ? Eigen::Vector3d::Zero() : fill.openSide(plan, arrival);
+      for (std::size_t k = 0; k < 2; ++k)
+        for (int axis = 0; axis < 3; ++axis)
+          arrays.open[3 * (2 * i + k) + static_cast<std::size_t>(axis)] =
+              static_cast<float>(open[axis]);
+    }
+
   std::vector<std::size_t> chunkCounts(layers, 0);
   for (const std::size_t p : order) {
     const plan::ToolPath& path = plan.paths[p];
     bool open = false;
+    std::size_t chunkFirst = 0;
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
       if (!hidden(i))
         continue;
       if (!open || drawing.chunks.back().count >= kChunk) {
-        drawing.chunks.push_back({drawing.arrival.size(), 0, path.layer, 0, 0});
+        BeadChunk next;
+        next.first = drawing.arrival.size();
+        next.layer = path.layer;
+        drawing.chunks.push_back(next);
         ++chunkCounts[static_cast<std::size_t>(path.layer)];
         open = true;
+        chunkFirst = i - 1;
       }
       BeadChunk& chunk = drawing.chunks.back();
+      measure(plan, chunkFirst, i, chunk);
       ++chunk.count;
       chunk.hidingWaypoint = std::max(chunk.hidingWaypoint, surrounded[i]);
       chunk.hidingLayer =
           std::max(chunk.hidingLayer, plan.paths[drawing.pathOf[surrounded[i]]].layer);
-      addSegment(buffers, i);
+      addSegment(buffers, i - 1, i);
       drawing.arrival.push_back(static_cast<std::uint32_t>(i));
     }
   }
   drawing.chunkStart = startsOf(chunkCounts);
+
+  const std::size_t fine = drawing.arrival.size();
+  std::fill(counts.begin(), counts.end(), 0);
+  for (const std::size_t p : order) {
+    const plan::ToolPath& path = plan.paths[p];
+    const std::size_t end = path.first + path.count;
+    for (std::size_t i = path.first + 1; i < end; ++i) {
+      if (hidden(i))
+        continue;
+      const std::size_t from = i - 1;
+      if (i + 1 < end && !hidden(i + 1))
+        ++i;
+      addSegment(buffers, from, i);
+      drawing.arrival.push_back(static_cast<std::uint32_t>(i));
+      ++counts[static_cast<std::size_t>(path.layer)];
+    }
+  }
+  drawing.coarseStart = startsOf(counts);
+  for (std::size_t& start : drawing.coarseStart)
+    start += fine;
 }
 
 void addTravels(const plan::ToolPlan& plan, PathsDrawing& drawing) {
@@ -196,11 +244,13 @@ std::shared_ptr<const PathsDrawing> drawPaths(const plan::ToolPlan& plan,
   MeshBuffers buffers;
   BeadArrays arrays;
   addPoints(plan, buffers, arrays);
-  addSegments(plan, *drawing, buffers);
+  arrays.open.resize(arrays.shape.size());
+  addSegments(plan, *drawing, buffers, arrays);
   drawing->beads = polyDataOf(buffers);
   addPointArray(drawing->beads, "beadTangent", 3, arrays.tangent);
   addPointArray(drawing->beads, "beadDirection", 3, arrays.direction);
   addPointArray(drawing->beads, "beadShape", 3, arrays.shape);
+  addPointArray(drawing->beads, "beadOpen", 3, arrays.open);
   addTravels(plan, *drawing);
   addValues(plan, trajectory, *drawing);
   return drawing;

@@ -192,9 +192,9 @@ struct Scene::Impl {
         setPose(bodies[i], world_T_frame[static_cast<std::size_t>(c.bodies()[i].frame)]);
     }
     for (vtkActor* actor :
-         {plate.Get(), outline.Get(), grid.Get(),
-          voxelMissed.Get(), voxelOutside.actor.Get(), voxelInside.actor.Get(),
-          missedHalo.actor.Get(), slabs.actor.Get(), beads.actor.Get(), travels.actor.Get()})
+         {plate.Get(), outline.Get(), grid.Get(), voxelMissed.Get(), voxelOutside.actor.Get(),
+          voxelInside.actor.Get(), missedHalo.actor.Get(), slabs.actor.Get(), beads.actor.Get(),
+          travels.actor.Get()})
       setPose(actor, world_T_work);
     for (vtkActor* actor : {partSurface.Get(), partEdges.Get()})
       setPose(actor, world_T_work * moved_T_part);
@@ -274,6 +274,7 @@ struct Scene::Impl {
     beadColours = wanted;
     beads.mapper->setStretches(visibleBeads(*paths, view));
     setBeadScale(beads.actor, view.beads ? 1.0 : kLineBeadScale);
+    setBackBeadsHidden(beads.actor, view.beads && view.firstLayer <= 0 && !view.sectionOn);
     if (view.travels)
       travels.mapper->setStretches(visibleTravels(*paths, view));
   }

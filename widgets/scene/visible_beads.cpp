@@ -43,6 +43,18 @@ std::size_t shownUpTo(const std::vector<std::uint32_t>& arrival, std::size_t fro
                                   begin);
 }
 
+// Beads farther behind the section than this are hidden by those before them.
+constexpr double kSectionDepthMm = 4.0;
+// While dragging the uppermost layers keep every waypoint.
+constexpr int kFullLayers = 2;
+
+bool laidOpen(const BeadChunk& chunk, const ViewState& view) {
+  if (!view.sectionOn)
+    return false;
+  const double beyond = (chunk.centre - view.sectionOrigin).dot(view.sectionNormal);
+  return beyond < chunk.radius && beyond > -chunk.radius - kSectionDepthMm;
+}
+
 int layerBeingLaid(const PathsDrawing& paths, const ViewState& view, const Extent& extent) {
   if (view.printedWaypoints == kAllMoves || paths.pathOf.empty())
     return extent.last;
@@ -61,14 +73,16 @@ std::vector<Stretch> visibleBeads(const PathsDrawing& paths, const ViewState& vi
     const std::size_t end = shownUpTo(paths.arrival, from, to, extent.limit(layer));
     appendStretch(shown, {2 * from, 2 * (end - from), view.materialColour && layer != laid});
   };
+  const int fullFrom = view.dragging ? extent.last - kFullLayers + 1 : extent.first;
   for (int layer = extent.first; layer <= extent.last; ++layer) {
     const auto l = static_cast<std::size_t>(layer);
-    add(layer, paths.outerStart[l], paths.outerStart[l + 1]);
+    const auto& start = layer < fullFrom ? paths.coarseStart : paths.outerStart;
+    add(layer, start[l], start[l + 1]);
   }
   for (int layer = extent.first; layer <= extent.last; ++layer) {
     const auto l = static_cast<std::size_t>(layer);
     for (std::size_t c = paths.chunkStart[l]; c < paths.chunkStart[l + 1]; ++c)
-      if (const BeadChunk& chunk = paths.chunks[c]; view.sectionOn || !extent.hides(chunk))
+      if (const BeadChunk& chunk = paths.chunks[c]; !extent.hides(chunk) || laidOpen(chunk, view))
         add(layer, chunk.first, chunk.first + chunk.count);
   }
   return shown;
