@@ -36,10 +36,12 @@ double niceStep(double span, int most) {
   return 10.0 * power;
 }
 
-void setTicks(QValueAxis* axis, double low, double high, int most) {
-  const double step = niceStep(high - low, most);
-  axis->setTickType(QValueAxis::TicksDynamic);
-  axis->setTickAnchor(0.0);
+// The axis makes an item a tick whenever either changes, so its ticks must never be too close for
+// the range that it has in between.
+void setRange(QValueAxis* axis, double low, double high, int ticks) {
+  const double step = niceStep(high - low, ticks);
+  axis->setTickInterval(std::max(axis->tickInterval(), step));
+  axis->setRange(low, high);
   axis->setTickInterval(step);
   const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step))), 0, 6);
   axis->setLabelFormat(QStringLiteral("%.%1f").arg(decimals));
@@ -53,6 +55,11 @@ ChartCanvas::ChartCanvas(QWidget* parent)
   chart_->legend()->hide();
   chart_->setBackgroundRoundness(0.0);
   chart_->setAnimationOptions(QChart::NoAnimation);
+  for (QValueAxis* axis : {time_, value_}) {
+    axis->setTickAnchor(0.0);
+    axis->setTickInterval(1.0);
+    axis->setTickType(QValueAxis::TicksDynamic);
+  }
   chart_->addAxis(time_, Qt::AlignBottom);
   chart_->addAxis(value_, Qt::AlignLeft);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -108,10 +115,8 @@ void ChartCanvas::setContent(std::vector<ChartCurve> curves, double fromS, doubl
             ->replace(QList<QPointF>{{fromS_, *limit}, {toS_, *limit}});
     addLine(*chart_, QPen(curve.colour, 1.3), time_, value_)->replace(curve.points);
   }
-  time_->setRange(fromS_, toS_);
-  value_->setRange(low, high);
-  setTicks(time_, fromS_, toS_, std::max(2, width() / 90));
-  setTicks(value_, low, high, std::max(2, height() / 35));
+  setRange(time_, fromS_, toS_, std::max(2, width() / 90));
+  setRange(value_, low, high, std::max(2, height() / 35));
   stale_ = true;
   update();
 }

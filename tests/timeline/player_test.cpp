@@ -1,0 +1,73 @@
+#include "timeline/player.h"
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTest>
+#include <gtest/gtest.h>
+
+namespace voluta::timeline {
+namespace {
+
+TEST(Player, MovesWithTheWallClockTimesItsSpeed) {
+  Player player;
+  player.setEnd(100.0);
+  player.advance(5.0);
+  EXPECT_EQ(player.position(), 0.0) << "not playing";
+  player.play();
+  player.advance(2.0);
+  EXPECT_DOUBLE_EQ(player.position(), 2.0);
+  player.setSpeed(10.0);
+  player.advance(2.0);
+  EXPECT_DOUBLE_EQ(player.position(), 22.0);
+  player.setUnitsPerSecond(3.0);
+  player.advance(1.0);
+  EXPECT_DOUBLE_EQ(player.position(), 52.0);
+}
+
+TEST(Player, StopsAtTheEndAndStartsOverFromThere) {
+  Player player;
+  QSignalSpy playing(&player, &Player::playingChanged);
+  player.setEnd(10.0);
+  player.play();
+  player.advance(50.0);
+  EXPECT_EQ(player.position(), 10.0);
+  EXPECT_FALSE(player.playing());
+  player.play();
+  EXPECT_EQ(player.position(), 0.0);
+  ASSERT_EQ(playing.size(), 3);
+  EXPECT_TRUE(playing[0][0].toBool());
+  EXPECT_FALSE(playing[1][0].toBool());
+}
+
+TEST(Player, DoesNotPlayNothing) {
+  Player player;
+  player.play();
+  EXPECT_FALSE(player.playing());
+}
+
+TEST(Player, AShorterEndTakesThePositionWithIt) {
+  Player player;
+  player.setEnd(10.0);
+  player.setPosition(8.0);
+  player.setEnd(5.0);
+  EXPECT_EQ(player.position(), 5.0);
+}
+
+TEST(Player, StepsAtMostThirtyTimesASecondAndFollowsTheClock) {
+  Player player;
+  player.setEnd(1000.0);
+  player.setSpeed(100.0);
+  QSignalSpy moved(&player, &Player::positionChanged);
+  QElapsedTimer wall;
+  wall.start();
+  player.play();
+  QTest::qWait(600);
+  player.pause();
+  const double seconds = wall.elapsed() / 1000.0;
+  EXPECT_LE(moved.size(), 31.0 * seconds);
+  EXPECT_GE(moved.size(), 3);
+  EXPECT_NEAR(player.position(), 100.0 * seconds, 100.0 * 0.15);
+}
+
+} // namespace
+} // namespace voluta::timeline
