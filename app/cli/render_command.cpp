@@ -64,7 +64,8 @@ public:
     showPlatform();
   }
   void showVoxels() {
-    const auto drawing = scene::drawVoxels(*need(job_.decomposition, "voxels"));
+    const auto drawing =
+        scene::drawVoxels(*need(job_.decomposition, "voxels"), process().layerHeightMm);
     setLastLayer(scene::layerCount(*drawing));
     scene_.setVoxels(drawing);
     view_.voxels = true;
@@ -88,9 +89,7 @@ public:
   void showRobot() {
     const auto& trajectory = *need(job_.trajectory, "robot motion");
     const auto& plan = *need(job_.toolPlan, "tool-paths");
-    const auto process =
-        pipeline::chosenProcess(job_.choices, pipeline::parameterValues(job_.choices));
-    scene_.setCell(scene::drawCell(robot::loadCell(job_.choices.cell, process, job_.platform)));
+    scene_.setCell(scene::drawCell(robot::loadCell(job_.choices.cell, process(), job_.platform)));
     const auto drawing = scene::drawPaths(plan, &trajectory);
     setLastLayer(scene::layerCount(*drawing));
     scene_.setPaths(drawing);
@@ -114,6 +113,10 @@ private:
       throw Error(ErrorCode::UnusableInput, fmt::format("the job holds no {}", what),
                   options_.job.string(), "plan the part further: voluta-cli plan PART -o DIR");
     return result;
+  }
+
+  process::Process process() const {
+    return pipeline::chosenProcess(job_.choices, pipeline::parameterValues(job_.choices));
   }
 
   void showPlatform() {

@@ -53,7 +53,7 @@ struct LayersDrawing {
 struct BeadChunk {
   std::size_t first = 0, count = 0; // segments, in drawn order
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double radius = 0.0; // of a ball that holds it
+  Eigen::Vector3d half = Eigen::Vector3d::Zero(); // of the box that holds it
   int layer = 0, hidingLayer = 0;
   std::uint32_t hidingWaypoint = 0;
 };

@@ -34,10 +34,11 @@ std::shared_ptr<const PartDrawing> drawPart(const geometry::TriangleMesh& part);
 std::shared_ptr<const PlatformDrawing> drawPlatform(const std::vector<Eigen::Vector2d>& polygon,
                                                     double groundRadiusMm);
 
-// Solid voxels by their rank: the faces that are visible for any range of layers (rank 1 is layer
-// 0). Missed voxels stand out: they shine through what is before them.
-std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& decomposition);
-// Layers (ranks) there are.
+// Solid voxels by the layer they belong to: the faces that are visible for any range of layers.
+// With `layerHeightMm` > 0 and a field, layers are those that are cut from the field; else rank 1
+// is layer 0. Missed voxels stand out: they shine through what is before them.
+std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& decomposition,
+                                               double layerHeightMm = 0.0);
 int layerCount(const VoxelDrawing& drawing);
 
 // Patches as slabs of their thickness: bands along their boundaries, and their upper and lower

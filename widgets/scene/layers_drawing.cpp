@@ -4,6 +4,7 @@
 #include "base/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
@@ -114,6 +115,20 @@ std::vector<Edge> boundaryOf(const geometry::TriangleMesh& surface) {
   return boundary;
 }
 
+// Per vertex: on the boundary, or joined to it by an edge.
+std::vector<char> nearBoundary(const geometry::TriangleMesh& surface,
+                               const std::vector<Edge>& boundary) {
+  std::vector<char> on(surface.vertices.size(), 0);
+  for (const auto& [from, to] : boundary)
+    on[static_cast<std::size_t>(from)] = on[static_cast<std::size_t>(to)] = 1;
+  std::vector<char> near = on;
+  for (const auto& t : surface.triangles)
+    if (std::any_of(t.begin(), t.end(), [&](int v) { return on[static_cast<std::size_t>(v)]; }))
+      for (const int v : t)
+        near[static_cast<std::size_t>(v)] = 1;
+  return near;
+}
+
 // Collects points with their values and triangles with their patch, each triangle to one of the
 // three kinds of faces.
 class SlabBuilder {
@@ -126,9 +141,13 @@ public:
       top[v] = addPoint(vertices[v] + half, patch.direction[v], patch, v);
       bottom[v] = addPoint(vertices[v] - half, -patch.direction[v], patch, v);
     }
+    const std::vector<Edge> boundary = boundaryOf(patch.surface);
+    const std::vector<char> atEdge = nearBoundary(patch.surface, boundary);
     for (const auto& t : patch.surface.triangles) {
       const auto a = static_cast<std::size_t>(t[0]), b = static_cast<std::size_t>(t[1]),
                  c = static_cast<std::size_t>(t[2]);
+      // Layers do not end in line: near its boundary one shows beside the next.
+      const bool open = atEdge[a] || atEdge[b] || atEdge[c];
       const Eigen::Vector3d centre = (vertices[a] + vertices[b] + vertices[c]) / 3.0;
       const Eigen::Vector3d step =
           (patch.thicknessMm[a] * patch.direction[a] + patch.thicknessMm[b] * patch.direction[b] +
@@ -136,11 +155,12 @@ public:
           3.0;
       const auto above = marks.above(centre + step, patch.layer);
       const auto below = marks.below(centre - step, patch.layer);
-      addFace(upper, patch.layer, above ? *above : kNeverHidden, {top[a], top[b], top[c]}, index);
-      addFace(lower, patch.layer, below ? -*below : kNeverHidden, {bottom[a], bottom[c], bottom[b]},
+      addFace(upper, patch.layer, above && !open ? *above : kNeverHidden, {top[a], top[b], top[c]},
               index);
+      addFace(lower, patch.layer, below && !open ? -*below : kNeverHidden,
+              {bottom[a], bottom[c], bottom[b]}, index);
     }
-    for (const auto& [from, to] : boundaryOf(patch.surface)) {
+    for (const auto& [from, to] : boundary) {
       const auto a = static_cast<std::size_t>(from), b = static_cast<std::size_t>(to);
       const Eigen::Vector3d out =
           (vertices[b] - vertices[a]).cross(patch.direction[a] + patch.direction[b]).normalized();

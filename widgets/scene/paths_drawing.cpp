@@ -13,7 +13,7 @@ namespace voluta::scene {
 
 namespace {
 
-constexpr std::size_t kChunk = 48; // segments
+constexpr std::size_t kChunk = 12; // segments
 
 // The arrays that the beads' shader takes (bead_shader.h).
 struct BeadArrays {
@@ -85,13 +85,13 @@ std::vector<std::size_t> startsOf(const std::vector<std::size_t>& counts) {
   return starts;
 }
 
-// The ball around the waypoints [first, last] of a chunk.
+// The box around the waypoints [first, last] of a chunk.
 void measure(const plan::ToolPlan& plan, std::size_t first, std::size_t last, BeadChunk& chunk) {
   Eigen::AlignedBox3d box;
   for (std::size_t i = first; i <= last; ++i)
     box.extend(plan.position[i]);
   chunk.centre = box.center();
-  chunk.radius = 0.5 * box.diagonal().norm() + double(plan.widthMm[first]);
+  chunk.half = 0.5 * box.sizes() + Eigen::Vector3d::Constant(double(plan.widthMm[first]));
 }
 
 void addSegments(const plan::ToolPlan& plan, PathsDrawing& drawing, MeshBuffers& buffers,

@@ -44,7 +44,7 @@ std::size_t shownUpTo(const std::vector<std::uint32_t>& arrival, std::size_t fro
 }
 
 // Beads farther behind the section than this are hidden by those before them.
-constexpr double kSectionDepthMm = 4.0;
+constexpr double kSectionDepthMm = 2.0;
 // While dragging the uppermost layers keep every waypoint.
 constexpr int kFullLayers = 2;
 
@@ -52,7 +52,8 @@ bool laidOpen(const BeadChunk& chunk, const ViewState& view) {
   if (!view.sectionOn)
     return false;
   const double beyond = (chunk.centre - view.sectionOrigin).dot(view.sectionNormal);
-  return beyond < chunk.radius && beyond > -chunk.radius - kSectionDepthMm;
+  const double reach = chunk.half.dot(view.sectionNormal.cwiseAbs());
+  return beyond < reach && beyond > -reach - kSectionDepthMm;
 }
 
 int layerBeingLaid(const PathsDrawing& paths, const ViewState& view, const Extent& extent) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace voluta::scene {
 
@@ -98,12 +99,24 @@ Faces facesOf(const voxel::VoxelGrid& grid, const std::vector<std::int32_t>& ran
   return out;
 }
 
+// Ranks, or where the layers' height is known the layers of the field, counted from 1.
+std::vector<std::int32_t> ordersOf(const curved::Decomposition& d, double layerHeightMm) {
+  std::vector<std::int32_t> orders = d.rank;
+  if (layerHeightMm > 0.0 && !d.field.empty())
+    for (std::size_t c = 0; c < orders.size(); ++c)
+      if (orders[c] > 0 && std::isfinite(d.field[c]))
+        orders[c] =
+            1 + std::max(0, static_cast<int>(std::floor(double(d.field[c]) / layerHeightMm)));
+  return orders;
+}
+
 } // namespace
 
-std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& decomposition) {
+std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& decomposition,
+                                               double layerHeightMm) {
   auto drawing = std::make_shared<VoxelDrawing>();
   drawing->grid = decomposition.grid;
-  drawing->rank = decomposition.rank;
+  drawing->rank = ordersOf(decomposition, layerHeightMm);
   const voxel::VoxelGrid& grid = drawing->grid;
   std::int32_t highest = 0;
   for (std::size_t c = 0; c < drawing->rank.size(); ++c)
