@@ -47,12 +47,14 @@ std::string loadText(const LoadedPart& loaded, const Choices& c, const process::
                      const std::string& cell) {
   const geometry::Placement& p = c.placement;
   const Eigen::Vector4d q = p.rotation.coeffs();
-  std::string text = fmt::format(
-      "mesh {}\nrepair {}\nrotation {} {} {} {}\ncentre {} {}\nlift {}\nscale {}\n", loaded.hash,
-      c.repair, q[3], q[0], q[1], q[2], p.centreMm.x(), p.centreMm.y(), p.liftMm, c.scale);
-  if (c.scale == "fit")
-    text += cell + headText(process);
-  return text;
+  const bool mended = c.repair && !loaded.found.clean(); // a clean mesh stays as it is
+  std::string text =
+      fmt::format("mesh {}\nmended {}\nrotation {} {} {} {}\ncentre {} {}\nlift {}\n", loaded.hash,
+                  mended, q[3], q[0], q[1], q[2], p.centreMm.x(), p.centreMm.y(), p.liftMm);
+  const double scale = parsedScale(c.scale);
+  if (scale > 0.0)
+    return text + fmt::format("scale {}\n", scale);
+  return text + "scale to fit\n" + cell + headText(process);
 }
 
 std::string programText(const std::string& partName, const process::Process& p) {

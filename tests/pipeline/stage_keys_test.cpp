@@ -111,7 +111,8 @@ TEST_F(StageKeysOf, ChoicesReachTheStagesTheyMatterTo) {
   check("centre", 0, [](Choices& c) { c.placement.centreMm.x() = 1.0; });
   check("lift", 0, [](Choices& c) { c.placement.liftMm = 1.0; });
   check("scale", 0, [](Choices& c) { c.scale = "0.9"; });
-  check("repair", 0, [](Choices& c) { c.repair = false; });
+  check("the same scale", kStageCount, [](Choices& c) { c.scale = "1.0"; });
+  check("repair of what is whole", kStageCount, [](Choices& c) { c.repair = false; });
   check("growth", 1, [](Choices& c) { c.growth = "greedy"; });
   check("platform", 1, [](Choices& c) { c.platform = "disc:80"; });
   check("seed", 4, [](Choices& c) { c.seed = 2; });
@@ -133,6 +134,22 @@ TEST_F(StageKeysOf, ThePartCountsByItsContent) {
   copy.loaded =
       loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(moved), {}, true, {});
   expectChangesFrom(copy, 0, "a vertex moved by nearly nothing");
+}
+
+TEST_F(StageKeysOf, RepairMattersWhereThereIsSomethingToMend) {
+  auto open = *boxPart()->source;
+  open.triangles.pop_back();
+  PlanRequest mended, raw;
+  mended.loaded = raw.loaded =
+      loadedFrom("open.stl", std::make_shared<geometry::TriangleMesh>(open), {}, true, {});
+  raw.choices.repair = false;
+  EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
+  // Whichever way the part at hand was loaded.
+  mended.loaded = withRepair(mended.loaded, false, {});
+  EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
+  raw.loaded = mended.loaded;
+  mended.loaded = withRepair(raw.loaded, true, {});
+  EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
 }
 
 TEST_F(StageKeysOf, WrongChoicesAreAnErrorBeforeAnythingRuns) {
