@@ -229,7 +229,6 @@ void MainWindow::retranslate() {
     const QString keys = c.action->shortcut().toString(QKeySequence::NativeText);
     const QString tip = tr(c.tip);
     c.action->setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
-    c.action->setStatusTip(tip);
   }
   retranslateUndo();
   showStates();

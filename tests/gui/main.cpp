@@ -1,0 +1,19 @@
+#include "gui/watchdog.h"
+#include "viewer/vtk_view.h"
+#include "window/theme.h"
+
+#include <QSettings>
+#include <gtest/gtest.h>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  voluta::viewer::VtkView::setDefaultFormat();
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  voluta::test::WatchedApplication app(argc, argv);
+  QApplication::setApplicationName("voluta");
+  QApplication::setOrganizationName("voluta");
+  QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+  voluta::window::applyAppearance(app, voluta::window::Appearance::Light);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,34 @@
+#include "gui/watchdog.h"
+
+#include <QElapsedTimer>
+#include <QEvent>
+#include <QMetaEnum>
+#include <QThread>
+
+namespace voluta::test {
+
+bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
+  const int loop = QThread::currentThread()->loopLevel();
+  if (!under_.empty() && under_.back().loop == loop)
+    return QApplication::notify(receiver, event); // part of the one being timed
+  for (Delivery& outer : under_)
+    outer.opensLoop = true;
+  // The receiver may be gone afterwards.
+  const QString what = QString("%1 to %2 %3")
+                           .arg(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type()),
+                                receiver->metaObject()->className(), receiver->objectName());
+  under_.push_back({loop});
+  const double framesBefore = framesMs_;
+  QElapsedTimer timer;
+  timer.start();
+  const bool taken = QApplication::notify(receiver, event);
+  const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6 - (framesMs_ - framesBefore);
+  if (!under_.back().opensLoop && ms > longestMs_) {
+    longestMs_ = ms;
+    longestWhat_ = what;
+  }
+  under_.pop_back();
+  return taken;
+}
+
+} // namespace voluta::test

@@ -1,0 +1,38 @@
+// How long the window's thread works at a stretch: every event that the application delivers is
+// timed, the frames painted meanwhile taken off.
+#pragma once
+
+#include <QApplication>
+#include <QString>
+#include <vector>
+
+namespace voluta::test {
+
+class WatchedApplication : public QApplication {
+public:
+  using QApplication::QApplication;
+
+  bool notify(QObject* receiver, QEvent* event) override;
+
+  // To be connected to VtkView::framePainted.
+  void addFrame(double ms) { framesMs_ += ms; }
+  void resetWatch() {
+    longestMs_ = 0.0;
+    longestWhat_.clear();
+  }
+  double longestMs() const { return longestMs_; }
+  QString longestWhat() const { return longestWhat_; }
+
+private:
+  // An event being delivered by the loop of that level. One that opens a loop of its own (a dialog)
+  // waits for the user in it and is not counted; the events of that loop are.
+  struct Delivery {
+    int loop;
+    bool opensLoop = false;
+  };
+  std::vector<Delivery> under_;
+  double framesMs_ = 0.0, longestMs_ = 0.0;
+  QString longestWhat_;
+};
+
+} // namespace voluta::test

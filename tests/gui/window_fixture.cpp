@@ -1,0 +1,158 @@
+#include "gui/window_fixture.h"
+
+#include "base/files.h"
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QTest>
+#include <QTimer>
+#include <QToolBar>
+#include <QToolButton>
+#include <cstring>
+
+namespace voluta::test {
+
+WatchedApplication& application() {
+  return *static_cast<WatchedApplication*>(QCoreApplication::instance());
+}
+
+void WindowTest::SetUp() {
+  qputenv("VOLUTA_STATE_DIR", folder_.path().toUtf8());
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+  QSettings().clear();
+  window_ = std::make_unique<window::MainWindow>(window::Appearance::Light);
+  QObject::connect(&window_->viewport(), &viewer::VtkView::framePainted, &application(),
+                   [](double ms) { application().addFrame(ms); });
+  window_->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  ASSERT_TRUE(waitFor([&] { return window().viewport().lastFrameMs() > 0.0; }));
+}
+
+void WindowTest::TearDown() {
+  window_.reset();
+  QCoreApplication::processEvents();
+}
+
+QString WindowTest::writePart(const QString& name, const geometry::TriangleMesh& mesh) const {
+  std::string bytes(80, ' ');
+  const auto put = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  put(static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i)
+      put(0.0F);
+    for (const int v : t)
+      for (int axis = 0; axis < 3; ++axis)
+        put(static_cast<float>(mesh.vertices[static_cast<std::size_t>(v)][axis]));
+    put(std::uint16_t{0});
+  }
+  base::writeFile(path(name).toStdString(), bytes);
+  return path(name);
+}
+
+bool WindowTest::waitFor(const std::function<bool()>& condition, int ms) {
+  return QTest::qWaitFor(condition, ms);
+}
+
+bool WindowTest::planned(pipeline::Stage stage) {
+  return waitFor([&] {
+    return !window().planning().running() && document().upToDate(stage) &&
+           !window().presenter().busy();
+  });
+}
+
+void WindowTest::openPart(const QString& file) {
+  window().open(file);
+  ASSERT_TRUE(waitFor([&] {
+    return document().source() && document().sourceReady() &&
+           document().upToDate(pipeline::Stage::Load) && !window().planning().running() &&
+           !window().presenter().busy();
+  }));
+}
+
+void WindowTest::clickMenu(const char* menuName, const char* actionName) {
+  auto* menu = find<QMenu>(menuName);
+  auto* action = find<QAction>(actionName);
+  QMenuBar* bar = window().menuBar();
+  QTest::mouseClick(bar, Qt::LeftButton, {}, bar->actionGeometry(menu->menuAction()).center());
+  ASSERT_TRUE(waitFor([&] { return menu->isVisible(); }, 5000));
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+}
+
+void WindowTest::clickToolBar(const char* actionName) {
+  auto* bar = find<QToolBar>("toolBar");
+  QWidget* button = bar->widgetForAction(find<QAction>(actionName));
+  ASSERT_NE(button, nullptr);
+  QTest::mouseClick(button, Qt::LeftButton);
+}
+
+void WindowTest::choosePage(window::Page page) {
+  auto* flow = find<window::FlowBar>("flowBar");
+  QTest::mouseClick(flow, Qt::LeftButton, {}, flow->segment(page).center());
+  EXPECT_EQ(window().page(), page);
+}
+
+void WindowTest::answerBox(const char* name, int standardButton) {
+  auto* timer = new QTimer(window_.get());
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, name, standardButton] {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+      auto* box = qobject_cast<QMessageBox*>(widget);
+      if (!box || !box->isVisible() || (*name && box->objectName() != name))
+        continue;
+      if (QAbstractButton* button =
+              box->button(static_cast<QMessageBox::StandardButton>(standardButton))) {
+        timer->deleteLater();
+        timer->stop();
+        QTest::mouseClick(button, Qt::LeftButton);
+        return;
+      }
+    }
+  });
+  timer->start(30);
+}
+
+void WindowTest::answerFileDialog(const QString& file) {
+  auto* timer = new QTimer(window_.get());
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, file] {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (auto* dialog = qobject_cast<QFileDialog*>(widget); dialog && dialog->isVisible()) {
+        timer->deleteLater();
+        timer->stop();
+        auto* line = dialog->findChild<QLineEdit*>("fileNameEdit");
+        line->setText(file);
+        QTest::keyClick(line, Qt::Key_Return);
+        return;
+      }
+  });
+  timer->start(30);
+}
+
+QImage WindowTest::picture() {
+  int frames = 0;
+  const auto counting = QObject::connect(&window().viewport(), &viewer::VtkView::framePainted,
+                                         &window(), [&] { ++frames; });
+  window().viewport().requestFrame();
+  EXPECT_TRUE(waitFor([&] { return frames > 0; }, 10000));
+  QObject::disconnect(counting);
+  return window().viewport().grabFrame().convertToFormat(QImage::Format_RGB32);
+}
+
+double differingShare(const QImage& a, const QImage& b) {
+  if (a.size() != b.size())
+    return 1.0;
+  long long differ = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      differ += a.pixel(x, y) != b.pixel(x, y);
+  return static_cast<double>(differ) / (static_cast<double>(a.width()) * a.height());
+}
+
+} // namespace voluta::test

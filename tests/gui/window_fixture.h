@@ -1,0 +1,61 @@
+// A real window with settings and recovery of its own, and hands to work it with.
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+#include "gui/watchdog.h"
+#include "window/main_window.h"
+
+#include <QImage>
+#include <QString>
+#include <QTemporaryDir>
+#include <functional>
+#include <gtest/gtest.h>
+#include <memory>
+
+class QAction;
+class QToolBar;
+
+namespace voluta::test {
+
+WatchedApplication& application();
+
+class WindowTest : public testing::Test {
+protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  window::MainWindow& window() { return *window_; }
+  document::Document& document() { return window_->document(); }
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  // Writes a binary STL into the test's folder and gives its path.
+  QString writePart(const QString& name, const geometry::TriangleMesh& mesh) const;
+
+  // Waits while events are served; false when it didn't come true in time.
+  static bool waitFor(const std::function<bool()>& condition, int ms = 60000);
+  // All stages of the present choices are done and drawn.
+  bool planned(pipeline::Stage stage);
+  // Opens a part and waits until it lies on the plate.
+  void openPart(const QString& file);
+  // By the mouse: menu bar, then the entry.
+  void clickMenu(const char* menu, const char* action);
+  void clickToolBar(const char* action);
+  void choosePage(window::Page page);
+  // Once a modal box of that name is up, clicks its button (or answers a file dialog with `file`).
+  void answerBox(const char* name, int standardButton);
+  void answerFileDialog(const QString& file);
+  // The viewport as shown, after a frame.
+  QImage picture();
+  template <typename T> T* find(const char* name) {
+    auto* found = window_->findChild<T*>(name);
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<window::MainWindow> window_;
+};
+
+// Share of pixels that differ between two pictures of one size.
+double differingShare(const QImage& a, const QImage& b);
+
+} // namespace voluta::test
