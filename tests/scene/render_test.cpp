@@ -99,7 +99,7 @@ protected:
     const auto mesh = std::make_shared<const geometry::TriangleMesh>(test::sphere({0, 0, 20}, 20));
     auto loaded = std::make_shared<pipeline::LoadedPart>();
     loaded->name = job.partName;
-    loaded->mesh = mesh;
+    loaded->source = loaded->mesh = mesh;
     job.loaded = loaded;
     job.part = mesh;
     job.platform = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};

@@ -10,6 +10,7 @@ namespace voluta::scene {
 namespace {
 
 constexpr int kStops = 5;
+constexpr double kLoneValue = 0.6; // place on the map of a value that is the same everywhere
 constexpr std::array<const char*, 5> kKindNames{"Wall", "Infill", "Gap fill", "Skirt", "Support"};
 
 const std::vector<std::int32_t>* wholeNumbers(const ColourValues& v, ColourBy by) {
@@ -44,7 +45,9 @@ const std::vector<float>* numbers(const ColourValues& v, ColourBy by) {
 
 struct Span {
   double low = 0.0, high = 0.0;
-  double share(double value) const { return high > low ? (value - low) / (high - low) : 0.0; }
+  double share(double value) const {
+    return high > low ? (value - low) / (high - low) : kLoneValue;
+  }
 };
 
 // Without the outermost hundredth on both sides, which would flatten all the rest.
@@ -71,19 +74,23 @@ Span spanOf(const ColourValues& values, ColourBy by) {
   return by == ColourBy::Time || by == ColourBy::Direction ? Span{0.0, span.high} : span;
 }
 
+// As exact as a scale of that width needs; without idle zeros where it has one value only.
+std::string scaleNumber(double value, double width) {
+  if (width <= 0.0)
+    return fmt::format("{:.3g}", value);
+  return fmt::format("{:.{}f}", value, width > 20 ? 0 : width > 2 ? 1 : 2);
+}
+
 Legend scaleLegend(const ColourByRow& row, const Span& span) {
   Legend legend{std::string(row.label), std::string(row.unit), false, {}};
   const int stops = span.high > span.low ? kStops : 1;
   for (int i = 0; i < stops; ++i) {
-    const double t = stops > 1 ? double(i) / (stops - 1) : 0.0;
-    const double value = span.low + t * (span.high - span.low);
+    const double t = stops > 1 ? double(i) / (stops - 1) : kLoneValue;
+    const double value = stops > 1 ? span.low + t * (span.high - span.low) : span.low;
     const double width = span.high - span.low;
     std::string label = row.colourBy == ColourBy::Layer
                             ? fmt::format("{}", static_cast<int>(std::lround(value)) + 1)
-                            : fmt::format("{:.{}f}", value,
-                                          width > 20  ? 0
-                                          : width > 2 ? 1
-                                                      : 2);
+                            : scaleNumber(value, width);
     legend.entries.push_back({value, std::move(label), sequentialColour(t)});
   }
   return legend;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace voluta::scene {
 
@@ -15,12 +16,31 @@ namespace {
 
 using CellKey = std::uint64_t;
 
+// A grid without bounds.
+class CellKeys {
+public:
+  explicit CellKeys(double pitch) : pitch_(pitch) {}
+  double pitch() const { return pitch_; }
+  CellKey keyOf(const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d c = (p / pitch_).array().floor().matrix();
+    constexpr double kHalf = 1 << 20; // 21 bits an axis
+    return (static_cast<CellKey>(c.x() + kHalf) << 42) |
+           (static_cast<CellKey>(c.y() + kHalf) << 21) | static_cast<CellKey>(c.z() + kHalf);
+  }
+
+private:
+  double pitch_;
+};
+
 // Which layers have material in a cell: asked for the next one above or below a layer.
 class LayerMarks {
 public:
-  LayerMarks(const Eigen::Vector3d& origin, double pitch) : origin_(origin), pitch_(pitch) {}
+  explicit LayerMarks(double pitch) : cells_(pitch) {}
 
-  void mark(const Eigen::Vector3d& p, std::int32_t layer) { marks_.emplace_back(keyOf(p), layer); }
+  const CellKeys& cells() const { return cells_; }
+  void mark(const Eigen::Vector3d& p, std::int32_t layer) {
+    marks_.emplace_back(cells_.keyOf(p), layer);
+  }
   void finish() {
     std::sort(marks_.begin(), marks_.end());
     marks_.erase(std::unique(marks_.begin(), marks_.end()), marks_.end());
@@ -48,19 +68,12 @@ public:
   }
 
 private:
-  CellKey keyOf(const Eigen::Vector3d& p) const {
-    const Eigen::Vector3d c = ((p - origin_) / pitch_).array().floor().matrix();
-    constexpr double kHalf = 1 << 20; // 21 bits an axis
-    return (static_cast<CellKey>(c.x() + kHalf) << 42) |
-           (static_cast<CellKey>(c.y() + kHalf) << 21) | static_cast<CellKey>(c.z() + kHalf);
-  }
   std::size_t firstAt(const Eigen::Vector3d& p) const {
-    const auto found = firstOf_.find(keyOf(p));
+    const auto found = firstOf_.find(cells_.keyOf(p));
     return found == firstOf_.end() ? marks_.size() : found->second;
   }
 
-  Eigen::Vector3d origin_;
-  double pitch_;
+  CellKeys cells_;
   std::vector<std::pair<CellKey, std::int32_t>> marks_;
   std::unordered_map<CellKey, std::size_t> firstOf_;
 };
@@ -77,7 +90,7 @@ double meanThickness(const layers::LayerStack& stack) {
 }
 
 LayerMarks marksOf(const layers::LayerStack& stack) {
-  LayerMarks marks(Eigen::Vector3d::Zero(), meanThickness(stack));
+  LayerMarks marks(meanThickness(stack));
   for (const layers::Patch& patch : stack.patches)
     for (const auto& t : patch.surface.triangles) {
       const Eigen::Vector3d &a = patch.surface.vertices[static_cast<std::size_t>(t[0])],
@@ -115,17 +128,22 @@ std::vector<Edge> boundaryOf(const geometry::TriangleMesh& surface) {
   return boundary;
 }
 
-// Per vertex: on the boundary, or joined to it by an edge.
+// Per vertex: within a cell's width of the boundary, or a little more.
 std::vector<char> nearBoundary(const geometry::TriangleMesh& surface,
-                               const std::vector<Edge>& boundary) {
-  std::vector<char> on(surface.vertices.size(), 0);
-  for (const auto& [from, to] : boundary)
-    on[static_cast<std::size_t>(from)] = on[static_cast<std::size_t>(to)] = 1;
-  std::vector<char> near = on;
-  for (const auto& t : surface.triangles)
-    if (std::any_of(t.begin(), t.end(), [&](int v) { return on[static_cast<std::size_t>(v)]; }))
-      for (const int v : t)
-        near[static_cast<std::size_t>(v)] = 1;
+                               const std::vector<Edge>& boundary, const CellKeys& cells) {
+  std::unordered_set<CellKey> marked;
+  for (const Edge& edge : boundary) {
+    const Eigen::Vector3d &a = surface.vertices[static_cast<std::size_t>(edge.first)],
+                          &b = surface.vertices[static_cast<std::size_t>(edge.second)];
+    for (const double share : {0.0, 0.5})
+      for (int i = 0; i < 27; ++i)
+        marked.insert(
+            cells.keyOf(a + share * (b - a) +
+                        cells.pitch() * Eigen::Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)));
+  }
+  std::vector<char> near;
+  for (const Eigen::Vector3d& v : surface.vertices)
+    near.push_back(marked.count(cells.keyOf(v)) > 0);
   return near;
 }
 
@@ -142,7 +160,7 @@ public:
       bottom[v] = addPoint(vertices[v] - half, -patch.direction[v], patch, v);
     }
     const std::vector<Edge> boundary = boundaryOf(patch.surface);
-    const std::vector<char> atEdge = nearBoundary(patch.surface, boundary);
+    const std::vector<char> atEdge = nearBoundary(patch.surface, boundary, marks.cells());
     for (const auto& t : patch.surface.triangles) {
       const auto a = static_cast<std::size_t>(t[0]), b = static_cast<std::size_t>(t[1]),
                  c = static_cast<std::size_t>(t[2]);

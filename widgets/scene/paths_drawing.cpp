@@ -13,6 +13,9 @@ namespace voluta::scene {
 
 namespace {
 
+// A bead's section is nearly a rectangle; the ellipse that is drawn is fuller by so much in width
+// and height, or there would be gaps between neighbours to look through.
+constexpr double kFuller[] = {1.06, 1.25};
 constexpr std::size_t kChunk = 12; // segments
 
 // The arrays that the beads' shader takes (bead_shader.h).
@@ -57,7 +60,7 @@ void addPoints(const plan::ToolPlan& plan, MeshBuffers& buffers, BeadArrays& arr
       buffers.addPoint(centre);
       addThree(arrays.tangent, tangent.x(), tangent.y(), tangent.z());
       addThree(arrays.direction, d.x(), d.y(), d.z());
-      addThree(arrays.shape, 0.5 * width, 0.5 * height, side);
+      addThree(arrays.shape, kFuller[0] * 0.5 * width, kFuller[1] * 0.5 * height, side);
     }
   }
 }

@@ -274,7 +274,8 @@ struct Scene::Impl {
     beadColours = wanted;
     beads.mapper->setStretches(visibleBeads(*paths, view));
     setBeadScale(beads.actor, view.beads ? 1.0 : kLineBeadScale);
-    setBackBeadsHidden(beads.actor, view.beads && view.firstLayer <= 0 && !view.sectionOn);
+    setBackBeadsHidden(beads.actor,
+                       view.dragging && view.beads && view.firstLayer <= 0 && !view.sectionOn);
     if (view.travels)
       travels.mapper->setStretches(visibleTravels(*paths, view));
   }
