@@ -2,7 +2,6 @@
 
 #include <QChart>
 #include <QLegend>
-#include <QLineSeries>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QValueAxis>
@@ -16,15 +15,6 @@ namespace {
 constexpr double kClickPx = 3.0; // a press that moves no further is a click
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kLeastSpanS = 0.01;
-
-QLineSeries* addLine(QChart& chart, const QPen& pen, QValueAxis* x, QValueAxis* y) {
-  auto* line = new QLineSeries;
-  line->setPen(pen);
-  chart.addSeries(line);
-  line->attachAxis(x);
-  line->attachAxis(y);
-  return line;
-}
 
 // A step of 1, 2 or 5 times a power of ten that divides `span` into at most `most` parts.
 double niceStep(double span, int most) {
@@ -69,7 +59,6 @@ ChartCanvas::ChartCanvas(QWidget* parent)
 
 ChartCanvas::~ChartCanvas() {
   // The axes are this widget's children and the chart's members: the chart goes first.
-  chart_->removeAllSeries();
   chart_->removeAxis(time_);
   chart_->removeAxis(value_);
   delete time_;
@@ -107,14 +96,8 @@ void ChartCanvas::setContent(std::vector<ChartCurve> curves, double fromS, doubl
   curves_ = std::move(curves);
   fromS_ = fromS;
   toS_ = std::max(toS, fromS + kLeastSpanS);
-  chart_->removeAllSeries();
-  for (const ChartCurve& curve : curves_) {
-    for (const std::optional<double>& limit : {curve.low, curve.high})
-      if (limit && *limit >= low && *limit <= high)
-        addLine(*chart_, QPen(curve.colour, 1.0, Qt::DashLine), time_, value_)
-            ->replace(QList<QPointF>{{fromS_, *limit}, {toS_, *limit}});
-    addLine(*chart_, QPen(curve.colour, 1.3), time_, value_)->replace(curve.points);
-  }
+  low_ = low;
+  high_ = high;
   setRange(time_, fromS_, toS_, std::max(2, width() / 90));
   setRange(value_, low, high, std::max(2, height() / 35));
   stale_ = true;
@@ -181,7 +164,31 @@ void ChartCanvas::drawPicture() {
   QPainter painter(&picture_);
   painter.setRenderHint(QPainter::Antialiasing);
   scene_.render(&painter, QRectF(QPointF(), size()), scene_.sceneRect());
+  drawCurves(painter);
   stale_ = false;
+}
+
+// The chart draws axes and grid. Its own series take ten times as long for as many points: they
+// prepare for being clicked.
+void ChartCanvas::drawCurves(QPainter& painter) const {
+  const QRectF area = plotArea();
+  painter.setClipRect(area.adjusted(-1.0, -1.0, 1.0, 1.0));
+  const double perUnit = area.height() / (high_ - low_);
+  const auto yOf = [&](double value) { return area.bottom() - (value - low_) * perUnit; };
+  for (const ChartCurve& curve : curves_) {
+    painter.setPen(QPen(curve.colour, 1.0, Qt::DashLine));
+    for (const std::optional<double>& limit : {curve.low, curve.high})
+      if (limit)
+        painter.drawLine(QPointF(area.left(), yOf(*limit)), QPointF(area.right(), yOf(*limit)));
+  }
+  for (const ChartCurve& curve : curves_) {
+    QPolygonF line;
+    line.reserve(curve.points.size());
+    for (const QPointF& point : curve.points)
+      line.append({xOf(point.x()), yOf(point.y())});
+    painter.setPen(QPen(curve.colour, 1.3));
+    painter.drawPolyline(line);
+  }
 }
 
 void ChartCanvas::paintEvent(QPaintEvent* event) {

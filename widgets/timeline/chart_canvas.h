@@ -69,13 +69,14 @@ private:
   double timeAt(double x) const;
   void applyPalette();
   void drawPicture();
+  void drawCurves(QPainter& painter) const;
 
   QGraphicsScene scene_;
   QChart* chart_; // the scene's
   QValueAxis *time_, *value_;
   std::vector<ChartCurve> curves_;
   QString hint_;
-  double fromS_ = 0.0, toS_ = 1.0, timeS_ = 0.0;
+  double fromS_ = 0.0, toS_ = 1.0, timeS_ = 0.0, low_ = 0.0, high_ = 1.0;
   QPixmap picture_;
   bool stale_ = true;
   std::optional<double> pressedX_;

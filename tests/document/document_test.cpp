@@ -1,0 +1,175 @@
+#include "document/document.h"
+
+#include "base/error.h"
+#include "document/parts.h"
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <gtest/gtest.h>
+
+namespace voluta::document {
+namespace {
+
+using pipeline::Stage;
+
+TEST(Document, BeginsCleanAndUntitled) {
+  Document document;
+  EXPECT_FALSE(document.dirty());
+  EXPECT_EQ(document.name(), "Untitled");
+  EXPECT_FALSE(document.source());
+  for (const Stage stage : {Stage::Load, Stage::Motion, Stage::Replay})
+    EXPECT_EQ(document.state(stage), StageState::Nothing);
+}
+
+TEST(Document, EveryEditHasAName) {
+  Document document;
+  document.openPart(test::boxPart(), "/tmp/box.stl", true);
+  document.setParameter("voxelMm", "1.5");
+  document.setScale("0.5");
+  document.resetParameter("voxelMm");
+  QStringList names;
+  for (int i = 0; i < document.undoStack()->count(); ++i)
+    names.append(document.undoStack()->text(i));
+  ASSERT_EQ(names.size(), 4);
+  EXPECT_EQ(names[0], "Open box.stl");
+  EXPECT_TRUE(names[1].startsWith("Change "));
+  EXPECT_EQ(names[2], "Scale the part");
+  EXPECT_TRUE(names[3].startsWith("Reset "));
+}
+
+TEST(Document, UndoBringsBackChoicesAndPart) {
+  Document document;
+  QSignalSpy choices(&document, &Document::choicesChanged);
+  QSignalSpy source(&document, &Document::sourceChanged);
+  const auto box = test::boxPart();
+  document.openPart(box, {}, true);
+  test::setSeed(document, 5);
+  const auto other = test::boxPart(5.0, "other.stl");
+  document.openPart(other, {}, true);
+  EXPECT_EQ(document.source(), other);
+  EXPECT_EQ(document.name(), "other");
+  document.undoStack()->undo();
+  EXPECT_EQ(document.source(), box);
+  EXPECT_EQ(document.name(), "box");
+  document.undoStack()->undo();
+  EXPECT_EQ(test::seedOf(document), 1);
+  document.undoStack()->undo();
+  EXPECT_FALSE(document.source());
+  EXPECT_FALSE(document.dirty());
+  document.undoStack()->redo();
+  document.undoStack()->redo();
+  EXPECT_EQ(test::seedOf(document), 5);
+  EXPECT_EQ(source.size(), 5);
+  EXPECT_EQ(choices.size(), 3);
+}
+
+TEST(Document, AnEditThatChangesNothingIsNone) {
+  Document document;
+  document.openPart(test::boxPart(), {}, true);
+  document.setScale("1");
+  document.setParameter("voxelMm", "0.8"); // the default
+  document.resetParameters();
+  EXPECT_EQ(document.undoStack()->count(), 1);
+}
+
+TEST(Document, AParameterAtItsDefaultIsUnchanged) {
+  Document document;
+  document.setParameter("voxelMm", "1.50");
+  EXPECT_EQ(document.choices().parameters.at("voxelMm"), "1.5");
+  document.setParameter("voxelMm", "0.80");
+  EXPECT_TRUE(document.choices().parameters.empty());
+}
+
+TEST(Document, WrongParametersChangeNothing) {
+  Document document;
+  EXPECT_THROW(document.setParameter("voxelMn", "1"), base::Error);
+  EXPECT_THROW(document.setParameter("voxelMm", "-3"), base::Error);
+  EXPECT_FALSE(document.dirty());
+}
+
+TEST(Document, ADragIsOneEdit) {
+  Document document;
+  document.openPart(test::boxPart(), {}, true);
+  pipeline::Placement placement;
+  document.beginDrag();
+  for (int i = 1; i <= 50; ++i) {
+    placement.centreMm.x() = i;
+    document.place(placement, "Move the part");
+  }
+  document.endDrag();
+  EXPECT_EQ(document.undoStack()->count(), 2);
+  placement.centreMm.x() = 60.0;
+  document.place(placement, "Move the part");
+  EXPECT_EQ(document.undoStack()->count(), 3);
+  document.undoStack()->undo();
+  EXPECT_EQ(document.choices().placement.centreMm.x(), 50.0);
+  document.undoStack()->undo();
+  EXPECT_EQ(document.choices().placement.centreMm.x(), 0.0);
+}
+
+TEST(Document, ADragThereAndBackIsNoEdit) {
+  Document document;
+  document.openPart(test::boxPart(), {}, true);
+  pipeline::Placement placement;
+  document.beginDrag();
+  placement.centreMm.x() = 5.0;
+  document.place(placement, "Move the part");
+  placement.centreMm.x() = 0.0;
+  document.place(placement, "Move the part");
+  document.endDrag();
+  EXPECT_EQ(document.undoStack()->count(), 1);
+}
+
+TEST(Document, DirtyIsTheUndoStackNotBeingWhereItWasSaved) {
+  Document document;
+  QSignalSpy dirty(&document, &Document::dirtyChanged), settled(&document, &Document::settled);
+  document.openPart(test::boxPart(), {}, true);
+  EXPECT_TRUE(document.dirty());
+  document.saved("/tmp/a.voluta", document.revision());
+  EXPECT_FALSE(document.dirty());
+  EXPECT_EQ(document.name(), "a");
+  EXPECT_EQ(settled.size(), 1);
+  test::setSeed(document, 5);
+  EXPECT_TRUE(document.dirty());
+  document.undoStack()->undo();
+  EXPECT_FALSE(document.dirty());
+  EXPECT_EQ(dirty.size(), 4);
+}
+
+TEST(Document, EditsDuringASaveStayUnsaved) {
+  Document document;
+  document.openPart(test::boxPart(), {}, true);
+  const std::uint64_t revision = document.revision();
+  test::setSeed(document, 5);
+  document.saved("/tmp/a.voluta", revision);
+  EXPECT_TRUE(document.dirty());
+  EXPECT_EQ(document.projectFile(), "/tmp/a.voluta");
+}
+
+TEST(Document, TheRepairedPartReachesEveryEdit) {
+  Document document;
+  const auto asRead = test::boxPart(), repaired = test::boxPart();
+  document.openPart(asRead, {}, false);
+  EXPECT_FALSE(document.sourceReady());
+  document.undoStack()->undo();
+  document.replaceSource(asRead, repaired);
+  EXPECT_FALSE(document.source());
+  document.undoStack()->redo();
+  EXPECT_EQ(document.source(), repaired);
+  EXPECT_TRUE(document.sourceReady());
+}
+
+TEST(Document, AnEditTakesAFewMilliseconds) {
+  Document document;
+  document.openPart(test::boxPart(), {}, true);
+  QElapsedTimer watch;
+  watch.start();
+  for (int i = 2; i < 52; ++i)
+    test::setSeed(document, i);
+  const double each = watch.elapsed() / 50.0;
+  std::printf("an edit: %.2f ms\n", each);
+  EXPECT_LT(each, 50.0);
+}
+
+} // namespace
+} // namespace voluta::document

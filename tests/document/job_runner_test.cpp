@@ -1,0 +1,259 @@
+#include "jobs/job_runner.h"
+
+#include "base/error.h"
+#include "jobs/time_left.h"
+
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+#include <atomic>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <thread>
+
+namespace voluta::jobs {
+namespace {
+
+using base::Outcome;
+using base::RunContext;
+
+// -1: no value.
+int valueOf(const Outcome<int>& outcome) {
+  const int* value = std::get_if<int>(&outcome);
+  return value ? *value : -1;
+}
+
+void sleepMs(int ms) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+}
+
+TEST(JobRunner, DeliversOnTheThreadOfTheWindow) {
+  JobRunner runner;
+  QSignalSpy finished(&runner, &JobRunner::finished);
+  Qt::HANDLE worker = nullptr, delivered = nullptr;
+  int priority = 0, value = 0;
+  runner.run(
+      [&](const RunContext& ctx) {
+        worker = QThread::currentThreadId();
+        priority = ::getpriority(PRIO_PROCESS, 0);
+        return ctx.threads();
+      },
+      [&](const Outcome<int>& outcome) {
+        delivered = QThread::currentThreadId();
+        value = valueOf(outcome);
+        EXPECT_FALSE(runner.running());
+      },
+      3);
+  EXPECT_TRUE(runner.running());
+  ASSERT_TRUE(finished.wait(3000));
+  EXPECT_EQ(value, 3);
+  EXPECT_NE(worker, QThread::currentThreadId());
+  EXPECT_EQ(delivered, QThread::currentThreadId());
+  EXPECT_GT(priority, 0) << "lower than the window";
+}
+
+TEST(JobRunner, ErrorsAreOutcomes) {
+  JobRunner runner;
+  QSignalSpy finished(&runner, &JobRunner::finished);
+  std::string message;
+  runner.run(
+      [](const RunContext&) -> int { throw base::Error(base::ErrorCode::Usage, "wrong"); },
+      [&](const Outcome<int>& outcome) { message = std::get<base::Error>(outcome).message(); });
+  ASSERT_TRUE(finished.wait(3000));
+  EXPECT_EQ(message, "wrong");
+}
+
+// The work hangs in a call that knows of no cancel.
+TEST(JobRunner, CancelIsDoneAtOnceEvenIfTheWorkIsNot) {
+  JobRunner runner;
+  auto ended = std::make_shared<std::atomic<bool>>(false);
+  int outcomes = 0;
+  bool cancelled = false;
+  runner.run(
+      [ended](const RunContext&) {
+        sleepMs(800);
+        *ended = true;
+        return 1;
+      },
+      [&](const Outcome<int>& outcome) {
+        ++outcomes;
+        cancelled = std::holds_alternative<base::Cancelled>(outcome);
+      });
+  QTest::qWait(50);
+  QElapsedTimer watch;
+  watch.start();
+  runner.cancel();
+  EXPECT_LT(watch.elapsed(), 50);
+  EXPECT_FALSE(runner.running());
+  EXPECT_TRUE(cancelled);
+  EXPECT_FALSE(*ended);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ended->load(); }, 3000));
+  QTest::qWait(50);
+  EXPECT_EQ(outcomes, 1) << "the late result is dropped";
+}
+
+TEST(JobRunner, OnlyTheNewestRunDelivers) {
+  JobRunner runner;
+  QSignalSpy finished(&runner, &JobRunner::finished);
+  std::vector<int> delivered;
+  for (int i = 0; i < 20; ++i)
+    runner.run(
+        [i](const RunContext&) {
+          sleepMs(i % 3);
+          return i;
+        },
+        [&](const Outcome<int>& outcome) { delivered.push_back(valueOf(outcome)); });
+  ASSERT_TRUE(finished.wait(3000));
+  QTest::qWait(100);
+  EXPECT_EQ(delivered, std::vector<int>{19});
+}
+
+TEST(JobRunner, ACancelStopsWorkThatListens) {
+  JobRunner runner;
+  auto stopped = std::make_shared<std::atomic<bool>>(false);
+  runner.run(
+      [stopped](const RunContext& ctx) {
+        const std::shared_ptr<void> onLeave(nullptr, [stopped](void*) { *stopped = true; });
+        while (true) {
+          ctx.checkpoint();
+          sleepMs(1);
+        }
+        return 0;
+      },
+      [](const Outcome<int>&) {});
+  QTest::qWait(20);
+  runner.cancel();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return stopped->load(); }, 500));
+}
+
+TEST(JobRunner, ProgressIsThrottledAndEndsWithTheLatest) {
+  JobRunner runner;
+  QSignalSpy finished(&runner, &JobRunner::finished), progress(&runner, &JobRunner::progressed);
+  QElapsedTimer watch;
+  watch.start();
+  runner.run(
+      [](const RunContext& ctx) {
+        for (int i = 0; i <= 1000; ++i) {
+          ctx.report(i / 1000.0, i < 500 ? "first" : "second");
+          if (i % 4 == 0)
+            sleepMs(2);
+        }
+        sleepMs(150);
+        return 0;
+      },
+      [](const Outcome<int>&) {});
+  ASSERT_TRUE(finished.wait(20000));
+  EXPECT_GE(progress.size(), 3);
+  EXPECT_LE(progress.size(), 1 + 20 * watch.elapsed() / 1000);
+  EXPECT_EQ(runner.progress().stage, "second");
+  EXPECT_EQ(runner.progress().fraction, 1.0);
+}
+
+TEST(JobRunner, PostsArriveInOrderBeforeTheResultAndNotAfterACancel) {
+  JobRunner runner;
+  QSignalSpy finished(&runner, &JobRunner::finished);
+  std::vector<int> seen;
+  runner.run(
+      [&](const RunContext&, const Post& post) {
+        for (int i = 0; i < 5; ++i)
+          post([&seen, i] { seen.push_back(i); });
+        return 5;
+      },
+      [&](const Outcome<int>& outcome) { seen.push_back(valueOf(outcome)); });
+  ASSERT_TRUE(finished.wait(3000));
+  EXPECT_EQ(seen, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+
+  seen.clear();
+  runner.run(
+      [&](const RunContext&, const Post& post) {
+        post([&seen] { seen.push_back(7); });
+        return 0;
+      },
+      [](const Outcome<int>&) {});
+  sleepMs(50); // posted by now, but not yet seen
+  runner.cancel();
+  QTest::qWait(50);
+  EXPECT_TRUE(seen.empty());
+}
+
+TEST(JobRunner, MayBeDestroyedWhileItRuns) {
+  auto ended = std::make_shared<std::atomic<bool>>(false);
+  bool called = false;
+  {
+    JobRunner runner;
+    runner.run(
+        [ended](const RunContext&) {
+          sleepMs(100);
+          *ended = true;
+          return 0;
+        },
+        [&](const Outcome<int>&) { called = true; });
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ended->load(); }, 3000));
+  QTest::qWait(50);
+  EXPECT_FALSE(called);
+}
+
+TEST(JobRunner, ANewRunMayBeginInTheResultOfTheOld) {
+  JobRunner runner;
+  QSignalSpy finished(&runner, &JobRunner::finished);
+  int second = 0;
+  runner.run([](const RunContext&) { return 1; },
+             [&](const Outcome<int>&) {
+               runner.run([](const RunContext&) { return 2; },
+                          [&](const Outcome<int>& outcome) { second = valueOf(outcome); });
+             });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return second == 2; }, 3000));
+  EXPECT_EQ(finished.size(), 1);
+}
+
+TEST(JobRunner, TheProgramLeavesSoonWithItsStatus) {
+  for (const int status : {0, 7}) {
+    QElapsedTimer watch;
+    QProcess leaver;
+    leaver.start(QStringLiteral(HASTY_LEAVER), {QString::number(status)});
+    ASSERT_TRUE(leaver.waitForStarted());
+    watch.start();
+    ASSERT_TRUE(leaver.waitForFinished(5000));
+    EXPECT_EQ(leaver.exitStatus(), QProcess::NormalExit);
+    EXPECT_EQ(leaver.exitCode(), status);
+    // 0.1 s before it leaves, 0.3 s of patience, and the time to start.
+    EXPECT_LT(watch.elapsed(), 2000);
+  }
+}
+
+TEST(TimeLeft, HidesTheFirstTwoSecondsAndThenCountsDown) {
+  TimeLeft left;
+  EXPECT_FALSE(left.update(0.5, 0.05));
+  EXPECT_FALSE(left.update(1.9, 0.19));
+  ASSERT_TRUE(left.update(2.5, 0.25));
+  double before = 1e9;
+  for (double t = 2.5; t < 10.0; t += 0.05) {
+    const std::optional<double> now = left.update(t, t / 10.0);
+    ASSERT_TRUE(now);
+    EXPECT_NEAR(*now, 10.0 - t, 0.2);
+    EXPECT_LE(*now, before + 1e-6);
+    before = *now;
+  }
+}
+
+TEST(TimeLeft, AStageThatJumpsDoesNotMakeItJump) {
+  TimeLeft left;
+  for (double t = 0.0; t < 10.0; t += 0.1)
+    left.update(t, 0.02 * t);
+  const double before = *left.update(10.0, 0.2);
+  const double after = *left.update(10.1, 0.8);
+  EXPECT_NEAR(before, 40.0, 1.0);
+  EXPECT_NEAR(after, before, 2.0);
+}
+
+TEST(TimeLeft, NothingIsSaidOfWorkThatHasHardlyBegun) {
+  TimeLeft left;
+  EXPECT_FALSE(left.update(5.0, 0.0));
+  EXPECT_FALSE(left.update(6.0, 0.001));
+}
+
+} // namespace
+} // namespace voluta::jobs

@@ -1,0 +1,31 @@
+// Parts for the tests of the document.
+#pragma once
+
+#include "document/document.h"
+#include "pipeline/load_stage.h"
+#include "support/shapes.h"
+
+#include <memory>
+#include <string>
+
+namespace voluta::test {
+
+// A box of 12 triangles that prints in a moment.
+inline std::shared_ptr<const pipeline::LoadedPart> boxPart(double side = 8.0,
+                                                           const std::string& name = "box.stl") {
+  auto mesh = std::make_shared<geometry::TriangleMesh>(
+      box(Eigen::Vector3d::Zero(), Eigen::Vector3d(side, side, 4.0)));
+  return pipeline::loadedFrom(name, mesh, {}, true, {});
+}
+
+inline int seedOf(const document::Document& document) {
+  return document.choices().seed;
+}
+
+inline void setSeed(document::Document& document, int seed) {
+  pipeline::Choices choices = document.choices();
+  choices.seed = seed;
+  document.setChoices(choices, QStringLiteral("Change seed"));
+}
+
+} // namespace voluta::test

@@ -1,0 +1,200 @@
+#include "document/planning.h"
+
+#include "document/opening.h"
+#include "document/parts.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <gtest/gtest.h>
+
+namespace voluta::document {
+namespace {
+
+using pipeline::Stage;
+
+class PlanningTest : public testing::Test {
+protected:
+  void open() { document_.openPart(test::boxPart(), {}, true); }
+  // Runs to its end.
+  void plan(Stage until) {
+    QSignalSpy finished(&planning_, &Planning::finished);
+    planning_.plan(until);
+    ASSERT_TRUE(finished.wait(120000));
+  }
+  StageState state(Stage stage) { return document_.state(stage); }
+
+  Document document_;
+  Planning planning_{document_};
+};
+
+TEST_F(PlanningTest, StagesComeInOneByOne) {
+  open();
+  std::vector<Stage> seen;
+  QObject::connect(&planning_, &Planning::stageDone, &document_,
+                   [&](Stage stage) { seen.push_back(stage); });
+  plan(Stage::Layers);
+  EXPECT_EQ(seen, (std::vector{Stage::Load, Stage::Decompose, Stage::Layers}));
+  EXPECT_EQ(state(Stage::Load), StageState::Done);
+  EXPECT_EQ(state(Stage::Layers), StageState::Done);
+  EXPECT_EQ(state(Stage::Toolpath), StageState::Nothing);
+  ASSERT_TRUE(document_.result(Stage::Layers));
+  EXPECT_TRUE(document_.result(Stage::Layers)->job.layers);
+}
+
+TEST_F(PlanningTest, OnlyWhatAChangeTouchesIsOutOfDate) {
+  open();
+  plan(Stage::Toolpath);
+  document_.setParameter("walls", "3");
+  EXPECT_EQ(state(Stage::Layers), StageState::Done);
+  EXPECT_EQ(state(Stage::Toolpath), StageState::OutOfDate);
+  EXPECT_TRUE(document_.result(Stage::Toolpath)) << "stays on show";
+  document_.undoStack()->undo();
+  EXPECT_EQ(state(Stage::Toolpath), StageState::Done);
+  document_.setParameter("voxelMm", "1.2");
+  EXPECT_EQ(state(Stage::Load), StageState::Done);
+  EXPECT_EQ(state(Stage::Decompose), StageState::OutOfDate);
+}
+
+TEST_F(PlanningTest, OnlyWhatChangedIsComputedAgain) {
+  open();
+  plan(Stage::Toolpath);
+  const auto layers = document_.result(Stage::Layers)->job.layers;
+  QSignalSpy changed(&document_, &Document::resultChanged);
+  document_.setParameter("walls", "3");
+  plan(Stage::Toolpath);
+  EXPECT_EQ(document_.result(Stage::Layers)->job.layers, layers);
+  ASSERT_EQ(changed.size(), 1);
+  EXPECT_EQ(changed[0][0].value<Stage>(), Stage::Toolpath);
+}
+
+TEST_F(PlanningTest, AnotherPartDropsTheResults) {
+  open();
+  plan(Stage::Decompose);
+  document_.openPart(test::boxPart(6.0, "small.stl"), {}, true);
+  EXPECT_EQ(state(Stage::Decompose), StageState::Nothing);
+  EXPECT_FALSE(document_.lastResult());
+}
+
+TEST_F(PlanningTest, ACancelFreesTheWindowAndLeavesTheLastResult) {
+  open();
+  plan(Stage::Load);
+  const auto before = document_.lastResult();
+  document_.setParameter("voxelMm", "0.5");
+  QSignalSpy cancelled(&planning_, &Planning::cancelled);
+  planning_.plan(Stage::Replay);
+  QElapsedTimer watch;
+  watch.start();
+  planning_.cancel();
+  EXPECT_LT(watch.elapsed(), 100);
+  EXPECT_FALSE(planning_.running());
+  EXPECT_EQ(cancelled.size(), 1);
+  EXPECT_EQ(document_.lastResult(), before);
+  EXPECT_EQ(state(Stage::Load), StageState::Done);
+  plan(Stage::Decompose); // a new run is possible
+  EXPECT_EQ(state(Stage::Decompose), StageState::Done);
+}
+
+TEST_F(PlanningTest, AChangeWhileRunningStartsOverWhereWanted) {
+  open();
+  planning_.setStartsOver(true);
+  QSignalSpy started(&planning_, &Planning::started), finished(&planning_, &Planning::finished);
+  planning_.plan(Stage::Motion);
+  document_.setParameter("walls", "3");
+  document_.setParameter("walls", "1");
+  ASSERT_TRUE(finished.wait(120000));
+  EXPECT_EQ(finished.size(), 1);
+  EXPECT_LE(started.size(), 2);
+  EXPECT_TRUE(started.size() == 1 || state(Stage::Toolpath) == StageState::Done);
+}
+
+TEST_F(PlanningTest, AChangeWhileRunningMakesTheResultOutOfDateWhereNot) {
+  open();
+  QSignalSpy finished(&planning_, &Planning::finished);
+  planning_.plan(Stage::Decompose);
+  EXPECT_EQ(state(Stage::Load), StageState::Running);
+  document_.setParameter("voxelMm", "1.2");
+  ASSERT_TRUE(finished.wait(120000));
+  EXPECT_EQ(state(Stage::Decompose), StageState::OutOfDate);
+}
+
+TEST_F(PlanningTest, AnErrorNamesItsStageAndIsGoneOnceTheChoicesChange) {
+  open();
+  pipeline::Choices choices = document_.choices();
+  choices.cell = "ur5-fixd";
+  document_.setChoices(choices, "Change the cell");
+  QSignalSpy failed(&planning_, &Planning::failed);
+  planning_.plan(Stage::Motion);
+  ASSERT_TRUE(failed.wait(20000));
+  EXPECT_TRUE(failed[0][1].toString().contains("ur5-fixed")) << qPrintable(failed[0][1].toString());
+  EXPECT_FALSE(failed[0][1].toString().contains('\n'));
+  EXPECT_EQ(state(Stage::Load), StageState::Failed);
+  document_.undoStack()->undo();
+  EXPECT_EQ(state(Stage::Load), StageState::Nothing);
+}
+
+TEST_F(PlanningTest, WithoutAPartThereIsNothingToPlan) {
+  planning_.plan();
+  EXPECT_FALSE(planning_.running());
+}
+
+TEST_F(PlanningTest, PlanningWaitsForTheRepair) {
+  const auto asRead = test::boxPart();
+  document_.openPart(asRead, {}, false);
+  QSignalSpy started(&planning_, &Planning::started), finished(&planning_, &Planning::finished);
+  planning_.plan(Stage::Load);
+  EXPECT_TRUE(planning_.running());
+  EXPECT_EQ(started.size(), 0);
+  document_.replaceSource(asRead, test::boxPart());
+  EXPECT_EQ(started.size(), 1);
+  ASSERT_TRUE(finished.wait(20000));
+}
+
+TEST_F(PlanningTest, APartIsShownAsReadAndThenRepaired) {
+  // A box without its lid, as text.
+  const QTemporaryDir folder;
+  QFile file(folder.filePath("open.off"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("OFF\n8 10 0\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n0 0 9\n9 0 9\n9 9 9\n0 9 9\n"
+             "3 0 2 1\n3 0 3 2\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n"
+             "3 3 4 7\n");
+  file.close();
+  Opening opening(document_, planning_);
+  QSignalSpy opened(&opening, &Opening::opened), repaired(&opening, &Opening::repaired);
+  std::size_t asRead = 0;
+  QObject::connect(&opening, &Opening::opened, &document_,
+                   [&] { asRead = document_.source()->mesh->triangles.size(); });
+  opening.open(file.fileName());
+  ASSERT_TRUE(opened.wait(10000));
+  EXPECT_EQ(asRead, 10u);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !repaired.isEmpty(); }, 10000));
+  EXPECT_EQ(document_.source()->mesh->triangles.size(), 12u);
+  EXPECT_TRUE(document_.sourceReady());
+  EXPECT_EQ(document_.undoStack()->count(), 1) << "one edit, not two";
+
+  pipeline::Choices choices = document_.choices();
+  choices.repair = false;
+  document_.setChoices(choices, "Do not repair");
+  ASSERT_TRUE(repaired.wait(10000));
+  EXPECT_EQ(document_.source()->mesh->triangles.size(), 10u);
+}
+
+TEST_F(PlanningTest, AFileThatIsNoMeshIsToldInOneLine) {
+  const QTemporaryDir folder;
+  QFile file(folder.filePath("letter.stl"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("Dear sir or madam");
+  file.close();
+  Opening opening(document_, planning_);
+  QSignalSpy failed(&opening, &Opening::failed);
+  opening.open(file.fileName());
+  ASSERT_TRUE(failed.wait(10000));
+  EXPECT_TRUE(failed[0][1].toString().contains("letter.stl"));
+  EXPECT_FALSE(document_.source());
+  EXPECT_FALSE(document_.dirty());
+}
+
+} // namespace
+} // namespace voluta::document
