@@ -63,7 +63,7 @@ TEST(JointCurves, ReducedCurvesKeepEveryExtreme) {
   const double end = curves.durationS();
   for (const int columns : {1, 300, 1280}) {
     const QList<QPointF> drawn = curves.angle(1, 0.0, end, columns);
-    EXPECT_LE(drawn.size(), 5 * columns + 5);
+    EXPECT_LE(drawn.size(), 4 * columns + 4);
     EXPECT_TRUE(std::is_sorted(drawn.begin(), drawn.end(),
                                [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); }));
     const auto top =

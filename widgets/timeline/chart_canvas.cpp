@@ -182,12 +182,17 @@ void ChartCanvas::drawCurves(QPainter& painter) const {
         painter.drawLine(QPointF(area.left(), yOf(*limit)), QPointF(area.right(), yOf(*limit)));
   }
   for (const ChartCurve& curve : curves_) {
-    QPolygonF line;
-    line.reserve(curve.points.size());
-    for (const QPointF& point : curve.points)
-      line.append({xOf(point.x()), yOf(point.y())});
-    painter.setPen(QPen(curve.colour, 1.3));
-    painter.drawPolyline(line);
+    // Segment by segment: stroking a polyline of thousands of points in one takes twenty times as
+    // long. Where points crowd the lines are nearly upright, and need no smoothing.
+    QList<QLineF> lines;
+    lines.reserve(curve.points.size());
+    for (qsizetype i = 1; i < curve.points.size(); ++i)
+      lines.append({xOf(curve.points[i - 1].x()), yOf(curve.points[i - 1].y()),
+                    xOf(curve.points[i].x()), yOf(curve.points[i].y())});
+    const bool crowded = curve.points.size() > columns();
+    painter.setRenderHint(QPainter::Antialiasing, !crowded);
+    painter.setPen(QPen(curve.colour, crowded ? 0.0 : 1.3));
+    painter.drawLines(lines);
   }
 }
 

@@ -73,7 +73,7 @@ QList<QPointF> JointCurves::reduced(const CurvePyramid& curve, double fromS, dou
       add(i);
     return points;
   }
-  points.reserve(5 * columns);
+  points.reserve(4 * columns);
   const double width = (toS - fromS) / columns;
   for (std::size_t i = begin; i < end;) {
     const int column = static_cast<int>((times[i] - fromS) / width);
@@ -89,10 +89,11 @@ QList<QPointF> JointCurves::reduced(const CurvePyramid& curve, double fromS, dou
     }
     const ValueRange range = curve.over(i, next);
     const double middle = 0.5 * (times[i] + times[next - 1]);
-    add(i);
-    points.append({middle, range.low});
-    points.append({middle, range.high});
-    points.append({times[next - 1], curve[next - 1]});
+    // The nearer end first, so that the line between two columns is short.
+    const double before = points.isEmpty() ? range.low : points.last().y();
+    const bool lowFirst = before - range.low < range.high - before;
+    points.append({middle, lowFirst ? range.low : range.high});
+    points.append({middle, lowFirst ? range.high : range.low});
     i = next;
   }
   return points;

@@ -21,7 +21,7 @@ public:
   int dof() const { return trajectory_->dof; }
   double durationS() const { return trajectory_->timeS.back(); }
 
-  // The curve over [fromS, toS] for so many pixel columns: at most five points a column, whose
+  // The curve over [fromS, toS] for so many pixel columns: at most four points a column, whose
   // least and greatest values are those of the curve there. columns >= 1.
   QList<QPointF> angle(int joint, double fromS, double toS, int columns) const;
   // Constant between two points of the trajectory, drawn as steps.
