@@ -15,6 +15,7 @@ namespace {
 constexpr double kClickPx = 3.0; // a press that moves no further is a click
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kLeastSpanS = 0.01;
+constexpr double kSmoothedSwings = 8.0; // way up and down, in widths of the chart
 
 // A step of 1, 2 or 5 times a power of ten that divides `span` into at most `most` parts.
 double niceStep(double span, int most) {
@@ -183,13 +184,17 @@ void ChartCanvas::drawCurves(QPainter& painter) const {
   }
   for (const ChartCurve& curve : curves_) {
     // Segment by segment: stroking a polyline of thousands of points in one takes twenty times as
-    // long. Where points crowd the lines are nearly upright, and need no smoothing.
+    // long. Smoothing costs by the length: curves that swing up and down within a few columns
+    // fill them, and are drawn without.
+    double upAndDown = 0.0;
     QList<QLineF> lines;
     lines.reserve(curve.points.size());
-    for (qsizetype i = 1; i < curve.points.size(); ++i)
+    for (qsizetype i = 1; i < curve.points.size(); ++i) {
       lines.append({xOf(curve.points[i - 1].x()), yOf(curve.points[i - 1].y()),
                     xOf(curve.points[i].x()), yOf(curve.points[i].y())});
-    const bool crowded = curve.points.size() > columns();
+      upAndDown += std::abs(lines.last().dy());
+    }
+    const bool crowded = upAndDown > kSmoothedSwings * area.width();
     painter.setRenderHint(QPainter::Antialiasing, !crowded);
     painter.setPen(QPen(curve.colour, crowded ? 0.0 : 1.3));
     painter.drawLines(lines);
