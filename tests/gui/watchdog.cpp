@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QMetaEnum>
 #include <QThread>
+#include <algorithm>
 
 namespace voluta::test {
 
@@ -18,12 +19,14 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
                            .arg(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type()),
                                 receiver->metaObject()->className(), receiver->objectName());
   under_.push_back({loop});
-  const double framesBefore = framesMs_;
+  const bool frame = event->type() == QEvent::UpdateRequest && receiver->isWidgetType();
   QElapsedTimer timer;
   timer.start();
   const bool taken = QApplication::notify(receiver, event);
-  const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6 - (framesMs_ - framesBefore);
-  if (!under_.back().opensLoop && ms > longestMs_) {
+  const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  if (frame) {
+    longestFrameMs_ = std::max(longestFrameMs_, ms);
+  } else if (!under_.back().opensLoop && ms > longestMs_) {
     longestMs_ = ms;
     longestWhat_ = what;
   }

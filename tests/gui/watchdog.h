@@ -1,5 +1,5 @@
 // How long the window's thread works at a stretch: every event that the application delivers is
-// timed, the frames painted meanwhile taken off.
+// timed. Painting a frame (an UpdateRequest to a window) is kept apart.
 #pragma once
 
 #include <QApplication>
@@ -14,14 +14,14 @@ public:
 
   bool notify(QObject* receiver, QEvent* event) override;
 
-  // To be connected to VtkView::framePainted.
-  void addFrame(double ms) { framesMs_ += ms; }
   void resetWatch() {
-    longestMs_ = 0.0;
+    longestMs_ = longestFrameMs_ = 0.0;
     longestWhat_.clear();
   }
   double longestMs() const { return longestMs_; }
   QString longestWhat() const { return longestWhat_; }
+  // With everything: the viewport, the panels, putting them together.
+  double longestFrameMs() const { return longestFrameMs_; }
 
 private:
   // An event being delivered by the loop of that level. One that opens a loop of its own (a dialog)
@@ -31,7 +31,7 @@ private:
     bool opensLoop = false;
   };
   std::vector<Delivery> under_;
-  double framesMs_ = 0.0, longestMs_ = 0.0;
+  double longestFrameMs_ = 0.0, longestMs_ = 0.0;
   QString longestWhat_;
 };
 

@@ -28,10 +28,10 @@ void WindowTest::SetUp() {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   QSettings().clear();
   window_ = std::make_unique<window::MainWindow>(window::Appearance::Light);
-  QObject::connect(&window_->viewport(), &viewer::VtkView::framePainted, &application(),
-                   [](double ms) { application().addFrame(ms); });
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  window_->activateWindow(); // there may be no window manager to do it
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
   ASSERT_TRUE(waitFor([&] { return window().viewport().lastFrameMs() > 0.0; }));
 }
 
@@ -100,20 +100,20 @@ void WindowTest::choosePage(window::Page page) {
   EXPECT_EQ(window().page(), page);
 }
 
-void WindowTest::answerBox(const char* name, int standardButton) {
+void WindowTest::answerBox(const char* name, QMessageBox::ButtonRole role) {
   auto* timer = new QTimer(window_.get());
-  QObject::connect(timer, &QTimer::timeout, timer, [timer, name, standardButton] {
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, name, role] {
     for (QWidget* widget : QApplication::topLevelWidgets()) {
       auto* box = qobject_cast<QMessageBox*>(widget);
       if (!box || !box->isVisible() || (*name && box->objectName() != name))
         continue;
-      if (QAbstractButton* button =
-              box->button(static_cast<QMessageBox::StandardButton>(standardButton))) {
-        timer->deleteLater();
-        timer->stop();
-        QTest::mouseClick(button, Qt::LeftButton);
-        return;
-      }
+      for (QAbstractButton* button : box->buttons())
+        if (box->buttonRole(button) == role) {
+          timer->deleteLater();
+          timer->stop();
+          QTest::mouseClick(button, Qt::LeftButton);
+          return;
+        }
     }
   });
   timer->start(30);

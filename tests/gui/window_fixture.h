@@ -6,6 +6,7 @@
 #include "window/main_window.h"
 
 #include <QImage>
+#include <QMessageBox>
 #include <QString>
 #include <QTemporaryDir>
 #include <functional>
@@ -40,8 +41,9 @@ protected:
   void clickMenu(const char* menu, const char* action);
   void clickToolBar(const char* action);
   void choosePage(window::Page page);
-  // Once a modal box of that name is up, clicks its button (or answers a file dialog with `file`).
-  void answerBox(const char* name, int standardButton);
+  // Once a box of that name ("": any) is up, clicks its button of that role.
+  void answerBox(const char* name, QMessageBox::ButtonRole role);
+  // Once a file dialog is up, enters the file.
   void answerFileDialog(const QString& file);
   // The viewport as shown, after a frame.
   QImage picture();

@@ -13,8 +13,12 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSlider>
 #include <QTest>
 #include <QUndoStack>
+#include <algorithm>
+#include <iostream>
+#include <vector>
 
 namespace voluta::test {
 namespace {
@@ -38,7 +42,8 @@ TEST_F(WindowTest, BeginsWithAnInvitationAndNothingToRun) {
 
 TEST_F(WindowTest, EveryCommandHasATextAndEveryIconIsThere) {
   for (const QAction* action : window().findChildren<QAction*>()) {
-    if (action->objectName().isEmpty() || action->isSeparator())
+    if (action->objectName().isEmpty() || action->objectName().startsWith("_q_") ||
+        action->isSeparator())
       continue;
     EXPECT_FALSE(action->text().isEmpty()) << action->objectName().toStdString();
   }
@@ -202,7 +207,7 @@ TEST_F(WindowTest, RefusedProgramsAreWrittenOnlyOnTheUsersWord) {
       button = candidate;
   ASSERT_NE(button, nullptr);
   ASSERT_TRUE(button->isEnabled());
-  answerBox("", QMessageBox::Yes);
+  answerBox("", QMessageBox::DestructiveRole);
   QTest::mouseClick(button, Qt::LeftButton);
   ASSERT_TRUE(waitFor([&] { return !QDir(path("out")).isEmpty(); }, 10000));
   const QStringList names = QDir(path("out")).entryList(QDir::Files);
@@ -215,11 +220,11 @@ TEST_F(WindowTest, RefusedProgramsAreWrittenOnlyOnTheUsersWord) {
 TEST_F(WindowTest, ClosingAsksForUnsavedChanges) {
   openPart(writePart("plinth.stl", smallBox()));
   ASSERT_TRUE(document().dirty());
-  answerBox("unsavedBox", QMessageBox::Cancel);
+  answerBox("unsavedBox", QMessageBox::RejectRole);
   window().close();
   EXPECT_TRUE(window().isVisible());
   answerFileDialog(path("kept.voluta"));
-  answerBox("unsavedBox", QMessageBox::Save);
+  answerBox("unsavedBox", QMessageBox::AcceptRole);
   window().close();
   ASSERT_TRUE(waitFor([&] { return !window().isVisible(); }, 10000));
   EXPECT_TRUE(QFile::exists(path("kept.voluta")));
@@ -234,8 +239,8 @@ TEST_F(WindowTest, AProjectComesBackAsItWas) {
   QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(waitFor([&] { return !document().dirty(); }, 20000));
   window().open("sample:vase");
-  ASSERT_TRUE(waitFor([&] { return document().name() == "vase"; }));
-  answerBox("unsavedBox", QMessageBox::Discard);
+  ASSERT_TRUE(waitFor([&] { return document().source()->name == "vase.stl"; }));
+  answerBox("unsavedBox", QMessageBox::DestructiveRole);
   window().open(path("plinth.voluta"));
   ASSERT_TRUE(waitFor([&] {
     return document().name() == "plinth" && window().presenter().hasPaths() &&
@@ -254,9 +259,9 @@ TEST_F(WindowTest, WhatIsNoMeshIsToldInOneLineAndChangesNothing) {
   bad.write("this is no mesh");
   bad.close();
   const auto before = document().source();
-  answerBox("unsavedBox", QMessageBox::Discard);
   window().open(path("bad.stl"));
-  ASSERT_TRUE(waitFor([&] { return find<QMessageBox>("messageBox") != nullptr; }, 10000));
+  ASSERT_TRUE(
+      waitFor([&] { return window().findChild<QMessageBox*>("messageBox") != nullptr; }, 10000));
   auto* box = find<QMessageBox>("messageBox");
   EXPECT_TRUE(box->informativeText().isEmpty());
   EXPECT_FALSE(box->text().contains('\n'));
@@ -304,7 +309,54 @@ TEST_F(WindowTest, AScriptedSessionOfAllPagesUnderTheWatchdog) {
   ASSERT_TRUE(planned(Stage::Load));
   RecordProperty("longestStretchMs", std::to_string(application().longestMs()));
   std::cout << "longest stretch of the window's thread, frames apart: " << application().longestMs()
-            << " ms (" << application().longestWhat().toStdString() << ")\n";
+            << " ms (" << application().longestWhat().toStdString() << "); longest frame "
+            << application().longestFrameMs() << " ms\n";
+}
+
+// Times of whole frames while sliders are dragged, for a plan of one's own: VOLUTA_GUI_JOB names
+// a project.
+TEST_F(WindowTest, SlidersOfALargePlan) {
+  const QString job = qEnvironmentVariable("VOLUTA_GUI_JOB");
+  if (job.isEmpty())
+    GTEST_SKIP() << "VOLUTA_GUI_JOB names no project";
+  window().resize(1280, 800);
+  window().open(job);
+  ASSERT_TRUE(waitFor([&] {
+    return window().presenter().hasPaths() && window().presenter().clock() &&
+           !window().presenter().busy();
+  }));
+  choosePage(Page::Layers);
+  picture();
+  const auto drag = [&](QWidget* slider, QPoint from, QPoint to, const char* what) {
+    std::vector<double> frames;
+    QTest::mousePress(slider, Qt::LeftButton, {}, from);
+    constexpr int kSteps = 40;
+    for (int i = 1; i <= kSteps; ++i) {
+      application().resetWatch();
+      QTest::mouseMove(slider, from + (to - from) * i / kSteps);
+      QTest::qWait(1);
+      if (application().longestFrameMs() > 0.0)
+        frames.push_back(application().longestFrameMs());
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, to);
+    QTest::qWait(300);
+    ASSERT_FALSE(frames.empty());
+    std::sort(frames.begin(), frames.end());
+    std::cout << what << ": " << frames.size() << " frames, median " << frames[frames.size() / 2]
+              << " ms, longest " << frames.back() << " ms\n";
+  };
+  auto* layers = find<timeline::LayerRangeSlider>("layerSlider");
+  const QPoint top(layers->width() - 17, 28);
+  drag(layers, top, top + QPoint(0, layers->height() / 2), "layer slider");
+  auto* bar = find<timeline::TimelineBar>("timeline");
+  auto* moves = bar->findChild<QSlider*>();
+  ASSERT_NE(moves, nullptr);
+  drag(moves, QPoint(moves->width() - 8, moves->height() / 2),
+       QPoint(moves->width() / 4, moves->height() / 2), "move slider");
+  choosePage(Page::Simulate);
+  picture();
+  drag(moves, QPoint(8, moves->height() / 2), QPoint(moves->width() - 8, moves->height() / 2),
+       "time-line with the robot");
 }
 
 } // namespace

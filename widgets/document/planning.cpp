@@ -49,7 +49,6 @@ void Planning::start() {
   waiting_.reset();
   startOver_->stop();
   document_.planStarted(until_);
-  emit started(until_);
   runner_.run(
       [this, request = document_.request(until_), cache = cache_](const base::RunContext& ctx,
                                                                   const jobs::Post& post) {
@@ -68,6 +67,7 @@ void Planning::start() {
             pipeline::planPart(request, ctx, cache.get(), tell));
       },
       [this](const base::Outcome<Result>& outcome) { end(outcome); }, threads_);
+  emit started(until_);
 }
 
 void Planning::end(const base::Outcome<Result>& outcome) {

@@ -139,6 +139,7 @@ void MainWindow::connectDocument() {
       planning_.plan(Stage::Load);
   });
 
+  connect(&planning_, &document::Planning::started, this, &MainWindow::showStates);
   connect(&planning_, &document::Planning::progressed, status_, &StatusLine::showProgress);
   connect(&planning_, &document::Planning::finished, this, [this] {
     status_->showIdle(summaryText());
@@ -149,10 +150,12 @@ void MainWindow::connectDocument() {
   });
   connect(&planning_, &document::Planning::cancelled, this, [this] {
     pendingExport_.reset();
+    showStates();
     status_->showIdle(tr("Cancelled. The last results stay on show."));
   });
   connect(&planning_, &document::Planning::failed, this, [this](Stage, const QString& message) {
     pendingExport_.reset();
+    showStates();
     status_->showIdle(message);
     tell(tr("The run has stopped"), message);
   });
@@ -371,10 +374,15 @@ void MainWindow::connectPages() {
 // ---- opening and closing
 
 void MainWindow::open(const QString& path) {
-  afterSaved([this, path] {
+  const auto start = [this, path] {
     planning_.cancel();
     opening_.open(path);
-  });
+  };
+  // Another part is an edit, which undo takes back; another project is not.
+  if (path.endsWith(".voluta", Qt::CaseInsensitive))
+    afterSaved(start);
+  else
+    start();
 }
 
 void MainWindow::offerRecovered() {
