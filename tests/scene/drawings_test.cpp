@@ -157,21 +157,22 @@ TEST(PathsDrawing, TravelsBelongToTheLayerTheyLeadTo) {
 }
 
 TEST(LayersDrawing, SidesThatOtherLayersCoverAreLeftOut) {
+  constexpr int kSquares = 30;
   layers::LayerStack stack;
   for (int layer = 0; layer < 3; ++layer) {
     layers::Patch patch;
     patch.layer = layer;
-    for (int j = 0; j <= 10; ++j)
-      for (int i = 0; i <= 10; ++i)
+    for (int j = 0; j <= kSquares; ++j)
+      for (int i = 0; i <= kSquares; ++i)
         patch.surface.vertices.emplace_back(i, j, layer + 0.5);
-    for (int j = 0; j < 10; ++j)
-      for (int i = 0; i < 10; ++i) {
-        const int a = 11 * j + i;
-        patch.surface.triangles.push_back({a, a + 1, a + 12});
-        patch.surface.triangles.push_back({a, a + 12, a + 11});
+    for (int j = 0; j < kSquares; ++j)
+      for (int i = 0; i < kSquares; ++i) {
+        const int a = (kSquares + 1) * j + i;
+        patch.surface.triangles.push_back({a, a + 1, a + kSquares + 2});
+        patch.surface.triangles.push_back({a, a + kSquares + 2, a + kSquares + 1});
       }
-    patch.thicknessMm.assign(121, 1.0);
-    patch.direction.assign(121, Eigen::Vector3d::UnitZ());
+    patch.thicknessMm.assign(patch.surface.vertices.size(), 1.0);
+    patch.direction.assign(patch.surface.vertices.size(), Eigen::Vector3d::UnitZ());
     stack.patches.push_back(patch);
   }
   stack.layerCount = 3;
@@ -182,13 +183,18 @@ TEST(LayersDrawing, SidesThatOtherLayersCoverAreLeftOut) {
     faces.append(stretches, first, last, key);
     return total(stretches);
   };
-  EXPECT_EQ(shown(drawing->bands, 0, 2, -scene::kNeverHidden), 3 * 2 * 40u);
-  // One side in full; of the covered ones all but 6 x 6 squares, which are far from the edge.
-  constexpr std::size_t edge = 200 - 72;
-  EXPECT_EQ(shown(drawing->upper, 0, 2, 2), 200 + 2 * edge);
-  EXPECT_EQ(shown(drawing->upper, 0, 1, 1), 200 + edge);
-  EXPECT_EQ(shown(drawing->lower, 0, 2, 0), 200 + 2 * edge);
-  EXPECT_EQ(shown(drawing->lower, 1, 2, -1), 200 + edge);
+  constexpr std::size_t whole = 2 * kSquares * kSquares;
+  EXPECT_EQ(shown(drawing->bands, 0, 2, -scene::kNeverHidden), 3 * 2 * 4u * kSquares);
+  // One side in full; of the covered ones only what is near the edge.
+  const std::size_t upper = shown(drawing->upper, 0, 2, 2);
+  const std::size_t edge = (upper - whole) / 2;
+  EXPECT_GT(edge, 4u * kSquares);
+  EXPECT_LT(edge, whole * 6 / 10);
+  EXPECT_EQ(upper, whole + 2 * edge);
+  EXPECT_EQ(shown(drawing->upper, 0, scene::kAllLayers, scene::kAllLayers), upper);
+  EXPECT_EQ(shown(drawing->upper, 0, 1, 1), whole + edge);
+  EXPECT_EQ(shown(drawing->lower, 0, 2, 0), whole + 2 * edge);
+  EXPECT_EQ(shown(drawing->lower, 1, 2, -1), whole + edge);
 }
 
 } // namespace

@@ -16,6 +16,10 @@ namespace {
 
 using CellKey = std::uint64_t;
 
+// Width of the ledges kept along boundaries, in thicknesses of a layer: where a part is shallow
+// one sees so far between layers.
+constexpr double kLedgeInCells = 1.8;
+
 // A grid without bounds.
 class CellKeys {
 public:
@@ -160,7 +164,8 @@ public:
       bottom[v] = addPoint(vertices[v] - half, -patch.direction[v], patch, v);
     }
     const std::vector<Edge> boundary = boundaryOf(patch.surface);
-    const std::vector<char> atEdge = nearBoundary(patch.surface, boundary, marks.cells());
+    const std::vector<char> atEdge =
+        nearBoundary(patch.surface, boundary, CellKeys(kLedgeInCells * marks.cells().pitch()));
     for (const auto& t : patch.surface.triangles) {
       const auto a = static_cast<std::size_t>(t[0]), b = static_cast<std::size_t>(t[1]),
                  c = static_cast<std::size_t>(t[2]);

@@ -260,6 +260,8 @@ struct Scene::Impl {
       setColours(slabs, coloursOf(layers->values, wanted.colourBy, 1));
     slabColours = wanted;
     slabs.mapper->setStretches(layerStretches());
+    // Slabs are closed; only a section shows them from inside.
+    slabs.actor->GetProperty()->SetBackfaceCulling(!view.sectionOn);
   }
 
   void showPaths() {
