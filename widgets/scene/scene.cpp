@@ -240,13 +240,22 @@ struct Scene::Impl {
     voxelInside.mapper->setStretches(std::move(inner));
   }
 
+  bool seenFromAbove() const {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    const Eigen::Vector3d back =
+        Eigen::Vector3d(camera->GetPosition()) - Eigen::Vector3d(camera->GetFocalPoint());
+    return (world_T_work.linear().transpose() * back).z() > 0.0;
+  }
+
   std::vector<Stretch> layerStretches() const {
     std::vector<Stretch> shown;
     const std::int32_t above = view.sectionOn ? -kNeverHidden : view.lastLayer;
     const std::int32_t below = view.sectionOn ? -kNeverHidden : -view.firstLayer;
     layers->bands.append(shown, view.firstLayer, view.lastLayer, -kNeverHidden);
     layers->upper.append(shown, view.firstLayer, view.lastLayer, above);
-    layers->lower.append(shown, view.firstLayer, view.lastLayer, below);
+    // Fast frames from above do without the undersides of ledges.
+    if (!view.dragging || !seenFromAbove())
+      layers->lower.append(shown, view.firstLayer, view.lastLayer, below);
     return shown;
   }
 
@@ -283,7 +292,7 @@ struct Scene::Impl {
   }
 
   void showCell() {
-    for (const auto& body : bodies)
+    for (std::size_t i = 0; i < bodies.size(); ++i)
       body->SetVisibility(view.cell);
   }
 

@@ -5,6 +5,7 @@
 #include "scene/colouring.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -23,6 +24,8 @@ struct ViewState {
   bool travels = false; // of the paths shown
   bool axes = true;     // triad in the lower left corner
   double partOpacity = 1.0;
+  std::array<bool, robot::kBodyRoleCount> roles{true, true, true, true, true}; // of the cell's
+                                                                               // bodies, if `cell`
 
   World world = World::Work;
   robot::JointVector joints; // empty: the cell's home
