@@ -1,4 +1,1857 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="it_IT" sourcelanguage="en">
+<context>
+    <name>Gizmo</name>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>Parameters</name>
+    <message>
+        <source>Layers</source>
+        <translation>strati</translation>
+    </message>
+    <message>
+        <source>Beads</source>
+        <translation>cordoni</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>file in uscita</translation>
+    </message>
+    <message>
+        <source>Tool-paths</source>
+        <translation>percorsi utensile</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>movimento</translation>
+    </message>
+    <message>
+        <source>layer height</source>
+        <translation>altezza strato</translation>
+    </message>
+    <message>
+        <source>Wanted height of a layer; the process limits what it may become.</source>
+        <translation>Altezza desiderata di uno strato; il processo ne fissa i limiti.</translation>
+    </message>
+    <message>
+        <source>bead width</source>
+        <translation>larghezza cordone</translation>
+    </message>
+    <message>
+        <source>Wanted width of a bead; the process limits what it may become.</source>
+        <translation>Larghezza desiderata di un cordone; il processo ne fissa i limiti.</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>passo</translation>
+    </message>
+    <message>
+        <source>Longest distance of waypoints along a tool-path.</source>
+        <translation>Distanza massima fra i punti di un percorso utensile.</translation>
+    </message>
+    <message>
+        <source>write what every stage made</source>
+        <translation>scrivi il risultato di ogni fase</translation>
+    </message>
+    <message>
+        <source>Adds voxels.vti, layers.vtp, toolpath.vtp and trajectory.csv.</source>
+        <translation>Aggiunge voxels.vti, layers.vtp, toolpath.vtp e trajectory.csv.</translation>
+    </message>
+    <message>
+        <source>write refused programs</source>
+        <translation>scrivi i programmi respinti</translation>
+    </message>
+    <message>
+        <source>Also writes programs that the replay refused, as refused-NAME, to be looked at and never to be run.</source>
+        <translation>Scrive anche i programmi respinti dalla verifica, come refused-NOME: da esaminare, mai da eseguire.</translation>
+    </message>
+    <message>
+        <source>Voxel width</source>
+        <translation>larghezza voxel</translation>
+    </message>
+    <message>
+        <source>Width of the voxels that growth works on; layers are not bound to it.</source>
+        <translation>Larghezza dei voxel su cui lavora la crescita; gli strati non ne dipendono.</translation>
+    </message>
+    <message>
+        <source>Field rounds</source>
+        <translation>cicli del campo</translation>
+    </message>
+    <message>
+        <source>How often growth and smooth field are fitted to each other.</source>
+        <translation>Quante volte crescita e campo liscio vengono adattati l&apos;una all&apos;altro.</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>pareti</translation>
+    </message>
+    <message>
+        <source>Beads laid along the edge of each layer before it is filled.</source>
+        <translation>Cordoni deposti lungo il bordo di ogni strato prima del riempimento.</translation>
+    </message>
+    <message>
+        <source>infill</source>
+        <translation>riempimento</translation>
+    </message>
+    <message>
+        <source>How the inside of each layer is filled.</source>
+        <translation>Come viene riempito l&apos;interno di ogni strato.</translation>
+    </message>
+    <message>
+        <source>zigzag</source>
+        <translation>zigzag</translation>
+    </message>
+    <message>
+        <source>concentric</source>
+        <translation>concentrico</translation>
+    </message>
+    <message>
+        <source>infill density</source>
+        <translation>densità riempimento</translation>
+    </message>
+    <message>
+        <source>Share of the inside that is filled; 1 is solid.</source>
+        <translation>Quota dell&apos;interno da riempire; 1 è pieno.</translation>
+    </message>
+    <message>
+        <source>clearance of the arm</source>
+        <translation>distanza del braccio</translation>
+    </message>
+    <message>
+        <source>Distance that links, plate, nozzle holder and obstacles keep from each other.</source>
+        <translation>Distanza minima fra membri del braccio, piatto, portaugello e ostacoli.</translation>
+    </message>
+    <message>
+        <source>clearance of the part</source>
+        <translation>distanza dal pezzo</translation>
+    </message>
+    <message>
+        <source>Distance that all but the print head keeps from what is printed.</source>
+        <translation>Distanza minima dal materiale stampato per tutto tranne la testa di stampa.</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>sollevamento</translation>
+    </message>
+    <message>
+        <source>How far the nozzle leaves the part, at least, before it travels.</source>
+        <translation>Di quanto, almeno, l&apos;ugello si stacca dal pezzo prima di spostarsi a vuoto.</translation>
+    </message>
+    <message>
+        <source>turns about the nozzle</source>
+        <translation>rotazioni attorno all&apos;ugello</translation>
+    </message>
+    <message>
+        <source>How many turns of the part about the nozzle&apos;s axis are tried at each place.</source>
+        <translation>Quante rotazioni del pezzo attorno all&apos;asse dell&apos;ugello vengono provate in ogni punto.</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>sì</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>Range: %1 to %2</source>
+        <translation>Intervallo: da %1 a %2</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Predefinito: %1</translation>
+    </message>
+    <message>
+        <source>Key: %1</source>
+        <translation>Chiave: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Scene</name>
+    <message>
+        <source>Layer</source>
+        <translation>Strato</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppo</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altezza</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Larghezza</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocità</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direzione</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Parete</translation>
+    </message>
+    <message>
+        <source>Infill</source>
+        <translation>Riempimento</translation>
+    </message>
+    <message>
+        <source>Gap fill</source>
+        <translation>Riempimento vuoti</translation>
+    </message>
+    <message>
+        <source>Skirt</source>
+        <translation>Skirt</translation>
+    </message>
+    <message>
+        <source>Support</source>
+        <translation>Supporto</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Mancati</translation>
+    </message>
+</context>
+<context>
+    <name>Stages</name>
+    <message>
+        <source>Load</source>
+        <translation>Caricamento</translation>
+    </message>
+    <message>
+        <source>Decomposition</source>
+        <translation>Scomposizione</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Strati</translation>
+    </message>
+    <message>
+        <source>Tool-paths</source>
+        <translation>Percorsi utensile</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimento</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Verifica</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>caricamento</translation>
+    </message>
+    <message>
+        <source>repair</source>
+        <translation>riparazione</translation>
+    </message>
+    <message>
+        <source>repair: check</source>
+        <translation>riparazione: controllo</translation>
+    </message>
+    <message>
+        <source>repair: diagnosis</source>
+        <translation>riparazione: diagnosi</translation>
+    </message>
+    <message>
+        <source>repair: holes</source>
+        <translation>riparazione: fori</translation>
+    </message>
+    <message>
+        <source>repair: orientation</source>
+        <translation>riparazione: orientamento</translation>
+    </message>
+    <message>
+        <source>repair: self-intersections</source>
+        <translation>riparazione: autointersezioni</translation>
+    </message>
+    <message>
+        <source>voxelise</source>
+        <translation>voxelizzazione</translation>
+    </message>
+    <message>
+        <source>voxels</source>
+        <translation>voxel</translation>
+    </message>
+    <message>
+        <source>growth</source>
+        <translation>crescita</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>campo</translation>
+    </message>
+    <message>
+        <source>cutting layers from the field</source>
+        <translation>taglio degli strati dal campo</translation>
+    </message>
+    <message>
+        <source>trimming layers on the part</source>
+        <translation>rifilatura degli strati sul pezzo</translation>
+    </message>
+    <message>
+        <source>checking layers</source>
+        <translation>controllo degli strati</translation>
+    </message>
+    <message>
+        <source>directions</source>
+        <translation>direzioni</translation>
+    </message>
+    <message>
+        <source>laying beads</source>
+        <translation>disposizione dei cordoni</translation>
+    </message>
+    <message>
+        <source>checking the motion</source>
+        <translation>controllo del movimento</translation>
+    </message>
+    <message>
+        <source>running the program</source>
+        <translation>esecuzione del programma</translation>
+    </message>
+    <message>
+        <source>looking for collisions</source>
+        <translation>ricerca di collisioni</translation>
+    </message>
+    <message>
+        <source>measuring the beads</source>
+        <translation>misura dei cordoni</translation>
+    </message>
+    <message>
+        <source>looking beneath the beads</source>
+        <translation>controllo sotto i cordoni</translation>
+    </message>
+    <message>
+        <source>comparing with the plan</source>
+        <translation>confronto con il piano</translation>
+    </message>
+    <message>
+        <source>replayed</source>
+        <translation>verificato</translation>
+    </message>
+    <message>
+        <source>write files</source>
+        <translation>scrittura dei file</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>scrittura</translation>
+    </message>
+    <message>
+        <source>replay</source>
+        <translation>verifica</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::document::Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Senza titolo</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>modifica di %1</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>ripristino di %1</translation>
+    </message>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>ripristino di tutti i parametri</translation>
+    </message>
+    <message>
+        <source>Scale the part</source>
+        <translation>scala del pezzo</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>apertura di %1</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::document::RecentFiles</name>
+    <message>
+        <source>%1 is not there any more. It was taken off the list.</source>
+        <translation>%1 non esiste più. È stato tolto dall&apos;elenco.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::document::Saving</name>
+    <message>
+        <source>There is nothing to save yet. Open a part first.</source>
+        <translation>Non c&apos;è ancora niente da salvare. Apri prima un pezzo.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::forms::ChoicesForm</name>
+    <message>
+        <source>Mode</source>
+        <translation>Modalità</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Crescita</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Piattaforma</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Cella</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Processo</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Seme</translation>
+    </message>
+    <message>
+        <source>Another seed may find other ways through the air; the same seed always gives the same result.</source>
+        <translation>Un altro seme può trovare altri tragitti a vuoto; lo stesso seme dà sempre lo stesso risultato.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::forms::ParameterForm</name>
+    <message>
+        <source>Search parameters</source>
+        <translation>Cerca parametri</translation>
+    </message>
+    <message>
+        <source>Simple</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Show what is needed most, and what was changed</source>
+        <translation>Mostra i più usati e quelli modificati</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tutti</translation>
+    </message>
+    <message>
+        <source>Show every parameter</source>
+        <translation>Mostra tutti i parametri</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Ripristina</translation>
+    </message>
+    <message>
+        <source>Give every parameter its default</source>
+        <translation>Riporta ogni parametro al valore predefinito</translation>
+    </message>
+    <message>
+        <source>No parameter has these words.</source>
+        <translation>Nessun parametro contiene queste parole.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::forms::ParameterRow</name>
+    <message>
+        <source>Reset to %1</source>
+        <translation>Ripristina %1</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::forms::PlatformEditor</name>
+    <message>
+        <source>Margin around what stands on the plate</source>
+        <translation>Margine attorno a ciò che poggia sul piatto</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diametro</translation>
+    </message>
+    <message>
+        <source>Width (X)</source>
+        <translation>Larghezza (X)</translation>
+    </message>
+    <message>
+        <source>Depth (Y)</source>
+        <translation>Profondità (Y)</translation>
+    </message>
+    <message>
+        <source>Contact area, margin</source>
+        <translation>Area di appoggio, margine</translation>
+    </message>
+    <message>
+        <source>Disc, diameter</source>
+        <translation>Disco, diametro</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rettangolo</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::ExportPanel</name>
+    <message>
+        <source>Replay of %1</source>
+        <translation>Verifica di %1</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Verifica</translation>
+    </message>
+    <message>
+        <source>Choose at least one format.</source>
+        <translation>Scegli almeno un formato.</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>Scegli una cartella.</translation>
+    </message>
+    <message>
+        <source>Folder for the programs</source>
+        <translation>Cartella dei programmi</translation>
+    </message>
+    <message>
+        <source>Refused programs</source>
+        <translation>Programmi respinti</translation>
+    </message>
+    <message>
+        <source>The replay refused some of the programs. Never run them on a robot.</source>
+        <translation>La verifica ha respinto alcuni programmi. Non eseguirli mai su un robot.</translation>
+    </message>
+    <message>
+        <source>To be looked at, they can be written as:</source>
+        <translation>Per esaminarli si possono scrivere come:</translation>
+    </message>
+    <message>
+        <source>Write them too</source>
+        <translation>Scrivi anche questi</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Escludili</translation>
+    </message>
+    <message>
+        <source>Formats</source>
+        <translation>Formati</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>Text of the program</source>
+        <translation>Testo del programma</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Cartella</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Sfoglia…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Esporta</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::FindingsModel</name>
+    <message>
+        <source>Blocked: %1</source>
+        <translation>Bloccante: %1</translation>
+    </message>
+    <message>
+        <source>Worth knowing: %1</source>
+        <translation>Avviso: %1</translation>
+    </message>
+    <message>
+        <source>at %1, %2, %3 mm</source>
+        <translation>a %1, %2, %3 mm</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::FindingsPanel</name>
+    <message>
+        <source>What would help: %1</source>
+        <translation>Rimedio: %1</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Segnalazioni</translation>
+    </message>
+    <message>
+        <source>Findings (%1)</source>
+        <translation>Segnalazioni (%1)</translation>
+    </message>
+    <message>
+        <source>%1 blocked, %2 worth knowing</source>
+        <translation>Bloccanti: %1, avvisi: %2</translation>
+    </message>
+    <message>
+        <source>Blocked (%1)</source>
+        <translation>Bloccanti (%1)</translation>
+    </message>
+    <message>
+        <source>Nothing is blocked.</source>
+        <translation>Niente di bloccante.</translation>
+    </message>
+    <message>
+        <source>No problems found.</source>
+        <translation>Nessun problema trovato.</translation>
+    </message>
+    <message>
+        <source>Nothing found so far.</source>
+        <translation>Ancora nessuna segnalazione.</translation>
+    </message>
+    <message>
+        <source>Show only what is blocked</source>
+        <translation>Mostra solo ciò che blocca</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostra</translation>
+    </message>
+    <message>
+        <source>Take the camera, the sliders and the robot there</source>
+        <translation>Porta lì la vista, i cursori e il robot</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::FormatList</name>
+    <message>
+        <source>%1, foreign</source>
+        <translation>%1, altra marca</translation>
+    </message>
+    <message>
+        <source>For another maker&apos;s controller: where the nozzle goes, not how this robot moves</source>
+        <translation>Per il controllore di un&apos;altra marca: dove va l&apos;ugello, non come si muove questo robot</translation>
+    </message>
+    <message>
+        <source>Not replayed yet</source>
+        <translation>Non ancora verificato</translation>
+    </message>
+    <message>
+        <source>Passed: the replay found nothing wrong</source>
+        <translation>Superato: la verifica non ha trovato errori</translation>
+    </message>
+    <message>
+        <source>Refused by the replay: %1</source>
+        <translation>Respinto dalla verifica: %1</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::LayerInfo</name>
+    <message>
+        <source>Layer</source>
+        <translation>Strato</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
+    </message>
+    <message>
+        <source>Patches</source>
+        <translation>Porzioni</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Area</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Spessore</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Lunghezza</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Punti</translation>
+    </message>
+    <message>
+        <source>Least, mean and greatest</source>
+        <translation>Minimo, medio e massimo</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::MeshPanel</name>
+    <message>
+        <source>Repair the mesh</source>
+        <translation>Ripara la mesh</translation>
+    </message>
+    <message>
+        <source>Closes holes, turns triangles and takes out doubled ones, as far as the shape is not in doubt</source>
+        <translation>Chiude i fori, orienta i triangoli e toglie i doppi, finché la forma non è in dubbio</translation>
+    </message>
+    <message>
+        <source>No part is open.</source>
+        <translation>Nessun pezzo aperto.</translation>
+    </message>
+    <message>
+        <source>The mesh is not watertight.</source>
+        <translation>La mesh non è chiusa.</translation>
+    </message>
+    <message>
+        <source>The mesh is watertight.</source>
+        <translation>La mesh è chiusa.</translation>
+    </message>
+    <message>
+        <source>The mesh is watertight, but not sound.</source>
+        <translation>La mesh è chiusa, ma non corretta.</translation>
+    </message>
+    <message>
+        <source>Triangles: %1</source>
+        <translation>Triangoli: %1</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Trovato</translation>
+    </message>
+    <message>
+        <source>Repaired</source>
+        <translation>Riparato</translation>
+    </message>
+    <message>
+        <source>Remains</source>
+        <translation>Resta</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::ObjectTree</name>
+    <message>
+        <source>Part</source>
+        <translation>Pezzo</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Piattaforma</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Cella</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Nozzle</source>
+        <translation>Ugello</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Piatto</translation>
+    </message>
+    <message>
+        <source>Hide (Space)</source>
+        <translation>Nascondi (Spazio)</translation>
+    </message>
+    <message>
+        <source>Show (Space)</source>
+        <translation>Mostra (Spazio)</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::PlacementPanel</name>
+    <message>
+        <source>Drop to plate</source>
+        <translation>Abbassa sul piatto</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centra</translation>
+    </message>
+    <message>
+        <source>Reset placement</source>
+        <translation>Ripristina posizione</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Sposta</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Ruota</translation>
+    </message>
+    <message>
+        <source>About the fixed axes: first X, then Y, then Z</source>
+        <translation>Attorno agli assi fissi: prima X, poi Y, poi Z</translation>
+    </message>
+    <message>
+        <source>Height of the lowest point above the plate</source>
+        <translation>Altezza del punto più basso sopra il piatto</translation>
+    </message>
+    <message>
+        <source>Middle of the part along %1</source>
+        <translation>Centro del pezzo lungo %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Sposta %1</translation>
+    </message>
+    <message>
+        <source>Turn about the fixed axis %1; X comes first, then Y, then Z</source>
+        <translation>Ruota attorno all&apos;asse fisso %1; prima X, poi Y, poi Z</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>Ruota %1</translation>
+    </message>
+    <message>
+        <source>Turn by -90° about %1, from how the part lies now</source>
+        <translation>Ruota di -90° attorno a %1, dalla posizione attuale</translation>
+    </message>
+    <message>
+        <source>Turn by 90° about %1, from how the part lies now</source>
+        <translation>Ruota di 90° attorno a %1, dalla posizione attuale</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Scala</translation>
+    </message>
+    <message>
+        <source>Scale in percent</source>
+        <translation>Scala in percento</translation>
+    </message>
+    <message>
+        <source>Scale as a factor</source>
+        <translation>Fattore di scala</translation>
+    </message>
+    <message>
+        <source>Fit to reach</source>
+        <translation>Adatta al braccio</translation>
+    </message>
+    <message>
+        <source>Scale down, if need be, to what the arm reaches everywhere</source>
+        <translation>Riduce, se serve, fino a ciò che il braccio raggiunge ovunque</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Misure</translation>
+    </message>
+    <message>
+        <source>Lay on face</source>
+        <translation>Appoggia su faccia</translation>
+    </message>
+    <message>
+        <source>Then click the face that is to lie on the plate</source>
+        <translation>Poi fai clic sulla faccia da appoggiare sul piatto</translation>
+    </message>
+    <message>
+        <source>Put the middle of the part over the middle of the plate</source>
+        <translation>Porta il centro del pezzo sul centro del piatto</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Ripristina</translation>
+    </message>
+    <message>
+        <source>As the part lies in its file, in its own size</source>
+        <translation>Come nel file, nelle misure originali</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::VerdictTable</name>
+    <message>
+        <source>Part covered</source>
+        <translation>Pezzo coperto</translation>
+    </message>
+    <message>
+        <source>Unsupported</source>
+        <translation>Senza appoggio</translation>
+    </message>
+    <message>
+        <source>Overfill</source>
+        <translation>Eccesso</translation>
+    </message>
+    <message>
+        <source>Mass off by</source>
+        <translation>Scarto di massa</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>Collisioni</translation>
+    </message>
+    <message>
+        <source>Limits broken</source>
+        <translation>Limiti superati</translation>
+    </message>
+    <message>
+        <source>Off the plan</source>
+        <translation>Scarto dal piano</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Misura</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valore</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Rispettato</translation>
+    </message>
+    <message>
+        <source>Not kept</source>
+        <translation>Non rispettato</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::timeline::JointPlots</name>
+    <message>
+        <source>Angle (°)</source>
+        <translation>Angolo (°)</translation>
+    </message>
+    <message>
+        <source>Speed (°/s)</source>
+        <translation>Velocità (°/s)</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Tempo (s)</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angolo</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocità</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Entrambi</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limiti</translation>
+    </message>
+    <message>
+        <source>Show the limits of the joints as dashed lines</source>
+        <translation>Mostra i limiti dei giunti come linee tratteggiate</translation>
+    </message>
+    <message>
+        <source>Show joint %1</source>
+        <translation>Mostra il giunto %1</translation>
+    </message>
+    <message>
+        <source>Preparing the curves…</source>
+        <translation>Preparazione delle curve…</translation>
+    </message>
+    <message>
+        <source>Joints are drawn here once the motion is planned.</source>
+        <translation>I giunti compaiono qui quando il movimento è pianificato.</translation>
+    </message>
+    <message>
+        <source>No joint is chosen.</source>
+        <translation>Nessun giunto scelto.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::timeline::LayerRangeSlider</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Layers on show</source>
+        <translation>Strati mostrati</translation>
+    </message>
+    <message>
+        <source>No layers</source>
+        <translation>Nessuno strato</translation>
+    </message>
+    <message>
+        <source>Layers %1 to %2 of %3</source>
+        <translation>Strati da %1 a %2 di %3</translation>
+    </message>
+    <message>
+        <source>Layers are shown here once they are planned.</source>
+        <translation>Gli strati compaiono qui quando sono pianificati.</translation>
+    </message>
+    <message>
+        <source>Layers %1 to %2 of %3. Up and down keys move the upper end, with Shift the lower one; a double click shows a single layer.</source>
+        <translation>Strati da %1 a %2 di %3. I tasti su e giù spostano l&apos;estremo superiore, con Maiusc quello inferiore; un doppio clic mostra un solo strato.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::timeline::TimelineBar</name>
+    <message>
+        <source>move %1</source>
+        <translation>movimento %1</translation>
+    </message>
+    <message>
+        <source>Previous layer</source>
+        <translation>Strato precedente</translation>
+    </message>
+    <message>
+        <source>Previous move</source>
+        <translation>Movimento precedente</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Avvia</translation>
+    </message>
+    <message>
+        <source>Next move</source>
+        <translation>Movimento successivo</translation>
+    </message>
+    <message>
+        <source>Next layer</source>
+        <translation>Strato successivo</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Velocità di riproduzione</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Moves of the layer</source>
+        <translation>Movimenti dello strato</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::viewer::ViewCube</name>
+    <message>
+        <source>Front</source>
+        <translation>Fronte</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retro</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Sinistra</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Destra</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Sopra</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Sotto</translation>
+    </message>
+    <message>
+        <source>Click a face to look from there, drag to turn the view</source>
+        <translation>Clic su una faccia per guardare da lì, trascina per ruotare la vista</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::FlowBar</name>
+    <message>
+        <source>Prepare</source>
+        <translation>Prepara</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Strati</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simula</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Esporta</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>ancora niente</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>in corso</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fatto</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>non aggiornato</translation>
+    </message>
+    <message>
+        <source>blocked: see the findings</source>
+        <translation>bloccato: vedi le segnalazioni</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::MainWindow</name>
+    <message>
+        <source>Part and cell</source>
+        <translation>Pezzo e cella</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Segnalazioni</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Impostazioni</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pezzo</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;File</translation>
+    </message>
+    <message>
+        <source>&amp;New project</source>
+        <translation>&amp;Nuovo progetto</translation>
+    </message>
+    <message>
+        <source>Begin without a part</source>
+        <translation>Comincia senza pezzo</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Apri…</translation>
+    </message>
+    <message>
+        <source>Open a mesh or a project</source>
+        <translation>Apri una mesh o un progetto</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Apri &amp;recenti</translation>
+    </message>
+    <message>
+        <source>Sa&amp;mples</source>
+        <translation>&amp;Esempi</translation>
+    </message>
+    <message>
+        <source>Vase</source>
+        <translation>Vaso</translation>
+    </message>
+    <message>
+        <source>A fluted vase, 40 mm high</source>
+        <translation>Un vaso scanalato alto 40 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Salva</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Salva il progetto</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Salva con n&amp;ome…</translation>
+    </message>
+    <message>
+        <source>Save the project under a name</source>
+        <translation>Salva il progetto con un altro nome</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Es&amp;ci</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Chiudi la finestra</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Modifica</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Sposta</translation>
+    </message>
+    <message>
+        <source>Move the part with handles</source>
+        <translation>Sposta il pezzo con le maniglie</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Ruota</translation>
+    </message>
+    <message>
+        <source>Turn the part with handles</source>
+        <translation>Ruota il pezzo con le maniglie</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>S&amp;cala</translation>
+    </message>
+    <message>
+        <source>Scale the part with handles</source>
+        <translation>Scala il pezzo con le maniglie</translation>
+    </message>
+    <message>
+        <source>&amp;Lay on face</source>
+        <translation>&amp;Appoggia su faccia</translation>
+    </message>
+    <message>
+        <source>Click the face to lie on the plate</source>
+        <translation>Fai clic sulla faccia da appoggiare sul piatto</translation>
+    </message>
+    <message>
+        <source>&amp;Drop to plate</source>
+        <translation>Abbassa sul &amp;piatto</translation>
+    </message>
+    <message>
+        <source>Lowest point on the plate</source>
+        <translation>Punto più basso sul piatto</translation>
+    </message>
+    <message>
+        <source>drop to plate</source>
+        <translation>abbassamento sul piatto</translation>
+    </message>
+    <message>
+        <source>&amp;Centre</source>
+        <translation>C&amp;entra</translation>
+    </message>
+    <message>
+        <source>Middle of the part over the plate&apos;s</source>
+        <translation>Centro del pezzo sul centro del piatto</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>centratura</translation>
+    </message>
+    <message>
+        <source>Reset all &amp;parameters</source>
+        <translation>Ripristina &amp;tutti i parametri</translation>
+    </message>
+    <message>
+        <source>Every parameter back to its default</source>
+        <translation>Ogni parametro al valore predefinito</translation>
+    </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>Sc&amp;orciatoie…</translation>
+    </message>
+    <message>
+        <source>See and change the keys</source>
+        <translation>Vedi e cambia le scorciatoie</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vista</translation>
+    </message>
+    <message>
+        <source>Show &amp;everything</source>
+        <translation>Mostra &amp;tutto</translation>
+    </message>
+    <message>
+        <source>Everything in sight</source>
+        <translation>Tutto in vista</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Fronte</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Retro</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Destra</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Sinistra</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>So&amp;pra</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>S&amp;otto</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>Obli&amp;qua</translation>
+    </message>
+    <message>
+        <source>Look from there</source>
+        <translation>Guarda da questo lato</translation>
+    </message>
+    <message>
+        <source>&amp;Section plane</source>
+        <translation>Piano di se&amp;zione</translation>
+    </message>
+    <message>
+        <source>Cut the picture open</source>
+        <translation>Apri la vista con un taglio</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>Tema sc&amp;uro</translation>
+    </message>
+    <message>
+        <source>Light text on dark ground</source>
+        <translation>Testo chiaro su fondo scuro</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Lingua</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Esegui</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Pianifica</translation>
+    </message>
+    <message>
+        <source>From the part to checked robot programs</source>
+        <translation>Dal pezzo ai programmi robot verificati</translation>
+    </message>
+    <message>
+        <source>Plan as far as the &amp;layers</source>
+        <translation>Pianifica fino agli &amp;strati</translation>
+    </message>
+    <message>
+        <source>Stops before tool-paths and motion</source>
+        <translation>Si ferma prima di percorsi utensile e movimento</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annulla</translation>
+    </message>
+    <message>
+        <source>Stop; the last results stay on show</source>
+        <translation>Ferma; gli ultimi risultati restano in vista</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Avvia o metti in pausa</translation>
+    </message>
+    <message>
+        <source>Runs the time-line</source>
+        <translation>Fa scorrere la simulazione</translation>
+    </message>
+    <message>
+        <source>Next move</source>
+        <translation>Movimento successivo</translation>
+    </message>
+    <message>
+        <source>One move on</source>
+        <translation>Avanti di un movimento</translation>
+    </message>
+    <message>
+        <source>Previous move</source>
+        <translation>Movimento precedente</translation>
+    </message>
+    <message>
+        <source>One move back</source>
+        <translation>Indietro di un movimento</translation>
+    </message>
+    <message>
+        <source>Next layer</source>
+        <translation>Strato successivo</translation>
+    </message>
+    <message>
+        <source>One layer on</source>
+        <translation>Avanti di uno strato</translation>
+    </message>
+    <message>
+        <source>Previous layer</source>
+        <translation>Strato precedente</translation>
+    </message>
+    <message>
+        <source>One layer back</source>
+        <translation>Indietro di uno strato</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;sporta</translation>
+    </message>
+    <message>
+        <source>Robot &amp;programs…</source>
+        <translation>&amp;Programmi robot…</translation>
+    </message>
+    <message>
+        <source>Write the chosen programs into a folder</source>
+        <translation>Scrivi i programmi scelti in una cartella</translation>
+    </message>
+    <message>
+        <source>P&amp;icture…</source>
+        <translation>&amp;Immagine…</translation>
+    </message>
+    <message>
+        <source>Save the viewport as a PNG</source>
+        <translation>Salva la vista come PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>Fi&amp;nestra</translation>
+    </message>
+    <message>
+        <source>&amp;Prepare</source>
+        <translation>&amp;Prepara</translation>
+    </message>
+    <message>
+        <source>&amp;Layers</source>
+        <translation>&amp;Strati</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate</source>
+        <translation>Si&amp;mula</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Esporta</translation>
+    </message>
+    <message>
+        <source>Go to this page</source>
+        <translation>Vai a questa pagina</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>Schermo &amp;intero</translation>
+    </message>
+    <message>
+        <source>The whole screen</source>
+        <translation>Tutto lo schermo</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aiuto</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Scorciatoie</translation>
+    </message>
+    <message>
+        <source>All keys at a glance</source>
+        <translation>Tutte le scorciatoie</translation>
+    </message>
+    <message>
+        <source>&amp;About Voluta</source>
+        <translation>&amp;Informazioni su Voluta</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Versione e licenza</translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation>Annulla: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>Ripeti: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Ripeti</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Apri</translation>
+    </message>
+    <message>
+        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.voluta);;All files (*)</source>
+        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.voluta);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Salva l&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Immagini (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>Impossibile scrivere %1. Scegli un&apos;altra cartella.</translation>
+    </message>
+    <message>
+        <source>Voluta projects (*.voluta)</source>
+        <translation>Progetti Voluta (*.voluta)</translation>
+    </message>
+    <message>
+        <source>About Voluta</source>
+        <translation>Informazioni su Voluta</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Prints with a robot arm: layers without support, tool-paths, a motion checked against the part as it grows, and programs that were read back and replayed.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Stampa con un braccio robot: strati senza supporto, percorsi utensile, un movimento controllato rispetto al pezzo che cresce e programmi riletti, rieseguiti e verificati.&lt;/p&gt;&lt;p&gt;Software libero con licenza GNU General Public License, versione 3 o successiva.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>way of building</source>
+        <translation>modalità</translation>
+    </message>
+    <message>
+        <source>growth</source>
+        <translation>crescita</translation>
+    </message>
+    <message>
+        <source>platform</source>
+        <translation>piattaforma</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>cella</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>processo</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>seme</translation>
+    </message>
+    <message>
+        <source>Cancelled. The last results stay on show.</source>
+        <translation>Annullato. Gli ultimi risultati restano in vista.</translation>
+    </message>
+    <message>
+        <source>The run has stopped</source>
+        <translation>Calcolo interrotto</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Apertura di %1</translation>
+    </message>
+    <message>
+        <source>Ready. Press Plan.</source>
+        <translation>Pronto. Premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annullato.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened</source>
+        <translation>Impossibile aprire %1</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Salvato %1</translation>
+    </message>
+    <message>
+        <source>%1 is not saved</source>
+        <translation>%1 non è stato salvato</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Apri recenti</translation>
+    </message>
+    <message>
+        <source>The viewport needs OpenGL 3.2; this display offers %1. Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1. Planning and export work without a picture.</source>
+        <translation>La vista richiede OpenGL 3.2; questo schermo offre %1. Aggiorna il driver grafico o imposta LIBGL_ALWAYS_SOFTWARE=1. Pianificazione ed esportazione funzionano anche senza vista.</translation>
+    </message>
+    <message>
+        <source>repair the mesh</source>
+        <translation>riparazione della mesh</translation>
+    </message>
+    <message>
+        <source>mesh as read</source>
+        <translation>mesh come letta</translation>
+    </message>
+    <message>
+        <source>Not a value for this parameter</source>
+        <translation>Valore non valido per questo parametro</translation>
+    </message>
+    <message>
+        <source>program formats</source>
+        <translation>formati dei programmi</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Recupera il lavoro non salvato</translation>
+    </message>
+    <message>
+        <source>Voluta ended unexpectedly. “%1” was kept on %2.</source>
+        <translation>Voluta si è chiuso in modo imprevisto. Di “%1” c&apos;è una copia del %2.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Recupera</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Scarta</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Più tardi</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifiche non salvate</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation>“%1” ha modifiche non salvate.</translation>
+    </message>
+    <message>
+        <source>%1 voxels, %2 missed</source>
+        <translation>%1 voxel, %2 mancati</translation>
+    </message>
+    <message>
+        <source>%1 layers</source>
+        <translation>%1 strati</translation>
+    </message>
+    <message>
+        <source>%1 waypoints</source>
+        <translation>%1 punti</translation>
+    </message>
+    <message>
+        <source>%1 cm³</source>
+        <translation>%1 cm³</translation>
+    </message>
+    <message>
+        <source>replay passed</source>
+        <translation>verifica superata</translation>
+    </message>
+    <message>
+        <source>replay not passed</source>
+        <translation>verifica non superata</translation>
+    </message>
+    <message>
+        <source>Out of date: %1</source>
+        <translation>Non aggiornato: %1</translation>
+    </message>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Apri prima un pezzo.</translation>
+    </message>
+    <message>
+        <source>Planning is under way.</source>
+        <translation>Pianificazione in corso.</translation>
+    </message>
+    <message>
+        <source>Nothing is planned yet. Press Plan.</source>
+        <translation>Ancora niente di pianificato. Premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>The programs are out of date. Press Plan.</source>
+        <translation>I programmi non sono aggiornati. Premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>spostamento</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>rotazione</translation>
+    </message>
+    <message>
+        <source>lay on face</source>
+        <translation>appoggio su faccia</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n file scritto in %1</numerusform>
+            <numerusform>%n file scritti in %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>; refused and not written: %1</source>
+        <translation>; respinti e non scritti: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is exported</source>
+        <translation>Niente è stato esportato</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::ShortcutsDialog</name>
+    <message>
+        <source>Keys</source>
+        <translation>Scorciatoie</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Cerca</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Comando</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Tasti</translation>
+    </message>
+    <message>
+        <source>Default key</source>
+        <translation>Tasti predefiniti</translation>
+    </message>
+    <message>
+        <source>New key:</source>
+        <translation>Nuovi tasti:</translation>
+    </message>
+    <message>
+        <source>“%1” had this key and has none now.</source>
+        <translation>“%1” aveva questi tasti e ora non ne ha.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::StatusLine</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>about %1 left</source>
+        <translation>circa %1 rimanenti</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::ViewOptions</name>
+    <message>
+        <source>Show</source>
+        <translation>Mostra</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Colora per</translation>
+    </message>
+    <message>
+        <source>Latest</source>
+        <translation>Ultimo</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Strati</translation>
+    </message>
+    <message>
+        <source>Paths</source>
+        <translation>Percorsi</translation>
+    </message>
+    <message>
+        <source>What the plan has come to</source>
+        <translation>Il punto a cui è arrivato il piano</translation>
+    </message>
+    <message>
+        <source>Voxels by the layer they belong to</source>
+        <translation>Voxel secondo lo strato a cui appartengono</translation>
+    </message>
+    <message>
+        <source>Layers as slabs of their thickness</source>
+        <translation>Strati come lastre del loro spessore</translation>
+    </message>
+    <message>
+        <source>Tool-paths as the beads that are laid</source>
+        <translation>Percorsi utensile come cordoni deposti</translation>
+    </message>
+    <message>
+        <source>Part&apos;s surface</source>
+        <translation>Superficie del pezzo</translation>
+    </message>
+    <message>
+        <source>Travel moves</source>
+        <translation>Spostamenti a vuoto</translation>
+    </message>
+    <message>
+        <source>Beads in their true width</source>
+        <translation>Cordoni a larghezza reale</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Piano di sezione</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Inverti</translation>
+    </message>
+    <message>
+        <source>Cut away the other side</source>
+        <translation>Togli l&apos;altro lato</translation>
+    </message>
+    <message>
+        <source>Place of the section plane</source>
+        <translation>Posizione del piano di sezione</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::Welcome</name>
+    <message>
+        <source>Print a part with a robot</source>
+        <translation>Stampa un pezzo con un robot</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Vista non disponibile</translation>
+    </message>
+    <message>
+        <source>Drop a mesh here (STL, OBJ, PLY, OFF or 3MF), or a Voluta project.</source>
+        <translation>Trascina qui una mesh (STL, OBJ, PLY, OFF o 3MF) o un progetto Voluta.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Apri…</translation>
+    </message>
+    <message>
+        <source>Sample vase</source>
+        <translation>Vaso di esempio</translation>
+    </message>
+</context>
 </TS>
