@@ -31,6 +31,7 @@ struct Prism {
 using Shape = std::variant<Capsule, Box, Frustum, Prism>;
 
 enum class BodyRole { Link, Holder, Head, Platform, Obstacle };
+inline constexpr int kBodyRoleCount = 5;
 
 // A rigid body: shapes in the frame it is fixed to.
 struct Body {

@@ -292,8 +292,10 @@ struct Scene::Impl {
   }
 
   void showCell() {
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      body->SetVisibility(view.cell);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const auto role = static_cast<std::size_t>(cell->cell.bodies()[i].role);
+      bodies[i]->SetVisibility(view.cell && view.roles[role]);
+    }
   }
 
   void showMarker() {

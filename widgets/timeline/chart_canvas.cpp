@@ -123,7 +123,7 @@ int ChartCanvas::columns() const {
 QRectF ChartCanvas::plotArea() const {
   const QFontMetrics metrics(font());
   const double left = metrics.horizontalAdvance(QStringLiteral("-0000.0")) + 1.6 * metrics.height();
-  const double bottom = 2.8 * metrics.height();
+  const double bottom = 3.4 * metrics.height();
   const double top = 0.7 * metrics.height();
   return {left, top, std::max(1.0, width() - left - 14.0), std::max(1.0, height() - top - bottom)};
 }

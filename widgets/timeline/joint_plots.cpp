@@ -35,13 +35,13 @@ QColor jointColour(std::size_t joint, const QPalette& palette) {
 }
 
 QIcon swatch(const QColor& colour) {
-  QPixmap drawn(24, 24);
+  QPixmap drawn(16, 16);
   drawn.fill(Qt::transparent);
   QPainter painter(&drawn);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour);
-  painter.drawRoundedRect(QRectF(2, 8, 20, 8), 3, 3);
+  painter.drawRoundedRect(QRectF(1, 4, 14, 8), 3, 3);
   return QIcon(drawn);
 }
 
@@ -84,12 +84,12 @@ void JointPlots::buildWidgets() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 4, 6, 4);
   column->setSpacing(2);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2);
+  // Two rows: one would make the panel wider than the parameters.
   jointRow_ = new QHBoxLayout;
   jointRow_->setSpacing(2);
-  row->addLayout(jointRow_);
-  row->addStretch(1);
+  column->addLayout(jointRow_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
   auto* kinds = new QButtonGroup(this);
   for (int i = 0; i < 3; ++i) {
     auto* button = new QToolButton(this);
@@ -99,7 +99,7 @@ void JointPlots::buildWidgets() {
     kindButtons_.push_back(button);
     row->addWidget(button);
   }
-  row->addSpacing(8);
+  row->addStretch(1);
   limitsButton_ = new QToolButton(this);
   limitsButton_->setCheckable(true);
   limitsButton_->setChecked(true);
@@ -177,6 +177,7 @@ void JointPlots::makeJointButtons() {
       auto* button = new QToolButton(this);
       button->setText(QStringLiteral("J%1").arg(i + 1));
       button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+      button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
       button->setCheckable(true);
       button->setChecked(true);
       button->setAutoRaise(true);

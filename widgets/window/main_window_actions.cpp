@@ -32,7 +32,8 @@ QAction* MainWindow::command(QMenu* menu, const char* id, const char* text, cons
   action->setProperty("defaultShortcut", keys);
   if (menu)
     menu->addAction(action);
-  // Keys that lists, buttons and sliders have a use for belong to the viewport alone; its bars have them too.
+  // Keys that lists, buttons and sliders have a use for belong to the viewport alone; its bars have
+  // them too.
   const int key = keys.isEmpty() ? 0 : keys[0].toCombined();
   if (key == Qt::Key_Space || key == Qt::Key_Home || key == Qt::Key_PageUp ||
       key == Qt::Key_PageDown) {

@@ -400,8 +400,11 @@ void MainWindow::offerRecovered() {
   box.addButton(tr("Later"), QMessageBox::RejectRole);
   box.exec();
   if (box.clickedButton() == recover) {
+    // The copy stays until the document holds it.
+    connect(
+        &opening_, &document::Opening::opened, autosave_.get(),
+        [this, latest] { autosave_->adopt(latest); }, Qt::SingleShotConnection);
     opening_.openRecovered(latest);
-    autosave_->adopt(latest);
   } else if (box.clickedButton() == discard) {
     document::discardRecovered(latest);
   }
@@ -681,6 +684,12 @@ scene::ViewState MainWindow::viewState() const {
     if (const auto& clock = presenter_->clock(); clock && !clock->empty()) {
       v.world = scene::World::Base;
       v.cell = shows(SceneItem::Cell);
+      const auto role = [&](robot::BodyRole r) -> bool& {
+        return v.roles[static_cast<std::size_t>(r)];
+      };
+      role(robot::BodyRole::Link) = shows(SceneItem::Robot);
+      role(robot::BodyRole::Head) = role(robot::BodyRole::Holder) = shows(SceneItem::Nozzle);
+      role(robot::BodyRole::Platform) = shows(SceneItem::Plate);
       v.joints = clock->jointsAt(timeline_->timeS());
       v.printedWaypoints = clock->printedWaypoints(timeline_->timeS());
     } else {

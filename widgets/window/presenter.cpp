@@ -2,6 +2,7 @@
 
 #include "geometry/measures.h"
 #include "pipeline/choices.h"
+#include "voxel/solid_voxels.h"
 #include "window/layer_measures.h"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, Q
     runner = std::make_unique<jobs::JobRunner>();
   connect(&document, &document::Document::sourceChanged, this, &Presenter::drawSource);
   connect(&document, &document::Document::resultChanged, this, &Presenter::show);
+  connect(&document, &document::Document::choicesChanged, this, &Presenter::drawPlannedPlate);
 }
 
 Presenter::~Presenter() = default;
@@ -104,6 +106,32 @@ void Presenter::drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh) {
 void Presenter::drawPlate(const std::vector<Eigen::Vector2d>& polygon) {
   prepare(
       Plate, [polygon] { return scene::drawPlatform(polygon, kGroundRadiusMm); },
+      [this](auto&& made) {
+        viewport_.scene().setPlatform(made);
+        viewport_.requestFrame();
+      });
+}
+
+// The platform's outline is on show before anything is planned: its size decides what can grow.
+void Presenter::drawPlannedPlate() {
+  const auto placed = document_.result(Stage::Load);
+  if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
+    return;
+  const pipeline::Choices& choices = document_.choices();
+  const double voxelMm = pipeline::parameterValues(choices).number("voxelMm");
+  const auto wanted = std::tuple(choices.platform, voxelMm, placed->job.part);
+  if (wanted == plateDrawn_)
+    return;
+  plateDrawn_ = wanted;
+  prepare(
+      Plate,
+      [wanted] {
+        const auto& [platform, pitch, part] = wanted;
+        voxel::SolidVoxels solid;
+        if (platform.starts_with("fit"))
+          solid = voxel::solidVoxels(*part, pitch, {});
+        return scene::drawPlatform(pipeline::platformPolygon(platform, solid), kGroundRadiusMm);
+      },
       [this](auto&& made) {
         viewport_.scene().setPlatform(made);
         viewport_.requestFrame();
@@ -182,7 +210,9 @@ void Presenter::show(Stage stage) {
   const pipeline::Job& job = result->job;
   if (stage == Stage::Load) {
     drawPart(job.part);
+    drawPlannedPlate();
   } else if (stage == Stage::Decompose) {
+    plateDrawn_ = {};
     drawPlate(job.platform);
     if (result->cell && drawn_[CellBodies] != result->cell) {
       drawn_[CellBodies] = result->cell;

@@ -12,6 +12,8 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace voluta::window {
@@ -61,6 +63,7 @@ private:
   void show(pipeline::Stage stage);
   void drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh);
   void drawPlate(const std::vector<Eigen::Vector2d>& polygon);
+  void drawPlannedPlate();
   void drawMotion();
   void gatherFacts();
   // Runs `work` in the background of a slot, `done` with what it gives; an error is a mistake in
@@ -77,6 +80,8 @@ private:
   std::shared_ptr<const void> shownSource_;
   // What was drawn last, so that the same data is never drawn twice.
   std::array<std::shared_ptr<const void>, kSlotCount> drawn_;
+  // What the platform's outline was drawn from before a plan: choice, voxel width, part.
+  std::tuple<std::string, double, std::shared_ptr<const geometry::TriangleMesh>> plateDrawn_;
   Eigen::AlignedBox3d partBox_;
   int voxelLayers_ = 0, patchLayers_ = 0, pathLayers_ = 0;
 };
