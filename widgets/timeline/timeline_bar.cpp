@@ -67,6 +67,7 @@ void TimelineBar::buildWidgets() {
     row->addWidget(button);
   row->addSpacing(4);
   slider_ = new ScrubSlider(this);
+  slider_->setObjectName("scrubSlider");
   slider_->setTextOf([this](double position) {
     return mode_ == BarMode::Time ? timeText(position, player_->end())
                                   : tr("move %1").arg(std::llround(position));

@@ -227,7 +227,9 @@ void Presenter::show(Stage stage) {
     if (job.decomposition && drawn_[Voxels] != job.decomposition) {
       drawn_[Voxels] = job.decomposition;
       prepare(
-          Voxels, [d = job.decomposition] { return scene::drawVoxels(*d); },
+          Voxels, [d = job.decomposition, height = result->process->layerHeightMm] {
+            return scene::drawVoxels(*d, height);
+          },
           [this](auto&& made) {
             viewport_.scene().setVoxels(made);
             voxelLayers_ = scene::layerCount(*made);
