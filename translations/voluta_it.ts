@@ -206,10 +206,6 @@
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>Direction</source>
-        <translation>Direzione</translation>
-    </message>
-    <message>
         <source>Wall</source>
         <translation>Parete</translation>
     </message>
@@ -232,6 +228,10 @@
     <message>
         <source>Missed</source>
         <translation>Mancati</translation>
+    </message>
+    <message>
+        <source>Tilt of the nozzle</source>
+        <translation>Inclinazione dell&apos;ugello</translation>
     </message>
 </context>
 <context>
@@ -363,6 +363,14 @@
     <message>
         <source>replay</source>
         <translation>verifica</translation>
+    </message>
+    <message>
+        <source>tool-paths</source>
+        <translation>percorsi utensile</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>movimento</translation>
     </message>
 </context>
 <context>
@@ -1360,7 +1368,7 @@
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>&amp;Annulla</translation>
+        <translation>&amp;Interrompi</translation>
     </message>
     <message>
         <source>Stop; the last results stay on show</source>
@@ -1552,7 +1560,7 @@
     </message>
     <message>
         <source>Cancelled. The last results stay on show.</source>
-        <translation>Annullato. Gli ultimi risultati restano in vista.</translation>
+        <translation>Interrotto. Gli ultimi risultati restano in vista.</translation>
     </message>
     <message>
         <source>The run has stopped</source>
@@ -1568,7 +1576,7 @@
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation>Annullato.</translation>
+        <translation>Interrotto.</translation>
     </message>
     <message>
         <source>%1 cannot be opened</source>
@@ -1726,7 +1734,7 @@
     </message>
     <message>
         <source>Default key</source>
-        <translation>Tasti predefiniti</translation>
+        <translation>Predefiniti</translation>
     </message>
     <message>
         <source>New key:</source>

@@ -1,6 +1,8 @@
+#include "scene/colouring.h"
 #include "translation_file.h"
 
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
@@ -47,8 +49,36 @@ constexpr Kept kKept[] = {
 class Translations : public testing::TestWithParam<std::string> {
 protected:
   QString name() const { return QString::fromStdString(GetParam()); }
+  QSet<QString> sourcesOf(const QString& context) const {
+    QSet<QString> sources;
+    for (const Message& message : readTranslationFile(file()))
+      if (message.context == context)
+        sources.insert(message.source);
+    return sources;
+  }
   QString file() const { return root().filePath(QStringLiteral("translations/") + name()); }
 };
+
+// The names in the calls of RunContext::report() in core. The writers of programs report the id
+// of their format, which stays as it is in every language.
+QStringList stagesReported() {
+  static const QRegularExpression kCall(
+      QStringLiteral("\\breport\\([^;]*?\"([^\"]+)\"\\s*(\\+[^;]*)?\\);"));
+  QStringList names;
+  QDirIterator files(root().filePath(QStringLiteral("core")), {QStringLiteral("*.cpp")},
+                     QDir::Files, QDirIterator::Subdirectories);
+  while (files.hasNext()) {
+    const QString path = files.next();
+    QFile source(path);
+    if (path.contains(QStringLiteral("/core/program/")) || !source.open(QIODevice::ReadOnly))
+      continue;
+    auto calls = kCall.globalMatch(QString::fromUtf8(source.readAll()));
+    while (calls.hasNext())
+      names << calls.next().captured(1).trimmed();
+  }
+  names.removeDuplicates();
+  return names;
+}
 
 std::vector<std::string> translationFiles() {
   std::vector<std::string> names;
@@ -108,6 +138,24 @@ TEST_P(Translations, HasEveryTextOfTheWindow) {
   for (const Message& message : readTranslationFile(file()))
     EXPECT_TRUE(inWindow.contains(message.key()))
         << "no longer in the window: " << message.key().toStdString();
+}
+
+// Core and scene speak English without Qt: lupdate sees their texts only where they are listed.
+TEST_P(Translations, HasEveryStageThatCoreReports) {
+  const QSet<QString> known = sourcesOf(QStringLiteral("Stages"));
+  const QStringList reported = stagesReported();
+  ASSERT_FALSE(reported.isEmpty());
+  for (const QString& stage : reported)
+    EXPECT_TRUE(known.contains(stage)) << "not listed for lupdate: " << stage.toStdString();
+}
+
+TEST_P(Translations, HasEveryQuantityToColourBy) {
+  const QSet<QString> known = sourcesOf(QStringLiteral("Scene"));
+  for (const voluta::scene::ColourByRow& row : voluta::scene::colourByTable()) {
+    const std::string label(row.label);
+    EXPECT_TRUE(known.contains(QString::fromStdString(label)))
+        << "not listed for lupdate: " << label;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Translations, testing::ValuesIn(translationFiles()),

@@ -22,6 +22,8 @@ namespace {
     QT_TRANSLATE_NOOP("Stages", "trimming layers on the part"),
     QT_TRANSLATE_NOOP("Stages", "checking layers"),
     QT_TRANSLATE_NOOP("Stages", "directions"),
+    QT_TRANSLATE_NOOP("Stages", "tool-paths"),
+    QT_TRANSLATE_NOOP("Stages", "motion"),
     QT_TRANSLATE_NOOP("Stages", "laying beads"),
     QT_TRANSLATE_NOOP("Stages", "checking the motion"),
     QT_TRANSLATE_NOOP("Stages", "running the program"),
