@@ -15,19 +15,23 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   for (Delivery& outer : under_)
     outer.opensLoop = true;
   // The receiver may be gone afterwards.
-  const QString what = QString("%1 to %2 %3")
+  const QString what = QString("%1 to %2 %3 of %4")
                            .arg(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type()),
-                                receiver->metaObject()->className(), receiver->objectName());
+                                receiver->metaObject()->className(), receiver->objectName(),
+                                receiver->parent() ? receiver->parent()->metaObject()->className()
+                                                   : "nothing");
   under_.push_back({loop});
   const bool frame = event->type() == QEvent::UpdateRequest && receiver->isWidgetType();
+  const double framesBefore = framesMs_;
   QElapsedTimer timer;
   timer.start();
   const bool taken = QApplication::notify(receiver, event);
   const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   if (frame) {
     longestFrameMs_ = std::max(longestFrameMs_, ms);
-  } else if (!under_.back().opensLoop && ms > longestMs_) {
-    longestMs_ = ms;
+  } else if (const double apart = ms - (framesMs_ - framesBefore);
+             !under_.back().opensLoop && apart > longestMs_) {
+    longestMs_ = apart;
     longestWhat_ = what;
   }
   under_.pop_back();

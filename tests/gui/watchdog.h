@@ -1,5 +1,6 @@
 // How long the window's thread works at a stretch: every event that the application delivers is
-// timed. Painting a frame (an UpdateRequest to a window) is kept apart.
+// timed. Painting a frame (an UpdateRequest to a window, or the viewport when it is resized) is
+// kept apart.
 #pragma once
 
 #include <QApplication>
@@ -14,6 +15,8 @@ public:
 
   bool notify(QObject* receiver, QEvent* event) override;
 
+  // To be connected to VtkView::framePainted.
+  void addFrame(double ms) { framesMs_ += ms; }
   void resetWatch() {
     longestMs_ = longestFrameMs_ = 0.0;
     longestWhat_.clear();
@@ -31,7 +34,7 @@ private:
     bool opensLoop = false;
   };
   std::vector<Delivery> under_;
-  double longestFrameMs_ = 0.0, longestMs_ = 0.0;
+  double framesMs_ = 0.0, longestFrameMs_ = 0.0, longestMs_ = 0.0;
   QString longestWhat_;
 };
 

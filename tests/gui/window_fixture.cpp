@@ -28,6 +28,8 @@ void WindowTest::SetUp() {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   QSettings().clear();
   window_ = std::make_unique<window::MainWindow>(window::Appearance::Light);
+  QObject::connect(&window_->viewport(), &viewer::VtkView::framePainted, &window(),
+                   [](double ms) { application().addFrame(ms); });
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   window_->activateWindow(); // there may be no window manager to do it

@@ -1,8 +1,9 @@
 #include "window/status_line.h"
 
+#include "window/progress_line.h"
+
 #include <QFile>
 #include <QLabel>
-#include <QProgressBar>
 #include <QTimer>
 #include <cmath>
 #include <unistd.h>
@@ -36,12 +37,9 @@ QString durationText(double seconds) {
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent), stage_(new QLabel(this)), left_(new QLabel(this)),
       part_(new QLabel(this)), cell_(new QLabel(this)), memory_(new QLabel(this)),
-      bar_(new QProgressBar(this)) {
+      bar_(new ProgressLine(this)) {
   stage_->setObjectName("statusStage");
   bar_->setObjectName("statusProgress");
-  bar_->setRange(0, 1000);
-  bar_->setFixedWidth(180);
-  bar_->setTextVisible(true);
   bar_->hide();
   addWidget(stage_, 1);
   addWidget(bar_);
@@ -57,8 +55,7 @@ StatusLine::StatusLine(QWidget* parent)
 void StatusLine::showProgress(const jobs::Progress& progress) {
   stage_->setText(stageText(progress.stage));
   bar_->show();
-  bar_->setValue(static_cast<int>(std::lround(1000.0 * progress.fraction)));
-  bar_->setFormat(QString("%1 %").arg(static_cast<int>(100.0 * progress.fraction)));
+  bar_->setFraction(progress.fraction);
   left_->setText(progress.secondsLeft ? tr("about %1 left").arg(durationText(*progress.secondsLeft))
                                       : QString());
 }

@@ -6,9 +6,10 @@
 #include <QStatusBar>
 
 class QLabel;
-class QProgressBar;
 
 namespace voluta::window {
+
+class ProgressLine;
 
 class StatusLine : public QStatusBar {
   Q_OBJECT
@@ -26,7 +27,7 @@ private:
   void showMemory();
 
   QLabel *stage_, *left_, *part_, *cell_, *memory_;
-  QProgressBar* bar_;
+  ProgressLine* bar_;
 };
 
 // "loading the mesh" for "load" and so on; an unknown one as it is.
