@@ -28,9 +28,6 @@ int main(int argc, char** argv) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("file", "mesh, project (.voluta) or sample:NAME", "[file]");
-  const QCommandLineOption page("page", "page to begin with: prepare, layers, simulate or export",
-                                "name");
-  parser.addOption(page);
   parser.process(app);
 
   const window::Appearance appearance =

@@ -2,6 +2,49 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="it_IT" sourcelanguage="en">
 <context>
+    <name>Core</name>
+    <message>
+        <source>Curved layers</source>
+        <translation>Strati curvi</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>automatica</translation>
+    </message>
+    <message>
+        <source>reverse</source>
+        <translation>inversa</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>golosa</translation>
+    </message>
+    <message>
+        <source>Extended G-code (nozzle direction as nX nY nZ)</source>
+        <translation>G-code esteso (direzione dell&apos;ugello come nX nY nZ)</translation>
+    </message>
+    <message>
+        <source>Joint table (CSV)</source>
+        <translation>Tabella dei giunti (CSV)</translation>
+    </message>
+    <message>
+        <source>contact area</source>
+        <translation>area di contatto</translation>
+    </message>
+    <message>
+        <source>contact area + %1 mm</source>
+        <translation>area di contatto + %1 mm</translation>
+    </message>
+    <message>
+        <source>disc, %1 mm</source>
+        <translation>disco, %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>Gizmo</name>
     <message>
         <source>%1, %2 mm</source>
@@ -1179,10 +1222,6 @@
         <translation>Vaso</translation>
     </message>
     <message>
-        <source>A fluted vase, 40 mm high</source>
-        <translation>Un vaso scanalato alto 40 mm</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>&amp;Salva</translation>
     </message>
@@ -1698,13 +1737,6 @@
         <source>lay on face</source>
         <translation>appoggio su faccia</translation>
     </message>
-    <message numerus="yes">
-        <source>%n file(s) written to %1</source>
-        <translation>
-            <numerusform>%n file scritto in %1</numerusform>
-            <numerusform>%n file scritti in %1</numerusform>
-        </translation>
-    </message>
     <message>
         <source>; refused and not written: %1</source>
         <translation>; respinti e non scritti: %1</translation>
@@ -1712,6 +1744,26 @@
     <message>
         <source>Nothing is exported</source>
         <translation>Niente è stato esportato</translation>
+    </message>
+    <message>
+        <source>A fluted vase, 60 mm high</source>
+        <translation>Un vaso scanalato alto 60 mm</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>Aperto %1</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Fatto.</translation>
+    </message>
+    <message>
+        <source>Done. Findings that block: %1.</source>
+        <translation>Fatto. Segnalazioni bloccanti: %1.</translation>
+    </message>
+    <message>
+        <source>Files written to %1: %2</source>
+        <translation>File scritti in %1: %2</translation>
     </message>
 </context>
 <context>

@@ -64,6 +64,44 @@ TEST(Architecture, CoreKnowsNeitherQtNorVtk) {
         << include.file << " includes " << include.target;
 }
 
+// The window: what is drawn knows no Qt, only the viewer knows both, and arrows point one way.
+const fs::path kWidgets = fs::path(VOLUTA_SOURCE_DIR) / "widgets";
+const std::map<std::string, std::set<std::string>> kWidgetsMayInclude = {
+    {"scene", {}},
+    {"viewer", {"scene"}},
+    {"forms", {}},
+    {"panels", {"forms"}},
+    {"jobs", {}},
+    {"document", {"jobs"}},
+    {"timeline", {"forms", "jobs"}},
+    {"window", {"scene", "viewer", "forms", "panels", "jobs", "document", "timeline"}},
+};
+
+TEST(Architecture, WidgetsKeepTheirDirections) {
+  for (const auto& entry : fs::directory_iterator(kWidgets)) {
+    const bool known = kWidgetsMayInclude.count(entry.path().filename().string()) > 0;
+    EXPECT_TRUE(known || !entry.is_directory()) << entry.path();
+  }
+  const std::regex qt("^(Q[A-Z]|Qt)"), vtk("^vtk");
+  for (const Include& include : includesBelow(kWidgets)) {
+    const std::string from = fs::relative(include.file, kWidgets).begin()->string();
+    const bool qtInScene = from == "scene" && std::regex_search(include.target, qt);
+    const bool vtkInPanels =
+        from != "scene" && from != "viewer" && std::regex_search(include.target, vtk);
+    const std::string to = fs::path(include.target).begin()->string();
+    const bool against =
+        kWidgetsMayInclude.count(to) && to != from && !kWidgetsMayInclude.at(from).count(to);
+    EXPECT_FALSE(qtInScene || vtkInPanels || against)
+        << include.file << " includes " << include.target;
+  }
+}
+
+TEST(Architecture, CoreKnowsNoWidget) {
+  for (const Include& include : includesBelow(kCore))
+    EXPECT_FALSE(kWidgetsMayInclude.count(fs::path(include.target).begin()->string()))
+        << include.file << " includes " << include.target;
+}
+
 TEST(Architecture, ModulesIncludeOnlyWhatTheDesignAllows) {
   for (const auto& entry : fs::directory_iterator(kCore))
     EXPECT_TRUE(kMayInclude.count(entry.path().filename().string()))

@@ -14,6 +14,7 @@
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
+#include "window/core_texts.h"
 #include "window/legend_view.h"
 #include "window/program_preview.h"
 #include "window/status_line.h"
@@ -39,10 +40,7 @@ scene::Theme sceneTheme(Appearance appearance) {
 
 forms::ChoiceItem item(std::string_view id, std::string_view label = {}) {
   const QString name = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
-  return {name,
-          label.empty() ? name
-                        : QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size())),
-          {}};
+  return {name, label.empty() ? coreLabel(id) : coreLabel(label), {}};
 }
 
 forms::ChoiceLists choiceLists() {
@@ -126,7 +124,6 @@ void MainWindow::buildPages() {
   mesh_ = new panels::MeshPanel(this);
   choices_ = new forms::ChoicesForm(this);
   choices_->setObjectName("choices");
-  choices_->setLists(choiceLists());
   parameters_ = new forms::ParameterForm(pipeline::allParameters(), this);
   parameters_->setObjectName("parameters");
   parameters_->setHeader(choices_);
@@ -216,7 +213,12 @@ void MainWindow::setPage(Page page) {
   showExport();
 }
 
+void MainWindow::showLists() {
+  choices_->setLists(choiceLists());
+}
+
 void MainWindow::retranslate() {
+  showLists();
   partDock_->setWindowTitle(tr("Part and cell"));
   findingsDock_->setWindowTitle(tr("Findings"));
   pageDock_->setWindowTitle(pageName(flow_->page()));
@@ -232,7 +234,8 @@ void MainWindow::retranslate() {
   }
   retranslateUndo();
   showStates();
-  showPart();
+  showChoices();
+  showExport();
   showView();
 }
 

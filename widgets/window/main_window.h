@@ -84,9 +84,10 @@ private:
   void buildCentre();
   void buildPages();
   void buildDocks();
-  void connectDocument();
+  void connectDocument(); // main_window_connections.cpp
   void connectPages();
   void retranslate();
+  void showLists();
   QScrollArea* scrolled(QWidget* content);
 
   // main_window_actions.cpp: menus, tool bar, keys
@@ -113,7 +114,7 @@ private:
   void redrawIcons();
   void retranslateUndo();
 
-  // main_window_flow.cpp: what happens when something changes
+  // main_window_{flow,document,view,export}.cpp: what happens when something changes
   // Runs `then` once the user has saved or given up unsaved changes.
   void afterSaved(std::function<void()> then);
   void plan();
@@ -125,6 +126,7 @@ private:
   void showExport();
   void showPreview();
   QString summaryText() const;
+  QString endText() const;
   void showLayerMeasures(int layer);
   void showView();
   void showMoves();

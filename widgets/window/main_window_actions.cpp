@@ -67,7 +67,7 @@ void MainWindow::buildMenus() {
   QMenu* samples = file->addMenu(QString());
   samples->setObjectName("samplesMenu");
   menus_.emplace_back(samples, QT_TR_NOOP("Sa&mples"));
-  command(samples, "sampleVase", QT_TR_NOOP("Vase"), QT_TR_NOOP("A fluted vase, 40 mm high"), {},
+  command(samples, "sampleVase", QT_TR_NOOP("Vase"), QT_TR_NOOP("A fluted vase, 60 mm high"), {},
           {}, [this] { open("sample:vase"); });
   file->addSeparator();
   command(file, "save", QT_TR_NOOP("&Save"), QT_TR_NOOP("Save the project"), QKeySequence::Save,

@@ -227,7 +227,8 @@ void Presenter::show(Stage stage) {
     if (job.decomposition && drawn_[Voxels] != job.decomposition) {
       drawn_[Voxels] = job.decomposition;
       prepare(
-          Voxels, [d = job.decomposition, height = result->process->layerHeightMm] {
+          Voxels,
+          [d = job.decomposition, height = result->process->layerHeightMm] {
             return scene::drawVoxels(*d, height);
           },
           [this](auto&& made) {
