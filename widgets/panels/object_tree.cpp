@@ -30,8 +30,8 @@ ObjectTree::ObjectTree(QWidget* parent) : QTreeWidget(parent) {
   setTextElideMode(Qt::ElideRight);
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(fontMetrics().height());
-  header()->setSectionResizeMode(kName, QHeaderView::Stretch);
-  header()->setSectionResizeMode(kDetail, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(kName, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(kDetail, QHeaderView::Stretch);
   header()->setSectionResizeMode(kEye, QHeaderView::Fixed);
   header()->resizeSection(kEye, fontMetrics().height() + 12);
 

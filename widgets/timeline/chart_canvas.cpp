@@ -1,10 +1,8 @@
 #include "timeline/chart_canvas.h"
 
-#include <QChart>
-#include <QLegend>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QValueAxis>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -27,43 +25,14 @@ double niceStep(double span, int most) {
   return 10.0 * power;
 }
 
-// The axis makes an item a tick whenever either changes, so its ticks must never be too close for
-// the range that it has in between.
-void setRange(QValueAxis* axis, double low, double high, int ticks) {
-  const double step = niceStep(high - low, ticks);
-  axis->setTickInterval(std::max(axis->tickInterval(), step));
-  axis->setRange(low, high);
-  axis->setTickInterval(step);
-  const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step))), 0, 6);
-  axis->setLabelFormat(QStringLiteral("%.%1f").arg(decimals));
+int decimalsOf(double step) {
+  return std::clamp(static_cast<int>(-std::floor(std::log10(step))), 0, 6);
 }
 } // namespace
 
-ChartCanvas::ChartCanvas(QWidget* parent)
-    : QWidget(parent), chart_(new QChart), time_(new QValueAxis(this)),
-      value_(new QValueAxis(this)) {
-  scene_.addItem(chart_);
-  chart_->legend()->hide();
-  chart_->setBackgroundRoundness(0.0);
-  chart_->setAnimationOptions(QChart::NoAnimation);
-  for (QValueAxis* axis : {time_, value_}) {
-    axis->setTickAnchor(0.0);
-    axis->setTickInterval(1.0);
-    axis->setTickType(QValueAxis::TicksDynamic);
-  }
-  chart_->addAxis(time_, Qt::AlignBottom);
-  chart_->addAxis(value_, Qt::AlignLeft);
+ChartCanvas::ChartCanvas(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  applyPalette();
-}
-
-ChartCanvas::~ChartCanvas() {
-  // The axes are this widget's children and the chart's members: the chart goes first.
-  chart_->removeAxis(time_);
-  chart_->removeAxis(value_);
-  delete time_;
-  delete value_;
 }
 
 QSize ChartCanvas::sizeHint() const {
@@ -75,14 +44,14 @@ QSize ChartCanvas::minimumSizeHint() const {
 }
 
 void ChartCanvas::setAxisTitle(const QString& title) {
-  value_->setTitleText(title);
+  valueTitle_ = title;
   setAccessibleName(title);
   stale_ = true;
   update();
 }
 
 void ChartCanvas::setTimeTitle(const QString& title) {
-  time_->setTitleText(title);
+  timeTitle_ = title;
   stale_ = true;
   update();
 }
@@ -99,8 +68,6 @@ void ChartCanvas::setContent(std::vector<ChartCurve> curves, double fromS, doubl
   toS_ = std::max(toS, fromS + kLeastSpanS);
   low_ = low;
   high_ = high;
-  setRange(time_, fromS_, toS_, std::max(2, width() / 90));
-  setRange(value_, low, high, std::max(2, height() / 35));
   stale_ = true;
   update();
 }
@@ -119,11 +86,10 @@ int ChartCanvas::columns() const {
   return std::max(1, static_cast<int>(plotArea().width() * devicePixelRatioF()));
 }
 
-// Set by hand: the chart would lay itself out only once the event loop came round.
 QRectF ChartCanvas::plotArea() const {
   const QFontMetrics metrics(font());
   const double left = metrics.horizontalAdvance(QStringLiteral("-0000.0")) + 1.6 * metrics.height();
-  const double bottom = 3.4 * metrics.height();
+  const double bottom = 2.0 * metrics.height() + 10.0;
   const double top = 0.7 * metrics.height();
   return {left, top, std::max(1.0, width() - left - 14.0), std::max(1.0, height() - top - bottom)};
 }
@@ -138,39 +104,62 @@ double ChartCanvas::timeAt(double x) const {
   return fromS_ + (x - area.left()) / area.width() * (toS_ - fromS_);
 }
 
-void ChartCanvas::applyPalette() {
-  const QColor text = palette().color(QPalette::WindowText);
-  QColor grid = text;
-  grid.setAlphaF(0.15f);
-  chart_->setBackgroundBrush(palette().color(QPalette::Base));
-  for (QValueAxis* axis : {time_, value_}) {
-    axis->setLabelsColor(text);
-    axis->setTitleBrush(text);
-    axis->setLabelsFont(font());
-    axis->setTitleFont(font());
-    axis->setLinePenColor(grid);
-    axis->setGridLineColor(grid);
-  }
-  stale_ = true;
-  update();
-}
-
 void ChartCanvas::drawPicture() {
-  chart_->resize(size());
-  chart_->setPlotArea(plotArea());
-  scene_.setSceneRect(QRectF(QPointF(), size()));
   picture_ = QPixmap(size() * devicePixelRatioF());
   picture_.setDevicePixelRatio(devicePixelRatioF());
   picture_.fill(palette().color(QPalette::Base));
   QPainter painter(&picture_);
   painter.setRenderHint(QPainter::Antialiasing);
-  scene_.render(&painter, QRectF(QPointF(), size()), scene_.sceneRect());
+  painter.setFont(font());
+  drawAxes(painter);
   drawCurves(painter);
   stale_ = false;
 }
 
-// The chart draws axes and grid. Its own series take ten times as long for as many points: they
-// prepare for being clicked.
+void ChartCanvas::drawAxes(QPainter& painter) const {
+  const QRectF area = plotArea();
+  const QFontMetricsF metrics(font());
+  const QColor text = palette().color(QPalette::WindowText);
+  QColor grid = text;
+  grid.setAlphaF(0.15f);
+  const QLocale locale;
+  const auto eachTick = [](double low, double high, int most, const auto& draw) {
+    const double step = niceStep(high - low, most);
+    const auto first = static_cast<long long>(std::ceil(low / step - 1e-9));
+    const auto last = static_cast<long long>(std::floor(high / step + 1e-9));
+    for (long long i = first; i <= last; ++i)
+      draw(static_cast<double>(i) * step, decimalsOf(step));
+  };
+  const double row = metrics.height();
+  eachTick(low_, high_, std::max(2, height() / 35), [&](double value, int decimals) {
+    const double y = area.bottom() - (value - low_) / (high_ - low_) * area.height();
+    painter.setPen(grid);
+    painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+    painter.setPen(text);
+    painter.drawText(QRectF(0.0, y - row, area.left() - 5.0, 2.0 * row),
+                     Qt::AlignRight | Qt::AlignVCenter, locale.toString(value, 'f', decimals));
+  });
+  eachTick(fromS_, toS_, std::max(2, width() / 90), [&](double seconds, int decimals) {
+    const double x = xOf(seconds);
+    painter.setPen(grid);
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    painter.setPen(text);
+    const QString label = locale.toString(seconds, 'f', decimals);
+    const double half = 0.5 * metrics.horizontalAdvance(label) + 1.0;
+    const double middle = std::clamp(x, half, std::max(half, width() - half));
+    painter.drawText(QRectF(middle - half, area.bottom() + 3.0, 2.0 * half, row), Qt::AlignCenter,
+                     label);
+  });
+  painter.setPen(text);
+  painter.drawText(QRectF(area.left(), area.bottom() + 3.0 + row, area.width(), row),
+                   Qt::AlignCenter, timeTitle_);
+  painter.save();
+  painter.translate(0.0, area.center().y());
+  painter.rotate(-90.0);
+  painter.drawText(QRectF(-0.5 * height(), 2.0, height(), row), Qt::AlignCenter, valueTitle_);
+  painter.restore();
+}
+
 void ChartCanvas::drawCurves(QPainter& painter) const {
   const QRectF area = plotArea();
   painter.setClipRect(area.adjusted(-1.0, -1.0, 1.0, 1.0));
@@ -232,8 +221,10 @@ void ChartCanvas::resizeEvent(QResizeEvent*) {
 
 void ChartCanvas::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange ||
-      event->type() == QEvent::StyleChange)
-    applyPalette();
+      event->type() == QEvent::StyleChange || event->type() == QEvent::LocaleChange) {
+    stale_ = true;
+    update();
+  }
   QWidget::changeEvent(event);
 }
 

@@ -2,19 +2,14 @@
 #pragma once
 
 #include <QColor>
-#include <QGraphicsScene>
 #include <QList>
 #include <QPixmap>
 #include <QPointF>
+#include <QString>
 #include <QWidget>
 #include <memory>
 #include <optional>
 #include <vector>
-
-QT_BEGIN_NAMESPACE
-class QChart;
-class QValueAxis;
-QT_END_NAMESPACE
 
 namespace voluta::timeline {
 
@@ -29,7 +24,6 @@ class ChartCanvas : public QWidget {
 
 public:
   explicit ChartCanvas(QWidget* parent = nullptr);
-  ~ChartCanvas() override;
 
   // What lies along the upright axis, with its unit.
   void setAxisTitle(const QString& title);
@@ -67,13 +61,11 @@ private:
   QRectF plotArea() const;
   double xOf(double timeS) const;
   double timeAt(double x) const;
-  void applyPalette();
   void drawPicture();
+  void drawAxes(QPainter& painter) const;
   void drawCurves(QPainter& painter) const;
 
-  QGraphicsScene scene_;
-  QChart* chart_; // the scene's
-  QValueAxis *time_, *value_;
+  QString timeTitle_, valueTitle_;
   std::vector<ChartCurve> curves_;
   QString hint_;
   double fromS_ = 0.0, toS_ = 1.0, timeS_ = 0.0, low_ = 0.0, high_ = 1.0;

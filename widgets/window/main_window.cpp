@@ -31,7 +31,7 @@
 namespace voluta::window {
 
 namespace {
-constexpr int kPanelWidth = 340, kTreeWidth = 270;
+constexpr int kPanelWidth = 340, kTreeWidth = 300;
 constexpr int kLayoutVersion = 1;
 
 scene::Theme sceneTheme(Appearance appearance) {

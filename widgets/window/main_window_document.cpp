@@ -197,8 +197,10 @@ void MainWindow::showExport() {
     reason = tr("Open a part first.");
   else if (planning_.running())
     reason = tr("Planning is under way.");
-  else if (!result || result->checked.empty())
+  else if (!result)
     reason = tr("Nothing is planned yet. Press Plan.");
+  else if (result->checked.empty())
+    reason = tr("A project keeps the plan, not the programs. Press Plan to write them.");
   else if (!document_.upToDate(Stage::Replay))
     reason = tr("The programs are out of date. Press Plan.");
   export_->setBlockedReason(reason);
