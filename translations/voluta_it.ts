@@ -1765,6 +1765,10 @@
         <source>Files written to %1: %2</source>
         <translation>File scritti in %1: %2</translation>
     </message>
+    <message>
+        <source>A project keeps the plan, not the programs. Press Plan to write them.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>

@@ -282,6 +282,20 @@ TEST_F(WindowTest, TheLanguageChangesWhileItRuns) {
   EXPECT_EQ(plan->text(), english);
 }
 
+// 1280 x 800 at 150 %.
+TEST_F(WindowTest, FitsASmallScreenInEveryLanguage) {
+  for (const char* language : {"language_it", "language_en"}) {
+    find<QAction>(language)->trigger();
+    for (const Page page : {Page::Prepare, Page::Layers, Page::Simulate, Page::Export}) {
+      window().setPage(page);
+      QCoreApplication::processEvents();
+      const QSize least = window().minimumSizeHint();
+      EXPECT_LE(least.width(), 853) << language << " page " << static_cast<int>(page);
+      EXPECT_LE(least.height(), 533) << language << " page " << static_cast<int>(page);
+    }
+  }
+}
+
 // Reports the longest stretch; the limit of 50 ms is looked at on a quiet machine.
 TEST_F(WindowTest, AScriptedSessionOfAllPagesUnderTheWatchdog) {
   const QString file = writePart("plinth.stl", smallBox(24.0));

@@ -57,7 +57,7 @@ Viewport::Viewport(const scene::Theme& theme, QWidget* parent)
   setObjectName("viewport");
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
-  setMinimumSize(320, 240);
+  setMinimumSize(200, 160);
   addRenderer(scene_.renderer());
   scene_.standardView(scene::StandardView::Isometric);
   connect(cube_, &ViewCube::viewFrom, this, &Viewport::viewFrom);

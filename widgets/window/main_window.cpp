@@ -22,6 +22,7 @@
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
@@ -79,7 +80,7 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   showPart();
   showStates();
   setPage(Page::Prepare);
-  resize(1280, 800);
+  resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value("window/geometry").toByteArray());
   restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
@@ -158,8 +159,8 @@ void MainWindow::buildPages() {
   pages_ = new QStackedWidget(this);
   pages_->addWidget(prepareTabs_);
   pages_->addWidget(scrolled(layerPage));
-  pages_->addWidget(plots_);
-  pages_->addWidget(export_);
+  pages_->addWidget(scrolled(plots_));
+  pages_->addWidget(scrolled(export_));
 }
 
 void MainWindow::buildDocks() {

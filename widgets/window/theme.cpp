@@ -1,10 +1,33 @@
 #include "window/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 
 namespace voluta::window {
+
+namespace {
+// Fusion outlines check boxes darker than what is behind them, which nobody sees on dark ground.
+class OutlinedBoxes : public QProxyStyle {
+public:
+  OutlinedBoxes() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element != PE_IndicatorCheckBox)
+      return;
+    painter->save();
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(option->palette.color(QPalette::Disabled, QPalette::Text));
+    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+    painter->restore();
+  }
+};
+} // namespace
 
 QPalette paletteOf(Appearance appearance) {
   const bool dark = appearance == Appearance::Dark;
@@ -41,7 +64,7 @@ QPalette paletteOf(Appearance appearance) {
 }
 
 void applyAppearance(QApplication& app, Appearance appearance) {
-  app.setStyle(QStyleFactory::create("Fusion"));
+  app.setStyle(new OutlinedBoxes); // the application owns it
   app.setPalette(paletteOf(appearance));
   const QPalette p = app.palette();
   app.setStyleSheet(QString("QToolTip { color: %1; background: %2; border: 1px solid %3; "

@@ -33,6 +33,11 @@ void ViewOptions::build() {
   subjectLabel_ = new QLabel(this);
   colourLabel_ = new QLabel(this);
   subjects_ = new QButtonGroup(this);
+  // Which one is on has to be seen at a glance, on dark ground too.
+  setStyleSheet("QToolButton { border: 1px solid palette(mid); padding: 4px 2px; }"
+                "QToolButton:checked { background: palette(highlight); "
+                "color: palette(highlighted-text); }"
+                "QToolButton:disabled { color: palette(mid); }");
   auto* row = new QHBoxLayout;
   row->setSpacing(0);
   for (int id = 0; id < 4; ++id) {
