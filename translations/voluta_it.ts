@@ -1767,7 +1767,7 @@
     </message>
     <message>
         <source>A project keeps the plan, not the programs. Press Plan to write them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un progetto conserva il piano, non i programmi. Premi Pianifica per scriverli.</translation>
     </message>
 </context>
 <context>
