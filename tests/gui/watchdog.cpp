@@ -15,11 +15,11 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   for (Delivery& outer : under_)
     outer.opensLoop = true;
   // The receiver may be gone afterwards.
-  const QString what = QString("%1 to %2 %3 of %4")
-                           .arg(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type()),
-                                receiver->metaObject()->className(), receiver->objectName(),
-                                receiver->parent() ? receiver->parent()->metaObject()->className()
-                                                   : "nothing");
+  const QString what =
+      QString("%1 to %2 %3 of %4")
+          .arg(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type()),
+               receiver->metaObject()->className(), receiver->objectName(),
+               receiver->parent() ? receiver->parent()->metaObject()->className() : "nothing");
   under_.push_back({loop});
   const bool frame = event->type() == QEvent::UpdateRequest && receiver->isWidgetType();
   const double framesBefore = framesMs_;

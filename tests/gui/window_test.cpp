@@ -267,6 +267,8 @@ TEST_F(WindowTest, WhatIsNoMeshIsToldInOneLineAndChangesNothing) {
   EXPECT_TRUE(box->text().contains("bad.stl")) << box->text().toStdString();
   box->close();
   EXPECT_EQ(document().source(), before);
+  EXPECT_TRUE(waitFor([&] { return !find<QAction>("cancel")->isEnabled(); }, 2000));
+  EXPECT_EQ(find<window::FlowBar>("flowBar")->state(Page::Prepare), PageState::Done);
 }
 
 TEST_F(WindowTest, TheLanguageChangesWhileItRuns) {

@@ -109,6 +109,13 @@ void MainWindow::connectDocument() {
             tell(tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), message);
           });
 
+  // Queued: while they tell how it ended they are still at it.
+  const auto states = [this] { showStates(); };
+  connect(&opening_, &document::Opening::opened, this, states, Qt::QueuedConnection);
+  connect(&opening_, &document::Opening::repaired, this, states, Qt::QueuedConnection);
+  connect(&opening_, &document::Opening::cancelled, this, states, Qt::QueuedConnection);
+  connect(&opening_, &document::Opening::failed, this, states, Qt::QueuedConnection);
+
   connect(&saving_, &document::Saving::saved, this, [this](const QString& file) {
     recent_.add(file);
     status_->showIdle(tr("Saved %1").arg(QFileInfo(file).fileName()));

@@ -128,7 +128,7 @@ void MainWindow::showChoices() {
 
 void MainWindow::showPart() {
   const auto source = document_.source();
-  welcome_->setVisible(!source);
+  welcome_->setVisible(!source || welcome_->hasMessage());
   const auto placed = document_.result(Stage::Load);
   const bool current = placed && document_.upToDate(Stage::Load);
   placement_->setEnabled(static_cast<bool>(source));

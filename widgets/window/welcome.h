@@ -17,6 +17,7 @@ public:
 
   // A message instead of the invitation, without buttons; empty: the invitation again.
   void setMessage(const QString& message);
+  bool hasMessage() const { return !message_.isEmpty(); }
 
 signals:
   void openRequested();
