@@ -28,6 +28,7 @@ endif()
 # The same sums on every machine: no contraction into fused multiply-adds.
 target_compile_options(voluta_flags INTERFACE -ffp-contract=off)
 if(VOLUTA_SANITIZE)
-  add_compile_options(-fsanitize=${VOLUTA_SANITIZE} -fno-omit-frame-pointer)
+  # GCC takes what the sanitizers add for uses of what is not set.
+  add_compile_options(-fsanitize=${VOLUTA_SANITIZE} -fno-omit-frame-pointer -Wno-maybe-uninitialized)
   add_link_options(-fsanitize=${VOLUTA_SANITIZE})
 endif()

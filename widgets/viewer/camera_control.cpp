@@ -12,7 +12,8 @@ namespace voluta::viewer {
 namespace {
 using Eigen::Vector3d;
 
-constexpr double kPoleMargin = std::numbers::pi / 180.0;
+// VTK wants the view's up and its direction further apart than this.
+constexpr double kPoleMargin = 3.0 * std::numbers::pi / 180.0;
 constexpr double kNearestMm = 2.0, kFarthestMm = 20000.0;
 
 Vector3d vectorOf(const double* p) {
@@ -38,30 +39,34 @@ Eigen::Matrix3d CameraControl::axes() const {
 }
 
 void CameraControl::place(const Vector3d& focal, const Vector3d& towardsEye, double distance) {
-  const Vector3d direction = towardsEye.normalized();
-  const double elevation = std::asin(std::clamp(direction.z(), -1.0, 1.0));
-  const double limit = 0.5 * std::numbers::pi - kPoleMargin;
-  Vector3d eye = direction;
-  if (std::abs(elevation) > limit) {
-    const double azimuth = std::abs(direction.x()) + std::abs(direction.y()) > 1e-9
-                               ? std::atan2(direction.y(), direction.x())
-                               : -0.5 * std::numbers::pi;
-    const double held = std::copysign(limit, elevation);
-    eye = {std::cos(held) * std::cos(azimuth), std::cos(held) * std::sin(azimuth), std::sin(held)};
+  const Vector3d eye = towardsEye.normalized();
+  Vector3d up = Vector3d::UnitZ();
+  if (std::abs(eye.z()) > std::cos(kPoleMargin)) {
+    // Straight from above or below: what is up on the screen stays so.
+    up = axes().col(1);
+    up.z() = 0.0;
+    if (up.norm() < 1e-6)
+      up = std::copysign(1.0, eye.z()) * Vector3d::UnitY();
+    up.normalize();
   }
   const Vector3d position = focal + distance * eye;
   vtkCamera* c = camera();
   c->SetFocalPoint(focal.x(), focal.y(), focal.z());
   c->SetPosition(position.x(), position.y(), position.z());
-  c->SetViewUp(0.0, 0.0, 1.0);
+  c->SetViewUp(up.x(), up.y(), up.z());
   renderer_->ResetCameraClippingRange();
 }
 
 void CameraControl::orbit(double dxPixels, double dyPixels) {
   const double perPixel = std::numbers::pi / std::max(1, renderer_->GetSize()[1]);
-  const Vector3d eye = axes().col(2);
-  const double limit = 0.5 * std::numbers::pi - kPoleMargin;
-  const double azimuth = std::atan2(eye.y(), eye.x()) - dxPixels * perPixel;
+  const Eigen::Matrix3d a = axes();
+  const Vector3d eye = a.col(2);
+  const double limit = 0.5 * std::numbers::pi - 1.01 * kPoleMargin;
+  // At a pole the eye has no azimuth; what is up on the screen has.
+  const bool pole = std::abs(eye.z()) > std::cos(kPoleMargin);
+  const Vector3d behind = eye.z() > 0.0 ? Vector3d(-a.col(1)) : Vector3d(a.col(1));
+  const Vector3d& aside = pole ? behind : eye;
+  const double azimuth = std::atan2(aside.y(), aside.x()) - dxPixels * perPixel;
   const double elevation =
       std::clamp(std::asin(std::clamp(eye.z(), -1.0, 1.0)) - dyPixels * perPixel, -limit, limit);
   place(focalPoint(),
@@ -88,6 +93,8 @@ void CameraControl::zoom(double factor, double x, double y) {
 }
 
 void CameraControl::viewFrom(const Vector3d& towardsEye) {
+  if (std::abs(towardsEye.normalized().z()) > std::cos(kPoleMargin))
+    camera()->SetViewUp(0.0, std::copysign(1.0, towardsEye.z()), 0.0);
   place(focalPoint(), towardsEye, camera()->GetDistance());
 }
 

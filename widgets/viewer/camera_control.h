@@ -18,8 +18,8 @@ public:
   // The renderer outlives this object.
   explicit CameraControl(vtkRenderer* renderer) : renderer_(renderer) {}
 
-  // Turns about the focal point: a drag over the viewport's height is half a turn. Stops 1 degree
-  // before the poles.
+  // Turns about the focal point: a drag over the viewport's height is half a turn. Stops 3 degrees
+  // before the poles; viewFrom reaches them.
   void orbit(double dxPixels, double dyPixels);
   // The point under the cursor in the focal plane follows the cursor.
   void pan(double dxPixels, double dyPixels);
