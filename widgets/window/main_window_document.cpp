@@ -18,6 +18,8 @@
 #include "window/welcome.h"
 
 #include <QActionGroup>
+#include <QDir>
+#include <QFileInfo>
 #include <QLabel>
 
 namespace voluta::window {
@@ -192,6 +194,11 @@ void MainWindow::showExport() {
   }
   export_->setFormats(std::move(formats));
   export_->setChecked(checked);
+  // Beside the part, until the user says where.
+  if (export_->folder().isEmpty() && document_.source()) {
+    const QFileInfo part(document_.sourcePath());
+    export_->setFolder(part.isFile() ? part.absolutePath() : QDir::homePath());
+  }
   QString reason;
   if (!document_.source())
     reason = tr("Open a part first.");
