@@ -64,6 +64,9 @@ VtkView::VtkView(QWidget* parent)
 
 VtkView::~VtkView() {
   releaseGl();
+  // The context goes with the base class, when this is no VtkView any more.
+  if (context())
+    disconnect(context(), nullptr, this, nullptr);
   window_->RemoveAllObservers();
 }
 
