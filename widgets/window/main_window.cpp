@@ -159,7 +159,10 @@ void MainWindow::buildPages() {
   pages_ = new QStackedWidget(this);
   pages_->addWidget(prepareTabs_);
   pages_->addWidget(scrolled(layerPage));
-  pages_->addWidget(scrolled(plots_));
+  QScrollArea* plots = scrolled(plots_);
+  plots->setHorizontalScrollBarPolicy(
+      Qt::ScrollBarAsNeeded); // nothing is cut off where it is tight
+  pages_->addWidget(plots);
   pages_->addWidget(scrolled(export_));
 }
 
