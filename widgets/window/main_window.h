@@ -140,7 +140,6 @@ private:
   bool shows(panels::SceneItem item) const;
   void setTime(double timeS);
   scene::ViewState viewState() const;
-  pipeline::Stage stageOfPage(Page page) const;
 
   document::Document document_;
   document::Planning planning_;

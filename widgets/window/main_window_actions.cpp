@@ -154,15 +154,13 @@ void MainWindow::buildMenus() {
     command(view, side.id, side.text, QT_TR_NOOP("Look from there"), QKeySequence(side.keys), {},
             [this, from = side.from] { viewport_->viewFrom(from); });
   view->addSeparator();
-  QAction* section =
-      command(view, "toggleSection", QT_TR_NOOP("&Section plane"),
-              QT_TR_NOOP("Cut the picture open"), QKeySequence("X"), "section", [this] {
-                ViewChoices choices = options_->choices();
-                choices.section = !choices.section;
-                options_->setChoices(choices);
-                showView();
-              });
-  section->setCheckable(false);
+  command(view, "toggleSection", QT_TR_NOOP("&Section plane"), QT_TR_NOOP("Cut the picture open"),
+          QKeySequence("X"), "section", [this] {
+            ViewChoices choices = options_->choices();
+            choices.section = !choices.section;
+            options_->setChoices(choices);
+            showView();
+          });
   view->addSeparator();
   QAction* dark = command(
       view, "dark", QT_TR_NOOP("&Dark"), QT_TR_NOOP("Light text on dark ground"), {}, {}, [this] {

@@ -77,14 +77,19 @@ void Presenter::drawSource() {
         return std::pair(scene::drawPart(placed), geometry::bounds(placed));
       },
       [this](auto&& made) {
-        viewport_.scene().setPart(made.first);
-        const bool another = partBox_.isEmpty() || shownSource_ != document_.source();
-        shownSource_ = document_.source();
-        partBox_ = made.second;
         drawn_[Part].reset();
-        viewport_.requestFrame();
-        emit partDrawn(another);
+        swapPart(made.first, made.second);
       });
+}
+
+void Presenter::swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
+                         const Eigen::AlignedBox3d& box) {
+  viewport_.scene().setPart(drawing);
+  const bool another = partBox_.isEmpty() || shownSource_ != document_.source();
+  shownSource_ = document_.source();
+  partBox_ = box;
+  viewport_.requestFrame();
+  emit partDrawn(another);
 }
 
 void Presenter::drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh) {
@@ -93,14 +98,7 @@ void Presenter::drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh) {
   drawn_[Part] = mesh;
   prepare(
       Part, [mesh] { return std::pair(scene::drawPart(*mesh), geometry::bounds(*mesh)); },
-      [this](auto&& made) {
-        viewport_.scene().setPart(made.first);
-        const bool another = partBox_.isEmpty() || shownSource_ != document_.source();
-        shownSource_ = document_.source();
-        partBox_ = made.second;
-        viewport_.requestFrame();
-        emit partDrawn(another);
-      });
+      [this](auto&& made) { swapPart(made.first, made.second); });
 }
 
 void Presenter::drawPlate(const std::vector<Eigen::Vector2d>& polygon) {
@@ -217,10 +215,9 @@ void Presenter::show(Stage stage) {
     if (result->cell && drawn_[CellBodies] != result->cell) {
       drawn_[CellBodies] = result->cell;
       prepare(
-          CellBodies, [cell = result->cell] { return std::pair(scene::drawCell(*cell), cell); },
+          CellBodies, [cell = result->cell] { return scene::drawCell(*cell); },
           [this](auto&& made) {
-            viewport_.scene().setCell(made.first);
-            cell_ = made.second;
+            viewport_.scene().setCell(made);
             viewport_.requestFrame();
           });
     }

@@ -43,7 +43,6 @@ public:
   int movesOf(int layer) const;
   // Of the part on show, work frame; empty: no part.
   const Eigen::AlignedBox3d& partBox() const { return partBox_; }
-  std::shared_ptr<const robot::Cell> cell() const { return cell_; }
 
   // Anything being prepared?
   bool busy() const;
@@ -62,6 +61,8 @@ private:
   void drawSource();
   void show(pipeline::Stage stage);
   void drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh);
+  void swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
+                const Eigen::AlignedBox3d& box);
   void drawPlate(const std::vector<Eigen::Vector2d>& polygon);
   void drawPlannedPlate();
   void drawMotion();
@@ -76,7 +77,6 @@ private:
   std::shared_ptr<const timeline::Clock> clock_;
   std::shared_ptr<const LayerFacts> facts_;
   std::shared_ptr<const scene::PathsDrawing> paths_;
-  std::shared_ptr<const robot::Cell> cell_;
   std::shared_ptr<const void> shownSource_;
   // What was drawn last, so that the same data is never drawn twice.
   std::array<std::shared_ptr<const void>, kSlotCount> drawn_;
