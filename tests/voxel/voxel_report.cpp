@@ -1,0 +1,75 @@
+// voxel_report [--voxels N | --pitch MM] [--threads N] STL... Prints what voxelising real parts
+// costs, and whether the cells contain them by the tests' own check.
+#include "base/stopwatch.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_reader.h"
+#include "voxel/containment.h"
+#include "voxel/solid_voxels.h"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <sys/resource.h>
+#include <vector>
+
+using namespace voluta;
+
+namespace {
+
+double peakMb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+double widthFor(const geometry::TriangleMesh& mesh, double voxels, const base::RunContext& ctx) {
+  double width = std::cbrt(std::abs(geometry::volume(mesh)) / voxels);
+  for (int i = 0; i < 4; ++i)
+    width *= std::cbrt(static_cast<double>(voxel::solidVoxels(mesh, width, ctx).count) / voxels);
+  return width;
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+  double pitch = 0.8, wanted = 0.0;
+  int threads = 2;
+  std::vector<std::string> files;
+  for (int i = 1; i < argc; ++i) {
+    const std::string arg = argv[i];
+    const auto next = [&] { return std::string(i + 1 < argc ? argv[++i] : ""); };
+    if (arg == "--voxels")
+      wanted = std::stod(next());
+    else if (arg == "--pitch")
+      pitch = std::stod(next());
+    else if (arg == "--threads")
+      threads = std::stoi(next());
+    else
+      files.push_back(arg);
+  }
+  const base::RunContext ctx(base::CancelToken{}, threads);
+  for (const std::string& file : files) {
+    const geometry::TriangleMesh mesh = geometry::readMesh(file).mesh;
+    const double width = wanted > 0.0 ? widthFor(mesh, wanted, ctx) : pitch;
+    double best = 1e9;
+    voxel::SolidVoxels voxels;
+    for (int run = 0; run < 5; ++run) {
+      const base::Stopwatch watch;
+      voxels = voxel::solidVoxels(mesh, width, ctx);
+      best = std::min(best, watch.seconds());
+    }
+    const double peak = peakMb();
+    const test::Containment found = test::checkContainment(mesh, voxels, 40'000, 1);
+    std::printf("%s: pitch %.4f, %zu of %zu cells, %.3f s (best of 5, %d threads), peak %.0f MB\n",
+                file.substr(file.find_last_of('/') + 1).c_str(), width, voxels.count,
+                voxels.grid.cellCount(), best, threads, peak);
+    std::printf("  of %zu points of the surface %zu outside (deepest %.2g mm), of %zu inside %zu "
+                "outside, of %zu far off %zu in cells\n",
+                found.surface, found.surfaceOutside, found.deepestMm, found.inside,
+                found.insideOutside, found.far, found.farInCells);
+  }
+  return 0;
+} catch (const std::exception& e) {
+  std::fprintf(stderr, "%s\n", e.what());
+  return 1;
+}
