@@ -4,7 +4,9 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "curved/extraction.h"
+#include "geometry/edges.h"
 #include "geometry/measures.h"
+#include "layers/absorb.h"
 #include "layers/clean_surface.h"
 #include "layers/order.h"
 #include "layers/part_boundary.h"
@@ -14,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace voluta::curved {
 
@@ -24,6 +27,8 @@ constexpr double kShortRaw = 0.3, kShortTrimmed = 0.2;
 // A foot this much further than the two half thicknesses still lies on what is below.
 constexpr double kSupportReach = 1.25;
 constexpr double kSupportedShare = 0.02;
+// A place is laid in other than whole levels where it has the volume of a patch so many beads wide.
+constexpr double kBeadsToChange = 2.0;
 
 // The spacing near `wanted` of which a whole number reaches the part's highest level.
 double fittedSpacing(const LevelField& field, const geometry::TriangleMesh& part, double wanted) {
@@ -77,6 +82,27 @@ int groupOf(const layers::Patch& patch, const Decomposition& d, const std::vecto
       return group;
   }
   return 0;
+}
+
+// Of the boundary vertices from the part's surface, but for inner rims.
+double farthestOf(const layers::PatchesOfLevel& level, const geometry::MeshQuery& part) {
+  double farthest = 0.0;
+  for (std::size_t p = 0; p < level.patches.size(); ++p) {
+    const auto& mesh = level.patches[p].surface;
+    const auto edges = geometry::sortedHalfEdges(mesh);
+    std::vector<std::uint8_t> isDone = level.innerRim[p];
+    isDone.resize(mesh.vertices.size(), 0);
+    geometry::forEachEdge(edges, [&](std::size_t b, std::size_t e) {
+      if (e - b != 1)
+        return;
+      for (int v : {edges[b].low, edges[b].high}) {
+        if (isDone[static_cast<std::size_t>(v)]++ == 0)
+          farthest =
+              std::max(farthest, part.closest(mesh.vertices[static_cast<std::size_t>(v)]).distance);
+      }
+    });
+  }
+  return farthest;
 }
 
 void tellDropped(LayersResult& result, const std::vector<layers::DroppedPiece>& dropped) {
@@ -145,7 +171,10 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
   ctx.report(0.0, "cutting layers from the field");
   const LevelField field(d, ctx);
   result.spacingMm = o.fitSpacing ? fittedSpacing(field, part, o.layerHeightMm) : o.layerHeightMm;
-  std::vector<RawLevel> levels = extractLevels(field, result.spacingMm, ctx);
+  const double side = kBeadsToChange * o.beadWidthMm;
+  const PartialLevels partial(
+      field, {result.spacingMm, o.heightMinMm, o.heightMaxMm, side * side * result.spacingMm}, ctx);
+  std::vector<RawSlab> levels = extractSlabs(field, partial, ctx);
   result.seconds.extract = extractClock.seconds();
 
   base::Stopwatch trimClock;
@@ -153,37 +182,42 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
   const layers::PartBoundary boundary(part, d.grid.pitch, ctx);
   const std::vector<int> component = componentsOf(d, ctx);
   std::vector<layers::PatchesOfLevel> patches(levels.size());
+  std::vector<double> farthest(levels.size(), 0.0);
   base::parallelChunks(ctx, levels.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t l = begin; l < end; ++l) {
       layers::CleanOptions clean;
       clean.shortEdgeMm = kShortRaw * d.grid.pitch;
-      layers::cleanSurface(levels[l], clean, ctx);
-      levels[l] = layers::trimToPart(levels[l], boundary, {}, ctx);
+      RawLevel surface = std::move(levels[l].surface);
+      layers::cleanSurface(surface, clean, ctx);
+      surface = layers::trimToPart(surface, boundary, {}, ctx);
       clean.shortEdgeMm = kShortTrimmed * d.grid.pitch;
-      layers::cleanSurface(levels[l], clean, ctx);
-      patches[l] = layers::makePatches(levels[l], {o.heightMinMm, o.heightMaxMm, o.beadWidthMm});
-      levels[l] = {};
+      layers::cleanSurface(surface, clean, ctx);
+      patches[l] = layers::makePatches(surface, {o.beadWidthMm});
+      farthest[l] = farthestOf(patches[l], boundary.query());
     }
   });
-  double within = 0.0, area = 0.0;
-  std::vector<layers::DroppedPiece> dropped;
-  for (layers::PatchesOfLevel& level : patches) {
-    within += level.withinLimitsMm2;
-    area += level.areaMm2;
-    dropped.insert(dropped.end(), level.dropped.begin(), level.dropped.end());
-    for (layers::Patch& p : level.patches) {
+  std::vector<layers::Patch> crumbs;
+  for (std::size_t l = 0; l < patches.size(); ++l) {
+    result.boundaryFarthestMm = std::max(result.boundaryFarthestMm, farthest[l]);
+    std::move(patches[l].crumbs.begin(), patches[l].crumbs.end(), std::back_inserter(crumbs));
+    for (layers::Patch& p : patches[l].patches) {
       p.group = groupOf(p, d, component);
+      if (levels[l].slab.scale != 0) {
+        ++result.partialPatches;
+        result.partialAreaMm2 += geometry::area(p.surface);
+      }
       result.stack.patches.push_back(std::move(p));
     }
   }
+  const layers::Absorbed absorbed =
+      layers::absorbCrumbs(result.stack.patches, crumbs, {o.heightMaxMm, o.beadWidthMm});
+  result.mergedPieces = absorbed.merged;
+  result.mergedVolumeMm3 = absorbed.mergedVolumeMm3;
   layers::orderForPrinting(result.stack);
   ctx.report(0.9, "checking layers");
-  result.statistics = layers::layerStatistics(result.stack);
-  result.statistics.withinLimitsFraction = area > 0.0 ? within / area : 1.0;
+  result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   result.volumeMm3 = result.statistics.volumeMm3();
-  for (const auto& check : layers::checkBoundaries(result.stack, boundary.query(), 1e-3, ctx))
-    result.boundaryFarthestMm = std::max(result.boundaryFarthestMm, check.farthestMm);
-  tellDropped(result, dropped);
+  tellDropped(result, absorbed.dropped);
   tellUnsupported(result, ctx);
   result.seconds.trim = trimClock.seconds();
   return result;

@@ -22,25 +22,33 @@ struct LayerOptions {
 struct LayersResult {
   layers::LayerStack stack; // in print order
   layers::LayerStatistics statistics;
-  double spacingMm = 0.0;        // of levels in the field, as used
-  std::size_t droppedPieces = 0; // too small for a bead
+  double spacingMm = 0.0;         // of levels in the field, as used
+  std::size_t partialPatches = 0; // of less or more than one level
+  double partialAreaMm2 = 0.0;
+  std::size_t mergedPieces = 0; // too small for a bead: taken by the patches around
+  double mergedVolumeMm3 = 0.0;
+  std::size_t droppedPieces = 0; // the same, where that would have left the height limits
   double droppedVolumeMm3 = 0.0;
   double volumeMm3 = 0.0;             // sum of patch area x thickness
   double unsupportedFraction = 0.0;   // of the area (sampled): nothing within 1.25 of the two half
                                       // thicknesses, neither plate nor one of the two layers below
   std::size_t unsupportedPatches = 0; // with neither plate nor an earlier layer under them
-  double boundaryFarthestMm = 0.0;    // of a boundary vertex from the part's surface; where voxels
-                                      // were missed, boundaries end inside the part
+  double boundaryFarthestMm = 0.0;    // of a boundary vertex from the part's surface, but for rims
+                                      // where another level takes over; where voxels were missed,
+                                      // boundaries end inside the part
   plan::Findings findings;            // stage "layers"
   struct {
     double extract = 0, trim = 0;
   } seconds;
 };
 
-// Level surfaces of the field, cut on the part's surface and made into patches: extractLevels,
-// layers::trimToPart, layers::makePatches, layers::orderForPrinting. A patch's group is the
+// Level surfaces of the field, cut on the part's surface and made into patches: PartialLevels,
+// extractLevels, layers::trimToPart, layers::makePatches, layers::absorbCrumbs,
+// layers::orderForPrinting. Where a level would be thicker than heightMaxMm, it is laid in parts;
+// where levels would be thinner than heightMinMm, they end and one patch takes the place of
+// several: layers are numbered by where their patches begin in the field. A patch's group is the
 // component of the printed voxels it lies in. Sum of area x thickness is the part's volume but for
-// what the findings tell.
+// what the findings tell; thickness is never clamped.
 // `part` faces outward and stands on the plate, mm. Preconditions: positive heights,
 // heightMin <= heightMax. Throws Cancelled.
 LayersResult curvedLayers(const Decomposition& decomposition, const geometry::TriangleMesh& part,

@@ -195,9 +195,10 @@ private:
   std::unordered_map<std::uint64_t, int> vertexOf_;
 };
 
-// The cells each level passes through, in grid order.
+// The cells each level passes through, in grid order, of those that are wanted.
+template <typename Wanted>
 std::vector<std::vector<CellKey>> cellsOfLevels(const LevelField& field, double spacing,
-                                                const base::RunContext& ctx) {
+                                                Wanted&& wanted, const base::RunContext& ctx) {
   const double snap = 2.0 * kSnap * field.grid().pitch;
   const int count =
       static_cast<int>(std::floor((field.maxPrinted() + field.grid().pitch) / spacing + 0.5)) + 1;
@@ -206,6 +207,8 @@ std::vector<std::vector<CellKey>> cellsOfLevels(const LevelField& field, double 
     ctx.checkpoint();
     for (int j = -1; j < field.grid().size.y(); ++j)
       for (int i = -1; i < field.grid().size.x(); ++i) {
+        if (!wanted(i, j, k))
+          continue;
         const std::optional<LevelField::Cell> cell = field.cell(i, j, k);
         if (!cell)
           continue;
@@ -224,26 +227,82 @@ std::vector<std::vector<CellKey>> cellsOfLevels(const LevelField& field, double 
   return cells;
 }
 
+RawLevel levelThrough(const LevelField& field, int level, double spacing,
+                      const std::vector<CellKey>& cells, const base::RunContext& ctx) {
+  LevelBuilder builder(field, level, spacing);
+  std::size_t done = 0;
+  for (const CellKey& key : cells) {
+    builder.addCell(key);
+    if (++done % 4096 == 0)
+      ctx.checkpoint();
+  }
+  return builder.take();
+}
+
+// Leaves of a slab's surface what is laid of it.
+void keepWhatIsLaid(RawLevel& level, const LevelField& field, const PartialLevels& partial,
+                    const Slab& slab) {
+  const auto& vertices = level.surface.vertices;
+  std::vector<double> margin(vertices.size());
+  bool whole = true;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::optional<LevelField::Sample> s = field.sample(vertices[v]);
+    margin[v] =
+        partial.margin(slab, vertices[v], s ? s->gradient : Eigen::Vector3d(level.direction[v]));
+    whole &= margin[v] >= 0.0;
+  }
+  if (!whole)
+    layers::keepPositive(level, margin);
+}
+
 } // namespace
 
 std::vector<RawLevel> extractLevels(const LevelField& field, double spacingMm,
                                     const base::RunContext& ctx) {
   base::require(spacingMm > 0.0, "a positive spacing of levels");
-  const std::vector<std::vector<CellKey>> cells = cellsOfLevels(field, spacingMm, ctx);
+  const std::vector<std::vector<CellKey>> cells = cellsOfLevels(
+      field, spacingMm, [](int, int, int) { return true; }, ctx);
   std::vector<RawLevel> levels(cells.size());
   base::parallelChunks(ctx, cells.size(), 1, [&](std::size_t b, std::size_t e) {
-    for (std::size_t level = b; level < e; ++level) {
-      LevelBuilder builder(field, static_cast<int>(level), spacingMm);
-      std::size_t done = 0;
-      for (const CellKey& key : cells[level]) {
-        builder.addCell(key);
-        if (++done % 4096 == 0)
-          ctx.checkpoint();
-      }
-      levels[level] = builder.take();
-    }
+    for (std::size_t level = b; level < e; ++level)
+      levels[level] = levelThrough(field, static_cast<int>(level), spacingMm, cells[level], ctx);
   });
   return levels;
+}
+
+std::vector<RawSlab> extractSlabs(const LevelField& field, const PartialLevels& partial,
+                                  const base::RunContext& ctx) {
+  struct Piece {
+    Slab slab;
+    std::vector<CellKey> cells;
+  };
+  std::vector<Piece> pieces;
+  for (int scale = PartialLevels::kFinest; scale <= PartialLevels::kCoarsest; ++scale) {
+    if (!partial.uses(scale))
+      continue;
+    auto cells = cellsOfLevels(
+        field, partial.widthMm(scale),
+        [&](int i, int j, int k) { return partial.mayHold(scale, i, j, k); }, ctx);
+    for (std::size_t n = 0; n < cells.size(); ++n)
+      if (!cells[n].empty())
+        pieces.push_back({{scale, static_cast<int>(n)}, std::move(cells[n])});
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return PartialLevels::bottomOf(a.slab) < PartialLevels::bottomOf(b.slab);
+  });
+  std::vector<RawSlab> slabs(pieces.size());
+  base::parallelChunks(ctx, pieces.size(), 1, [&](std::size_t b, std::size_t e) {
+    for (std::size_t n = b; n < e; ++n) {
+      const Slab& slab = pieces[n].slab;
+      RawLevel surface =
+          levelThrough(field, slab.index, partial.widthMm(slab.scale), pieces[n].cells, ctx);
+      if (partial.any())
+        keepWhatIsLaid(surface, field, partial, slab);
+      surface.level = PartialLevels::bottomOf(slab);
+      slabs[n] = {slab, std::move(surface)};
+    }
+  });
+  return slabs;
 }
 
 std::vector<RawLevel> extractLevels(const Decomposition& decomposition, double spacingMm,

@@ -4,6 +4,7 @@
 #include "base/run_context.h"
 #include "curved/decomposition.h"
 #include "curved/level_field.h"
+#include "curved/partial_levels.h"
 #include "layers/level_surface.h"
 
 #include <vector>
@@ -27,5 +28,15 @@ std::vector<RawLevel> extractLevels(const LevelField& field, double spacingMm,
                                     const base::RunContext& ctx);
 std::vector<RawLevel> extractLevels(const Decomposition& decomposition, double spacingMm,
                                     const base::RunContext& ctx);
+
+// The same for slabs (see PartialLevels), from below: the middle surface of each, as far as it is
+// laid. RawLevel::level is the slab's bottom in units of the finest slab; where one slab ends and
+// another takes over inside the part is an inner rim.
+struct RawSlab {
+  Slab slab;
+  RawLevel surface;
+};
+std::vector<RawSlab> extractSlabs(const LevelField& field, const PartialLevels& partial,
+                                  const base::RunContext& ctx);
 
 } // namespace voluta::curved

@@ -34,6 +34,8 @@ public:
   std::optional<Cell> cell(int i, int j, int k) const;
 
   const voxel::VoxelGrid& grid() const { return grid_; }
+  // Node of a voxel of the grid; of several, the first.
+  int voxelNode(int i, int j, int k) const { return dense(i, j, k); }
   double value(int node) const { return value_[static_cast<std::size_t>(node)]; } // mm
   // Least-squares gradient over the printed neighbours; of an outer node, the mean of its group.
   Eigen::Vector3d gradient(int node) const {

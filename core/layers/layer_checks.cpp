@@ -17,18 +17,19 @@ std::size_t at(int i) {
 }
 
 constexpr std::size_t kMostSamples = 400; // a patch
-constexpr int kLayersBelow = 2;
+constexpr double kRounding = 1e-9;        // mm
 
-// All surfaces of some layers as one mesh.
+// All patches as one mesh.
 struct Floor {
   geometry::TriangleMesh mesh;
   std::vector<int> patchOf;          // per triangle
   std::vector<double> halfThickness; // per triangle
+  double most = 0.0;                 // of halfThickness
 };
 
-Floor floorOf(const LayerStack& stack, std::size_t begin, std::size_t end) {
+Floor floorOf(const LayerStack& stack) {
   Floor floor;
-  for (std::size_t p = begin; p < end; ++p) {
+  for (std::size_t p = 0; p < stack.patches.size(); ++p) {
     const Patch& patch = stack.patches[p];
     const int base = static_cast<int>(floor.mesh.vertices.size());
     floor.mesh.vertices.insert(floor.mesh.vertices.end(), patch.surface.vertices.begin(),
@@ -39,17 +40,19 @@ Floor floorOf(const LayerStack& stack, std::size_t begin, std::size_t end) {
       floor.halfThickness.push_back((patch.thicknessMm[at(t[0])] + patch.thicknessMm[at(t[1])] +
                                      patch.thicknessMm[at(t[2])]) /
                                     6.0);
+      floor.most = std::max(floor.most, floor.halfThickness.back());
     }
   }
   return floor;
 }
 
-SupportCheck supportOf(const Patch& patch, const Floor& floor, const geometry::MeshQuery& query,
-                       double reachShare) {
+SupportCheck supportOf(std::size_t p, const Patch& patch, const Floor& floor,
+                       const geometry::MeshQuery& query, double reachShare) {
   const std::size_t n = patch.surface.triangles.size();
   const std::size_t step = std::max<std::size_t>(1, n / kMostSamples);
   double whole = 0.0, supported = 0.0;
   std::map<int, int> met;
+  std::vector<geometry::MeshQuery::Hit> hits;
   SupportCheck check;
   for (std::size_t t = 0; t < n; t += step) {
     const auto& tri = patch.surface.triangles[t];
@@ -65,11 +68,28 @@ SupportCheck supportOf(const Patch& patch, const Floor& floor, const geometry::M
       ++met[-1];
       continue;
     }
-    const auto found = query.closest(centre, 4.0 * half * reachShare);
-    if (found.triangle >= 0 &&
-        found.distance <= reachShare * (half + floor.halfThickness[at(found.triangle)])) {
+    const Eigen::Vector3d down = -patch.direction[at(tri[0])];
+    const auto lies = [&](int triangle, double distance) {
+      return triangle >= 0 && floor.patchOf[at(triangle)] < static_cast<int>(p) &&
+             distance <= reachShare * (half + floor.halfThickness[at(triangle)]);
+    };
+    // What is under it is nearest to a point a thickness down; else anything straight below.
+    int lower = -1;
+    const auto found = query.closest(centre + 2.0 * half * down, 2.0 * half * reachShare);
+    if (found.triangle >= 0 && lies(found.triangle, (found.point - centre).norm())) {
+      lower = found.triangle;
+    } else {
+      const double reach = reachShare * (half + floor.most);
+      query.hits(centre + 0.1 * half * down, centre + reach * down, hits);
+      for (const auto& hit : hits)
+        if (lies(hit.triangle, 0.1 * half + hit.t * (reach - 0.1 * half))) {
+          lower = hit.triangle;
+          break;
+        }
+    }
+    if (lower >= 0) {
       supported += area;
-      ++met[floor.patchOf[at(found.triangle)]];
+      ++met[floor.patchOf[at(lower)]];
     } else {
       check.unsupportedAt = centre;
     }
@@ -86,12 +106,12 @@ SupportCheck supportOf(const Patch& patch, const Floor& floor, const geometry::M
 
 } // namespace
 
-LayerStatistics layerStatistics(const LayerStack& stack) {
+LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& limits) {
   LayerStatistics s;
   s.count = stack.layerCount;
   s.patches = stack.patches.size();
   std::vector<std::pair<double, double>> samples; // thickness, area
-  double sum = 0.0, squares = 0.0;
+  double sum = 0.0, squares = 0.0, within = 0.0;
   for (const Patch& p : stack.patches)
     for (std::size_t t = 0; t < p.surface.triangles.size(); ++t) {
       const auto& tri = p.surface.triangles[t];
@@ -99,12 +119,15 @@ LayerStatistics layerStatistics(const LayerStack& stack) {
       const double thickness =
           (p.thicknessMm[at(tri[0])] + p.thicknessMm[at(tri[1])] + p.thicknessMm[at(tri[2])]) / 3.0;
       samples.emplace_back(thickness, area);
+      if (thickness >= limits.minMm - kRounding && thickness <= limits.maxMm + kRounding)
+        within += area;
       s.areaMm2 += area;
       sum += area * thickness;
       squares += area * thickness * thickness;
     }
   if (s.areaMm2 <= 0.0)
     return s;
+  s.withinLimitsFraction = within / s.areaMm2;
   s.thicknessMeanMm = sum / s.areaMm2;
   s.thicknessStdMm =
       std::sqrt(std::max(0.0, squares / s.areaMm2 - s.thicknessMeanMm * s.thicknessMeanMm));
@@ -163,23 +186,11 @@ std::vector<BoundaryCheck> checkBoundaries(const LayerStack& stack, const geomet
 std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShare,
                                        const base::RunContext& ctx) {
   std::vector<SupportCheck> checks(stack.patches.size());
-  // Patches come in order of layers, so the layers below are a range.
-  std::vector<std::size_t> firstOf(at(stack.layerCount) + 1, 0);
-  for (const Patch& p : stack.patches)
-    ++firstOf[at(p.layer) + 1];
-  for (std::size_t l = 1; l < firstOf.size(); ++l)
-    firstOf[l] += firstOf[l - 1];
-  base::parallelChunks(ctx, at(stack.layerCount), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t layer = begin; layer < end; ++layer) {
-      const std::size_t below = layer > kLayersBelow ? layer - kLayersBelow : 0;
-      const Floor floor = floorOf(stack, firstOf[below], firstOf[layer]);
-      const geometry::MeshQuery query(floor.mesh);
-      for (std::size_t p = firstOf[layer]; p < firstOf[layer + 1]; ++p) {
-        if (ctx.cancelled())
-          return;
-        checks[p] = supportOf(stack.patches[p], floor, query, reachShare);
-      }
-    }
+  const Floor floor = floorOf(stack);
+  const geometry::MeshQuery query(floor.mesh);
+  base::parallelChunks(ctx, checks.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+      checks[p] = supportOf(p, stack.patches[p], floor, query, reachShare);
   });
   return checks;
 }

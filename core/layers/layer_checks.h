@@ -5,6 +5,7 @@
 #include "geometry/mesh_query.h"
 #include "layers/layer_stack.h"
 
+#include <limits>
 #include <vector>
 
 namespace voluta::layers {
@@ -15,13 +16,14 @@ struct LayerStatistics {
   std::size_t patches = 0;
   double areaMm2 = 0.0;
   double thicknessMeanMm = 0.0, thicknessStdMm = 0.0, thicknessP01Mm = 0.0, thicknessP99Mm = 0.0;
-  // Share of the area whose thickness the field gave within the process's limits, before it was
-  // clamped. 1 when the stack does not know; set by the mode.
-  double withinLimitsFraction = 1.0;
+  double withinLimitsFraction = 1.0; // share of the area whose thickness is within the limits
 
   double volumeMm3() const { return areaMm2 * thicknessMeanMm; }
 };
-LayerStatistics layerStatistics(const LayerStack& stack);
+struct HeightLimits {
+  double minMm = 0.0, maxMm = std::numeric_limits<double>::infinity();
+};
+LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& limits = {});
 
 // Each entry is for the patch of the same index.
 struct BoundaryCheck {
@@ -33,8 +35,8 @@ struct BoundaryCheck {
 std::vector<BoundaryCheck> checkBoundaries(const LayerStack& stack, const geometry::MeshQuery& part,
                                            double toleranceMm, const base::RunContext& ctx);
 
-// What is under a patch: the plate z = 0, or a patch of an earlier layer. At sampled triangles the
-// foot (half a thickness against direction) is within reachShare of the two half thicknesses.
+// What is under a patch: the plate z = 0, or an earlier patch. At sampled triangles the foot (half
+// a thickness against direction) is within reachShare of the two half thicknesses.
 struct SupportCheck {
   double supportedFraction = 1.0; // of the area
   int lower = -1;                 // index of a patch under it (the one met most often), -1: plate

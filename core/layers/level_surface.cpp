@@ -1,5 +1,9 @@
 #include "layers/level_surface.h"
 
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
 namespace voluta::layers {
 
 namespace {
@@ -23,6 +27,8 @@ int appendBlend(LevelSurface& s, int a, int b, double t) {
   s.thicknessMm.push_back((1.0 - t) * s.thicknessMm[ia] + t * s.thicknessMm[ib]);
   s.direction.push_back(d);
   s.clearDirection.push_back(c);
+  if (!s.innerRim.empty())
+    s.innerRim.push_back(s.innerRim[ia] & s.innerRim[ib]);
   return static_cast<int>(s.surface.vertices.size()) - 1;
 }
 
@@ -43,7 +49,49 @@ int appendBlend(LevelSurface& s, const std::array<int, 3>& corners, const Eigen:
   s.thicknessMm.push_back(thickness);
   s.direction.push_back(d);
   s.clearDirection.push_back(c);
+  if (!s.innerRim.empty())
+    s.innerRim.push_back(0);
   return static_cast<int>(s.surface.vertices.size()) - 1;
+}
+
+void keepPositive(LevelSurface& s, const std::vector<double>& values) {
+  const auto keeps = [&](int v) { return values[static_cast<std::size_t>(v)] >= 0.0; };
+  s.innerRim.resize(s.surface.vertices.size(), 0);
+  std::unordered_map<std::uint64_t, int> cutOf;
+  const auto cut = [&](int a, int b) {
+    const auto low = static_cast<std::uint64_t>(std::min(a, b)),
+               high = static_cast<std::uint64_t>(std::max(a, b));
+    const auto [entry, isNew] = cutOf.try_emplace(low << 32 | high, -1);
+    if (isNew) {
+      const int from = std::min(a, b), to = std::max(a, b);
+      const double u = values[static_cast<std::size_t>(from)],
+                   v = values[static_cast<std::size_t>(to)];
+      entry->second = appendBlend(s, from, to, u / (u - v));
+      s.innerRim.back() = 1;
+    }
+    return entry->second;
+  };
+  std::vector<std::array<int, 3>> kept;
+  const std::vector<std::array<int, 3>> triangles = std::move(s.surface.triangles);
+  for (const auto& t : triangles) {
+    const int count = keeps(t[0]) + keeps(t[1]) + keeps(t[2]);
+    if (count == 3)
+      kept.push_back(t);
+    if (count == 0 || count == 3)
+      continue;
+    std::size_t k = 0; // the corner that is unlike the others
+    while (keeps(t[k]) != (count == 1))
+      ++k;
+    const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3], ab = cut(a, b), ca = cut(c, a);
+    if (count == 1) {
+      kept.push_back({a, ab, ca});
+    } else {
+      kept.push_back({ab, b, c});
+      kept.push_back({ab, c, ca});
+    }
+  }
+  s.surface.triangles = std::move(kept);
+  dropUnusedVertices(s);
 }
 
 void dropUnusedVertices(LevelSurface& s) {
@@ -61,12 +109,16 @@ void dropUnusedVertices(LevelSurface& s) {
     s.thicknessMm[kept] = s.thicknessMm[v];
     s.direction[kept] = s.direction[v];
     s.clearDirection[kept] = s.clearDirection[v];
+    if (!s.innerRim.empty())
+      s.innerRim[kept] = s.innerRim[v];
     ++kept;
   }
   s.surface.vertices.resize(kept);
   s.thicknessMm.resize(kept);
   s.direction.resize(kept);
   s.clearDirection.resize(kept);
+  if (!s.innerRim.empty())
+    s.innerRim.resize(kept);
   for (auto& t : s.surface.triangles)
     for (int& v : t)
       v = index[static_cast<std::size_t>(v)];

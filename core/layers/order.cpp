@@ -40,7 +40,14 @@ void orderForPrinting(LayerStack& stack) {
     std::rotate(centre.begin() + from, centre.begin() + to, centre.begin() + to + 1);
     here = centre[next];
   }
-  stack.layerCount = stack.patches.empty() ? 0 : stack.patches.back().layer + 1;
+  stack.layerCount = 0;
+  int given = 0;
+  for (Patch& p : stack.patches) {
+    if (stack.layerCount == 0 || p.layer != given)
+      ++stack.layerCount;
+    given = p.layer;
+    p.layer = stack.layerCount - 1;
+  }
 }
 
 } // namespace voluta::layers

@@ -5,9 +5,10 @@
 
 namespace voluta::layers {
 
-// Layer by layer from below, so that a patch comes after what supports it; within a layer each
+// From below by Patch::layer, so that a patch comes after what supports it; within a layer each
 // patch is followed by the nearest one left (centroids), the first being nearest to the last of the
-// layer before, or to the origin. Stable: ties go to the patch that came first. layerCount is set.
+// layer before, or to the origin. Stable: ties go to the patch that came first. Layers are numbered
+// anew from 0 without gaps; layerCount is set.
 void orderForPrinting(LayerStack& stack);
 
 } // namespace voluta::layers

@@ -116,11 +116,9 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
     Patch patch;
     patch.layer = s.level;
     std::vector<int> used;
-    double area = 0.0, within = 0.0, volume = 0.0;
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double area = 0.0;
     for (std::size_t t : piece) {
       std::array<int, 3> corners;
-      double thickness = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
         const int v = s.surface.triangles[t][k];
         if (index[at(v)] < 0) {
@@ -128,32 +126,26 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
           used.push_back(v);
         }
         corners[k] = index[at(v)];
-        thickness += s.thicknessMm[at(v)] / 3.0;
       }
       patch.surface.triangles.push_back(corners);
-      const double a = geometry::triangleArea(s.surface, t);
-      area += a;
-      volume += a * thickness;
-      centre +=
-          a / 3.0 * (s.surface.corner(t, 0) + s.surface.corner(t, 1) + s.surface.corner(t, 2));
-      if (thickness >= options.heightMinMm - 1e-9 && thickness <= options.heightMaxMm + 1e-9)
-        within += a;
+      area += geometry::triangleArea(s.surface, t);
     }
+    std::vector<std::uint8_t> rim;
     for (int v : used) {
       index[at(v)] = -1;
       patch.surface.vertices.push_back(s.surface.vertices[at(v)]);
-      patch.thicknessMm.push_back(
-          std::clamp(s.thicknessMm[at(v)], options.heightMinMm, options.heightMaxMm));
+      patch.thicknessMm.push_back(s.thicknessMm[at(v)]);
+      if (!s.innerRim.empty())
+        rim.push_back(s.innerRim[at(v)]);
       patch.direction.push_back(s.direction[at(v)]);
       patch.clearDirection.push_back(s.clearDirection[at(v)]);
     }
     if (area < leastArea || narrower(patch.surface, 0.25 * options.beadWidthMm)) {
       if (area > 0.0)
-        result.dropped.push_back({centre / area, area, volume, s.level});
+        result.crumbs.push_back(std::move(patch));
       continue;
     }
-    result.areaMm2 += area;
-    result.withinLimitsMm2 += within;
+    result.innerRim.push_back(std::move(rim));
     result.patches.push_back(std::move(patch));
   }
   return result;

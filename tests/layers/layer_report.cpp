@@ -1,5 +1,6 @@
-// layer_report [--pitch MM] [--threads N] [--scale F] [--vtp FILE] STL... Layers of real parts and
-// what an outside view finds of them: volume, boundaries, support, triangles, coverage by sampling.
+// layer_report [--pitch MM | --voxels N] [--threads N] [--scale F] [--keep DIR] [--vtp FILE] STL...
+// Layers of real parts and what an outside view finds of them: volume, boundaries, support,
+// triangles, coverage by sampling. --keep: decompositions are kept in DIR and read from there.
 #include "base/stopwatch.h"
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"
@@ -94,12 +95,55 @@ void triangleQuality(const layers::LayerStack& stack) {
               static_cast<double>(below15) / static_cast<double>(triangles), shortest);
 }
 
+// The width of voxels of which the part takes about `wanted`.
+double widthFor(const geometry::TriangleMesh& part, double wanted, const base::RunContext& ctx) {
+  double width = std::cbrt(std::abs(geometry::volume(part)) / wanted);
+  for (int i = 0; i < 4; ++i)
+    width *= std::cbrt(static_cast<double>(voxel::solidVoxels(part, width, ctx).count) / wanted);
+  return width;
+}
+
+template <typename T> void put(std::ostream& out, const std::vector<T>& v) {
+  out.write(reinterpret_cast<const char*>(v.data()),
+            static_cast<std::streamsize>(v.size() * sizeof(T)));
+}
+
+template <typename T> bool get(std::istream& in, std::vector<T>& v, std::size_t n) {
+  v.resize(n);
+  return static_cast<bool>(
+      in.read(reinterpret_cast<char*>(v.data()), static_cast<std::streamsize>(n * sizeof(T))));
+}
+
+curved::Decomposition decomposed(const voxel::SolidVoxels& solid, const std::string& file,
+                                 const curved::CurvedOptions& growth, const base::RunContext& ctx) {
+  const std::size_t n = solid.grid.cellCount();
+  if (std::ifstream in(file, std::ios::binary); !file.empty() && in) {
+    curved::Decomposition d;
+    d.grid = solid.grid;
+    if (get(in, d.rank, n) && get(in, d.field, n) && get(in, d.frontNormal, n)) {
+      for (const std::int32_t r : d.rank) {
+        d.voxels += r != 0;
+        d.missedVoxels += r < 0;
+      }
+      return d;
+    }
+  }
+  auto d = curved::decompose(solid, curved::platformFit(solid, 0.0), growth, ctx);
+  if (!file.empty()) {
+    std::ofstream out(file, std::ios::binary);
+    put(out, d.rank);
+    put(out, d.field);
+    put(out, d.frontNormal);
+  }
+  return d;
+}
+
 } // namespace
 
 int main(int argc, char** argv) try {
-  double pitch = 0.8, scale = 1.0;
+  double pitch = 0.8, scale = 1.0, wanted = 0.0;
   int threads = 2;
-  std::string vtp;
+  std::string vtp, keep;
   curved::CurvedOptions growth;
   std::vector<std::string> files;
   for (int i = 1; i < argc; ++i) {
@@ -107,6 +151,10 @@ int main(int argc, char** argv) try {
     const auto next = [&] { return i + 1 < argc ? std::string(argv[++i]) : std::string(); };
     if (a == "--pitch")
       pitch = std::stod(next());
+    else if (a == "--voxels")
+      wanted = std::stod(next());
+    else if (a == "--keep")
+      keep = next();
     else if (a == "--scale")
       scale = std::stod(next());
     else if (a == "--threads")
@@ -123,19 +171,25 @@ int main(int argc, char** argv) try {
   const base::RunContext ctx({}, threads);
   for (const std::string& file : files) {
     const geometry::TriangleMesh part = placed(geometry::readMesh(file).mesh, scale);
+    if (wanted > 0.0)
+      pitch = widthFor(part, wanted, ctx);
     base::Stopwatch clock;
     const auto solid = voxel::solidVoxels(part, pitch, ctx);
-    const auto d = curved::decompose(solid, curved::platformFit(solid, 0.0), growth, ctx);
+    const std::string kept = keep.empty() ? keep
+                                          : keep + "/" + file.substr(file.find_last_of('/') + 1) +
+                                                "." + std::to_string(solid.count);
+    const auto d = decomposed(solid, kept, growth, ctx);
     const double grown = clock.seconds();
     const std::clock_t before = std::clock();
     const auto r = curved::curvedLayers(d, part, {}, ctx);
     const double cpu = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
     const auto& s = r.statistics;
     const double volume = geometry::volume(part);
-    std::printf("%s: %zu voxels, missed %zu, decompose %.1f s, extract %.2f s, trim %.2f s "
-                "(%.2f s of processor time)\n",
-                file.c_str(), d.voxels, d.missedVoxels, grown, r.seconds.extract, r.seconds.trim,
-                cpu);
+    std::printf(
+        "%s: pitch %.3f, %zu voxels, missed %zu, decompose %.1f s, extract %.2f s, trim %.2f s "
+        "(%.2f s of processor time)\n",
+        file.c_str(), pitch, d.voxels, d.missedVoxels, grown, r.seconds.extract, r.seconds.trim,
+        cpu);
     std::printf(
         "  area x thickness / volume %.4f (%.0f mm3), spacing %.4f, %d layers, %zu patches, "
         "area %.0f mm2\n",
@@ -143,6 +197,8 @@ int main(int argc, char** argv) try {
     std::printf("  thickness %.3f +- %.3f, P01 %.3f, P99 %.3f, within limits %.4f\n",
                 s.thicknessMeanMm, s.thicknessStdMm, s.thicknessP01Mm, s.thicknessP99Mm,
                 s.withinLimitsFraction);
+    std::printf("  partial patches %zu, %.4f of the area; merged %zu pieces, %.1f mm3\n",
+                r.partialPatches, r.partialAreaMm2 / s.areaMm2, r.mergedPieces, r.mergedVolumeMm3);
     std::printf("  dropped %zu pieces, %.1f mm3 (%.4f); unsupported patches %zu\n", r.droppedPieces,
                 r.droppedVolumeMm3, r.droppedVolumeMm3 / volume, r.unsupportedPatches);
     const geometry::MeshQuery query(part);

@@ -132,7 +132,7 @@ TEST(FillPolygon, AreaIsKeptOnRandomStars) {
   }
 }
 
-TEST(MakePatches, DropsWhatIsTooSmallAndCountsIt) {
+TEST(MakePatches, SetsApartWhatIsTooSmall) {
   LevelSurface s = flatGrid(5, 0.5, 1.0);
   const LevelSurface crumb = flatGrid(0.4, 0.2, 2.0); // 0.64 mm2: less than a round bead
   const int base = static_cast<int>(s.surface.vertices.size());
@@ -146,20 +146,9 @@ TEST(MakePatches, DropsWhatIsTooSmallAndCountsIt) {
     s.surface.triangles.push_back({base + t[0], base + t[1], base + t[2]});
   const PatchesOfLevel patches = makePatches(s, {});
   ASSERT_EQ(patches.patches.size(), 1u);
-  EXPECT_NEAR(patches.areaMm2, 100.0, 1e-9);
-  ASSERT_EQ(patches.dropped.size(), 1u);
-  EXPECT_NEAR(patches.dropped[0].volumeMm3, 0.64 * 0.8, 1e-9);
-  EXPECT_NEAR(patches.dropped[0].centre.z(), 2.0, 1e-9);
-}
-
-TEST(MakePatches, ClampsThicknessAndSaysHowMuch) {
-  LevelSurface s = flatGrid(5, 0.5, 1.0);
-  for (std::size_t v = 0; v < s.thicknessMm.size(); ++v)
-    s.thicknessMm[v] = s.surface.vertices[v].x() < 0 ? 1.4 : 0.7;
-  const PatchesOfLevel patches = makePatches(s, {});
-  EXPECT_NEAR(patches.withinLimitsMm2 / patches.areaMm2, 0.5, 0.06);
-  for (double t : patches.patches.at(0).thicknessMm)
-    EXPECT_LE(t, 1.0);
+  EXPECT_NEAR(geometry::area(patches.patches[0].surface), 100.0, 1e-9);
+  ASSERT_EQ(patches.crumbs.size(), 1u);
+  EXPECT_NEAR(geometry::area(patches.crumbs[0].surface), 0.64, 1e-9);
 }
 
 TEST(OrderForPrinting, LayersFirstThenShortWays) {
