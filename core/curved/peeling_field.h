@@ -1,0 +1,22 @@
+// The source's peeling: sheets taken off the convex front until nothing is left, whatever they
+// carried (dissertation 3.4.4).
+#pragma once
+
+#include "base/run_context.h"
+#include "curved/voxel_graph.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace voluta::curved {
+
+// F of algorithm 4 per voxel: 1 for what is peeled first, and so on without gaps. Each round takes
+// all voxels whose centre lies less than half a cell from the boundary of the hull of the platform
+// and what is left; so the front passes through every voxel of a sheet, and what stands on the
+// platform is not taken from below. Support is ignored: sheets may cut a part in pieces.
+//
+// Growth follows the inverse field, 1 + max F - F (eq. 3.1); algorithm 4 as printed counts one more
+// than the largest F there. Throws Cancelled.
+std::vector<std::int32_t> peelingField(const VoxelGraph& graph, const base::RunContext& ctx);
+
+} // namespace voluta::curved
