@@ -1,9 +1,13 @@
+#include "base/files.h"
 #include "cli/commands.h"
 #include "geometry/diagnosis.h"
 #include "geometry/mesh_reader.h"
 #include "geometry/placement.h"
 #include "geometry/repair.h"
+#include "pipeline/load_stage.h"
+#include "voxel/voxel_text.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -47,8 +51,38 @@ void printText(const Json& json, const std::string& heading) {
 }
 } // namespace
 
+namespace {
+// A voxel object has nothing to repair; lengths of its surface are in cells.
+ExitCode inspectCells(const InspectOptions& options, const std::string& bytes) {
+  const voxel::VoxelObject object = voxel::readVoxelText(bytes, options.part);
+  const Json cells{{"size", Json::array({object.size.x(), object.size.y(), object.size.z()})},
+                   {"solid", std::count(object.solid.begin(), object.solid.end(), 1)},
+                   {"platform", object.platform.size()}};
+  geometry::Diagnosis surface = geometry::diagnose(voxel::surfaceOf(object));
+  surface.selfIntersections = {}; // where cells only touch
+  const char* const kFormat = "voxel text";
+  if (options.json) {
+    const Json all{{"file", options.part},
+                   {"format", kFormat},
+                   {"cells", cells},
+                   {"unitNote", "a cell is as wide as voxelMm"},
+                   {"repairs", Json::array()},
+                   {"asRead", diagnosisJson(surface)},
+                   {"afterRepair", diagnosisJson(surface)}};
+    fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
+    return kDone;
+  }
+  printText(cells, fmt::format("{} ({}; a cell is as wide as voxelMm)", options.part, kFormat));
+  printText(diagnosisJson(surface), "surface, in cells");
+  return kDone;
+}
+} // namespace
+
 ExitCode inspectCommand(const InspectOptions& options) {
-  const geometry::MeshFile file = geometry::readMesh(std::filesystem::path(options.part));
+  const std::string bytes = base::readFile(options.part);
+  if (pipeline::isVoxelText(options.part, bytes))
+    return inspectCells(options, bytes);
+  const geometry::MeshFile file = geometry::readMesh(bytes, options.part);
   const geometry::RepairResult repaired = geometry::repair(file.mesh, {});
   Json found = diagnosisJson(geometry::diagnose(file.mesh));
   Json mended = diagnosisJson(geometry::diagnose(repaired.mesh));

@@ -35,8 +35,23 @@ std::vector<Eigen::Vector2d> hull(std::vector<Eigen::Vector2d> points) {
 
 } // namespace
 
+std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points, double marginMm) {
+  base::require(marginMm >= 0.0, "convexPolygon: margin >= 0");
+  std::vector<Eigen::Vector2d> polygon = hull(std::move(points));
+  if (marginMm == 0.0)
+    return polygon;
+  // Sum with a 16-gon about the disc of the margin.
+  std::vector<Eigen::Vector2d> widened;
+  const double radius = marginMm / std::cos(base::kPi / 16.0);
+  for (const Eigen::Vector2d& p : polygon)
+    for (int i = 0; i < 16; ++i) {
+      const double a = base::kPi * (2 * i + 1) / 16.0;
+      widened.emplace_back(p + radius * Eigen::Vector2d(std::cos(a), std::sin(a)));
+    }
+  return hull(std::move(widened));
+}
+
 std::vector<Eigen::Vector2d> platformFit(const voxel::SolidVoxels& voxels, double marginMm) {
-  base::require(marginMm >= 0.0, "platformFit: margin >= 0");
   const voxel::VoxelGrid& grid = voxels.grid;
   const int k = voxels.plateLayer();
   std::vector<Eigen::Vector2d> corners;
@@ -58,18 +73,7 @@ std::vector<Eigen::Vector2d> platformFit(const voxel::SolidVoxels& voxels, doubl
   if (corners.empty())
     throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate", {},
                       "drop it to the plate");
-  std::vector<Eigen::Vector2d> polygon = hull(corners);
-  if (marginMm == 0.0)
-    return polygon;
-  // Sum with a 16-gon about the disc of the margin.
-  std::vector<Eigen::Vector2d> widened;
-  const double radius = marginMm / std::cos(base::kPi / 16.0);
-  for (const Eigen::Vector2d& p : polygon)
-    for (int i = 0; i < 16; ++i) {
-      const double a = base::kPi * (2 * i + 1) / 16.0;
-      widened.emplace_back(p + radius * Eigen::Vector2d(std::cos(a), std::sin(a)));
-    }
-  return hull(std::move(widened));
+  return convexPolygon(std::move(corners), marginMm);
 }
 
 std::vector<Eigen::Vector2d> platformDisc(double diameterMm, const Eigen::Vector2d& centre) {

@@ -141,13 +141,18 @@ void checkPlatform(const std::string& platform) {
 }
 
 std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
-                                             const voxel::SolidVoxels& voxels) {
+                                             const voxel::SolidVoxels& voxels,
+                                             const std::vector<Eigen::Vector2d>& own) {
   const Platform p = parsedPlatform(platform);
   if (p.kind == "disc")
     return curved::platformDisc(p.width);
   if (p.kind == "rect")
     return curved::platformRect(p.width, p.depth);
-  return curved::platformFit(voxels, p.width);
+  return own.empty() ? curved::platformFit(voxels, p.width) : curved::convexPolygon(own, p.width);
+}
+
+double unitMm(const LoadedPart& loaded, const Choices& choices) {
+  return loaded.cells ? parameterValues(choices).number("voxelMm") : 1.0;
 }
 
 double parsedScale(const std::string& scale) {

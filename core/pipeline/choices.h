@@ -28,10 +28,17 @@ process::Process chosenProcess(const Choices& choices, const base::ParameterValu
 
 // Checks the text of --platform without a part. Throws Error{Usage} that names what there is.
 void checkPlatform(const std::string& platform);
-// The polygon of "fit", "fit:MARGIN", "disc:D" or "rect:WxD". Throws Error{Usage};
-// Error{UnusableInput} when nothing of the part stands on the plate.
+// The polygon of "fit", "fit:MARGIN", "disc:D" or "rect:WxD". `own`: the platform that the part
+// brought along, which "fit" then stands for; empty: none, and "fit" is the hull of what stands on
+// the plate. Throws Error{Usage}; Error{UnusableInput} when nothing of the part stands on the
+// plate.
 std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
-                                             const voxel::SolidVoxels& voxels);
+                                             const voxel::SolidVoxels& voxels,
+                                             const std::vector<Eigen::Vector2d>& own = {});
+
+// Millimetres that a unit of length of the loaded part's mesh stands for at scale 1: voxelMm for
+// a voxel object, else 1. Throws Error{Usage}: the parameters.
+double unitMm(const LoadedPart& loaded, const Choices& choices);
 
 // A number > 0, or "fit" (returns 0). Throws Error{Usage}.
 double parsedScale(const std::string& scale);

@@ -4,6 +4,7 @@
 #include "pipeline/content_hash.h"
 #include "pipeline/job.h"
 #include "pipeline/job_blocks.h"
+#include "voxel/voxel_text.h"
 
 #include <charconv>
 #include <cmath>
@@ -122,6 +123,7 @@ Diagnosis readDiagnosis(const Json& j) {
 void addLoaded(BlockWriter& out, const LoadedPart& part) {
   out.addText("source", Json{{"name", part.name},
                              {"repair", part.repair},
+                             {"cells", part.cells != nullptr},
                              {"mended", part.mesh != part.source},
                              {"readNotes", part.readNotes},
                              {"notes", part.notes},
@@ -130,6 +132,8 @@ void addLoaded(BlockWriter& out, const LoadedPart& part) {
                              {"readS", part.readS},
                              {"repairS", part.repairS}}
                             .dump(-1, ' ', false, Json::error_handler_t::replace));
+  if (part.cells)
+    out.addText("cells", voxel::writeVoxelText(*part.cells));
   addMesh(out, "source", *part.source);
   if (part.mesh != part.source)
     addMesh(out, "mended", *part.mesh);
@@ -150,8 +154,14 @@ std::shared_ptr<const LoadedPart> getLoaded(const BlockReader& in) {
   part->mesh = j.at("mended").get<bool>()
                    ? std::make_shared<geometry::TriangleMesh>(getMesh(in, "mended"))
                    : part->source;
-  part->units = geometry::guessUnits(*part->mesh);
-  part->hash = contentHash(*part->source);
+  if (j.value("cells", false)) {
+    const std::string text = in.text("cells");
+    part->cells = std::make_shared<voxel::VoxelObject>(voxel::readVoxelText(text, part->name));
+    part->hash = contentHash(text);
+  } else {
+    part->units = geometry::guessUnits(*part->mesh);
+    part->hash = contentHash(*part->source);
+  }
   return part;
 }
 

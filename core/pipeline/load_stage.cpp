@@ -1,13 +1,17 @@
 #include "pipeline/load_stage.h"
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/nearest_name.h"
 #include "base/stopwatch.h"
 #include "geometry/mesh_reader.h"
 #include "geometry/repair.h"
 #include "geometry/sample_part.h"
 #include "pipeline/content_hash.h"
+#include "voxel/voxel_text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace voluta::pipeline {
@@ -21,6 +25,14 @@ using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
 void mend(LoadedPart& part, const base::RunContext& ctx) {
   base::Stopwatch mending;
   part.notes = part.readNotes;
+  if (part.cells) {
+    part.mesh = part.source;
+    part.found = geometry::diagnose(*part.source, ctx);
+    part.found.selfIntersections = {}; // where cells only touch
+    part.remains.clear();
+    part.repairS = mending.seconds();
+    return;
+  }
   if (part.repair) {
     geometry::RepairResult repaired = geometry::repair(*part.source, ctx);
     part.notes.insert(part.notes.end(), repaired.repairs.begin(), repaired.repairs.end());
@@ -47,7 +59,19 @@ std::shared_ptr<const LoadedPart> mended(LoadedPart part, const base::RunContext
   mend(part, ctx);
   return std::make_shared<LoadedPart>(std::move(part));
 }
+void setCells(LoadedPart& part, std::shared_ptr<const voxel::VoxelObject> cells) {
+  part.source = std::make_shared<geometry::TriangleMesh>(voxel::surfaceOf(*cells));
+  part.hash = contentHash(voxel::writeVoxelText(*cells));
+  part.cells = std::move(cells);
+}
 } // namespace
+
+bool isVoxelText(const std::string& name, std::string_view bytes) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".txt" || ending == ".voxels" || voxel::looksLikeVoxelText(bytes);
+}
 
 std::vector<std::string> sampleNames() {
   return {"vase"};
@@ -65,6 +89,16 @@ std::shared_ptr<const LoadedPart> loadedFrom(std::string name, Mesh source,
   return mended(std::move(part), ctx);
 }
 
+std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
+                                             std::shared_ptr<const voxel::VoxelObject> cells,
+                                             bool repair, const base::RunContext& ctx) {
+  LoadedPart part;
+  part.name = std::move(name);
+  part.repair = repair;
+  setCells(part, std::move(cells));
+  return mended(std::move(part), ctx);
+}
+
 std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
                                            const base::RunContext& ctx) {
   base::Stopwatch reading;
@@ -78,12 +112,18 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
     loaded.name = name + ".stl";
     loaded.source = std::make_shared<geometry::TriangleMesh>(geometry::samplePart());
   } else {
-    geometry::MeshFile file = geometry::readMesh(std::filesystem::path(part));
+    const std::string bytes = base::readFile(part);
     loaded.name = std::filesystem::path(part).filename().string();
-    loaded.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
-    loaded.readNotes = std::move(file.repairs);
+    if (isVoxelText(part, bytes)) {
+      setCells(loaded, std::make_shared<voxel::VoxelObject>(voxel::readVoxelText(bytes, part)));
+    } else {
+      geometry::MeshFile file = geometry::readMesh(bytes, part);
+      loaded.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
+      loaded.readNotes = std::move(file.repairs);
+    }
   }
-  loaded.hash = contentHash(*loaded.source);
+  if (!loaded.cells)
+    loaded.hash = contentHash(*loaded.source);
   loaded.readS = reading.seconds();
   ctx.report(0.3, "repair");
   return mended(std::move(loaded), ctx.sub(0.3, 1.0));

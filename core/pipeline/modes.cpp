@@ -24,16 +24,18 @@ std::string curvedDecomposeKey(const ModeChoices& in) {
          parameterText(curved::curvedParameters(), in.values);
 }
 
-std::shared_ptr<const DecomposeStage> decomposeCurved(const geometry::TriangleMesh& part,
-                                                      const ModeChoices& in,
-                                                      const base::RunContext& ctx) {
+std::shared_ptr<const DecomposeStage>
+decomposeCurved(const LoadStage& placed, const ModeChoices& in, const base::RunContext& ctx) {
   auto stage = std::make_shared<DecomposeStage>();
   base::Stopwatch voxelising;
   ctx.report(0.0, "voxelise");
-  const voxel::SolidVoxels solid =
-      voxel::solidVoxels(part, in.values.number("voxelMm"), ctx.sub(0.0, 0.07));
+  const auto voxels = placed.voxels
+                          ? placed.voxels
+                          : std::make_shared<const voxel::SolidVoxels>(voxel::solidVoxels(
+                                *placed.part, in.values.number("voxelMm"), ctx.sub(0.0, 0.07)));
+  const voxel::SolidVoxels& solid = *voxels;
   stage->timings.voxelise = voxelising.seconds();
-  stage->platform = platformPolygon(in.choices.platform, solid);
+  stage->platform = platformPolygon(in.choices.platform, solid, placed.platform);
 
   curved::CurvedOptions growth;
   growth.growth = in.choices.growth;

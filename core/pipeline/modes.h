@@ -27,9 +27,9 @@ struct Mode {
   // What of the choices goes into each of the two stages, as text for their keys.
   std::string (*decomposeKey)(const ModeChoices&);
   std::string (*layersKey)(const ModeChoices&);
+  std::shared_ptr<const DecomposeStage> (*decompose)(const LoadStage& placed, const ModeChoices&,
+                                                     const base::RunContext&);
   // `part` is placed.
-  std::shared_ptr<const DecomposeStage> (*decompose)(const geometry::TriangleMesh& part,
-                                                     const ModeChoices&, const base::RunContext&);
   std::shared_ptr<const LayersStage> (*layers)(const DecomposeStage&,
                                                const geometry::TriangleMesh& part,
                                                const ModeChoices&, const base::RunContext&);

@@ -6,8 +6,10 @@
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"
 #include "robot/cell.h"
+#include "voxel/voxel_object.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace voluta::pipeline {
 
@@ -17,27 +19,73 @@ namespace {
 constexpr double kReachTiltRad = 1.75;
 
 // Largest scale <= 1 at which the ball about the part's box, standing on the plate, is in reach.
-double fittingScale(const geometry::TriangleMesh& mesh, const geometry::Placement& placement,
-                    const robot::Cell& cell) {
+double fittingScale(const geometry::TriangleMesh& mesh, double unit,
+                    const geometry::Placement& placement, const robot::Cell& cell) {
   geometry::Placement turned;
   turned.rotation = placement.rotation;
-  const Eigen::AlignedBox3d box = geometry::bounds(geometry::place(mesh, 1.0, turned));
+  const Eigen::AlignedBox3d box = geometry::bounds(geometry::place(mesh, unit, turned));
   const double radius = 0.5 * box.diagonal().norm();
   return std::min(1.0, robot::reachableBallRadius(cell, kReachTiltRad) / radius);
+}
+
+plan::Finding newCells(const std::string& why) {
+  plan::Finding finding;
+  finding.stage = "load";
+  finding.kind = "newCells";
+  finding.reason = "the voxel object is " + why + ": its surface is cut into new cells";
+  finding.remedy = "turn it by quarter turns and lift it by whole cells to keep its own";
+  finding.blocking = false;
+  return finding;
+}
+
+// The object's cells and platform where `stage.part` has come to lie.
+void placeCells(const LoadedPart& loaded, double pitch, const geometry::Placement& placement,
+                const base::RunContext& ctx, LoadStage& stage) {
+  const voxel::VoxelObject& object = *loaded.cells;
+  const Eigen::Matrix3d turn = placement.rotation.normalized().toRotationMatrix();
+  constexpr double kSame = 1e-6;
+  const Eigen::Matrix3d quarter = turn.array().round();
+  const double lift = placement.liftMm / pitch;
+  const bool turned = (turn - quarter).cwiseAbs().maxCoeff() > kSame;
+  const bool lifted = std::abs(lift - std::round(lift)) > kSame;
+  if (turned || lifted) {
+    stage.voxels =
+        std::make_shared<voxel::SolidVoxels>(voxel::solidVoxels(*stage.part, pitch, ctx));
+    stage.findings.push_back(newCells(turned ? "turned by other than quarter turns"
+                                             : "lifted by other than whole cells"));
+  } else {
+    stage.voxels = std::make_shared<voxel::SolidVoxels>(
+        voxel::solidVoxels(object, quarter.cast<int>(), pitch, placement.centreMm,
+                           static_cast<int>(std::lround(lift))));
+  }
+  if (turn(2, 2) < 1.0 - kSame)
+    return;
+  const Eigen::Vector3d origin =
+      stage.part->vertices[0] - pitch * (turn * loaded.mesh->vertices[0]);
+  std::vector<Eigen::Vector2d> corners;
+  for (const auto& [i, j] : object.platform)
+    for (int c = 0; c < 4; ++c)
+      corners.push_back(
+          (origin + pitch * (turn * Eigen::Vector3d(i + c % 2, j + c / 2, 0.0))).head<2>());
+  stage.platform = curved::convexPolygon(std::move(corners), 0.0);
 }
 } // namespace
 
 std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choices& choices,
-                                           const process::Process& process) {
+                                           const process::Process& process,
+                                           const base::RunContext& ctx) {
   auto stage = std::make_shared<LoadStage>();
+  const double unit = unitMm(loaded, choices);
   const double wanted = parsedScale(choices.scale);
   stage->scale =
       wanted > 0.0
           ? wanted
-          : fittingScale(*loaded.mesh, choices.placement,
+          : fittingScale(*loaded.mesh, unit, choices.placement,
                          robot::loadCell(choices.cell, process, curved::platformDisc(80.0)));
   stage->part = std::make_shared<geometry::TriangleMesh>(
-      geometry::place(*loaded.mesh, stage->scale, choices.placement));
+      geometry::place(*loaded.mesh, stage->scale * unit, choices.placement));
+  if (loaded.cells)
+    placeCells(loaded, stage->scale * unit, choices.placement, ctx, *stage);
   const geometry::Diagnosis diagnosis = geometry::diagnose(*stage->part);
   stage->report.scale = stage->scale;
   stage->report.triangles = stage->part->triangles.size();

@@ -76,7 +76,9 @@ private:
   }
 
   bool load() {
-    const auto stage = taken<LoadStage>([&] { return loadStage(*loaded_, choices_, *process_); });
+    placed_ = taken<LoadStage>(
+        [&] { return loadStage(*loaded_, choices_, *process_, ctx_.sub(0.0, 0.03)); });
+    const auto& stage = placed_;
     job().scale = stage->scale;
     job().part = stage->part;
     report().model = stage->report;
@@ -85,14 +87,16 @@ private:
     Timings timings = stage->timings;
     timings.load = loaded_->readS;
     timings.repair = loaded_->repairS;
-    return done(Stage::Load, remainingDefects(*loaded_), timings);
+    plan::Findings findings = remainingDefects(*loaded_);
+    findings.insert(findings.end(), stage->findings.begin(), stage->findings.end());
+    return done(Stage::Load, findings, timings);
   }
 
   ModeChoices modeChoices() const { return {choices_, values_, *process_}; }
 
   bool decompose() {
     decomposed_ = taken<DecomposeStage>([&] {
-      return findMode(choices_.mode).decompose(*job().part, modeChoices(), ctx_.sub(0.03, 0.22));
+      return findMode(choices_.mode).decompose(*placed_, modeChoices(), ctx_.sub(0.03, 0.22));
     });
     job().platform = decomposed_->platform;
     job().decomposition = decomposed_->decomposition;
@@ -184,6 +188,7 @@ private:
   base::ParameterValues values_;
   std::shared_ptr<const process::Process> process_;
   std::shared_ptr<const LoadedPart> loaded_;
+  std::shared_ptr<const LoadStage> placed_;
   std::shared_ptr<const DecomposeStage> decomposed_;
   StageKeys keys_;
   PlanResult result_;

@@ -60,7 +60,9 @@ void seedCache(StageCache& cache, const Job& job) {
     firstFinding += record.findings;
     stage->report = report;
     stage->timings = record.timings;
-    if (*job.reached >= T::kStage && !record.key.empty())
+    // A voxel object's placed cells are not in the file: they are soon made again.
+    const bool whole = T::kStage != Stage::Load || !job.loaded || !job.loaded->cells;
+    if (whole && *job.reached >= T::kStage && !record.key.empty())
       cache.keep<T>(record.key, stage);
   };
   auto load = std::make_shared<LoadStage>();

@@ -51,6 +51,8 @@ std::string loadText(const LoadedPart& loaded, const Choices& c, const process::
   std::string text =
       fmt::format("mesh {}\nmended {}\nrotation {} {} {} {}\ncentre {} {}\nlift {}\n", loaded.hash,
                   mended, q[3], q[0], q[1], q[2], p.centreMm.x(), p.centreMm.y(), p.liftMm);
+  if (loaded.cells)
+    text += fmt::format("cells of {} mm\n", unitMm(loaded, c));
   const double scale = parsedScale(c.scale);
   if (scale > 0.0)
     return text + fmt::format("scale {}\n", scale);

@@ -16,6 +16,7 @@
 #include "plan/trajectory.h"
 #include "process/process.h"
 #include "robot/cell.h"
+#include "voxel/solid_voxels.h"
 
 #include <cstdint>
 #include <memory>
@@ -28,7 +29,12 @@ struct LoadStage {
   static constexpr Stage kStage = Stage::Load;
   double scale = 1.0;
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
-  ModelReport report;                                 // but for what names the file and its repairs
+  // Of a text voxel object; null and empty for a mesh.
+  std::shared_ptr<const voxel::SolidVoxels> voxels; // its cells, placed like `part`
+  std::vector<Eigen::Vector2d> platform; // hull of its own platform cells, work frame; empty where
+                                         // it was tipped over
+  ModelReport report;                    // but for what names the file and its repairs
+  plan::Findings findings;               // of the placement
   Timings timings;
 };
 
@@ -89,9 +95,13 @@ struct CheckedProgram {
 std::vector<TextLine> linesOfPoints(const CheckedProgram& program,
                                     const plan::Trajectory& trajectory);
 
-// The loaded mesh turned, scaled and put where it is to lie. Throws Error{Usage}: the scale.
+// The loaded part turned, scaled and put where it is to lie. A voxel object's cells are voxelMm
+// times the scale wide and stay as they are where it is turned by quarter turns and lifted by whole
+// cells; elsewhere its surface is cut into new cells, which is told. Throws Error{Usage}: the
+// scale; Cancelled.
 std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choices& choices,
-                                           const process::Process& process);
+                                           const process::Process& process,
+                                           const base::RunContext& ctx = {});
 // Defects that could not be mended, as findings.
 plan::Findings remainingDefects(const LoadedPart& loaded);
 

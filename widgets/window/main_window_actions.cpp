@@ -310,7 +310,7 @@ void MainWindow::showRecent() {
 void MainWindow::chooseFile() {
   const QString file = QFileDialog::getOpenFileName(
       this, tr("Open"), QSettings().value("open/folder").toString(),
-      tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.voluta);;All files (*)"));
+      tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;All files (*)"));
   if (file.isEmpty())
     return;
   QSettings().setValue("open/folder", QFileInfo(file).absolutePath());

@@ -69,10 +69,11 @@ void Presenter::drawSource() {
   if (document_.result(Stage::Load) && document_.upToDate(Stage::Load))
     return;
   const double wanted = pipeline::parsedScale(document_.choices().scale);
+  const double unit = pipeline::unitMm(*source, document_.choices());
   const geometry::Placement placement = document_.choices().placement;
   prepare(
       Part,
-      [source, placement, scale = wanted > 0.0 ? wanted : 1.0] {
+      [source, placement, scale = unit * (wanted > 0.0 ? wanted : 1.0)] {
         geometry::TriangleMesh placed = geometry::place(*source->mesh, scale, placement);
         return std::pair(scene::drawPart(placed), geometry::bounds(placed));
       },
