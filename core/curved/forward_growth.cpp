@@ -265,6 +265,11 @@ base::ParameterTable forwardParameters() {
                             "Voxels on the front",
                             "The sources' schemes: whether a voxel that lies exactly on the convex "
                             "front can still be laid (outside) or is cut off by it (inside)."),
+      base::choiceParameter("growthSacrifice", "layer", {"layer", "least"}, "Layers",
+                            "Where nothing is safe",
+                            "Growth incremental, adaptive, guided: where every voxel of a layer "
+                            "would cut others off, lay all of it as the source does (layer) or "
+                            "only what cuts off fewest (least)."),
   });
 }
 
@@ -275,6 +280,8 @@ ForwardOptions forwardOptions(const base::ParameterValues& values) {
       values.text("growthQueue") == "insertion" ? QueueOrder::Insertion : QueueOrder::Flooding;
   options.boundary =
       values.text("growthBoundary") == "inside" ? Boundary::Inside : Boundary::Outside;
+  options.sacrifice =
+      values.text("growthSacrifice") == "least" ? Sacrifice::Least : Sacrifice::Layer;
   return options;
 }
 

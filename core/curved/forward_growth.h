@@ -64,11 +64,16 @@ struct ForwardGrowth {
 //   than is shadowed already. The threshold counts from there, for each layer anew; a count of all
 //   that was ever shadowed would end prevention once it is reached.
 // - Flooding starts from the layer's first voxel instead of a random one.
-// - Where no voxel of a layer is safe, it is laid whole and what it shadows is lost, as printed.
+// - Where no voxel of a layer is safe, it is laid whole and what it shadows is lost, as printed
+//   (Sacrifice::Layer). Guided first lets go on what its field still holds back: only where nothing
+//   at all is safe is something lost.
+// - Algorithm 2 tests one voxel after the other with a hull from scratch; the same answers come
+// from
+//   one hull that keeps, facet by facet, the voxels it must not swallow (incremental_front.h).
 ForwardGrowth forwardGrowth(const VoxelGraph& graph, ForwardScheme scheme,
                             const ForwardOptions& options, const base::RunContext& ctx);
 
-// growthIsp, growthQueue, growthBoundary: ForwardOptions for a user.
+// growthIsp, growthQueue, growthBoundary, growthSacrifice: ForwardOptions for a user.
 base::ParameterTable forwardParameters();
 // From values over a table that has them.
 ForwardOptions forwardOptions(const base::ParameterValues& values);

@@ -1,12 +1,11 @@
 #include "curved/peeling_field.h"
 
+#include "base/error.h"
 #include "curved/convex_front.h"
 
 namespace voluta::curved {
 
 std::vector<std::int32_t> peelingField(const VoxelGraph& graph, const base::RunContext& ctx) {
-  // A bit less than the half itself, which does not count as near.
-  constexpr double kSheet = 0.5 - 1e-6;
   ConvexFront front(graph);
   for (std::size_t v = 0; v < graph.size(); ++v)
     front.insert(v);
@@ -14,7 +13,8 @@ std::vector<std::int32_t> peelingField(const VoxelGraph& graph, const base::RunC
   for (std::int32_t round = 1; front.count() > 0; ++round) {
     front.rebuild();
     front.nearSurface(
-        kSheet, [](std::size_t) { return true; }, sheet);
+        0.0, [](std::size_t) { return true; }, sheet);
+    base::require(!sheet.empty(), "peelingField: a platform with an area");
     for (const std::int32_t v : sheet) {
       peeled[static_cast<std::size_t>(v)] = round;
       front.remove(static_cast<std::size_t>(v));

@@ -11,9 +11,11 @@
 namespace voluta::curved {
 
 // F of algorithm 4 per voxel: 1 for what is peeled first, and so on without gaps. Each round takes
-// all voxels whose centre lies less than half a cell from the boundary of the hull of the platform
-// and what is left; so the front passes through every voxel of a sheet, and what stands on the
-// platform is not taken from below. Support is ignored: sheets may cut a part in pieces.
+// all voxels whose centre lies on the boundary of the hull of the platform and what is left:
+// definition 2 with the same epsilon -> 0 for which a voxel on the front may still be laid, so that
+// a sheet is what growth can lay at once when the rest stands. Thicker sheets (half a cell, a cell)
+// make the growth that follows them shadow more, and take the foot of a part from below. Support is
+// ignored: sheets may cut a part in pieces.
 //
 // Growth follows the inverse field, 1 + max F - F (eq. 3.1); algorithm 4 as printed counts one more
 // than the largest F there. Throws Cancelled.

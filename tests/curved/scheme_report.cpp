@@ -1,5 +1,5 @@
 // scheme_report [--voxels N] [--scheme S] [--isp N] [--queue flooding|insertion]
-// [--boundary outside|inside] [--step N] [--no-check] STL...
+// [--boundary outside|inside] [--sacrifice layer|least] [--step N] [--no-check] STL...
 // Prints what the sources' growth schemes do on real parts, judged by the tests' own checker.
 #include "base/stopwatch.h"
 #include "curved/forward_growth.h"
@@ -54,7 +54,6 @@ int main(int argc, char** argv) try {
   std::string only;
   std::vector<std::string> files;
   base::ParameterValues values(curved::forwardParameters());
-  curved::Sacrifice sacrifice = curved::Sacrifice::Layer;
   int step = 1;
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
@@ -71,8 +70,8 @@ int main(int argc, char** argv) try {
       values.set("growthBoundary", next());
     else if (arg == "--step")
       step = std::stoi(next());
-    else if (arg == "--least")
-      sacrifice = curved::Sacrifice::Least;
+    else if (arg == "--sacrifice")
+      values.set("growthSacrifice", next());
     else if (arg == "--no-check")
       check = false;
     else
@@ -80,7 +79,6 @@ int main(int argc, char** argv) try {
   }
   curved::ForwardOptions options = curved::forwardOptions(values);
   options.fieldStep = step;
-  options.sacrifice = sacrifice;
   const base::RunContext ctx(base::CancelToken{}, 1);
   constexpr std::pair<const char*, curved::ForwardScheme> kSchemes[] = {
       {"greedy", curved::ForwardScheme::Greedy},
