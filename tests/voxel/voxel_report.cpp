@@ -5,6 +5,7 @@
 #include "geometry/mesh_reader.h"
 #include "voxel/containment.h"
 #include "voxel/solid_voxels.h"
+#include "voxel/wall_thickness.h"
 
 #include <cmath>
 #include <cstdio>
@@ -67,6 +68,12 @@ int main(int argc, char** argv) try {
                 "outside, of %zu far off %zu in cells\n",
                 found.surface, found.surfaceOutside, found.deepestMm, found.inside,
                 found.insideOutside, found.far, found.farInCells);
+    const base::Stopwatch watch;
+    const std::vector<voxel::ThinPlace> thin = voxel::thinPlaces(mesh, width, ctx);
+    std::printf("  %zu places thinner than a voxel, found in %.3f s", thin.size(), watch.seconds());
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, thin.size()); ++i)
+      std::printf("%s %.2f mm over %.1f mm2", i == 0 ? ":" : ",", thin[i].usualMm, thin[i].areaMm2);
+    std::printf("\n");
   }
   return 0;
 } catch (const std::exception& e) {

@@ -1,0 +1,52 @@
+#include "base/memory.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+
+namespace voluta::base {
+
+namespace {
+constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
+
+std::string textOf(const char* file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// "max" and a file that is not there: unknown.
+std::uint64_t numberIn(const char* file) {
+  const std::string text = textOf(file);
+  std::uint64_t value = 0;
+  return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc{}
+             ? value
+             : kUnknown;
+}
+} // namespace
+
+std::uint64_t kibibytesOf(std::string_view text, std::string_view key) {
+  const std::size_t at = text.find(key);
+  if (at == std::string_view::npos)
+    return 0;
+  const std::size_t digits = text.find_first_of("0123456789", at + key.size());
+  const std::size_t end = text.find('\n', at);
+  if (digits == std::string_view::npos || digits > end)
+    return 0;
+  std::uint64_t value = 0;
+  std::from_chars(text.data() + digits, text.data() + text.size(), value);
+  return 1024 * value;
+}
+
+std::uint64_t availableMemory() {
+  const std::uint64_t free = kibibytesOf(textOf("/proc/meminfo"), "MemAvailable:");
+  const std::uint64_t limit = numberIn("/sys/fs/cgroup/memory.max");
+  const std::uint64_t used = numberIn("/sys/fs/cgroup/memory.current");
+  const std::uint64_t left =
+      limit == kUnknown || used == kUnknown ? kUnknown : limit - std::min(limit, used);
+  return std::min(free == 0 ? kUnknown : free, left);
+}
+
+} // namespace voluta::base

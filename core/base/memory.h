@@ -1,0 +1,16 @@
+// How much memory the machine can still give.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace voluta::base {
+
+// Bytes that can be taken without swapping: what the kernel calls available, or what the control
+// group of this process leaves, if that is less. The largest number where neither is known.
+std::uint64_t availableMemory();
+
+// The number after `key` in text like that of /proc/meminfo, times 1024; 0: not there.
+std::uint64_t kibibytesOf(std::string_view text, std::string_view key);
+
+} // namespace voluta::base

@@ -1,0 +1,66 @@
+#include "voxel/voxel_demand.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace voluta::voxel {
+
+namespace {
+struct Measures {
+  Eigen::Vector3d sides;
+  double volume = 0.0, shell = 0.0; // shell: area as seen along the axes, all three together
+
+  VoxelDemand demand(double pitch) const {
+    VoxelDemand demand;
+    demand.cells = ((sides / pitch).array() + 2.5).prod();
+    demand.voxels =
+        std::min(demand.cells, volume / std::pow(pitch, 3) + 0.5 * shell / (pitch * pitch));
+    return demand;
+  }
+};
+
+Measures measuresOf(const geometry::TriangleMesh& mesh) {
+  Measures m;
+  m.sides = geometry::bounds(mesh).sizes();
+  m.volume = std::abs(geometry::volume(mesh));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    m.shell += geometry::triangleArea(mesh, t) * geometry::triangleNormal(mesh, t).lpNorm<1>();
+  return m;
+}
+
+std::string readable(double bytes) {
+  return bytes >= 1e9 ? fmt::format("{:.1f} GB", bytes / 1e9)
+                      : fmt::format("{:.0f} MB", bytes / 1e6);
+}
+} // namespace
+
+VoxelDemand voxelDemand(const geometry::TriangleMesh& mesh, double pitch) {
+  base::require(pitch > 0.0 && !mesh.empty(), "voxelDemand: pitch > 0, a mesh");
+  return measuresOf(mesh).demand(pitch);
+}
+
+void checkVoxelDemand(const geometry::TriangleMesh& mesh, double pitch,
+                      std::uint64_t availableBytes) {
+  base::require(pitch > 0.0 && !mesh.empty(), "checkVoxelDemand: pitch > 0, a mesh");
+  const Measures measures = measuresOf(mesh);
+  const auto available = static_cast<double>(availableBytes);
+  const double needed = measures.demand(pitch).bytes();
+  if (needed <= available)
+    return;
+  double low = pitch, high = 2.0 * std::max(pitch, measures.sides.maxCoeff());
+  for (int i = 0; i < 60; ++i) {
+    const double middle = std::sqrt(low * high);
+    (measures.demand(middle).bytes() <= available ? high : low) = middle;
+  }
+  throw base::Error(base::ErrorCode::Usage,
+                    fmt::format("voxels of {:g} mm need about {} of memory, {} are free", pitch,
+                                readable(needed), readable(available)),
+                    "voxelMm",
+                    fmt::format("use at least {:g} mm", std::ceil(100.0 * high) / 100.0));
+}
+
+} // namespace voluta::voxel

@@ -1,0 +1,28 @@
+// What a voxel width would cost, told before anything is made.
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+#include <cstdint>
+
+namespace voluta::voxel {
+
+// Of growth, field and front together, as measured on solid parts and shells from 100,000 to
+// 5,000,000 voxels.
+inline constexpr double kBytesPerCell = 32.0, kBytesPerVoxel = 400.0;
+
+struct VoxelDemand {
+  double cells = 0.0, voxels = 0.0; // of the grid; solid
+  double bytes() const { return kBytesPerCell * cells + kBytesPerVoxel * voxels; }
+};
+
+// About what solidVoxels(mesh, pitch) will make: the mesh's volume and half a voxel on its surface.
+// Preconditions (Error{Internal}): pitch > 0, mesh not empty.
+VoxelDemand voxelDemand(const geometry::TriangleMesh& mesh, double pitch);
+
+// Throws Error{Usage}, which names the least width that fits, when curved mode needs more than
+// `availableBytes` at this pitch. Preconditions as above.
+void checkVoxelDemand(const geometry::TriangleMesh& mesh, double pitch,
+                      std::uint64_t availableBytes);
+
+} // namespace voluta::voxel
