@@ -5,7 +5,7 @@
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"
 #include "pipeline/choices.h"
-#include "voxel/solid_voxels.h"
+#include "pipeline/part_voxels.h"
 
 #include <fmt/format.h>
 
@@ -29,11 +29,8 @@ decomposeCurved(const LoadStage& placed, const ModeChoices& in, const base::RunC
   auto stage = std::make_shared<DecomposeStage>();
   base::Stopwatch voxelising;
   ctx.report(0.0, "voxelise");
-  const auto voxels = placed.voxels
-                          ? placed.voxels
-                          : std::make_shared<const voxel::SolidVoxels>(voxel::solidVoxels(
-                                *placed.part, in.values.number("voxelMm"), ctx.sub(0.0, 0.07)));
-  const voxel::SolidVoxels& solid = *voxels;
+  PartVoxels part = partVoxels(placed, in.values.number("voxelMm"), ctx.sub(0.0, 0.07));
+  const voxel::SolidVoxels& solid = *part.voxels;
   stage->timings.voxelise = voxelising.seconds();
   stage->platform = platformPolygon(in.choices.platform, solid, placed.platform);
 
@@ -56,7 +53,8 @@ decomposeCurved(const LoadStage& placed, const ModeChoices& in, const base::RunC
   r.shadowedVoxels = d.shadowedVoxels;
   r.unreachedVoxels = d.unreachedVoxels;
   r.pieces = 1;
-  stage->findings = d.findings;
+  stage->findings = std::move(part.findings);
+  stage->findings.insert(stage->findings.end(), d.findings.begin(), d.findings.end());
   stage->timings.peel = d.seconds.peel;
   stage->timings.grow = d.seconds.grow;
   stage->timings.smooth = d.seconds.smooth;

@@ -1,0 +1,72 @@
+#include "pipeline/part_voxels.h"
+
+#include "base/memory.h"
+#include "voxel/voxel_demand.h"
+#include "voxel/wall_thickness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace voluta::pipeline {
+
+namespace {
+constexpr std::size_t kTold = 5;
+constexpr double kLeastVoxelMm = 0.1; // of the parameter voxelMm
+
+std::string remedyFor(double thicknessMm) {
+  const double fits = std::floor(100.0 * thicknessMm) / 100.0;
+  return fits < kLeastVoxelMm ? fmt::format("thicken the wall to {:g} mm or more", kLeastVoxelMm)
+                              : fmt::format("a voxel width of at most {:g} mm", fits);
+}
+
+plan::Finding findingOf(const voxel::ThinPlace& place, double voxelMm) {
+  plan::Finding finding;
+  finding.stage = "decompose";
+  finding.kind = "thinWalls";
+  finding.where = place.at;
+  finding.count = place.facets;
+  finding.reason = fmt::format("a wall {:.2f} mm thick ({:.2f} mm at its thinnest) is thinner than "
+                               "a voxel of {:g} mm",
+                               place.usualMm, place.leastMm, voxelMm);
+  finding.remedy = remedyFor(place.usualMm);
+  finding.blocking = false;
+  return finding;
+}
+} // namespace
+
+PartVoxels partVoxels(const LoadStage& placed, double voxelMm, const base::RunContext& ctx) {
+  if (placed.voxels)
+    return {placed.voxels, {}};
+  voxel::checkVoxelDemand(*placed.part, voxelMm, base::availableMemory());
+  PartVoxels out;
+  out.voxels = std::make_shared<voxel::SolidVoxels>(
+      voxel::solidVoxels(*placed.part, voxelMm, ctx.sub(0.0, 0.5)));
+  out.findings = thinWallFindings(*placed.part, voxelMm, ctx.sub(0.5, 1.0));
+  return out;
+}
+
+plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxelMm,
+                                const base::RunContext& ctx) {
+  const std::vector<voxel::ThinPlace> places = voxel::thinPlaces(part, voxelMm, ctx);
+  plan::Findings findings;
+  for (std::size_t p = 0; p < std::min(kTold, places.size()); ++p)
+    findings.push_back(findingOf(places[p], voxelMm));
+  if (places.size() <= kTold)
+    return findings;
+  plan::Finding rest = findingOf(places[kTold], voxelMm);
+  double thinnest = places[kTold].usualMm;
+  rest.count = 0;
+  for (std::size_t p = kTold; p < places.size(); ++p) {
+    rest.count += places[p].facets;
+    thinnest = std::min(thinnest, places[p].usualMm);
+  }
+  rest.reason = fmt::format("{} smaller places are thinner than a voxel of {:g} mm; this is the "
+                            "largest, the thinnest is {:.2f} mm thick",
+                            places.size() - kTold, voxelMm, thinnest);
+  rest.remedy = remedyFor(thinnest);
+  findings.push_back(rest);
+  return findings;
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,28 @@
+// A part's voxels, and what can be said of them before they are grown.
+#pragma once
+
+#include "base/run_context.h"
+#include "geometry/triangle_mesh.h"
+#include "pipeline/stages.h"
+#include "plan/finding.h"
+#include "voxel/solid_voxels.h"
+
+#include <memory>
+
+namespace voluta::pipeline {
+
+// A voxel object's own cells, or those of the placed mesh, voxelMm > 0 wide. Findings: walls of the
+// mesh that are thinner than that. Throws Error{Usage} that names a width that fits where memory
+// would not do; as voxel::solidVoxels(); Cancelled.
+struct PartVoxels {
+  std::shared_ptr<const voxel::SolidVoxels> voxels;
+  plan::Findings findings;
+};
+PartVoxels partVoxels(const LoadStage& placed, double voxelMm, const base::RunContext& ctx);
+
+// Places whose walls are thinner than a voxel of `voxelMm`: five findings at most for the largest,
+// and one for the rest. None of them blocks. Precondition: voxelMm > 0. Throws Cancelled.
+plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxelMm,
+                                const base::RunContext& ctx);
+
+} // namespace voluta::pipeline
