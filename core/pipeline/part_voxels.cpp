@@ -15,7 +15,7 @@ constexpr std::size_t kTold = 5;
 constexpr double kLeastVoxelMm = 0.1; // of the parameter voxelMm
 
 std::string remedyFor(double thicknessMm) {
-  const double fits = std::floor(100.0 * thicknessMm) / 100.0;
+  const double fits = std::floor(100.0 * thicknessMm + 1e-6) / 100.0;
   return fits < kLeastVoxelMm ? fmt::format("thicken the wall to {:g} mm or more", kLeastVoxelMm)
                               : fmt::format("a voxel width of at most {:g} mm", fits);
 }
@@ -36,8 +36,10 @@ plan::Finding findingOf(const voxel::ThinPlace& place, double voxelMm) {
 } // namespace
 
 PartVoxels partVoxels(const LoadStage& placed, double voxelMm, const base::RunContext& ctx) {
-  if (placed.voxels)
+  if (placed.voxels) {
+    voxel::checkVoxelDemand(*placed.voxels, base::availableMemory());
     return {placed.voxels, {}};
+  }
   voxel::checkVoxelDemand(*placed.part, voxelMm, base::availableMemory());
   PartVoxels out;
   out.voxels = std::make_shared<voxel::SolidVoxels>(

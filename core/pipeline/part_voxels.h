@@ -12,8 +12,8 @@
 namespace voluta::pipeline {
 
 // A voxel object's own cells, or those of the placed mesh, voxelMm > 0 wide. Findings: walls of the
-// mesh that are thinner than that. Throws Error{Usage} that names a width that fits where memory
-// would not do; as voxel::solidVoxels(); Cancelled.
+// mesh that are thinner than that. Throws as voxel::checkVoxelDemand() where memory would not
+// do, and as voxel::solidVoxels(); Cancelled.
 struct PartVoxels {
   std::shared_ptr<const voxel::SolidVoxels> voxels;
   plan::Findings findings;

@@ -63,4 +63,17 @@ void checkVoxelDemand(const geometry::TriangleMesh& mesh, double pitch,
                     fmt::format("use at least {:g} mm", std::ceil(100.0 * high) / 100.0));
 }
 
+void checkVoxelDemand(const SolidVoxels& voxels, std::uint64_t availableBytes) {
+  const VoxelDemand demand{static_cast<double>(voxels.grid.cellCount()),
+                           static_cast<double>(voxels.count)};
+  const auto available = static_cast<double>(availableBytes);
+  if (demand.bytes() > available)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      fmt::format("{} voxels in a grid of {} cells need about {} of memory, {} are "
+                                  "free",
+                                  voxels.count, voxels.grid.cellCount(), readable(demand.bytes()),
+                                  readable(available)),
+                      {}, "make the object of fewer and larger cells");
+}
+
 } // namespace voluta::voxel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
+#include "voxel/solid_voxels.h"
 
 #include <cstdint>
 
@@ -24,5 +25,8 @@ VoxelDemand voxelDemand(const geometry::TriangleMesh& mesh, double pitch);
 // `availableBytes` at this pitch. Preconditions as above.
 void checkVoxelDemand(const geometry::TriangleMesh& mesh, double pitch,
                       std::uint64_t availableBytes);
+
+// The same for cells that are there; Error{UnusableInput}.
+void checkVoxelDemand(const SolidVoxels& voxels, std::uint64_t availableBytes);
 
 } // namespace voluta::voxel

@@ -47,7 +47,8 @@ void measureFacet(const geometry::TriangleMesh& mesh, const geometry::MeshQuery&
                         v = (mesh.corner(t, 2) - a) / n;
   const auto measure = [&](double x, double y) {
     const Eigen::Vector3d at = a + x * u + y * v;
-    const Eigen::Vector3d from = at - 1e-4 * width * normal, to = at - width * normal;
+    const Eigen::Vector3d from = at - 1e-4 * width * normal,
+                          to = at - (1.0 - 1e-3) * width * normal;
     const auto hit = query.firstHit(from, to);
     if (!hit || normal.dot(geometry::triangleNormal(
                     mesh, static_cast<std::size_t>(hit->triangle))) > kFacing)

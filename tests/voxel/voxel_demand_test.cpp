@@ -47,6 +47,13 @@ TEST(VoxelDemand, TooSmallAWidthIsToldWithOneThatFits) {
   }
 }
 
+TEST(VoxelDemand, CellsThatAreThereAreCountedAsTheyAre) {
+  const SolidVoxels made = solidVoxels(test::box({0, 0, 0}, {8, 8, 8}), 1.0, base::RunContext{});
+  const auto needed = static_cast<std::uint64_t>(1000 * kBytesPerCell + 512 * kBytesPerVoxel);
+  EXPECT_NO_THROW(checkVoxelDemand(made, needed));
+  EXPECT_THROW(checkVoxelDemand(made, needed - 1), base::Error);
+}
+
 TEST(AvailableMemory, IsSomethingAndReadsTheKernelsText) {
   EXPECT_GT(base::availableMemory(), 1'000'000u);
   EXPECT_EQ(base::kibibytesOf("MemFree: 7 kB\nMemAvailable:   12 kB\n", "MemAvailable:"), 12288u);
