@@ -13,6 +13,25 @@ namespace {
 constexpr std::size_t kBlock = 8;
 constexpr double kNowhere = std::numeric_limits<double>::max();
 
+// The lattice point nearest to the middle of the lowest and the highest of the points.
+LatticePoint between(const std::vector<LatticePoint>& points) {
+  const auto [low, high] = std::minmax_element(
+      points.begin(), points.end(),
+      [](const LatticePoint& a, const LatticePoint& b) { return a.z() < b.z(); });
+  LatticePoint middle = LatticePoint::Zero();
+  for (const double z : {low->z(), high->z()}) {
+    LatticePoint sum = LatticePoint::Zero();
+    double n = 0.0;
+    for (const LatticePoint& p : points)
+      if (p.z() == z) {
+        sum += p;
+        n += 1.0;
+      }
+    middle += 0.5 / n * sum;
+  }
+  return middle.array().round();
+}
+
 } // namespace
 
 std::int32_t IncrementalFront::newFacet(const std::array<std::int32_t, 3>& corner,
@@ -58,6 +77,13 @@ void IncrementalFront::build(const std::vector<std::int32_t>& corners) {
     for (std::size_t s = 0; s < 3; ++s)
       facetOfSide[{c[s], c[(s + 1) % 3]}] = f;
   }
+  hint_ = 0;
+  // Inside now is inside for ever.
+  if (!empty())
+    heart_ = between(at);
+  hasHeart_ = !empty();
+  for (std::size_t f = 0; f < facets_.size() && hasHeart_; ++f)
+    hasHeart_ = distance(static_cast<std::int32_t>(f), heart_) < 0.0;
   for (const auto& [side, f] : facetOfSide) {
     Facet& facet = facets_[static_cast<std::size_t>(f)];
     for (std::size_t s = 0; s < 3; ++s)
@@ -66,23 +92,45 @@ void IncrementalFront::build(const std::vector<std::int32_t>& corners) {
   }
 }
 
+// The ray from the heart through p leaves the hull through one facet (or an edge of two), and p is
+// outside when it is in front of that. Walking there from facet to facet, always over a side that
+// has p beyond it, takes a few steps from where the last point was.
 std::int32_t IncrementalFront::facetBefore(std::int32_t p, double above) const {
-  const LatticePoint at = point(p);
-  if (static_cast<std::size_t>(hint_) < facets_.size() && distance(hint_, at) > above)
-    return hint_;
-  const double x = at.x(), y = at.y(), z = at.z();
-  for (std::size_t b = 0; b < nx_.size(); b += kBlock) {
-    int before = 0;
-    for (std::size_t f = b; f < b + kBlock; ++f)
-      before += nx_[f] * x + ny_[f] * y + nz_[f] * z - offset_[f] > above;
-    if (before == 0)
-      continue;
-    for (std::size_t f = b; f < b + kBlock; ++f)
-      if (nx_[f] * x + ny_[f] * y + nz_[f] * z - offset_[f] > above) {
-        hint_ = static_cast<std::int32_t>(f);
-        return hint_;
-      }
+  constexpr int kMostSteps = 300;
+  const LatticePoint& at = point(p);
+  std::int32_t f = hint_, from = -1;
+  for (int step = 0; hasHeart_ && step < kMostSteps; ++step) {
+    if (distance(f, at) > above) {
+      hint_ = f;
+      return f;
+    }
+    const Facet& facet = facets_[static_cast<std::size_t>(f)];
+    std::int32_t next = -1;
+    for (std::size_t i = 0; i < 3 && next < 0; ++i) {
+      const std::size_t s = (i + static_cast<std::size_t>(step)) % 3;
+      if (facet.neighbour[s] == from)
+        continue;
+      const Eigen::Vector3d a = point(facet.corner[s]) - heart_;
+      const Eigen::Vector3d b = point(facet.corner[(s + 1) % 3]) - heart_;
+      if (a.cross(b).dot(at - heart_) < 0.0)
+        next = facet.neighbour[s];
+    }
+    if (next < 0) {
+      hint_ = f;
+      return -1;
+    }
+    from = f;
+    f = next;
   }
+  return anyFacetBefore(at, above);
+}
+
+std::int32_t IncrementalFront::anyFacetBefore(const LatticePoint& at, double above) const {
+  for (std::size_t f = 0; f < nx_.size(); ++f)
+    if (distance(static_cast<std::int32_t>(f), at) > above) {
+      hint_ = static_cast<std::int32_t>(f);
+      return hint_;
+    }
   return -1;
 }
 
@@ -196,6 +244,7 @@ void IncrementalFront::add(std::int32_t p, std::vector<std::int32_t>& swallowed)
       if (beyond.corner[s] == side.to)
         beyond.neighbour[s] = made_[i];
   }
+  hint_ = made_.front();
   for (const std::int32_t f : visible_) {
     const auto slot = static_cast<std::size_t>(f);
     for (std::int32_t g = facets_[slot].firstGuard; g >= 0;) {

@@ -74,6 +74,7 @@ private:
   }
   // A facet with p further in front than `above`, -1: none.
   std::int32_t facetBefore(std::int32_t p, double above) const;
+  std::int32_t anyFacetBefore(const LatticePoint& at, double above) const;
   // Finds what p sees: visible_, horizon_, cone_. False where it sees nothing.
   bool look(std::int32_t p);
   bool behindCone(std::int32_t p) const;
@@ -87,6 +88,8 @@ private:
   std::vector<std::int32_t> free_;
   std::size_t size_ = 0;
   std::vector<Guard> guards_;
+  LatticePoint heart_ = LatticePoint::Zero(); // strictly inside, where there is such a point
+  bool hasHeart_ = false;
   mutable std::int32_t hint_ = 0; // facet that answered last: makes asking faster, changes nothing
   std::uint32_t look_ = 0;
   std::vector<std::int32_t> visible_, made_;
