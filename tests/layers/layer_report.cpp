@@ -7,6 +7,7 @@
 #include "curved/platform.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
+#include "layers/stack_checker.h"
 #include "layers/vtp_writer.h"
 #include "voxel/solid_voxels.h"
 
@@ -15,7 +16,6 @@
 #include <ctime>
 #include <fstream>
 #include <iostream>
-#include <random>
 #include <string>
 
 using namespace voluta;
@@ -30,48 +30,6 @@ geometry::TriangleMesh placed(geometry::TriangleMesh mesh, double scale) {
   for (auto& v : mesh.vertices)
     v += shift;
   return mesh;
-}
-
-// Share of points, drawn evenly inside the part, that lie within half a thickness of a layer.
-void sampleCoverage(const layers::LayerStack& stack, const geometry::MeshQuery& part,
-                    const Eigen::AlignedBox3d& box) {
-  geometry::TriangleMesh all;
-  std::vector<double> thickness;
-  std::vector<int> layer;
-  for (const auto& p : stack.patches) {
-    const int base = static_cast<int>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), p.surface.vertices.begin(), p.surface.vertices.end());
-    thickness.insert(thickness.end(), p.thicknessMm.begin(), p.thicknessMm.end());
-    for (const auto& t : p.surface.triangles) {
-      all.triangles.push_back({base + t[0], base + t[1], base + t[2]});
-      layer.push_back(p.layer);
-    }
-  }
-  const geometry::MeshQuery query(all);
-  std::mt19937 random(7);
-  int inside = 0, covered = 0, missedNearSurface = 0;
-  for (int n = 0; n < 30000; ++n) {
-    Eigen::Vector3d p;
-    for (int axis = 0; axis < 3; ++axis)
-      p[axis] = std::uniform_real_distribution<double>(box.min()[axis], box.max()[axis])(random);
-    if (!part.inside(p))
-      continue;
-    ++inside;
-    const auto found = query.closest(p, 3.0);
-    double half = 0.0;
-    if (found.triangle >= 0) {
-      const auto& t = all.triangles[static_cast<std::size_t>(found.triangle)];
-      for (int v : t)
-        half += thickness[static_cast<std::size_t>(v)] / 6.0;
-    }
-    if (found.triangle >= 0 && found.distance <= 1.03 * half + 0.01)
-      ++covered;
-    else if (part.closest(p).distance < 0.8)
-      ++missedNearSurface;
-  }
-  std::printf("  points within a layer %.4f of %d; of the rest %.2f within 0.8 mm of the surface\n",
-              static_cast<double>(covered) / inside, inside,
-              inside > covered ? static_cast<double>(missedNearSurface) / (inside - covered) : 0.0);
 }
 
 void triangleQuality(const layers::LayerStack& stack) {
@@ -201,22 +159,21 @@ int main(int argc, char** argv) try {
                 r.partialPatches, r.partialAreaMm2 / s.areaMm2, r.mergedPieces, r.mergedVolumeMm3);
     std::printf("  dropped %zu pieces, %.1f mm3 (%.4f); unsupported patches %zu\n", r.droppedPieces,
                 r.droppedVolumeMm3, r.droppedVolumeMm3 / volume, r.unsupportedPatches);
-    const geometry::MeshQuery query(part);
-    const auto boundary = layers::checkBoundaries(r.stack, query, 1e-3, ctx);
-    std::size_t notSimple = 0, off = 0;
-    for (const auto& b : boundary) {
-      notSimple += !b.simple;
-      off += b.farthestMm > 1e-3;
-    }
-    std::printf("  boundary farthest %.5f mm, patches off %zu, not simple %zu\n",
-                r.boundaryFarthestMm, off, notSimple);
-    double below = 0.0;
-    for (const auto& c : layers::checkSupport(r.stack, 1.25, ctx))
-      below = std::max(below, 1.0 - c.supportedFraction);
-    std::printf("  unsupported %.5f of the area; worst patch: %.2f of it\n", r.unsupportedFraction,
-                below);
+    const test::StackVerdict v = test::checkStack(r.stack, part, 0.4, 1.0);
+    std::printf("  told: boundary farthest %.5f mm, unsupported %.5f of the area\n",
+                r.boundaryFarthestMm, r.unsupportedFraction);
+    std::printf(
+        "  checked: volume %.4f; boundary farthest %.5f mm, on seams %zu, near %zu, loose %zu, not "
+        "simple %zu%s\n",
+        v.volumeRatio, v.boundaryFarthestMm, v.seamVertices, v.nearVertices, v.looseVertices,
+        v.notSimple, v.layersRise ? "" : ", LAYERS OUT OF ORDER");
+    std::printf("  thickness by distance %.3f, P01 %.3f, P99 %.3f, within %.4f, as told %.4f\n",
+                v.thicknessMeanMm, v.thicknessP01Mm, v.thicknessP99Mm, v.within, v.asTold);
+    std::printf("  unsupported %.4f of the area, patches in the air %zu, out of order %zu; points "
+                "in none %.4f, in several %.4f; sharp edges %.0f mm, missed %.4f\n",
+                v.unsupported, v.patchesInTheAir, v.outOfOrder, v.inNone, v.inSeveral,
+                v.sharpLengthMm, v.sharpMissed);
     triangleQuality(r.stack);
-    sampleCoverage(r.stack, query, geometry::bounds(part));
     for (const auto& f : r.findings)
       std::printf("  %s: %s at %.1f %.1f %.1f\n", f.kind.c_str(), f.reason.c_str(), f.where->x(),
                   f.where->y(), f.where->z());

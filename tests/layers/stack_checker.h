@@ -1,0 +1,46 @@
+// A second opinion on a stack of layers, by code that shares nothing with what makes them:
+// distances by a search of its own, inside by parity, support and thickness from the tops of
+// earlier patches.
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+#include "layers/layer_stack.h"
+
+#include <cstddef>
+
+namespace voluta::test {
+
+struct StackVerdict {
+  double volumeRatio = 0.0; // sum of area x thickness over the part's volume
+
+  // Boundary vertices.
+  double boundaryFarthestMm = 0.0; // from the part's surface, of those that are on it or loose
+  std::size_t seamVertices = 0;    // more than 1e-3 mm inside, beside one of another patch
+  std::size_t nearVertices = 0;    // off the surface, on no seam, but within half a thickness: a
+                                   // seam whose other side would lie outside the part, or a fault
+  std::size_t looseVertices = 0;   // farther off and on no seam
+  std::size_t notSimple = 0;       // patches with a boundary that is not a set of simple loops
+
+  // Points of patches, by area: from a point's top (half a thickness along its direction) to the
+  // nearest top of an earlier patch, or the plate.
+  double thicknessMeanMm = 0.0, thicknessP01Mm = 0.0, thicknessP99Mm = 0.0;
+  double within = 0.0;             // share within the limits, of what lies on something
+  double asTold = 0.0;             // share within 10 % of the patch's own thickness, of the same
+  double unsupported = 0.0;        // share with nothing within a quarter thickness of its foot
+  std::size_t patchesInTheAir = 0; // hardly (2 %) any of it lies on an earlier patch or the plate
+  std::size_t outOfOrder = 0;      // in the air, but a later patch or a higher layer is under it
+  bool layersRise = true;          // numbers without gaps that never fall
+
+  // Points drawn evenly inside the part, by how many patches' thickness they lie in (3 % of it
+  // and 0.01 mm either way allowed).
+  double inNone = 0.0, inSeveral = 0.0;
+
+  // Points on the part's sharp edges (more than 40 degrees) farther than half a thickness from
+  // every boundary, measured square to the layers; 0 where there are none.
+  double sharpLengthMm = 0.0, sharpMissed = 0.0;
+};
+
+StackVerdict checkStack(const layers::LayerStack& stack, const geometry::TriangleMesh& part,
+                        double heightMinMm, double heightMaxMm);
+
+} // namespace voluta::test
