@@ -193,9 +193,7 @@ private:
         front_.add(v, swallowed_);
         safe.push_back(v);
       } else {
-        unsafe.push_back(v);
-        if (limit > 1) // what swallows it then loses it too; with 1 nothing can
-          front_.guard(v);
+        unsafe.push_back(v); // no safe one can swallow it: that hull would hold all of its own
       }
     }
     front_.clearGuards();
