@@ -1,10 +1,13 @@
 #include "voxel/column_parity.h"
 
 #include "base/parallel.h"
+#include "geometry/mesh_query.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <map>
 #include <numeric>
 
 namespace voluta::voxel {
@@ -38,48 +41,57 @@ struct Crossing {
   int winding;
 };
 
-} // namespace
-
-bool isClosed(const geometry::TriangleMesh& mesh) {
+// Vertices of equal position as one: the least index of them.
+std::vector<int> canonicalVertices(const geometry::TriangleMesh& mesh) {
   std::vector<int> order(mesh.vertices.size()), canonical(mesh.vertices.size());
   std::iota(order.begin(), order.end(), 0);
   const auto at = [&](int v) { return toPoint(mesh.vertices[static_cast<std::size_t>(v)]); };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return at(a) < at(b); });
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    const Point pa = at(a), pb = at(b);
+    return pa != pb ? pa < pb : a < b;
+  });
   for (std::size_t i = 0; i < order.size(); ++i)
     canonical[static_cast<std::size_t>(order[i])] =
         i > 0 && at(order[i]) == at(order[i - 1])
             ? canonical[static_cast<std::size_t>(order[i - 1])]
             : order[i];
+  return canonical;
+}
 
-  struct Edge {
-    int low, high, sign;
-  };
-  std::vector<Edge> edges;
+struct OpenEdge {
+  int low, high, sign; // sign: how much more often it runs from low to high than back
+};
+
+std::vector<OpenEdge> openEdges(const geometry::TriangleMesh& mesh) {
+  const std::vector<int> canonical = canonicalVertices(mesh);
+  std::vector<OpenEdge> edges, open;
   edges.reserve(mesh.triangles.size() * 3);
   for (const auto& t : mesh.triangles)
-    for (int s = 0; s < 3; ++s) {
-      const int a = canonical[static_cast<std::size_t>(t[static_cast<std::size_t>(s)])];
-      const int b = canonical[static_cast<std::size_t>(t[static_cast<std::size_t>((s + 1) % 3)])];
+    for (std::size_t s = 0; s < 3; ++s) {
+      const int a = canonical[static_cast<std::size_t>(t[s])];
+      const int b = canonical[static_cast<std::size_t>(t[(s + 1) % 3])];
       if (a != b)
         edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
     }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+  std::sort(edges.begin(), edges.end(), [](const OpenEdge& a, const OpenEdge& b) {
     return a.low != b.low ? a.low < b.low : a.high < b.high;
   });
   for (std::size_t i = 0; i < edges.size();) {
-    int sum = 0;
-    std::size_t j = i;
-    for (; j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high; ++j)
-      sum += edges[j].sign;
-    if (sum != 0)
-      return false;
+    OpenEdge sum = edges[i];
+    std::size_t j = i + 1;
+    for (; j < edges.size() && edges[j].low == sum.low && edges[j].high == sum.high; ++j)
+      sum.sign += edges[j].sign;
+    if (sum.sign != 0)
+      open.push_back(sum);
     i = j;
   }
-  return true;
+  return open;
 }
 
-void fillClosed(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
-                std::vector<std::uint8_t>& solid, const base::RunContext& ctx) {
+// Calls visit(index, i, j, k, winding) for every cell.
+template <typename Visit>
+void eachWinding(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
+                 const base::RunContext& ctx, Visit&& visit) {
   const int nx = grid.size.x(), ny = grid.size.y(), nz = grid.size.z();
   const double pitch = grid.pitch;
   const auto column = [&](double value, int axis) {
@@ -136,14 +148,84 @@ void fillClosed(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
         const double z = grid.centre(i, j, k).z();
         while (next < crossings.size() && crossings[next].z < z)
           winding += crossings[next++].winding;
-        if (winding != 0)
-          solid[grid.index(i, j, k)] = 1;
+        visit(grid.index(i, j, k), i, j, k, winding);
       }
     }
   };
   base::parallelChunks(ctx, static_cast<std::size_t>(ny), 4, [&](std::size_t b, std::size_t e) {
     for (std::size_t j = b; j < e; ++j)
       fillRow(static_cast<int>(j));
+  });
+}
+
+} // namespace
+
+geometry::TriangleMesh capsOf(const geometry::TriangleMesh& mesh) {
+  const std::vector<OpenEdge> open = openEdges(mesh);
+  std::map<int, int> group; // of a vertex: another one of its group, or itself
+  const auto rootOf = [&](int v) {
+    while (group.at(v) != v)
+      v = group[v] = group.at(group.at(v));
+    return v;
+  };
+  for (const OpenEdge& edge : open) {
+    group.emplace(edge.low, edge.low);
+    group.emplace(edge.high, edge.high);
+    const int a = rootOf(edge.low), b = rootOf(edge.high);
+    group[std::max(a, b)] = std::min(a, b);
+  }
+  geometry::TriangleMesh caps;
+  std::map<int, int> vertexOf;
+  struct Fan {
+    int hub;
+    int corners;
+  };
+  std::map<int, Fan> fans;
+  for (const auto& [v, next] : group) {
+    vertexOf[v] = static_cast<int>(caps.vertices.size());
+    caps.vertices.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+  }
+  for (const auto& [v, next] : group) {
+    const auto [fan, fresh] =
+        fans.try_emplace(rootOf(v), Fan{static_cast<int>(caps.vertices.size()), 0});
+    if (fresh)
+      caps.vertices.push_back(Eigen::Vector3d::Zero());
+    caps.vertices[static_cast<std::size_t>(fan->second.hub)] +=
+        mesh.vertices[static_cast<std::size_t>(v)];
+    ++fan->second.corners;
+  }
+  for (const auto& [root, fan] : fans)
+    caps.vertices[static_cast<std::size_t>(fan.hub)] /= fan.corners;
+  for (const OpenEdge& edge : open) {
+    const int hub = fans.at(rootOf(edge.low)).hub;
+    const int low = vertexOf.at(edge.low), high = vertexOf.at(edge.high);
+    for (int n = 0; n < std::abs(edge.sign); ++n)
+      caps.triangles.push_back(edge.sign > 0 ? std::array<int, 3>{high, low, hub}
+                                             : std::array<int, 3>{low, high, hub});
+  }
+  return caps;
+}
+
+void fillClosed(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
+                std::vector<std::uint8_t>& solid, const base::RunContext& ctx) {
+  eachWinding(mesh, grid, ctx, [&](std::size_t cell, int, int, int, int winding) {
+    if (winding != 0)
+      solid[cell] = 1;
+  });
+}
+
+void fillOpen(const geometry::TriangleMesh& mesh, const geometry::TriangleMesh& caps,
+              const VoxelGrid& grid, std::vector<std::uint8_t>& solid,
+              const base::RunContext& ctx) {
+  geometry::TriangleMesh whole = mesh;
+  const int shift = static_cast<int>(mesh.vertices.size());
+  whole.vertices.insert(whole.vertices.end(), caps.vertices.begin(), caps.vertices.end());
+  for (const auto& t : caps.triangles)
+    whole.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  const geometry::MeshQuery query(caps);
+  eachWinding(whole, grid, ctx, [&](std::size_t cell, int i, int j, int k, int winding) {
+    if (!solid[cell] && std::abs(winding - query.windingNumber(grid.centre(i, j, k))) > 0.5)
+      solid[cell] = 1;
   });
 }
 

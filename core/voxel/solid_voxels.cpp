@@ -87,8 +87,8 @@ void markCrossed(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
   });
 }
 
-// Centres of an open mesh by winding number.
-void fillOpen(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
+// Centres of a mesh that is more gap than surface by winding number.
+void fillSoup(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
               std::vector<std::uint8_t>& solid, const base::RunContext& ctx) {
   const geometry::MeshQuery query(mesh);
   const auto rows =
@@ -98,7 +98,8 @@ void fillOpen(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
       const int j = static_cast<int>(row) % grid.size.y(),
                 k = static_cast<int>(row) / grid.size.y();
       for (int i = 0; i < grid.size.x(); ++i)
-        if (!solid[grid.index(i, j, k)] && query.inside(grid.centre(i, j, k)))
+        if (!solid[grid.index(i, j, k)] &&
+            std::abs(query.windingNumber(grid.centre(i, j, k))) > 0.5)
           solid[grid.index(i, j, k)] = 1;
     }
   });
@@ -121,10 +122,13 @@ SolidVoxels solidVoxels(const geometry::TriangleMesh& mesh, double pitch,
   out.solid.assign(out.grid.cellCount(), 0);
   markCrossed(mesh, out.grid, out.solid, ctx);
   ctx.report(0.4, "voxels");
-  if (isClosed(mesh))
+  const geometry::TriangleMesh caps = capsOf(mesh);
+  if (caps.empty())
     fillClosed(mesh, out.grid, out.solid, ctx);
+  else if (4 * caps.triangles.size() < mesh.triangles.size())
+    fillOpen(mesh, caps, out.grid, out.solid, ctx);
   else
-    fillOpen(mesh, out.grid, out.solid, ctx);
+    fillSoup(mesh, out.grid, out.solid, ctx);
   for (const std::uint8_t s : out.solid)
     out.count += s;
   ctx.report(1.0, "voxels");

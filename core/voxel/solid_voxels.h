@@ -27,8 +27,9 @@ inline constexpr double kGrazeShare = 1e-3;
 
 // All cells that the part touches with its interior: their centre is inside, or a facet reaches
 // deeper into them than kGrazeShare. The union of the cells contains the part but for that graze.
-// Cavities stay empty; overlapping shells add up. Closed meshes are filled by the winding of exact
-// column crossings, others by generalised winding numbers (geometry::MeshQuery).
+// Cavities stay empty; overlapping shells add up; shells that are inside out count like others.
+// Closed meshes are filled by the winding of exact column crossings, others by generalised winding
+// numbers (Barill et al. 2018).
 // `mesh` stands on the plate, mm; pitch > 0, mm.
 // Throws Error{UnusableInput} for an empty mesh and Error{Usage} when the grid would have more
 // cells than maxCells (it names the least pitch that fits); Cancelled.
