@@ -7,7 +7,7 @@
 #include "curved/convex_front.h"
 #include "curved/field_fit.h"
 #include "curved/flood.h"
-#include "curved/greedy_growth.h"
+#include "curved/forward_growth.h"
 #include "curved/missed_voxels.h"
 #include "curved/reverse_growth.h"
 #include "curved/smooth_field.h"
@@ -71,7 +71,7 @@ void store(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
 
 void growGreedy(const VoxelGraph& graph, Decomposition& out, const base::RunContext& ctx) {
   base::Stopwatch watch;
-  const GreedyGrowth grown = greedyGrowth(graph, ctx.sub(0.0, 0.7));
+  const ForwardGrowth grown = forwardGrowth(graph, ForwardScheme::Greedy, {}, ctx.sub(0.0, 0.7));
   std::vector<std::int32_t> key(graph.size());
   std::vector<float> height(graph.size());
   for (std::size_t v = 0; v < graph.size(); ++v) {
