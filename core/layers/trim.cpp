@@ -18,6 +18,7 @@ using Crossing = PartBoundary::Crossing;
 constexpr double kShift = 1e-5;
 constexpr int kSplitRounds = 4;
 constexpr int kChordDepth = 6;
+constexpr double kShortChord = 5e-3; // mm
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -39,6 +40,11 @@ Eigen::Vector3d shiftOf(std::size_t index) {
     s[axis] = static_cast<double>(h >> 11) * 0x1p-52 - 1.0;
   }
   return s;
+}
+
+// Distance of x from the line through p and q.
+double aside(const Eigen::Vector3d& x, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+  return (x - p).cross(q - p).norm() / (q - p).norm();
 }
 
 // The plane of a triangle as 2D coordinates.
@@ -265,14 +271,17 @@ private:
                    std::vector<int>& polygon) {
     const Eigen::Vector3d p = point(from), q = point(to), middle = 0.5 * (p + q);
     const double length = (q - p).norm();
-    if (depth >= kChordDepth || length < 2.0 * options_.chordMm ||
-        part_.query().closest(middle, options_.chordMm).triangle >= 0)
+    if (depth >= kChordDepth || length < kShortChord)
       return;
     const PlaneFrame plane(point(t[0]), point(t[1]), point(t[2]));
     Eigen::Vector3d x, weights;
     int facet = -1;
+    // A corner near one end of the chord leaves its middle near the surface: look for it first.
     if (!(cornerBetween(t, plane, from, to, x, weights) && (x - p).norm() < 2.0 * length &&
-          (x - q).norm() < 2.0 * length)) {
+          (x - q).norm() < 2.0 * length && aside(x, p, q) > kShortChord)) {
+      if (length < 2.0 * options_.chordMm ||
+          part_.query().closest(middle, options_.chordMm).triangle >= 0)
+        return;
       const Eigen::Vector3d inwards = plane.normal.cross(q - p).normalized();
       const Eigen::Vector3d a = middle - length * inwards, b = middle + length * inwards;
       part_.crossings(a, b, 0.0, found_);

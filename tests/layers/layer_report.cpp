@@ -170,9 +170,9 @@ int main(int argc, char** argv) try {
     std::printf("  thickness by distance %.3f, P01 %.3f, P99 %.3f, within %.4f, as told %.4f\n",
                 v.thicknessMeanMm, v.thicknessP01Mm, v.thicknessP99Mm, v.within, v.asTold);
     std::printf("  unsupported %.4f of the area, patches in the air %zu, out of order %zu; points "
-                "in none %.4f, in several %.4f; sharp edges %.0f mm, missed %.4f\n",
+                "in none %.4f, in several %.4f; sharp edges %zu, P99 %.4f mm off, most %.4f\n",
                 v.unsupported, v.patchesInTheAir, v.outOfOrder, v.inNone, v.inSeveral,
-                v.sharpLengthMm, v.sharpMissed);
+                v.sharpCrossings, v.sharpOffP99Mm, v.sharpOffMostMm);
     triangleQuality(r.stack);
     for (const auto& f : r.findings)
       std::printf("  %s: %s at %.1f %.1f %.1f\n", f.kind.c_str(), f.reason.c_str(), f.where->x(),

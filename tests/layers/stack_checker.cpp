@@ -9,6 +9,7 @@
 #include <random>
 #include <set>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace voluta::test {
@@ -121,6 +122,9 @@ private:
   std::vector<std::array<Vector3d, 3>> corners_;
   std::unordered_map<std::uint64_t, std::vector<int>> cells_;
 };
+
+// Sine of the angle to the layers from which on an edge runs through them.
+constexpr double kThroughLayers = 0.5;
 
 const auto kAny = [](int) { return true; };
 
@@ -401,29 +405,41 @@ private:
       const auto& c = surface_.corners(static_cast<int>(t));
       return Vector3d((c[1] - c[0]).cross(c[2] - c[0]).normalized());
     };
-    double missed = 0.0;
+    std::vector<double> off;
     for (const auto& [edge, triangles] : around) {
       if (triangles.size() != 2 || normal(triangles[0]).dot(normal(triangles[1])) > 0.766)
         continue;
       const Vector3d &a = part_.vertices[at(edge.first)], &b = part_.vertices[at(edge.second)];
-      const double length = (b - a).norm();
-      const int count = std::max(1, static_cast<int>(length / 0.5));
-      for (int k = 0; k < count; ++k) {
-        const Vector3d x = a + (k + 0.5) / count * (b - a);
-        const auto near = middles_.nearest(x, 1.5 * most_, kAny);
-        v_.sharpLengthMm += length / count;
-        double half = 0.5 * most_;
-        if (near.triangle >= 0) {
-          const auto& t = facets_[at(near.triangle)].thickness;
-          half = (t[0] + t[1] + t[2]) / 6.0;
-        }
-        // An edge that lies in a layer's plane has its boundary half a thickness away, one that
-        // runs through the layers has the corners of the nearest at most as far.
-        if (rims_.nearest(x, 1.1 * half + 0.03, kAny).triangle < 0)
-          missed += length / count;
+      const int count = std::max(1, static_cast<int>((b - a).norm() / 0.2));
+      int patch = -1;
+      double height = 0.0;
+      for (int k = 0; k <= count; ++k) {
+        const Vector3d x = a + static_cast<double>(k) / count * (b - a);
+        const auto near = middles_.nearest(x, most_, kAny);
+        const int before = std::exchange(patch, -1);
+        if (near.triangle < 0)
+          continue;
+        const Facet& f = facets_[at(near.triangle)];
+        const auto& c = middles_.corners(near.triangle);
+        patch = f.patch;
+        const double was = std::exchange(
+            height, (x - near.weights[0] * c[0] - near.weights[1] * c[1] - near.weights[2] * c[2])
+                        .dot(f.direction[0]));
+        if (patch != before || was * height > 0.0 ||
+            std::abs(f.direction[0].dot(b - a)) < kThroughLayers * (b - a).norm())
+          continue;
+        const Vector3d pierced = x - (b - a) / count * (height / (height - was));
+        off.push_back(
+            rims_.nearest(pierced, 5.0, [&](int id) { return rimFacts_[at(id)].patch == patch; })
+                .distance);
       }
     }
-    v_.sharpMissed = v_.sharpLengthMm > 0.0 ? missed / v_.sharpLengthMm : 0.0;
+    v_.sharpCrossings = off.size();
+    if (off.empty())
+      return;
+    std::sort(off.begin(), off.end());
+    v_.sharpOffP99Mm = off[off.size() * 99 / 100];
+    v_.sharpOffMostMm = off.back();
   }
 
   const layers::LayerStack& stack_;

@@ -35,9 +35,10 @@ struct StackVerdict {
   // and 0.01 mm either way allowed).
   double inNone = 0.0, inSeveral = 0.0;
 
-  // Points on the part's sharp edges (more than 40 degrees) farther than half a thickness from
-  // every boundary, measured square to the layers; 0 where there are none.
-  double sharpLengthMm = 0.0, sharpMissed = 0.0;
+  // Where the part's sharp edges (more than 40 degrees) pass through a patch's middle at 30 degrees
+  // or more: how far that patch's boundary stays away.
+  std::size_t sharpCrossings = 0;
+  double sharpOffP99Mm = 0.0, sharpOffMostMm = 0.0;
 };
 
 StackVerdict checkStack(const layers::LayerStack& stack, const geometry::TriangleMesh& part,

@@ -49,8 +49,8 @@ TEST(StackChecker, HasNothingToSayOfFlatLayers) {
   EXPECT_TRUE(v.layersRise);
   EXPECT_LT(v.inNone, 0.002);
   EXPECT_LT(v.inSeveral, 0.002);
-  EXPECT_LT(v.sharpMissed, 0.01);
-  EXPECT_GT(v.sharpLengthMm, 200.0);
+  EXPECT_EQ(v.sharpCrossings, 4 * r.stack.patches.size());
+  EXPECT_LT(v.sharpOffMostMm, 5e-3); // as far as cleaning may move a boundary
 }
 
 TEST(StackChecker, SeesFaults) {
@@ -109,7 +109,7 @@ TEST(PartialLevels, HalveWhatIsTooThickAndJoinWhatIsTooThin) {
     EXPECT_NEAR(r.statistics.withinLimitsFraction, 1.0, 1e-9) << c.slope;
     EXPECT_NEAR(v.thicknessMeanMm, c.expected, 0.01) << c.slope;
     EXPECT_NEAR(v.volumeRatio, 1.0, 0.02) << c.slope; // flat tops end within a layer
-    EXPECT_EQ(v.unsupported, 0.0) << c.slope;
+    EXPECT_LT(v.unsupported, 1e-4) << c.slope;
     EXPECT_TRUE(v.layersRise);
   }
 }
