@@ -1546,8 +1546,8 @@
         <translation>Apri</translation>
     </message>
     <message>
-        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.voluta);;All files (*)</source>
-        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.voluta);;Tutti i file (*)</translation>
+        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;All files (*)</source>
+        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Save the picture</source>
