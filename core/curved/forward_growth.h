@@ -60,16 +60,14 @@ struct ForwardGrowth {
 //   to single voxels as an order: a set whose hull swallows nothing is one whose voxels can be
 //   added one after the other, so both give the same layer, and none needs a hull of its own.
 // - Algorithm 2 of the thesis, line 6, is inverted: the layer is taken whole when it shadows no
-// more
-//   than is shadowed already. The threshold counts from there, for each layer anew; a count of all
-//   that was ever shadowed would end prevention once it is reached.
+//   more than is shadowed already. The threshold counts from there, for each layer anew; a count
+//   of all that was ever shadowed would end prevention once it is reached.
 // - Flooding starts from the layer's first voxel instead of a random one.
 // - Where no voxel of a layer is safe, it is laid whole and what it shadows is lost, as printed
 //   (Sacrifice::Layer). Guided first lets go on what its field still holds back: only where nothing
 //   at all is safe is something lost.
 // - Algorithm 2 tests one voxel after the other with a hull from scratch; the same answers come
-// from
-//   one hull that keeps, facet by facet, the voxels it must not swallow (incremental_front.h).
+//   from one hull that keeps, facet by facet, the voxels it must not swallow (incremental_front.h).
 ForwardGrowth forwardGrowth(const VoxelGraph& graph, ForwardScheme scheme,
                             const ForwardOptions& options, const base::RunContext& ctx);
 
