@@ -18,7 +18,9 @@ using RawLevel = layers::LevelSurface;
 // RawLevel each (some may be empty), element L being level L. Marching cubes on the cells of
 // LevelField: each surface is manifold, oriented along +grad phi, and reaches at least half a voxel
 // beyond the printed voxels, so that it can be cut on the part's surface; limbs with a gap of a
-// voxel between them are not joined. Dai 2020, 3.4.5.
+// voxel between them are not joined. The source contours dually (Dai 2020, 3.4.5), which keeps
+// creases; levels of a smooth field have none, and marching cubes need no mending to be manifold.
+// Their slivers are taken out afterwards (layers::cleanSurface).
 // Per vertex: direction = grad phi / |grad phi|; thickness = the distance along it between
 // phi = L spacing and (L + 1) spacing; clearDirection = front normals of the printed voxels around,
 // blended (direction where there are none). Level 0 is laid on the plate z = 0: where it lies flat,
