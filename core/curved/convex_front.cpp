@@ -40,7 +40,17 @@ ConvexFront::ConvexFront(const VoxelGraph& graph)
       rows_(static_cast<std::size_t>(graph.grid.size.y()) *
             static_cast<std::size_t>(graph.grid.size.z())),
       slice_(static_cast<std::size_t>(graph.grid.size.z())), sliceDirty_(slice_.size(), 0),
-      stamp_(graph.size(), 0) {}
+      stamp_(graph.size(), 0) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Surface& surface = surface_[static_cast<std::size_t>(axis)];
+    surface.u = (axis + 1) % 3;
+    surface.w = (axis + 2) % 3;
+    surface.sizeU = graph.grid.size[surface.u];
+    surface.sizeW = graph.grid.size[surface.w];
+    surface.ends.resize(static_cast<std::size_t>(surface.sizeU) *
+                        static_cast<std::size_t>(surface.sizeW));
+  }
+}
 
 void ConvexFront::touch(std::size_t v) {
   rows_[rowOf(v)].dirty = true;
@@ -138,20 +148,57 @@ void ConvexFront::rebuild() {
     offset_[f] = facets_[f].offset;
     inverseLength_[f] = 1.0 / (kLatticePerCell * facets_[f].normal.norm());
   }
+
+  planeInCells_.resize(facets_.size());
+  for (Surface& surface : surface_) {
+    std::fill(surface.ends.begin(), surface.ends.end(), Ends{});
+    surface.firstW = surface.sizeW;
+    surface.lastW = -1;
+  }
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    planeInCells_[f] =
+        facets_[f].normal.dot(inCells(candidates_[static_cast<std::size_t>(facets_[f].corner[0])]));
+    for (int axis = 0; axis < 3; ++axis)
+      if (facets_[f].normal[axis] != 0.0)
+        rasterise(f, axis);
+  }
+}
+
+double ConvexFront::below(std::size_t f, const LatticePoint& p) const {
+  return offset_[f] - (nx_[f] * p.x() + ny_[f] * p.y() + nz_[f] * p.z());
 }
 
 bool ConvexFront::deeperThan(std::size_t v, double depth, std::size_t& hint) const {
-  const std::size_t blocks = nx_.size() / kBlock;
-  if (blocks == 0)
+  if (facets_.empty())
     return false;
   const LatticePoint p = graph_.lattice(v);
-  const double x = p.x(), y = p.y(), z = p.z();
+  // A point of a convex body lies on a facet exactly when it is an end of the line through it along
+  // an axis that the facet faces: strictly between the ends of all three lines is strictly inside.
+  // The ends span an octahedron, which lies inside and answers for most of what is deeper.
+  double spanned = 0.0;
+  for (const int axis : {2, 1, 0}) {
+    const Ends& ends = surface_[static_cast<std::size_t>(axis)].at(graph_.cell[v]);
+    if (ends.low < 0 || ends.high < 0)
+      return false;
+    double nearest = std::numeric_limits<double>::max();
+    for (const std::int32_t end : {ends.low, ends.high}) {
+      const auto f = static_cast<std::size_t>(end);
+      const double under = below(f, p);
+      if (under * inverseLength_[f] <= depth)
+        return false;
+      nearest = std::min(nearest, under / std::abs(facets_[f].normal[axis]));
+    }
+    spanned += kLatticePerCell * kLatticePerCell / (nearest * nearest);
+  }
+  constexpr double kSure = 1.0 - 1e-9;
+  if (spanned * depth * depth < kSure)
+    return true;
+
+  const std::size_t blocks = nx_.size() / kBlock;
   const auto allDeeper = [&](std::size_t block) {
     int shallow = 0;
-    for (std::size_t f = block * kBlock; f < (block + 1) * kBlock; ++f) {
-      const double below = offset_[f] - (nx_[f] * x + ny_[f] * y + nz_[f] * z);
-      shallow += below * inverseLength_[f] <= depth;
-    }
+    for (std::size_t f = block * kBlock; f < (block + 1) * kBlock; ++f)
+      shallow += below(f, p) * inverseLength_[f] <= depth;
     return shallow == 0;
   };
   if (hint < blocks && !allDeeper(hint))
@@ -169,84 +216,104 @@ double ConvexFront::depth(std::size_t v) const {
     return 0.0;
   const LatticePoint p = graph_.lattice(v);
   double least = std::numeric_limits<double>::max();
-  for (std::size_t f = 0; f < nx_.size(); ++f) {
-    const double below = offset_[f] - (nx_[f] * p.x() + ny_[f] * p.y() + nz_[f] * p.z());
-    least = std::min(least, below * inverseLength_[f]);
-  }
+  for (std::size_t f = 0; f < nx_.size(); ++f)
+    least = std::min(least, below(f, p) * inverseLength_[f]);
   return least;
 }
 
-// A voxel within `depth` of the hull lies that close below the plane of some facet, whose normal
-// has a component of at least 1/sqrt(3) along one axis; from the voxel along that axis the hull
-// therefore ends within sqrt(3) depth. So it is enough to look below the ends of all columns
-// along the three axes.
+// Column by column along each axis that a facet faces enough: what lies within `depth` below its
+// plane there. Near the rim of a facet columns may pass it by; its neighbour sees to those.
 const std::vector<std::int32_t>& ConvexFront::belowSurface(double depth) {
   below_.clear();
   ++round_;
-  const double reach = std::sqrt(3.0) * depth + 1e-6;
-  for (const HullFacet& facet : facets_)
-    for (int axis = 0; axis < 3; ++axis)
-      if (facet.normal[axis] != 0.0)
-        rasterise(facet, axis, reach);
+  constexpr double kFacing = 0.5;
+  const Eigen::Vector3i& size = graph_.grid.size;
+  const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(size.x()),
+                                          static_cast<std::size_t>(size.x()) *
+                                              static_cast<std::size_t>(size.y())};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Surface& surface = surface_[static_cast<std::size_t>(axis)];
+    const int u = surface.u, w = surface.w;
+    for (int cw = surface.firstW; cw <= surface.lastW; ++cw)
+      for (int cu = 0; cu < surface.sizeU; ++cu) {
+        const Ends& ends = surface.ends[static_cast<std::size_t>(cu + surface.sizeU * cw)];
+        for (const std::int32_t end : {ends.low, ends.high}) {
+          if (end < 0)
+            continue;
+          const auto f = static_cast<std::size_t>(end);
+          const Eigen::Vector3d& n = facets_[f].normal;
+          const double facing = kLatticePerCell * inverseLength_[f] * std::abs(n[axis]);
+          if (facing < kFacing)
+            continue;
+          const double reach = (depth + 1e-9) / facing;
+          const double at = (planeInCells_[f] - n[u] * cu - n[w] * cw) / n[axis];
+          const bool upper = n[axis] > 0.0;
+          const int from = std::max(0, static_cast<int>(std::ceil(upper ? at - reach : at - 1e-9)));
+          const int to = std::min(size[axis] - 1,
+                                  static_cast<int>(std::floor(upper ? at + 1e-9 : at + reach)));
+          std::size_t cell =
+              static_cast<std::size_t>(cu) * stride[static_cast<std::size_t>(u)] +
+              static_cast<std::size_t>(cw) * stride[static_cast<std::size_t>(w)] +
+              static_cast<std::size_t>(from) * stride[static_cast<std::size_t>(axis)];
+          for (int ca = from; ca <= to; ++ca, cell += stride[static_cast<std::size_t>(axis)]) {
+            const std::int32_t v = graph_.voxelAt[cell];
+            if (v < 0 || !present_[static_cast<std::size_t>(v)] ||
+                stamp_[static_cast<std::size_t>(v)] == round_)
+              continue;
+            stamp_[static_cast<std::size_t>(v)] = round_;
+            below_.push_back(v);
+          }
+        }
+      }
+  }
   return below_;
 }
 
-void ConvexFront::rasterise(const HullFacet& facet, int axis, double reach) {
-  const int u = (axis + 1) % 3, w = (axis + 2) % 3;
+// Marks the columns along `axis` that meet the facet, its rim included.
+void ConvexFront::rasterise(std::size_t f, int axis) {
+  Surface& surface = surface_[static_cast<std::size_t>(axis)];
+  const int u = surface.u, w = surface.w;
   // Corners in cells: a voxel's centre is at its whole index.
-  Eigen::Vector3d corner[3];
+  std::array<std::array<double, 2>, 3> corner;
   for (std::size_t c = 0; c < 3; ++c) {
-    corner[c] =
-        (candidates_[static_cast<std::size_t>(facet.corner[c])].array() - 8.0) / kLatticePerCell;
-    corner[c].z() += graph_.plateLayer;
+    const LatticePoint p = inCells(candidates_[static_cast<std::size_t>(facets_[f].corner[c])]);
+    corner[c] = {p[u], p[w]};
   }
-  const auto [lowW, highW] = std::minmax({corner[0][w], corner[1][w], corner[2][w]});
-  const auto [lowA, highA] = std::minmax({corner[0][axis], corner[1][axis], corner[2][axis]});
-  const Eigen::Vector3d n = facet.normal;
-  const double planeOffset = n.dot(corner[0]);
-  const bool upper = n[axis] > 0.0;
-  const Eigen::Vector3i size = graph_.grid.size;
+  const auto [lowW, highW] = std::minmax({corner[0][1], corner[1][1], corner[2][1]});
   constexpr double kSlack = 1e-9;
-
+  const bool upper = facets_[f].normal[axis] > 0.0;
   const int firstW = std::max(0, static_cast<int>(std::ceil(lowW - kSlack)));
-  const int lastW = std::min(size[w] - 1, static_cast<int>(std::floor(highW + kSlack)));
+  const int lastW = std::min(surface.sizeW - 1, static_cast<int>(std::floor(highW + kSlack)));
+  surface.firstW = std::min(surface.firstW, firstW);
+  surface.lastW = std::max(surface.lastW, lastW);
   for (int cw = firstW; cw <= lastW; ++cw) {
     double lowU = std::numeric_limits<double>::max(), highU = -lowU;
     for (std::size_t c = 0; c < 3; ++c) {
-      const Eigen::Vector3d &p = corner[c], &q = corner[(c + 1) % 3];
-      if (std::min(p[w], q[w]) > cw + kSlack || std::max(p[w], q[w]) < cw - kSlack)
+      const auto &p = corner[c], &q = corner[(c + 1) % 3];
+      if (std::min(p[1], q[1]) > cw + kSlack || std::max(p[1], q[1]) < cw - kSlack)
         continue;
-      const double rise = q[w] - p[w];
+      const double rise = q[1] - p[1];
       if (std::abs(rise) <= kSlack) {
-        lowU = std::min({lowU, p[u], q[u]});
-        highU = std::max({highU, p[u], q[u]});
+        lowU = std::min({lowU, p[0], q[0]});
+        highU = std::max({highU, p[0], q[0]});
       } else {
-        const double t = std::clamp((cw - p[w]) / rise, 0.0, 1.0);
-        const double at = p[u] + t * (q[u] - p[u]);
+        const double t = std::clamp((cw - p[1]) / rise, 0.0, 1.0);
+        const double at = p[0] + t * (q[0] - p[0]);
         lowU = std::min(lowU, at);
         highU = std::max(highU, at);
       }
     }
     const int firstU = std::max(0, static_cast<int>(std::ceil(lowU - kSlack)));
-    const int lastU = std::min(size[u] - 1, static_cast<int>(std::floor(highU + kSlack)));
-    for (int cu = firstU; cu <= lastU; ++cu) {
-      const double end = std::clamp((planeOffset - n[u] * cu - n[w] * cw) / n[axis], lowA, highA);
-      const int from = static_cast<int>(std::ceil(upper ? end - reach : end - kSlack));
-      const int to = static_cast<int>(std::floor(upper ? end + kSlack : end + reach));
-      Eigen::Vector3i cell;
-      cell[u] = cu;
-      cell[w] = cw;
-      for (int ca = std::max(0, from); ca <= std::min(size[axis] - 1, to); ++ca) {
-        cell[axis] = ca;
-        const std::int32_t v = graph_.voxelAt[graph_.grid.index(cell.x(), cell.y(), cell.z())];
-        if (v < 0 || !present_[static_cast<std::size_t>(v)] ||
-            stamp_[static_cast<std::size_t>(v)] == round_)
-          continue;
-        stamp_[static_cast<std::size_t>(v)] = round_;
-        below_.push_back(v);
-      }
-    }
+    const int lastU = std::min(surface.sizeU - 1, static_cast<int>(std::floor(highU + kSlack)));
+    Ends* row = surface.ends.data() + static_cast<std::ptrdiff_t>(surface.sizeU) * cw;
+    for (int cu = firstU; cu <= lastU; ++cu)
+      (upper ? row[cu].high : row[cu].low) = static_cast<std::int32_t>(f);
   }
+}
+
+LatticePoint ConvexFront::inCells(const LatticePoint& p) const {
+  return (p.array() - 0.5 * kLatticePerCell) / kLatticePerCell +
+         Eigen::Array3d(0.0, 0.0, graph_.plateLayer);
 }
 
 Eigen::Vector3d ConvexFront::clearNormal(std::size_t v, const Eigen::Vector3d& wish) const {

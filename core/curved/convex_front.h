@@ -35,15 +35,13 @@ public:
   // negative outside. 0 where there is no hull.
   double depth(std::size_t v) const;
 
-  // Present voxels v with wanted(v) no deeper than `depth`, each once, in no stated but in a fixed
-  // order.
+  // Present voxels v with wanted(v) no deeper than `depth`, each once, in a fixed order. Found from
+  // the facets: all on the hull; of those below it some near the rim of a facet may be left out.
   template <typename Wanted>
   void nearSurface(double depth, Wanted&& wanted, std::vector<std::int32_t>& out) {
     out.clear();
-    std::size_t hint = 0;
     for (const std::int32_t v : belowSurface(depth))
-      if (wanted(static_cast<std::size_t>(v)) &&
-          !deeperThan(static_cast<std::size_t>(v), depth, hint))
+      if (wanted(static_cast<std::size_t>(v)))
         out.push_back(v);
   }
 
@@ -64,12 +62,29 @@ private:
            static_cast<std::size_t>(graph_.grid.size.y()) *
                static_cast<std::size_t>(graph_.cell[v][2]);
   }
+  // Facets in which a line along an axis meets the hull, -1: it does not.
+  struct Ends {
+    std::int32_t low = -1, high = -1;
+  };
+  // The hull seen along one axis: its ends for each line through a column of voxels.
+  struct Surface {
+    int u = 0, w = 0, sizeU = 0, sizeW = 0; // axes across and their cells; u runs fastest
+    int firstW = 0, lastW = -1;             // rows that may have ends
+    std::vector<Ends> ends;
+    const Ends& at(const std::array<std::int16_t, 3>& cell) const {
+      return ends[static_cast<std::size_t>(cell[static_cast<std::size_t>(u)] +
+                                           sizeU * cell[static_cast<std::size_t>(w)])];
+    }
+  };
   void touch(std::size_t v);
   void refreshRow(std::size_t row);
   void refreshSlice(std::size_t k);
   void gatherCandidates();
   const std::vector<std::int32_t>& belowSurface(double depth);
-  void rasterise(const HullFacet& facet, int axis, double reach);
+  void rasterise(std::size_t facet, int axis);
+  LatticePoint inCells(const LatticePoint& p) const;
+  // Distance of p below the plane of a facet times the length of its normal.
+  double below(std::size_t facet, const LatticePoint& p) const;
 
   const VoxelGraph& graph_;
   std::vector<std::uint8_t> present_;
@@ -81,6 +96,8 @@ private:
   std::vector<HullFacet> facets_;
   // Planes in blocks, structure of arrays; padded with planes that everything is far below.
   std::vector<double> nx_, ny_, nz_, offset_, inverseLength_;
+  std::vector<double> planeInCells_; // per facet: offset with a voxel's cell as its coordinates
+  std::array<Surface, 3> surface_;
   std::vector<std::int32_t> below_;
   std::vector<std::uint32_t> stamp_;
   std::uint32_t round_ = 0;

@@ -4,33 +4,37 @@
 #include "base/parameters.h"
 #include "base/run_context.h"
 #include "curved/decomposition.h"
+#include "curved/grow.h"
 #include "voxel/solid_voxels.h"
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace voluta::curved {
 
 struct CurvedOptions {
-  std::string growth = "auto"; // auto, reverse: the loop of smoothField; greedy: ranks only
+  std::string growth = "auto";                                      // of growthSchemes()
+  ForwardOptions forward;                                           // of the sources' schemes
   double layerHeightMm = 0.8, heightMinMm = 0.4, heightMaxMm = 1.0; // heights a layer may have
-  int rounds = 4;                                                   // of growth and refit, >= 1
+  int rounds = 8; // of growth and refit, at most; 0: ranks only, no field
 };
-
-// Schemes that `growth` may name, in the order they are offered.
-std::vector<std::string> growthSchemes();
 
 // voxelMm (mm, 0.8: width of the voxels) and fieldRounds (CurvedOptions::rounds).
 base::ParameterTable curvedParameters();
+
+// Hears of what is known so far: the ranks, then the field as rounds improve it. Called from the
+// thread that runs the stage; copies what it wants to keep.
+using DecompositionWatch = std::function<void(const Decomposition&)>;
 
 // Orders the voxels and fits the field.
 //
 // Ranks: both constraints of dissertation 3.3.1 hold between voxel centres: a voxel stands on the
 // platform or has an AM-stable neighbour of lower rank, and it does not lie strictly inside the
 // convex hull of the platform and all lower ranks; where nothing else can go on (stuck loops), it
-// lies at most half a voxel inside (the sources' epsilon). `reverse` finds them by peeling guided
-// by the final field, so that ranks and layers follow one another.
+// lies at most half a voxel inside (the sources' epsilon). grow() finds them; with
+// a field they are then found once more guided by it, so that ranks and layers follow one another.
 // Field: see Decomposition::field; thickness h / |grad field| is kept within the height limits
 // but for a small share, and levels follow each other without islands.
 // What can't be laid is given up, as little as possible, and stands in findings by group.
@@ -40,6 +44,6 @@ base::ParameterTable curvedParameters();
 // platform; Cancelled.
 Decomposition decompose(const voxel::SolidVoxels& voxels,
                         const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
-                        const base::RunContext& ctx);
+                        const base::RunContext& ctx, const DecompositionWatch& watch = {});
 
 } // namespace voluta::curved

@@ -5,6 +5,7 @@
 #include "curved/voxel_graph.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 namespace voluta::curved {
@@ -18,8 +19,13 @@ struct FieldScore {
   double within = 0.0;       // share of the voxels whose thickness is within the limits
   double inaccessible = 0.0; // share deeper than half a cell inside all earlier levels' hull
   double overhang = 0.0;     // share of the surface that leans over by more than 60 degrees
-  // Smaller is better: shares of the voxels and of the surface, weighted by what they spoil.
-  double total() const { return (1.0 - within) + 4.0 * inaccessible + overhang; }
+  // Smaller is better. What passes a margin of the process counts fully, the rest as far as it
+  // tells good fields apart: thickness out of limits must be cut or filled, what lies inside the
+  // front is gouged by a flat head, what leans over only looks worse.
+  double total() const {
+    return 2.0 * std::max(0.0, 0.9965 - within) + 4.0 * std::max(0.0, inaccessible - 0.0012) +
+           0.3 * overhang + 0.1 * (1.0 - within + inaccessible);
+  }
 };
 
 // The factor by which levels should be closer (> 1) or wider (< 1) than the field in cells says:

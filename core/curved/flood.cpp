@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 
 namespace voluta::curved {
 
@@ -18,6 +17,46 @@ struct Front {
   bool operator<(const Front& other) const {
     return value != other.value ? value > other.value : voxel > other.voxel;
   }
+};
+
+// A priority queue of values >= 0 that hardly ever fall back: a small heap for each span of values.
+class FrontQueue {
+public:
+  bool empty() const { return count_ == 0; }
+
+  void push(const Front& front) {
+    const auto at = static_cast<std::size_t>(front.value / kSpan);
+    if (at >= spans_.size())
+      spans_.resize(at + at / 2 + 1);
+    spans_[at].push_back(front);
+    if (at <= current_) {
+      if (at < current_) {
+        current_ = at;
+        std::make_heap(spans_[at].begin(), spans_[at].end());
+      } else {
+        std::push_heap(spans_[at].begin(), spans_[at].end());
+      }
+    }
+    ++count_;
+  }
+
+  Front pop() {
+    while (spans_[current_].empty()) {
+      ++current_;
+      std::make_heap(spans_[current_].begin(), spans_[current_].end());
+    }
+    std::vector<Front>& span = spans_[current_];
+    std::pop_heap(span.begin(), span.end());
+    const Front top = span.back();
+    span.pop_back();
+    --count_;
+    return top;
+  }
+
+private:
+  static constexpr float kSpan = 0.25f; // cells
+  std::vector<std::vector<Front>> spans_{1};
+  std::size_t current_ = 0, count_ = 0;
 };
 
 // First order solution of |grad T| = 1 from the least known values along each axis.
@@ -50,7 +89,7 @@ Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
   Flood out;
   out.value.assign(n, kFar);
   out.order.assign(n, -1);
-  std::priority_queue<Front> queue;
+  FrontQueue queue;
   const auto reach = [&](std::size_t v, std::size_t step) {
     const std::int32_t w = graph.neighbour[v][step];
     if (w < 0)
@@ -72,8 +111,7 @@ Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
   const std::size_t carrying = steps == Steps::All ? kNeighbours : 6;
   std::vector<std::int32_t> reached;
   while (!queue.empty()) {
-    const Front top = queue.top();
-    queue.pop();
+    const Front top = queue.pop();
     const auto v = static_cast<std::size_t>(top.voxel);
     if (out.order[v] < 0) {
       out.order[v] = static_cast<std::int32_t>(out.reached++);
@@ -94,11 +132,12 @@ Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
   return out;
 }
 
-std::vector<float> geodesicDistance(const VoxelGraph& graph, const base::RunContext& ctx) {
+std::vector<float> geodesicDistance(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
+                                    const base::RunContext& ctx) {
   const std::size_t n = graph.size();
   std::vector<float> distance(n, kFar);
   std::vector<std::uint8_t> known(n, 0);
-  std::priority_queue<Front> queue;
+  FrontQueue queue;
   for (std::size_t v = 0; v < n; ++v)
     if (graph.onPlatform[v]) {
       distance[v] = 0.5f;
@@ -106,8 +145,7 @@ std::vector<float> geodesicDistance(const VoxelGraph& graph, const base::RunCont
     }
   std::size_t done = 0;
   while (!queue.empty()) {
-    const Front top = queue.top();
-    queue.pop();
+    const Front top = queue.pop();
     const auto v = static_cast<std::size_t>(top.voxel);
     if (known[v])
       continue;
@@ -119,12 +157,15 @@ std::vector<float> geodesicDistance(const VoxelGraph& graph, const base::RunCont
       if (w < 0 || known[static_cast<std::size_t>(w)])
         continue;
       const auto x = static_cast<std::size_t>(w);
+      if (!rank.empty() && rank[x] < rank[v])
+        continue;
       float value = top.value + kNeighbourDistance[s];
       if (s < 6) {
         std::array<float, 3> axisMin{kFar, kFar, kFar};
         for (std::size_t f = 0; f < 6; ++f)
           if (const std::int32_t y = graph.neighbour[x][f];
-              y >= 0 && known[static_cast<std::size_t>(y)])
+              y >= 0 && known[static_cast<std::size_t>(y)] &&
+              (rank.empty() || rank[static_cast<std::size_t>(y)] <= rank[x]))
             axisMin[f / 2] = std::min(axisMin[f / 2], distance[static_cast<std::size_t>(y)]);
         value = eikonal(axisMin);
       }

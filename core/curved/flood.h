@@ -32,6 +32,9 @@ Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
 // Geodesic distance from the platform inside the part, in cells (first order fast marching over
 // the faces of cells; Sethian 1996). A voxel on the platform has 1/2. Voxels that hang together
 // only by an edge get the distance of that neighbour plus sqrt(2). Infinite where not reached.
-std::vector<float> geodesicDistance(const VoxelGraph& graph, const base::RunContext& ctx);
+// With ranks (empty: none) only along ways on which they never fall: loops then close where that
+// growth closed them.
+std::vector<float> geodesicDistance(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
+                                    const base::RunContext& ctx);
 
 } // namespace voluta::curved

@@ -1,8 +1,10 @@
 #include "curved/reverse_growth.h"
 
+#include "base/parallel.h"
 #include "curved/cut_voxels.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -10,18 +12,21 @@ namespace voluta::curved {
 
 namespace {
 
-constexpr float kBehind = 4.0f;      // cells
-constexpr std::size_t kFewPer = 200; // one voxel in so many may hang back: a fit smooths that out
+// More than a voxel's neighbours could ever take from it: asks nothing of them.
+constexpr std::uint8_t kFree = 64;
+// Guided: a voxel that waits for more than kLate levels is late; cells by which it may lie deeper
+// for each further level, and at most.
+constexpr double kLate = 1.0, kEasedPerCell = 0.25, kEasedMost = 0.75;
 
 class Peeler {
 public:
   Peeler(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
-         const std::vector<float>& guide, const PeelOptions& options, const base::RunContext& ctx)
+         const std::vector<float>& guide, const std::vector<std::int32_t>& order,
+         const PeelOptions& options, const base::RunContext& ctx)
       : graph_(graph), guide_(guide), options_(options), ctx_(ctx), front_(graph),
-        present_(graph.size(), 0), removedIn_(graph.size(), 0), lockedIn_(graph.size(), 0),
-        candidateIn_(graph.size(), 0) {
-    const Flood reached = flood(graph, use, guide, guide.empty() ? 1.0f : 1e-3f, ctx);
-    order_ = reached.order;
+        present_(graph.size(), 0), removedIn_(graph.size(), 0) {
+    order_ = order.empty() ? flood(graph, use, {}, 1.0f, ctx).order : order;
+    out_.deepest = options.tolerance;
     out_.rank.assign(graph.size(), 0);
     out_.given.assign(graph.size(), 0);
     out_.level.assign(guide.empty() ? 0 : graph.size(), std::numeric_limits<float>::infinity());
@@ -31,6 +36,7 @@ public:
         front_.insert(v);
       }
     front_.rebuild();
+    countSupports();
   }
 
   Peeling run() {
@@ -53,6 +59,8 @@ public:
 
 private:
   void reportProgress() const {
+    if (!options_.reports)
+      return;
     ctx_.report(1.0 - static_cast<double>(front_.count()) / static_cast<double>(start_), "growth");
   }
 
@@ -65,147 +73,241 @@ private:
     for (level_ = highest - step; level_ > -step && front_.count() > 0; level_ -= step) {
       reportProgress();
       round(options_.sheet, options_.tolerance);
-      freeWhatHangsBack();
     }
     level_ = 0.0f;
   }
 
-  // Voxels that stay behind the level would end up in one thick layer at the bottom. Where their
-  // number does not fall they hang on one another's support: another order of support frees them.
-  void freeWhatHangsBack() {
-    std::size_t behind = 0;
-    for (std::size_t v = 0; v < graph_.size(); ++v)
-      behind += present_[v] && guide_[v] > level_ + kBehind;
-    const bool stuck = behind > start_ / kFewPer && behind >= behind_;
-    behind_ = behind;
-    if (!stuck)
-      return;
-    order_ = flood(graph_, present_, {}, 1.0f, ctx_).order;
-    if (!round(options_.sheet, options_.tolerance) && options_.stuckTolerance > options_.tolerance)
-      round(options_.sheet + 0.5, options_.stuckTolerance);
+  // What hangs back behind the level holds up all that carries it, often for the sake of a fraction
+  // of a cell: the longer it waits, the deeper it may lie.
+  double toleranceOf(std::size_t v, double tolerance) const {
+    if (guide_.empty() || !options_.eases)
+      return tolerance;
+    const double late = static_cast<double>(guide_[v] - level_) - kLate;
+    return late <= 0.0 ? tolerance : std::min(tolerance + kEasedPerCell * late, kEasedMost);
   }
 
   // Tells whether anything was peeled.
   bool round(double sheet, double tolerance) {
     ctx_.checkpoint();
     ++round_;
-    const auto above = [&](std::size_t v) { return guide_.empty() || guide_[v] > level_; };
-    front_.nearSurface(sheet, above, candidates_);
-    for (const std::int32_t v : candidates_)
-      candidateIn_[static_cast<std::size_t>(v)] = round_;
+    if (guide_.empty())
+      front_.nearSurface(
+          sheet, [](std::size_t) { return true; }, candidates_);
+    else
+      front_.nearSurface(
+          options_.eases ? std::max(sheet, kEasedMost) : sheet,
+          [&](std::size_t v) {
+            std::size_t hint = 0;
+            const double late = static_cast<double>(guide_[v] - level_);
+            return late > 0.0 &&
+                   (late > kLate || !options_.eases || !front_.deeperThan(v, sheet, hint));
+          },
+          candidates_);
     std::sort(candidates_.begin(), candidates_.end(), [&](std::int32_t a, std::int32_t b) {
-      return order_[static_cast<std::size_t>(a)] > order_[static_cast<std::size_t>(b)];
+      const std::int32_t oa = order_[static_cast<std::size_t>(a)],
+                         ob = order_[static_cast<std::size_t>(b)];
+      return oa != ob ? oa > ob : a > b;
     });
     taken_.clear();
     for (const std::int32_t v : candidates_)
       if (supportAllows(static_cast<std::size_t>(v))) {
         const auto x = static_cast<std::size_t>(v);
         taken_.push_back(v);
-        removedIn_[x] = round_;
+        changeSupport(x, -1);
         front_.remove(x);
       }
     if (taken_.empty())
       return false;
     front_.rebuild();
+    shadowed_.resize(taken_.size());
+    base::parallelChunks(ctx_, taken_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin, hint = 0; i < end; ++i)
+        shadowed_[i] =
+            front_.deeperThan(static_cast<std::size_t>(taken_[i]),
+                              toleranceOf(static_cast<std::size_t>(taken_[i]), tolerance), hint)
+                ? 1
+                : 0;
+    });
     std::size_t hint = 0, peeled = 0;
-    for (const std::int32_t v : taken_) {
-      const auto x = static_cast<std::size_t>(v);
-      if (front_.deeperThan(x, tolerance, hint)) {
-        removedIn_[x] = 0;
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      const auto x = static_cast<std::size_t>(taken_[i]);
+      if (shadowed_[i]) {
+        changeSupport(x, 1);
         front_.insert(x);
         continue;
       }
       if (tolerance > options_.tolerance && front_.deeperThan(x, options_.tolerance, hint))
-        ++out_.relaxed;
+        noteRelaxed(x);
       take(x);
       ++peeled;
     }
     return peeled > 0;
   }
 
-  void take(std::size_t v) {
-    present_[v] = 0;
-    removedIn_[v] = round_;
-    if (!guide_.empty())
-      out_.level[v] = std::min(guide_[v], level_);
+  void noteRelaxed(std::size_t v) {
+    ++out_.relaxed;
+    out_.deepest = std::max(out_.deepest, front_.depth(v));
   }
 
-  // Every neighbour that was reached later, also one taken in this round (it may be put back),
-  // must keep another earlier neighbour; that one is locked for the round.
-  bool supportAllows(std::size_t v) {
-    if (lockedIn_[v] == round_)
-      return false;
-    locks_.clear();
-    for (const std::int32_t w : graph_.neighbour[v]) {
-      if (w < 0)
-        continue;
-      const auto x = static_cast<std::size_t>(w);
-      if (!present_[x] || order_[x] < order_[v] || graph_.onPlatform[x])
-        continue;
-      std::int32_t best = -1;
-      int bestMerit = -1;
-      for (const std::int32_t u : graph_.neighbour[x]) {
-        if (u < 0)
+  void take(std::size_t v) {
+    present_[v] = 0;
+    supports_[v] = kFree;
+    removedIn_[v] = round_;
+    if (!guide_.empty())
+      out_.level[v] = std::min(guide_[v], level_ + static_cast<float>(options_.levelSlack));
+  }
+
+  // Sets the order of support: a voxel rests on the neighbours that were reached before it.
+  void reorder() {
+    order_ = flood(graph_, present_, {}, 1.0f, ctx_).order;
+    countSupports();
+  }
+
+  void countSupports() {
+    supports_.assign(graph_.size(), kFree);
+    carries_.assign(graph_.size(), 0);
+    base::parallelChunks(ctx_, graph_.size(), 8192, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        if (!present_[v])
           continue;
-        const auto y = static_cast<std::size_t>(u);
-        if (y == v || !present_[y] || removedIn_[y] == round_ || order_[y] > order_[x])
-          continue;
-        const int merit = lockedIn_[y] == round_ ? 2 : candidateIn_[y] != round_ ? 1 : 0;
-        if (merit > bestMerit) {
-          bestMerit = merit;
-          best = u;
+        std::uint8_t supports = 0;
+        std::uint32_t carries = 0;
+        for (std::size_t n = 0; n < kNeighbours; ++n) {
+          const std::int32_t w = graph_.neighbour[v][n];
+          if (w < 0 || !present_[static_cast<std::size_t>(w)])
+            continue;
+          if (order_[static_cast<std::size_t>(w)] < order_[v])
+            ++supports;
+          else if (order_[static_cast<std::size_t>(w)] > order_[v] &&
+                   !graph_.onPlatform[static_cast<std::size_t>(w)])
+            carries |= 1u << n;
         }
+        carries_[v] = carries;
+        if (!graph_.onPlatform[v])
+          supports_[v] = supports;
       }
-      if (best < 0)
+    });
+  }
+
+  // Every neighbour that rests on v, also one taken in this round (it may be put back), must keep
+  // another support.
+  bool supportAllows(std::size_t v) const {
+    for (std::uint32_t c = carries_[v]; c != 0; c &= c - 1) {
+      const std::int32_t w = graph_.neighbour[v][static_cast<std::size_t>(std::countr_zero(c))];
+      if (supports_[static_cast<std::size_t>(w)] < 2)
         return false;
-      locks_.push_back(best);
     }
-    for (const std::int32_t u : locks_)
-      lockedIn_[static_cast<std::size_t>(u)] = round_;
     return true;
   }
 
-  bool goOnWhenStuck() {
-    // Another order of support may open a loop elsewhere.
-    order_ = flood(graph_, present_, {}, 1.0f, ctx_).order;
-    if (round(options_.sheet, options_.tolerance))
-      return true;
-    if (options_.stuckTolerance > options_.tolerance &&
-        round(options_.sheet + 0.5, options_.stuckTolerance))
-      return true;
-    return options_.sacrifice && sacrificeLeast();
+  void changeSupport(std::size_t v, int by) {
+    for (std::uint32_t c = carries_[v]; c != 0; c &= c - 1) {
+      const std::int32_t w = graph_.neighbour[v][static_cast<std::size_t>(std::countr_zero(c))];
+      supports_[static_cast<std::size_t>(w)] =
+          static_cast<std::uint8_t>(supports_[static_cast<std::size_t>(w)] + by);
+    }
   }
 
-  // Lays the voxel on the front on which the fewest others hang, and gives those up.
-  bool sacrificeLeast() {
+  // The voxels that lose every way to the platform with `cut`, `many` in all.
+  void gatherLoss(std::size_t cut, std::size_t many) {
+    loss_.clear();
+    ++visit_;
+    visitedIn_.resize(graph_.size(), 0);
+    visitedIn_[cut] = visit_;
+    for (const std::int32_t first : graph_.neighbour[cut]) {
+      if (first < 0 || !present_[static_cast<std::size_t>(first)] ||
+          visitedIn_[static_cast<std::size_t>(first)] == visit_)
+        continue;
+      const std::size_t begin = loss_.size();
+      bool grounded = false;
+      const auto reach = [&](std::int32_t v) {
+        visitedIn_[static_cast<std::size_t>(v)] = visit_;
+        loss_.push_back(v);
+        grounded |= graph_.onPlatform[static_cast<std::size_t>(v)] != 0;
+      };
+      reach(first);
+      for (std::size_t i = begin; i < loss_.size() && !grounded && loss_.size() <= many; ++i)
+        for (const std::int32_t w : graph_.neighbour[static_cast<std::size_t>(loss_[i])])
+          if (w >= 0 && present_[static_cast<std::size_t>(w)] &&
+              visitedIn_[static_cast<std::size_t>(w)] != visit_)
+            reach(w);
+      if (grounded || loss_.size() > many)
+        loss_.resize(begin);
+    }
+  }
+
+  // Where nothing can go on, each voxel on the front is the last support of another. The one on
+  // which the fewest hang goes all the same: mostly a loop is opened there, and nothing is lost.
+  bool goOnWhenStuck() {
     const std::vector<std::int32_t> loss = lossWithout(graph_, present_);
     front_.nearSurface(
         0.0, [](std::size_t) { return true; }, candidates_);
-    std::int32_t best = -1;
-    for (const std::int32_t v : candidates_) {
-      const auto x = static_cast<std::size_t>(v);
-      const auto key = [&](std::size_t a) { return std::pair(loss[a], -order_[a]); };
-      if (best < 0 || key(x) < key(static_cast<std::size_t>(best)))
-        best = v;
-    }
-    if (best < 0)
+    if (candidates_.empty())
       return false;
+    const auto key = [&](std::int32_t v) {
+      const auto x = static_cast<std::size_t>(v);
+      return std::pair(loss[x], -order_[x]);
+    };
+    const std::int32_t best =
+        *std::min_element(candidates_.begin(), candidates_.end(),
+                          [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
+    const auto cut = static_cast<std::size_t>(best);
+    gatherLoss(cut, static_cast<std::size_t>(loss[cut]));
+    if (!loss_.empty()) {
+      reorder();
+      if (round(options_.sheet, options_.tolerance) || relaxSheet() || relaxLoss())
+        return true;
+      if (!options_.sacrifice)
+        return false;
+    }
     ++round_;
-    const auto x = static_cast<std::size_t>(best);
-    front_.remove(x);
-    take(x);
-    if (loss[x] > 0) {
-      const Flood rest = flood(graph_, present_, {}, 1.0f, ctx_);
-      for (std::size_t v = 0; v < graph_.size(); ++v)
-        if (present_[v] && rest.order[v] < 0) {
-          present_[v] = 0;
-          front_.remove(v);
-          out_.given[v] = 1;
-          ++out_.givenUp;
-        }
+    front_.remove(cut);
+    take(cut);
+    for (const std::int32_t v : loss_) {
+      const auto x = static_cast<std::size_t>(v);
+      present_[x] = 0;
+      front_.remove(x);
+      out_.given[x] = 1;
+      ++out_.givenUp;
     }
     front_.rebuild();
-    order_ = flood(graph_, present_, {}, 1.0f, ctx_).order;
+    reorder();
+    return true;
+  }
+
+  bool relaxSheet() {
+    return options_.relaxSheets && options_.stuckTolerance > options_.tolerance &&
+           round(options_.sheet + 0.5, options_.stuckTolerance);
+  }
+
+  // Lays what hangs on one voxel although it lies inside the front, last what is nearest to the
+  // voxel. False, and nothing done, where some of it lies too deep.
+  bool relaxLoss() {
+    constexpr std::size_t kMost = 64;
+    if (options_.stuckTolerance <= options_.tolerance || loss_.size() > kMost)
+      return false;
+    for (const std::int32_t v : loss_)
+      front_.remove(static_cast<std::size_t>(v));
+    front_.rebuild();
+    std::size_t hint = 0;
+    const bool shallow = std::none_of(loss_.begin(), loss_.end(), [&](std::int32_t v) {
+      return front_.deeperThan(static_cast<std::size_t>(v), options_.stuckTolerance, hint);
+    });
+    if (!shallow) {
+      for (const std::int32_t v : loss_)
+        front_.insert(static_cast<std::size_t>(v));
+      front_.rebuild();
+      return false;
+    }
+    // Breadth first from the voxel that carries them, so each is laid after one before it here.
+    for (std::size_t i = loss_.size(); i-- > 0;) {
+      ++round_;
+      const auto x = static_cast<std::size_t>(loss_[i]);
+      if (front_.deeperThan(x, options_.tolerance, hint))
+        noteRelaxed(x);
+      take(x);
+    }
+    reorder();
     return true;
   }
 
@@ -229,60 +331,82 @@ private:
   ConvexFront front_;
   std::vector<std::uint8_t> present_;
   std::vector<std::int32_t> order_;
-  std::vector<std::int32_t> removedIn_, lockedIn_, candidateIn_; // round
-  std::vector<std::int32_t> candidates_, taken_, locks_;
+  std::vector<std::uint8_t> supports_;  // earlier neighbours that stay, of voxels off the platform
+  std::vector<std::uint32_t> carries_;  // bit n: the n-th neighbour comes later
+  std::vector<std::int32_t> removedIn_; // round
+  std::vector<std::int32_t> candidates_, taken_, loss_;
+  std::vector<std::uint8_t> shadowed_; // per taken voxel
+  std::vector<std::uint32_t> visitedIn_;
+  std::uint32_t visit_ = 0;
   std::int32_t round_ = 0;
-  std::size_t start_ = 1, behind_ = 0;
+  std::size_t start_ = 1;
   float level_ = 0.0f;
   Peeling out_;
 };
 
+// What stood on what was given up falls too; the rest keeps its order.
+std::size_t dropUnsupported(const VoxelGraph& graph, Peeling& peeling) {
+  std::vector<std::vector<std::int32_t>> byRank(static_cast<std::size_t>(peeling.ranks) + 1);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    byRank[static_cast<std::size_t>(peeling.rank[v])].push_back(static_cast<std::int32_t>(v));
+  std::size_t fallen = 0;
+  for (std::size_t r = 1; r < byRank.size(); ++r)
+    for (const std::int32_t v : byRank[r]) {
+      const auto x = static_cast<std::size_t>(v);
+      bool supported = graph.onPlatform[x] != 0;
+      for (const std::int32_t u : graph.neighbour[x])
+        supported |= u >= 0 && peeling.rank[static_cast<std::size_t>(u)] > 0 &&
+                     peeling.rank[static_cast<std::size_t>(u)] < peeling.rank[x];
+      if (supported)
+        continue;
+      peeling.rank[x] = 0;
+      peeling.given[x] = 1;
+      ++fallen;
+    }
+  return fallen;
+}
+
 } // namespace
 
 Peeling peel(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
-             const std::vector<float>& guide, const PeelOptions& options,
-             const base::RunContext& ctx) {
-  return Peeler(graph, use, guide, options, ctx).run();
+             const PeelOptions& options, const base::RunContext& ctx) {
+  return Peeler(graph, use, {}, {}, options, ctx).run();
+}
+
+Peeling peelGuided(const VoxelGraph& graph, const std::vector<float>& guide,
+                   const std::vector<std::int32_t>& order, const PeelOptions& options,
+                   const base::RunContext& ctx) {
+  return Peeler(graph, {}, guide, order, options, ctx).run();
 }
 
 Peeling peelAll(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
-                const std::vector<float>& guide, const PeelOptions& options,
-                const base::RunContext& ctx) {
+                const PeelOptions& options, const base::RunContext& ctx) {
   std::vector<std::uint8_t> kept = use.empty() ? std::vector<std::uint8_t>(graph.size(), 1) : use;
   std::vector<std::uint8_t> given(graph.size(), 0);
   constexpr int kMostRuns = 12;
-  for (int run = 1;; ++run) {
-    Peeling result = peel(graph, kept, guide, options,
-                          ctx.sub(1.0 - std::pow(0.5, run - 1), 1.0 - std::pow(0.5, run)));
+  Peeling best;
+  std::size_t givenUp = 0;
+  for (int run = 1; run <= kMostRuns; ++run) {
+    Peeling result =
+        peel(graph, kept, options, ctx.sub(1.0 - std::pow(0.5, run - 1), 1.0 - std::pow(0.5, run)));
     for (std::size_t v = 0; v < graph.size(); ++v)
       if (result.given[v]) {
         given[v] = 1;
         kept[v] = 0;
       }
-    if (result.givenUp > 0 && run < kMostRuns)
-      continue;
-    if (result.givenUp > 0) {
-      // What stood on what was given up falls too; the rest keeps its order.
-      std::vector<std::vector<std::int32_t>> byRank(static_cast<std::size_t>(result.ranks) + 1);
+    givenUp += result.givenUp;
+    result.fallen = result.givenUp == 0 ? 0 : dropUnsupported(graph, result);
+    result.givenUp = givenUp + result.fallen;
+    const bool settled = result.fallen == 0;
+    if (best.rank.empty() || result.givenUp < best.givenUp) {
       for (std::size_t v = 0; v < graph.size(); ++v)
-        byRank[static_cast<std::size_t>(result.rank[v])].push_back(static_cast<std::int32_t>(v));
-      for (std::size_t r = 1; r < byRank.size(); ++r)
-        for (const std::int32_t v : byRank[r]) {
-          const auto x = static_cast<std::size_t>(v);
-          bool supported = graph.onPlatform[x] != 0;
-          for (const std::int32_t u : graph.neighbour[x])
-            supported |= u >= 0 && result.rank[static_cast<std::size_t>(u)] > 0 &&
-                         result.rank[static_cast<std::size_t>(u)] < result.rank[x];
-          if (!supported) {
-            result.rank[x] = 0;
-            given[x] = 1;
-          }
-        }
+        result.given[v] |= given[v];
+      best = std::move(result);
     }
-    result.given = given;
-    result.givenUp = static_cast<std::size_t>(std::count(given.begin(), given.end(), 1));
-    return result;
+    if (settled)
+      break;
   }
+  return best;
 }
 
 } // namespace voluta::curved

@@ -17,38 +17,51 @@ struct PeelOptions {
   double sheet = 1.0;     // how deep below the front voxels are peeled in one round
   double tolerance = 0.0; // how deep inside the front of what is laid before a voxel may be laid
   double stuckTolerance = 0.5; // the same, only where nothing else can go on
-  double levelStep = 0.5;      // guided: the level falls by this each round
-  bool sacrifice = true;       // where nothing can go on at all: give up voxels. False: stop.
+  bool relaxSheets = false; // there: the whole sheet at that tolerance, not only what hangs on one
+  double levelStep = 0.5;   // guided: the level falls by this each round
+  double levelSlack = 0.0;  // guided: how long a voxel may wait and still count as on time
+  bool eases = false;       // guided: what waits for long may lie deeper than the tolerance
+  bool sacrifice = true;    // where nothing can go on at all: give up voxels. False: stop.
+  bool reports = true;      // progress
 };
 
 struct Peeling {
   std::vector<std::int32_t> rank;  // per voxel: 1 is laid first; 0: not laid
-  std::vector<float> level;        // per voxel, guided: min(field, level at which it was peeled)
+  std::vector<float> level;        // per voxel, guided: min(guide, level at which it was peeled)
   std::vector<std::uint8_t> given; // per voxel: given up so that the others can be laid
   std::int32_t ranks = 0;
   std::size_t remaining = 0; // voxels left where it stopped (neither laid nor given up)
   std::size_t givenUp = 0;
+  std::size_t fallen = 0;  // of them: only because their support was given up (the cascade)
   std::size_t relaxed = 0; // voxels laid deeper inside the front than `tolerance`
+  double deepest = 0.0;    // of any of them, and of `tolerance` where that is more
 };
 
-// Peels the voxels with use[v] (empty: all) that the platform reaches. With a guide, a voxel is
-// peeled only once the level has fallen below its value; without (empty), as soon as the front
-// meets it. Each round: candidates near the front, farthest first, are taken as long as every
-// present neighbour that was reached later keeps another earlier neighbour which stays for this
-// round; the hull of the rest is built; what lies strictly deeper than the tolerance inside it is
-// put back (which does not change that hull). So, read backwards: every voxel of rank r has an
-// AM-stable neighbour of lower rank or stands on the platform (constraint 1), and lies no deeper
-// than the tolerance inside the hull of the platform and all lower ranks (constraint 2), but for
-// `relaxed` voxels (stuckTolerance) and for what had its support given up: peelAll cures that.
+// Peels the voxels with use[v] (empty: all) that the platform reaches, as soon as the front meets
+// them. Each round: candidates near the front, farthest from the platform first, are taken as long
+// as every present neighbour that was reached later keeps another earlier neighbour; the hull of
+// the rest is built; what lies deeper than the tolerance inside it is put back (which does not
+// change that hull). So, read backwards: every voxel of rank r has an AM-stable neighbour of lower
+// rank or stands on the platform (constraint 1), and lies no deeper than the tolerance inside the
+// hull of the platform and all lower ranks (constraint 2), but for `relaxed` voxels
+// (stuckTolerance) and for what had its support given up: peelAll cures that.
 // Throws Cancelled.
 Peeling peel(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
-             const std::vector<float>& guide, const PeelOptions& options,
-             const base::RunContext& ctx);
+             const PeelOptions& options, const base::RunContext& ctx);
 
-// peel(), repeated without what was given up until nothing more has to be: then both constraints
-// hold for all that has a rank. `given` holds all that was given up on the way.
+// peel(), repeated without what was given up until nothing more has to be; what stood on it falls
+// too (`fallen`). Of these runs the one that lays most: both constraints hold for all that has a
+// rank. With sacrifice it ends with nothing remaining.
 Peeling peelAll(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
-                const std::vector<float>& guide, const PeelOptions& options,
-                const base::RunContext& ctx);
+                const PeelOptions& options, const base::RunContext& ctx);
+
+// Peels by level: a voxel goes only once a falling level is below its `guide` (cells). `order` (the
+// ranks of a growth, > 0 for every voxel) says which of two neighbours carries the other: with it
+// loops open where that growth opened them, so no tip of a hook holds up all that carries it. What
+// waits too long may lie deeper than the tolerance where options.eases: the levels that come of it
+// are then a wish for a field to follow, not an order to print in. Throws Cancelled.
+Peeling peelGuided(const VoxelGraph& graph, const std::vector<float>& guide,
+                   const std::vector<std::int32_t>& order, const PeelOptions& options,
+                   const base::RunContext& ctx);
 
 } // namespace voluta::curved

@@ -16,7 +16,12 @@ namespace {
 
 constexpr float kPitSlope = 0.15f; // least rise of the field from a voxel to one it carries
 constexpr float kChanged = 0.3f;   // a growth that lowers the field by more holds it there
-constexpr float kScreenMin = 0.003f, kScreenMax = 5.0f, kScreenStart = 0.05f;
+constexpr float kScreenStart = 0.001f, kScreenFree = 0.003f, kScreenHeld = 0.02f;
+// Fewer voxels than this may be inaccessible, and more must be within the limits, for a field to be
+// good enough; above it, layers may overhang more where that helps.
+constexpr double kAccessible = 0.0012, kWithin = 0.9965;
+constexpr double kStalled = 0.6; // a round that leaves more than this share of them
+constexpr float kOverhangFirst = 0.68f, kOverhangStep = 0.12f;
 
 // The screen grows where growth and field disagree and two rings round it, and decays elsewhere.
 void adaptScreen(const VoxelGraph& graph, const std::vector<float>& field,
@@ -33,58 +38,71 @@ void adaptScreen(const VoxelGraph& graph, const std::vector<float>& field,
             held[static_cast<std::size_t>(w)] = 1;
   }
   for (std::size_t v = 0; v < graph.size(); ++v)
-    screen[v] = held[v] ? std::min(kScreenMax, std::max(screen[v], kScreenStart) * 4.0f)
-                        : std::max(kScreenMin, screen[v] * 0.5f);
+    screen[v] =
+        held[v] ? std::min(kScreenHeld, screen[v] * 4.0f) : std::max(kScreenFree, screen[v] * 0.5f);
 }
 
 } // namespace
 
-SmoothField smoothField(const VoxelGraph& graph, const LayerLimits& limits, int rounds,
+SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
+                        const LayerLimits& limits, int rounds,
+                        const std::function<void(const std::vector<float>&)>& improved,
                         const base::RunContext& ctx) {
-  base::require(rounds >= 1 && graph.size() > 0, "smoothField: a round and a voxel or more");
+  base::require(rounds >= 1 && graph.size() > 0 && rank.size() == graph.size(),
+                "smoothField: a round and a voxel or more, a rank each");
   base::Stopwatch total;
   SmoothField out;
   ctx.report(0.0, "field");
-  std::vector<float> field = geodesicDistance(graph, ctx);
+  std::vector<float> field = geodesicDistance(graph, rank, ctx);
   for (const float f : field)
     base::require(std::isfinite(f), "smoothField: every voxel is reached from the platform");
   FieldFit fit(graph, ctx);
   std::vector<float> screen(graph.size(), kScreenStart);
-  FitOptions first;
-  first.slopeMin = 0.85f;
-  first.slopeMax = 1.15f;
-  fit.fit(field, std::vector<float>(field), screen, first, ctx);
+  FitOptions fitOptions;
+  fitOptions.slopeMin = 0.85f;
+  fitOptions.slopeMax = 1.15f;
+  fitOptions.overhang = kOverhangFirst;
+  fit.fit(field, std::vector<float>(field), screen, fitOptions, ctx);
+  fitOptions.slopeMin = FitOptions{}.slopeMin;
+  fitOptions.slopeMax = FitOptions{}.slopeMax;
 
   PeelOptions peelOptions;
-  peelOptions.tolerance = 0.25;
+  peelOptions.tolerance = 0.1;
   peelOptions.sheet = 0.75;
+  peelOptions.levelSlack = 0.25;
+  peelOptions.eases = true;
   peelOptions.sacrifice = false;
-  std::vector<float> best;
+  peelOptions.reports = false;
   for (int round = 0; round < rounds; ++round) {
-    const double done = (round + 0.5) / (rounds + 0.5);
-    ctx.report(done, "field");
+    ctx.report((round + 0.5) / (rounds + 0.5), "field");
     field = flood(graph, {}, field, kPitSlope, ctx, Steps::FacesFirst).value;
     const FieldScore score = scoreField(graph, field, fit.normals(), limits, ctx);
+    const bool stalled = !out.rounds.empty() && score.inaccessible > kAccessible &&
+                         score.inaccessible > kStalled * out.rounds.back().inaccessible;
     out.rounds.push_back(score);
-    if (best.empty() || score.total() < out.score.total()) {
-      best = field;
+    if (round == 0 || score.total() < out.score.total()) {
       out.score = score;
+      out.field = field;
+      const auto toMm = static_cast<float>(score.scale * graph.grid.pitch);
+      for (float& f : out.field)
+        f *= toMm;
+      if (improved)
+        improved(out.field);
     }
-    if (round + 1 == rounds)
+    if (round + 1 == rounds || (score.inaccessible <= kAccessible && score.within >= kWithin))
       break;
+    if (stalled)
+      fitOptions.overhang += kOverhangStep;
     base::Stopwatch growing;
-    const Peeling grown = peel(graph, {}, field, peelOptions, ctx.sub(done, done));
+    const Peeling grown = peelGuided(graph, field, rank, peelOptions, ctx);
     out.growSeconds += growing.seconds();
     std::vector<float> target(graph.size());
     for (std::size_t v = 0; v < graph.size(); ++v)
       target[v] = grown.rank[v] > 0 ? std::max(grown.level[v], 0.25f) : field[v];
     adaptScreen(graph, field, target, screen);
-    fit.fit(field, target, screen, {}, ctx);
+    field = target;
+    fit.fit(field, target, screen, fitOptions, ctx);
   }
-  const auto toMm = static_cast<float>(out.score.scale * graph.grid.pitch);
-  for (float& f : best)
-    f *= toMm;
-  out.field = std::move(best);
   out.smoothSeconds = total.seconds() - out.growSeconds;
   ctx.report(1.0, "field");
   return out;

@@ -5,6 +5,7 @@
 #include "curved/field_score.h"
 #include "curved/voxel_graph.h"
 
+#include <functional>
 #include <vector>
 
 namespace voluta::curved {
@@ -16,11 +17,15 @@ struct SmoothField {
   double growSeconds = 0.0, smoothSeconds = 0.0;
 };
 
-// From the geodesic distance to the platform, `rounds` >= 1 times: take pits out of the field,
-// let a guided reverse growth lower it where the front could not be reached otherwise, fit a
-// smooth field to that. Keeps the best round by FieldScore::total(). Every voxel of the graph must
-// be reached from the platform (Error{Internal}). Throws Cancelled.
-SmoothField smoothField(const VoxelGraph& graph, const LayerLimits& limits, int rounds,
+// From the geodesic distance to the platform along the ranks of a growth (> 0, one a voxel, valid),
+// `rounds` >= 1 times at most: take pits out of the field, let a guided reverse growth lower it
+// where the front could not be reached otherwise, fit a smooth field to that (growth.md). Overhang
+// is given way to step by step while too much stays inaccessible. Keeps the best round by
+// FieldScore::total(); ends early when one is good enough. Throws Cancelled.
+// `improved` hears of each field that is better than those before, as SmoothField::field.
+SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
+                        const LayerLimits& limits, int rounds,
+                        const std::function<void(const std::vector<float>&)>& improved,
                         const base::RunContext& ctx);
 
 } // namespace voluta::curved

@@ -5,12 +5,14 @@
 #include "curved/flood.h"
 #include "curved/grid_solver.h"
 #include "curved/platform.h"
+#include "curved/reverse_growth.h"
 #include "curved/voxel_shapes.h"
 
 #include "base/error.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -83,7 +85,7 @@ TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsGo) {
       if (front.present(v))
         all.push_back(graph.lattice(v));
     const std::vector<HullFacet> hull = convexHull(all);
-    std::set<std::int32_t> shallow;
+    std::set<std::int32_t> shallow, outermost;
     std::size_t hint = 0;
     for (std::size_t v = 0; v < graph.size(); ++v) {
       double depth = 1e9;
@@ -92,14 +94,23 @@ TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsGo) {
             std::min(depth, (f.offset - f.normal.dot(graph.lattice(v))) / f.normal.norm() / 16.0);
       EXPECT_NEAR(front.depth(v), depth, 1e-9);
       EXPECT_EQ(front.deeperThan(v, 0.0, hint), depth > 1e-10);
+      for (const double limit : {0.1, 0.5, 0.75, 3.0})
+        if (std::abs(depth - limit) > 1e-9) {
+          EXPECT_EQ(front.deeperThan(v, limit, hint), depth > limit);
+        }
       if (front.present(v) && depth <= 0.75)
         shallow.insert(static_cast<std::int32_t>(v));
+      if (front.present(v) && depth < 1e-10)
+        outermost.insert(static_cast<std::int32_t>(v));
     }
     std::vector<std::int32_t> near;
     front.nearSurface(
         0.75, [](std::size_t) { return true; }, near);
-    EXPECT_EQ(std::set<std::int32_t>(near.begin(), near.end()), shallow);
-    EXPECT_EQ(near.size(), shallow.size());
+    const std::set<std::int32_t> found(near.begin(), near.end());
+    EXPECT_EQ(near.size(), found.size());
+    EXPECT_TRUE(std::includes(shallow.begin(), shallow.end(), found.begin(), found.end()));
+    EXPECT_TRUE(std::includes(found.begin(), found.end(), outermost.begin(), outermost.end()));
+    EXPECT_GE(found.size(), shallow.size() - shallow.size() / 5);
     for (const std::int32_t v : near)
       if (random() % 2)
         front.remove(static_cast<std::size_t>(v));
@@ -147,9 +158,27 @@ TEST(Flood, LeavesNoPits) {
 
 TEST(Flood, GeodesicDistanceOfABoxIsItsHeight) {
   const VoxelGraph graph = graphOf(test::boxPart(7, 5, 9));
-  const std::vector<float> distance = geodesicDistance(graph, kQuiet);
+  const std::vector<float> distance = geodesicDistance(graph, {}, kQuiet);
   for (std::size_t v = 0; v < graph.size(); ++v)
     EXPECT_NEAR(distance[v], static_cast<float>(graph.cell[v][2] - 1) + 0.5f, 1e-5f);
+}
+
+TEST(Flood, DistanceAlongRanksComesByWaysThatNeverFall) {
+  const VoxelGraph graph = graphOf(test::archPart());
+  const Peeling peeled = peel(graph, {}, {}, kQuiet);
+  const std::vector<float> along = geodesicDistance(graph, peeled.rank, kQuiet);
+  const std::vector<float> shortest = geodesicDistance(graph, {}, kQuiet);
+  bool differ = false;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    EXPECT_GE(along[v], shortest[v] - 1e-4f);
+    differ |= along[v] > shortest[v] + 1.0f;
+    bool carried = graph.onPlatform[v] != 0;
+    for (const std::int32_t w : graph.neighbour[v])
+      carried |= w >= 0 && along[static_cast<std::size_t>(w)] < along[v] &&
+                 peeled.rank[static_cast<std::size_t>(w)] <= peeled.rank[v];
+    EXPECT_TRUE(carried) << v;
+  }
+  EXPECT_TRUE(differ);
 }
 
 TEST(CutVoxels, LossIsWhatHangsOnAVoxel) {

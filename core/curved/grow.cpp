@@ -1,0 +1,104 @@
+#include "curved/grow.h"
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "curved/reverse_growth.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace voluta::curved {
+
+namespace {
+
+struct ForwardRow {
+  const char* id;
+  ForwardScheme scheme;
+};
+constexpr std::array<ForwardRow, 4> kForward{{{"guided", ForwardScheme::Guided},
+                                              {"adaptive", ForwardScheme::Adaptive},
+                                              {"incremental", ForwardScheme::Incremental},
+                                              {"greedy", ForwardScheme::Greedy}}};
+
+std::size_t laidOf(const std::vector<std::int32_t>& rank) {
+  return static_cast<std::size_t>(
+      std::count_if(rank.begin(), rank.end(), [](std::int32_t r) { return r > 0; }));
+}
+
+void growReverse(const VoxelGraph& graph, Growth& out, const base::RunContext& ctx) {
+  base::Stopwatch watch;
+  constexpr double kSheet = 0.6;
+  PeelOptions first;
+  first.sheet = kSheet;
+  Peeling best = peel(graph, {}, first, ctx.sub(0.0, 0.5));
+  out.peelSeconds = watch.seconds();
+  const bool lossy = best.givenUp > 0;
+  if (lossy) {
+    struct Pass {
+      double sheet;
+      bool relaxSheets;
+    };
+    constexpr std::array<Pass, 3> kPasses{{{kSheet, true}, {1.0, true}, {kSheet, false}}};
+    std::array<Peeling, kPasses.size()> passes;
+    base::parallelChunks(ctx, kPasses.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) {
+        PeelOptions options;
+        options.sheet = kPasses[p].sheet;
+        options.relaxSheets = kPasses[p].relaxSheets;
+        options.reports = false;
+        passes[p] = peelAll(graph, {}, options, ctx);
+      }
+    });
+    const auto key = [](const Peeling& p) { return std::tuple(p.givenUp, p.relaxed, p.ranks); };
+    best = std::move(
+        *std::min_element(passes.begin(), passes.end(),
+                          [&](const Peeling& a, const Peeling& b) { return key(a) < key(b); }));
+    out.growSeconds = watch.seconds() - out.peelSeconds;
+  }
+  out.scheme = "reverse";
+  out.rank = std::move(best.rank);
+  out.ranks = best.ranks;
+  out.relaxed = best.relaxed;
+  out.epsilon = best.deepest;
+}
+
+} // namespace
+
+std::vector<std::string> growthSchemes() {
+  std::vector<std::string> ids{"auto", "reverse"};
+  for (const ForwardRow& row : kForward)
+    ids.emplace_back(row.id);
+  return ids;
+}
+
+void checkGrowthScheme(const std::string& scheme) {
+  const std::vector<std::string> ids = growthSchemes();
+  if (std::find(ids.begin(), ids.end(), scheme) == ids.end())
+    throw base::Error(base::ErrorCode::Usage, "unknown growth '" + scheme + "'", "growth",
+                      "did you mean " + base::nearestName(scheme, ids) + "?");
+}
+
+Growth grow(const VoxelGraph& graph, const std::string& scheme, const ForwardOptions& forward,
+            const base::RunContext& ctx) {
+  checkGrowthScheme(scheme);
+  Growth out;
+  const auto* const row = std::find_if(kForward.begin(), kForward.end(),
+                                       [&](const ForwardRow& r) { return scheme == r.id; });
+  if (row == kForward.end()) {
+    growReverse(graph, out, ctx);
+  } else {
+    base::Stopwatch watch;
+    ForwardGrowth grown = forwardGrowth(graph, row->scheme, forward, ctx);
+    out.growSeconds = watch.seconds();
+    out.scheme = scheme;
+    out.rank = std::move(grown.rank);
+    out.ranks = grown.ranks;
+  }
+  out.laid = laidOf(out.rank);
+  return out;
+}
+
+} // namespace voluta::curved
