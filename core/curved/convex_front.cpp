@@ -1,5 +1,7 @@
 #include "curved/convex_front.h"
 
+#include "base/error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -314,6 +316,19 @@ void ConvexFront::rasterise(std::size_t f, int axis) {
 LatticePoint ConvexFront::inCells(const LatticePoint& p) const {
   return (p.array() - 0.5 * kLatticePerCell) / kLatticePerCell +
          Eigen::Array3d(0.0, 0.0, graph_.plateLayer);
+}
+
+std::array<Eigen::Vector3d, 3> ConvexFront::facetOver(std::size_t v) const {
+  base::require(!facets_.empty(), "facetOver: there is a hull");
+  const LatticePoint p = graph_.lattice(v);
+  std::size_t nearest = 0;
+  for (std::size_t f = 1; f < facets_.size(); ++f)
+    if (below(f, p) * inverseLength_[f] < below(nearest, p) * inverseLength_[nearest])
+      nearest = f;
+  std::array<Eigen::Vector3d, 3> corners;
+  for (std::size_t c = 0; c < 3; ++c)
+    corners[c] = inCells(candidates_[static_cast<std::size_t>(facets_[nearest].corner[c])]);
+  return corners;
 }
 
 Eigen::Vector3d ConvexFront::clearNormal(std::size_t v, const Eigen::Vector3d& wish) const {

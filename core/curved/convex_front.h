@@ -50,6 +50,10 @@ public:
   // least deep below. +z where there is no hull.
   Eigen::Vector3d clearNormal(std::size_t v, const Eigen::Vector3d& wish) const;
 
+  // Corners, in cells (a voxel's centre is at its whole index), of the facet v is least deep below.
+  // Precondition: there is a hull.
+  std::array<Eigen::Vector3d, 3> facetOver(std::size_t v) const;
+
   std::size_t facetCount() const { return facets_.size(); }
 
 private:

@@ -38,9 +38,10 @@ struct Decomposition {
   std::string growth;                    // scheme that made it
   std::size_t voxels = 0;
   int layers = 0; // distinct ranks
-  std::size_t missedVoxels = 0, shadowedVoxels = 0,
-              unreachedVoxels = 0; // missed = shadowed + unreached
-  plan::Findings findings;         // groups of missed voxels: where, how many, why, what would help
+  // missed = shadowed (the cascade among them) + unreached
+  std::size_t missedVoxels = 0, shadowedVoxels = 0, unreachedVoxels = 0, cascadeVoxels = 0;
+  std::size_t supportVoxels = 0; // laid as support, not among `voxels`
+  plan::Findings findings;       // groups of missed voxels: where, how many, why, what would help
   struct {
     double peel = 0, grow = 0, smooth = 0;
   } seconds;

@@ -1,9 +1,12 @@
 #include "curved/missed_voxels.h"
 
+#include "curved/convex_front.h"
 #include "curved/flood.h"
 #include "curved/voxel_graph.h"
 
 #include <algorithm>
+#include <array>
+#include <fmt/format.h>
 #include <string>
 
 namespace voluta::curved {
@@ -13,48 +16,156 @@ namespace {
 struct Group {
   std::vector<std::int32_t> voxels;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); // of the member nearest to the mean
-  bool shadowed = false;
+  Loss loss = Loss::Unreached;                      // of what it begins with
+  std::size_t cascade = 0;
+  std::int32_t root = -1; // the shadowed member that could have been laid first
+  std::int32_t rootRank = 0;
+  std::int32_t coveredAt = 0; // rank after which the front covers the root, 0: not found
+  std::array<Eigen::Vector3d, 3> cover{
+      Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+      Eigen::Vector3d::Zero()}; // corners of the facet over it then, mm
 };
 
-std::vector<Group> missedGroups(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
-                                const std::vector<std::int32_t>& reachedOrder) {
-  const auto cellOf = [&](std::size_t v) {
-    return graph.grid.index(graph.cell[v][0], graph.cell[v][1], graph.cell[v][2]);
-  };
-  std::vector<std::uint8_t> seen(graph.size(), 0);
-  std::vector<Group> groups;
-  for (std::size_t first = 0; first < graph.size(); ++first) {
-    if (seen[first] || rank[cellOf(first)] >= 0)
-      continue;
-    Group group;
-    group.shadowed = reachedOrder[first] >= 0;
-    group.voxels.push_back(static_cast<std::int32_t>(first));
-    seen[first] = 1;
-    for (std::size_t i = 0; i < group.voxels.size(); ++i)
-      for (const std::int32_t w : graph.neighbour[static_cast<std::size_t>(group.voxels[i])])
-        if (w >= 0 && !seen[static_cast<std::size_t>(w)] &&
-            rank[cellOf(static_cast<std::size_t>(w))] < 0) {
-          seen[static_cast<std::size_t>(w)] = 1;
-          group.voxels.push_back(w);
-        }
-    const auto centreOf = [&](std::int32_t v) {
-      const auto& c = graph.cell[static_cast<std::size_t>(v)];
-      return graph.grid.centre(c[0], c[1], c[2]);
-    };
+class Missed {
+public:
+  Missed(const VoxelGraph& graph, Decomposition& decomposition, const base::RunContext& ctx)
+      : graph_(graph), d_(decomposition), ctx_(ctx) {}
+
+  std::vector<Group> groups() {
+    markLoss();
+    gather();
+    findCovers();
+    return std::move(groups_);
+  }
+
+private:
+  std::size_t cellOf(std::size_t v) const {
+    return graph_.grid.index(graph_.cell[v][0], graph_.cell[v][1], graph_.cell[v][2]);
+  }
+  std::int32_t rank(std::size_t v) const { return d_.rank[cellOf(v)]; }
+  Eigen::Vector3d centreOf(std::int32_t v) const {
+    const auto& c = graph_.cell[static_cast<std::size_t>(v)];
+    return graph_.grid.centre(c[0], c[1], c[2]);
+  }
+
+  // Least rank after which v could have been supported; 0: never.
+  std::int32_t supportedFrom(std::size_t v) const {
+    if (graph_.onPlatform[v])
+      return 1;
+    std::int32_t least = 0;
+    for (const std::int32_t w : graph_.neighbour[v])
+      if (w >= 0 && rank(static_cast<std::size_t>(w)) > 0 &&
+          (least == 0 || rank(static_cast<std::size_t>(w)) < least))
+        least = rank(static_cast<std::size_t>(w));
+    return least;
+  }
+
+  void markLoss() {
+    const std::vector<std::int32_t> reached = flood(graph_, {}, {}, 1.0f, ctx_).order;
+    for (std::size_t v = 0; v < graph_.size(); ++v)
+      if (rank(v) < 0)
+        d_.loss[cellOf(v)] = reached[v] < 0         ? Loss::Unreached
+                             : supportedFrom(v) > 0 ? Loss::Shadowed
+                                                    : Loss::Cascade;
+  }
+
+  void gather() {
+    std::vector<std::uint8_t> seen(graph_.size(), 0);
+    for (std::size_t first = 0; first < graph_.size(); ++first) {
+      if (seen[first] || rank(first) >= 0)
+        continue;
+      Group group;
+      group.voxels.push_back(static_cast<std::int32_t>(first));
+      seen[first] = 1;
+      for (std::size_t i = 0; i < group.voxels.size(); ++i)
+        for (const std::int32_t w : graph_.neighbour[static_cast<std::size_t>(group.voxels[i])])
+          if (w >= 0 && !seen[static_cast<std::size_t>(w)] &&
+              rank(static_cast<std::size_t>(w)) < 0) {
+            seen[static_cast<std::size_t>(w)] = 1;
+            group.voxels.push_back(w);
+          }
+      describe(group);
+      groups_.push_back(std::move(group));
+    }
+    std::stable_sort(groups_.begin(), groups_.end(), [](const Group& a, const Group& b) {
+      return a.voxels.size() > b.voxels.size();
+    });
+  }
+
+  void describe(Group& group) const {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const std::int32_t v : group.voxels)
       mean += centreOf(v);
     mean /= static_cast<double>(group.voxels.size());
     group.centre = centreOf(group.voxels[0]);
-    for (const std::int32_t v : group.voxels)
+    for (const std::int32_t v : group.voxels) {
+      const auto x = static_cast<std::size_t>(v);
       if ((centreOf(v) - mean).squaredNorm() < (group.centre - mean).squaredNorm())
         group.centre = centreOf(v);
-    groups.push_back(std::move(group));
+      const Loss loss = d_.loss[cellOf(x)];
+      group.cascade += loss == Loss::Cascade;
+      if (loss != Loss::Shadowed)
+        continue;
+      group.loss = Loss::Shadowed;
+      const std::int32_t from = supportedFrom(x);
+      if (group.root < 0 || from < group.rootRank) {
+        group.root = v;
+        group.rootRank = from;
+      }
+    }
   }
-  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
-    return a.voxels.size() > b.voxels.size();
-  });
-  return groups;
+
+  // One growth over again, asking after each rank which roots the front covers by now.
+  void findCovers() {
+    constexpr std::size_t kMost = 20;
+    const std::size_t asked = std::min(kMost, groups_.size());
+    if (std::none_of(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(asked),
+                     [](const Group& g) { return g.root >= 0; }))
+      return;
+    std::vector<std::int32_t> order;
+    for (std::size_t v = 0; v < graph_.size(); ++v)
+      if (rank(v) > 0)
+        order.push_back(static_cast<std::int32_t>(v));
+    std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+      return rank(static_cast<std::size_t>(a)) < rank(static_cast<std::size_t>(b));
+    });
+    ConvexFront front(graph_);
+    std::size_t hint = 0;
+    for (std::size_t i = 0; i < order.size();) {
+      ctx_.checkpoint();
+      const std::int32_t at = rank(static_cast<std::size_t>(order[i]));
+      for (; i < order.size() && rank(static_cast<std::size_t>(order[i])) == at; ++i)
+        front.insert(static_cast<std::size_t>(order[i]));
+      front.rebuild();
+      bool open = false;
+      for (std::size_t g = 0; g < asked; ++g) {
+        Group& group = groups_[g];
+        if (group.root < 0 || group.coveredAt > 0)
+          continue;
+        const auto root = static_cast<std::size_t>(group.root);
+        if (front.deeperThan(root, 0.0, hint)) {
+          group.coveredAt = at;
+          group.cover = front.facetOver(root);
+          for (Eigen::Vector3d& corner : group.cover)
+            corner =
+                graph_.grid.origin + graph_.grid.pitch * (corner + Eigen::Vector3d::Constant(0.5));
+        } else {
+          open = true;
+        }
+      }
+      if (!open)
+        return;
+    }
+  }
+
+  const VoxelGraph& graph_;
+  Decomposition& d_;
+  const base::RunContext& ctx_;
+  std::vector<Group> groups_;
+};
+
+std::string place(const Eigen::Vector3d& p) {
+  return fmt::format("({:.0f}, {:.0f}, {:.0f})", p.x(), p.y(), p.z());
 }
 
 plan::Finding findingOf(const Group& group) {
@@ -62,15 +173,25 @@ plan::Finding findingOf(const Group& group) {
   finding.stage = "decompose";
   finding.where = group.centre;
   finding.count = group.voxels.size();
-  const std::string many =
-      std::to_string(finding.count) + (finding.count == 1 ? " voxel is " : " voxels are ");
-  if (group.shadowed) {
+  const std::size_t own = finding.count - group.cascade;
+  if (group.loss == Loss::Shadowed) {
     finding.kind = "shadowedVoxels";
-    finding.reason = many + "shadowed: inside the front before it was reached";
-    finding.remedy = "turn the part, change the platform's size or allow supports";
+    finding.reason =
+        fmt::format("{} shadowed: ", own == 1 ? "1 voxel is" : fmt::format("{} voxels are", own));
+    finding.reason +=
+        group.coveredAt > 0
+            ? fmt::format("from step {} on they lie inside the front, under its facet between {}, "
+                          "{} and {} mm",
+                          group.coveredAt, place(group.cover[0]), place(group.cover[1]),
+                          place(group.cover[2]))
+            : std::string("inside the front before they were reached");
+    if (group.cascade > 0)
+      finding.reason += fmt::format("; {} more hang on them", group.cascade);
+    finding.remedy = "turn the part, make the platform smaller or add supports";
   } else {
     finding.kind = "unreachedVoxels";
-    finding.reason = many + "unreached: no path through the part from the platform";
+    finding.reason = fmt::format("{} unreached: no path through the part from the platform",
+                                 own == 1 ? "1 voxel is" : fmt::format("{} voxels are", own));
     finding.remedy = "a larger platform, supports, or join this piece to the part";
   }
   return finding;
@@ -83,11 +204,14 @@ void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decompositi
   // From below the plate too: what lies there is missed as well.
   const VoxelGraph graph =
       voxelGraph(voxels.grid, voxels.solid, voxels.plateLayer(), decomposition.platform);
-  const std::vector<std::int32_t> reached = flood(graph, {}, {}, 1.0f, ctx).order;
-  const std::vector<Group> groups = missedGroups(graph, decomposition.rank, reached);
-  decomposition.shadowedVoxels = decomposition.unreachedVoxels = 0;
-  for (const Group& g : groups)
-    (g.shadowed ? decomposition.shadowedVoxels : decomposition.unreachedVoxels) += g.voxels.size();
+  decomposition.loss.assign(decomposition.rank.size(), Loss::None);
+  const std::vector<Group> groups = Missed(graph, decomposition, ctx).groups();
+  decomposition.shadowedVoxels = decomposition.unreachedVoxels = decomposition.cascadeVoxels = 0;
+  for (const Group& g : groups) {
+    (g.loss == Loss::Shadowed ? decomposition.shadowedVoxels : decomposition.unreachedVoxels) +=
+        g.voxels.size();
+    decomposition.cascadeVoxels += g.cascade;
+  }
   const std::size_t belowPlate = voxels.count - graph.size();
   decomposition.unreachedVoxels += belowPlate;
   decomposition.missedVoxels = decomposition.shadowedVoxels + decomposition.unreachedVoxels;
@@ -106,6 +230,9 @@ void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decompositi
     decomposition.findings.push_back(rest);
   }
   if (belowPlate > 0) {
+    for (std::size_t c = 0; c < decomposition.rank.size(); ++c)
+      if (voxels.solid[c] && decomposition.rank[c] < 0 && graph.voxelAt[c] < 0)
+        decomposition.loss[c] = Loss::Unreached;
     plan::Finding below;
     below.stage = "decompose";
     below.kind = "unreachedVoxels";

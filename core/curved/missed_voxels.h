@@ -6,10 +6,11 @@
 
 namespace voluta::curved {
 
-// Counts voxels of rank -1 and describes their connected groups, largest first: shadowed where a
-// way through the part from the platform exists, unreached where it does not. The twenty largest
-// groups get a finding of their own, the rest one together. Fills missedVoxels, shadowedVoxels,
-// unreachedVoxels and findings. Expects grid, rank and platform.
+// Says of each voxel of rank -1 why: unreached where no way through the part leads from the
+// platform to it, shadowed where something laid would have carried it, else cascade. Describes
+// their connected groups, largest first: the twenty largest get a finding of their own (of shadowed
+// ones from which step on the front covers them, and with which facet), the rest one together.
+// Fills loss, the counts and findings. Expects grid, rank and platform. Throws Cancelled.
 void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decomposition,
                     const base::RunContext& ctx);
 

@@ -162,6 +162,16 @@ TEST(Decompose, AHookThatHangsDownBesideItsStemIsShadowed) {
   EXPECT_GT(d.shadowedVoxels, 0u);
   ASSERT_FALSE(d.findings.empty());
   EXPECT_EQ(d.findings[0].kind, "shadowedVoxels");
+  EXPECT_NE(d.findings[0].reason.find("facet between"), std::string::npos);
+  std::size_t shadowed = 0, cascade = 0;
+  for (std::size_t c = 0; c < d.rank.size(); ++c) {
+    EXPECT_EQ(d.loss[c] != Loss::None, d.rank[c] < 0);
+    shadowed += d.loss[c] == Loss::Shadowed;
+    cascade += d.loss[c] == Loss::Cascade;
+  }
+  EXPECT_EQ(shadowed + cascade, d.shadowedVoxels);
+  EXPECT_EQ(cascade, d.cascadeVoxels);
+  EXPECT_GT(shadowed, 0u);
 }
 
 TEST(Decompose, SameForAnyNumberOfThreads) {
