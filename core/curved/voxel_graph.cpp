@@ -72,6 +72,20 @@ VoxelGraph voxelGraph(const voxel::VoxelGrid& grid, const std::vector<std::uint8
     const Eigen::Vector2d at = (corner - grid.origin.head<2>()) / grid.pitch * kLatticePerCell;
     graph.platform.emplace_back(std::round(at.x()), std::round(at.y()), 0.0);
   }
+  const bool flat = graph.size() > 0 &&
+                    std::all_of(graph.cell.begin(), graph.cell.end(),
+                                [&](const auto& cell) { return cell[1] == graph.cell[0][1]; });
+  if (flat) {
+    const auto [low, high] = std::minmax_element(
+        graph.platform.begin(), graph.platform.end(),
+        [](const LatticePoint& l, const LatticePoint& r) { return l.x() < r.x(); });
+    const double middle = kLatticePerCell * graph.cell[0][1] + 8.0,
+                 wide = kLatticePerCell * kFlatPlatformCells;
+    graph.platform = {{low->x(), middle - wide, 0.0},
+                      {high->x(), middle - wide, 0.0},
+                      {high->x(), middle + wide, 0.0},
+                      {low->x(), middle + wide, 0.0}};
+  }
   return graph;
 }
 

@@ -37,6 +37,11 @@ struct VoxelGraph {
   }
 };
 
+// A flat part, one cell deep in y, grows with the planar hull of its cells and the platform: its
+// front is the hull with a platform that reaches this far to both sides, whose section with the
+// plane of the cells is just that planar hull.
+inline constexpr double kFlatPlatformCells = 1000.0;
+
 // The graph of the cells with use[cell] != 0 that lie above the plate. `platform` is a convex
 // polygon on z = 0, mm, counter-clockwise; a voxel stands on it when it lies in the plate's layer
 // and its centre is over the polygon or within 1e-6 cells of it.

@@ -136,6 +136,44 @@ TEST(ConvexFront, ClearNormalHasEverythingBehindIt) {
   }
 }
 
+TEST(ConvexFront, OfAFlatPartIsThePlanarHull) {
+  // One cell deep: a tree whose crown spans its stem's notch.
+  const VoxelGraph graph = graphOf(test::voxelPart(21, 1, 16, [](int i, int, int k) {
+    return (i >= 8 && i < 13) || (k >= 12 && i >= 2) || (i == 2 && k >= 6);
+  }));
+  ConvexFront front(graph);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    if (graph.cell[v][2] <= 13)
+      front.insert(v);
+  front.rebuild();
+  // The planar hull by all pairs: a point is outside when a line through two points has it alone on
+  // one side.
+  std::vector<Eigen::Vector2d> points;
+  for (const LatticePoint& p : graph.platform)
+    points.emplace_back(p.x(), p.z());
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    if (front.present(v))
+      points.emplace_back(graph.lattice(v).x(), graph.lattice(v).z());
+  std::size_t hint = 0, inside = 0;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    const Eigen::Vector2d q(graph.lattice(v).x(), graph.lattice(v).z());
+    bool outside = false;
+    for (const Eigen::Vector2d& a : points)
+      for (const Eigen::Vector2d& b : points) {
+        const Eigen::Vector2d side = b - a;
+        const auto turn = [&](const Eigen::Vector2d& p) {
+          return side.x() * (p.y() - a.y()) - side.y() * (p.x() - a.x());
+        };
+        outside |= side.squaredNorm() > 0.0 && turn(q) <= 0.0 &&
+                   std::all_of(points.begin(), points.end(),
+                               [&](const Eigen::Vector2d& p) { return turn(p) >= 0.0; });
+      }
+    inside += !outside;
+    EXPECT_EQ(front.deeperThan(v, 0.0, hint), !outside) << v;
+  }
+  EXPECT_GT(inside, 20u);
+}
+
 TEST(Flood, LeavesNoPits) {
   const VoxelGraph graph = graphOf(test::blobPart(8));
   std::mt19937 random(2);
