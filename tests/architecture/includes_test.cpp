@@ -21,6 +21,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"plan", {}},
     {"layers", {"geometry", "voxel", "process", "plan"}},
     {"curved", {"geometry", "voxel", "process", "layers", "plan"}},
+    {"support", {"geometry", "voxel", "process", "layers", "plan", "curved"}},
+    {"placement", {"geometry", "voxel", "process", "layers", "plan", "curved"}},
     {"robot", {"geometry", "process"}},
     {"collision", {"geometry", "process", "voxel", "robot", "plan"}},
     {"toolpath", {"geometry", "process", "voxel", "robot", "plan", "collision", "layers"}},
@@ -29,8 +31,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"program", {"geometry", "process", "robot", "plan"}},
     {"replay", {"geometry", "process", "voxel", "robot", "plan", "program"}},
     {"pipeline",
-     {"geometry", "process", "voxel", "plan", "layers", "curved", "robot", "collision", "toolpath",
-      "motion", "program", "replay"}},
+     {"geometry", "process", "voxel", "plan", "layers", "curved", "support", "placement", "robot",
+      "collision", "toolpath", "motion", "program", "replay"}},
 };
 
 struct Include {

@@ -1,0 +1,326 @@
+#include "support/supports.h"
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "curved/flood.h"
+#include "curved/reverse_growth.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+#include <numeric>
+
+namespace voluta::support {
+
+namespace {
+
+constexpr std::size_t kTold = 20;
+constexpr std::int32_t kUnreached = std::numeric_limits<std::int32_t>::max();
+
+struct Group {
+  std::vector<std::size_t> cells;  // of the part, hang together
+  std::int32_t order = kUnreached; // the first of them that a flood from the platform reaches
+};
+
+std::string counted(std::size_t n, const char* what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+class Supporter {
+public:
+  Supporter(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,
+            const SupportOptions& options, const base::RunContext& ctx)
+      : part_(part), platform_(platform), options_(options), ctx_(ctx),
+        peels_(options.growth == "auto" || options.growth == "reverse") {
+    out_.solid = part;
+  }
+
+  Supports run() {
+    const curved::VoxelGraph plain = graphOf(out_.solid.solid);
+    const curved::Growth first = grown(plain, ctx_.sub(0.0, 0.3));
+    out_.missedBefore = out_.missedAfter = missedOf(plain, first.rank);
+    if (out_.missedBefore == 0)
+      return std::move(out_);
+    markPlate(plain);
+    addColumns(plain, first.rank);
+    thin();
+    const curved::VoxelGraph graph = graphOf(out_.solid.solid);
+    out_.missedAfter = missedOf(graph, grown(graph, ctx_.sub(0.9, 1.0)).rank);
+    out_.support.assign(part_.solid.size(), 0);
+    for (const Column& column : out_.columns)
+      for (const std::size_t c : column.cells)
+        out_.support[c] = 1;
+    out_.voxels = out_.solid.count - part_.count;
+    tell();
+    return std::move(out_);
+  }
+
+private:
+  curved::VoxelGraph graphOf(const std::vector<std::uint8_t>& solid) const {
+    return curved::voxelGraph(part_.grid, solid, part_.plateLayer(), platform_);
+  }
+  static std::size_t cellOf(const curved::VoxelGraph& graph, std::size_t v) {
+    return graph.grid.index(graph.cell[v][0], graph.cell[v][1], graph.cell[v][2]);
+  }
+  bool ofPart(std::size_t cell) const { return part_.solid[cell] != 0; }
+
+  curved::Growth grown(const curved::VoxelGraph& graph, const base::RunContext& ctx) {
+    ++out_.growths;
+    return curved::grow(graph, options_.growth, options_.forward, ctx);
+  }
+
+  // The part's voxels above the plate that have no rank.
+  std::size_t missedOf(const curved::VoxelGraph& graph,
+                       const std::vector<std::int32_t>& rank) const {
+    std::size_t missed = 0;
+    for (std::size_t v = 0; v < graph.size(); ++v)
+      missed += rank[v] <= 0 && ofPart(cellOf(graph, v));
+    return missed;
+  }
+
+  // Ranks as the first pass of reverse growth gives them, in which what is given up stands apart
+  // from what it carried; as the scheme itself gives them elsewhere.
+  std::vector<std::int32_t> quickRanks(const curved::VoxelGraph& graph) {
+    if (!peels_)
+      return grown(graph, ctx_.sub(0.3, 0.9)).rank;
+    ++out_.growths;
+    curved::PeelOptions peeling;
+    peeling.sheet = 0.6;
+    peeling.reports = false;
+    return curved::peel(graph, {}, peeling, ctx_).rank;
+  }
+
+  // Every empty cell over the platform, in the plate's layer, and every closed one beyond it.
+  void markPlate(const curved::VoxelGraph& plain) {
+    cells_.assign(part_.solid.size(), Cell::Empty);
+    std::vector<std::uint8_t> plate(part_.solid.size(), 0);
+    const int k = part_.plateLayer();
+    const Eigen::Vector3i& n = part_.grid.size;
+    if (k >= 0 && k < n.z())
+      for (int j = 0; j < n.y(); ++j)
+        for (int i = 0; i < n.x(); ++i)
+          plate[part_.grid.index(i, j, k)] = 1;
+    const curved::VoxelGraph layer = graphOf(plate);
+    for (std::size_t v = 0; v < layer.size(); ++v)
+      cells_[cellOf(layer, v)] = layer.onPlatform[v] ? Cell::Plate : Cell::Closed;
+    for (int below = 0; below < std::min(k, n.z()); ++below)
+      for (int j = 0; j < n.y(); ++j)
+        for (int i = 0; i < n.x(); ++i)
+          cells_[part_.grid.index(i, j, below)] = Cell::Closed;
+    for (std::size_t v = 0; v < plain.size(); ++v)
+      cells_[cellOf(plain, v)] = Cell::Part;
+  }
+
+  std::vector<Group> missedGroups(const curved::VoxelGraph& graph,
+                                  const std::vector<std::int32_t>& rank,
+                                  const std::vector<std::int32_t>& order) const {
+    std::vector<Group> groups;
+    std::vector<std::uint8_t> seen(graph.size(), 0);
+    std::vector<std::size_t> members;
+    for (std::size_t first = 0; first < graph.size(); ++first) {
+      if (seen[first] || rank[first] > 0)
+        continue;
+      members.assign(1, first);
+      seen[first] = 1;
+      Group group;
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        const std::size_t v = members[i];
+        if (order[v] >= 0)
+          group.order = std::min(group.order, order[v]);
+        if (ofPart(cellOf(graph, v)))
+          group.cells.push_back(cellOf(graph, v));
+        for (const std::int32_t w : graph.neighbour[v])
+          if (w >= 0 && !seen[static_cast<std::size_t>(w)] &&
+              rank[static_cast<std::size_t>(w)] <= 0) {
+            seen[static_cast<std::size_t>(w)] = 1;
+            members.push_back(static_cast<std::size_t>(w));
+          }
+      }
+      if (!group.cells.empty())
+        groups.push_back(std::move(group));
+    }
+    return groups;
+  }
+
+  void addColumns(const curved::VoxelGraph& plain, const std::vector<std::int32_t>& plainRank) {
+    // A scheme that does not peel has its first answer already.
+    std::vector<std::int32_t> rank = peels_ ? quickRanks(plain) : plainRank;
+    curved::VoxelGraph graph = plain;
+    for (int round = 0; round < options_.rounds; ++round) {
+      ctx_.report(0.3 + 0.4 * round / options_.rounds, "supports");
+      const std::vector<std::int32_t> order = curved::flood(graph, {}, {}, 1.0f, ctx_).order;
+      stranded_.clear();
+      const std::size_t before = out_.columns.size();
+      for (const Group& group : missedGroups(graph, rank, order))
+        if (!carry(group, graph, order))
+          stranded_.push_back(group);
+      if (out_.columns.size() == before)
+        return;
+      graph = graphOf(out_.solid.solid);
+      rank = quickRanks(graph);
+      if (missedOf(graph, rank) == 0) {
+        stranded_.clear();
+        return;
+      }
+    }
+  }
+
+  // Puts a column under the group; false where there is no way for one.
+  bool carry(const Group& group, const curved::VoxelGraph& graph,
+             const std::vector<std::int32_t>& order) {
+    // What it stands on must not itself wait for the group.
+    for (std::size_t v = 0; v < graph.size(); ++v)
+      if (const std::size_t c = cellOf(graph, v); ofPart(c))
+        cells_[c] = order[v] >= 0 && order[v] < group.order ? Cell::Footing : Cell::Part;
+    for (const std::size_t c : group.cells)
+      cells_[c] = Cell::Part;
+    std::optional<Column> column = cheapestColumn(part_.grid, cells_, group.cells, ctx_);
+    if (!column)
+      return false;
+    for (const std::size_t c : column->cells) {
+      cells_[c] = Cell::Support;
+      out_.solid.solid[c] = 1;
+    }
+    out_.solid.count += column->cells.size();
+    out_.columns.push_back(std::move(*column));
+    carried_.push_back(group.cells.size());
+    return true;
+  }
+
+  std::vector<std::uint8_t> solidWith(const std::vector<std::uint8_t>& keep) const {
+    std::vector<std::uint8_t> solid = part_.solid;
+    for (std::size_t n = 0; n < out_.columns.size(); ++n)
+      if (keep[n])
+        for (const std::size_t c : out_.columns[n].cells)
+          solid[c] = 1;
+    return solid;
+  }
+
+  // Whether another kept column stands on column n or leans on it.
+  bool isJoined(std::size_t n, const std::vector<std::uint8_t>& keep) const {
+    for (std::size_t other = n + 1; other < out_.columns.size(); ++other) {
+      if (!keep[other] || out_.columns[other].standsOn != Column::Foot::Support)
+        continue;
+      const Eigen::Vector3i under = out_.columns[other].foot - Eigen::Vector3i::UnitZ();
+      const std::size_t c = part_.grid.index(under.x(), under.y(), under.z());
+      const auto& cells = out_.columns[n].cells;
+      if (std::find(cells.begin(), cells.end(), c) != cells.end())
+        return true;
+    }
+    return false;
+  }
+
+  // Leaves out columns, the longest first, as long as nothing more is missed without them.
+  void thin() {
+    std::vector<std::uint8_t> keep(out_.columns.size(), 1);
+    const auto missedWith = [&] {
+      const curved::VoxelGraph graph = graphOf(solidWith(keep));
+      return missedOf(graph, quickRanks(graph));
+    };
+    if (out_.columns.size() > 1) {
+      const std::size_t allowed = missedWith();
+      std::vector<std::size_t> order(out_.columns.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return out_.columns[a].cells.size() > out_.columns[b].cells.size();
+      });
+      int trials = 0;
+      for (const std::size_t n : order) {
+        if (trials == options_.trials)
+          break;
+        if (isJoined(n, keep))
+          continue;
+        ctx_.report(0.7 + 0.2 * trials / options_.trials, "supports");
+        ++trials;
+        keep[n] = 0;
+        if (missedWith() > allowed)
+          keep[n] = 1;
+      }
+    }
+    out_.solid.solid = solidWith(keep);
+    std::vector<Column> columns;
+    std::vector<std::size_t> carried;
+    for (std::size_t n = 0; n < keep.size(); ++n)
+      if (keep[n]) {
+        columns.push_back(std::move(out_.columns[n]));
+        carried.push_back(carried_[n]);
+      }
+    out_.columns = std::move(columns);
+    carried_ = std::move(carried);
+    out_.solid.count = static_cast<std::size_t>(
+        std::count_if(out_.solid.solid.begin(), out_.solid.solid.end(), [](auto s) { return s; }));
+  }
+
+  void tell() {
+    for (std::size_t n = 0; n < std::min(kTold, out_.columns.size()); ++n) {
+      const Column& column = out_.columns[n];
+      plan::Finding f;
+      f.stage = "decompose";
+      f.kind = "supportColumn";
+      f.where = part_.grid.centre(column.top.x(), column.top.y(), column.top.z());
+      f.count = column.cells.size();
+      f.reason = fmt::format("a column of {} from {} carries {} that would be missed",
+                             counted(column.cells.size(), "voxel"),
+                             column.standsOn == Column::Foot::Platform ? "the platform"
+                             : column.standsOn == Column::Foot::Part   ? "the part below"
+                                                                       : "another column",
+                             counted(carried_[n], "voxel"));
+      f.remedy = column.sideFaces == 0
+                     ? "break it off after printing"
+                     : fmt::format("cut it off after printing: it touches the part at {} more",
+                                   counted(column.sideFaces, "face"));
+      f.blocking = false;
+      out_.findings.push_back(std::move(f));
+    }
+    if (out_.columns.size() > kTold) {
+      plan::Finding rest;
+      rest.stage = "decompose";
+      rest.kind = "supportColumns";
+      rest.count = out_.columns.size() - kTold;
+      rest.reason = fmt::format("{} more columns carry what would be missed", rest.count);
+      rest.remedy = "turning the part may need fewer";
+      rest.blocking = false;
+      out_.findings.push_back(std::move(rest));
+    }
+    if (out_.missedAfter == 0)
+      return;
+    for (std::size_t n = 0; n < std::min(kTold, stranded_.size()); ++n) {
+      const Eigen::Vector3i c = part_.grid.cell(stranded_[n].cells.front());
+      plan::Finding f;
+      f.stage = "decompose";
+      f.kind = "noSupport";
+      f.where = part_.grid.centre(c.x(), c.y(), c.z());
+      f.count = stranded_[n].cells.size();
+      f.reason = fmt::format("no column from inside the platform reaches {} that would be missed",
+                             counted(f.count, "voxel"));
+      f.remedy = "a larger platform, or turn the part";
+      out_.findings.push_back(std::move(f));
+    }
+  }
+
+  const voxel::SolidVoxels& part_;
+  const std::vector<Eigen::Vector2d>& platform_;
+  const SupportOptions& options_;
+  const base::RunContext& ctx_;
+  const bool peels_;
+  std::vector<Cell> cells_;
+  std::vector<std::size_t> carried_; // per column
+  std::vector<Group> stranded_;
+  Supports out_;
+};
+
+} // namespace
+
+Supports supportsFor(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,
+                     const SupportOptions& options, const base::RunContext& ctx) {
+  curved::checkGrowthScheme(options.growth);
+  base::require(options.rounds >= 1 && options.trials >= 0,
+                "supportsFor: rounds >= 1, trials >= 0");
+  base::Stopwatch watch;
+  Supports out = Supporter(part, platform, options, ctx).run();
+  out.seconds = watch.seconds();
+  ctx.report(1.0, "supports");
+  return out;
+}
+
+} // namespace voluta::support
