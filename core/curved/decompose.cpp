@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "curved/coarse_field.h"
 #include "curved/convex_front.h"
 #include "curved/field_fit.h"
 #include "curved/flood.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace voluta::curved {
 
@@ -90,10 +92,14 @@ void storeField(const VoxelGraph& graph, const std::vector<float>& field, Decomp
 void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions& options,
               Decomposition& out, const DecompositionWatch& watch, const base::RunContext& ctx) {
   base::Stopwatch clock;
-  std::vector<std::uint8_t> use(out.grid.cellCount(), 0);
-  for (std::size_t v = 0; v < graph.size(); ++v)
-    use[cellOf(graph, v)] = growth.rank[v] > 0;
-  const VoxelGraph laid = voxelGraph(out.grid, use, graph.plateLayer, out.platform);
+  std::optional<VoxelGraph> withoutMissed;
+  if (growth.laid < graph.size()) {
+    std::vector<std::uint8_t> use(out.grid.cellCount(), 0);
+    for (std::size_t v = 0; v < graph.size(); ++v)
+      use[cellOf(graph, v)] = growth.rank[v] > 0;
+    withoutMissed = voxelGraph(out.grid, use, graph.plateLayer, out.platform);
+  }
+  const VoxelGraph& laid = withoutMissed ? *withoutMissed : graph;
   const LayerLimits limits{options.layerHeightMm, options.heightMinMm, options.heightMaxMm};
   const auto improved = [&](const std::vector<float>& field) {
     if (!watch)
@@ -105,31 +111,36 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (growth.rank[v] > 0)
       plain[static_cast<std::size_t>(laid.voxelAt[cellOf(graph, v)])] = growth.rank[v];
-  const SmoothField smooth =
-      smoothField(laid, plain, limits, options.rounds, improved, ctx.sub(0.0, 0.85));
+  const bool coarse = laid.size() > kFieldVoxels;
+  const std::vector<float> field =
+      coarse ? coarseField(laid, out.platform, limits, options.rounds, ctx.sub(0.0, 0.85))
+             : smoothField(laid, plain, limits, options.rounds, improved, ctx.sub(0.0, 0.85)).field;
 
-  std::vector<float> guide(laid.size());
-  for (std::size_t v = 0; v < laid.size(); ++v)
-    guide[v] = static_cast<float>(smooth.field[v] / out.grid.pitch);
-  PeelOptions strict;
-  strict.sheet = 0.6;
-  strict.levelStep = 1.0;
-  strict.sacrifice = false;
-  Peeling guided = peelGuided(laid, guide, plain, strict, ctx.sub(0.85, 0.95));
-  const bool follows = guided.remaining == 0 && guided.relaxed <= growth.relaxed;
-  if (follows) {
-    out.layers = guided.ranks;
-    out.epsilonMm = guided.deepest * out.grid.pitch;
+  std::vector<std::int32_t> rank = std::move(plain);
+  if (!coarse) {
+    std::vector<float> guide(laid.size());
+    for (std::size_t v = 0; v < laid.size(); ++v)
+      guide[v] = static_cast<float>(field[v] / out.grid.pitch);
+    PeelOptions strict;
+    strict.sheet = 0.6;
+    strict.levelStep = 1.0;
+    strict.sacrifice = false;
+    Peeling guided = peelGuided(laid, guide, rank, strict, ctx.sub(0.85, 0.95));
+    if (guided.remaining == 0 && guided.relaxed <= growth.relaxed) {
+      rank = std::move(guided.rank);
+      out.layers = guided.ranks;
+      out.epsilonMm = guided.deepest * out.grid.pitch;
+    }
   }
 
   ctx.report(0.95, "front");
   std::vector<std::int32_t> level(laid.size());
   for (std::size_t v = 0; v < laid.size(); ++v)
     level[v] = static_cast<std::int32_t>(
-        std::floor(static_cast<double>(smooth.field[v]) / options.layerHeightMm));
-  const std::vector<Eigen::Vector3f> wish = fieldGradient(laid, smooth.field, ctx);
-  store(laid, follows ? guided.rank : plain, frontNormals(laid, level, wish, ctx), out);
-  storeField(laid, smooth.field, out);
+        std::floor(static_cast<double>(field[v]) / options.layerHeightMm));
+  const std::vector<Eigen::Vector3f> wish = fieldGradient(laid, field, ctx);
+  store(laid, rank, frontNormals(laid, level, wish, ctx), out);
+  storeField(laid, field, out);
   out.seconds.smooth = clock.seconds();
 }
 

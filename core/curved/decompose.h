@@ -34,7 +34,8 @@ using DecompositionWatch = std::function<void(const Decomposition&)>;
 // platform or has an AM-stable neighbour of lower rank, and it does not lie strictly inside the
 // convex hull of the platform and all lower ranks; where nothing else can go on (stuck loops), it
 // lies at most half a voxel inside (the sources' epsilon). grow() finds them; with
-// a field they are then found once more guided by it, so that ranks and layers follow one another.
+// a field they are then found once more guided by it, so that ranks and layers follow one another
+// (not above kFieldVoxels, where the field comes from a coarser grid).
 // Field: see Decomposition::field; thickness h / |grad field| is kept within the height limits
 // but for a small share, and levels follow each other without islands.
 // What can't be laid is given up, as little as possible, and stands in findings by group.
