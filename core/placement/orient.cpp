@@ -1,0 +1,221 @@
+#include "placement/orient.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/units.h"
+#include "curved/platform.h"
+#include "curved/reverse_growth.h"
+#include "geometry/measures.h"
+#include "geometry/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace voluta::placement {
+
+namespace {
+
+constexpr std::size_t kFlatPlaces = 8, kRefined = 3, kChecked = 4;
+constexpr double kSmallTurn = 12.0; // degrees
+constexpr double kStays = 1.1;      // of the best's risky area
+constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
+
+struct Candidate {
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  Stance stance;
+  std::size_t missed = kUnknown; // at the coarse width
+
+  auto keyWith(std::size_t misses) const {
+    return std::tuple(!stance.stands, misses, stance.riskyMm2, stance.heightMm);
+  }
+  auto key() const { return keyWith(missed); }
+};
+
+class OrientSearch {
+public:
+  OrientSearch(const geometry::TriangleMesh& mesh, const OrientOptions& options,
+               const base::RunContext& ctx)
+      : mesh_(mesh), options_(options), ctx_(ctx),
+        measure_(mesh, options.voxelMm, options.overhangRad) {
+    add(Eigen::Quaterniond::Identity());
+    for (int n = 0; n < 27; ++n) {
+      const Eigen::Vector3d down(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+      if (!down.isZero() && (!options.quarterTurns || down.cwiseAbs().sum() == 1.0))
+        add(geometry::rotationLayingFlat(down));
+    }
+    if (!options.quarterTurns)
+      for (const Eigen::Vector3d& down : measure_.flatPlaces(kFlatPlaces))
+        add(geometry::rotationLayingFlat(down));
+  }
+
+  Orientation leastRisky() {
+    for (Candidate& c : found_)
+      c.missed = 0;
+    for (double step = 0.5 * kSmallTurn; step > 1.0 && !options_.quarterTurns; step *= 0.5)
+      for (const Eigen::Quaterniond& turn : nearTheBest(step))
+        if (add(turn))
+          found_.back().missed = 0;
+    return chosen(best());
+  }
+
+  Orientation fewestMissed() {
+    setCoarseWidth();
+    growCoarse(0, 0.0, 0.6);
+    if (!options_.quarterTurns) {
+      const std::size_t first = found_.size();
+      const Candidate winner = found_[best()];
+      for (const Eigen::Quaterniond& turn : nearTheBest(kSmallTurn))
+        // What could not win even without a loss is not grown.
+        if (add(turn) && found_.back().keyWith(0) >= winner.key())
+          found_.pop_back();
+      growCoarse(first, 0.6, 0.8);
+    }
+    std::vector<std::size_t> order = sorted();
+    order.resize(std::min(order.size(), kChecked));
+    std::size_t taken = order[0], fewest = kUnknown;
+    for (std::size_t n = 0; n < order.size() && fewest > 0; ++n) {
+      const double at = 0.8 + 0.2 * static_cast<double>(n) / kChecked;
+      const std::size_t missed =
+          missedIn(voxels(found_[order[n]].turn, options_.voxelMm, at), ctx_);
+      if (missed < fewest) {
+        fewest = missed;
+        taken = order[n];
+      }
+    }
+    Orientation out = chosen(taken);
+    out.searchMm = coarseMm_;
+    out.missed = found_[taken].missed;
+    out.missedBefore = found_[0].missed;
+    out.missedAtVoxelMm = fewest;
+    return out;
+  }
+
+private:
+  // False where the part would not stand or lies like that already.
+  bool add(const Eigen::Quaterniond& turn) {
+    constexpr double kSame = 0.02;
+    Candidate c;
+    c.turn = turn;
+    const Eigen::Vector3d up = turn.toRotationMatrix().row(2).transpose();
+    for (const Candidate& other : found_)
+      if ((other.turn.toRotationMatrix().row(2).transpose() - up).norm() < kSame)
+        return false;
+    c.stance = measure_.of(turn.toRotationMatrix());
+    if (!found_.empty() && !c.stance.stands)
+      return false;
+    found_.push_back(c);
+    return true;
+  }
+
+  std::vector<std::size_t> sorted() const {
+    std::vector<std::size_t> order(found_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return found_[a].key() < found_[b].key();
+    });
+    // As it lies, where that is hardly worse.
+    const Candidate &first = found_[order[0]], &lies = found_[0];
+    if (lies.stance.stands && lies.missed == first.missed &&
+        lies.stance.riskyMm2 <= kStays * first.stance.riskyMm2) {
+      order.erase(std::find(order.begin(), order.end(), 0));
+      order.insert(order.begin(), 0);
+    }
+    return order;
+  }
+  std::size_t best() const { return sorted()[0]; }
+
+  // The best few, tipped a little.
+  std::vector<Eigen::Quaterniond> nearTheBest(double degrees) const {
+    std::vector<Eigen::Quaterniond> near;
+    std::vector<std::size_t> order = sorted();
+    order.resize(std::min(order.size(), kRefined));
+    for (const std::size_t n : order)
+      for (const double sign : {-1.0, 1.0})
+        for (const int axis : {0, 1})
+          near.push_back(Eigen::AngleAxisd(sign * base::degreesToRadians(degrees),
+                                           Eigen::Vector3d::Unit(axis)) *
+                         found_[n].turn);
+    return near;
+  }
+
+  Orientation chosen(std::size_t n) const {
+    Orientation out;
+    out.turn = found_[n].turn;
+    out.stance = found_[n].stance;
+    out.before = found_[0].stance;
+    out.tried = found_.size();
+    return out;
+  }
+
+  // `at`: how far the search is.
+  voxel::SolidVoxels voxels(const Eigen::Quaterniond& turn, double pitch, double at) const {
+    geometry::Placement placement;
+    placement.rotation = turn;
+    placement.centreMm = options_.centreMm;
+    return voxel::solidVoxels(geometry::place(mesh_, 1.0, placement), pitch, ctx_.sub(at, at));
+  }
+
+  void setCoarseWidth() {
+    const auto wanted = static_cast<double>(options_.searchVoxels);
+    coarseMm_ = std::max(options_.voxelMm, std::cbrt(std::abs(geometry::volume(mesh_)) / wanted));
+    for (int n = 0; n < 3; ++n)
+      coarseMm_ = std::max(
+          options_.voxelMm,
+          coarseMm_ * std::cbrt(static_cast<double>(voxels(found_[0].turn, coarseMm_, 0.0).count) /
+                                wanted));
+  }
+
+  std::size_t missedIn(const voxel::SolidVoxels& part, const base::RunContext& ctx) const {
+    const std::vector<Eigen::Vector2d> platform =
+        options_.platform ? options_.platform(part) : curved::platformFit(part, 0.0);
+    const curved::VoxelGraph graph =
+        curved::voxelGraph(part.grid, part.solid, part.plateLayer(), platform);
+    curved::PeelOptions peeling;
+    peeling.sheet = 0.6;
+    peeling.reports = false;
+    const std::vector<std::int32_t> rank = curved::peel(graph, {}, peeling, ctx).rank;
+    return part.count - static_cast<std::size_t>(
+                            std::count_if(rank.begin(), rank.end(), [](auto r) { return r > 0; }));
+  }
+
+  // Counts what the candidates from `first` on miss.
+  void growCoarse(std::size_t first, double from, double to) {
+    constexpr std::size_t kAtOnce = 4;
+    for (std::size_t begin = first; begin < found_.size(); begin += kAtOnce) {
+      const double at = from + (to - from) * static_cast<double>(begin - first) /
+                                   static_cast<double>(found_.size() - first);
+      const std::size_t count = std::min(kAtOnce, found_.size() - begin);
+      std::vector<voxel::SolidVoxels> parts;
+      for (std::size_t n = 0; n < count; ++n)
+        parts.push_back(voxels(found_[begin + n].turn, coarseMm_, at));
+      base::parallelChunks(ctx_, count, 1, [&](std::size_t b, std::size_t e) {
+        for (std::size_t n = b; n < e; ++n)
+          found_[begin + n].missed = missedIn(parts[n], ctx_);
+      });
+    }
+  }
+
+  const geometry::TriangleMesh& mesh_;
+  const OrientOptions& options_;
+  const base::RunContext& ctx_;
+  StanceMeasure measure_;
+  std::vector<Candidate> found_; // the first: as it lies
+  double coarseMm_ = 0.0;
+};
+
+} // namespace
+
+Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective objective,
+                            const OrientOptions& options, const base::RunContext& ctx) {
+  base::require(!mesh.empty() && options.voxelMm > 0.0, "bestOrientation: facets, voxelMm > 0");
+  OrientSearch search(mesh, options, ctx);
+  Orientation out =
+      objective == Objective::LeastRisky ? search.leastRisky() : search.fewestMissed();
+  ctx.report(1.0, "orientation");
+  return out;
+}
+
+} // namespace voluta::placement

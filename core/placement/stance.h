@@ -1,0 +1,41 @@
+// How a turned part would stand: what can be told from its facets alone.
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voluta::placement {
+
+struct Stance {
+  double contactMm2 = 0.0; // of facets that face down within the contact depth, seen from above
+  double riskyMm2 = 0.0;   // of facets that overhang by more than the angle, but for the contact
+  double heightMm = 0.0;
+  bool stands = false; // the contact is at least kLeastContact of volume^(2/3)
+};
+
+// A ball as big as 100,000 voxels has 0.08 at a depth of one voxel, the tip of an ear 0.01.
+inline constexpr double kLeastContact = 0.02;
+
+class StanceMeasure {
+public:
+  // contactDepthMm > 0: height above the plate up to which material counts as lying on it.
+  // overhangRad: a facet of normal n is risky where n_z + sin(overhangRad) < 0 (RoboFDM, eq. 1).
+  // Precondition (Error{Internal}): mesh not empty. It stays as it is while this is used.
+  StanceMeasure(const geometry::TriangleMesh& mesh, double contactDepthMm, double overhangRad);
+
+  // Of the mesh turned by `turn` and put on the plate.
+  Stance of(const Eigen::Matrix3d& turn) const;
+
+  // Outward normals of the mesh's largest flat places, the largest first, at most `most`; facets
+  // within about two degrees of each other count as one.
+  std::vector<Eigen::Vector3d> flatPlaces(std::size_t most) const;
+
+private:
+  const geometry::TriangleMesh& mesh_;
+  double depth_, sine_, leastContact_;
+  std::vector<Eigen::Vector3d> normal_; // times the facet's area
+};
+
+} // namespace voluta::placement

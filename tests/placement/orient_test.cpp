@@ -1,0 +1,164 @@
+// The search for the way a part should lie, on parts whose answer is known.
+#include "placement/orient.h"
+
+#include "base/error.h"
+#include "curved/grow.h"
+#include "curved/platform.h"
+#include "geometry/mesh_reader.h"
+#include "geometry/placement.h"
+#include "support/models.h"
+#include "support/shapes.h"
+#include "voxel/voxel_object.h"
+
+#include <gtest/gtest.h>
+
+namespace voluta::placement {
+namespace {
+
+const base::RunContext kQuiet;
+
+template <typename Part> geometry::TriangleMesh meshOf(int nx, int ny, int nz, Part&& part) {
+  voxel::VoxelObject object;
+  object.size = {nx, ny, nz};
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i)
+        object.solid.push_back(part(i, j, k) ? 1 : 0);
+  return voxel::surfaceOf(object);
+}
+
+// Two posts, a beam, and a tooth that hangs from it between them, which growth from the posts'
+// feet covers before it comes there.
+geometry::TriangleMesh toothMesh() {
+  return meshOf(24, 6, 19, [](int i, int j, int k) {
+    return i < 4 || i >= 20 || k >= 16 || ((i == 11 || i == 12) && (j == 2 || j == 3) && k >= 8);
+  });
+}
+
+geometry::TriangleMesh teeMesh() {
+  return meshOf(15, 5, 15, [](int i, int, int k) { return k >= 10 || (i >= 5 && i < 10); });
+}
+
+OrientOptions atOneMm() {
+  OrientOptions options;
+  options.voxelMm = 1.0;
+  return options;
+}
+
+geometry::TriangleMesh turned(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& turn) {
+  geometry::Placement placement;
+  placement.rotation = turn;
+  return geometry::place(mesh, 1.0, placement);
+}
+
+std::size_t missedByGrowth(const geometry::TriangleMesh& mesh, double voxelMm) {
+  const voxel::SolidVoxels part = voxel::solidVoxels(mesh, voxelMm, kQuiet);
+  const curved::VoxelGraph graph =
+      curved::voxelGraph(part.grid, part.solid, part.plateLayer(), curved::platformFit(part, 0.0));
+  return part.count - curved::grow(graph, "auto", {}, kQuiet).laid;
+}
+
+TEST(Orient, FindsADirectionWithoutLoss) {
+  const geometry::TriangleMesh mesh = toothMesh();
+  ASSERT_GT(missedByGrowth(turned(mesh, Eigen::Quaterniond::Identity()), 1.0), 0u);
+  const Orientation found = bestOrientation(mesh, Objective::FewestMissed, atOneMm(), kQuiet);
+  EXPECT_GT(found.missedBefore, 0u);
+  EXPECT_EQ(found.missed, 0u);
+  EXPECT_EQ(found.missedAtVoxelMm, 0u);
+  EXPECT_TRUE(found.stance.stands);
+  EXPECT_EQ(missedByGrowth(turned(mesh, found.turn), 1.0), 0u);
+}
+
+TEST(Orient, PutsATeeOnItsBeamOrItsSide) {
+  const geometry::TriangleMesh mesh = teeMesh();
+  const Orientation found = bestOrientation(mesh, Objective::LeastRisky, atOneMm(), kQuiet);
+  EXPECT_NEAR(found.before.riskyMm2, 2 * 5 * 5, 1e-9);
+  EXPECT_NEAR(found.stance.riskyMm2, 0.0, 1e-9);
+  EXPECT_NEAR(found.stance.heightMm, 5.0, 1e-9); // the lower of the two
+}
+
+TEST(Orient, WhatLiesWellStays) {
+  const geometry::TriangleMesh mesh = test::box({0, 0, 0}, {20, 10, 5});
+  for (const Objective objective : {Objective::LeastRisky, Objective::FewestMissed}) {
+    const Orientation found = bestOrientation(mesh, objective, atOneMm(), kQuiet);
+    EXPECT_TRUE(found.turn.isApprox(Eigen::Quaterniond::Identity()));
+    EXPECT_NEAR(found.stance.contactMm2, 200.0, 1e-9);
+  }
+}
+
+TEST(Orient, NothingIsStoodOnATip) {
+  // A long cone has the least risky area on its tip.
+  geometry::TriangleMesh cone;
+  constexpr int kAround = 32;
+  for (int i = 0; i < kAround; ++i) {
+    const double a = 2.0 * std::numbers::pi * i / kAround;
+    cone.vertices.emplace_back(10 * std::cos(a), 10 * std::sin(a), 40.0);
+  }
+  cone.vertices.emplace_back(0, 0, 0);
+  cone.vertices.emplace_back(0, 0, 40);
+  for (int i = 0; i < kAround; ++i) {
+    const int next = (i + 1) % kAround;
+    cone.triangles.push_back({i, kAround, next});
+    cone.triangles.push_back({i, next, kAround + 1});
+  }
+  for (const Objective objective : {Objective::LeastRisky, Objective::FewestMissed}) {
+    const Orientation found = bestOrientation(cone, objective, atOneMm(), kQuiet);
+    EXPECT_FALSE(found.before.stands);
+    EXPECT_TRUE(found.stance.stands);
+    EXPECT_NEAR(found.stance.heightMm, 40.0, 0.1); // on its base
+  }
+}
+
+TEST(Orient, QuarterTurnsOnlyWhereAsked) {
+  OrientOptions options = atOneMm();
+  options.quarterTurns = true;
+  const Orientation found = bestOrientation(toothMesh(), Objective::FewestMissed, options, kQuiet);
+  const Eigen::Matrix3d m = found.turn.toRotationMatrix();
+  EXPECT_LT((m - Eigen::Matrix3d(m.array().round())).norm(), 1e-9);
+  EXPECT_EQ(found.missed, 0u);
+}
+
+TEST(Orient, IsTheSameForAnyNumberOfThreads) {
+  const geometry::TriangleMesh mesh = toothMesh();
+  const Orientation one = bestOrientation(mesh, Objective::FewestMissed, atOneMm(), kQuiet),
+                    two = bestOrientation(mesh, Objective::FewestMissed, atOneMm(),
+                                          base::RunContext(base::CancelToken{}, 2));
+  EXPECT_EQ(one.turn.coeffs(), two.turn.coeffs());
+  EXPECT_EQ(one.missedBefore, two.missedBefore);
+  EXPECT_EQ(one.tried, two.tried);
+}
+
+TEST(Orient, ProgressNeverFalls) {
+  double last = 0.0;
+  std::size_t heard = 0;
+  const base::RunContext ctx(base::CancelToken{}, 2, [&](double fraction, std::string_view) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+    ++heard;
+  });
+  bestOrientation(toothMesh(), Objective::FewestMissed, atOneMm(), ctx);
+  EXPECT_GT(heard, 5u);
+  EXPECT_EQ(last, 1.0);
+}
+
+TEST(Orient, CanBeCancelled) {
+  const base::CancelToken token;
+  token.cancel();
+  EXPECT_THROW(
+      bestOrientation(toothMesh(), Objective::FewestMissed, atOneMm(), base::RunContext(token, 1)),
+      base::Cancelled);
+}
+
+TEST(Orient, SpotNeedsNoSupportWhenTurned) {
+  VOLUTA_MODEL_OR_SKIP(file, "spot.stl");
+  const geometry::TriangleMesh mesh = geometry::readMesh(file).mesh;
+  OrientOptions options;
+  options.voxelMm = 2.0;
+  const Orientation found = bestOrientation(mesh, Objective::FewestMissed, options, kQuiet);
+  EXPECT_GT(found.missedBefore, 0u);
+  EXPECT_EQ(found.missedAtVoxelMm, 0u);
+  EXPECT_EQ(missedByGrowth(turned(mesh, found.turn), 2.0), 0u);
+}
+
+} // namespace
+} // namespace voluta::placement
