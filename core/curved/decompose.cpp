@@ -182,9 +182,12 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
   const bool reverse = options.growth == "auto" || options.growth == "reverse";
   const bool fits = reverse && options.rounds > 0;
   const Growth growth =
-      grow(graph, options.growth, options.forward, ctx.sub(0.0, fits ? 0.15 : 0.9));
+      grow(graph, options.growth, options.forward, ctx.sub(0.0, fits ? 0.15 : 0.9),
+           options.head.sections.empty() ? nullptr : &options.head);
   out.growth = growth.scheme;
   out.layers = growth.ranks;
+  if (growth.byHead > 0)
+    out.byHead.assign(voxels.grid.cellCount(), 0);
   out.epsilonMm = growth.epsilon * out.grid.pitch;
   out.seconds.peel = growth.peelSeconds;
   out.seconds.grow = growth.growSeconds;
@@ -198,6 +201,13 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
     fitField(graph, growth, options, out, watch, ctx.sub(0.15, 1.0));
   else
     store(graph, growth.rank, normalsOfRanks(graph, growth.rank, ctx), out);
+  if (growth.byHead > 0)
+    for (std::size_t v = 0; v < graph.size(); ++v)
+      if (growth.headDirection[v] != Eigen::Vector3f::Zero()) {
+        out.frontNormal[cellOf(graph, v)] = growth.headDirection[v];
+        out.byHead[cellOf(graph, v)] = 1;
+      }
+  out.headVoxels = growth.byHead;
   ctx.report(1.0, "growth");
   return out;
 }

@@ -18,7 +18,8 @@ struct CurvedOptions {
   std::string growth = "auto";                                      // of growthSchemes()
   ForwardOptions forward;                                           // of the sources' schemes
   double layerHeightMm = 0.8, heightMinMm = 0.4, heightMaxMm = 1.0; // heights a layer may have
-  int rounds = 8; // of growth and refit, at most; 0: ranks only, no field
+  process::HeadShape head; // a front of this shape where the flat one loses voxels; empty: flat
+  int rounds = 8;          // of growth and refit, at most; 0: ranks only, no field
 };
 
 // voxelMm (mm, 0.8: width of the voxels) and fieldRounds (CurvedOptions::rounds).

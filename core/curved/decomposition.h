@@ -24,6 +24,8 @@ struct Decomposition {
   voxel::VoxelGrid grid;
   std::vector<std::int32_t> rank;    // 0 outside, n >= 1 its layer in growth order, -1 missed
   std::vector<Loss> loss;            // None where rank >= 0
+  std::vector<std::uint8_t> byHead;  // 1: inside the flat front, but the head itself reaches it in
+                                     // the direction of frontNormal; empty: none
   std::vector<std::uint8_t> support; // 1: support material, laid like the part; empty: none
   std::vector<float> field; // level of a printed voxel's centre, mm above the platform along
                             // the growth: layer L covers [L h, (L + 1) h). NaN elsewhere.
@@ -40,6 +42,7 @@ struct Decomposition {
   int layers = 0; // distinct ranks
   // missed = shadowed (the cascade among them) + unreached
   std::size_t missedVoxels = 0, shadowedVoxels = 0, unreachedVoxels = 0, cascadeVoxels = 0;
+  std::size_t headVoxels = 0;    // laid, of byHead
   std::size_t supportVoxels = 0; // laid as support, not among `voxels`
   plan::Findings findings;       // groups of missed voxels: where, how many, why, what would help
   struct {

@@ -28,11 +28,13 @@ std::size_t laidOf(const std::vector<std::int32_t>& rank) {
       std::count_if(rank.begin(), rank.end(), [](std::int32_t r) { return r > 0; }));
 }
 
-void growReverse(const VoxelGraph& graph, Growth& out, const base::RunContext& ctx) {
+void growReverse(const VoxelGraph& graph, const process::HeadShape* head, Growth& out,
+                 const base::RunContext& ctx) {
   base::Stopwatch watch;
   constexpr double kSheet = 0.6;
   PeelOptions first;
   first.sheet = kSheet;
+  first.head = head;
   Peeling best = peel(graph, {}, first, ctx.sub(0.0, 0.5));
   out.peelSeconds = watch.seconds();
   const bool lossy = best.givenUp > 0;
@@ -49,6 +51,7 @@ void growReverse(const VoxelGraph& graph, Growth& out, const base::RunContext& c
         options.sheet = kPasses[p].sheet;
         options.relaxSheets = kPasses[p].relaxSheets;
         options.reports = false;
+        options.head = head;
         passes[p] = peelAll(graph, {}, options, ctx);
       }
     });
@@ -63,6 +66,8 @@ void growReverse(const VoxelGraph& graph, Growth& out, const base::RunContext& c
   out.ranks = best.ranks;
   out.relaxed = best.relaxed;
   out.epsilon = best.deepest;
+  out.headDirection = std::move(best.headDirection);
+  out.byHead = best.byHead;
 }
 
 } // namespace
@@ -82,13 +87,13 @@ void checkGrowthScheme(const std::string& scheme) {
 }
 
 Growth grow(const VoxelGraph& graph, const std::string& scheme, const ForwardOptions& forward,
-            const base::RunContext& ctx) {
+            const base::RunContext& ctx, const process::HeadShape* head) {
   checkGrowthScheme(scheme);
   Growth out;
   const auto* const row = std::find_if(kForward.begin(), kForward.end(),
                                        [&](const ForwardRow& r) { return scheme == r.id; });
   if (row == kForward.end()) {
-    growReverse(graph, out, ctx);
+    growReverse(graph, head, out, ctx);
   } else {
     base::Stopwatch watch;
     ForwardGrowth grown = forwardGrowth(graph, row->scheme, forward, ctx);

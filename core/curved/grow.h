@@ -4,6 +4,7 @@
 #include "base/run_context.h"
 #include "curved/forward_growth.h"
 #include "curved/voxel_graph.h"
+#include "process/process.h"
 
 #include <cstdint>
 #include <string>
@@ -25,9 +26,11 @@ struct Growth {
   // ranks: 0, or more for `relaxed` voxels.
   double epsilon = 0.0;
   std::size_t relaxed = 0;
-  std::string scheme;     // that made it: never auto
-  double peelSeconds = 0; // peeling, or the peeling field of guided growth
-  double growSeconds = 0; // forward growth; further passes of auto and reverse
+  std::vector<Eigen::Vector3f> headDirection; // as Peeling::headDirection
+  std::size_t byHead = 0;                     // voxels inside the flat front that the head reaches
+  std::string scheme;                         // that made it: never auto
+  double peelSeconds = 0;                     // peeling, or the peeling field of guided growth
+  double growSeconds = 0;                     // forward growth; further passes of auto and reverse
 };
 
 // Both constraints of dissertation 3.3.1 hold between voxel centres for all that is laid: a voxel
@@ -40,8 +43,10 @@ struct Growth {
 // included, and the best is kept: fewest missed, then fewest relaxed, then fewest layers. Which
 // order it is does not matter to the evenness of the field, as that starts from distances and not
 // from ranks.
+// `head` (null: a flat front): where peeling would have to give voxels up, those that this head
+// reaches past all that is laid before them are laid all the same.
 // Throws Error{Usage} for an unknown scheme; Cancelled.
 Growth grow(const VoxelGraph& graph, const std::string& scheme, const ForwardOptions& forward,
-            const base::RunContext& ctx);
+            const base::RunContext& ctx, const process::HeadShape* head = nullptr);
 
 } // namespace voluta::curved

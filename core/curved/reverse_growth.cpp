@@ -2,11 +2,13 @@
 
 #include "base/parallel.h"
 #include "curved/cut_voxels.h"
+#include "curved/nozzle_reach.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace voluta::curved {
 
@@ -151,6 +153,8 @@ private:
 
   void take(std::size_t v) {
     present_[v] = 0;
+    if (reach_)
+      reach_->remove(v);
     supports_[v] = kFree;
     removedIn_[v] = round_;
     if (!guide_.empty())
@@ -255,7 +259,7 @@ private:
     gatherLoss(cut, static_cast<std::size_t>(loss[cut]));
     if (!loss_.empty()) {
       reorder();
-      if (round(options_.sheet, options_.tolerance) || relaxSheet() || relaxLoss())
+      if (round(options_.sheet, options_.tolerance) || relaxSheet() || relaxLoss() || reachLoss())
         return true;
       if (!options_.sacrifice)
         return false;
@@ -266,6 +270,8 @@ private:
     for (const std::int32_t v : loss_) {
       const auto x = static_cast<std::size_t>(v);
       present_[x] = 0;
+      if (reach_)
+        reach_->remove(x);
       front_.remove(x);
       out_.given[x] = 1;
       ++out_.givenUp;
@@ -311,6 +317,40 @@ private:
     return true;
   }
 
+  // Lays what hangs on one voxel where the head itself clears all that is earlier, last what is
+  // nearest to the voxel, as far as that goes.
+  bool reachLoss() {
+    if (options_.head == nullptr)
+      return false;
+    if (!reach_) {
+      reach_.emplace(graph_, *options_.head);
+      for (std::size_t v = 0; v < graph_.size(); ++v)
+        if (present_[v])
+          reach_->insert(v);
+      out_.headDirection.assign(graph_.size(), Eigen::Vector3f::Zero());
+    }
+    bool any = false;
+    for (std::size_t i = loss_.size(); i-- > 0;) {
+      ctx_.checkpoint();
+      const auto x = static_cast<std::size_t>(loss_[i]);
+      const std::optional<Eigen::Vector3d> direction =
+          reach_->direction(x, front_.clearNormal(x, Eigen::Vector3d::UnitZ()));
+      if (!direction)
+        break;
+      ++round_;
+      front_.remove(x);
+      take(x);
+      out_.headDirection[x] = direction->cast<float>();
+      ++out_.byHead;
+      any = true;
+    }
+    if (any) {
+      front_.rebuild();
+      reorder();
+    }
+    return any;
+  }
+
   // Ranks count from the platform; rounds that peeled nothing leave no gap.
   void turnRound() {
     std::vector<std::int32_t> rankOf(static_cast<std::size_t>(round_) + 1, 0);
@@ -329,6 +369,7 @@ private:
   const PeelOptions& options_;
   const base::RunContext& ctx_;
   ConvexFront front_;
+  std::optional<NozzleReach> reach_;
   std::vector<std::uint8_t> present_;
   std::vector<std::int32_t> order_;
   std::vector<std::uint8_t> supports_;  // earlier neighbours that stay, of voxels off the platform

@@ -6,6 +6,7 @@
 #include "base/run_context.h"
 #include "curved/convex_front.h"
 #include "curved/flood.h"
+#include "process/process.h"
 
 #include <cstdint>
 #include <vector>
@@ -22,13 +23,20 @@ struct PeelOptions {
   double levelSlack = 0.0;  // guided: how long a voxel may wait and still count as on time
   bool eases = false;       // guided: what waits for long may lie deeper than the tolerance
   bool sacrifice = true;    // where nothing can go on at all: give up voxels. False: stop.
-  bool reports = true;      // progress
+  // Where a voxel would have to be given up: a head that may reach it all the same (NozzleReach).
+  // Null: the front is flat everywhere.
+  const process::HeadShape* head = nullptr;
+  bool reports = true; // progress
 };
 
 struct Peeling {
   std::vector<std::int32_t> rank;  // per voxel: 1 is laid first; 0: not laid
   std::vector<float> level;        // per voxel, guided: min(guide, level at which it was peeled)
   std::vector<std::uint8_t> given; // per voxel: given up so that the others can be laid
+  // Per voxel: a direction in which the head clears all that is earlier, of voxels that only the
+  // head reaches (inside the flat front); zero for the others. Empty where there are none.
+  std::vector<Eigen::Vector3f> headDirection;
+  std::size_t byHead = 0; // number of those
   std::int32_t ranks = 0;
   std::size_t remaining = 0; // voxels left where it stopped (neither laid nor given up)
   std::size_t givenUp = 0;

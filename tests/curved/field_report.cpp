@@ -6,6 +6,7 @@
 #include "curved/rank_checker.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
+#include "process/process.h"
 #include "voxel/solid_voxels.h"
 
 #include <cmath>
@@ -118,6 +119,8 @@ int main(int argc, char** argv) try {
       threads = std::stoi(next());
     else if (arg == "--no-check")
       check = false;
+    else if (arg == "--nozzle")
+      options.head = process::erodedHead(process::loadProcess("fdm-1.0").head, 0.4);
     else if (arg == "--vti")
       vti = next();
     else
