@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "curved/decompose.h"
+#include "curved/forward_growth.h"
 #include "curved/platform.h"
 #include "motion/motion_options.h"
 #include "pipeline/modes.h"
@@ -83,6 +84,7 @@ base::ParameterTable allParameters() {
                              "be looked at and never to be run."),
   });
   table.append(curved::curvedParameters());
+  table.append(curved::forwardParameters());
   table.append(toolpath::toolpathParameters());
   table.append(motion::motionParameters());
   return table;

@@ -1,9 +1,9 @@
 #include "pipeline/modes.h"
 
 #include "base/error.h"
-#include "base/stopwatch.h"
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"
+#include "curved/forward_growth.h"
 #include "pipeline/choices.h"
 #include "pipeline/part_voxels.h"
 
@@ -18,30 +18,43 @@ std::string heightsText(const process::Process& p) {
                      p.layerHeightMaxMm);
 }
 
-std::string curvedDecomposeKey(const ModeChoices& in) {
-  return fmt::format("growth {}\nplatform {}\n{}", in.choices.growth, in.choices.platform,
-                     heightsText(in.process)) +
-         parameterText(curved::curvedParameters(), in.values);
+bool growsForward(const std::string& growth) {
+  return growth != "auto" && growth != "reverse";
 }
 
-std::shared_ptr<const DecomposeStage>
-decomposeCurved(const LoadStage& placed, const ModeChoices& in, const base::RunContext& ctx) {
+std::string curvedDecomposeKey(const ModeChoices& in) {
+  std::string key = fmt::format("growth {}\nplatform {}\n{}", in.choices.growth,
+                                in.choices.platform, heightsText(in.process)) +
+                    parameterText(curved::curvedParameters(), in.values);
+  if (growsForward(in.choices.growth))
+    key += parameterText(curved::forwardParameters(), in.values);
+  return key;
+}
+
+std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& input,
+                                                      const base::RunContext& ctx) {
+  const ModeChoices& in = input.choices;
   auto stage = std::make_shared<DecomposeStage>();
-  base::Stopwatch voxelising;
   ctx.report(0.0, "voxelise");
-  PartVoxels part = partVoxels(placed, in.values.number("voxelMm"), ctx.sub(0.0, 0.07));
-  const voxel::SolidVoxels& solid = *part.voxels;
-  stage->timings.voxelise = voxelising.seconds();
-  stage->platform = platformPolygon(in.choices.platform, solid, placed.platform);
+  const std::shared_ptr<const PartVoxels> part = input.voxels(ctx.sub(0.0, 0.07));
+  const voxel::SolidVoxels& solid = *part->voxels;
+  stage->timings.voxelise = part->seconds;
+  stage->platform = platformPolygon(in.choices.platform, solid, input.placed.platform);
 
   curved::CurvedOptions growth;
   growth.growth = in.choices.growth;
+  growth.forward = curved::forwardOptions(in.values);
   growth.layerHeightMm = in.process.layerHeightMm;
   growth.heightMinMm = in.process.layerHeightMinMm;
   growth.heightMaxMm = in.process.layerHeightMaxMm;
   growth.rounds = static_cast<int>(in.values.integer("fieldRounds"));
+  curved::DecompositionWatch watch;
+  if (input.onPreview)
+    watch = [&](const curved::Decomposition& soFar) {
+      input.onPreview(std::make_shared<const curved::Decomposition>(soFar));
+    };
   const auto decomposition = std::make_shared<curved::Decomposition>(
-      curved::decompose(solid, stage->platform, growth, ctx.sub(0.07, 1.0)));
+      curved::decompose(solid, stage->platform, growth, ctx.sub(0.07, 1.0), watch));
   const curved::Decomposition& d = *decomposition;
   DecompositionReport& r = stage->report;
   r.mode = in.choices.mode;
@@ -53,7 +66,7 @@ decomposeCurved(const LoadStage& placed, const ModeChoices& in, const base::RunC
   r.shadowedVoxels = d.shadowedVoxels;
   r.unreachedVoxels = d.unreachedVoxels;
   r.pieces = 1;
-  stage->findings = std::move(part.findings);
+  stage->findings = part->findings;
   stage->findings.insert(stage->findings.end(), d.findings.begin(), d.findings.end());
   stage->timings.peel = d.seconds.peel;
   stage->timings.grow = d.seconds.grow;

@@ -4,11 +4,14 @@
 
 #include "base/parameters.h"
 #include "base/run_context.h"
+#include "curved/decomposition.h"
 #include "geometry/triangle_mesh.h"
 #include "pipeline/job.h"
+#include "pipeline/part_voxels.h"
 #include "pipeline/stages.h"
 #include "process/process.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,12 +25,23 @@ struct ModeChoices {
   const process::Process& process;
 };
 
+// What a decomposition is made from.
+struct DecomposeInput {
+  const LoadStage& placed;
+  const ModeChoices& choices;
+  // partVoxels() of the placed part; kept ones where there are.
+  std::function<std::shared_ptr<const PartVoxels>(const base::RunContext&)> voxels;
+  // Called on the running thread with what has come out so far: ranks, then the field as rounds
+  // improve it. May be empty.
+  std::function<void(std::shared_ptr<const curved::Decomposition>)> onPreview;
+};
+
 struct Mode {
   std::string_view id, label;
   // What of the choices goes into each of the two stages, as text for their keys.
   std::string (*decomposeKey)(const ModeChoices&);
   std::string (*layersKey)(const ModeChoices&);
-  std::shared_ptr<const DecomposeStage> (*decompose)(const LoadStage& placed, const ModeChoices&,
+  std::shared_ptr<const DecomposeStage> (*decompose)(const DecomposeInput&,
                                                      const base::RunContext&);
   // `part` is placed.
   std::shared_ptr<const LayersStage> (*layers)(const DecomposeStage&,

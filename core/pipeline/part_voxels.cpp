@@ -1,6 +1,7 @@
 #include "pipeline/part_voxels.h"
 
 #include "base/memory.h"
+#include "base/stopwatch.h"
 #include "voxel/voxel_demand.h"
 #include "voxel/wall_thickness.h"
 
@@ -35,16 +36,20 @@ plan::Finding findingOf(const voxel::ThinPlace& place, double voxelMm) {
 }
 } // namespace
 
-PartVoxels partVoxels(const LoadStage& placed, double voxelMm, const base::RunContext& ctx) {
+std::shared_ptr<const PartVoxels> partVoxels(const LoadStage& placed, double voxelMm,
+                                             const base::RunContext& ctx) {
+  auto out = std::make_shared<PartVoxels>();
   if (placed.voxels) {
     voxel::checkVoxelDemand(*placed.voxels, base::availableMemory());
-    return {placed.voxels, {}};
+    out->voxels = placed.voxels;
+    return out;
   }
+  const base::Stopwatch clock;
   voxel::checkVoxelDemand(*placed.part, voxelMm, base::availableMemory());
-  PartVoxels out;
-  out.voxels = std::make_shared<voxel::SolidVoxels>(
+  out->voxels = std::make_shared<voxel::SolidVoxels>(
       voxel::solidVoxels(*placed.part, voxelMm, ctx.sub(0.0, 0.5)));
-  out.findings = thinWallFindings(*placed.part, voxelMm, ctx.sub(0.5, 1.0));
+  out->findings = thinWallFindings(*placed.part, voxelMm, ctx.sub(0.5, 1.0));
+  out->seconds = clock.seconds();
   return out;
 }
 

@@ -15,10 +15,13 @@ namespace voluta::pipeline {
 // mesh that are thinner than that. Throws as voxel::checkVoxelDemand() where memory would not
 // do, and as voxel::solidVoxels(); Cancelled.
 struct PartVoxels {
+  static constexpr Stage kStage = Stage::Decompose; // a part of it
   std::shared_ptr<const voxel::SolidVoxels> voxels;
   plan::Findings findings;
+  double seconds = 0.0; // that it took
 };
-PartVoxels partVoxels(const LoadStage& placed, double voxelMm, const base::RunContext& ctx);
+std::shared_ptr<const PartVoxels> partVoxels(const LoadStage& placed, double voxelMm,
+                                             const base::RunContext& ctx);
 
 // Places whose walls are thinner than a voxel of `voxelMm`: five findings at most for the largest,
 // and one for the rest. None of them blocks. Precondition: voxelMm > 0. Throws Cancelled.

@@ -17,9 +17,9 @@ namespace {
 class Road {
 public:
   Road(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
-       const StageObserver& onStage)
+       const StageObserver& onStage, const PreviewObserver& onPreview)
       : choices_(request.choices), until_(request.until), ctx_(ctx), cache_(cache),
-        onStage_(onStage), values_(parameterValues(choices_)),
+        onStage_(onStage), onPreview_(onPreview), values_(parameterValues(choices_)),
         process_(std::make_shared<process::Process>(chosenProcess(choices_, values_))) {
     result_.process = process_;
     result_.debug = values_.boolean("output.debug");
@@ -94,9 +94,24 @@ private:
 
   ModeChoices modeChoices() const { return {choices_, values_, *process_}; }
 
+  // Most edits of a decomposition leave the voxels as they are.
+  std::shared_ptr<const PartVoxels> voxels(const base::RunContext& ctx) {
+    const double voxelMm = values_.number("voxelMm");
+    return taken<PartVoxels>(
+        fmt::format("{}voxels of {} mm\n", keys_[indexOf(Stage::Load)], voxelMm), "voxels",
+        [&] { return partVoxels(*placed_, voxelMm, ctx); });
+  }
+
   bool decompose() {
     decomposed_ = taken<DecomposeStage>([&] {
-      return findMode(choices_.mode).decompose(*placed_, modeChoices(), ctx_.sub(0.03, 0.22));
+      const ModeChoices choices = modeChoices();
+      DecomposeInput in{
+          *placed_, choices, [&](const base::RunContext& ctx) { return voxels(ctx); }, {}};
+      if (onPreview_)
+        in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
+          onPreview_(std::move(soFar), result_);
+        };
+      return findMode(choices_.mode).decompose(in, ctx_.sub(0.03, 0.22));
     });
     job().platform = decomposed_->platform;
     job().decomposition = decomposed_->decomposition;
@@ -185,6 +200,7 @@ private:
   const base::RunContext& ctx_;
   StageCache* cache_;
   const StageObserver& onStage_;
+  const PreviewObserver& onPreview_;
   base::ParameterValues values_;
   std::shared_ptr<const process::Process> process_;
   std::shared_ptr<const LoadedPart> loaded_;
@@ -197,9 +213,9 @@ private:
 } // namespace
 
 PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
-                    const StageObserver& onStage) {
+                    const StageObserver& onStage, const PreviewObserver& onPreview) {
   checkChoices(request.choices);
-  return Road(request, ctx, cache, onStage).run();
+  return Road(request, ctx, cache, onStage, onPreview).run();
 }
 
 StageKeys stageKeys(const PlanRequest& request) {

@@ -45,12 +45,18 @@ struct PlanResult {
 // that is there so far.
 using StageObserver = std::function<void(Stage, const PlanResult&)>;
 
+// Called on the running thread with what a decomposition that is being made has come to: its ranks,
+// then its field as rounds improve it; and with the plan, which has its Load stage by then.
+using PreviewObserver =
+    std::function<void(std::shared_ptr<const curved::Decomposition>, const PlanResult&)>;
+
 // Stages whose key is in the cache are taken from there. The report's timings are what each stage
 // took when it was made, `total` what this plan took.
 // Throws Error{Usage}: unknown names, values out of range; Error{UnreadableFile, UnusableInput}:
 // the part. Whatever cannot be printed, reached or verified is in job.report.findings.
 PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx,
-                    StageCache* cache = nullptr, const StageObserver& onStage = {});
+                    StageCache* cache = nullptr, const StageObserver& onStage = {},
+                    const PreviewObserver& onPreview = {});
 
 // The keys that the stages of this request have, whatever its `until`. What is shown and has
 // another key is out of date. Reads the cell's and the process's file; takes about a millisecond.

@@ -20,10 +20,10 @@ struct Job;
 // which names its stage.
 class StageCache {
 public:
-  // Keeps the last `kept` results of each stage, of the programs for each format.
+  // Keeps the last `kept` results of each stage and slot.
   explicit StageCache(std::size_t kept = 3) : kept_(kept) {}
 
-  // nullptr: not kept. `slot`: a format's id for programs.
+  // nullptr: not kept. `slot`: a format's id for programs, "voxels" for a decomposition's.
   template <typename T>
   std::shared_ptr<const T> find(const std::string& key, const std::string& slot = {}) {
     return std::static_pointer_cast<const T>(findAny(T::kStage, slot, key));

@@ -1,6 +1,7 @@
 // What makes a result out of date, and what doesn't.
 #include "base/error.h"
 #include "base/files.h"
+#include "curved/forward_growth.h"
 #include "pipeline/road.h"
 #include "support/shapes.h"
 
@@ -41,6 +42,10 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"output.refused", {"true", kStageCount}},
     {"voxelMm", {"0.9", 1}},
     {"fieldRounds", {"5", 1}},
+    {"growthIsp", {"2", kStageCount}}, // of the sources' schemes, see below
+    {"growthQueue", {"insertion", kStageCount}},
+    {"growthBoundary", {"inside", kStageCount}},
+    {"growthSacrifice", {"least", kStageCount}},
     {"walls", {"3", 3}},
     {"infill", {"concentric", 3}},
     {"infillDensity", {"0.5", 3}},
@@ -120,6 +125,19 @@ TEST_F(StageKeysOf, ChoicesReachTheStagesTheyMatterTo) {
   check("the formats that are meant anyway", kStageCount, [](Choices& c) {
     c.formats = {"urscript", "gcode-extended", "csv"};
   });
+}
+
+TEST_F(StageKeysOf, GrowthOptionsMatterToTheSourcesSchemes) {
+  const base::ParameterTable table = curved::forwardParameters();
+  for (const char* growth : {"guided", "adaptive", "incremental", "greedy"}) {
+    PlanRequest request = boxRequest();
+    request.choices.growth = growth;
+    default_ = stageKeys(request);
+    for (const base::ParameterSpec& spec : table.specs()) {
+      request.choices.parameters = {{spec.key, kParameters.at(spec.key).first}};
+      expectChangesFrom(request, 1, growth + (" " + spec.key));
+    }
+  }
 }
 
 TEST_F(StageKeysOf, ThePartCountsByItsContent) {

@@ -32,7 +32,32 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters",
                       "Width of the voxels that growth works on; layers are not bound to it."),
     QT_TRANSLATE_NOOP("Parameters", "Field rounds"),
-    QT_TRANSLATE_NOOP("Parameters", "How often growth and smooth field are fitted to each other."),
+    QT_TRANSLATE_NOOP("Parameters", "How often growth and smooth field are fitted to each other at "
+                                    "most. 0: layers from the ranks."),
+    QT_TRANSLATE_NOOP("Parameters", "Shadowed per layer"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Growth incremental, adaptive, guided: a layer takes voxels as long as it "
+                      "cuts off fewer than this many others. 1: none. 0: fewer than the whole "
+                      "layer would."),
+    QT_TRANSLATE_NOOP("Parameters", "Order of trying"),
+    QT_TRANSLATE_NOOP("Parameters", "flooding"),
+    QT_TRANSLATE_NOOP("Parameters", "insertion"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Growth incremental: a layer's voxels are tried outwards from the first one "
+                      "(flooding) or in the order they were found (insertion)."),
+    QT_TRANSLATE_NOOP("Parameters", "Voxels on the front"),
+    QT_TRANSLATE_NOOP("Parameters", "outside"),
+    QT_TRANSLATE_NOOP("Parameters", "inside"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "The sources' schemes: whether a voxel that lies exactly on the convex front "
+                      "can still be laid (outside) or is cut off by it (inside)."),
+    QT_TRANSLATE_NOOP("Parameters", "Where nothing is safe"),
+    QT_TRANSLATE_NOOP("Parameters", "layer"),
+    QT_TRANSLATE_NOOP("Parameters", "least"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Growth incremental, adaptive, guided: where every voxel of a layer would "
+                      "cut others off, lay all of it as the source does (layer) or only what cuts "
+                      "off fewest (least)."),
     QT_TRANSLATE_NOOP("Parameters", "walls"),
     QT_TRANSLATE_NOOP("Parameters", "Beads laid along the edge of each layer before it is filled."),
     QT_TRANSLATE_NOOP("Parameters", "infill"),

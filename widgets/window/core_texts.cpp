@@ -8,11 +8,30 @@ namespace {
 // Seen by lupdate.
 [[maybe_unused]] const char* const kTexts[] = {
     QT_TRANSLATE_NOOP("Core", "Curved layers"),
-    QT_TRANSLATE_NOOP("Core", "auto"),
-    QT_TRANSLATE_NOOP("Core", "reverse"),
-    QT_TRANSLATE_NOOP("Core", "greedy"),
     QT_TRANSLATE_NOOP("Core", "Extended G-code (nozzle direction as nX nY nZ)"),
     QT_TRANSLATE_NOOP("Core", "Joint table (CSV)"),
+};
+
+struct GrowthText {
+  std::string_view id;
+  const char *label, *help;
+};
+constexpr GrowthText kGrowths[] = {
+    {"auto", QT_TRANSLATE_NOOP("Core", "Automatic"),
+     QT_TRANSLATE_NOOP("Core", "Peels the part and keeps the best of several passes")},
+    {"reverse", QT_TRANSLATE_NOOP("Core", "Peeling, turned round"),
+     QT_TRANSLATE_NOOP("Core", "Takes voxels off from outside while the rest keeps its support; "
+                               "printed in the opposite order")},
+    {"guided", QT_TRANSLATE_NOOP("Core", "Guided by peeling"),
+     QT_TRANSLATE_NOOP("Core", "Grows from the platform, held back by the peeling field")},
+    {"adaptive", QT_TRANSLATE_NOOP("Core", "Halved layers"),
+     QT_TRANSLATE_NOOP("Core", "Grows from the platform; a layer that would cut voxels off is "
+                               "halved until it does not")},
+    {"incremental", QT_TRANSLATE_NOOP("Core", "Voxel by voxel"),
+     QT_TRANSLATE_NOOP("Core", "Grows from the platform; a layer takes each voxel that cuts off "
+                               "no other")},
+    {"greedy", QT_TRANSLATE_NOOP("Core", "Greedy"),
+     QT_TRANSLATE_NOOP("Core", "Grows from the platform by whole layers, whatever they cut off")},
 };
 
 QString translated(const char* text) {
@@ -22,6 +41,13 @@ QString translated(const char* text) {
 
 QString coreLabel(std::string_view english) {
   return translated(std::string(english).c_str());
+}
+
+GrowthTexts growthTexts(std::string_view id) {
+  for (const GrowthText& row : kGrowths)
+    if (row.id == id)
+      return {translated(row.label), translated(row.help)};
+  return {coreLabel(id), {}};
 }
 
 QString platformText(const std::string& platform) {

@@ -7,8 +7,13 @@
 
 namespace voluta::window {
 
-// Labels of modes, growth schemes and dialects. What is not in the list comes back as it is.
+// Labels of modes and dialects. What is not in the list comes back as it is.
 QString coreLabel(std::string_view english);
+// A growth scheme in plain words; of an unknown one the id.
+struct GrowthTexts {
+  QString label, help;
+};
+GrowthTexts growthTexts(std::string_view id);
 // "fit:0", "disc:80", "rect:100x80" in words.
 QString platformText(const std::string& platform);
 

@@ -49,7 +49,8 @@ forms::ChoiceLists choiceLists() {
   for (const pipeline::Mode& mode : pipeline::modes())
     lists.modes.push_back(item(mode.id, mode.label));
   for (const std::string& growth : curved::growthSchemes())
-    lists.growths.push_back(item(growth));
+    lists.growths.push_back({QString::fromStdString(growth), growthTexts(growth).label,
+                             growthTexts(growth).help});
   for (const std::string& cell : robot::cellIds())
     lists.cells.push_back(item(cell));
   for (const std::string& process : process::processIds())
