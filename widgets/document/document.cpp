@@ -29,6 +29,12 @@ Stage stageAt(std::size_t index) {
 }
 } // namespace
 
+Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
+                  const pipeline::PlanResult& soFar) {
+  return {std::move(decomposition), soFar.process->layerHeightMm,
+          soFar.job.stages[indexOf(Stage::Load)].key};
+}
+
 // Shared by all edits that refer to the same part, so that its repaired version reaches them all.
 struct Document::Source {
   std::shared_ptr<const pipeline::LoadedPart> part;
@@ -293,6 +299,7 @@ void Document::refreshKeys() {
 
 void Document::dropResults() {
   failure_.reset();
+  dropPreview();
   for (std::size_t s = 0; s < kStageCount; ++s) {
     if (!shown_[s].result)
       continue;
@@ -310,6 +317,31 @@ std::shared_ptr<const pipeline::PlanResult> Document::lastResult() const {
     if (shown_[s].result)
       return shown_[s].result;
   return nullptr;
+}
+
+std::shared_ptr<const pipeline::PlanResult> Document::presentResult() const {
+  for (std::size_t s = kStageCount; s-- > indexOf(Stage::Decompose);)
+    if (upToDate(stageAt(s)))
+      return shown_[s].result;
+  return lastResult();
+}
+
+bool Document::voxelsAhead() const {
+  return preview_ || (upToDate(Stage::Decompose) && !upToDate(Stage::Layers));
+}
+
+bool Document::voxelsInPlace() const {
+  const std::string& now = key(Stage::Load);
+  if (now.empty())
+    return false;
+  if (preview_)
+    return preview_->loadKey == now;
+  const auto result = this->result(Stage::Decompose);
+  return result && result->job.stages[indexOf(Stage::Load)].key == now;
+}
+
+const Failure* Document::failure() const {
+  return failure_ && state(failure_->stage) == StageState::Failed ? &*failure_ : nullptr;
 }
 
 bool Document::upToDate(Stage stage) const {
@@ -348,9 +380,14 @@ void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult
                        stage == Stage::Replay; // a reopened one lacks the programs
   for (std::size_t s = 0; s <= done; ++s)
     shown_[s] = {result, result->job.stages[s].key};
+  const bool aheadBefore = preview_ && stage == Stage::Decompose;
+  if (aheadBefore)
+    preview_.reset();
   running_ = stage < until_ ? std::optional(stageAt(done + 1)) : std::nullopt;
   if (changed)
     emit resultChanged(stage);
+  else if (aheadBefore)
+    emit previewChanged();
   emit stateChanged();
 }
 
@@ -359,6 +396,8 @@ void Document::planEnded(std::shared_ptr<const pipeline::PlanResult> result) {
     for (std::size_t s = 0; s <= indexOf(*result->job.reached); ++s)
       shown_[s].result = result;
   running_.reset();
+  if (until_ > Stage::Load)
+    dropPreview();
   emit stateChanged();
 }
 
@@ -366,8 +405,44 @@ Stage Document::planFailed(const base::Error& error) {
   const Stage where = running_.value_or(until_);
   failure_ = Failure{where, error};
   running_.reset();
+  dropPreview();
   emit stateChanged();
   return where;
+}
+
+void Document::showPreview(Preview preview) {
+  preview_ = std::move(preview);
+  emit previewChanged();
+  emit stateChanged();
+}
+
+void Document::dropPreview() {
+  if (!preview_)
+    return;
+  preview_.reset();
+  emit previewChanged();
+  emit stateChanged();
+}
+
+void Document::previewDone(std::shared_ptr<const pipeline::PlanResult> result) {
+  for (const Stage stage : {Stage::Load, Stage::Decompose}) {
+    const std::string& key = result->job.stages[indexOf(stage)].key;
+    Shown& shown = shown_[indexOf(stage)];
+    const bool changed = shown.key != key || !shown.result;
+    shown = {result, key};
+    if (stage == Stage::Decompose)
+      preview_.reset();
+    if (changed || stage == Stage::Decompose)
+      emit resultChanged(stage);
+  }
+  emit stateChanged();
+}
+
+void Document::previewFailed(const base::Error& error) {
+  failure_ = Failure{Stage::Decompose, error};
+  runKeys_ = keys_;
+  dropPreview();
+  emit stateChanged();
 }
 
 pipeline::PlanRequest Document::request(Stage until) const {

@@ -34,6 +34,16 @@ struct Failure {
   base::Error error;
 };
 
+// Voxels of a decomposition that is still being made.
+struct Preview {
+  std::shared_ptr<const curved::Decomposition> decomposition;
+  double layerHeightMm = 0.0;
+  std::string loadKey; // of how the part was placed
+};
+// `soFar` has its Load stage.
+Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
+                  const pipeline::PlanResult& soFar);
+
 // Edits are commands on undoStack(), each with a name; undo brings back choices and part, results
 // are kept by what they were made from and never by an edit. Lives on the thread of the window.
 class Document : public QObject {
@@ -95,10 +105,22 @@ public:
   std::shared_ptr<const pipeline::PlanResult> result(pipeline::Stage stage) const;
   // The plan of the furthest stage that has one.
   std::shared_ptr<const pipeline::PlanResult> lastResult() const;
+  // The plan whose findings and figures count: that of the furthest stage beyond the first whose
+  // data is that of the choices, else the last one.
+  std::shared_ptr<const pipeline::PlanResult> presentResult() const;
+  // Newer than the result of Decompose; none: nothing is under way, or not so far yet.
+  const std::optional<Preview>& preview() const { return preview_; }
+  // The voxels on show are newer than layers and paths: a preview, or a plan that came so far.
+  bool voxelsAhead() const;
+  // The voxels on show were made from the part as it lies now.
+  bool voxelsInPlace() const;
   StageState state(pipeline::Stage stage) const;
+  // What goes into a stage with the present choices; empty: nothing can be planned.
+  const std::string& key(pipeline::Stage stage) const { return keys_[pipeline::indexOf(stage)]; }
   // The result on show is that of the choices.
   bool upToDate(pipeline::Stage stage) const;
-  const std::optional<Failure>& failure() const { return failure_; }
+  // Of the present choices; none: no run has failed since they are what they are.
+  const Failure* failure() const;
 
   // Called by Planning.
   void planStarted(pipeline::Stage until);
@@ -107,6 +129,14 @@ public:
   void planEnded(std::shared_ptr<const pipeline::PlanResult> result);
   // Where the run stopped.
   pipeline::Stage planFailed(const base::Error& error);
+
+  // Called by Planning and LivePreview.
+  void showPreview(Preview preview);
+  // Back to the last result.
+  void dropPreview();
+  // Called by LivePreview: a result as far as Decompose, or why there is none.
+  void previewDone(std::shared_ptr<const pipeline::PlanResult> result);
+  void previewFailed(const base::Error& error);
 
   // All that a run needs; the part counts by its content.
   pipeline::PlanRequest request(pipeline::Stage until) const;
@@ -118,6 +148,7 @@ signals:
   void choicesChanged();
   void sourceChanged();
   void resultChanged(voluta::pipeline::Stage stage);
+  void previewChanged();
   void stateChanged();
   void dirtyChanged(bool dirty);
   void nameChanged(const QString& name);
@@ -157,6 +188,7 @@ private:
 
   pipeline::StageKeys keys_; // of the choices; empty texts where they have none
   std::array<Shown, pipeline::kStageCount> shown_;
+  std::optional<Preview> preview_;
   std::optional<Failure> failure_;
   pipeline::StageKeys runKeys_; // of the choices that the last run began with
   std::optional<pipeline::Stage> running_;

@@ -63,8 +63,14 @@ void Planning::start() {
             emit stageDone(stage);
           });
         };
+        const auto preview = [&](std::shared_ptr<const curved::Decomposition> voxels,
+                                 const pipeline::PlanResult& soFar) {
+          post([this, shown = previewOf(std::move(voxels), soFar)] {
+            document_.showPreview(shown);
+          });
+        };
         return std::make_shared<const pipeline::PlanResult>(
-            pipeline::planPart(request, ctx, cache.get(), tell));
+            pipeline::planPart(request, ctx, cache.get(), tell, preview));
       },
       [this](const base::Outcome<Result>& outcome) { end(outcome); }, threads_);
   emit started(until_);

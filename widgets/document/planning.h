@@ -41,6 +41,9 @@ public:
   // >= 1; jobs::defaultThreads() at first.
   void setThreads(int threads) { threads_ = threads; }
 
+  // Where the run under way, or the last one, ends.
+  pipeline::Stage until() const { return until_; }
+  int threads() const { return threads_; }
   const jobs::Progress& progress() const { return runner_.progress(); }
   // Kept results, to be seeded from an opened project; good for any thread.
   const std::shared_ptr<pipeline::StageCache>& cache() const { return cache_; }

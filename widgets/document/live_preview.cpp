@@ -1,0 +1,128 @@
+#include "document/live_preview.h"
+
+#include "document/document.h"
+#include "document/planning.h"
+#include "pipeline/stage_cache.h"
+
+#include <QTimer>
+
+namespace voluta::document {
+
+using pipeline::Stage;
+
+namespace {
+constexpr int kPauseMs = 300;
+using Result = std::shared_ptr<const pipeline::PlanResult>;
+} // namespace
+
+LivePreview::LivePreview(Document& document, Planning& planning, QObject* parent)
+    : QObject(parent), document_(document), planning_(planning), pause_(new QTimer(this)) {
+  pause_->setSingleShot(true);
+  pause_->setTimerType(Qt::PreciseTimer);
+  pause_->setInterval(kPauseMs);
+  connect(pause_, &QTimer::timeout, this, &LivePreview::start);
+  connect(&document_, &Document::edited, this, &LivePreview::noteEdit);
+  connect(&runner_, &jobs::JobRunner::progressed, this, &LivePreview::progressed);
+  connect(&planning_, &Planning::started, this, [this](Stage until) {
+    if (until > Stage::Load)
+      stop();
+  });
+  // The first stage was still being planned when the pause was over.
+  const auto goOn = [this] {
+    if (due_)
+      start();
+  };
+  connect(&planning_, &Planning::finished, this, goOn);
+  connect(&planning_, &Planning::cancelled, this, goOn);
+  connect(&planning_, &Planning::failed, this, goOn);
+}
+
+LivePreview::~LivePreview() = default;
+
+bool LivePreview::wanted() const {
+  const bool planned = document_.result(Stage::Decompose) || document_.preview();
+  return enabled_ && document_.source() && document_.sourceReady() && planned &&
+         !document_.key(Stage::Decompose).empty() && !document_.upToDate(Stage::Decompose) &&
+         !(planning_.running() && planning_.until() > Stage::Load);
+}
+
+void LivePreview::setEnabled(bool on) {
+  enabled_ = on;
+  if (on)
+    noteEdit();
+  else
+    cancel();
+}
+
+void LivePreview::noteEdit() {
+  const bool planning = planning_.running() && planning_.until() > Stage::Load;
+  if (running() && runKey_ == document_.key(Stage::Decompose))
+    return;
+  runner_.cancel();
+  due_ = false;
+  if (wanted()) {
+    pause_->start();
+  } else {
+    pause_->stop();
+    if (!planning)
+      document_.dropPreview();
+  }
+}
+
+void LivePreview::refresh() {
+  pause_->stop();
+  if (!running() || runKey_ != document_.key(Stage::Decompose))
+    start();
+}
+
+void LivePreview::stop() {
+  pause_->stop();
+  due_ = false;
+  runner_.cancel();
+}
+
+void LivePreview::cancel() {
+  const bool was = running();
+  stop();
+  if (!was)
+    return;
+  document_.dropPreview();
+  emit cancelled();
+}
+
+void LivePreview::start() {
+  due_ = false;
+  if (!wanted())
+    return;
+  if (planning_.running()) {
+    due_ = true;
+    return;
+  }
+  runKey_ = document_.key(Stage::Decompose);
+  runner_.run(
+      [this, request = document_.request(Stage::Decompose),
+       cache = planning_.cache()](const base::RunContext& ctx, const jobs::Post& post) {
+        // `this` is only used in what is posted, on the thread of the window.
+        const auto preview = [&](std::shared_ptr<const curved::Decomposition> voxels,
+                                 const pipeline::PlanResult& soFar) {
+          post([this, shown = previewOf(std::move(voxels), soFar)] {
+            document_.showPreview(shown);
+          });
+        };
+        return std::make_shared<const pipeline::PlanResult>(
+            pipeline::planPart(request, ctx, cache.get(), {}, preview));
+      },
+      [this](const base::Outcome<Result>& outcome) {
+        if (const auto* result = std::get_if<Result>(&outcome)) {
+          document_.previewDone(*result);
+          emit finished();
+        } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
+          document_.previewFailed(*error);
+          emit failed(QString::fromUtf8(error->what()));
+        }
+      },
+      planning_.threads());
+  emit started();
+}
+
+} // namespace voluta::document
