@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "curved/convex_front.h"
 
+#include <cmath>
+
 namespace voluta::curved {
 
 std::vector<std::int32_t> peelingField(const VoxelGraph& graph, const base::RunContext& ctx) {
@@ -23,6 +25,21 @@ std::vector<std::int32_t> peelingField(const VoxelGraph& graph, const base::RunC
                "peeling");
   }
   return peeled;
+}
+
+std::vector<std::int32_t> peelingField(const Decomposition& d, const base::RunContext& ctx) {
+  std::vector<std::uint8_t> part(d.rank.size(), 0);
+  for (std::size_t c = 0; c < part.size(); ++c)
+    part[c] = d.rank[c] != 0 && (d.support.empty() || !d.support[c]);
+  const int plateLayer = static_cast<int>(std::lround(-d.grid.origin.z() / d.grid.pitch));
+  const VoxelGraph graph = voxelGraph(d.grid, part, plateLayer, d.platform);
+  const std::vector<std::int32_t> peeled = peelingField(graph, ctx);
+  std::vector<std::int32_t> ofCell(part.size(), 0);
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    const auto [i, j, k] = graph.cell[v];
+    ofCell[d.grid.index(i, j, k)] = peeled[v];
+  }
+  return ofCell;
 }
 
 } // namespace voluta::curved

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "curved/decomposition.h"
 #include "curved/voxel_graph.h"
 
 #include <cstdint>
@@ -20,5 +21,10 @@ namespace voluta::curved {
 // Growth follows the inverse field, 1 + max F - F (eq. 3.1); algorithm 4 as printed counts one more
 // than the largest F there. Throws Cancelled.
 std::vector<std::int32_t> peelingField(const VoxelGraph& graph, const base::RunContext& ctx);
+
+// The same of a decomposition's part, missed voxels included and support left out, per cell of its
+// grid: 0 where there is none. Precondition (Error{Internal}): one rank a cell.
+std::vector<std::int32_t> peelingField(const Decomposition& decomposition,
+                                       const base::RunContext& ctx);
 
 } // namespace voluta::curved
