@@ -42,10 +42,12 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
   return best;
 }
 
-double inaccessibleShare(const VoxelGraph& graph, const std::vector<float>& field, double spacing,
-                         const base::RunContext& ctx) {
-  if (graph.size() == 0)
-    return 0.0;
+namespace {
+
+// Voxels whose centre lies deeper than half a cell inside the hull of the platform and all voxels
+// of earlier levels: their share and depth. spacing: height of a level in units of `field`, > 0.
+void scoreAccess(const VoxelGraph& graph, const std::vector<float>& field, double spacing,
+                 FieldScore& score, std::vector<std::int32_t>& deep, const base::RunContext& ctx) {
   std::vector<std::int32_t> order(graph.size());
   std::iota(order.begin(), order.end(), 0);
   const auto level = [&](std::int32_t v) {
@@ -56,23 +58,34 @@ double inaccessibleShare(const VoxelGraph& graph, const std::vector<float>& fiel
     return la != lb ? la < lb : a < b;
   });
   ConvexFront front(graph);
-  std::size_t deep = 0, hint = 0;
+  deep.clear();
+  std::size_t inaccessible = 0, hint = 0;
   for (std::size_t begin = 0; begin < order.size();) {
     ctx.checkpoint();
     std::size_t end = begin;
-    for (; end < order.size() && level(order[end]) == level(order[begin]); ++end)
-      deep += front.deeperThan(static_cast<std::size_t>(order[end]), 0.5, hint);
+    for (; end < order.size() && level(order[end]) == level(order[begin]); ++end) {
+      const auto v = static_cast<std::size_t>(order[end]);
+      if (!front.deeperThan(v, 0.5, hint))
+        continue;
+      ++inaccessible;
+      const double depth = front.depth(v);
+      score.deepest = std::max(score.deepest, depth);
+      if (depth > 1.0)
+        deep.push_back(order[end]);
+    }
     for (std::size_t i = begin; i < end; ++i)
       front.insert(static_cast<std::size_t>(order[i]));
     front.rebuild();
     begin = end;
   }
-  return static_cast<double>(deep) / static_cast<double>(graph.size());
+  score.inaccessible = static_cast<double>(inaccessible) / static_cast<double>(graph.size());
 }
+
+} // namespace
 
 FieldScore scoreField(const VoxelGraph& graph, const std::vector<float>& field,
                       const std::vector<Eigen::Vector3f>& normals, const LayerLimits& limits,
-                      const base::RunContext& ctx) {
+                      std::vector<std::int32_t>& deep, const base::RunContext& ctx) {
   const std::vector<Eigen::Vector3f> gradient = fieldGradient(graph, field, ctx);
   std::vector<float> slope(gradient.size());
   std::size_t surface = 0, leaning = 0;
@@ -86,8 +99,7 @@ FieldScore scoreField(const VoxelGraph& graph, const std::vector<float>& field,
   FieldScore score;
   score.scale = bestScale(slope, limits, &score.within);
   score.overhang = surface > 0 ? static_cast<double>(leaning) / static_cast<double>(surface) : 0.0;
-  score.inaccessible =
-      inaccessibleShare(graph, field, limits.heightMm / (score.scale * graph.grid.pitch), ctx);
+  scoreAccess(graph, field, limits.heightMm / (score.scale * graph.grid.pitch), score, deep, ctx);
   return score;
 }
 

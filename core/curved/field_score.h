@@ -18,13 +18,15 @@ struct FieldScore {
   double scale = 1.0;        // levels = scale * field: best use of the limits
   double within = 0.0;       // share of the voxels whose thickness is within the limits
   double inaccessible = 0.0; // share deeper than half a cell inside all earlier levels' hull
+  double deepest = 0.0;      // of those, cells
   double overhang = 0.0;     // share of the surface that leans over by more than 60 degrees
   // Smaller is better. What passes a margin of the process counts fully, the rest as far as it
   // tells good fields apart: thickness out of limits must be cut or filled, what lies inside the
   // front is gouged by a flat head, what leans over only looks worse.
   double total() const {
     return 2.0 * std::max(0.0, 0.9965 - within) + 4.0 * std::max(0.0, inaccessible - 0.0012) +
-           0.3 * overhang + 0.1 * (1.0 - within + inaccessible);
+           0.01 * std::max(0.0, deepest - 1.4) + 0.3 * overhang +
+           0.1 * (1.0 - within + inaccessible);
   }
 };
 
@@ -34,13 +36,9 @@ struct FieldScore {
 // field| a voxel. level of a voxel in mm is scale * field * pitch.
 double bestScale(const std::vector<float>& slope, const LayerLimits& limits, double* within);
 
+// Fills `deep` with the voxels that lie deeper than one cell inside the hull of earlier levels.
 FieldScore scoreField(const VoxelGraph& graph, const std::vector<float>& field,
                       const std::vector<Eigen::Vector3f>& normals, const LayerLimits& limits,
-                      const base::RunContext& ctx);
-
-// Share of the voxels whose centre lies deeper than half a cell inside the hull of the platform
-// and all voxels of earlier levels. spacing: height of a level in units of `field`, > 0.
-double inaccessibleShare(const VoxelGraph& graph, const std::vector<float>& field, double spacing,
-                         const base::RunContext& ctx);
+                      std::vector<std::int32_t>& deep, const base::RunContext& ctx);
 
 } // namespace voluta::curved

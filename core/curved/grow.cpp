@@ -43,7 +43,7 @@ void growReverse(const VoxelGraph& graph, const process::HeadShape* head, Growth
       double sheet;
       bool relaxSheets;
     };
-    constexpr std::array<Pass, 3> kPasses{{{kSheet, true}, {1.0, true}, {kSheet, false}}};
+    constexpr std::array<Pass, 2> kPasses{{{kSheet, true}, {1.0, true}}};
     std::array<Peeling, kPasses.size()> passes;
     base::parallelChunks(ctx, kPasses.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) {

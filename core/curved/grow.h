@@ -38,8 +38,8 @@ struct Growth {
 // epsilon inside the convex hull of the platform and all lower ranks.
 //
 // `auto` and `reverse` peel (reverse_growth.h) with sheets of 0.6 cells. When that lays every voxel
-// the platform reaches, it is the answer; otherwise three further passes (other sheets, the
-// tolerance of half a cell for whole sheets where nothing else can go on) are run, restarts
+// the platform reaches, it is the answer; otherwise two further passes (sheets of 0.6 and 1 cell,
+// the tolerance of half a cell for whole sheets where nothing else can go on) are run, restarts
 // included, and the best is kept: fewest missed, then fewest relaxed, then fewest layers. Which
 // order it is does not matter to the evenness of the field, as that starts from distances and not
 // from ranks.

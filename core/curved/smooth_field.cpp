@@ -16,30 +16,43 @@ namespace {
 
 constexpr float kPitSlope = 0.15f; // least rise of the field from a voxel to one it carries
 constexpr float kChanged = 0.3f;   // a growth that lowers the field by more holds it there
-constexpr float kScreenStart = 0.001f, kScreenFree = 0.003f, kScreenHeld = 0.02f;
+constexpr float kScreenStart = 0.001f, kScreenFree = 0.003f, kScreenHeld = 0.02f,
+                kScreenPressed = 0.3f;
 // Fewer voxels than this may be inaccessible, and more must be within the limits, for a field to be
 // good enough; above it, layers may overhang more where that helps.
-constexpr double kAccessible = 0.0012, kWithin = 0.9965;
+constexpr double kAccessible = 0.0012, kWithin = 0.9965, kDeepest = 1.4;
 constexpr double kStalled = 0.6; // a round that leaves more than this share of them
 constexpr float kOverhangFirst = 0.68f, kOverhangStep = 0.12f;
 
-// The screen grows where growth and field disagree and two rings round it, and decays elsewhere.
-void adaptScreen(const VoxelGraph& graph, const std::vector<float>& field,
-                 const std::vector<float>& target, std::vector<float>& screen) {
-  std::vector<std::uint8_t> held(graph.size(), 0);
-  for (std::size_t v = 0; v < graph.size(); ++v)
-    held[v] = std::abs(field[v] - target[v]) > kChanged;
+// Marks the neighbours of what is marked, and theirs.
+void widen(const VoxelGraph& graph, std::vector<std::uint8_t>& marked) {
   for (int ring = 0; ring < 2; ++ring) {
-    const std::vector<std::uint8_t> inner = held;
+    const std::vector<std::uint8_t> inner = marked;
     for (std::size_t v = 0; v < graph.size(); ++v)
       if (inner[v])
         for (const std::int32_t w : graph.neighbour[v])
           if (w >= 0)
-            held[static_cast<std::size_t>(w)] = 1;
+            marked[static_cast<std::size_t>(w)] = 1;
   }
+}
+
+// The screen grows where growth and field disagree and around that, and decays elsewhere; around
+// what lies deep inside the front it is strong at once.
+void adaptScreen(const VoxelGraph& graph, const std::vector<float>& field,
+                 const std::vector<float>& target, const std::vector<std::int32_t>& deep,
+                 std::vector<float>& screen) {
+  std::vector<std::uint8_t> held(graph.size(), 0), pressed(graph.size(), 0);
   for (std::size_t v = 0; v < graph.size(); ++v)
-    screen[v] =
-        held[v] ? std::min(kScreenHeld, screen[v] * 4.0f) : std::max(kScreenFree, screen[v] * 0.5f);
+    held[v] = std::abs(field[v] - target[v]) > kChanged;
+  for (const std::int32_t v : deep)
+    pressed[static_cast<std::size_t>(v)] = 1;
+  widen(graph, held);
+  if (!deep.empty())
+    widen(graph, pressed);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    screen[v] = pressed[v] ? kScreenPressed
+                : held[v]  ? std::min(kScreenHeld, screen[v] * 4.0f)
+                           : std::max(kScreenFree, screen[v] * 0.5f);
 }
 
 } // namespace
@@ -73,10 +86,11 @@ SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>
   peelOptions.eases = true;
   peelOptions.sacrifice = false;
   peelOptions.reports = false;
+  std::vector<std::int32_t> deep;
   for (int round = 0; round < rounds; ++round) {
     ctx.report((round + 0.5) / (rounds + 0.5), "field");
     field = flood(graph, {}, field, kPitSlope, ctx, Steps::FacesFirst).value;
-    const FieldScore score = scoreField(graph, field, fit.normals(), limits, ctx);
+    const FieldScore score = scoreField(graph, field, fit.normals(), limits, deep, ctx);
     const bool stalled = !out.rounds.empty() && score.inaccessible > kAccessible &&
                          score.inaccessible > kStalled * out.rounds.back().inaccessible;
     out.rounds.push_back(score);
@@ -89,7 +103,8 @@ SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>
       if (improved)
         improved(out.field);
     }
-    if (round + 1 == rounds || (score.inaccessible <= kAccessible && score.within >= kWithin))
+    if (round + 1 == rounds ||
+        (score.inaccessible <= kAccessible && score.within >= kWithin && score.deepest <= kDeepest))
       break;
     if (stalled)
       fitOptions.overhang += kOverhangStep;
@@ -99,7 +114,7 @@ SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>
     std::vector<float> target(graph.size());
     for (std::size_t v = 0; v < graph.size(); ++v)
       target[v] = grown.rank[v] > 0 ? std::max(grown.level[v], 0.25f) : field[v];
-    adaptScreen(graph, field, target, screen);
+    adaptScreen(graph, field, target, deep, screen);
     field = target;
     fit.fit(field, target, screen, fitOptions, ctx);
   }

@@ -23,7 +23,7 @@ namespace {
 
 // Share of the surface, by area, that leans over by more than 60 degrees against `direction`.
 template <typename Direction>
-double overhang(const geometry::TriangleMesh& mesh, Direction&& direction) {
+double overhang(const geometry::TriangleMesh& mesh, double plateMm, Direction&& direction) {
   double all = 0.0, over = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Eigen::Vector3d centre =
@@ -31,7 +31,8 @@ double overhang(const geometry::TriangleMesh& mesh, Direction&& direction) {
     const double area = geometry::triangleArea(mesh, t);
     all += area;
     const Eigen::Vector3d n = geometry::triangleNormal(mesh, t);
-    if (centre.z() < 0.05 && n.z() < -0.9)
+    // What lies on the plate, to a voxel, leans on it.
+    if (centre.z() < plateMm && n.z() < 0.0)
       continue;
     if (n.dot(direction(centre)) < -std::sin(std::acos(-1.0) / 3.0))
       over += area;
@@ -150,15 +151,15 @@ int main(int argc, char** argv) try {
       const test::RankVerdict ranks = test::checkRanks(d, voxels.solid);
       std::printf("  ranks: unsupported %zu, inside %zu (deepest %.3f voxels), wrong cells %zu\n",
                   ranks.unsupported, ranks.inside, ranks.deepest, ranks.wrongCells);
-      const double flat =
-          overhang(mesh, [](const Eigen::Vector3d&) { return Eigen::Vector3d::UnitZ(); });
-      const double rank = overhang(mesh, [&](const Eigen::Vector3d& p) {
+      const double flat = overhang(mesh, d.grid.pitch,
+                                   [](const Eigen::Vector3d&) { return Eigen::Vector3d::UnitZ(); });
+      const double rank = overhang(mesh, d.grid.pitch, [&](const Eigen::Vector3d& p) {
         return growthAt(d, p, [&](std::size_t c) { return static_cast<double>(d.rank[c]); });
       });
       if (!d.field.empty()) {
         const test::FieldVerdict f =
             test::checkField(d, options.layerHeightMm, options.heightMinMm, options.heightMaxMm);
-        const double field = overhang(mesh, [&](const Eigen::Vector3d& p) {
+        const double field = overhang(mesh, d.grid.pitch, [&](const Eigen::Vector3d& p) {
           return growthAt(d, p, [&](std::size_t c) { return static_cast<double>(d.field[c]); });
         });
         std::printf("  field: within %.2f %%, thickness %.3f +- %.3f (%.2f-%.2f), inaccessible "
