@@ -35,12 +35,15 @@ Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, Q
     runner = std::make_unique<jobs::JobRunner>();
   connect(&document, &document::Document::sourceChanged, this, &Presenter::drawSource);
   connect(&document, &document::Document::resultChanged, this, &Presenter::show);
+  connect(&document, &document::Document::previewChanged, this, &Presenter::drawVoxels);
   connect(&document, &document::Document::choicesChanged, this, &Presenter::drawPlannedPlate);
 }
 
 Presenter::~Presenter() = default;
 
 int Presenter::layerCount() const {
+  if (document_.voxelsAhead() && voxelLayers_ > 0)
+    return voxelLayers_;
   if (pathLayers_ > 0)
     return std::max(pathLayers_, patchLayers_);
   return patchLayers_ > 0 ? patchLayers_ : voxelLayers_;
@@ -137,6 +140,46 @@ void Presenter::drawPlannedPlate() {
       });
 }
 
+// Of the preview where there is one. The next preview waits until one is drawn, or none would be
+// where they follow each other fast.
+void Presenter::drawVoxels() {
+  const auto result = document_.result(Stage::Decompose);
+  const auto& preview = document_.preview();
+  const auto voxels = preview  ? preview->decomposition
+                      : result ? result->job.decomposition
+                               : nullptr;
+  if (!voxels) {
+    viewport_.scene().setVoxels(nullptr);
+    voxelLayers_ = 0;
+    drawn_[Voxels].reset();
+    viewport_.requestFrame();
+    return;
+  }
+  if (drawn_[Voxels] == voxels)
+    return;
+  if (preview && runners_[Voxels]->running()) {
+    voxelsAgain_ = true;
+    return;
+  }
+  voxelsAgain_ = false;
+  drawn_[Voxels] = voxels;
+  if (preview)
+    drawPlate(voxels->platform);
+  prepare(
+      Voxels,
+      [voxels, height = preview ? preview->layerHeightMm : result->process->layerHeightMm] {
+        return scene::drawVoxels(*voxels, height);
+      },
+      [this](auto&& made) {
+        viewport_.scene().setVoxels(made);
+        voxelLayers_ = scene::layerCount(*made);
+        viewport_.requestFrame();
+        emit voxelsDrawn();
+        if (voxelsAgain_)
+          drawVoxels();
+      });
+}
+
 void Presenter::drawMotion() {
   const auto result = document_.result(Stage::Motion);
   if (!result || !result->job.trajectory || !result->job.toolPlan)
@@ -222,20 +265,7 @@ void Presenter::show(Stage stage) {
             viewport_.requestFrame();
           });
     }
-    if (job.decomposition && drawn_[Voxels] != job.decomposition) {
-      drawn_[Voxels] = job.decomposition;
-      prepare(
-          Voxels,
-          [d = job.decomposition, height = result->process->layerHeightMm] {
-            return scene::drawVoxels(*d, height);
-          },
-          [this](auto&& made) {
-            viewport_.scene().setVoxels(made);
-            voxelLayers_ = scene::layerCount(*made);
-            viewport_.requestFrame();
-            emit voxelsDrawn();
-          });
-    }
+    drawVoxels();
   } else if (stage == Stage::Layers) {
     if (!job.layers || drawn_[Patches] == job.layers)
       return;

@@ -35,7 +35,7 @@ public:
   bool hasVoxels() const { return voxelLayers_ > 0; }
   bool hasLayers() const { return patchLayers_ > 0; }
   bool hasPaths() const { return pathLayers_ > 0; }
-  // Layers of what is drawn furthest down the road; 0: none.
+  // Layers of what is drawn furthest down the road, or of voxels that are newer; 0: none.
   int layerCount() const;
   const std::shared_ptr<const timeline::Clock>& clock() const { return clock_; }
   const std::shared_ptr<const LayerFacts>& facts() const { return facts_; }
@@ -65,6 +65,7 @@ private:
                 const Eigen::AlignedBox3d& box);
   void drawPlate(const std::vector<Eigen::Vector2d>& polygon);
   void drawPlannedPlate();
+  void drawVoxels();
   void drawMotion();
   void gatherFacts();
   // Runs `work` in the background of a slot, `done` with what it gives; an error is a mistake in
@@ -83,6 +84,7 @@ private:
   // What the platform's outline was drawn from before a plan: choice, voxel width, part.
   std::tuple<std::string, double, std::shared_ptr<const geometry::TriangleMesh>> plateDrawn_;
   Eigen::AlignedBox3d partBox_;
+  bool voxelsAgain_ = false; // newer ones came while a preview was being drawn
   int voxelLayers_ = 0, patchLayers_ = 0, pathLayers_ = 0;
 };
 
