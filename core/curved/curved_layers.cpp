@@ -162,7 +162,8 @@ void tellUnsupported(LayersResult& result, const base::RunContext& ctx) {
 } // namespace
 
 LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& part,
-                          const LayerOptions& o, const base::RunContext& ctx) {
+                          const LayerOptions& o, const base::RunContext& ctx,
+                          std::vector<SupportPatch> supports) {
   base::require(o.layerHeightMm > 0.0 && o.heightMinMm > 0.0 && o.heightMinMm <= o.heightMaxMm &&
                     o.beadWidthMm > 0.0,
                 "positive layer heights and bead width");
@@ -213,6 +214,11 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
       layers::absorbCrumbs(result.stack.patches, crumbs, {o.heightMaxMm, o.beadWidthMm});
   result.mergedPieces = absorbed.merged;
   result.mergedVolumeMm3 = absorbed.mergedVolumeMm3;
+  for (SupportPatch& support : supports) {
+    support.patch.layer = static_cast<int>(
+        std::floor(support.levelMm / partial.widthMm(PartialLevels::kFinest) + 1e-6));
+    result.stack.patches.push_back(std::move(support.patch));
+  }
   layers::orderForPrinting(result.stack);
   ctx.report(0.9, "checking layers");
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});

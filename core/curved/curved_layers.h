@@ -19,6 +19,12 @@ struct LayerOptions {
   bool fitSpacing = true;
 };
 
+// A patch of support (group kSupportGroup) to be laid with the rest.
+struct SupportPatch {
+  layers::Patch patch;  // its layer is found from levelMm
+  double levelMm = 0.0; // of the field where it begins
+};
+
 struct LayersResult {
   layers::LayerStack stack; // in print order
   layers::LayerStatistics statistics;
@@ -46,12 +52,13 @@ struct LayersResult {
 // extractLevels, layers::trimToPart, layers::makePatches, layers::absorbCrumbs,
 // layers::orderForPrinting. Where a level would be thicker than heightMaxMm, it is laid in parts;
 // where levels would be thinner than heightMinMm, they end and one patch takes the place of
-// several: layers are numbered by where their patches begin in the field. A patch's group is the
-// component of the printed voxels it lies in. Sum of area x thickness is the part's volume but for
-// what the findings tell; thickness is never clamped.
-// `part` faces outward and stands on the plate, mm. Preconditions: positive heights,
-// heightMin <= heightMax. Throws Cancelled.
+// several: layers are numbered by where their patches begin in the field, `supports` among them. A
+// patch's group is the component of the printed voxels it lies in. Sum of area x thickness is the
+// part's volume but for what the findings tell; thickness is never clamped. `part` faces outward
+// and stands on the plate, mm. Preconditions: positive heights, heightMin <= heightMax. Throws
+// Cancelled.
 LayersResult curvedLayers(const Decomposition& decomposition, const geometry::TriangleMesh& part,
-                          const LayerOptions& options, const base::RunContext& ctx);
+                          const LayerOptions& options, const base::RunContext& ctx,
+                          std::vector<SupportPatch> supports = {});
 
 } // namespace voluta::curved

@@ -109,10 +109,12 @@ SupportCheck supportOf(std::size_t p, const Patch& patch, const Floor& floor,
 LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& limits) {
   LayerStatistics s;
   s.count = stack.layerCount;
-  s.patches = stack.patches.size();
   std::vector<std::pair<double, double>> samples; // thickness, area
   double sum = 0.0, squares = 0.0, within = 0.0;
-  for (const Patch& p : stack.patches)
+  for (const Patch& p : stack.patches) {
+    if (p.group == kSupportGroup)
+      continue;
+    ++s.patches;
     for (std::size_t t = 0; t < p.surface.triangles.size(); ++t) {
       const auto& tri = p.surface.triangles[t];
       const double area = geometry::triangleArea(p.surface, t);
@@ -125,6 +127,7 @@ LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& lim
       sum += area * thickness;
       squares += area * thickness * thickness;
     }
+  }
   if (s.areaMm2 <= 0.0)
     return s;
   s.withinLimitsFraction = within / s.areaMm2;

@@ -10,9 +10,10 @@
 
 namespace voluta::layers {
 
-// report.json, "layers". Area-weighted, so that areaMm2 * thicknessMeanMm is the volume.
+// report.json, "layers". Area-weighted, so that areaMm2 * thicknessMeanMm is the volume. Supports
+// apart.
 struct LayerStatistics {
-  int count = 0; // layers
+  int count = 0; // layers, also those of supports alone
   std::size_t patches = 0;
   double areaMm2 = 0.0;
   double thicknessMeanMm = 0.0, thicknessStdMm = 0.0, thicknessP01Mm = 0.0, thicknessP99Mm = 0.0;

@@ -8,6 +8,9 @@
 
 namespace voluta::layers {
 
+// Patch::group of what is laid as support and broken off afterwards.
+inline constexpr int kSupportGroup = -1;
+
 // The mid-surface of material laid in one go: a triangle surface, connected, with its boundary on
 // the part. The nozzle tip runs at vertex + 1/2 thickness * direction. Triangles are
 // counter-clockwise seen against `direction` (from the side of the nozzle).
@@ -18,8 +21,8 @@ struct Patch {
                                           // layers outwards; material grows along it
   std::vector<Eigen::Vector3d> clearDirection; // per vertex, unit: a direction in which the head
                                                // clears what is printed earlier (front normal)
-  int layer = 0; // level it was cut from, 0 is on the platform
-  int group = 0; // piece or component
+  int layer = 0;                               // level it was cut from, 0 is on the platform
+  int group = 0;                               // piece or component, or kSupportGroup
 };
 
 // Patches in print order: a patch comes after what supports it.

@@ -91,7 +91,7 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
       plan::ToolPath path;
       path.first = out.plan.waypointCount();
       path.count = points.size();
-      path.kind = bead.kind;
+      path.kind = stack.patches[i].group == layers::kSupportGroup ? PathKind::Support : bead.kind;
       path.layer = stack.patches[i].layer;
       path.patch = static_cast<int>(i);
       path.group = stack.patches[i].group;
