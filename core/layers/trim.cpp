@@ -19,6 +19,8 @@ constexpr double kShift = 1e-5;
 constexpr int kSplitRounds = 4;
 constexpr int kChordDepth = 6;
 constexpr double kShortChord = 5e-3; // mm
+constexpr double kOnSurface = 2e-3;  // mm
+constexpr double kWellInside = 1e-4; // barycentric
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -271,7 +273,8 @@ private:
                    std::vector<int>& polygon) {
     const Eigen::Vector3d p = point(from), q = point(to), middle = 0.5 * (p + q);
     const double length = (q - p).norm();
-    if (depth >= kChordDepth || length < kShortChord)
+    if (depth >= kChordDepth || length < kShortChord ||
+        (facetOf_[from] >= 0 && facetOf_[from] == facetOf_[to]))
       return;
     const PlaneFrame plane(point(t[0]), point(t[1]), point(t[2]));
     Eigen::Vector3d x, weights;
@@ -280,23 +283,26 @@ private:
     if (!(cornerBetween(t, plane, from, to, x, weights) && (x - p).norm() < 2.0 * length &&
           (x - q).norm() < 2.0 * length && aside(x, p, q) > kShortChord)) {
       if (length < 2.0 * options_.chordMm ||
-          part_.query().closest(middle, options_.chordMm).triangle >= 0)
+          part_.query().closest(middle, kOnSurface).triangle >= 0)
         return;
+      // How far it bulges is told in the triangle's plane: where the part's surface runs nearly
+      // along it, or a wall is thin, some other place of the surface is nearer.
+      const double reach =
+          std::max({(point(t[0]) - point(t[1])).norm(), (point(t[1]) - point(t[2])).norm(),
+                    (point(t[2]) - point(t[0])).norm()});
       const Eigen::Vector3d inwards = plane.normal.cross(q - p).normalized();
-      const Eigen::Vector3d a = middle - length * inwards, b = middle + length * inwards;
+      const Eigen::Vector3d a = middle - reach * inwards, b = middle + reach * inwards;
       part_.crossings(a, b, 0.0, found_);
       double nearest = 1e300;
       for (const Crossing& c : found_) {
-        const Eigen::Vector3d y = a + c.t * (b - a);
-        Eigen::Vector3d w;
-        if (c.entering && std::abs(c.t - 0.5) < nearest && weightsIn(t, plane, y, w)) {
-          nearest = std::abs(c.t - 0.5);
-          x = y;
-          weights = w;
-          facet = c.triangle;
-        }
+        const double off = 2.0 * reach * std::abs(c.t - 0.5);
+        if (!c.entering || off >= nearest)
+          continue;
+        nearest = off;
+        x = a + c.t * (b - a);
+        facet = c.triangle;
       }
-      if (facet < 0)
+      if (nearest <= options_.chordMm || facet < 0 || !weightsIn(t, plane, x, weights))
         return;
     }
     const int between = appendBlend(s_, t, weights, x);
@@ -306,8 +312,9 @@ private:
     refineChord(t, between, to, depth + 1, polygon);
   }
 
-  // Barycentric weights of a point of the triangle's plane; false when it is not well inside.
-  bool weightsIn(const std::array<int, 3>& t, const PlaneFrame& plane, const Eigen::Vector3d& x,
+  // Barycentric weights of a point of the triangle's plane; false when it is not inside. A corner
+  // that pokes out by less than the gaps that are passed over is moved inside.
+  bool weightsIn(const std::array<int, 3>& t, const PlaneFrame& plane, Eigen::Vector3d& x,
                  Eigen::Vector3d& weights) const {
     const Eigen::Vector2d a = plane.flat(point(t[0])), b = plane.flat(point(t[1])),
                           c = plane.flat(point(t[2])), p = plane.flat(x);
@@ -317,7 +324,17 @@ private:
     };
     const double whole = area(a, b, c);
     weights = Eigen::Vector3d(area(p, b, c), area(a, p, c), area(a, b, p)) / whole;
-    return weights.minCoeff() > 1e-4;
+    if (weights.minCoeff() > kWellInside)
+      return true;
+    const Eigen::Vector3d moved =
+        weights.cwiseMax(kWellInside) / weights.cwiseMax(kWellInside).sum();
+    const Eigen::Vector3d y =
+        moved[0] * point(t[0]) + moved[1] * point(t[1]) + moved[2] * point(t[2]);
+    if ((y - x).norm() > 2.0 * options_.minGapMm)
+      return false;
+    x = y;
+    weights = moved;
+    return true;
   }
 
   // Where a sharp edge of the part pierces the triangle: the facets at both ends of the chord meet
@@ -334,7 +351,7 @@ private:
     x = m.inverse() * Eigen::Vector3d(part_.normal(f).dot(part_.pointOf(f)),
                                       part_.normal(g).dot(part_.pointOf(g)),
                                       plane.normal.dot(plane.origin));
-    return weightsIn(t, plane, x, weights) && part_.query().closest(x, 1e-6).triangle >= 0;
+    return part_.query().closest(x, 1e-6).triangle >= 0 && weightsIn(t, plane, x, weights);
   }
 
   LevelSurface s_;

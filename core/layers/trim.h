@@ -8,14 +8,14 @@
 namespace voluta::layers {
 
 struct TrimOptions {
-  double chordMm = 0.03;  // between two boundary vertices the part's surface bulges at most this
-  double minGapMm = 0.02; // gaps and walls thinner than this along an edge are passed over
+  double chordMm = 0.02;  // between two boundary vertices the part's surface bulges at most this
+  double minGapMm = 5e-4; // gaps and walls thinner than this along an edge are passed over
 };
 
 // What lies inside the part of a surface that reaches beyond it. The new boundary's vertices lie on
 // the part's facets (to rounding); within a triangle the boundary is refined down to chordMm, sharp
 // edges of the part included. Attributes are blended. Triangles are only cut, never joined: slivers
-// are left to collapseShortEdges. Vertices are first moved by less than 1e-5 mm, a fixed amount by
+// are left to cleanSurface. Vertices are first moved by less than 1e-5 mm, a fixed amount by
 // index, so that no triangle lies in a facet's plane.
 // Works edge by edge: the crossings of a level's edges with the part split them until each is
 // crossed at most once; vertices joined by uncrossed edges share one answer to "inside?".

@@ -173,6 +173,19 @@ int main(int argc, char** argv) try {
                 "in none %.4f, in several %.4f; sharp edges %zu, P99 %.4f mm off, most %.4f\n",
                 v.unsupported, v.patchesInTheAir, v.outOfOrder, v.inNone, v.inSeveral,
                 v.sharpCrossings, v.sharpOffP99Mm, v.sharpOffMostMm);
+    std::printf(
+        "  sharp most at %.2f %.2f %.2f; upward surface to tops: mean %.4f, P99 %.4f mm; plate "
+        "to feet %.4f mm\n",
+        v.sharpOffAt.x(), v.sharpOffAt.y(), v.sharpOffAt.z(), v.topMeanMm, v.topP99Mm,
+        v.plateMostMm);
+    for (const auto& a : v.air) {
+      const layers::Patch& p = r.stack.patches[static_cast<std::size_t>(a.patch)];
+      std::printf("  in the air: layer %d, patch %d, %.2f mm2, %.2f mm thick, at %.2f %.2f %.2f, "
+                  "facing %.2f "
+                  "%.2f %.2f\n",
+                  p.layer, a.patch, a.areaMm2, p.thicknessMm[0], a.centre.x(), a.centre.y(),
+                  a.centre.z(), p.direction[0].x(), p.direction[0].y(), p.direction[0].z());
+    }
     triangleQuality(r.stack);
     for (const auto& f : r.findings)
       std::printf("  %s: %s at %.1f %.1f %.1f\n", f.kind.c_str(), f.reason.c_str(), f.where->x(),

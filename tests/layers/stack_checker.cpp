@@ -139,22 +139,24 @@ public:
   Checker(const layers::LayerStack& stack, const geometry::TriangleMesh& part, double least,
           double most)
       : stack_(stack), part_(part), least_(least), most_(most), middles_(1.0), tops_(1.0),
-        surface_(2.0), rims_(1.0) {
+        feet_(1.0), surface_(2.0), rims_(1.0) {
     for (const auto& t : part.triangles)
       surface_.add(part.vertices[at(t[0])], part.vertices[at(t[1])], part.vertices[at(t[2])]);
     for (std::size_t p = 0; p < stack.patches.size(); ++p) {
       const layers::Patch& patch = stack.patches[p];
       for (const auto& t : patch.surface.triangles) {
-        std::array<Vector3d, 3> m, top;
+        std::array<Vector3d, 3> m, top, foot;
         Facet f{static_cast<int>(p), {}, {}};
         for (std::size_t k = 0; k < 3; ++k) {
           m[k] = patch.surface.vertices[at(t[k])];
           f.thickness[k] = patch.thicknessMm[at(t[k])];
           f.direction[k] = patch.direction[at(t[k])];
           top[k] = m[k] + 0.5 * f.thickness[k] * f.direction[k];
+          foot[k] = m[k] - 0.5 * f.thickness[k] * f.direction[k];
         }
         middles_.add(m[0], m[1], m[2]);
         tops_.add(top[0], top[1], top[2]);
+        feet_.add(foot[0], foot[1], foot[2]);
         facets_.push_back(f);
       }
     }
@@ -166,6 +168,7 @@ public:
     thickness();
     coverage();
     sharpEdges();
+    ends();
     int last = 0;
     for (std::size_t p = 0; p < stack_.patches.size(); ++p) {
       const int layer = stack_.patches[p].layer;
@@ -256,6 +259,7 @@ private:
 
   void thickness() {
     std::vector<double> areaOf(stack_.patches.size(), 0.0), onOf(areaOf), onLaterOf(areaOf);
+    std::vector<Vector3d> someOf(stack_.patches.size(), Vector3d::Zero());
     std::vector<std::pair<double, double>> found; // thickness, area
     double all = 0.0, lying = 0.0, within = 0.0, told = 0.0, sum = 0.0;
     const std::size_t step = std::max<std::size_t>(1, facets_.size() / 60000);
@@ -275,6 +279,7 @@ private:
       const auto earlier = [&](int o) { return facets_[at(o)].patch < f.patch; };
       all += area;
       areaOf[at(f.patch)] += area;
+      someOf[at(f.patch)] += area * middle;
       const bool onPlate = foot.z() <= 0.25 * t;
       const int lower = tops_.nearest(foot, 0.25 * t, earlier).triangle;
       if (!onPlate && lower < 0) {
@@ -309,6 +314,7 @@ private:
     for (std::size_t p = 0; p < areaOf.size(); ++p)
       if (onOf[p] < 0.02 * areaOf[p]) {
         ++v_.patchesInTheAir;
+        v_.air.push_back({someOf[p] / areaOf[p], areaOf[p], static_cast<int>(p)});
         v_.outOfOrder += onLaterOf[p] > 0.25 * areaOf[p];
       }
     if (lying <= 0.0)
@@ -405,7 +411,7 @@ private:
       const auto& c = surface_.corners(static_cast<int>(t));
       return Vector3d((c[1] - c[0]).cross(c[2] - c[0]).normalized());
     };
-    std::vector<double> off;
+    std::vector<std::pair<double, Vector3d>> off;
     for (const auto& [edge, triangles] : around) {
       if (triangles.size() != 2 || normal(triangles[0]).dot(normal(triangles[1])) > 0.766)
         continue;
@@ -429,23 +435,69 @@ private:
             std::abs(f.direction[0].dot(b - a)) < kThroughLayers * (b - a).norm())
           continue;
         const Vector3d pierced = x - (b - a) / count * (height / (height - was));
-        off.push_back(
+        off.emplace_back(
             rims_.nearest(pierced, 5.0, [&](int id) { return rimFacts_[at(id)].patch == patch; })
-                .distance);
+                .distance,
+            pierced);
       }
     }
     v_.sharpCrossings = off.size();
     if (off.empty())
       return;
+    std::sort(off.begin(), off.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    v_.sharpOffP99Mm = off[off.size() * 99 / 100].first;
+    v_.sharpOffMostMm = off.back().first;
+    v_.sharpOffAt = off.back().second;
+  }
+
+  void ends() {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    double area = 0.0;
+    for (std::size_t t = 0; t < part_.triangles.size(); ++t)
+      area += areaOf(static_cast<int>(t));
+    std::vector<double> off;
+    double sum = 0.0;
+    // Evenly by walking along the triangles' areas.
+    const double step = area / 20000.0;
+    double passed = unit(random) * step;
+    for (std::size_t t = 0; t < part_.triangles.size(); ++t) {
+      const auto& c = surface_.corners(static_cast<int>(t));
+      const Vector3d n = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
+      for (double a = areaOf(static_cast<int>(t)); passed < a; passed += step) {
+        double u = unit(random), v = unit(random);
+        if (u + v > 1.0) {
+          u = 1.0 - u;
+          v = 1.0 - v;
+        }
+        const Vector3d x = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
+        if (x.z() < 1e-3 && n.z() < -0.99)
+          v_.plateMostMm = std::max(v_.plateMostMm, feet_.nearest(x, 1.0, kAny).distance);
+        const auto near = middles_.nearest(x, 2.0, kAny);
+        if (near.triangle < 0 || facets_[at(near.triangle)].direction[0].dot(n) <= 0.5)
+          continue;
+        off.push_back(tops_.nearest(x, 2.0, kAny).distance);
+        sum += off.back();
+      }
+      passed -= areaOf(static_cast<int>(t));
+    }
+    if (off.empty())
+      return;
     std::sort(off.begin(), off.end());
-    v_.sharpOffP99Mm = off[off.size() * 99 / 100];
-    v_.sharpOffMostMm = off.back();
+    v_.topMeanMm = sum / static_cast<double>(off.size());
+    v_.topP99Mm = off[off.size() * 99 / 100];
+  }
+
+  double areaOf(int triangle) const {
+    const auto& c = surface_.corners(triangle);
+    return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm();
   }
 
   const layers::LayerStack& stack_;
   const geometry::TriangleMesh& part_;
   double least_, most_;
-  Grid middles_, tops_, surface_, rims_;
+  Grid middles_, tops_, feet_, surface_, rims_;
   std::vector<Facet> facets_;
   struct Rim {
     int patch;

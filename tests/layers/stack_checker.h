@@ -6,7 +6,9 @@
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 
+#include <Eigen/Core>
 #include <cstddef>
+#include <vector>
 
 namespace voluta::test {
 
@@ -39,6 +41,18 @@ struct StackVerdict {
   // or more: how far that patch's boundary stays away.
   std::size_t sharpCrossings = 0;
   double sharpOffP99Mm = 0.0, sharpOffMostMm = 0.0;
+  Eigen::Vector3d sharpOffAt = Eigen::Vector3d::Zero(); // where it is most
+
+  // Points drawn evenly on the part's surface where it faces along the layers (n . d > 0.5), to the
+  // nearest top of a patch; and where it stands on the plate, to the nearest foot.
+  double topMeanMm = 0.0, topP99Mm = 0.0, plateMostMm = 0.0;
+
+  struct InTheAir {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double areaMm2 = 0.0;
+    int patch = 0;
+  };
+  std::vector<InTheAir> air; // the patches in the air, one each
 };
 
 StackVerdict checkStack(const layers::LayerStack& stack, const geometry::TriangleMesh& part,

@@ -1,5 +1,6 @@
 // Trimming, cleaning, pieces and order on surfaces made by hand.
 #include "base/run_context.h"
+#include "geometry/edges.h"
 #include "geometry/measures.h"
 #include "layers/clean_surface.h"
 #include "layers/layer_checks.h"
@@ -81,6 +82,36 @@ TEST(TrimToPart, KeepsSlotsAndWallsThinnerThanATriangle) {
   const PartBoundary boundary(part, 0.8, {});
   const LevelSurface s = trimToPart(flatGrid(10, 0.83, 0.1), boundary, {}, {});
   EXPECT_NEAR(geometry::area(s.surface), (7.85 + 0.3) * 16, 0.3);
+}
+
+// Distance of a point from the nearest boundary edge.
+double fromBoundary(const LevelSurface& s, const Vector3d& x) {
+  double nearest = 1e300;
+  const auto edges = geometry::sortedHalfEdges(s.surface);
+  geometry::forEachEdge(edges, [&](std::size_t b, std::size_t e) {
+    if (e - b != 1)
+      return;
+    const Vector3d &p = s.surface.vertices[static_cast<std::size_t>(edges[b].low)],
+                   &q = s.surface.vertices[static_cast<std::size_t>(edges[b].high)];
+    const double t = std::clamp((x - p).dot(q - p) / (q - p).squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (x - p - t * (q - p)).norm());
+  });
+  return nearest;
+}
+
+TEST(TrimToPart, FindsCornersWhereverTheyFall) {
+  // Blocks and fins as wide as a fifth of a triangle, their top 0.03 mm above the level: corners
+  // fall inside triangles, poke through their edges by a hair, and no place is far from a facet.
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(0.0, 0.83), turn(0.0, 1.57), width(0.12, 2.0);
+  for (int n = 0; n < 60; ++n) {
+    const double w = width(random), x = place(random), y = place(random);
+    const auto part = turned(test::box({x, y, -1}, {x + 4.3, y + w, 0.13}), turn(random));
+    const PartBoundary boundary(part, 0.8, {});
+    const LevelSurface s = trimToPart(flatGrid(8, 0.83, 0.1), boundary, {}, {});
+    for (const Vector3d& v : part.vertices)
+      EXPECT_LT(fromBoundary(s, {v.x(), v.y(), 0.1}), 0.02) << n << ": " << v.transpose();
+  }
 }
 
 TEST(TrimToPart, LeavesHolesAndCavitiesEmpty) {
