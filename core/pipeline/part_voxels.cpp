@@ -6,6 +6,7 @@
 #include "voxel/wall_thickness.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -15,10 +16,12 @@ namespace {
 constexpr std::size_t kTold = 5;
 constexpr double kLeastVoxelMm = 0.1; // of the parameter voxelMm
 
+constexpr std::string_view kNarrower = "a voxel width of at most ";
+
 std::string remedyFor(double thicknessMm) {
   const double fits = std::floor(100.0 * thicknessMm + 1e-6) / 100.0;
   return fits < kLeastVoxelMm ? fmt::format("thicken the wall to {:g} mm or more", kLeastVoxelMm)
-                              : fmt::format("a voxel width of at most {:g} mm", fits);
+                              : fmt::format("{}{:g} mm", kNarrower, fits);
 }
 
 plan::Finding findingOf(const voxel::ThinPlace& place, double voxelMm) {
@@ -35,6 +38,17 @@ plan::Finding findingOf(const voxel::ThinPlace& place, double voxelMm) {
   return finding;
 }
 } // namespace
+
+std::optional<double> thinWallVoxelMm(const plan::Finding& finding) {
+  if (finding.kind != "thinWalls" || !finding.remedy.starts_with(kNarrower))
+    return std::nullopt;
+  const char* number = finding.remedy.data() + kNarrower.size();
+  double width = 0.0;
+  if (std::from_chars(number, finding.remedy.data() + finding.remedy.size(), width).ec !=
+      std::errc{})
+    return std::nullopt;
+  return width;
+}
 
 std::shared_ptr<const PartVoxels> partVoxels(const LoadStage& placed, double voxelMm,
                                              const base::RunContext& ctx) {

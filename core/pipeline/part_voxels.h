@@ -8,6 +8,7 @@
 #include "voxel/solid_voxels.h"
 
 #include <memory>
+#include <optional>
 
 namespace voluta::pipeline {
 
@@ -27,5 +28,8 @@ std::shared_ptr<const PartVoxels> partVoxels(const LoadStage& placed, double vox
 // and one for the rest. None of them blocks. Precondition: voxelMm > 0. Throws Cancelled.
 plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxelMm,
                                 const base::RunContext& ctx);
+
+// The voxel width in mm that such a finding asks for; none: of another kind, or nothing would do.
+std::optional<double> thinWallVoxelMm(const plan::Finding& finding);
 
 } // namespace voluta::pipeline
