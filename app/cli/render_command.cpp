@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/nearest_name.h"
+#include "curved/peeling_field.h"
 #include "pipeline/choices.h"
 #include "pipeline/job.h"
 #include "scene/offscreen_target.h"
@@ -64,15 +65,16 @@ public:
     showPlatform();
   }
   void showVoxels() {
-    const auto drawing =
-        scene::drawVoxels(*need(job_.decomposition, "voxels"), process().layerHeightMm);
+    const auto drawing = scene::drawVoxels(*need(job_.decomposition, "voxels"), voxelLook());
     setLastLayer(scene::layerCount(*drawing));
     scene_.setVoxels(drawing);
     view_.voxels = true;
     showPlatform();
   }
   void showLayers() {
-    const auto drawing = scene::drawLayers(*need(job_.layers, "layers"));
+    const process::Process p = process();
+    const auto drawing = scene::drawLayers(
+        *need(job_.layers, "layers"), {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm});
     setLastLayer(scene::layerCount(*drawing));
     scene_.setLayers(drawing);
     view_.layers = true;
@@ -113,6 +115,16 @@ private:
       throw Error(ErrorCode::UnusableInput, fmt::format("the job holds no {}", what),
                   options_.job.string(), "plan the part further: voluta-cli plan PART -o DIR");
     return result;
+  }
+
+  scene::VoxelLook voxelLook() const {
+    scene::VoxelLook look;
+    look.layerHeightMm = process().layerHeightMm;
+    look.colourBy = view_.colourBy;
+    if (look.colourBy == scene::ColourBy::Peeling)
+      look.peeling = std::make_shared<const std::vector<std::int32_t>>(
+          curved::peelingField(*job_.decomposition, {}));
+    return look;
   }
 
   process::Process process() const {

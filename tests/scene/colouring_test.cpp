@@ -50,14 +50,42 @@ TEST(Colouring, SequentialMapGetsLighterAllTheWay) {
   }
 }
 
+TEST(Colouring, DivergingMapIsLightestInTheMiddleAndItsLimitsStandOut) {
+  for (int i = 0; i < 25; ++i) {
+    EXPECT_LT(luminance(divergingColour(i / 50.0)), luminance(divergingColour((i + 1) / 50.0)));
+    EXPECT_LT(luminance(divergingColour(1.0 - i / 50.0)),
+              luminance(divergingColour(1.0 - (i + 1) / 50.0)));
+  }
+  // By lightness alone, whatever eyes make of the hues.
+  EXPECT_GT(luminance(tooThinColour()), 5.0 * luminance(divergingColour(0.0)));
+  EXPECT_GT(luminance(tooThickColour()), 5.0 * luminance(divergingColour(1.0)));
+}
+
+TEST(Colouring, ReasonsAndStepsAreToldApart) {
+  for (const Theme& theme : {lightTheme(), darkTheme()}) {
+    const Colour all[] = {theme.blocked, theme.unreached, theme.cascade, theme.current,
+                          supportColour()};
+    for (std::size_t i = 0; i < std::size(all); ++i) {
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_GT(distance(all[i], all[j]), 0.35) << i << " and " << j;
+      for (int s = 0; s <= 50; ++s)
+        EXPECT_GT(distance(all[i], sequentialColour(s / 50.0)), 0.2) << i << " at " << s / 50.0;
+    }
+  }
+}
+
 TEST(Colouring, RedIsKeptForWhatIsBlocked) {
   for (const Theme& theme : {lightTheme(), darkTheme()}) {
     for (int i = 0; i <= 100; ++i)
       EXPECT_GT(distance(sequentialColour(i / 100.0), theme.blocked), 0.45) << i;
+    for (int i = 0; i <= 100; ++i)
+      EXPECT_GT(distance(divergingColour(i / 100.0), theme.blocked), 0.42) << i;
     for (int i = 0; i < 10; ++i)
       EXPECT_GT(distance(categoricalColour(i), theme.blocked), 0.45) << i;
-    for (const Colour& c : {theme.part, theme.platform, theme.robotLight, theme.robotDark,
-                            theme.head, theme.material, theme.marker, theme.axisX})
+    for (const Colour& c :
+         {theme.part, theme.platform, theme.robotLight, theme.robotDark, theme.head, theme.material,
+          theme.marker, theme.axisX, theme.unreached, theme.cascade, theme.current, theme.ghost,
+          theme.front, supportColour(), tooThinColour(), tooThickColour()})
       EXPECT_GT(distance(c, theme.blocked), 0.3);
   }
 }

@@ -1,11 +1,16 @@
 // What is left out of a picture is only what cannot be seen: counted against plain enumeration.
+#include "scene/colour_values.h"
 #include "scene/drawing_data.h"
 #include "scene/visible_beads.h"
 
 #include "support/shapes.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <random>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 
 namespace {
 using namespace voluta;
@@ -50,6 +55,88 @@ TEST(VoxelDrawing, ShowsTheFacesBetweenWhatIsShownAndWhatIsNot) {
       drawing->lower.append(faces, first, last, -first);
       EXPECT_EQ(total(faces), 2 * expected) << first << " to " << last;
     }
+}
+
+// Two cells high, by rank one above the other; the field puts all in one layer but the top.
+curved::Decomposition tower() {
+  curved::Decomposition d;
+  d.grid.size = {1, 1, 6};
+  d.rank = {1, 2, 3, -1, -1, -1};
+  d.field = {0.1f, 0.2f, 1.0f, NAN, NAN, NAN};
+  d.loss = {curved::Loss::None,     curved::Loss::None,      curved::Loss::None,
+            curved::Loss::Shadowed, curved::Loss::Unreached, curved::Loss::Cascade};
+  d.support = {1, 0, 0, 0, 0, 0};
+  return d;
+}
+
+std::array<int, 3> colourOfPoint(vtkPolyData* data, vtkIdType point) {
+  const auto* scalars = data->GetPointData()->GetScalars();
+  return {int(const_cast<vtkDataArray*>(scalars)->GetComponent(point, 0)),
+          int(const_cast<vtkDataArray*>(scalars)->GetComponent(point, 1)),
+          int(const_cast<vtkDataArray*>(scalars)->GetComponent(point, 2))};
+}
+
+TEST(VoxelDrawing, IsShownByLayerOrByStepAndColouredByEither) {
+  const curved::Decomposition d = tower();
+  scene::VoxelLook look;
+  look.layerHeightMm = 0.8;
+  const auto byLayer = scene::drawVoxels(d, look);
+  EXPECT_EQ(scene::layerCount(*byLayer), 2);
+  EXPECT_EQ(byLayer->colouredBy, scene::ColourBy::Layer);
+  look.bySteps = true;
+  const auto bySteps = scene::drawVoxels(d, look);
+  EXPECT_EQ(scene::layerCount(*bySteps), 3);
+  EXPECT_EQ(bySteps->colouredBy, scene::ColourBy::Layer);
+  EXPECT_EQ(bySteps->highest, 2);
+  look.colourBy = scene::ColourBy::GrowthStep;
+  EXPECT_EQ(scene::drawVoxels(d, look)->highest, 3);
+  look.colourBy = scene::ColourBy::Peeling;
+  EXPECT_EQ(scene::drawVoxels(d, look)->colouredBy, scene::ColourBy::Layer) << "not known";
+  look.peeling = std::make_shared<const std::vector<std::int32_t>>(std::vector{0, 4, 3, 2, 1, 1});
+  EXPECT_EQ(scene::drawVoxels(d, look)->highest, 4);
+  EXPECT_EQ(scene::drawVoxels(d)->colouredBy, scene::ColourBy::GrowthStep) << "no layers known";
+}
+
+TEST(VoxelDrawing, SupportAndEveryReasonHaveAColourAndALineInTheLegend) {
+  const auto drawing = scene::drawVoxels(tower());
+  EXPECT_EQ(drawing->support, 1u);
+  for (std::size_t reason = 0; reason < scene::kLossCount; ++reason) {
+    EXPECT_EQ(drawing->lost[reason], 1u);
+    EXPECT_GT(drawing->missedFaces[reason].count, 0u);
+  }
+  std::map<std::array<int, 3>, int> found;
+  for (vtkIdType p = 0; p < drawing->outside->GetNumberOfPoints(); ++p)
+    ++found[colourOfPoint(drawing->outside, p)];
+  EXPECT_EQ(found.size(), 3u) << "support and two ranks";
+  const scene::Legend legend = scene::voxelLegend(*drawing, scene::lightTheme());
+  ASSERT_EQ(legend.marks.size(), 4u);
+  EXPECT_EQ(legend.marks[0].label, "Support");
+  EXPECT_EQ(legend.marks[1].text(), "Missed, shadowed (1)");
+  EXPECT_EQ(legend.marks[1].colour, scene::lightTheme().blocked);
+}
+
+TEST(LayersDrawing, SpacingIsCentredOnTheNominalHeightWithItsLimitsMarked) {
+  scene::ColourValues values;
+  values.height = {0.2f, 0.4f, 0.8f, 1.0f, 1.3f};
+  values.layer = {0, 0, 0, 0, 0};
+  EXPECT_EQ(scene::shownColouring(values, scene::ColourBy::Spacing), scene::ColourBy::Layer);
+  values.heights = {0.8, 0.4, 1.0};
+  ASSERT_EQ(scene::shownColouring(values, scene::ColourBy::Spacing), scene::ColourBy::Spacing);
+  const auto rgb = scene::coloursOf(values, scene::ColourBy::Spacing, 1);
+  const auto expectColour = [&](std::size_t i, const scene::Colour& colour) {
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(rgb[3 * i + k], 255.0 * colour[k], 3.0) << i;
+  };
+  expectColour(0, scene::tooThinColour());
+  expectColour(1, scene::divergingColour(0.0));
+  expectColour(2, scene::divergingColour(0.5));
+  expectColour(3, scene::divergingColour(1.0));
+  expectColour(4, scene::tooThickColour());
+  const scene::Legend legend = scene::legendOf(values, scene::ColourBy::Spacing);
+  ASSERT_EQ(legend.entries.size(), 5u);
+  EXPECT_EQ(legend.entries[0].text(), "0.40 (limit)");
+  EXPECT_EQ(legend.entries[2].text(), "0.80 (nominal)");
+  EXPECT_EQ(legend.marks.size(), 2u);
 }
 
 // A block of straight beads, 1 mm apart in y and z.

@@ -81,6 +81,71 @@ TEST(Render, MissedVoxelsShineThroughAndNothingElseIsRed) {
   EXPECT_GT(redPixels(picture(scene, view, scene::StandardView::Back)), 100u);
 }
 
+TEST(Render, GrowthShowsItsStepsTheFrontAndWhatIsToCome) {
+  curved::Decomposition d;
+  d.grid.size = {9, 9, 9};
+  for (std::size_t c = 0; c < d.grid.cellCount(); ++c)
+    d.rank.push_back(d.grid.cell(c).z() + 1);
+  scene::VoxelLook look;
+  look.bySteps = true;
+  scene::Scene scene(scene::lightTheme());
+  scene.setGrowth(scene::drawVoxels(d, look));
+  scene.setFront(scene::drawFront(test::sphere({4.5, 4.5, 4.5}, 9.0)));
+  scene::ViewState view;
+  view.part = false;
+  view.voxels = true;
+  const auto coloured = [](const scene::Image& image) {
+    std::size_t pink = 0, drawn = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const Pixel p = at(image, x, y);
+        pink += p.r > p.g + 60 && p.b > p.g + 30;
+        drawn += std::max({p.r, p.g, p.b}) - std::min({p.r, p.g, p.b}) > 40;
+      }
+    return std::pair(pink, drawn);
+  };
+  view.axes = false;
+  view.growthStep = 0;
+  EXPECT_EQ(coloured(picture(scene, view)).second, 0u) << "nothing is laid";
+  view.growthStep = 4;
+  const auto four = coloured(picture(scene, view));
+  EXPECT_GT(four.first, 500u) << "the step being laid, from above";
+  EXPECT_GT(four.second, four.first + 500u) << "those before it";
+  const auto plain = picture(scene, view).rgb;
+  view.ghosts = true;
+  const auto ghosts = picture(scene, view).rgb;
+  EXPECT_NE(plain, ghosts);
+  view.front = true;
+  EXPECT_NE(ghosts, picture(scene, view).rgb);
+  view.growthStep = 9;
+  EXPECT_GT(coloured(picture(scene, view)).second, four.second);
+}
+
+TEST(Render, SeenThroughOnlyMissedVoxelsKeepTheirColour) {
+  curved::Decomposition d;
+  d.grid.size = {9, 9, 9};
+  for (std::size_t c = 0; c < d.grid.cellCount(); ++c)
+    d.rank.push_back(d.grid.cell(c).z() + 1);
+  for (int i = 3; i < 6; ++i)
+    d.rank[d.grid.index(i, 4, 4)] = -1; // in the heart
+  scene::Scene scene(scene::lightTheme());
+  scene.setVoxels(scene::drawVoxels(d));
+  scene::ViewState view;
+  view.part = false;
+  view.voxels = true;
+  const auto fullRed = [&] {
+    const scene::Image image = picture(scene, view);
+    std::size_t count = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        count += at(image, x, y).r > 170 && at(image, x, y).g < 70;
+    return count;
+  };
+  EXPECT_EQ(fullRed(), 0u) << "tinted only";
+  view.seeThrough = true;
+  EXPECT_GT(fullRed(), 100u);
+}
+
 TEST(Render, WrongSizeIsRefused) {
   scene::Scene scene(scene::lightTheme());
   scene::OffscreenTarget target;

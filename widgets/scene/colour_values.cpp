@@ -30,6 +30,8 @@ const std::vector<float>* numbers(const ColourValues& v, ColourBy by) {
   switch (by) {
   case ColourBy::Height:
     return &v.height;
+  case ColourBy::Spacing:
+    return v.heights.known() ? &v.height : nullptr;
   case ColourBy::Width:
     return &v.width;
   case ColourBy::Speed:
@@ -82,15 +84,16 @@ std::string scaleNumber(double value, double width) {
 }
 
 Legend scaleLegend(const ColourByRow& row, const Span& span) {
-  Legend legend{std::string(row.label), std::string(row.unit), false, {}};
+  Legend legend{std::string(row.label), std::string(row.unit), false, false, {}, {}};
   const int stops = span.high > span.low ? kStops : 1;
   for (int i = 0; i < stops; ++i) {
     const double t = stops > 1 ? double(i) / (stops - 1) : kLoneValue;
     const double value = stops > 1 ? span.low + t * (span.high - span.low) : span.low;
     const double width = span.high - span.low;
-    std::string label = row.colourBy == ColourBy::Layer
-                            ? fmt::format("{}", static_cast<int>(std::lround(value)) + 1)
-                            : scaleNumber(value, width);
+    const bool counted = row.colourBy == ColourBy::Layer || row.colourBy == ColourBy::GrowthStep ||
+                         row.colourBy == ColourBy::Peeling;
+    std::string label = counted ? fmt::format("{}", static_cast<int>(std::lround(value)) + 1)
+                                : scaleNumber(value, width);
     legend.entries.push_back({value, std::move(label), sequentialColour(t)});
   }
   return legend;
@@ -108,18 +111,49 @@ ColourBy shownColouring(const ColourValues& values, ColourBy asked) {
   return (whole && !whole->empty()) || (real && !real->empty()) ? asked : ColourBy::Layer;
 }
 
-Legend layerLegend(int layers) {
-  return scaleLegend(rowOf(ColourBy::Layer), {0.0, double(std::max(layers, 1) - 1)});
+namespace {
+// Both limits and the nominal height are among the stops.
+Legend spacingLegend(const HeightLimits& heights) {
+  const ColourByRow& row = rowOf(ColourBy::Spacing);
+  Legend legend{std::string(row.label), std::string(row.unit), false, true, {}, {}};
+  const double low = heights.minMm, middle = heights.nominalMm, high = heights.maxMm;
+  for (const auto& [value, note] :
+       {std::pair(low, "limit"), std::pair((low + middle) / 2, ""), std::pair(middle, "nominal"),
+        std::pair((middle + high) / 2, ""), std::pair(high, "limit")})
+    legend.entries.push_back(
+        {value, fmt::format("{:.2f}", value), divergingColour(heights.shareOf(value)), note});
+  legend.marks.push_back({0.0, "Too thick to lay", tooThickColour()});
+  legend.marks.push_back({0.0, "Too thin to lay", tooThinColour()});
+  return legend;
+}
+} // namespace
+
+Legend voxelLegend(const VoxelDrawing& voxels, const Theme& theme) {
+  Legend legend =
+      scaleLegend(rowOf(voxels.colouredBy), {0.0, double(std::max(voxels.highest, 1) - 1)});
+  if (voxels.bySteps)
+    legend.marks.push_back({0.0, "Step being laid", theme.current});
+  const auto add = [&](const char* label, const Colour& colour, std::size_t count) {
+    if (count > 0)
+      legend.marks.push_back({0.0, label, colour, fmt::format("{}", count)});
+  };
+  add("Support", supportColour(), voxels.support);
+  add("Missed, shadowed", theme.blocked, voxels.lost[0]);
+  add("Missed, unreached", theme.unreached, voxels.lost[1]);
+  add("Missed, cascade", theme.cascade, voxels.lost[2]);
+  return legend;
 }
 
 Legend legendOf(const ColourValues& values, ColourBy colourBy) {
   const ColourByRow& row = rowOf(colourBy);
+  if (colourBy == ColourBy::Spacing)
+    return spacingLegend(values.heights);
   if (!row.categorical)
     return scaleLegend(row, spanOf(values, colourBy));
   std::vector<std::int32_t> present = *wholeNumbers(values, colourBy);
   std::sort(present.begin(), present.end());
   present.erase(std::unique(present.begin(), present.end()), present.end());
-  Legend legend{std::string(row.label), std::string(row.unit), true, {}};
+  Legend legend{std::string(row.label), std::string(row.unit), true, false, {}, {}};
   for (const std::int32_t v : present)
     legend.entries.push_back({double(v),
                               colourBy == ColourBy::Kind
@@ -146,6 +180,23 @@ std::vector<std::uint8_t> coloursOf(const ColourValues& values, ColourBy colourB
     out.reserve(3 * whole.size() * static_cast<std::size_t>(repeat));
     for (const std::int32_t v : whole)
       add(bytes(categoricalColour(v)));
+    return out;
+  }
+  if (colourBy == ColourBy::Spacing) {
+    const auto thin = bytes(tooThinColour()), thick = bytes(tooThickColour());
+    std::array<std::array<std::uint8_t, 3>, 256> map{};
+    for (std::size_t i = 0; i < map.size(); ++i)
+      map[i] = bytes(divergingColour(double(i) / 255.0));
+    // Layers are held to the limits; what reaches them is not beyond.
+    constexpr double kSlack = 1e-3;
+    out.reserve(3 * values.height.size() * static_cast<std::size_t>(repeat));
+    for (const float height : values.height) {
+      const double t = values.heights.shareOf(double(height));
+      add(t < -kSlack ? thin
+          : t > 1 + kSlack
+              ? thick
+              : map[static_cast<std::size_t>(std::clamp(255.0 * t + 0.5, 0.0, 255.0))]);
+    }
     return out;
   }
   std::array<std::array<std::uint8_t, 3>, 256> table{};

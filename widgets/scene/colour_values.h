@@ -17,7 +17,7 @@ Legend legendOf(const ColourValues& values, ColourBy colourBy);
 // Three bytes an item, each item `repeat` times.
 std::vector<std::uint8_t> coloursOf(const ColourValues& values, ColourBy colourBy, int repeat);
 
-// Of layers 0 ... layers - 1.
-Legend layerLegend(int layers);
+// What the colours of a drawing of voxels say; the growth's own colours only where it is replayed.
+Legend voxelLegend(const VoxelDrawing& voxels, const Theme& theme);
 
 } // namespace voluta::scene

@@ -4,6 +4,7 @@
 #include "base/nearest_name.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace voluta::scene {
@@ -18,6 +19,9 @@ const std::vector<ColourByRow>& colourByTable() {
       {ColourBy::Speed, "speed", "Speed", "mm/s", false},
       {ColourBy::Time, "time", "Time", "min", false},
       {ColourBy::Direction, "direction", "Tilt of the nozzle", "deg", false},
+      {ColourBy::Spacing, "spacing", "Layer spacing", "mm", false},
+      {ColourBy::GrowthStep, "growth", "Growth step", "", false},
+      {ColourBy::Peeling, "peeling", "Peeling rank", "", false},
   };
   return table;
 }
@@ -40,8 +44,11 @@ namespace {
 struct Lab {
   double l, a, b;
 };
-constexpr Lab kStops[] = {{22, 30, -38}, {36, 6, -38},  {50, -18, -18},
-                          {64, -34, 10}, {78, -28, 44}, {92, -6, 66}};
+constexpr std::array<Lab, 6> kSequential{
+    {{22, 30, -38}, {36, 6, -38}, {50, -18, -18}, {64, -34, 10}, {78, -28, 44}, {92, -6, 66}}};
+// Blue and brown stay apart for every kind of colour vision; both ends are equally dark.
+constexpr std::array<Lab, 5> kDiverging{
+    {{34, 10, -48}, {63, -8, -30}, {95, 0, 3}, {74, 0, 54}, {34, 3, 40}}};
 
 double linearToSrgb(double v) {
   v = std::clamp(v, 0.0, 1.0);
@@ -62,15 +69,34 @@ Colour srgbOf(const Lab& lab) {
           linearToSrgb(0.0557 * x - 0.2040 * y + 1.0570 * z)};
 }
 
+template <std::size_t N> Colour colourAt(const std::array<Lab, N>& stops, double t) {
+  const double place = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0) * (N - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(place), N - 2);
+  const double f = place - static_cast<double>(i);
+  const Lab &p = stops[i], &q = stops[i + 1];
+  return srgbOf({p.l + f * (q.l - p.l), p.a + f * (q.a - p.a), p.b + f * (q.b - p.b)});
+}
+
 } // namespace
 
 Colour sequentialColour(double t) {
-  constexpr int last = static_cast<int>(std::size(kStops)) - 1;
-  const double place = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0) * last;
-  const int i = std::min(static_cast<int>(place), last - 1);
-  const double f = place - i;
-  const Lab &p = kStops[i], &q = kStops[i + 1];
-  return srgbOf({p.l + f * (q.l - p.l), p.a + f * (q.a - p.a), p.b + f * (q.b - p.b)});
+  return colourAt(kSequential, t);
+}
+
+Colour divergingColour(double t) {
+  return colourAt(kDiverging, t);
+}
+
+Colour tooThinColour() {
+  return {0.20, 0.90, 0.98};
+}
+
+Colour tooThickColour() {
+  return {1.00, 0.93, 0.25};
+}
+
+Colour supportColour() {
+  return {0.34, 0.71, 0.91};
 }
 
 Colour categoricalColour(int index) {

@@ -10,8 +10,20 @@
 
 namespace voluta::scene {
 
-enum class ColourBy { Layer, Group, Kind, Height, Width, Speed, Time, Direction };
-inline constexpr int kColourByCount = 8;
+enum class ColourBy {
+  Layer,
+  Group,
+  Kind,
+  Height,
+  Width,
+  Speed,
+  Time,
+  Direction,
+  Spacing,    // layers: thickness about the nominal height
+  GrowthStep, // voxels: when they are laid
+  Peeling     // voxels: when the source's peeling takes them off
+};
+inline constexpr int kColourByCount = 11;
 
 struct ColourByRow {
   ColourBy colourBy;
@@ -29,6 +41,13 @@ ColourBy colourByOf(std::string_view id);
 // Sequential map, dark blue to yellow, even in lightness and safe for colour-blind eyes. t is
 // clamped to [0, 1].
 Colour sequentialColour(double t);
+// Diverging map, blue over nearly white (t = 1/2) to brown, safe for colour-blind eyes. t is
+// clamped to [0, 1].
+Colour divergingColour(double t);
+// Thickness that the process cannot lay: much lighter than the map's ends, which they follow.
+Colour tooThinColour();
+Colour tooThickColour();
+Colour supportColour(); // of voxels laid as support
 // Okabe and Ito's colours without the red one, repeated beyond their number. index >= 0.
 Colour categoricalColour(int index);
 
@@ -36,13 +55,23 @@ struct LegendEntry {
   double value;      // scale: the number at this stop; categories: their index
   std::string label; // the number as text (without unit), or the category's name
   Colour colour;
+  std::string note = {}; // said after the label: what is special about it, or how many there are
+
+  std::string text() const { return note.empty() ? label : label + " (" + note + ")"; }
 };
 
 // Empty entries: nothing shown needs a legend.
 struct Legend {
   std::string title, unit; // English; title is the label of the row of colourByTable()
   bool categorical = false;
-  std::vector<LegendEntry> entries; // scale: ascending, evenly spaced
+  bool diverging = false;
+  std::vector<LegendEntry> entries; // scale: ascending, evenly spaced in colour
+  std::vector<LegendEntry> marks;   // colours beside the scale, each with a meaning of its own
+
+  // Of a scale, t in [0, 1] from the first entry to the last.
+  Colour scaleColour(double t) const {
+    return diverging ? divergingColour(t) : sequentialColour(t);
+  }
 };
 
 } // namespace voluta::scene

@@ -5,6 +5,7 @@
 #include "scene/drawings.h"
 #include "scene/layered_faces.h"
 
+#include <array>
 #include <cstdint>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -23,21 +24,35 @@ struct PlatformDrawing {
   Eigen::AlignedBox3d box; // of the plate
 };
 
+// Reasons for which a voxel is missed, curved::Loss without None, in its order.
+inline constexpr std::size_t kLossCount = 3;
+
 struct VoxelDrawing {
   voxel::VoxelGrid grid;
-  std::vector<std::int32_t> rank;
+  std::vector<std::int32_t> rank; // the order in which they are shown, from 1; -1 missed
   int layers = 0;
+  bool bySteps = false;
   // Faces on the outside, and those between ranks: these are needed only when not all layers are
   // shown.
   vtkSmartPointer<vtkPolyData> outside, inside, missed;
   LayeredFaces outer, upper, lower;
+  std::array<Stretch, kLossCount> missedFaces; // of `missed`, by reason
+  std::array<std::size_t, kLossCount> lost{};  // voxels, by reason
+  std::size_t support = 0;                     // voxels
+  ColourBy colouredBy = ColourBy::Layer;
+  int highest = 0; // value that the scale ends at; it begins at 1
   Eigen::AlignedBox3d box;
+};
+
+struct FrontDrawing {
+  vtkSmartPointer<vtkPolyData> surface, edges;
 };
 
 // Values behind the colourings, one an item.
 struct ColourValues {
   std::vector<std::int32_t> layer, group, kind; // empty: no such colouring
   std::vector<float> height, width, speed, minutes, tiltDeg;
+  HeightLimits heights; // known: height is offered as spacing too
 };
 
 struct LayersDrawing {

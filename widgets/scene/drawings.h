@@ -10,6 +10,7 @@
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 #include "robot/cell.h"
+#include "scene/colouring.h"
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -24,6 +25,7 @@ struct VoxelDrawing;
 struct LayersDrawing;
 struct PathsDrawing;
 struct CellDrawing;
+struct FrontDrawing;
 
 // The part as a solid: shaded smoothly up to a feature angle of 45 degrees, edges sharper than
 // that and open boundaries as lines.
@@ -34,16 +36,43 @@ std::shared_ptr<const PartDrawing> drawPart(const geometry::TriangleMesh& part);
 std::shared_ptr<const PlatformDrawing> drawPlatform(const std::vector<Eigen::Vector2d>& polygon,
                                                     double groundRadiusMm);
 
-// Solid voxels by the layer they belong to: the faces that are visible for any range of layers.
-// With `layerHeightMm` > 0 and a field, layers are those that are cut from the field; else rank 1
-// is layer 0. Missed voxels stand out: they shine through what is before them.
+struct VoxelLook {
+  // > 0 and there is a field: layers are those that are cut from the field; else rank 1 is layer 0.
+  double layerHeightMm = 0.0;
+  bool bySteps = false; // what is shown is chosen by growth step (rank 1 is layer 0), for replaying
+  ColourBy colourBy = ColourBy::Layer; // Layer, GrowthStep or Peeling; others count as Layer
+  // For Peeling: curved::peelingField, an entry a cell. Null: as Layer.
+  std::shared_ptr<const std::vector<std::int32_t>> peeling;
+};
+
+// Solid voxels: the faces that are visible for any range of layers. Support has a colour of its
+// own. Missed voxels stand out, by the reason they are missed for: they shine through what is
+// before them.
 std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& decomposition,
-                                               double layerHeightMm = 0.0);
+                                               const VoxelLook& look = {});
+// Layers, or growth steps where look.bySteps.
 int layerCount(const VoxelDrawing& drawing);
+std::size_t missedCount(const VoxelDrawing& drawing);
+
+// The convex front as glass; curved::frontSurface gives it.
+std::shared_ptr<const FrontDrawing> drawFront(const geometry::TriangleMesh& front);
+
+// Heights of a layer, mm: nominal, and the limits of what the process lays.
+struct HeightLimits {
+  double nominalMm = 0.0, minMm = 0.0, maxMm = 0.0;
+  bool known() const { return minMm < nominalMm && nominalMm < maxMm; }
+  // Place on divergingColour's map: 0 at the lower limit, 1/2 at the nominal height, 1 at the upper
+  // limit; beyond the limits less than 0 or more than 1.
+  double shareOf(double heightMm) const {
+    return heightMm < nominalMm ? 0.5 * (heightMm - minMm) / (nominalMm - minMm)
+                                : 0.5 + 0.5 * (heightMm - nominalMm) / (maxMm - nominalMm);
+  }
+};
 
 // Patches as slabs of their thickness: bands along their boundaries, and their upper and lower
-// sides.
-std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack);
+// sides. `heights` are for ColourBy::Spacing, which falls back on the layer where not known.
+std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack,
+                                                const HeightLimits& heights = {});
 int layerCount(const LayersDrawing& drawing);
 
 // Beads with their width and height, travel moves between them. `trajectory` gives the times for

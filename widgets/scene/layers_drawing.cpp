@@ -237,7 +237,8 @@ private:
 
 } // namespace
 
-std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack) {
+std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack,
+                                                const HeightLimits& heights) {
   auto drawing = std::make_shared<LayersDrawing>();
   const LayerMarks marks = marksOf(stack);
   SlabBuilder slabs;
@@ -252,6 +253,7 @@ std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack)
   drawing->lower = slabs.sorted(slabs.lower, drawing->patchOfTriangle);
   drawing->surface = polyDataOf(slabs.buffers);
   drawing->values = std::move(slabs.values);
+  drawing->values.heights = heights;
   return drawing;
 }
 

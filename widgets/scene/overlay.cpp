@@ -76,7 +76,7 @@ void Overlay::setTheme(const Theme& theme) {
 
 void Overlay::setLegend(const Legend& legend) {
   legend_ = legend;
-  while (labels_.size() < legend.entries.size())
+  while (labels_.size() < legend.entries.size() + legend.marks.size())
     labels_.push_back(addText());
 }
 
@@ -117,7 +117,7 @@ void Overlay::placeLegend() {
   bar_->SetVisibility(!entries.empty());
   title_->SetVisibility(!entries.empty());
   for (std::size_t i = 0; i < labels_.size(); ++i)
-    labels_[i]->SetVisibility(i < entries.size());
+    labels_[i]->SetVisibility(!entries.empty() && i < entries.size() + legend_.marks.size());
   if (entries.empty())
     return;
   const int* size = renderer_->GetSize();
@@ -136,22 +136,28 @@ void Overlay::placeLegend() {
   const double below = top - kTitleRow * ratio_;
   const double labelX = left + (kBarWidth + 8) * ratio_;
   MeshBuffers bar;
+  const auto placeRow = [&](std::size_t label, const LegendEntry& entry, double y) {
+    addRectangle(bar, left, y - kBarWidth / 2 * ratio_, kBarWidth * ratio_, kBarWidth * ratio_,
+                 entry.colour);
+    place(labels_[label], entry.text(), labelX, y);
+  };
+  double marksFrom = below - static_cast<double>(entries.size()) * kRow * ratio_;
   if (legend_.categorical || entries.size() == 1) {
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const double y = below - static_cast<double>(i) * kRow * ratio_;
-      addRectangle(bar, left, y - 7 * ratio_, kBarWidth * ratio_, kBarWidth * ratio_,
-                   entries[i].colour);
-      place(labels_[i], entries[i].label, labelX, y);
-    }
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      placeRow(i, entries[i], below - static_cast<double>(i) * kRow * ratio_);
   } else {
     const double height = kBarHeight * ratio_, bottom = below - height;
     for (int s = 0; s < kBarSteps; ++s)
       addRectangle(bar, left, bottom + height * s / kBarSteps, kBarWidth * ratio_,
-                   height / kBarSteps, sequentialColour((s + 0.5) / kBarSteps));
+                   height / kBarSteps, legend_.scaleColour((s + 0.5) / kBarSteps));
     for (std::size_t i = 0; i < entries.size(); ++i)
-      place(labels_[i], entries[i].label, labelX,
+      place(labels_[i], entries[i].text(), labelX,
             bottom + height * static_cast<double>(i) / static_cast<double>(entries.size() - 1));
+    marksFrom = bottom - 1.3 * kRow * ratio_;
   }
+  for (std::size_t i = 0; i < legend_.marks.size(); ++i)
+    placeRow(entries.size() + i, legend_.marks[i],
+             marksFrom - static_cast<double>(i) * kRow * ratio_);
   setShape(bar_, bar);
 }
 

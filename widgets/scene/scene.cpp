@@ -33,6 +33,8 @@ namespace {
 constexpr double kLineBeadScale = 0.22; // beads as thin lines
 constexpr double kMarkerShare = 0.012;  // of the picture's height
 constexpr double kHaloOpacity = 0.35;
+constexpr double kGhostOpacity = 0.12; // of voxels that are still to come, or looked through
+constexpr double kFrontOpacity = 0.22;
 
 // What the colours of a range actor were made for.
 struct ColourState {
@@ -73,13 +75,16 @@ struct Scene::Impl {
   std::shared_ptr<const PartDrawing> part;
   Eigen::Affine3d moved_T_part = Eigen::Affine3d::Identity();
   std::shared_ptr<const PlatformDrawing> platform;
-  std::shared_ptr<const VoxelDrawing> voxels;
+  std::shared_ptr<const VoxelDrawing> voxels, growth;
+  const VoxelDrawing* loaded = nullptr; // of the two, the one whose faces the actors hold
+  std::shared_ptr<const FrontDrawing> front;
   std::shared_ptr<const LayersDrawing> layers;
   std::shared_ptr<const PathsDrawing> paths;
   std::shared_ptr<const CellDrawing> cell;
 
-  vtkSmartPointer<vtkActor> partSurface, partEdges, plate, outline, grid, voxelMissed;
-  RangeActor voxelOutside, voxelInside, missedHalo, slabs, beads, travels, marker, markerHalo;
+  vtkSmartPointer<vtkActor> partSurface, partEdges, plate, outline, grid, frontSurface, frontEdges;
+  RangeActor voxelOutside, voxelInside, ghosts, slabs, beads, travels, marker, markerHalo;
+  std::array<RangeActor, kLossCount> missed, missedHalo; // by reason
   std::vector<vtkSmartPointer<vtkActor>> bodies;
 
   ColourState slabColours, beadColours;
@@ -99,14 +104,25 @@ struct Scene::Impl {
     partEdges = addLines(renderer);
     voxelOutside = RangeActor::make(renderer);
     voxelInside = RangeActor::make(renderer);
-    voxelMissed = addSolid(renderer);
+    for (RangeActor* voxel : {&voxelOutside, &voxelInside})
+      addPlainColour(voxel->actor);
+    for (RangeActor& one : missed)
+      one = RangeActor::make(renderer);
     slabs = RangeActor::make(renderer);
     beads = RangeActor::make(renderer);
     drawAsBeads(beads.actor, beads.mapper);
     addPlainColour(beads.actor);
     travels = RangeActor::make(renderer);
     travels.actor->GetProperty()->LightingOff();
-    missedHalo = halo();
+    ghosts = RangeActor::make(renderer);
+    ghosts.mapper->ScalarVisibilityOff();
+    ghosts.actor->GetProperty()->SetOpacity(kGhostOpacity);
+    frontSurface = addSolid(renderer);
+    frontSurface->GetProperty()->SetOpacity(kFrontOpacity);
+    frontEdges = addLines(renderer);
+    frontEdges->GetProperty()->SetOpacity(2.0 * kFrontOpacity);
+    for (RangeActor& one : missedHalo)
+      one = halo();
     marker = RangeActor::make(renderer);
     marker.setData(unitSphere());
     marker.mapper->setStretches(everything(marker.mapper->GetInput()));
@@ -145,8 +161,16 @@ struct Scene::Impl {
     setColour(plate, theme.platform);
     setColour(outline, theme.platformEdges);
     setColour(grid, theme.grid);
-    setColour(voxelMissed, theme.blocked);
-    setColour(missedHalo.actor, theme.blocked);
+    const std::array<Colour, kLossCount> lost{theme.blocked, theme.unreached, theme.cascade};
+    for (std::size_t reason = 0; reason < kLossCount; ++reason) {
+      setColour(missed[reason].actor, lost[reason]);
+      setColour(missedHalo[reason].actor, lost[reason]);
+    }
+    for (RangeActor* voxel : {&voxelOutside, &voxelInside})
+      voxel->mapper->setPlainColour(theme.current);
+    setColour(ghosts.actor, theme.ghost);
+    setColour(frontSurface, theme.front);
+    setColour(frontEdges, theme.front);
     setColour(travels.actor, theme.travel);
     setColour(marker.actor, theme.marker);
     setColour(markerHalo.actor, theme.marker);
@@ -191,13 +215,28 @@ struct Scene::Impl {
       for (std::size_t i = 0; i < bodies.size(); ++i)
         setPose(bodies[i], world_T_frame[static_cast<std::size_t>(c.bodies()[i].frame)]);
     }
-    for (vtkActor* actor :
-         {plate.Get(), outline.Get(), grid.Get(), voxelMissed.Get(), voxelOutside.actor.Get(),
-          voxelInside.actor.Get(), missedHalo.actor.Get(), slabs.actor.Get(), beads.actor.Get(),
-          travels.actor.Get()})
+    for (vtkActor* actor : {plate.Get(), outline.Get(), grid.Get()})
+      setPose(actor, world_T_work);
+    for (vtkActor* actor : cutActors())
       setPose(actor, world_T_work);
     for (vtkActor* actor : {partSurface.Get(), partEdges.Get()})
       setPose(actor, world_T_work * moved_T_part);
+  }
+
+  // What a section plane cuts, the part apart.
+  std::vector<vtkActor*> cutActors() const {
+    std::vector<vtkActor*> actors{voxelOutside.actor, voxelInside.actor, ghosts.actor,
+                                  frontSurface,       frontEdges,        slabs.actor,
+                                  beads.actor,        travels.actor};
+    for (const auto* group : {&missed, &missedHalo})
+      for (const RangeActor& one : *group)
+        actors.push_back(one.actor);
+    return actors;
+  }
+
+  bool replaysGrowth() const { return view.growthStep && shows(view.voxels, growth.get()); }
+  const VoxelDrawing* shownVoxels() const {
+    return replaysGrowth() ? growth.get() : view.voxels ? voxels.get() : nullptr;
   }
 
   bool shows(bool wanted, const void* drawing) const { return wanted && drawing; }
@@ -219,25 +258,76 @@ struct Scene::Impl {
     grid->SetVisibility(on && !byCell);
   }
 
+  void load(const VoxelDrawing* drawing) {
+    voxelOutside.setData(drawing ? drawing->outside.Get() : nullptr);
+    voxelInside.setData(drawing ? drawing->inside.Get() : nullptr);
+    ghosts.setData(drawing ? drawing->outside.Get() : nullptr);
+    for (std::size_t reason = 0; reason < kLossCount; ++reason)
+      for (RangeActor* one : {&missed[reason], &missedHalo[reason]}) {
+        one->setData(drawing ? drawing->missed.Get() : nullptr);
+        one->mapper->setStretches(drawing ? std::vector{drawing->missedFaces[reason]}
+                                          : std::vector<Stretch>{});
+      }
+    loaded = drawing;
+  }
+
+  struct VoxelFaces {
+    std::vector<Stretch> outer, inner;
+  };
+  // Of layers first to last; `lastPlain`: the last one stands out in the mappers' plain colour.
+  VoxelFaces voxelFaces(const VoxelDrawing& drawing, int first, int last, bool lastPlain) const {
+    VoxelFaces faces, plain;
+    const std::int32_t above = view.sectionOn ? -kNeverHidden : last;
+    const int coloured = lastPlain ? last - 1 : last;
+    drawing.outer.append(faces.outer, first, coloured, -kNeverHidden);
+    drawing.upper.append(faces.inner, first, coloured, above);
+    if (!view.sectionOn)
+      drawing.lower.append(faces.inner, first, last, -first);
+    if (lastPlain) {
+      drawing.outer.append(plain.outer, last, last, -kNeverHidden);
+      drawing.upper.append(plain.inner, last, last, above);
+    }
+    for (const auto& [from, to] :
+         {std::pair(&plain.outer, &faces.outer), std::pair(&plain.inner, &faces.inner)})
+      for (Stretch stretch : *from) {
+        stretch.plain = true;
+        to->push_back(stretch);
+      }
+    return faces;
+  }
+
   void showVoxels() {
-    const bool on = shows(view.voxels, voxels.get());
-    voxelOutside.actor->SetVisibility(on);
+    const VoxelDrawing* drawing = shownVoxels();
+    const bool on = drawing != nullptr, growing = replaysGrowth();
+    for (std::size_t reason = 0; reason < kLossCount; ++reason) {
+      const bool any = on && drawing->lost[reason] > 0;
+      missed[reason].actor->SetVisibility(any);
+      missedHalo[reason].actor->SetVisibility(any && !view.seeThrough);
+    }
+    const bool frontOn = growing && shows(view.front, front.get());
+    frontSurface->SetVisibility(frontOn);
+    frontEdges->SetVisibility(frontOn);
+    voxelOutside.actor->SetVisibility(on && !view.seeThrough);
     voxelInside.actor->SetVisibility(false);
-    voxelMissed->SetVisibility(on);
-    missedHalo.actor->SetVisibility(on);
+    ghosts.actor->SetVisibility(on && (view.seeThrough || (growing && view.ghosts)));
     if (!on)
       return;
-    std::vector<Stretch> outer, inner;
-    voxels->outer.append(outer, view.firstLayer, view.lastLayer, -kNeverHidden);
-    voxelOutside.mapper->setStretches(std::move(outer));
-    if (view.sectionOn) {
-      voxels->upper.append(inner, view.firstLayer, view.lastLayer, -kNeverHidden);
-    } else {
-      voxels->upper.append(inner, view.firstLayer, view.lastLayer, view.lastLayer);
-      voxels->lower.append(inner, view.firstLayer, view.lastLayer, -view.firstLayer);
-    }
-    voxelInside.actor->SetVisibility(!inner.empty());
-    voxelInside.mapper->setStretches(std::move(inner));
+    if (loaded != drawing)
+      load(drawing);
+    const int first = growing ? 0 : view.firstLayer;
+    const int last = growing ? *view.growthStep - 1 : view.lastLayer;
+    std::vector<Stretch> faint;
+    if (view.seeThrough)
+      drawing->outer.append(faint, first, last, -kNeverHidden);
+    if (growing && view.ghosts)
+      drawing->outer.append(faint, last + 1, kAllLayers, -kNeverHidden);
+    ghosts.mapper->setStretches(std::move(faint));
+    if (view.seeThrough)
+      return;
+    VoxelFaces faces = voxelFaces(*drawing, first, last, growing);
+    voxelOutside.mapper->setStretches(std::move(faces.outer));
+    voxelInside.actor->SetVisibility(!faces.inner.empty());
+    voxelInside.mapper->setStretches(std::move(faces.inner));
   }
 
   bool seenFromAbove() const {
@@ -310,10 +400,9 @@ struct Scene::Impl {
       section->SetOrigin(origin.x(), origin.y(), origin.z());
       section->SetNormal(-normal.x(), -normal.y(), -normal.z());
     }
-    for (vtkActor* actor :
-         {partSurface.Get(), partEdges.Get(), voxelMissed.Get(), voxelOutside.actor.Get(),
-          voxelInside.actor.Get(), missedHalo.actor.Get(), slabs.actor.Get(), beads.actor.Get(),
-          travels.actor.Get()}) {
+    std::vector<vtkActor*> actors = cutActors();
+    actors.insert(actors.end(), {partSurface.Get(), partEdges.Get()});
+    for (vtkActor* actor : actors) {
       vtkMapper* mapper = actor->GetMapper();
       const bool isCut = mapper->GetClippingPlanes() != nullptr;
       if (view.sectionOn && !isCut)
@@ -339,8 +428,12 @@ struct Scene::Impl {
   }
 
   Legend legend() const {
-    if (shows(view.voxels, voxels.get()))
-      return layerLegend(voxels->layers);
+    if (const VoxelDrawing* drawing = shownVoxels()) {
+      Legend legend = voxelLegend(*drawing, theme);
+      if (drawing->bySteps && view.front)
+        legend.marks.insert(legend.marks.begin() + 1, {0.0, "Convex front", theme.front});
+      return legend;
+    }
     if (shows(view.layers, layers.get()))
       return legendOf(layers->values, shownColouring(layers->values, view.colourBy));
     if (shows(view.paths, paths.get()) && !view.materialColour)
@@ -379,8 +472,8 @@ struct Scene::Impl {
     };
     if (shows(view.part, part.get()))
       extend(part->box);
-    if (shows(view.voxels, voxels.get()))
-      extend(voxels->box);
+    if (const VoxelDrawing* drawing = shownVoxels())
+      extend(drawing->box);
     if (shows(view.layers, layers.get()))
       extend(layers->box);
     if (shows(view.paths, paths.get()))
@@ -471,13 +564,21 @@ void Scene::setPlatform(std::shared_ptr<const PlatformDrawing> platform) {
 }
 
 void Scene::setVoxels(std::shared_ptr<const VoxelDrawing> voxels) {
-  impl_->voxelOutside.setData(voxels ? voxels->outside.Get() : nullptr);
-  impl_->voxelInside.setData(voxels ? voxels->inside.Get() : nullptr);
-  setData(impl_->voxelMissed, voxels ? voxels->missed.Get() : nullptr);
-  impl_->missedHalo.setData(voxels ? voxels->missed.Get() : nullptr);
-  if (voxels)
-    impl_->missedHalo.mapper->setStretches(everything(voxels->missed));
+  impl_->loaded = nullptr;
   impl_->voxels = std::move(voxels);
+  impl_->applyView();
+}
+
+void Scene::setGrowth(std::shared_ptr<const VoxelDrawing> growth) {
+  impl_->loaded = nullptr;
+  impl_->growth = std::move(growth);
+  impl_->applyView();
+}
+
+void Scene::setFront(std::shared_ptr<const FrontDrawing> front) {
+  setData(impl_->frontSurface, front ? front->surface.Get() : nullptr);
+  setData(impl_->frontEdges, front ? front->edges.Get() : nullptr);
+  impl_->front = std::move(front);
   impl_->applyView();
 }
 
@@ -612,8 +713,14 @@ std::optional<Hit> Scene::pick(int x, int y) const {
     consider(pickPart(*s.part, ray, shown));
   if (s.shows(s.view.platform, s.platform.get()))
     consider(pickPlatform(*s.platform, ray));
-  if (s.shows(s.view.voxels, s.voxels.get()))
-    consider(pickVoxel(*s.voxels, ray, s.view.firstLayer, s.view.lastLayer, shown));
+  if (s.replaysGrowth()) {
+    std::optional<RayHit> hit = pickVoxel(*s.growth, ray, 0, *s.view.growthStep - 1, shown);
+    if (hit)
+      hit->hit.layer = -1;
+    consider(hit);
+  } else if (const VoxelDrawing* drawing = s.shownVoxels()) {
+    consider(pickVoxel(*drawing, ray, s.view.firstLayer, s.view.lastLayer, shown));
+  }
   if (s.shows(s.view.layers, s.layers.get()))
     consider(pickLayer(*s.layers, ray, s.layerStretches(), shown));
   if (s.shows(s.view.paths, s.paths.get()))

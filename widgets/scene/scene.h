@@ -23,11 +23,11 @@ struct Hit {
   What what = What::Part;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // work frame, mm
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // unit, of the facet; zero for paths and cell
-  int layer = -1;                                   // Voxel, Layer, Path
-  std::size_t path = 0, waypoint = 0;               // Path: indices in the ToolPlan
-  std::size_t patch = 0;                            // Layer: index in the LayerStack
-  std::size_t voxel = 0;                            // Voxel: cell of the grid
-  std::size_t body = 0;                             // Cell: index in Cell::bodies()
+  int layer = -1;                     // Voxel (not while growth is replayed), Layer, Path
+  std::size_t path = 0, waypoint = 0; // Path: indices in the ToolPlan
+  std::size_t patch = 0;              // Layer: index in the LayerStack
+  std::size_t voxel = 0;              // Voxel: cell of the grid
+  std::size_t body = 0;               // Cell: index in Cell::bodies()
 };
 
 class Scene {
@@ -49,6 +49,9 @@ public:
   void setPartPreview(const Eigen::Affine3d& moved_T_part);
   void setPlatform(std::shared_ptr<const PlatformDrawing> platform);
   void setVoxels(std::shared_ptr<const VoxelDrawing> voxels);
+  // Voxels by growth step (VoxelLook::bySteps), and the convex front of the step on show.
+  void setGrowth(std::shared_ptr<const VoxelDrawing> growth);
+  void setFront(std::shared_ptr<const FrontDrawing> front);
   void setLayers(std::shared_ptr<const LayersDrawing> layers);
   void setPaths(std::shared_ptr<const PathsDrawing> paths);
   void setCell(std::shared_ptr<const CellDrawing> cell);

@@ -16,8 +16,10 @@ struct Theme {
   Colour robotLight, robotDark, head, obstacle; // links alternate between light and dark
   Colour material;                              // laid beads without a colouring
   Colour travel;
-  Colour marker;  // place of a finding
-  Colour blocked; // what cannot be printed or reached
+  Colour marker;             // place of a finding
+  Colour blocked;            // what cannot be printed or reached: shadowed voxels
+  Colour unreached, cascade; // voxels missed for other reasons: no way there, hanging on shadowed
+  Colour current, ghost, front; // growth: the step being laid, later ones, the convex front
 };
 
 Theme lightTheme();

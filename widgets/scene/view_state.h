@@ -37,7 +37,14 @@ struct ViewState {
   // Simulation: paths only up to this waypoint of the plan, of all layers in the range.
   std::size_t printedWaypoints = kAllMoves;
 
-  ColourBy colourBy = ColourBy::Layer;
+  // Growth: voxels laid in the first `growthStep` steps (0: none) instead of a range of layers, the
+  // last step standing out; needs Scene::setGrowth.
+  std::optional<int> growthStep;
+  bool ghosts = false;     // with growthStep: what is still to come, faintly
+  bool front = false;      // with growthStep: the convex front
+  bool seeThrough = false; // all voxels but the missed ones faintly
+
+  ColourBy colourBy = ColourBy::Layer; // of layers and paths; voxels are drawn in their colours
   bool materialColour = false; // paths in the colour of the material; the layer being laid as
                                // colourBy says
   bool beads = true;           // paths as rounded beads; false: as thin lines

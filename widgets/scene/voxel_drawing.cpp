@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace voluta::scene {
 
@@ -14,14 +15,47 @@ using Bytes = std::array<std::uint8_t, 3>;
 struct Square {
   Eigen::Vector3i cell; // its lower corner along `axis` is the face's
   int axis;
-  int layer; // colour
+  std::size_t owner; // cell whose colour it has
+};
+
+Bytes bytesOf(const Colour& c) {
+  Bytes out{};
+  for (std::size_t k = 0; k < 3; ++k)
+    out[k] = static_cast<std::uint8_t>(std::lround(255 * c[k]));
+  return out;
+}
+
+// Colours of cells by a value from 1 to the highest.
+class CellColours {
+public:
+  CellColours(const std::vector<std::int32_t>& values, const std::vector<std::uint8_t>& support)
+      : values_(values), support_(support), highest_(1) {
+    for (const std::int32_t v : values)
+      highest_ = std::max(highest_, v);
+    for (int i = 0; i < highest_; ++i)
+      map_.push_back(bytesOf(sequentialColour(highest_ > 1 ? double(i) / (highest_ - 1) : 0.0)));
+  }
+  const Bytes& of(std::size_t cell) const {
+    if (!support_.empty() && support_[cell])
+      return supportBytes_;
+    return map_[static_cast<std::size_t>(std::clamp(values_[cell], 1, highest_) - 1)];
+  }
+  int highest() const { return highest_; }
+
+private:
+  const std::vector<std::int32_t>& values_;
+  const std::vector<std::uint8_t>& support_;
+  std::int32_t highest_;
+  std::vector<Bytes> map_;
+  Bytes supportBytes_ = bytesOf(supportColour());
 };
 
 // Writes the squares as two triangles each, in order, with their four points.
 class SquareWriter {
 public:
-  SquareWriter(const voxel::VoxelGrid& grid, std::vector<Bytes> colours)
-      : grid_(grid), colours_(std::move(colours)) {}
+  // colours: null where the squares have no colour of their own.
+  SquareWriter(const voxel::VoxelGrid& grid, const CellColours* colours)
+      : grid_(grid), colours_(colours) {}
 
   std::int32_t addPoints(const Square& s) {
     const int u = (s.axis + 1) % 3, v = (s.axis + 2) % 3;
@@ -31,8 +65,8 @@ public:
       corner[u] += k == 1 || k == 2;
       corner[v] += k >= 2;
       buffers.addPoint(grid_.origin + grid_.pitch * corner.cast<double>());
-      if (!colours_.empty()) {
-        const Bytes& c = colours_[static_cast<std::size_t>(s.layer)];
+      if (colours_) {
+        const Bytes& c = colours_->of(s.owner);
         buffers.rgb.insert(buffers.rgb.end(), c.begin(), c.end());
       }
     }
@@ -44,19 +78,8 @@ public:
 
 private:
   const voxel::VoxelGrid& grid_;
-  std::vector<Bytes> colours_;
+  const CellColours* colours_;
 };
-
-std::vector<Bytes> layerColours(int layers) {
-  std::vector<Bytes> colours;
-  for (int i = 0; i < layers; ++i) {
-    const Colour c = sequentialColour(layers > 1 ? double(i) / (layers - 1) : 0.0);
-    colours.push_back({static_cast<std::uint8_t>(std::lround(255 * c[0])),
-                       static_cast<std::uint8_t>(std::lround(255 * c[1])),
-                       static_cast<std::uint8_t>(std::lround(255 * c[2]))});
-  }
-  return colours;
-}
 
 struct Faces {
   std::vector<Square> squares, missed;
@@ -65,9 +88,9 @@ struct Faces {
 
 Faces facesOf(const voxel::VoxelGrid& grid, const std::vector<std::int32_t>& rank) {
   Faces out;
-  const auto at = [&](const Eigen::Vector3i& c) {
-    return grid.contains(c.x(), c.y(), c.z()) ? rank[grid.index(c.x(), c.y(), c.z())] : 0;
-  };
+  const auto inGrid = [&](const Eigen::Vector3i& c) { return grid.contains(c.x(), c.y(), c.z()); };
+  const auto indexOf = [&](const Eigen::Vector3i& c) { return grid.index(c.x(), c.y(), c.z()); };
+  const auto at = [&](const Eigen::Vector3i& c) { return inGrid(c) ? rank[indexOf(c)] : 0; };
   // Each cell looks back; one row beyond the grid closes the far sides.
   for (int k = 0; k <= grid.size.z(); ++k)
     for (int j = 0; j <= grid.size.y(); ++j)
@@ -80,14 +103,18 @@ Faces facesOf(const voxel::VoxelGrid& grid, const std::vector<std::int32_t>& ran
           const std::int32_t other = at(before);
           if (own == other)
             continue;
+          const std::size_t ownCell = inGrid(cell) ? indexOf(cell) : 0;
+          const std::size_t otherCell = inGrid(before) ? indexOf(before) : 0;
           if ((own < 0) != (other < 0))
-            out.missed.push_back({cell, axis, 0});
+            out.missed.push_back({cell, axis, own < 0 ? ownCell : otherCell});
           const std::int32_t low = std::min(own, other), high = std::max(own, other);
           if (high <= 0)
             continue;
           const auto index = static_cast<std::int32_t>(out.squares.size());
           const bool outside = low <= 0;
-          out.squares.push_back({cell, axis, (outside ? high : low) - 1});
+          // Between two layers the lower one shows: the higher is not there yet.
+          const bool ofOwn = outside ? own == high : own == low;
+          out.squares.push_back({cell, axis, ofOwn ? ownCell : otherCell});
           if (outside) {
             out.outer.push_back({high - 1, kNeverHidden, index});
           } else {
@@ -110,13 +137,30 @@ std::vector<std::int32_t> ordersOf(const curved::Decomposition& d, double layerH
   return orders;
 }
 
+std::size_t reasonOf(const curved::Decomposition& d, std::size_t cell) {
+  const curved::Loss loss = d.loss.empty() ? curved::Loss::Shadowed : d.loss[cell];
+  return loss == curved::Loss::None ? 0 : static_cast<std::size_t>(loss) - 1;
+}
+
 } // namespace
 
 std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& decomposition,
-                                               double layerHeightMm) {
+                                               const VoxelLook& look) {
   auto drawing = std::make_shared<VoxelDrawing>();
   drawing->grid = decomposition.grid;
-  drawing->rank = ordersOf(decomposition, layerHeightMm);
+  drawing->bySteps = look.bySteps;
+  const bool hasLayers = look.layerHeightMm > 0.0 && !decomposition.field.empty();
+  const bool peels = look.colourBy == ColourBy::Peeling && look.peeling;
+  drawing->colouredBy = peels                                                 ? ColourBy::Peeling
+                        : look.colourBy == ColourBy::GrowthStep || !hasLayers ? ColourBy::GrowthStep
+                                                                              : ColourBy::Layer;
+  const std::vector<std::int32_t> layers = ordersOf(decomposition, look.layerHeightMm);
+  drawing->rank = look.bySteps ? decomposition.rank : layers;
+  const CellColours colours(drawing->colouredBy == ColourBy::Peeling      ? *look.peeling
+                            : drawing->colouredBy == ColourBy::GrowthStep ? decomposition.rank
+                                                                          : layers,
+                            decomposition.support);
+  drawing->highest = colours.highest();
   const voxel::VoxelGrid& grid = drawing->grid;
   std::int32_t highest = 0;
   for (std::size_t c = 0; c < drawing->rank.size(); ++c)
@@ -125,12 +169,15 @@ std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& deco
       const Eigen::Vector3d low = grid.origin + grid.pitch * grid.cell(c).cast<double>();
       drawing->box.extend(low);
       drawing->box.extend(low + Eigen::Vector3d::Constant(grid.pitch));
+      if (drawing->rank[c] < 0)
+        ++drawing->lost[reasonOf(decomposition, c)];
+      else if (!decomposition.support.empty() && decomposition.support[c])
+        ++drawing->support;
     }
   drawing->layers = highest;
 
   Faces faces = facesOf(grid, drawing->rank);
-  const std::vector<Bytes> colours = layerColours(highest);
-  SquareWriter outside(grid, colours), inside(grid, colours), missed(grid, {});
+  SquareWriter outside(grid, &colours), inside(grid, &colours), missed(grid, nullptr);
   drawing->outer = LayeredFaces(faces.outer, 0, 2);
   for (const LayeredFace& f : faces.outer)
     outside.addFace(outside.addPoints(faces.squares[static_cast<std::size_t>(f.face)]));
@@ -146,8 +193,16 @@ std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& deco
   for (const LayeredFace& f : faces.lower)
     inside.addFace(pointsOf[static_cast<std::size_t>(f.face)]);
 
-  for (const Square& s : faces.missed)
-    missed.addFace(missed.addPoints(s));
+  std::size_t written = 0;
+  for (std::size_t reason = 0; reason < kLossCount; ++reason) {
+    drawing->missedFaces[reason].first = written;
+    for (const Square& s : faces.missed)
+      if (reasonOf(decomposition, s.owner) == reason) {
+        missed.addFace(missed.addPoints(s));
+        written += 2;
+      }
+    drawing->missedFaces[reason].count = written - drawing->missedFaces[reason].first;
+  }
   drawing->outside = polyDataOf(outside.buffers);
   drawing->inside = polyDataOf(inside.buffers);
   drawing->missed = polyDataOf(missed.buffers);
@@ -156,6 +211,10 @@ std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& deco
 
 int layerCount(const VoxelDrawing& drawing) {
   return drawing.layers;
+}
+
+std::size_t missedCount(const VoxelDrawing& drawing) {
+  return std::accumulate(drawing.lost.begin(), drawing.lost.end(), std::size_t{0});
 }
 
 } // namespace voluta::scene

@@ -3,6 +3,7 @@
 #include "geometry/measures.h"
 #include "pipeline/choices.h"
 #include "voxel/solid_voxels.h"
+#include "window/background.h"
 #include "window/layer_measures.h"
 
 #include <algorithm>
@@ -13,40 +14,31 @@ namespace {
 using pipeline::Stage;
 
 constexpr double kGroundRadiusMm = 150.0;
-constexpr int kThreads = 1; // planning has the others
+
+scene::HeightLimits heightLimits(const process::Process& process) {
+  return {process.layerHeightMm, process.layerHeightMinMm, process.layerHeightMaxMm};
+}
 } // namespace
 
-template <typename Work, typename Done> void Presenter::prepare(Slot slot, Work work, Done done) {
-  using Made = std::shared_ptr<std::invoke_result_t<Work&>>;
-  runners_[slot]->run(
-      [work = std::move(work)](const base::RunContext&) mutable {
-        return std::make_shared<std::invoke_result_t<Work&>>(work());
-      },
-      [done = std::move(done)](base::Outcome<Made> outcome) mutable {
-        if (const Made* made = std::get_if<Made>(&outcome))
-          done(std::move(**made));
-      },
-      kThreads);
-}
-
 Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, QObject* parent)
-    : QObject(parent), document_(document), viewport_(viewport) {
+    : QObject(parent), document_(document), viewport_(viewport), voxels_(viewport) {
   for (auto& runner : runners_)
     runner = std::make_unique<jobs::JobRunner>();
   connect(&document, &document::Document::sourceChanged, this, &Presenter::drawSource);
   connect(&document, &document::Document::resultChanged, this, &Presenter::show);
   connect(&document, &document::Document::previewChanged, this, &Presenter::drawVoxels);
+  connect(&voxels_, &VoxelPresenter::drawn, this, &Presenter::voxelsDrawn);
   connect(&document, &document::Document::choicesChanged, this, &Presenter::drawPlannedPlate);
 }
 
 Presenter::~Presenter() = default;
 
 int Presenter::layerCount() const {
-  if (document_.voxelsAhead() && voxelLayers_ > 0)
-    return voxelLayers_;
+  if (document_.voxelsAhead() && hasVoxels())
+    return voxels_.layers();
   if (pathLayers_ > 0)
     return std::max(pathLayers_, patchLayers_);
-  return patchLayers_ > 0 ? patchLayers_ : voxelLayers_;
+  return patchLayers_ > 0 ? patchLayers_ : voxels_.layers();
 }
 
 int Presenter::movesOf(int layer) const {
@@ -54,8 +46,8 @@ int Presenter::movesOf(int layer) const {
 }
 
 bool Presenter::busy() const {
-  return std::any_of(runners_.begin(), runners_.end(),
-                     [](const auto& runner) { return runner->running(); });
+  return voxels_.busy() || std::any_of(runners_.begin(), runners_.end(),
+                                       [](const auto& runner) { return runner->running(); });
 }
 
 // The part as it was read is on show before the first stage has placed it.
@@ -74,8 +66,8 @@ void Presenter::drawSource() {
   const double wanted = pipeline::parsedScale(document_.choices().scale);
   const double unit = pipeline::unitMm(*source, document_.choices());
   const geometry::Placement placement = document_.choices().placement;
-  prepare(
-      Part,
+  inBackground(
+      *runners_[Part],
       [source, placement, scale = unit * (wanted > 0.0 ? wanted : 1.0)] {
         geometry::TriangleMesh placed = geometry::place(*source->mesh, scale, placement);
         return std::pair(scene::drawPart(placed), geometry::bounds(placed));
@@ -100,14 +92,15 @@ void Presenter::drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh) {
   if (!mesh || drawn_[Part] == mesh)
     return;
   drawn_[Part] = mesh;
-  prepare(
-      Part, [mesh] { return std::pair(scene::drawPart(*mesh), geometry::bounds(*mesh)); },
+  inBackground(
+      *runners_[Part],
+      [mesh] { return std::pair(scene::drawPart(*mesh), geometry::bounds(*mesh)); },
       [this](auto&& made) { swapPart(made.first, made.second); });
 }
 
 void Presenter::drawPlate(const std::vector<Eigen::Vector2d>& polygon) {
-  prepare(
-      Plate, [polygon] { return scene::drawPlatform(polygon, kGroundRadiusMm); },
+  inBackground(
+      *runners_[Plate], [polygon] { return scene::drawPlatform(polygon, kGroundRadiusMm); },
       [this](auto&& made) {
         viewport_.scene().setPlatform(made);
         viewport_.requestFrame();
@@ -125,8 +118,8 @@ void Presenter::drawPlannedPlate() {
   if (wanted == plateDrawn_)
     return;
   plateDrawn_ = wanted;
-  prepare(
-      Plate,
+  inBackground(
+      *runners_[Plate],
       [wanted] {
         const auto& [platform, pitch, part] = wanted;
         voxel::SolidVoxels solid;
@@ -140,44 +133,15 @@ void Presenter::drawPlannedPlate() {
       });
 }
 
-// Of the preview where there is one. The next preview waits until one is drawn, or none would be
-// where they follow each other fast.
 void Presenter::drawVoxels() {
+  if (const auto& preview = document_.preview()) {
+    drawPlate(preview->decomposition->platform);
+    voxels_.setDecomposition(preview->decomposition, preview->layerHeightMm);
+    return;
+  }
   const auto result = document_.result(Stage::Decompose);
-  const auto& preview = document_.preview();
-  const auto voxels = preview  ? preview->decomposition
-                      : result ? result->job.decomposition
-                               : nullptr;
-  if (!voxels) {
-    viewport_.scene().setVoxels(nullptr);
-    voxelLayers_ = 0;
-    drawn_[Voxels].reset();
-    viewport_.requestFrame();
-    return;
-  }
-  if (drawn_[Voxels] == voxels)
-    return;
-  if (preview && runners_[Voxels]->running()) {
-    voxelsAgain_ = true;
-    return;
-  }
-  voxelsAgain_ = false;
-  drawn_[Voxels] = voxels;
-  if (preview)
-    drawPlate(voxels->platform);
-  prepare(
-      Voxels,
-      [voxels, height = preview ? preview->layerHeightMm : result->process->layerHeightMm] {
-        return scene::drawVoxels(*voxels, height);
-      },
-      [this](auto&& made) {
-        viewport_.scene().setVoxels(made);
-        voxelLayers_ = scene::layerCount(*made);
-        viewport_.requestFrame();
-        emit voxelsDrawn();
-        if (voxelsAgain_)
-          drawVoxels();
-      });
+  voxels_.setDecomposition(result ? result->job.decomposition : nullptr,
+                           result && result->process ? result->process->layerHeightMm : 0.0);
 }
 
 void Presenter::drawMotion() {
@@ -186,8 +150,8 @@ void Presenter::drawMotion() {
     return;
   const auto plan = result->job.toolPlan;
   const auto trajectory = result->job.trajectory;
-  prepare(
-      Paths,
+  inBackground(
+      *runners_[Paths],
       [plan, trajectory] {
         return std::pair(scene::drawPaths(*plan, trajectory.get()),
                          std::make_shared<const timeline::Clock>(trajectory, plan));
@@ -212,12 +176,13 @@ void Presenter::gatherFacts() {
   const auto paths = document_.result(Stage::Toolpath);
   const auto plan = paths ? paths->job.toolPlan : nullptr;
   const auto clock = clock_ && clock_->toolPlan() == plan ? clock_ : nullptr;
-  prepare(
-      Facts,
-      [stack, plan, clock] {
+  inBackground(
+      *runners_[Facts],
+      [stack, plan, clock, heights = heightLimits(*result->process)] {
         auto facts = std::make_shared<LayerFacts>();
         facts->measures = layerMeasures(*stack, plan.get(), clock.get());
         facts->topsMm = layerTopsMm(facts->measures);
+        facts->spacing = layerSpacing(*stack, heights);
         return std::shared_ptr<const LayerFacts>(facts);
       },
       [this](auto&& made) {
@@ -232,8 +197,7 @@ void Presenter::show(Stage stage) {
   if (!result) {
     // Dropped with its part or project.
     if (stage == Stage::Decompose) {
-      scene.setVoxels(nullptr);
-      voxelLayers_ = 0;
+      drawVoxels();
     } else if (stage == Stage::Layers) {
       scene.setLayers(nullptr);
       patchLayers_ = 0;
@@ -258,8 +222,8 @@ void Presenter::show(Stage stage) {
     drawPlate(job.platform);
     if (result->cell && drawn_[CellBodies] != result->cell) {
       drawn_[CellBodies] = result->cell;
-      prepare(
-          CellBodies, [cell = result->cell] { return scene::drawCell(*cell); },
+      inBackground(
+          *runners_[CellBodies], [cell = result->cell] { return scene::drawCell(*cell); },
           [this](auto&& made) {
             viewport_.scene().setCell(made);
             viewport_.requestFrame();
@@ -270,8 +234,11 @@ void Presenter::show(Stage stage) {
     if (!job.layers || drawn_[Patches] == job.layers)
       return;
     drawn_[Patches] = job.layers;
-    prepare(
-        Patches, [stack = job.layers] { return scene::drawLayers(*stack); },
+    inBackground(
+        *runners_[Patches],
+        [stack = job.layers, heights = heightLimits(*result->process)] {
+          return scene::drawLayers(*stack, heights);
+        },
         [this](auto&& made) {
           viewport_.scene().setLayers(made);
           patchLayers_ = scene::layerCount(*made);
@@ -283,8 +250,8 @@ void Presenter::show(Stage stage) {
     if (!job.toolPlan || drawn_[Paths] == job.toolPlan)
       return;
     drawn_[Paths] = job.toolPlan;
-    prepare(
-        Paths, [plan = job.toolPlan] { return scene::drawPaths(*plan); },
+    inBackground(
+        *runners_[Paths], [plan = job.toolPlan] { return scene::drawPaths(*plan); },
         [this](auto&& made) {
           paths_ = made;
           pathLayers_ = scene::layerCount(*paths_);

@@ -7,6 +7,8 @@
 #include "panels/layer_info.h"
 #include "timeline/clock.h"
 #include "viewer/viewport.h"
+#include "window/layer_spacing.h"
+#include "window/voxel_presenter.h"
 
 #include <QObject>
 #include <array>
@@ -22,6 +24,7 @@ namespace voluta::window {
 struct LayerFacts {
   std::vector<panels::LayerMeasures> measures;
   std::vector<double> topsMm;
+  LayerSpacing spacing;
 };
 
 class Presenter : public QObject {
@@ -32,7 +35,9 @@ public:
   Presenter(document::Document& document, viewer::Viewport& viewport, QObject* parent = nullptr);
   ~Presenter() override;
 
-  bool hasVoxels() const { return voxelLayers_ > 0; }
+  VoxelPresenter& voxels() { return voxels_; }
+  const VoxelPresenter& voxels() const { return voxels_; }
+  bool hasVoxels() const { return voxels_.layers() > 0; }
   bool hasLayers() const { return patchLayers_ > 0; }
   bool hasPaths() const { return pathLayers_ > 0; }
   // Layers of what is drawn furthest down the road, or of voxels that are newer; 0: none.
@@ -56,7 +61,7 @@ signals:
   void factsReady();
 
 private:
-  enum Slot { Part, Plate, Voxels, Patches, Paths, CellBodies, Facts, kSlotCount };
+  enum Slot { Part, Plate, Patches, Paths, CellBodies, Facts, kSlotCount };
 
   void drawSource();
   void show(pipeline::Stage stage);
@@ -65,15 +70,12 @@ private:
                 const Eigen::AlignedBox3d& box);
   void drawPlate(const std::vector<Eigen::Vector2d>& polygon);
   void drawPlannedPlate();
-  void drawVoxels();
+  void drawVoxels(); // of the preview where there is one
   void drawMotion();
   void gatherFacts();
-  // Runs `work` in the background of a slot, `done` with what it gives; an error is a mistake in
-  // the program and shows nothing.
-  template <typename Work, typename Done> void prepare(Slot slot, Work work, Done done);
-
   document::Document& document_;
   viewer::Viewport& viewport_;
+  VoxelPresenter voxels_;
   std::array<std::unique_ptr<jobs::JobRunner>, kSlotCount> runners_;
   std::shared_ptr<const timeline::Clock> clock_;
   std::shared_ptr<const LayerFacts> facts_;
@@ -84,8 +86,7 @@ private:
   // What the platform's outline was drawn from before a plan: choice, voxel width, part.
   std::tuple<std::string, double, std::shared_ptr<const geometry::TriangleMesh>> plateDrawn_;
   Eigen::AlignedBox3d partBox_;
-  bool voxelsAgain_ = false; // newer ones came while a preview was being drawn
-  int voxelLayers_ = 0, patchLayers_ = 0, pathLayers_ = 0;
+  int patchLayers_ = 0, pathLayers_ = 0;
 };
 
 } // namespace voluta::window

@@ -1,0 +1,36 @@
+#include "scene/drawing_data.h"
+#include "scene/mesh_buffers.h"
+
+#include <vtkFeatureEdges.h>
+#include <vtkNew.h>
+
+namespace voluta::scene {
+
+namespace {
+constexpr double kFeatureAngleDeg = 12.0; // flat faces come as several triangles
+}
+
+std::shared_ptr<const FrontDrawing> drawFront(const geometry::TriangleMesh& front) {
+  auto drawing = std::make_shared<FrontDrawing>();
+  MeshBuffers buffers;
+  for (const Eigen::Vector3d& v : front.vertices)
+    buffers.addPoint(v);
+  for (const auto& t : front.triangles)
+    buffers.addTriangle(t[0], t[1], t[2]);
+  drawing->surface = polyDataOf(buffers);
+
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(drawing->surface);
+  edges->SetFeatureAngle(kFeatureAngleDeg);
+  edges->BoundaryEdgesOff();
+  edges->FeatureEdgesOn();
+  edges->NonManifoldEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->ColoringOff();
+  edges->Update();
+  drawing->edges = edges->GetOutput();
+  drawing->edges->ComputeBounds();
+  return drawing;
+}
+
+} // namespace voluta::scene
