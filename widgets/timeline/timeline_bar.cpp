@@ -22,6 +22,9 @@ namespace {
 constexpr std::array<int, 7> kSpeeds{1, 2, 5, 10, 20, 50, 100};
 // Moves of a layer have no time of their own here: a millimetre apart, about as fast as printed.
 constexpr double kMovesPerSecond = 20.0;
+// A part grows in some ten seconds.
+constexpr double kStepsPerSecond = 12.0;
+constexpr int kManySteps = 10;
 
 // mm:ss, with hours in front where the whole takes as long.
 QString timeText(double timeS, double endS) {
@@ -69,8 +72,9 @@ void TimelineBar::buildWidgets() {
   slider_ = new ScrubSlider(this);
   slider_->setObjectName("scrubSlider");
   slider_->setTextOf([this](double position) {
-    return mode_ == BarMode::Time ? timeText(position, player_->end())
-                                  : tr("move %1").arg(std::llround(position));
+    return mode_ == BarMode::Time    ? timeText(position, player_->end())
+           : mode_ == BarMode::Moves ? tr("move %1").arg(std::llround(position))
+                                     : tr("growth step %1").arg(std::llround(position));
   });
   row->addWidget(slider_, 1);
   row->addSpacing(4);
@@ -105,13 +109,17 @@ void TimelineBar::retranslate() {
   const auto keys = [](QKeyCombination combination) {
     return QKeySequence(combination).toString(QKeySequence::NativeText);
   };
-  name(previousLayer_, tr("Previous layer"), keys(Qt::CTRL | Qt::Key_Left));
-  name(previousMove_, tr("Previous move"), keys(Qt::Key_Left));
+  const bool steps = mode_ == BarMode::Steps;
+  name(previousLayer_, steps ? tr("Ten steps back") : tr("Previous layer"),
+       keys(Qt::CTRL | Qt::Key_Left));
+  name(previousMove_, steps ? tr("Previous growth step") : tr("Previous move"), keys(Qt::Key_Left));
   name(play_, playing() ? tr("Pause") : tr("Play"), keys(Qt::Key_Space));
-  name(nextMove_, tr("Next move"), keys(Qt::Key_Right));
-  name(nextLayer_, tr("Next layer"), keys(Qt::CTRL | Qt::Key_Right));
+  name(nextMove_, steps ? tr("Next growth step") : tr("Next move"), keys(Qt::Key_Right));
+  name(nextLayer_, steps ? tr("Ten steps on") : tr("Next layer"), keys(Qt::CTRL | Qt::Key_Right));
   name(speed_, tr("Speed of playing"), {});
-  slider_->setAccessibleName(mode_ == BarMode::Time ? tr("Time") : tr("Moves of the layer"));
+  slider_->setAccessibleName(mode_ == BarMode::Time ? tr("Time")
+                             : steps                ? tr("Steps of growth")
+                                                    : tr("Moves of the layer"));
 }
 
 void TimelineBar::redrawIcons() {
@@ -137,15 +145,26 @@ void TimelineBar::setMode(BarMode mode) {
   retranslate();
 }
 
-// The player serves the mode on show; what the other mode shows stays as it was.
+double TimelineBar::endOfMode() const {
+  return mode_ == BarMode::Time    ? (clock_ ? clock_->durationS() : 0.0)
+         : mode_ == BarMode::Moves ? moveCount_
+                                   : stepCount_;
+}
+
+double TimelineBar::positionOfMode() const {
+  return mode_ == BarMode::Time ? timeS_ : mode_ == BarMode::Moves ? move_ : step_;
+}
+
+// The player serves the mode on show; what the other modes show stays as it was.
 void TimelineBar::enterMode() {
-  const bool time = mode_ == BarMode::Time;
-  const double end = time ? (clock_ ? clock_->durationS() : 0.0) : moveCount_;
+  const double end = endOfMode();
   {
     const QSignalBlocker quiet(player_);
-    player_->setUnitsPerSecond(time ? 1.0 : kMovesPerSecond);
+    player_->setUnitsPerSecond(mode_ == BarMode::Time    ? 1.0
+                               : mode_ == BarMode::Moves ? kMovesPerSecond
+                                                         : kStepsPerSecond);
     player_->setEnd(end);
-    player_->setPosition(time ? timeS_ : move_);
+    player_->setPosition(positionOfMode());
   }
   slider_->setEnd(end);
   const bool alive = end > 0.0;
@@ -153,7 +172,7 @@ void TimelineBar::enterMode() {
                           static_cast<QWidget*>(nextMove_), static_cast<QWidget*>(slider_)})
     widget->setEnabled(alive);
   for (QToolButton* button : {previousLayer_, nextLayer_})
-    button->setEnabled(alive || !time);
+    button->setEnabled(alive || mode_ == BarMode::Moves);
   setPosition(player_->position());
   showPosition();
 }
@@ -179,6 +198,18 @@ void TimelineBar::setMoveCount(int moves) {
   if (mode_ == BarMode::Moves) {
     enterMode();
     emit moveChanged(move_);
+  }
+}
+
+void TimelineBar::setStepCount(int steps) {
+  if (steps == stepCount_)
+    return;
+  stepCount_ = std::max(0, steps);
+  step_ = stepCount_;
+  if (mode_ == BarMode::Steps) {
+    player_->pause();
+    enterMode();
+    emit stepChanged(step_);
   }
 }
 
@@ -209,6 +240,13 @@ void TimelineBar::setMove(int move) {
     move_ = std::clamp(move, 0, moveCount_);
 }
 
+void TimelineBar::setStep(int step) {
+  if (mode_ == BarMode::Steps)
+    player_->setPosition(step);
+  else
+    step_ = std::clamp(step, 0, stepCount_);
+}
+
 void TimelineBar::setPosition(double position) {
   if (mode_ == BarMode::Time) {
     if (position != timeS_) {
@@ -218,26 +256,29 @@ void TimelineBar::setPosition(double position) {
     }
     return;
   }
-  // Playing moves by fractions; what is shown are whole moves.
-  const int move = static_cast<int>(std::floor(position + 1e-6));
-  if (move != move_) {
-    move_ = move;
-    showPosition();
-    emit moveChanged(move_);
-  }
+  // Playing moves by fractions; what is shown are whole moves and steps.
+  const int whole = static_cast<int>(std::floor(position + 1e-6));
+  if (whole == countedPlace())
+    return;
+  countedPlace() = whole;
+  showPosition();
+  if (mode_ == BarMode::Moves)
+    emit moveChanged(whole);
+  else
+    emit stepChanged(whole);
 }
 
 void TimelineBar::showPosition() {
-  slider_->setPosition(mode_ == BarMode::Time ? timeS_ : move_);
+  slider_->setPosition(positionOfMode());
   const double end = player_->end();
   const QLocale locale = this->locale();
   const auto text = [&](double at) {
     return mode_ == BarMode::Time
                ? QStringLiteral("%1 / %2").arg(timeText(at, end), timeText(end, end))
                : QStringLiteral("%1 / %2").arg(locale.toString(static_cast<int>(at)),
-                                               locale.toString(moveCount_));
+                                               locale.toString(static_cast<int>(endOfMode())));
   };
-  label_->setText(text(mode_ == BarMode::Time ? timeS_ : move_));
+  label_->setText(text(positionOfMode()));
   // Wide enough for the end, so that the slider does not change its length while playing.
   label_->setMinimumWidth(label_->fontMetrics().horizontalAdvance(text(end).replace(
                               QRegularExpression(QStringLiteral("[0-9]")), QStringLiteral("0"))) +
@@ -264,16 +305,16 @@ void TimelineBar::togglePlay() {
 
 void TimelineBar::nextMove() {
   player_->pause();
-  if (mode_ == BarMode::Moves)
-    player_->setPosition(move_ + 1);
+  if (mode_ != BarMode::Time)
+    player_->setPosition(countedPlace() + 1);
   else if (clock_)
     player_->setPosition(clock_->nextMoveS(timeS_));
 }
 
 void TimelineBar::previousMove() {
   player_->pause();
-  if (mode_ == BarMode::Moves)
-    player_->setPosition(move_ - 1);
+  if (mode_ != BarMode::Time)
+    player_->setPosition(countedPlace() - 1);
   else if (clock_)
     player_->setPosition(clock_->previousMoveS(timeS_));
 }
@@ -282,6 +323,8 @@ void TimelineBar::nextLayer() {
   player_->pause();
   if (mode_ == BarMode::Moves)
     emit layerStepRequested(1);
+  else if (mode_ == BarMode::Steps)
+    player_->setPosition(step_ + kManySteps);
   else if (clock_)
     player_->setPosition(clock_->nextLayerS(timeS_));
 }
@@ -290,6 +333,8 @@ void TimelineBar::previousLayer() {
   player_->pause();
   if (mode_ == BarMode::Moves)
     emit layerStepRequested(-1);
+  else if (mode_ == BarMode::Steps)
+    player_->setPosition(step_ - kManySteps);
   else if (clock_)
     player_->setPosition(clock_->previousLayerS(timeS_));
 }

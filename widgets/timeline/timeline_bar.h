@@ -25,11 +25,13 @@ struct Mark {
 };
 
 // Time: over the whole program, in seconds (Simulate page). Moves: over the moves of the layer on
-// show (Layers page); the position is the number of moves shown.
-enum class BarMode { Time, Moves };
+// show (Layers page); the position is the number of moves shown. Steps: over the steps of growth
+// (Layers page, voxels); the position is the number of steps shown.
+enum class BarMode { Time, Moves, Steps };
 
-// Keys while it has the focus: space plays and pauses, left and right step by a move, with Ctrl by
-// a layer, Home and End go to the ends. The same as slots, for shortcuts of the whole window.
+// Keys while it has the focus: space plays and pauses, left and right step by a move or a step of
+// growth, with Ctrl by a layer or ten steps, Home and End go to the ends. The same as slots, for
+// shortcuts of the whole window.
 class TimelineBar : public QWidget {
   Q_OBJECT
 
@@ -45,10 +47,14 @@ public:
   const std::shared_ptr<const Clock>& clock() const { return clock_; }
   // Moves of the layer on show, >= 0; shows all of them.
   void setMoveCount(int moves);
+  // Steps of the growth on show, >= 0; shows all of them where their number is new.
+  void setStepCount(int steps);
   void setMarks(std::vector<Mark> marks);
 
   double timeS() const { return timeS_; }
   int move() const { return move_; }
+  int step() const { return step_; }
+  int stepCount() const { return stepCount_; }
   bool playing() const;
   double speed() const;
 
@@ -56,6 +62,7 @@ public slots:
   // Move the bar and everything in step with it; signals only where the value changes.
   void setTimeS(double timeS);
   void setMove(int move);
+  void setStep(int step);
   // One of 1, 2, 5, 10, 20, 50, 100; others are left alone.
   void setSpeed(double factor);
   void play();
@@ -63,13 +70,14 @@ public slots:
   void togglePlay();
   void nextMove();
   void previousMove();
-  // In mode Moves they ask for another layer instead: layerStepRequested.
+  // In mode Moves they ask for another layer instead: layerStepRequested. In mode Steps: by ten.
   void nextLayer();
   void previousLayer();
 
 signals:
   void timeChanged(double timeS);
   void moveChanged(int moves);       // [0, moves of the layer]
+  void stepChanged(int steps);       // [0, steps of the growth]
   void layerStepRequested(int step); // mode Moves: +1 or -1
   void playingChanged(bool playing);
   void dragging(bool on); // the handle is held, for level of detail
@@ -86,11 +94,15 @@ private:
   void showMarks();
   void showPosition();
   void setPosition(double position);
+  double endOfMode() const;
+  double positionOfMode() const;
+  // The place that a whole number of moves or steps is kept in.
+  int& countedPlace() { return mode_ == BarMode::Steps ? step_ : move_; }
 
   std::shared_ptr<const Clock> clock_;
   BarMode mode_ = BarMode::Time;
   double timeS_ = 0.0;
-  int move_ = 0, moveCount_ = 0;
+  int move_ = 0, moveCount_ = 0, step_ = 0, stepCount_ = 0;
   std::vector<Mark> marks_;
   Player* player_;
   ScrubSlider* slider_ = nullptr;
