@@ -10,7 +10,7 @@
 namespace voluta::window {
 
 namespace {
-constexpr int kPadding = 10, kSwatch = 16, kGap = 8;
+constexpr int kPadding = 10, kSwatch = 16, kGap = 8, kGradientSteps = 16;
 
 QColor colourOf(const scene::Colour& c) {
   return QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]),
@@ -38,7 +38,8 @@ QString LegendView::title() const {
 }
 
 QString LegendView::labelOf(const scene::LegendEntry& entry) const {
-  return sceneText(entry.label);
+  const QString label = sceneText(entry.label);
+  return entry.note.empty() ? label : QString("%1 (%2)").arg(label, sceneText(entry.note));
 }
 
 int LegendView::rowHeight() const {
@@ -47,10 +48,12 @@ int LegendView::rowHeight() const {
 
 QSize LegendView::sizeHint() const {
   int width = fontMetrics().horizontalAdvance(title());
-  for (const scene::LegendEntry& entry : legend_.entries)
-    width = std::max(width, kSwatch + kGap + fontMetrics().horizontalAdvance(labelOf(entry)));
-  const int rows = static_cast<int>(legend_.entries.size()) + 1;
-  return {width + 2 * kPadding, rows * rowHeight() + 2 * kPadding + 4};
+  for (const auto* list : {&legend_.entries, &legend_.marks})
+    for (const scene::LegendEntry& entry : *list)
+      width = std::max(width, kSwatch + kGap + fontMetrics().horizontalAdvance(labelOf(entry)));
+  const int rows = static_cast<int>(legend_.entries.size() + legend_.marks.size()) + 1;
+  return {width + 2 * kPadding,
+          rows * rowHeight() + 2 * kPadding + kGap / 2 + (legend_.marks.empty() ? 0 : kGap)};
 }
 
 void LegendView::paintEvent(QPaintEvent*) {
@@ -72,20 +75,28 @@ void LegendView::paintEvent(QPaintEvent*) {
   };
   if (!legend_.categorical && count > 1) {
     QLinearGradient scale(0, top + row / 2.0, 0, top + (count - 0.5) * row);
-    for (int i = 0; i < count; ++i)
-      scale.setColorAt(static_cast<double>(i) / (count - 1), colourOf(entryAt(i).colour));
+    for (int i = 0; i <= kGradientSteps; ++i) {
+      const double at = static_cast<double>(i) / kGradientSteps;
+      scale.setColorAt(at, colourOf(legend_.scaleColour(1.0 - at)));
+    }
     painter.fillRect(QRectF(kPadding, top + row / 2.0, kSwatch, (count - 1.0) * row), scale);
   }
-  for (int i = 0; i < count; ++i) {
-    const int y = top + i * row;
-    if (legend_.categorical || count == 1) {
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(colourOf(entryAt(i).colour));
-      painter.drawRoundedRect(QRectF(kPadding, y + (row - 12) / 2.0, 12, 12), 2, 2);
+  const auto paintRow = [&](const scene::LegendEntry& entry, int y, bool swatch) {
+    if (swatch) {
+      painter.setPen(palette().mid().color());
+      painter.setBrush(colourOf(entry.colour));
+      painter.drawRoundedRect(QRectF(kPadding + 1.5, y + (row - 13) / 2.0, 13, 13), 2, 2);
     }
     painter.setPen(palette().windowText().color());
     painter.drawText(QRect(kPadding + kSwatch + kGap, y, width(), row),
-                     Qt::AlignLeft | Qt::AlignVCenter, labelOf(entryAt(i)));
+                     Qt::AlignLeft | Qt::AlignVCenter, labelOf(entry));
+  };
+  for (int i = 0; i < count; ++i)
+    paintRow(entryAt(i), top + i * row, legend_.categorical || count == 1);
+  int y = top + count * row + kGap;
+  for (const scene::LegendEntry& mark : legend_.marks) {
+    paintRow(mark, y, true);
+    y += row;
   }
 }
 

@@ -10,14 +10,39 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace voluta::window {
 
 namespace {
 constexpr int kPlaceSteps = 1000;
+
+bool offers(LayerSubject subject, scene::ColourBy colourBy) {
+  using scene::ColourBy;
+  switch (colourBy) {
+  case ColourBy::Layer:
+    return true;
+  case ColourBy::Group:
+  case ColourBy::Height:
+  case ColourBy::Direction:
+    return subject != LayerSubject::Voxels;
+  case ColourBy::Kind:
+  case ColourBy::Width:
+  case ColourBy::Speed:
+  case ColourBy::Time:
+    return subject == LayerSubject::Paths;
+  case ColourBy::Spacing:
+    return subject == LayerSubject::Layers;
+  case ColourBy::GrowthStep:
+  case ColourBy::Peeling:
+    return subject == LayerSubject::Voxels;
+  }
+  return false;
 }
+} // namespace
 
 ViewOptions::ViewOptions(QWidget* parent) : QWidget(parent) {
   build();
@@ -61,9 +86,13 @@ void ViewOptions::build() {
   part_ = new QCheckBox(this);
   travels_ = new QCheckBox(this);
   beads_ = new QCheckBox(this);
+  front_ = new QCheckBox(this);
+  front_->setObjectName("front");
+  ghosts_ = new QCheckBox(this);
+  ghosts_->setObjectName("ghosts");
   section_ = new QCheckBox(this);
   section_->setObjectName("section");
-  for (QCheckBox* box : {part_, travels_, beads_})
+  for (QCheckBox* box : {part_, travels_, beads_, front_, ghosts_})
     column->addWidget(box);
   auto* plane = new QGridLayout;
   axis_ = new QComboBox(this);
@@ -82,7 +111,7 @@ void ViewOptions::build() {
   connect(subjects_, &QButtonGroup::idClicked, this, &ViewOptions::read);
   for (QComboBox* combo : {colourBy_, axis_})
     connect(combo, &QComboBox::currentIndexChanged, this, &ViewOptions::read);
-  for (QCheckBox* box : {part_, travels_, beads_, section_})
+  for (QCheckBox* box : {part_, travels_, beads_, front_, ghosts_, section_})
     connect(box, &QCheckBox::toggled, this, &ViewOptions::read);
   connect(flip_, &QToolButton::toggled, this, &ViewOptions::read);
   connect(place_, &QSlider::valueChanged, this, &ViewOptions::read);
@@ -94,7 +123,7 @@ void ViewOptions::retranslate() {
   subjectLabel_->setText(tr("Show"));
   colourLabel_->setText(tr("Colour by"));
   const QStringList names{tr("Latest"), tr("Voxels"), tr("Layers"), tr("Paths")};
-  const QStringList tips{tr("What the plan has come to"), tr("Voxels by the layer they belong to"),
+  const QStringList tips{tr("What the plan has come to"), tr("Solid voxels, and how they grow"),
                          tr("Layers as slabs of their thickness"),
                          tr("Tool-paths as the beads that are laid")};
   for (int id = 0; id < 4; ++id) {
@@ -107,6 +136,10 @@ void ViewOptions::retranslate() {
   part_->setText(tr("Part's surface"));
   travels_->setText(tr("Travel moves"));
   beads_->setText(tr("Beads in their true width"));
+  front_->setText(tr("Convex front"));
+  front_->setToolTip(tr("While growth is replayed: the hull that the next voxels must not lie in"));
+  ghosts_->setText(tr("Later voxels faintly"));
+  ghosts_->setToolTip(tr("While growth is replayed: what is still to be laid"));
   section_->setText(tr("Section plane"));
   flip_->setText(tr("Flip"));
   flip_->setToolTip(tr("Cut away the other side"));
@@ -127,6 +160,8 @@ void ViewOptions::setChoices(const ViewChoices& choices) {
   part_->setChecked(choices.part);
   travels_->setChecked(choices.travels);
   beads_->setChecked(choices.beads);
+  front_->setChecked(choices.front);
+  ghosts_->setChecked(choices.ghosts);
   section_->setChecked(choices.section);
   axis_->setCurrentIndex(choices.sectionAxis);
   place_->setValue(static_cast<int>(choices.sectionPlace * kPlaceSteps));
@@ -143,6 +178,19 @@ void ViewOptions::setAvailable(bool voxels, bool layers, bool paths) {
   subjects_->button(static_cast<int>(LayerSubject::Paths))->setEnabled(paths);
 }
 
+void ViewOptions::setShown(LayerSubject subject) {
+  if (std::exchange(shown_, subject) == subject)
+    return;
+  for (QCheckBox* box : {front_, ghosts_})
+    box->setVisible(subject == LayerSubject::Voxels);
+  for (QCheckBox* box : {travels_, beads_})
+    box->setVisible(subject == LayerSubject::Paths);
+  auto* items = qobject_cast<QStandardItemModel*>(colourBy_->model());
+  for (int i = 0; i < colourBy_->count(); ++i)
+    items->item(i)->setEnabled(
+        offers(subject, static_cast<scene::ColourBy>(colourBy_->itemData(i).toInt())));
+}
+
 void ViewOptions::read() {
   if (filling_)
     return;
@@ -152,6 +200,8 @@ void ViewOptions::read() {
   now.part = part_->isChecked();
   now.travels = travels_->isChecked();
   now.beads = beads_->isChecked();
+  now.front = front_->isChecked();
+  now.ghosts = ghosts_->isChecked();
   now.section = section_->isChecked();
   now.sectionAxis = axis_->currentIndex();
   now.sectionPlace = static_cast<double>(place_->value()) / kPlaceSteps;

@@ -21,6 +21,7 @@ struct ViewChoices {
   LayerSubject subject = LayerSubject::Furthest;
   scene::ColourBy colourBy = scene::ColourBy::Layer;
   bool part = false, travels = false, beads = true;
+  bool front = true, ghosts = false; // while growth is replayed
   bool section = false, sectionFlipped = false;
   int sectionAxis = 0;       // x, y, z
   double sectionPlace = 0.5; // share of the part's box along the axis
@@ -36,6 +37,8 @@ public:
   // Emits nothing.
   void setChoices(const ViewChoices& choices);
   void setAvailable(bool voxels, bool layers, bool paths);
+  // What is on show, never Furthest: only colourings that it has are offered.
+  void setShown(LayerSubject subject);
 
 signals:
   void changed(const voluta::window::ViewChoices& choices);
@@ -50,11 +53,12 @@ private:
   void retranslate();
 
   ViewChoices choices_;
+  LayerSubject shown_ = LayerSubject::Furthest;
   bool filling_ = false;
   QLabel *subjectLabel_, *colourLabel_;
   QButtonGroup* subjects_;
   QComboBox* colourBy_;
-  QCheckBox *part_, *travels_, *beads_, *section_;
+  QCheckBox *part_, *travels_, *beads_, *front_, *ghosts_, *section_;
   QComboBox* axis_;
   QSlider* place_;
   QToolButton* flip_;

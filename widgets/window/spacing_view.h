@@ -1,0 +1,36 @@
+// The thickness of layers as a histogram, in the colours of the map on the layers.
+#pragma once
+
+#include "window/layer_spacing.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace voluta::window {
+
+class SpacingChart;
+
+class SpacingView : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit SpacingView(QWidget* parent = nullptr);
+
+  // Hidden while there are no layers to speak of.
+  void setSpacing(const LayerSpacing& spacing);
+  // Mean and share within limits, as shown.
+  QString words() const;
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void retranslate();
+
+  LayerSpacing spacing_;
+  QLabel *title_, *words_;
+  SpacingChart* chart_;
+};
+
+} // namespace voluta::window
