@@ -151,6 +151,10 @@ base::ParameterTable curvedParameters() {
       base::numberParameter("voxelMm", "mm", 0.8, 0.1, 10.0, "Layers", "Voxel width",
                             "Width of the voxels that growth works on; layers are not bound to it.",
                             true),
+      base::choiceParameter("frontShape", "flat", {"flat", "nozzle"}, "Layers", "Front",
+                            "Shape of the head that must clear all that is printed earlier: a flat "
+                            "one as wide as needed, or, where that would lose voxels, the head as "
+                            "it is."),
       base::integerParameter("fieldRounds", 8, 0, 30, "Layers", "Field rounds",
                              "How often growth and smooth field are fitted to each other at "
                              "most. 0: layers from the ranks."),

@@ -22,7 +22,8 @@ struct CurvedOptions {
   int rounds = 8;          // of growth and refit, at most; 0: ranks only, no field
 };
 
-// voxelMm (mm, 0.8: width of the voxels) and fieldRounds (CurvedOptions::rounds).
+// voxelMm (mm, 0.8: width of the voxels), frontShape (flat, nozzle: CurvedOptions::head) and
+// fieldRounds (CurvedOptions::rounds).
 base::ParameterTable curvedParameters();
 
 // Hears of what is known so far: the ranks, then the field as rounds improve it. Called from the

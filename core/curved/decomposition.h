@@ -23,7 +23,7 @@ enum class Loss : std::uint8_t {
 struct Decomposition {
   voxel::VoxelGrid grid;
   std::vector<std::int32_t> rank;    // 0 outside, n >= 1 its layer in growth order, -1 missed
-  std::vector<Loss> loss;            // None where rank >= 0
+  std::vector<Loss> loss;            // None where rank >= 0; empty: not told
   std::vector<std::uint8_t> byHead;  // 1: inside the flat front, but the head itself reaches it in
                                      // the direction of frontNormal; empty: none
   std::vector<std::uint8_t> support; // 1: support material, laid like the part; empty: none

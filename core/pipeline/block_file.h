@@ -4,6 +4,7 @@
 #include "base/error.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <deque>
@@ -92,6 +93,10 @@ public:
     return values;
   }
   std::string text(const std::string& name) const { return std::string(checked(name, 1)); }
+  bool has(const std::string& name) const {
+    return std::any_of(table_.begin(), table_.end(),
+                       [&](const BlockRow& row) { return row.name == name; });
+  }
 
 private:
   std::string_view checked(const std::string& name, std::size_t item) const;

@@ -53,8 +53,11 @@ bool soundDecomposition(const curved::Decomposition& d) {
       !std::isfinite(d.grid.pitch) || d.grid.pitch <= 0.0)
     return false;
   const std::size_t cells = d.grid.cellCount();
-  return d.rank.size() == cells && d.frontNormal.size() == cells &&
-         (d.field.empty() || d.field.size() == cells);
+  const auto sound = [&](const auto& array) { return array.empty() || array.size() == cells; };
+  return d.rank.size() == cells && d.frontNormal.size() == cells && sound(d.loss) &&
+         sound(d.field) && sound(d.byHead) && sound(d.support) &&
+         std::all_of(d.loss.begin(), d.loss.end(),
+                     [](curved::Loss loss) { return loss <= curved::Loss::Cascade; });
 }
 
 bool soundToolPlan(const plan::ToolPlan& p) {
@@ -115,6 +118,9 @@ void addDecomposition(BlockWriter& out, const curved::Decomposition& d) {
                                     {"missed", d.missedVoxels},
                                     {"shadowed", d.shadowedVoxels},
                                     {"unreached", d.unreachedVoxels},
+                                    {"cascade", d.cascadeVoxels},
+                                    {"byHead", d.headVoxels},
+                                    {"support", d.supportVoxels},
                                     {"peelS", d.seconds.peel},
                                     {"growS", d.seconds.grow},
                                     {"smoothS", d.seconds.smooth}}
@@ -123,6 +129,9 @@ void addDecomposition(BlockWriter& out, const curved::Decomposition& d) {
   out.add("decomposition.field", d.field);
   out.add("decomposition.frontNormal", d.frontNormal);
   out.add("decomposition.platform", d.platform);
+  out.add("decomposition.loss", d.loss);
+  out.add("decomposition.byHead", d.byHead);
+  out.add("decomposition.support", d.support);
 }
 
 curved::Decomposition getDecomposition(const BlockReader& in) {
@@ -148,6 +157,16 @@ curved::Decomposition getDecomposition(const BlockReader& in) {
   d.field = in.get<float>("decomposition.field");
   d.frontNormal = in.get<Eigen::Vector3f>("decomposition.frontNormal");
   d.platform = in.get<Eigen::Vector2d>("decomposition.platform");
+  // Projects of before these were kept.
+  d.cascadeVoxels = j.value("cascade", std::size_t{0});
+  d.headVoxels = j.value("byHead", std::size_t{0});
+  d.supportVoxels = j.value("support", std::size_t{0});
+  if (in.has("decomposition.loss"))
+    d.loss = in.get<curved::Loss>("decomposition.loss");
+  if (in.has("decomposition.byHead"))
+    d.byHead = in.get<std::uint8_t>("decomposition.byHead");
+  if (in.has("decomposition.support"))
+    d.support = in.get<std::uint8_t>("decomposition.support");
   return d;
 }
 

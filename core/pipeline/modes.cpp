@@ -5,6 +5,7 @@
 #include "curved/decompose.h"
 #include "curved/forward_growth.h"
 #include "pipeline/choices.h"
+#include "pipeline/curved_supports.h"
 #include "pipeline/part_voxels.h"
 
 #include <fmt/format.h>
@@ -22,12 +23,22 @@ bool growsForward(const std::string& growth) {
   return growth != "auto" && growth != "reverse";
 }
 
+// The head that the front may have the shape of, shrunk by what counts as contact; none for flat.
+process::HeadShape frontHead(const ModeChoices& in) {
+  if (in.values.text("frontShape") != "nozzle")
+    return {};
+  return process::erodedHead(in.process.head, in.process.contactToleranceMm);
+}
+
 std::string curvedDecomposeKey(const ModeChoices& in) {
   std::string key = fmt::format("growth {}\nplatform {}\n{}", in.choices.growth,
                                 in.choices.platform, heightsText(in.process)) +
-                    parameterText(curved::curvedParameters(), in.values);
+                    parameterText(curved::curvedParameters(), in.values) +
+                    parameterText(support::supportParameters(), in.values);
   if (growsForward(in.choices.growth))
     key += parameterText(curved::forwardParameters(), in.values);
+  for (const process::HeadSection& s : frontHead(in).sections)
+    key += fmt::format("head {} {}\n", s.zMm, s.radiusMm);
   return key;
 }
 
@@ -47,14 +58,20 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
   growth.layerHeightMm = in.process.layerHeightMm;
   growth.heightMinMm = in.process.layerHeightMinMm;
   growth.heightMaxMm = in.process.layerHeightMaxMm;
+  growth.head = frontHead(in);
   growth.rounds = static_cast<int>(in.values.integer("fieldRounds"));
+  const support::Supports supports =
+      supportsOf(solid, stage->platform, growth, in.values, ctx.sub(0.07, 0.2));
   curved::DecompositionWatch watch;
   if (input.onPreview)
     watch = [&](const curved::Decomposition& soFar) {
-      input.onPreview(std::make_shared<const curved::Decomposition>(soFar));
+      const auto copy = std::make_shared<curved::Decomposition>(soFar);
+      markSupports(supports, *copy);
+      input.onPreview(copy);
     };
   const auto decomposition = std::make_shared<curved::Decomposition>(
-      curved::decompose(solid, stage->platform, growth, ctx.sub(0.07, 1.0), watch));
+      curved::decompose(supports.solid, stage->platform, growth, ctx.sub(0.2, 1.0), watch));
+  markSupports(supports, *decomposition);
   const curved::Decomposition& d = *decomposition;
   DecompositionReport& r = stage->report;
   r.mode = in.choices.mode;
@@ -62,7 +79,7 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
   r.voxelMm = d.grid.pitch;
   r.voxels = d.voxels;
   r.layers = d.layers;
-  r.missedVoxels = r.missedAfterSupports = d.missedVoxels;
+  r.missedVoxels = d.missedVoxels;
   r.shadowedVoxels = d.shadowedVoxels;
   r.unreachedVoxels = d.unreachedVoxels;
   r.pieces = 1;
@@ -71,6 +88,7 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
   stage->timings.peel = d.seconds.peel;
   stage->timings.grow = d.seconds.grow;
   stage->timings.smooth = d.seconds.smooth;
+  tellSupports(supports, *stage);
   stage->decomposition = decomposition;
   return stage;
 }
@@ -89,7 +107,9 @@ std::shared_ptr<const LayersStage> curvedLayersOf(const DecomposeStage& decompos
   cut.heightMinMm = in.process.layerHeightMinMm;
   cut.heightMaxMm = in.process.layerHeightMaxMm;
   cut.beadWidthMm = in.process.beadWidthMm;
-  curved::LayersResult layers = curved::curvedLayers(*decomposed.decomposition, part, cut, ctx);
+  curved::LayersResult layers =
+      curved::curvedLayers(*decomposed.decomposition, part, cut, ctx,
+                           supportPatches(*decomposed.decomposition, part, cut, ctx));
   LayersReport& r = stage->report;
   r.count = layers.statistics.count;
   r.areaMm2 = layers.statistics.areaMm2;

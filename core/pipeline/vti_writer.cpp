@@ -21,12 +21,15 @@ std::string voxelsVti(const curved::Decomposition& d) {
   for (const Eigen::Vector2d& corner : d.platform)
     platform.insert(platform.end(), {corner.x(), corner.y()});
   const std::vector<double> epsilon{d.epsilonMm};
-  const std::vector<std::uint8_t> kind(d.rank.size(), 0);
+  const std::vector<std::uint8_t> none(d.rank.size(), 0);
+  const std::vector<std::uint8_t>& kind = d.support.empty() ? none : d.support;
+  const std::vector<std::uint8_t>& byHead = d.byHead.empty() ? none : d.byHead;
 
   std::string data = "_";
   const auto offsetOf = [&](const auto& values) { return append(data, values) - 1; };
   const std::size_t platformAt = offsetOf(platform), epsilonAt = offsetOf(epsilon),
-                    rankAt = offsetOf(d.rank), kindAt = offsetOf(kind);
+                    rankAt = offsetOf(d.rank), kindAt = offsetOf(kind), byHeadAt = offsetOf(byHead),
+                    fieldAt = d.field.empty() ? 0 : offsetOf(d.field);
   const Eigen::Vector3i n = d.grid.size;
   const Eigen::Vector3d o = d.grid.origin;
   const std::string extent = fmt::format("0 {} 0 {} 0 {}", n.x(), n.y(), n.z());
@@ -42,13 +45,19 @@ std::string voxelsVti(const curved::Decomposition& d) {
 <CellData>
 <DataArray type="Int32" Name="rank" format="appended" offset="{8}"/>
 <DataArray type="UInt8" Name="kind" format="appended" offset="{9}"/>
-</CellData>
+<DataArray type="UInt8" Name="byHead" format="appended" offset="{10}"/>
+{11}</CellData>
 </Piece>
 </ImageData>
 <AppendedData encoding="raw">
 )",
       extent, o.x(), o.y(), o.z(), d.grid.pitch, d.platform.size(), platformAt, epsilonAt, rankAt,
-      kindAt);
+      kindAt, byHeadAt,
+      d.field.empty()
+          ? std::string()
+          : fmt::format(
+                "<DataArray type=\"Float32\" Name=\"field\" format=\"appended\" offset=\"{}\"/>\n",
+                fieldAt));
   text += data;
   text += "\n</AppendedData>\n</VTKFile>\n";
   return text;

@@ -43,6 +43,12 @@ std::shared_ptr<const curved::Decomposition> sampleDecomposition() {
   d.layers = 2;
   d.missedVoxels = d.shadowedVoxels = 1;
   d.seconds.grow = 0.25;
+  d.loss.assign(d.rank.size(), curved::Loss::None);
+  d.loss[0] = curved::Loss::Cascade;
+  d.byHead.assign(d.rank.size(), 0);
+  d.byHead[1] = 1;
+  d.support = d.byHead;
+  d.cascadeVoxels = d.headVoxels = d.supportVoxels = 1;
   return std::make_shared<curved::Decomposition>(d);
 }
 
@@ -235,6 +241,10 @@ TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
   EXPECT_EQ(d.field[1], was.field[1]);
   EXPECT_TRUE(std::isnan(d.field[2]));
   EXPECT_EQ(d.frontNormal, was.frontNormal);
+  EXPECT_EQ(d.loss, was.loss);
+  EXPECT_EQ(d.byHead, was.byHead);
+  EXPECT_EQ(d.support, was.support);
+  EXPECT_EQ(d.cascadeVoxels + d.headVoxels + d.supportVoxels, 3u);
   EXPECT_EQ(d.grid.size, was.grid.size);
   EXPECT_EQ(d.grid.origin, was.grid.origin);
   EXPECT_EQ(d.grid.pitch, was.grid.pitch);
@@ -397,6 +407,11 @@ TEST_F(JobFile, ContradictionsAreRefused) {
   refused("negative grid", withDecomposition([](auto& d) { d.grid.size = {-2, -1, 2}; }));
   refused("no pitch", withDecomposition([](auto& d) { d.grid.pitch = 0.0; }));
   refused("field too short", withDecomposition([](auto& d) { d.field.pop_back(); }));
+  refused("losses too short", withDecomposition([](auto& d) { d.loss.pop_back(); }));
+  refused("a loss that is none",
+          withDecomposition([](auto& d) { d.loss[0] = static_cast<curved::Loss>(9); }));
+  refused("heads too short", withDecomposition([](auto& d) { d.byHead.pop_back(); }));
+  refused("supports too long", withDecomposition([](auto& d) { d.support.push_back(1); }));
   refused("normals too short", withDecomposition([](auto& d) { d.frontNormal.pop_back(); }));
   refused("triangle beyond", withPatch([](auto& p) { p.surface.triangles[0][0] = 4; }));
   refused("not finite", withPatch([](auto& p) { p.surface.vertices[0].x() = NAN; }));

@@ -31,6 +31,12 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters", "Voxel width"),
     QT_TRANSLATE_NOOP("Parameters",
                       "Width of the voxels that growth works on; layers are not bound to it."),
+    QT_TRANSLATE_NOOP("Parameters", "Front"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Shape of the head that must clear all that is printed earlier: a flat one "
+                      "as wide as needed, or, where that would lose voxels, the head as it is."),
+    QT_TRANSLATE_NOOP("Parameters", "flat"),
+    QT_TRANSLATE_NOOP("Parameters", "nozzle"),
     QT_TRANSLATE_NOOP("Parameters", "Field rounds"),
     QT_TRANSLATE_NOOP("Parameters", "How often growth and smooth field are fitted to each other at "
                                     "most. 0: layers from the ranks."),
