@@ -82,6 +82,19 @@ TEST_F(LivePreviewTest, EditsThatChangeNoVoxelStartNothing) {
   EXPECT_FALSE(waitFor([&] { return started.size() > 0; }, 600));
 }
 
+TEST_F(LivePreviewTest, LayersThatAreOnlyOutOfDateAreNotOvertaken) {
+  planBox(Stage::Toolpath);
+  document_.setParameter("beadWidthMm", "1.3"); // of the layers and what follows
+  EXPECT_TRUE(document_.upToDate(Stage::Decompose));
+  EXPECT_EQ(document_.state(Stage::Layers), StageState::OutOfDate);
+  EXPECT_FALSE(document_.voxelsAhead());
+  EXPECT_FALSE(document_.ahead(Stage::Layers));
+  plan(Stage::Layers);
+  EXPECT_TRUE(document_.ahead(Stage::Layers)) << "the paths are still those of other layers";
+  plan(Stage::Toolpath);
+  EXPECT_FALSE(document_.ahead(Stage::Layers));
+}
+
 TEST_F(LivePreviewTest, NothingRunsBeforeAPlanOrWhereItIsTurnedOff) {
   QSignalSpy started(&live_, &LivePreview::started);
   document_.openPart(test::boxPart(), {}, true);

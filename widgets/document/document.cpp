@@ -326,8 +326,16 @@ std::shared_ptr<const pipeline::PlanResult> Document::presentResult() const {
   return lastResult();
 }
 
+bool Document::ahead(Stage stage) const {
+  const std::size_t s = indexOf(stage);
+  if (!upToDate(stage) || s + 1 == kStageCount)
+    return false;
+  const auto& next = shown_[s + 1].result;
+  return !next || next->job.stages[s].key != shown_[s].key;
+}
+
 bool Document::voxelsAhead() const {
-  return preview_ || (upToDate(Stage::Decompose) && !upToDate(Stage::Layers));
+  return preview_ || ahead(Stage::Decompose);
 }
 
 bool Document::voxelsInPlace() const {

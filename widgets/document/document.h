@@ -110,6 +110,9 @@ public:
   std::shared_ptr<const pipeline::PlanResult> presentResult() const;
   // Newer than the result of Decompose; none: nothing is under way, or not so far yet.
   const std::optional<Preview>& preview() const { return preview_; }
+  // What is on show of the stage is that of the choices, and that of the next was made from
+  // another.
+  bool ahead(pipeline::Stage stage) const;
   // The voxels on show are newer than layers and paths: a preview, or a plan that came so far.
   bool voxelsAhead() const;
   // The voxels on show were made from the part as it lies now.

@@ -5,6 +5,7 @@
 #include "panels/findings_model.h"
 
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QKeyEvent>
@@ -123,6 +124,9 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   detailColumn->addWidget(reason_);
   detailColumn->addWidget(where_);
   detailColumn->addWidget(remedy_);
+  buttons_ = new QGridLayout;
+  buttons_->setSpacing(4);
+  detailColumn->addLayout(buttons_);
   detailColumn->addWidget(show_, 0, Qt::AlignRight);
 
   auto* heading = new QHBoxLayout;
@@ -139,8 +143,22 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
 }
 
 void FindingsPanel::setFindings(const plan::Findings& findings) {
+  const QModelIndex before = list_->currentIndex();
+  const std::string chosen =
+      before.isValid() ? model_->finding(before.row()).reason : std::string();
   model_->setFindings(findings);
+  if (before.isValid())
+    for (int row = 0; row < model_->rowCount(); ++row)
+      if (model_->finding(row).reason == chosen) {
+        list_->setCurrentIndex(model_->index(row));
+        break;
+      }
   showState();
+}
+
+void FindingsPanel::setRemedies(RemedySource remedies) {
+  remedies_ = std::move(remedies);
+  showCurrent();
 }
 
 void FindingsPanel::setPlanned(bool planned) {
@@ -171,6 +189,27 @@ void FindingsPanel::showCurrent() {
   remedy_->setText(tr("What would help: %1").arg(QString::fromStdString(finding.remedy)));
   remedy_->setVisible(!finding.remedy.empty());
   show_->setEnabled(finding.where || finding.whenS);
+  showRemedies(finding);
+}
+
+void FindingsPanel::showRemedies(const plan::Finding& finding) {
+  for (QPushButton* button : remedyButtons_) {
+    button->hide();
+    button->deleteLater(); // it may be the one that was clicked
+  }
+  remedyButtons_.clear();
+  if (!remedies_)
+    return;
+  for (const RemedyButton& remedy : remedies_(finding)) {
+    auto* button = new QPushButton(remedy.label, details_);
+    button->setObjectName(QStringLiteral("remedy_") + remedy.id);
+    button->setToolTip(remedy.help);
+    connect(button, &QPushButton::clicked, this,
+            [this, finding, id = remedy.id] { emit remedyChosen(finding, id); });
+    const int at = static_cast<int>(remedyButtons_.size());
+    buttons_->addWidget(button, at / 2, at % 2);
+    remedyButtons_.push_back(button);
+  }
 }
 
 void FindingsPanel::showState() {

@@ -3,8 +3,12 @@
 
 #include "plan/finding.h"
 
+#include <QString>
 #include <QWidget>
+#include <functional>
+#include <vector>
 
+class QGridLayout;
 class QLabel;
 class QListView;
 class QPushButton;
@@ -15,21 +19,31 @@ namespace voluta::panels {
 
 class FindingsModel;
 
+// A button beside a finding.
+struct RemedyButton {
+  QString id, label, help;
+};
+using RemedySource = std::function<std::vector<RemedyButton>(const plan::Finding&)>;
+
 class FindingsPanel : public QWidget {
   Q_OBJECT
 
 public:
   explicit FindingsPanel(QWidget* parent = nullptr);
 
-  // Sorted here: blocking first, then by stage. Emits nothing.
+  // Sorted here: blocking first, then by stage. What is chosen stays so where it is among the new
+  // ones. Emits nothing.
   void setFindings(const plan::Findings& findings);
   // false (as at first): nothing was planned yet, so an empty list says nothing of the part.
   void setPlanned(bool planned);
   void setBlockedOnly(bool only);
+  // Says what can be done about a finding; none, as at first: nothing.
+  void setRemedies(RemedySource remedies);
 
 signals:
   // A click, Enter or the button "Show": take the views there.
   void activated(const voluta::plan::Finding& finding);
+  void remedyChosen(const voluta::plan::Finding& finding, const QString& id);
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -38,6 +52,7 @@ protected:
 private:
   void activateCurrent();
   void showCurrent();
+  void showRemedies(const plan::Finding& finding);
   void showState();
   void retranslate();
 
@@ -52,6 +67,9 @@ private:
   QLabel* where_ = nullptr;
   QLabel* remedy_ = nullptr;
   QPushButton* show_ = nullptr;
+  QGridLayout* buttons_ = nullptr;
+  std::vector<QPushButton*> remedyButtons_;
+  RemedySource remedies_;
   bool planned_ = false;
 };
 

@@ -34,6 +34,23 @@ constexpr GrowthText kGrowths[] = {
      QT_TRANSLATE_NOOP("Core", "Grows from the platform by whole layers, whatever they cut off")},
 };
 
+struct RemedyHelp {
+  std::string_view id;
+  const char *label, *help; // the label is that of pipeline::remedies()
+};
+constexpr RemedyHelp kRemedies[] = {
+    {"dropToPlate", QT_TRANSLATE_NOOP("Core", "Drop to plate"),
+     QT_TRANSLATE_NOOP("Core", "Lowest point on the plate")},
+    {"shrinkPlatform", QT_TRANSLATE_NOOP("Core", "Shrink platform"),
+     QT_TRANSLATE_NOOP("Core", "To the area that the part stands on: the front spans less")},
+    {"addSupports", QT_TRANSLATE_NOOP("Core", "Add supports"),
+     QT_TRANSLATE_NOOP("Core", "Thin columns that break off, as few as can be")},
+    {"turnPart", QT_TRANSLATE_NOOP("Core", "Turn the part"),
+     QT_TRANSLATE_NOOP("Core", "Searches the way to lie in which fewest voxels are missed")},
+    {"narrowVoxels", QT_TRANSLATE_NOOP("Core", "Use voxel width %1 mm"),
+     QT_TRANSLATE_NOOP("Core", "Narrow enough for this wall; narrower voxels take longer")},
+};
+
 QString translated(const char* text) {
   return QCoreApplication::translate("Core", text);
 }
@@ -48,6 +65,16 @@ GrowthTexts growthTexts(std::string_view id) {
     if (row.id == id)
       return {translated(row.label), translated(row.help)};
   return {coreLabel(id), {}};
+}
+
+RemedyTexts remedyTexts(const pipeline::Offer& offer) {
+  QString label = coreLabel(offer.label), help;
+  if (!offer.cure.value.empty() && label.contains("%1"))
+    label = label.arg(QString::fromStdString(offer.cure.value));
+  for (const RemedyHelp& row : kRemedies)
+    if (row.id == offer.id)
+      help = translated(row.help);
+  return {label, help};
 }
 
 QString platformText(const std::string& platform) {

@@ -1,6 +1,8 @@
 // Names that core's tables give in English, in the language of the window.
 #pragma once
 
+#include "pipeline/remedies.h"
+
 #include <QString>
 #include <string>
 #include <string_view>
@@ -14,6 +16,11 @@ struct GrowthTexts {
   QString label, help;
 };
 GrowthTexts growthTexts(std::string_view id);
+// What a remedy's button says.
+struct RemedyTexts {
+  QString label, help;
+};
+RemedyTexts remedyTexts(const pipeline::Offer& offer);
 // "fit:0", "disc:80", "rect:100x80" in words.
 QString platformText(const std::string& platform);
 

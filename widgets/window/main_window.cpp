@@ -49,8 +49,8 @@ forms::ChoiceLists choiceLists() {
   for (const pipeline::Mode& mode : pipeline::modes())
     lists.modes.push_back(item(mode.id, mode.label));
   for (const std::string& growth : curved::growthSchemes())
-    lists.growths.push_back({QString::fromStdString(growth), growthTexts(growth).label,
-                             growthTexts(growth).help});
+    lists.growths.push_back(
+        {QString::fromStdString(growth), growthTexts(growth).label, growthTexts(growth).help});
   for (const std::string& cell : robot::cellIds())
     lists.cells.push_back(item(cell));
   for (const std::string& process : process::processIds())
@@ -60,12 +60,14 @@ forms::ChoiceLists choiceLists() {
 } // namespace
 
 MainWindow::MainWindow(Appearance appearance, QWidget* parent)
-    : QMainWindow(parent), planning_(document_), opening_(document_, planning_), saving_(document_),
+    : QMainWindow(parent), planning_(document_), live_(document_, planning_),
+      opening_(document_, planning_), saving_(document_),
       autosave_(std::make_unique<document::Autosave>(document_)), appearance_(appearance) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
   planning_.setStartsOver(true);
   buildCentre();
+  live_.setEnabled(QSettings().value("plan/livePreview", true).toBool());
   presenter_ = new Presenter(document_, *viewport_, this);
   preview_ = new ProgramPreview(this);
   buildPages();
@@ -267,6 +269,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings.setValue("window/geometry", saveGeometry());
   settings.setValue("window/state", saveState(kLayoutVersion));
   autosave_.reset();
+  live_.cancel();
   QMainWindow::closeEvent(event);
 }
 

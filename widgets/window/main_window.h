@@ -4,6 +4,7 @@
 
 #include "document/autosave.h"
 #include "document/document.h"
+#include "document/live_preview.h"
 #include "document/opening.h"
 #include "document/planning.h"
 #include "document/recent_files.h"
@@ -16,6 +17,7 @@
 #include "window/view_options.h"
 
 #include <QMainWindow>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -36,6 +38,7 @@ class ParameterForm;
 namespace voluta::panels {
 class ExportPanel;
 class FindingsPanel;
+struct RemedyButton;
 class LayerInfo;
 class MeshPanel;
 class PlacementPanel;
@@ -71,6 +74,7 @@ public:
   document::Document& document() { return document_; }
   document::Planning& planning() { return planning_; }
   viewer::Viewport& viewport() { return *viewport_; }
+  document::LivePreview& livePreview() { return live_; }
   Presenter& presenter() { return *presenter_; }
 
 protected:
@@ -124,12 +128,18 @@ private:
   void showPart();
   void showFindings();
   void showExport();
+  // Of what counts now: preview, result, and the error that a run ended in.
+  plan::Findings presentFindings() const;
+  std::vector<panels::RemedyButton> remediesOf(const plan::Finding& finding) const;
+  void applyRemedy(const plan::Finding& finding, const QString& id);
+  void setLivePreview(bool on);
   void showPreview();
   QString summaryText() const;
   QString endText() const;
   void showLayerMeasures(int layer);
   void showView();
   void showMoves();
+  void showLayerCount();
   void goTo(const plan::Finding& finding);
   void exportPrograms(const QString& folder, const QStringList& formats, bool includeRefused);
   void writePrograms(const QString& folder, const QStringList& formats, bool includeRefused);
@@ -151,6 +161,7 @@ private:
   Appearance appearance_;
 
   viewer::Viewport* viewport_ = nullptr;
+  document::LivePreview live_;
   LegendView* legend_ = nullptr;
   Welcome* welcome_ = nullptr;
   FlowBar* flow_ = nullptr;
@@ -195,3 +206,4 @@ private:
 };
 
 } // namespace voluta::window
+  std::array<bool, 3> newest_{}; // of what is on show: decides what the viewport shows

@@ -194,6 +194,13 @@ void MainWindow::buildMenus() {
   cancel_ = command(run, "cancel", QT_TR_NOOP("&Cancel"),
                     QT_TR_NOOP("Stop; the last results stay on show"), QKeySequence("Ctrl+."),
                     "cancel", [this] { cancel(); });
+  QAction* live = command(
+      run, "livePreview", QT_TR_NOOP("&Update voxels while editing"),
+      QT_TR_NOOP("Once planned, voxels follow the settings; layers and paths wait for Plan"), {},
+      {}, [] {});
+  live->setCheckable(true);
+  live->setChecked(live_.enabled());
+  connect(live, &QAction::toggled, this, &MainWindow::setLivePreview);
   run->addSeparator();
   command(run, "play", QT_TR_NOOP("Play or pause"), QT_TR_NOOP("Runs the time-line"),
           QKeySequence("Space"), {}, [this] { timeline_->togglePlay(); });
@@ -308,9 +315,10 @@ void MainWindow::showRecent() {
 }
 
 void MainWindow::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open"), QSettings().value("open/folder").toString(),
-      tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;All files (*)"));
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open"), QSettings().value("open/folder").toString(),
+                                   tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.txt "
+                                      "*.voxels *.voluta);;All files (*)"));
   if (file.isEmpty())
     return;
   QSettings().setValue("open/folder", QFileInfo(file).absolutePath());

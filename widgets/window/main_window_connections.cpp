@@ -61,6 +61,30 @@ void MainWindow::connectDocument() {
   });
 
   connect(&planning_, &document::Planning::started, this, &MainWindow::showStates);
+  connect(&document_, &document::Document::previewChanged, this, &MainWindow::showFindings);
+  connect(&document_, &document::Document::stateChanged, this, [this] {
+    const std::array<bool, 3> now{document_.voxelsAhead(), document_.voxelsInPlace(),
+                                  document_.ahead(Stage::Layers)};
+    if (std::exchange(newest_, now) != now)
+      showLayerCount();
+  });
+
+  connect(&live_, &document::LivePreview::started, this, &MainWindow::showStates);
+  connect(&live_, &document::LivePreview::progressed, status_, &StatusLine::showProgress);
+  connect(&live_, &document::LivePreview::finished, this, [this] {
+    status_->showIdle(tr("The voxels follow the settings. Press Plan for layers and paths."));
+    showStates();
+  });
+  connect(&live_, &document::LivePreview::cancelled, this, [this] {
+    status_->showIdle(tr("Cancelled. The last results stay on show."));
+    showStates();
+  });
+  connect(&live_, &document::LivePreview::failed, this, [this](const QString& message) {
+    status_->showIdle(message);
+    showStates();
+    showFindings();
+  });
+
   connect(&planning_, &document::Planning::progressed, status_, &StatusLine::showProgress);
   connect(&planning_, &document::Planning::finished, this, [this] {
     status_->showIdle(endText());
@@ -78,6 +102,7 @@ void MainWindow::connectDocument() {
     pendingExport_.reset();
     showStates();
     status_->showIdle(message);
+    showFindings();
     tell(tr("The run has stopped"), message);
   });
 
@@ -199,6 +224,7 @@ void MainWindow::connectPages() {
   connect(viewport_, &viewer::Viewport::gizmoDragged, this, &MainWindow::applyGizmo);
   connect(viewport_, &viewer::Viewport::toolChanged, this, [this](viewer::Tool tool) {
     placement_->setLayOnFace(tool == viewer::Tool::LayFlat);
+    showView();
     for (QAction* action : tools_->actions())
       action->setChecked(action->data().toInt() == static_cast<int>(tool));
   });
@@ -218,7 +244,9 @@ void MainWindow::connectPages() {
   });
 
   // Layers
-  connect(options_, &ViewOptions::changed, this, &MainWindow::showView);
+  connect(options_, &ViewOptions::changed, this, [this] {
+    showView();
+  });
   connect(options_, &ViewOptions::dragging, viewport_, &viewer::Viewport::setDragging);
   connect(layers_, &timeline::LayerRangeSlider::rangeChanged, this, [this] {
     showMoves();
@@ -263,6 +291,8 @@ void MainWindow::connectPages() {
   connect(findings_, &panels::FindingsPanel::activated, this, &MainWindow::goTo);
 
   // What the presenter has prepared
+  findings_->setRemedies([this](const plan::Finding& finding) { return remediesOf(finding); });
+  connect(findings_, &panels::FindingsPanel::remedyChosen, this, &MainWindow::applyRemedy);
   connect(presenter_, &Presenter::partDrawn, this, [this](bool another) {
     viewport_->scene().setPartPreview(Eigen::Affine3d::Identity());
     if (!presenter_->partBox().isEmpty())
@@ -272,22 +302,10 @@ void MainWindow::connectPages() {
     if (another)
       viewport_->frameAll();
   });
-  const auto layersThere = [this] {
-    options_->setAvailable(presenter_->hasVoxels(), presenter_->hasLayers(),
-                           presenter_->hasPaths());
-    const auto facts = presenter_->facts();
-    layers_->setLayers(presenter_->layerCount(),
-                       facts && static_cast<int>(facts->topsMm.size()) == presenter_->layerCount()
-                           ? facts->topsMm
-                           : std::vector<double>{});
-    showMoves();
-    showView();
-    showLayerMeasures(layers_->last());
-  };
-  connect(presenter_, &Presenter::voxelsDrawn, this, layersThere);
-  connect(presenter_, &Presenter::layersDrawn, this, layersThere);
-  connect(presenter_, &Presenter::pathsDrawn, this, layersThere);
-  connect(presenter_, &Presenter::factsReady, this, layersThere);
+  connect(presenter_, &Presenter::voxelsDrawn, this, &MainWindow::showLayerCount);
+  connect(presenter_, &Presenter::layersDrawn, this, &MainWindow::showLayerCount);
+  connect(presenter_, &Presenter::pathsDrawn, this, &MainWindow::showLayerCount);
+  connect(presenter_, &Presenter::factsReady, this, &MainWindow::showLayerCount);
   connect(presenter_, &Presenter::motionReady, this, [this] {
     timeline_->setClock(presenter_->clock());
     const auto& clock = presenter_->clock();
@@ -300,3 +318,15 @@ void MainWindow::connectPages() {
 }
 
 } // namespace voluta::window
+void MainWindow::showLayerCount() {
+  options_->setAvailable(presenter_->hasVoxels(), presenter_->hasLayers(), presenter_->hasPaths());
+  const auto facts = presenter_->facts();
+  layers_->setLayers(presenter_->layerCount(),
+                     facts && static_cast<int>(facts->topsMm.size()) == presenter_->layerCount()
+                         ? facts->topsMm
+                         : std::vector<double>{});
+  showMoves();
+  showView();
+  showLayerMeasures(layers_->last());
+}
+

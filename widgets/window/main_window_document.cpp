@@ -9,6 +9,7 @@
 #include "panels/mesh_panel.h"
 #include "panels/placement_panel.h"
 #include "pipeline/outputs.h"
+#include "pipeline/remedies.h"
 #include "program/dialect.h"
 #include "timeline/timeline_bar.h"
 #include "window/core_texts.h"
@@ -21,6 +22,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
+#include <algorithm>
 
 namespace voluta::window {
 
@@ -99,7 +101,7 @@ void MainWindow::showStates() {
                   pageState(document_, {Stage::Decompose, Stage::Layers, Stage::Toolpath}));
   flow_->setState(Page::Simulate, pageState(document_, {Stage::Motion}));
   flow_->setState(Page::Export, pageState(document_, {Stage::Replay}));
-  const bool busy = planning_.running() || opening_.running();
+  const bool busy = planning_.running() || opening_.running() || live_.running();
   cancel_->setEnabled(busy);
   plan_->setEnabled(static_cast<bool>(document_.source()));
   if (QAction* layers = findChild<QAction*>("planLayers"))
@@ -108,8 +110,9 @@ void MainWindow::showStates() {
   for (const char* id : {"dropToPlate", "centrePart"})
     findChild<QAction*>(id)->setEnabled(static_cast<bool>(document_.source()));
   QString text = summaryText();
-  const auto result = document_.lastResult();
-  if (result && result->job.reached && !document_.upToDate(*result->job.reached))
+  const auto result = document_.presentResult();
+  if (!document_.preview() && result && result->job.reached &&
+      !document_.upToDate(*result->job.reached))
     text = tr("Out of date: %1").arg(text);
   summary_->setText(text);
 }
@@ -153,14 +156,57 @@ void MainWindow::showPart() {
 
 void MainWindow::showFindings() {
   const auto result = document_.lastResult();
-  findings_->setPlanned(result && result->job.reached && *result->job.reached > Stage::Load);
-  findings_->setFindings(result ? result->job.report.findings : plan::Findings{});
+  findings_->setPlanned(document_.preview() ||
+                        (result && result->job.reached && *result->job.reached > Stage::Load));
+  findings_->setFindings(presentFindings());
   std::vector<timeline::Mark> marks;
   if (result)
     for (const plan::Finding& finding : result->job.report.findings)
       if (finding.whenS)
         marks.push_back({*finding.whenS, finding.blocking, QString::fromStdString(finding.reason)});
   timeline_->setMarks(std::move(marks));
+}
+
+plan::Findings MainWindow::presentFindings() const {
+  plan::Findings findings;
+  if (const document::Failure* failure = document_.failure()) {
+    plan::Finding stopped;
+    stopped.stage = pipeline::stageName(failure->stage);
+    stopped.kind = pipeline::kStopped;
+    stopped.reason = failure->error.what();
+    findings.push_back(stopped);
+  }
+  plan::Findings more;
+  if (const auto& preview = document_.preview())
+    more = preview->decomposition->findings;
+  else if (const auto result = document_.presentResult())
+    more = result->job.report.findings;
+  findings.insert(findings.end(), more.begin(), more.end());
+  return findings;
+}
+
+std::vector<panels::RemedyButton> MainWindow::remediesOf(const plan::Finding& finding) const {
+  std::vector<panels::RemedyButton> buttons;
+  for (const pipeline::Offer& offer : pipeline::remediesFor(finding, document_.choices())) {
+    const RemedyTexts texts = remedyTexts(offer);
+    buttons.push_back({QString::fromUtf8(offer.id.data(), static_cast<qsizetype>(offer.id.size())),
+                       texts.label, texts.help});
+  }
+  return buttons;
+}
+
+void MainWindow::applyRemedy(const plan::Finding& finding, const QString& id) {
+  for (const pipeline::Offer& offer : pipeline::remediesFor(finding, document_.choices()))
+    if (id.toStdString() == offer.id) {
+      document_.setChoices(offer.cure.choices, remedyTexts(offer).label);
+      const auto before = document_.lastResult();
+      if (live_.enabled() && document_.result(Stage::Decompose))
+        live_.refresh();
+      else
+        planning_.plan(std::max(Stage::Layers, before ? before->job.reached.value_or(Stage::Layers)
+                                                      : Stage::Layers));
+      return;
+    }
 }
 
 void MainWindow::showExport() {

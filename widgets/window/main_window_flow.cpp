@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSettings>
 #include <algorithm>
 
 namespace voluta::window {
@@ -100,20 +101,36 @@ void MainWindow::plan() {
   planning_.plan(Stage::Replay);
 }
 
+void MainWindow::setLivePreview(bool on) {
+  QSettings().setValue("plan/livePreview", on);
+  live_.setEnabled(on);
+}
+
 void MainWindow::cancel() {
   if (planning_.running())
     planning_.cancel();
+  else if (live_.running())
+    live_.cancel();
   else if (opening_.running())
     opening_.cancel();
 }
 
 QString MainWindow::summaryText() const {
-  const auto result = document_.lastResult();
+  if (const auto& preview = document_.preview()) {
+    const curved::Decomposition& d = *preview->decomposition;
+    const QString counts = tr("%1 voxels, %2 missed")
+                               .arg(QLocale().toString(static_cast<qulonglong>(d.voxels)),
+                                    QLocale().toString(static_cast<qulonglong>(d.missedVoxels)));
+    return d.field.empty() ? tr("Preview: %1, %2 growth steps").arg(counts).arg(d.layers)
+                           : tr("Preview: %1, layers are being improved").arg(counts);
+  }
+  const auto result = document_.presentResult();
   if (!result || !result->job.reached || *result->job.reached == Stage::Load)
     return document_.source() ? tr("Ready. Press Plan.") : QString();
   const pipeline::Report& r = result->job.report;
   const QLocale locale;
   QStringList parts;
+  const bool ahead = document_.voxelsAhead() && !planning_.running();
   if (r.decomposition.voxels > 0)
     parts << tr("%1 voxels, %2 missed")
                  .arg(locale.toString(static_cast<qulonglong>(r.decomposition.voxels)),
@@ -128,7 +145,8 @@ QString MainWindow::summaryText() const {
     parts << durationText(r.motion.durationS);
   if (*result->job.reached == Stage::Replay)
     parts << (r.replay.passed ? tr("replay passed") : tr("replay not passed"));
-  return parts.join(", ");
+  const QString text = parts.join(", ");
+  return ahead ? tr("Preview: %1. Press Plan.").arg(text) : text;
 }
 
 // How the run that has just ended went, in a few words: the figures stand beside the page.

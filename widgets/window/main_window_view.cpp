@@ -41,7 +41,10 @@ scene::ViewState MainWindow::viewState() const {
   }
   switch (page()) {
   case Page::Prepare:
-    v.part = shows(SceneItem::Part);
+    // While the part is handled it is in sight itself.
+    v.voxels = document_.voxelsAhead() && document_.voxelsInPlace() && presenter_->hasVoxels() &&
+               viewport_->tool() == viewer::Tool::None && shows(SceneItem::Part);
+    v.part = !v.voxels && shows(SceneItem::Part);
     v.cell = false;
     break;
   case Page::Layers: {
