@@ -66,8 +66,8 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   setObjectName("mainWindow");
   setAcceptDrops(true);
   planning_.setStartsOver(true);
-  buildCentre();
   live_.setEnabled(QSettings().value("plan/livePreview", true).toBool());
+  buildCentre();
   presenter_ = new Presenter(document_, *viewport_, this);
   preview_ = new ProgramPreview(this);
   buildPages();
@@ -264,12 +264,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   planning_.cancel();
+  live_.cancel();
   opening_.cancel();
   QSettings settings;
   settings.setValue("window/geometry", saveGeometry());
   settings.setValue("window/state", saveState(kLayoutVersion));
   autosave_.reset();
-  live_.cancel();
   QMainWindow::closeEvent(event);
 }
 

@@ -73,8 +73,8 @@ public:
 
   document::Document& document() { return document_; }
   document::Planning& planning() { return planning_; }
-  viewer::Viewport& viewport() { return *viewport_; }
   document::LivePreview& livePreview() { return live_; }
+  viewer::Viewport& viewport() { return *viewport_; }
   Presenter& presenter() { return *presenter_; }
 
 protected:
@@ -127,19 +127,19 @@ private:
   void showChoices();
   void showPart();
   void showFindings();
-  void showExport();
   // Of what counts now: preview, result, and the error that a run ended in.
   plan::Findings presentFindings() const;
   std::vector<panels::RemedyButton> remediesOf(const plan::Finding& finding) const;
   void applyRemedy(const plan::Finding& finding, const QString& id);
   void setLivePreview(bool on);
+  void showExport();
   void showPreview();
   QString summaryText() const;
   QString endText() const;
   void showLayerMeasures(int layer);
   void showView();
-  void showMoves();
   void showLayerCount();
+  void showMoves();
   void goTo(const plan::Finding& finding);
   void exportPrograms(const QString& folder, const QStringList& formats, bool includeRefused);
   void writePrograms(const QString& folder, const QStringList& formats, bool includeRefused);
@@ -153,6 +153,7 @@ private:
 
   document::Document document_;
   document::Planning planning_;
+  document::LivePreview live_;
   document::Opening opening_;
   document::Saving saving_;
   document::RecentFiles recent_;
@@ -161,7 +162,6 @@ private:
   Appearance appearance_;
 
   viewer::Viewport* viewport_ = nullptr;
-  document::LivePreview live_;
   LegendView* legend_ = nullptr;
   Welcome* welcome_ = nullptr;
   FlowBar* flow_ = nullptr;
@@ -202,8 +202,8 @@ private:
     bool includeRefused;
   };
   std::optional<PendingExport> pendingExport_;
+  std::array<bool, 3> newest_{}; // of what is on show: decides what the viewport shows
   bool closing_ = false, framedInCell_ = false;
 };
 
 } // namespace voluta::window
-  std::array<bool, 3> newest_{}; // of what is on show: decides what the viewport shows

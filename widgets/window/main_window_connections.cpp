@@ -60,7 +60,6 @@ void MainWindow::connectDocument() {
       planning_.plan(Stage::Load);
   });
 
-  connect(&planning_, &document::Planning::started, this, &MainWindow::showStates);
   connect(&document_, &document::Document::previewChanged, this, &MainWindow::showFindings);
   connect(&document_, &document::Document::stateChanged, this, [this] {
     const std::array<bool, 3> now{document_.voxelsAhead(), document_.voxelsInPlace(),
@@ -85,6 +84,7 @@ void MainWindow::connectDocument() {
     showFindings();
   });
 
+  connect(&planning_, &document::Planning::started, this, &MainWindow::showStates);
   connect(&planning_, &document::Planning::progressed, status_, &StatusLine::showProgress);
   connect(&planning_, &document::Planning::finished, this, [this] {
     status_->showIdle(endText());
@@ -101,8 +101,8 @@ void MainWindow::connectDocument() {
   connect(&planning_, &document::Planning::failed, this, [this](Stage, const QString& message) {
     pendingExport_.reset();
     showStates();
-    status_->showIdle(message);
     showFindings();
+    status_->showIdle(message);
     tell(tr("The run has stopped"), message);
   });
 
@@ -223,8 +223,8 @@ void MainWindow::connectPages() {
   });
   connect(viewport_, &viewer::Viewport::gizmoDragged, this, &MainWindow::applyGizmo);
   connect(viewport_, &viewer::Viewport::toolChanged, this, [this](viewer::Tool tool) {
-    placement_->setLayOnFace(tool == viewer::Tool::LayFlat);
     showView();
+    placement_->setLayOnFace(tool == viewer::Tool::LayFlat);
     for (QAction* action : tools_->actions())
       action->setChecked(action->data().toInt() == static_cast<int>(tool));
   });
@@ -288,11 +288,11 @@ void MainWindow::connectPages() {
   connect(preview_, &ProgramPreview::linesReady, this, [this] { setTime(timeline_->timeS()); });
 
   // Findings
+  findings_->setRemedies([this](const plan::Finding& finding) { return remediesOf(finding); });
+  connect(findings_, &panels::FindingsPanel::remedyChosen, this, &MainWindow::applyRemedy);
   connect(findings_, &panels::FindingsPanel::activated, this, &MainWindow::goTo);
 
   // What the presenter has prepared
-  findings_->setRemedies([this](const plan::Finding& finding) { return remediesOf(finding); });
-  connect(findings_, &panels::FindingsPanel::remedyChosen, this, &MainWindow::applyRemedy);
   connect(presenter_, &Presenter::partDrawn, this, [this](bool another) {
     viewport_->scene().setPartPreview(Eigen::Affine3d::Identity());
     if (!presenter_->partBox().isEmpty())
@@ -317,7 +317,6 @@ void MainWindow::connectPages() {
   });
 }
 
-} // namespace voluta::window
 void MainWindow::showLayerCount() {
   options_->setAvailable(presenter_->hasVoxels(), presenter_->hasLayers(), presenter_->hasPaths());
   const auto facts = presenter_->facts();
@@ -330,3 +329,4 @@ void MainWindow::showLayerCount() {
   showLayerMeasures(layers_->last());
 }
 
+} // namespace voluta::window

@@ -50,9 +50,11 @@ scene::ViewState MainWindow::viewState() const {
   case Page::Layers: {
     LayerSubject subject = chosen.subject;
     if (subject == LayerSubject::Furthest)
-      subject = presenter_->hasPaths()    ? LayerSubject::Paths
-                : presenter_->hasLayers() ? LayerSubject::Layers
-                                          : LayerSubject::Voxels;
+      subject = document_.voxelsAhead()          ? LayerSubject::Voxels
+                : document_.ahead(Stage::Layers) ? LayerSubject::Layers
+                : presenter_->hasPaths()         ? LayerSubject::Paths
+                : presenter_->hasLayers()        ? LayerSubject::Layers
+                                                 : LayerSubject::Voxels;
     v.voxels = subject == LayerSubject::Voxels && presenter_->hasVoxels();
     v.layers = subject == LayerSubject::Layers && presenter_->hasLayers();
     v.paths = subject == LayerSubject::Paths && presenter_->hasPaths();
