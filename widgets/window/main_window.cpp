@@ -17,6 +17,7 @@
 #include "window/core_texts.h"
 #include "window/legend_view.h"
 #include "window/program_preview.h"
+#include "window/spacing_view.h"
 #include "window/status_line.h"
 #include "window/welcome.h"
 
@@ -78,6 +79,7 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   buildToolBar();
   connectDocument();
   connectPages();
+  connectGrowth();
   retranslate();
   showChoices();
   showPart();
@@ -151,6 +153,8 @@ void MainWindow::buildPages() {
   layerColumn->setContentsMargins(0, 0, 0, 0);
   layerColumn->addWidget(options_);
   layerColumn->addWidget(layerInfo_);
+  spacing_ = new SpacingView(this);
+  layerColumn->addWidget(spacing_);
   layerColumn->addStretch(1);
 
   plots_ = new timeline::JointPlots(this);
@@ -201,6 +205,7 @@ void MainWindow::buildDocks() {
 }
 
 void MainWindow::setPage(Page page) {
+  lookingAtMissed_ = false;
   flow_->setPage(page);
   pages_->setCurrentIndex(static_cast<int>(page));
   layers_->setVisible(page == Page::Layers);

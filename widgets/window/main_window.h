@@ -53,6 +53,7 @@ namespace voluta::window {
 
 class LegendView;
 class ProgramPreview;
+class SpacingView;
 class StatusLine;
 class Welcome;
 
@@ -140,6 +141,13 @@ private:
   void showView();
   void showLayerCount();
   void showMoves();
+  // main_window_growth.cpp
+  LayerSubject shownSubject() const; // never Furthest
+  bool replaysGrowth() const;
+  void showGrowth();
+  void connectGrowth();
+  // Flies to a group of missed voxels, the others made see-through; false: the finding is no such.
+  bool lookAtMissed(const plan::Finding& finding);
   void goTo(const plan::Finding& finding);
   void exportPrograms(const QString& folder, const QStringList& formats, bool includeRefused);
   void writePrograms(const QString& folder, const QStringList& formats, bool includeRefused);
@@ -180,6 +188,7 @@ private:
   forms::ParameterForm* parameters_ = nullptr;
   ViewOptions* options_ = nullptr;
   panels::LayerInfo* layerInfo_ = nullptr;
+  SpacingView* spacing_ = nullptr;
   timeline::JointPlots* plots_ = nullptr;
   panels::ExportPanel* export_ = nullptr;
   ProgramPreview* preview_ = nullptr;
@@ -203,6 +212,7 @@ private:
   };
   std::optional<PendingExport> pendingExport_;
   std::array<bool, 3> newest_{}; // of what is on show: decides what the viewport shows
+  bool lookingAtMissed_ = false; // until something else is asked for
   bool closing_ = false, framedInCell_ = false;
 };
 

@@ -11,6 +11,7 @@
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
 #include "window/program_preview.h"
+#include "window/spacing_view.h"
 #include "window/status_line.h"
 #include "window/welcome.h"
 
@@ -245,10 +246,12 @@ void MainWindow::connectPages() {
 
   // Layers
   connect(options_, &ViewOptions::changed, this, [this] {
+    lookingAtMissed_ = false;
     showView();
   });
   connect(options_, &ViewOptions::dragging, viewport_, &viewer::Viewport::setDragging);
   connect(layers_, &timeline::LayerRangeSlider::rangeChanged, this, [this] {
+    lookingAtMissed_ = false;
     showMoves();
     showView();
     showLayerMeasures(layers_->last());
@@ -318,6 +321,7 @@ void MainWindow::connectPages() {
 }
 
 void MainWindow::showLayerCount() {
+  spacing_->setSpacing(presenter_->facts() ? presenter_->facts()->spacing : LayerSpacing{});
   options_->setAvailable(presenter_->hasVoxels(), presenter_->hasLayers(), presenter_->hasPaths());
   const auto facts = presenter_->facts();
   layers_->setLayers(presenter_->layerCount(),

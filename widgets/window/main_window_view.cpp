@@ -48,13 +48,7 @@ scene::ViewState MainWindow::viewState() const {
     v.cell = false;
     break;
   case Page::Layers: {
-    LayerSubject subject = chosen.subject;
-    if (subject == LayerSubject::Furthest)
-      subject = document_.voxelsAhead()          ? LayerSubject::Voxels
-                : document_.ahead(Stage::Layers) ? LayerSubject::Layers
-                : presenter_->hasPaths()         ? LayerSubject::Paths
-                : presenter_->hasLayers()        ? LayerSubject::Layers
-                                                 : LayerSubject::Voxels;
+    const LayerSubject subject = shownSubject();
     v.voxels = subject == LayerSubject::Voxels && presenter_->hasVoxels();
     v.layers = subject == LayerSubject::Layers && presenter_->hasLayers();
     v.paths = subject == LayerSubject::Paths && presenter_->hasPaths();
@@ -63,6 +57,12 @@ scene::ViewState MainWindow::viewState() const {
     v.travels = chosen.travels;
     v.firstLayer = layers_->first();
     v.lastLayer = layers_->layerCount() > 0 ? layers_->last() : scene::kAllLayers;
+    v.seeThrough = lookingAtMissed_;
+    if (replaysGrowth()) {
+      v.growthStep = timeline_->step();
+      v.front = chosen.front;
+      v.ghosts = chosen.ghosts;
+    }
     if (v.paths && timeline_->move() < presenter_->movesOf(layers_->last()))
       v.moves = static_cast<std::size_t>(timeline_->move());
     break;
@@ -93,6 +93,7 @@ scene::ViewState MainWindow::viewState() const {
 }
 
 void MainWindow::showView() {
+  showGrowth();
   viewport_->setView(viewState());
   legend_->setLegend(page() == Page::Layers ? viewport_->scene().legend() : scene::Legend{});
 }
@@ -126,6 +127,8 @@ void MainWindow::goTo(const plan::Finding& finding) {
   } else {
     setPage(Page::Layers);
   }
+  if (lookAtMissed(finding))
+    return;
   if (finding.where && page() == Page::Layers)
     if (const auto plan = document_.result(Stage::Toolpath);
         plan && plan->job.toolPlan && presenter_->hasPaths()) {
