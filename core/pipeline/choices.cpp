@@ -8,8 +8,10 @@
 #include "motion/motion_options.h"
 #include "pipeline/modes.h"
 #include "pipeline/road.h"
+#include "placement/orient.h"
 #include "program/dialect.h"
 #include "robot/cell.h"
+#include "support/supports.h"
 #include "toolpath/options.h"
 
 #include <algorithm>
@@ -85,6 +87,8 @@ base::ParameterTable allParameters() {
   });
   table.append(curved::curvedParameters());
   table.append(curved::forwardParameters());
+  table.append(support::supportParameters());
+  table.append(placement::orientParameters());
   table.append(toolpath::toolpathParameters());
   table.append(motion::motionParameters());
   return table;

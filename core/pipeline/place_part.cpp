@@ -5,6 +5,7 @@
 #include "geometry/placement.h"
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"
+#include "pipeline/turned_part.h"
 #include "robot/cell.h"
 #include "voxel/voxel_object.h"
 
@@ -77,15 +78,29 @@ std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choic
   auto stage = std::make_shared<LoadStage>();
   const double unit = unitMm(loaded, choices);
   const double wanted = parsedScale(choices.scale);
-  stage->scale =
-      wanted > 0.0
-          ? wanted
-          : fittingScale(*loaded.mesh, unit, choices.placement,
-                         robot::loadCell(choices.cell, process, curved::platformDisc(80.0)));
-  stage->part = std::make_shared<geometry::TriangleMesh>(
-      geometry::place(*loaded.mesh, stage->scale * unit, choices.placement));
+  const auto place = [&](const geometry::Placement& how) {
+    stage->scale =
+        wanted > 0.0
+            ? wanted
+            : fittingScale(*loaded.mesh, unit, how,
+                           robot::loadCell(choices.cell, process, curved::platformDisc(80.0)));
+    stage->part = std::make_shared<geometry::TriangleMesh>(
+        geometry::place(*loaded.mesh, stage->scale * unit, how));
+  };
+  place(choices.placement);
+  geometry::Placement placement = choices.placement;
+  const base::ParameterValues values = parameterValues(choices);
+  if (values.text("orient") != "none") {
+    TurnedPart turned = turnedPart(*stage->part, choices, values,
+                                   loaded.cells ? stage->scale * unit : values.number("voxelMm"),
+                                   loaded.cells != nullptr, ctx);
+    placement = turned.placement;
+    place(placement);
+    stage->findings = std::move(turned.findings);
+    stage->timings.decompose = turned.seconds;
+  }
   if (loaded.cells)
-    placeCells(loaded, stage->scale * unit, choices.placement, ctx, *stage);
+    placeCells(loaded, stage->scale * unit, placement, ctx, *stage);
   const geometry::Diagnosis diagnosis = geometry::diagnose(*stage->part);
   stage->report.scale = stage->scale;
   stage->report.triangles = stage->part->triangles.size();

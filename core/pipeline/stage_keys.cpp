@@ -7,6 +7,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/content_hash.h"
 #include "pipeline/modes.h"
+#include "pipeline/turned_part.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
@@ -43,7 +44,8 @@ std::string travelText(const process::Process& p) {
   return fmt::format("travel {}\nacceleration {}\n", p.travelSpeedMmPerS, p.accelerationMmPerS2);
 }
 
-std::string loadText(const LoadedPart& loaded, const Choices& c, const process::Process& process,
+std::string loadText(const LoadedPart& loaded, const Choices& c,
+                     const base::ParameterValues& values, const process::Process& process,
                      const std::string& cell) {
   const geometry::Placement& p = c.placement;
   const Eigen::Vector4d q = p.rotation.coeffs();
@@ -53,6 +55,7 @@ std::string loadText(const LoadedPart& loaded, const Choices& c, const process::
                   mended, q[3], q[0], q[1], q[2], p.centreMm.x(), p.centreMm.y(), p.liftMm);
   if (loaded.cells)
     text += fmt::format("cells of {} mm\n", unitMm(loaded, c));
+  text += turnText(c, values);
   const double scale = parsedScale(c.scale);
   if (scale > 0.0)
     return text + fmt::format("scale {}\n", scale);
@@ -85,7 +88,7 @@ StageKeys keysOf(const LoadedPart& loaded, const Choices& choices,
     const std::string before = stage == Stage::Load ? "" : keys[indexOf(stage) - 1];
     keys[indexOf(stage)] = next(before, stage, own);
   };
-  put(Stage::Load, loadText(loaded, choices, process, cellKey));
+  put(Stage::Load, loadText(loaded, choices, values, process, cellKey));
   put(Stage::Decompose, fmt::format("mode {}\n", mode.id) + mode.decomposeKey(in));
   put(Stage::Layers, mode.layersKey(in));
   put(Stage::Toolpath, parameterText(toolpath::toolpathParameters(), values) + beadText(process) +

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kFlatPlaces = 8, kRefined = 3, kChecked = 4;
 constexpr double kSmallTurn = 12.0; // degrees
-constexpr double kStays = 1.1;      // of the best's risky area
+constexpr double kStays = 1.25;     // of the best's risky area
 constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
 
 struct Candidate {
@@ -207,6 +207,17 @@ private:
 };
 
 } // namespace
+
+base::ParameterTable orientParameters() {
+  return base::ParameterTable({
+      base::choiceParameter("orient", "none", {"none", "leastRisky", "fewestMissed"}, "Placement",
+                            "Turn the part",
+                            "Looks for a better way for the part to lie, from where it was put: "
+                            "with the least overhanging area, or with the fewest voxels missed by "
+                            "growth.",
+                            true),
+  });
+}
 
 Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective objective,
                             const OrientOptions& options, const base::RunContext& ctx) {

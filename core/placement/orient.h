@@ -1,6 +1,7 @@
 // Which way down: a search over orientations with a stated objective (DESIGN §4, Place).
 #pragma once
 
+#include "base/parameters.h"
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
 #include "placement/stance.h"
@@ -11,6 +12,9 @@
 #include <vector>
 
 namespace voluta::placement {
+
+// orient (none, leastRisky, fewestMissed).
+base::ParameterTable orientParameters();
 
 enum class Objective { LeastRisky, FewestMissed };
 
@@ -42,7 +46,7 @@ struct Orientation {
 //   LeastRisky: least risky area, then least height;
 //   FewestMissed: fewest missed voxels, then least risky area, then least height; the best are
 //   grown at full width too, and the first that misses nothing there is taken, else the best.
-// A part that is as good as the best but for a tenth of the risky area stays as it lies.
+// A part that is as good as the best but for a quarter more risky area stays as it lies.
 // Same result for any number of threads. Preconditions (Error{Internal}): mesh not empty, voxelMm
 // > 0. Throws Error{Usage} as voxel::solidVoxels(); Cancelled.
 Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective objective,

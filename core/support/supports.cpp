@@ -37,10 +37,15 @@ public:
 
   Supports run() {
     const curved::VoxelGraph plain = graphOf(out_.solid.solid);
+    belowPlate_ = part_.count - plain.size();
     const curved::Growth first = grown(plain, ctx_.sub(0.0, 0.3));
     out_.missedBefore = out_.missedAfter = missedOf(plain, first.rank);
     if (out_.missedBefore == 0)
       return std::move(out_);
+    const std::vector<std::int32_t> reached = curved::flood(plain, {}, {}, 1.0f, ctx_).order;
+    out_.unreachedBefore =
+        belowPlate_ + static_cast<std::size_t>(std::count_if(reached.begin(), reached.end(),
+                                                             [](auto o) { return o < 0; }));
     markPlate(plain);
     addColumns(plain, first.rank);
     thin();
@@ -56,6 +61,10 @@ public:
   }
 
 private:
+  const process::HeadShape* head() const {
+    return options_.head.sections.empty() ? nullptr : &options_.head;
+  }
+
   curved::VoxelGraph graphOf(const std::vector<std::uint8_t>& solid) const {
     return curved::voxelGraph(part_.grid, solid, part_.plateLayer(), platform_);
   }
@@ -66,13 +75,13 @@ private:
 
   curved::Growth grown(const curved::VoxelGraph& graph, const base::RunContext& ctx) {
     ++out_.growths;
-    return curved::grow(graph, options_.growth, options_.forward, ctx);
+    return curved::grow(graph, options_.growth, options_.forward, ctx, head());
   }
 
-  // The part's voxels above the plate that have no rank.
+  // The part's voxels that have no rank.
   std::size_t missedOf(const curved::VoxelGraph& graph,
                        const std::vector<std::int32_t>& rank) const {
-    std::size_t missed = 0;
+    std::size_t missed = belowPlate_;
     for (std::size_t v = 0; v < graph.size(); ++v)
       missed += rank[v] <= 0 && ofPart(cellOf(graph, v));
     return missed;
@@ -87,6 +96,7 @@ private:
     curved::PeelOptions peeling;
     peeling.sheet = 0.6;
     peeling.reports = false;
+    peeling.head = head();
     return curved::peel(graph, {}, peeling, ctx_).rank;
   }
 
@@ -158,7 +168,7 @@ private:
         return;
       graph = graphOf(out_.solid.solid);
       rank = quickRanks(graph);
-      if (missedOf(graph, rank) == 0) {
+      if (missedOf(graph, rank) == belowPlate_) {
         stranded_.clear();
         return;
       }
@@ -303,6 +313,7 @@ private:
   const SupportOptions& options_;
   const base::RunContext& ctx_;
   const bool peels_;
+  std::size_t belowPlate_ = 0; // voxels of the part
   std::vector<Cell> cells_;
   std::vector<std::size_t> carried_; // per column
   std::vector<Group> stranded_;
@@ -310,6 +321,15 @@ private:
 };
 
 } // namespace
+
+base::ParameterTable supportParameters() {
+  return base::ParameterTable({
+      base::choiceParameter("supports", "none", {"none", "auto"}, "Layers", "Supports",
+                            "What carries voxels that growth would miss: nothing, or columns as "
+                            "thin as a voxel, to be broken off afterwards.",
+                            true),
+  });
+}
 
 Supports supportsFor(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,
                      const SupportOptions& options, const base::RunContext& ctx) {

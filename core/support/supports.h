@@ -2,9 +2,11 @@
 // (dissertation 3.4, fig. 3.17c).
 #pragma once
 
+#include "base/parameters.h"
 #include "base/run_context.h"
 #include "curved/grow.h"
 #include "plan/finding.h"
+#include "process/process.h"
 #include "support/columns.h"
 #include "voxel/solid_voxels.h"
 
@@ -15,11 +17,15 @@
 
 namespace voluta::support {
 
+// supports (none, auto).
+base::ParameterTable supportParameters();
+
 struct SupportOptions {
   std::string growth = "auto"; // of curved::growthSchemes()
   curved::ForwardOptions forward;
-  int rounds = 10; // of growth and new columns, at most
-  int trials = 12; // columns left out by way of trial, at most
+  process::HeadShape head; // as CurvedOptions::head; empty: a flat front
+  int rounds = 10;         // of growth and new columns, at most
+  int trials = 12;         // columns left out by way of trial, at most
 };
 
 struct Supports {
@@ -28,6 +34,7 @@ struct Supports {
   std::vector<Column> columns;                   // disjoint; together the support
   std::size_t voxels = 0;                        // of support
   std::size_t missedBefore = 0, missedAfter = 0; // voxels of the part
+  std::size_t unreachedBefore = 0;               // of them: no way through the part
   plan::Findings findings; // what is carried (not blocking); what no column reaches (blocking)
   int growths = 0;         // how often something was grown
   double seconds = 0.0;
