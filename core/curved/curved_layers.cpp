@@ -8,6 +8,7 @@
 #include "geometry/measures.h"
 #include "layers/absorb.h"
 #include "layers/clean_surface.h"
+#include "layers/islands.h"
 #include "layers/order.h"
 #include "layers/part_boundary.h"
 #include "layers/patches.h"
@@ -27,6 +28,8 @@ constexpr double kShortRaw = 0.3, kShortTrimmed = 0.2;
 // A foot this much further than the two half thicknesses still lies on what is below.
 constexpr double kSupportReach = 1.25;
 constexpr double kSupportedShare = 0.02;
+// A patch in the air that is no wider than so many beads is not laid where it can't be merged.
+constexpr double kBeadsToDrop = 4.0;
 // A place is laid in other than whole levels where it has the volume of a patch so many beads wide.
 constexpr double kBeadsToChange = 2.0;
 
@@ -128,8 +131,7 @@ void tellDropped(LayersResult& result, const std::vector<layers::DroppedPiece>& 
   result.findings.push_back(std::move(f));
 }
 
-void tellUnsupported(LayersResult& result, const base::RunContext& ctx) {
-  const auto support = layers::checkSupport(result.stack, kSupportReach, ctx);
+void tellUnsupported(LayersResult& result, const std::vector<layers::SupportCheck>& support) {
   const layers::SupportCheck* first = nullptr;
   double area = 0.0, loose = 0.0, whole = 0.0;
   for (std::size_t p = 0; p < support.size(); ++p) {
@@ -210,21 +212,28 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
       result.stack.patches.push_back(std::move(p));
     }
   }
-  const layers::Absorbed absorbed =
-      layers::absorbCrumbs(result.stack.patches, crumbs, {o.heightMaxMm, o.beadWidthMm});
-  result.mergedPieces = absorbed.merged;
-  result.mergedVolumeMm3 = absorbed.mergedVolumeMm3;
+  const layers::AbsorbOptions absorb{o.heightMaxMm, o.beadWidthMm};
+  layers::Absorbed absorbed = layers::absorbCrumbs(result.stack.patches, crumbs, absorb);
   for (SupportPatch& support : supports) {
     support.patch.layer = static_cast<int>(
         std::floor(support.levelMm / partial.widthMm(PartialLevels::kFinest) + 1e-6));
     result.stack.patches.push_back(std::move(support.patch));
   }
   layers::orderForPrinting(result.stack);
+  layers::IslandOptions islands;
+  islands.supportReach = kSupportReach;
+  islands.supportedShare = kSupportedShare;
+  islands.dropMm2 = std::pow(kBeadsToDrop * o.beadWidthMm, 2);
+  layers::IslandsTaken found = layers::absorbIslands(result.stack, islands, absorb, ctx);
+  layers::Absorbed& taken = found.absorbed;
+  std::move(taken.dropped.begin(), taken.dropped.end(), std::back_inserter(absorbed.dropped));
+  result.mergedPieces = absorbed.merged + taken.merged;
+  result.mergedVolumeMm3 = absorbed.mergedVolumeMm3 + taken.mergedVolumeMm3;
   ctx.report(0.9, "checking layers");
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   result.volumeMm3 = result.statistics.volumeMm3();
   tellDropped(result, absorbed.dropped);
-  tellUnsupported(result, ctx);
+  tellUnsupported(result, found.support);
   result.seconds.trim = trimClock.seconds();
   return result;
 }

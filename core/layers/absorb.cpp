@@ -91,9 +91,10 @@ Absorbed absorbCrumbs(std::vector<Patch>& patches, const std::vector<Patch>& cru
     box.max().array() += reach + around;
     const geometry::MeshQuery query(piece.surface);
     std::vector<Taker> takers;
-    double area = 0.0;
+    double area = 0.0, roomFor = 0.0;
     for (std::size_t p = 0; p < patches.size(); ++p) {
-      if (!boxes[p].intersects(box) || patches[p].layer == piece.layer)
+      if (!boxes[p].intersects(box) || patches[p].layer == piece.layer ||
+          patches[p].group == kSupportGroup)
         continue;
       const Patch& patch = patches[p];
       const Host& host = hosts.try_emplace(p, hostOf(patch)).first->second;
@@ -111,7 +112,12 @@ Absorbed absorbCrumbs(std::vector<Patch>& patches, const std::vector<Patch>& cru
           continue;
         takers.push_back({p, static_cast<int>(v), side, room, host.area[v]});
         area += host.area[v];
+        roomFor += host.area[v] * room;
       }
+    }
+    if (roomFor < options.leastShare * crumb.volume) {
+      ++result.refused;
+      continue;
     }
     // Rising evenly until the crumb is used up; those that are full drop out.
     double left = crumb.volume;

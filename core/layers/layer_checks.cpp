@@ -18,6 +18,7 @@ std::size_t at(int i) {
 
 constexpr std::size_t kMostSamples = 400; // a patch
 constexpr double kRounding = 1e-9;        // mm
+constexpr double kDownwards = 0.5;
 
 // All patches as one mesh.
 struct Floor {
@@ -69,20 +70,24 @@ SupportCheck supportOf(std::size_t p, const Patch& patch, const Floor& floor,
       continue;
     }
     const Eigen::Vector3d down = -patch.direction[at(tri[0])];
-    const auto lies = [&](int triangle, double distance) {
-      return triangle >= 0 && floor.patchOf[at(triangle)] < static_cast<int>(p) &&
-             distance <= reachShare * (half + floor.halfThickness[at(triangle)]);
+    // What ends beside it carries nothing: half the way at least has to lead downwards.
+    const auto lies = [&](int triangle, const Eigen::Vector3d& place) {
+      if (triangle < 0 || floor.patchOf[at(triangle)] >= static_cast<int>(p))
+        return false;
+      const double halves = half + floor.halfThickness[at(triangle)];
+      return (place - centre).norm() <= reachShare * halves &&
+             (place - centre).dot(down) >= kDownwards * halves;
     };
     // What is under it is nearest to a point a thickness down; else anything straight below.
     int lower = -1;
     const auto found = query.closest(centre + 2.0 * half * down, 2.0 * half * reachShare);
-    if (found.triangle >= 0 && lies(found.triangle, (found.point - centre).norm())) {
+    if (found.triangle >= 0 && lies(found.triangle, found.point)) {
       lower = found.triangle;
     } else {
       const double reach = reachShare * (half + floor.most);
       query.hits(centre + 0.1 * half * down, centre + reach * down, hits);
       for (const auto& hit : hits)
-        if (lies(hit.triangle, 0.1 * half + hit.t * (reach - 0.1 * half))) {
+        if (lies(hit.triangle, centre + (0.1 * half + hit.t * (reach - 0.1 * half)) * down)) {
           lower = hit.triangle;
           break;
         }
@@ -187,13 +192,16 @@ std::vector<BoundaryCheck> checkBoundaries(const LayerStack& stack, const geomet
 }
 
 std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShare,
-                                       const base::RunContext& ctx) {
-  std::vector<SupportCheck> checks(stack.patches.size());
+                                       const base::RunContext& ctx,
+                                       const std::vector<std::size_t>& which) {
+  std::vector<SupportCheck> checks(which.empty() ? stack.patches.size() : which.size());
   const Floor floor = floorOf(stack);
   const geometry::MeshQuery query(floor.mesh);
   base::parallelChunks(ctx, checks.size(), 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p)
-      checks[p] = supportOf(p, stack.patches[p], floor, query, reachShare);
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::size_t p = which.empty() ? n : which[n];
+      checks[n] = supportOf(p, stack.patches[p], floor, query, reachShare);
+    }
   });
   return checks;
 }

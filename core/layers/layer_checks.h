@@ -37,13 +37,16 @@ std::vector<BoundaryCheck> checkBoundaries(const LayerStack& stack, const geomet
                                            double toleranceMm, const base::RunContext& ctx);
 
 // What is under a patch: the plate z = 0, or an earlier patch. At sampled triangles the foot (half
-// a thickness against direction) is within reachShare of the two half thicknesses.
+// a thickness against direction) is within reachShare of the two half thicknesses, and half of them
+// lower at least.
 struct SupportCheck {
   double supportedFraction = 1.0; // of the area
   int lower = -1;                 // index of a patch under it (the one met most often), -1: plate
   Eigen::Vector3d unsupportedAt = Eigen::Vector3d::Zero(); // a place without support, if any
 };
+// Of `which` patches (ascending); empty stands for all.
 std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShare,
-                                       const base::RunContext& ctx);
+                                       const base::RunContext& ctx,
+                                       const std::vector<std::size_t>& which = {});
 
 } // namespace voluta::layers

@@ -40,6 +40,10 @@ void orderForPrinting(LayerStack& stack) {
     std::rotate(centre.begin() + from, centre.begin() + to, centre.begin() + to + 1);
     here = centre[next];
   }
+  numberLayers(stack);
+}
+
+void numberLayers(LayerStack& stack) {
   stack.layerCount = 0;
   int given = 0;
   for (Patch& p : stack.patches) {

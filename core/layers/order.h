@@ -11,4 +11,7 @@ namespace voluta::layers {
 // anew from 0 without gaps; layerCount is set.
 void orderForPrinting(LayerStack& stack);
 
+// Layers from 0 without gaps where patches are in print order already; sets layerCount.
+void numberLayers(LayerStack& stack);
+
 } // namespace voluta::layers

@@ -4,6 +4,7 @@
 #include "curved/curved_layers.h"
 #include "geometry/measures.h"
 #include "layers/absorb.h"
+#include "layers/islands.h"
 #include "layers/layer_checks.h"
 #include "layers/level_surface.h"
 #include "layers/order.h"
@@ -227,6 +228,56 @@ TEST(AbsorbCrumbs, DropsWhatDoesNotFit) {
   EXPECT_GT(a.dropped[0].volumeMm3, 0.2);
   EXPECT_NEAR(a.dropped[1].volumeMm3, 0.64 * 0.5, 1e-9);
   EXPECT_NEAR(a.dropped[1].centre.z(), 9.0, 1e-9);
+}
+
+TEST(AbsorbIslands, HangsAPatchInTheAirOnTheOneOverIt) {
+  layers::LayerStack s;
+  for (int layer = 0; layer < 4; ++layer)
+    s.patches.push_back(patchOf(plate(4, 0.5, 0.3 + 0.6 * layer, 0.6), layer));
+  auto island = plate(3, 0.3, 0.3 + 0.6 * 3, 0.6); // 36 mm2, 4.5 mm beside the column
+  for (auto& v : island.surface.vertices)
+    v.x() += 11.5;
+  s.patches.push_back(patchOf(std::move(island), 3));
+  s.patches.push_back(patchOf(plate(15, 0.5, 0.3 + 0.6 * 4, 0.6), 4)); // lies on both
+  layers::orderForPrinting(s);
+  const double before = layers::layerStatistics(s).volumeMm3();
+  const auto taken = layers::absorbIslands(s, {}, {1.0, 1.2}, {});
+  EXPECT_EQ(s.patches.size(), 5u);
+  EXPECT_GT(taken.absorbed.mergedVolumeMm3, 0.7 * 36 * 0.6);
+  ASSERT_EQ(taken.support.size(), s.patches.size());
+  for (const auto& support : taken.support)
+    EXPECT_GT(support.supportedFraction, 0.02);
+  double dropped = 0.0;
+  for (const auto& piece : taken.absorbed.dropped)
+    dropped += piece.volumeMm3;
+  EXPECT_NEAR(layers::layerStatistics(s).volumeMm3() + dropped, before, 0.01 * before);
+  for (const auto& patch : s.patches)
+    for (double t : patch.thicknessMm)
+      EXPECT_LE(t, 1.0);
+}
+
+TEST(AbsorbIslands, LeavesLargeOnesThatFindNoRoomAndDropsSmallOnes) {
+  for (const double half : {6.0, 1.2}) {
+    layers::LayerStack s;
+    s.patches.push_back(patchOf(plate(8, 1.0, 0.3, 0.6), 0));
+    s.patches.push_back(patchOf(plate(half, 0.3, 5.0, 0.6), 1));
+    layers::orderForPrinting(s);
+    const auto taken = layers::absorbIslands(s, {}, {1.0, 1.2}, {});
+    EXPECT_EQ(s.patches.size(), half > 3.0 ? 2u : 1u);
+    EXPECT_EQ(taken.absorbed.dropped.size(), half > 3.0 ? 0u : 1u);
+    EXPECT_EQ(s.layerCount, static_cast<int>(s.patches.size()));
+    EXPECT_EQ(taken.support.back().supportedFraction<0.02, half> 3.0);
+  }
+}
+
+TEST(AbsorbIslands, LeaveSupportAlone) {
+  layers::LayerStack s;
+  s.patches.push_back(patchOf(plate(8, 1.0, 0.3, 0.6), 0));
+  s.patches.push_back(patchOf(plate(1.0, 0.3, 5.0, 0.6), 1));
+  s.patches.back().group = layers::kSupportGroup;
+  const auto taken = layers::absorbIslands(s, {}, {1.0, 1.2}, {});
+  EXPECT_EQ(s.patches.size(), 2u);
+  EXPECT_TRUE(taken.absorbed.dropped.empty());
 }
 
 TEST(OrderForPrinting, NumbersLayersWithoutGaps) {

@@ -1,0 +1,73 @@
+#include "layers/islands.h"
+
+#include "geometry/measures.h"
+#include "layers/order.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace voluta::layers {
+
+namespace {
+
+// An island over an island is found in the next round; deeper piles are no longer small.
+constexpr int kRounds = 6;
+// What lies on a patch is no further from it than this.
+constexpr double kNearMm = 3.0;
+
+} // namespace
+
+IslandsTaken absorbIslands(LayerStack& stack, const IslandOptions& options,
+                           const AbsorbOptions& absorb, const base::RunContext& ctx) {
+  IslandsTaken result;
+  result.support = checkSupport(stack, options.supportReach, ctx);
+  bool isChanged = false;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<Eigen::AlignedBox3d> gone;
+    for (std::size_t p = 0; p < stack.patches.size(); ++p) {
+      if (stack.patches[p].group == kSupportGroup ||
+          result.support[p].supportedFraction >= options.supportedShare)
+        continue;
+      ctx.checkpoint();
+      AbsorbOptions with = absorb;
+      if (geometry::area(stack.patches[p].surface) > options.dropMm2)
+        with.leastShare = std::max(absorb.leastShare, options.leastMerged);
+      // Patches of its own layer take nothing, so that it may stay in the stack meanwhile.
+      Absorbed one = absorbCrumbs(stack.patches, {stack.patches[p]}, with);
+      if (one.refused > 0)
+        continue;
+      gone.push_back(geometry::bounds(stack.patches[p].surface));
+      gone.back().min().array() -= kNearMm;
+      gone.back().max().array() += kNearMm;
+      stack.patches.erase(stack.patches.begin() + static_cast<std::ptrdiff_t>(p));
+      result.support.erase(result.support.begin() + static_cast<std::ptrdiff_t>(p));
+      --p;
+      result.absorbed.merged += one.merged;
+      result.absorbed.mergedVolumeMm3 += one.mergedVolumeMm3;
+      std::move(one.dropped.begin(), one.dropped.end(),
+                std::back_inserter(result.absorbed.dropped));
+    }
+    if (gone.empty())
+      break;
+    isChanged = true;
+    std::vector<std::size_t> which;
+    for (std::size_t p = 0; p < stack.patches.size(); ++p) {
+      const Eigen::AlignedBox3d box = geometry::bounds(stack.patches[p].surface);
+      if (std::any_of(gone.begin(), gone.end(),
+                      [&](const Eigen::AlignedBox3d& b) { return b.intersects(box); }))
+        which.push_back(p);
+    }
+    if (which.empty())
+      break;
+    const std::vector<SupportCheck> again = checkSupport(stack, options.supportReach, ctx, which);
+    for (std::size_t n = 0; n < which.size(); ++n)
+      result.support[which[n]] = again[n];
+  }
+  if (isChanged)
+    numberLayers(stack);
+  return result;
+}
+
+} // namespace voluta::layers
