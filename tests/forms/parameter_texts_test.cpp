@@ -24,6 +24,12 @@ TEST(ParameterTexts, EveryTextOfTheTablesIsListedForTranslation) {
     EXPECT_TRUE(needed.contains(text)) << "no table says this any more: " << text;
 }
 
+TEST(ParameterTexts, NamesOfChoicesAreShownAsWords) {
+  EXPECT_EQ(forms::parameterText("fewestMissed"), "Fewest missed");
+  EXPECT_EQ(forms::parameterText("zigzag"), "Zigzag");
+  EXPECT_EQ(forms::parameterText("Voxel width"), "Voxel width");
+}
+
 TEST(ParameterTexts, ToolTipNamesHelpRangeDefaultAndKey) {
   const auto spec =
       base::numberParameter("angle", "deg", 12.5, -30.0, 45.0, "G", "tilt", "Less than <steep>.");

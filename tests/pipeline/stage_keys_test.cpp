@@ -42,6 +42,8 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"output.refused", {"true", kStageCount}},
     {"voxelMm", {"0.9", 1}},
     {"frontShape", {"nozzle", 1}},
+    {"supports", {"auto", 1}},
+    {"orient", {"leastRisky", 0}},
     {"fieldRounds", {"5", 1}},
     {"growthIsp", {"2", kStageCount}}, // of the sources' schemes, see below
     {"growthQueue", {"insertion", kStageCount}},

@@ -37,6 +37,19 @@ constexpr auto kTexts = std::to_array<const char*>({
                       "as wide as needed, or, where that would lose voxels, the head as it is."),
     QT_TRANSLATE_NOOP("Parameters", "flat"),
     QT_TRANSLATE_NOOP("Parameters", "nozzle"),
+    QT_TRANSLATE_NOOP("Parameters", "Supports"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "What carries voxels that growth would miss: nothing, or columns as thin as "
+                      "a voxel, to be broken off afterwards."),
+    QT_TRANSLATE_NOOP("Parameters", "Placement"),
+    QT_TRANSLATE_NOOP("Parameters", "Turn the part"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Looks for a better way for the part to lie, from where it was put: with the "
+                      "least overhanging area, or with the fewest voxels missed by growth."),
+    QT_TRANSLATE_NOOP("Parameters", "none"),
+    QT_TRANSLATE_NOOP("Parameters", "auto"),
+    QT_TRANSLATE_NOOP("Parameters", "leastRisky"),
+    QT_TRANSLATE_NOOP("Parameters", "fewestMissed"),
     QT_TRANSLATE_NOOP("Parameters", "Field rounds"),
     QT_TRANSLATE_NOOP("Parameters", "How often growth and smooth field are fitted to each other at "
                                     "most. 0: layers from the ranks."),
@@ -85,12 +98,25 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters", "How many turns of the part about the nozzle's axis are tried "
                                     "at each place."),
 });
+
+// Names of choices are written as one word: "fewestMissed" is shown as "fewest missed".
+QString apart(const QString& name) {
+  if (name.contains(' ') || !name.front().isLower())
+    return name;
+  QString shown;
+  for (const QChar c : name)
+    shown += c.isUpper() ? QStringLiteral(" ") + c.toLower() : QString(c);
+  return shown;
+}
 } // namespace
 
 QString parameterText(const std::string& text) {
   if (text.empty())
     return {};
+  const QString source = QString::fromStdString(text);
   QString shown = QCoreApplication::translate("Parameters", text.c_str());
+  if (shown == source)
+    shown = apart(source);
   shown[0] = shown[0].toUpper();
   return shown;
 }
