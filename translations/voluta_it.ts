@@ -8,18 +8,6 @@
         <translation>Strati curvi</translation>
     </message>
     <message>
-        <source>auto</source>
-        <translation>automatica</translation>
-    </message>
-    <message>
-        <source>reverse</source>
-        <translation>inversa</translation>
-    </message>
-    <message>
-        <source>greedy</source>
-        <translation>golosa</translation>
-    </message>
-    <message>
         <source>Extended G-code (nozzle direction as nX nY nZ)</source>
         <translation>G-code esteso (direzione dell&apos;ugello come nX nY nZ)</translation>
     </message>
@@ -42,6 +30,94 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatica</translation>
+    </message>
+    <message>
+        <source>Peels the part and keeps the best of several passes</source>
+        <translation>Sbuccia il pezzo e tiene il migliore di più passaggi</translation>
+    </message>
+    <message>
+        <source>Peeling, turned round</source>
+        <translation>Sbucciatura a rovescio</translation>
+    </message>
+    <message>
+        <source>Takes voxels off from outside while the rest keeps its support; printed in the opposite order</source>
+        <translation>Toglie voxel dall&apos;esterno finché il resto mantiene il suo appoggio; si stampa nell&apos;ordine opposto</translation>
+    </message>
+    <message>
+        <source>Guided by peeling</source>
+        <translation>Guidata dalla sbucciatura</translation>
+    </message>
+    <message>
+        <source>Grows from the platform, held back by the peeling field</source>
+        <translation>Cresce dalla piattaforma, trattenuta dal campo di sbucciatura</translation>
+    </message>
+    <message>
+        <source>Halved layers</source>
+        <translation>A strati dimezzati</translation>
+    </message>
+    <message>
+        <source>Grows from the platform; a layer that would cut voxels off is halved until it does not</source>
+        <translation>Cresce dalla piattaforma; uno strato che isolerebbe dei voxel viene dimezzato finché non lo fa più</translation>
+    </message>
+    <message>
+        <source>Voxel by voxel</source>
+        <translation>Voxel per voxel</translation>
+    </message>
+    <message>
+        <source>Grows from the platform; a layer takes each voxel that cuts off no other</source>
+        <translation>Cresce dalla piattaforma; uno strato prende ogni voxel che non ne isola altri</translation>
+    </message>
+    <message>
+        <source>Greedy</source>
+        <translation>Golosa</translation>
+    </message>
+    <message>
+        <source>Grows from the platform by whole layers, whatever they cut off</source>
+        <translation>Cresce dalla piattaforma a strati interi, qualunque cosa isolino</translation>
+    </message>
+    <message>
+        <source>Drop to plate</source>
+        <translation>Appoggia sul piano</translation>
+    </message>
+    <message>
+        <source>Lowest point on the plate</source>
+        <translation>Punto più basso sul piano</translation>
+    </message>
+    <message>
+        <source>Shrink platform</source>
+        <translation>Riduci la piattaforma</translation>
+    </message>
+    <message>
+        <source>To the area that the part stands on: the front spans less</source>
+        <translation>All&apos;area su cui poggia il pezzo: il fronte abbraccia meno</translation>
+    </message>
+    <message>
+        <source>Add supports</source>
+        <translation>Aggiungi supporti</translation>
+    </message>
+    <message>
+        <source>Thin columns that break off, as few as can be</source>
+        <translation>Colonne sottili che si staccano, il meno possibile</translation>
+    </message>
+    <message>
+        <source>Turn the part</source>
+        <translation>Gira il pezzo</translation>
+    </message>
+    <message>
+        <source>Searches the way to lie in which fewest voxels are missed</source>
+        <translation>Cerca la giacitura in cui mancano meno voxel</translation>
+    </message>
+    <message>
+        <source>Use voxel width %1 mm</source>
+        <translation>Usa voxel larghi %1 mm</translation>
+    </message>
+    <message>
+        <source>Narrow enough for this wall; narrower voxels take longer</source>
+        <translation>Abbastanza stretti per questa parete; voxel più stretti richiedono più tempo</translation>
     </message>
 </context>
 <context>
@@ -130,10 +206,6 @@
         <translation>cicli del campo</translation>
     </message>
     <message>
-        <source>How often growth and smooth field are fitted to each other.</source>
-        <translation>Quante volte crescita e campo liscio vengono adattati l&apos;una all&apos;altro.</translation>
-    </message>
-    <message>
         <source>walls</source>
         <translation>pareti</translation>
     </message>
@@ -217,6 +289,118 @@
         <source>Key: %1</source>
         <translation>Chiave: %1</translation>
     </message>
+    <message>
+        <source>How often growth and smooth field are fitted to each other at most. 0: layers from the ranks.</source>
+        <translation>Quante volte al massimo crescita e campo liscio vengono adattati l&apos;una all&apos;altro. 0: strati dai ranghi.</translation>
+    </message>
+    <message>
+        <source>Shadowed per layer</source>
+        <translation>isolati per strato</translation>
+    </message>
+    <message>
+        <source>Growth incremental, adaptive, guided: a layer takes voxels as long as it cuts off fewer than this many others. 1: none. 0: fewer than the whole layer would.</source>
+        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: uno strato prende voxel finché ne isola meno di questi. 1: nessuno. 0: meno di quanti ne isolerebbe lo strato intero.</translation>
+    </message>
+    <message>
+        <source>Order of trying</source>
+        <translation>ordine dei tentativi</translation>
+    </message>
+    <message>
+        <source>flooding</source>
+        <translation>a espansione</translation>
+    </message>
+    <message>
+        <source>insertion</source>
+        <translation>di inserimento</translation>
+    </message>
+    <message>
+        <source>Growth incremental: a layer&apos;s voxels are tried outwards from the first one (flooding) or in the order they were found (insertion).</source>
+        <translation>Crescita voxel per voxel: i voxel di uno strato si provano dal primo verso l&apos;esterno (a espansione) o nell&apos;ordine in cui sono stati trovati (di inserimento).</translation>
+    </message>
+    <message>
+        <source>Voxels on the front</source>
+        <translation>voxel sul fronte</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>fuori</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>dentro</translation>
+    </message>
+    <message>
+        <source>The sources&apos; schemes: whether a voxel that lies exactly on the convex front can still be laid (outside) or is cut off by it (inside).</source>
+        <translation>Schemi delle fonti: se un voxel che giace esattamente sul fronte convesso si può ancora deporre (fuori) o ne resta isolato (dentro).</translation>
+    </message>
+    <message>
+        <source>Where nothing is safe</source>
+        <translation>dove nulla è sicuro</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>strato</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>il meno possibile</translation>
+    </message>
+    <message>
+        <source>Growth incremental, adaptive, guided: where every voxel of a layer would cut others off, lay all of it as the source does (layer) or only what cuts off fewest (least).</source>
+        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: dove ogni voxel di uno strato ne isolerebbe altri, deporlo tutto come fa la fonte (strato) o solo ciò che ne isola di meno (il meno possibile).</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished">Fronte</translation>
+    </message>
+    <message>
+        <source>Shape of the head that must clear all that is printed earlier: a flat one as wide as needed, or, where that would lose voxels, the head as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nozzle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Supports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What carries voxels that growth would miss: nothing, or columns as thin as a voxel, to be broken off afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the part</source>
+        <translation type="unfinished">Gira il pezzo</translation>
+    </message>
+    <message>
+        <source>Looks for a better way for the part to lie, from where it was put: with the least overhanging area, or with the fewest voxels missed by growth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leastRisky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fewestMissed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
@@ -269,12 +453,56 @@
         <translation>Supporto</translation>
     </message>
     <message>
-        <source>Missed</source>
-        <translation>Mancati</translation>
-    </message>
-    <message>
         <source>Tilt of the nozzle</source>
         <translation>Inclinazione dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>Layer spacing</source>
+        <translation>Spaziatura degli strati</translation>
+    </message>
+    <message>
+        <source>Growth step</source>
+        <translation>Passo di crescita</translation>
+    </message>
+    <message>
+        <source>Peeling rank</source>
+        <translation>Rango di pelatura</translation>
+    </message>
+    <message>
+        <source>Step being laid</source>
+        <translation>Passo in deposizione</translation>
+    </message>
+    <message>
+        <source>Convex front</source>
+        <translation>Fronte convesso</translation>
+    </message>
+    <message>
+        <source>Missed, shadowed</source>
+        <translation>Mancati, in ombra</translation>
+    </message>
+    <message>
+        <source>Missed, unreached</source>
+        <translation>Mancati, non raggiunti</translation>
+    </message>
+    <message>
+        <source>Missed, cascade</source>
+        <translation>Mancati, a cascata</translation>
+    </message>
+    <message>
+        <source>Too thin to lay</source>
+        <translation>Troppo sottile da deporre</translation>
+    </message>
+    <message>
+        <source>Too thick to lay</source>
+        <translation>Troppo spesso da deporre</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>nominale</translation>
     </message>
 </context>
 <context>
@@ -1100,6 +1328,30 @@
         <source>Moves of the layer</source>
         <translation>Movimenti dello strato</translation>
     </message>
+    <message>
+        <source>growth step %1</source>
+        <translation>passo di crescita %1</translation>
+    </message>
+    <message>
+        <source>Ten steps back</source>
+        <translation>Dieci passi indietro</translation>
+    </message>
+    <message>
+        <source>Previous growth step</source>
+        <translation>Passo di crescita precedente</translation>
+    </message>
+    <message>
+        <source>Next growth step</source>
+        <translation>Passo di crescita successivo</translation>
+    </message>
+    <message>
+        <source>Ten steps on</source>
+        <translation>Dieci passi avanti</translation>
+    </message>
+    <message>
+        <source>Steps of growth</source>
+        <translation>Passi di crescita</translation>
+    </message>
 </context>
 <context>
     <name>voluta::viewer::ViewCube</name>
@@ -1769,6 +2021,34 @@
         <source>A project keeps the plan, not the programs. Press Plan to write them.</source>
         <translation>Un progetto conserva il piano, non i programmi. Premi Pianifica per scriverli.</translation>
     </message>
+    <message>
+        <source>&amp;Update voxels while editing</source>
+        <translation>&amp;Aggiorna i voxel mentre si modifica</translation>
+    </message>
+    <message>
+        <source>Once planned, voxels follow the settings; layers and paths wait for Plan</source>
+        <translation>Dopo un piano i voxel seguono le impostazioni; strati e percorsi attendono Pianifica</translation>
+    </message>
+    <message>
+        <source>The voxels follow the settings. Press Plan for layers and paths.</source>
+        <translation>I voxel seguono le impostazioni. Premi Pianifica per strati e percorsi.</translation>
+    </message>
+    <message>
+        <source>Preview: %1, %2 growth steps</source>
+        <translation>Anteprima: %1, %2 passi di crescita</translation>
+    </message>
+    <message>
+        <source>Preview: %1, layers are being improved</source>
+        <translation>Anteprima: %1, gli strati si affinano</translation>
+    </message>
+    <message>
+        <source>Preview: %1. Press Plan.</source>
+        <translation>Anteprima: %1. Premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>Growth is replayed: all layers</source>
+        <translation>Si rivede la crescita: tutti gli strati</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -1799,6 +2079,29 @@
     <message>
         <source>“%1” had this key and has none now.</source>
         <translation>“%1” aveva questi tasti e ora non ne ha.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::SpacingView</name>
+    <message>
+        <source>%1–%2 mm: %3 % of the area</source>
+        <translation>%1–%2 mm: %3 % dell&apos;area</translation>
+    </message>
+    <message>
+        <source>Layer spacing, share of area by thickness [mm]</source>
+        <translation>Spaziatura degli strati, quota d&apos;area per spessore [mm]</translation>
+    </message>
+    <message>
+        <source>Mean %1 mm. Within %2–%3 mm: %4 %.</source>
+        <translation>Media %1 mm. Entro %2–%3 mm: %4 %.</translation>
+    </message>
+    <message>
+        <source>Too thin: %1 %.</source>
+        <translation>Troppo sottile: %1 %.</translation>
+    </message>
+    <message>
+        <source>Too thick: %1 %.</source>
+        <translation>Troppo spesso: %1 %.</translation>
     </message>
 </context>
 <context>
@@ -1855,10 +2158,6 @@
         <translation>Il punto a cui è arrivato il piano</translation>
     </message>
     <message>
-        <source>Voxels by the layer they belong to</source>
-        <translation>Voxel secondo lo strato a cui appartengono</translation>
-    </message>
-    <message>
         <source>Layers as slabs of their thickness</source>
         <translation>Strati come lastre del loro spessore</translation>
     </message>
@@ -1893,6 +2192,26 @@
     <message>
         <source>Place of the section plane</source>
         <translation>Posizione del piano di sezione</translation>
+    </message>
+    <message>
+        <source>Solid voxels, and how they grow</source>
+        <translation>Voxel solidi, e come crescono</translation>
+    </message>
+    <message>
+        <source>Convex front</source>
+        <translation>Fronte convesso</translation>
+    </message>
+    <message>
+        <source>While growth is replayed: the hull that the next voxels must not lie in</source>
+        <translation>Mentre si rivede la crescita: l&apos;involucro in cui i prossimi voxel non devono trovarsi</translation>
+    </message>
+    <message>
+        <source>Later voxels faintly</source>
+        <translation>Voxel successivi in trasparenza</translation>
+    </message>
+    <message>
+        <source>While growth is replayed: what is still to be laid</source>
+        <translation>Mentre si rivede la crescita: ciò che resta da deporre</translation>
     </message>
 </context>
 <context>
