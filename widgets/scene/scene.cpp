@@ -34,7 +34,7 @@ constexpr double kLineBeadScale = 0.22; // beads as thin lines
 constexpr double kMarkerShare = 0.012;  // of the picture's height
 constexpr double kHaloOpacity = 0.35;
 constexpr double kGhostOpacity = 0.12; // of voxels that are still to come, or looked through
-constexpr double kFrontOpacity = 0.22;
+constexpr double kFrontOpacity = 0.28;
 
 // What the colours of a range actor were made for.
 struct ColourState {

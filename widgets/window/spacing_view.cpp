@@ -55,7 +55,7 @@ protected:
     const double wide = area.width() / static_cast<double>(spacing_.shares.size());
     const scene::HeightLimits& h = spacing_.heights;
     QColor rim = palette().windowText().color();
-    rim.setAlpha(90);
+    rim.setAlpha(140);
     for (std::size_t i = 0; i < spacing_.shares.size(); ++i) {
       if (spacing_.shares[i] <= 0.0)
         continue;
