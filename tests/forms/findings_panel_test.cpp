@@ -55,6 +55,35 @@ TEST(FindingsModel, DetailNamesStageCountPlaceAndTime) {
     EXPECT_TRUE(detail.contains(QString::fromUtf8(expected))) << qPrintable(detail);
 }
 
+TEST(FindingsPanel, RemediesAreButtonsOfTheChosenFinding) {
+  panels::FindingsPanel panel;
+  panel.setRemedies([](const plan::Finding& f) {
+    return f.reason == "missed" ? std::vector<panels::RemedyButton>{{"turn", "Turn it", "about"},
+                                                                    {"prop", "Prop it", ""}}
+                                : std::vector<panels::RemedyButton>{};
+  });
+  panel.resize(300, 500);
+  panel.show();
+  panel.setFindings(some());
+  auto* list = panel.findChild<QListView*>("list");
+  const auto button = [&](const char* name) { return panel.findChild<QPushButton*>(name); };
+  EXPECT_EQ(button("remedy_turn"), nullptr) << "nothing is chosen";
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, middleOf(list, 0));
+  ASSERT_NE(button("remedy_turn"), nullptr);
+  EXPECT_EQ(button("remedy_turn")->text(), "Turn it");
+  EXPECT_EQ(button("remedy_turn")->toolTip(), "about");
+  QSignalSpy chosen(&panel, &panels::FindingsPanel::remedyChosen);
+  // Findings that come in anew leave what is held down by the mouse.
+  QTest::mousePress(button("remedy_prop"), Qt::LeftButton);
+  panel.setFindings(some());
+  QTest::mouseRelease(button("remedy_prop"), Qt::LeftButton);
+  ASSERT_EQ(chosen.size(), 1);
+  EXPECT_EQ(chosen[0][0].value<plan::Finding>().reason, "missed");
+  EXPECT_EQ(chosen[0][1].toString(), "prop");
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, middleOf(list, 1));
+  EXPECT_EQ(button("remedy_turn"), nullptr);
+}
+
 TEST(FindingsPanel, ClickEnterAndButtonTellWhichFinding) {
   panels::FindingsPanel panel;
   panel.resize(300, 500);

@@ -192,23 +192,34 @@ void FindingsPanel::showCurrent() {
   showRemedies(finding);
 }
 
+// Buttons that say the same stay: one of them may be held down by the mouse.
 void FindingsPanel::showRemedies(const plan::Finding& finding) {
+  const std::vector<RemedyButton> wanted =
+      remedies_ ? remedies_(finding) : std::vector<RemedyButton>{};
+  if (wanted == shownRemedies_)
+    return;
+  shownRemedies_ = wanted;
   for (QPushButton* button : remedyButtons_) {
+    button->setObjectName({});
     button->hide();
     button->deleteLater(); // it may be the one that was clicked
   }
   remedyButtons_.clear();
-  if (!remedies_)
-    return;
-  for (const RemedyButton& remedy : remedies_(finding)) {
+  for (const RemedyButton& remedy : wanted) {
     auto* button = new QPushButton(remedy.label, details_);
     button->setObjectName(QStringLiteral("remedy_") + remedy.id);
     button->setToolTip(remedy.help);
-    connect(button, &QPushButton::clicked, this,
-            [this, finding, id = remedy.id] { emit remedyChosen(finding, id); });
+    connect(button, &QPushButton::clicked, this, [this, id = remedy.id] { chooseRemedy(id); });
     const int at = static_cast<int>(remedyButtons_.size());
     buttons_->addWidget(button, at / 2, at % 2);
     remedyButtons_.push_back(button);
+  }
+}
+
+void FindingsPanel::chooseRemedy(const QString& id) {
+  if (const QModelIndex current = list_->currentIndex(); current.isValid()) {
+    const plan::Finding finding = model_->finding(current.row());
+    emit remedyChosen(finding, id);
   }
 }
 

@@ -22,6 +22,7 @@ class FindingsModel;
 // A button beside a finding.
 struct RemedyButton {
   QString id, label, help;
+  bool operator==(const RemedyButton&) const = default;
 };
 using RemedySource = std::function<std::vector<RemedyButton>(const plan::Finding&)>;
 
@@ -53,6 +54,7 @@ private:
   void activateCurrent();
   void showCurrent();
   void showRemedies(const plan::Finding& finding);
+  void chooseRemedy(const QString& id);
   void showState();
   void retranslate();
 
@@ -69,6 +71,7 @@ private:
   QPushButton* show_ = nullptr;
   QGridLayout* buttons_ = nullptr;
   std::vector<QPushButton*> remedyButtons_;
+  std::vector<RemedyButton> shownRemedies_;
   RemedySource remedies_;
   bool planned_ = false;
 };

@@ -218,7 +218,8 @@ void Presenter::show(Stage stage) {
     drawPart(job.part);
     drawPlannedPlate();
   } else if (stage == Stage::Decompose) {
-    plateDrawn_ = {};
+    plateDrawn_ = {job.choices.platform,
+                   pipeline::parameterValues(job.choices).number("voxelMm"), job.part};
     drawPlate(job.platform);
     if (result->cell && drawn_[CellBodies] != result->cell) {
       drawn_[CellBodies] = result->cell;

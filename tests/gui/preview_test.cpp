@@ -1,0 +1,287 @@
+// Voxels that follow the edits, and the buttons beside findings.
+#include "gui/window_fixture.h"
+#include "panels/findings_panel.h"
+#include "pipeline/choices.h"
+#include "support/shapes.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QListView>
+#include <QPushButton>
+#include <QTest>
+#include <QUndoStack>
+#include <iostream>
+#include <numbers>
+
+namespace voluta::test {
+namespace {
+
+using document::StageState;
+using pipeline::Stage;
+using window::Page;
+
+class PreviewTest : public WindowTest {
+protected:
+  void planLayers(const QString& file) {
+    openPart(file);
+    clickMenu("runMenu", "planLayers");
+    ASSERT_TRUE(planned(Stage::Layers));
+  }
+  QString summary() { return find<QLabel>("summary")->text(); }
+  // The voxels of the present choices are there and drawn.
+  bool previewed() {
+    return waitFor([&] {
+      return document().upToDate(Stage::Decompose) && !window().livePreview().running() &&
+             !window().planning().running() && !window().presenter().busy();
+    });
+  }
+  void setPlatform(const char* platform) {
+    pipeline::Choices choices = document().choices();
+    choices.platform = platform;
+    document().setChoices(choices, "platform");
+  }
+  QPushButton* remedy(const char* id) {
+    return find<panels::FindingsPanel>("findings")
+        ->findChild<QPushButton*>(QString("remedy_") + id);
+  }
+  // Chooses the first finding of that kind by the mouse.
+  void clickFinding(const QString& words) {
+    auto* list = find<panels::FindingsPanel>("findings")->findChild<QListView*>();
+    for (int row = 0; row < list->model()->rowCount(); ++row) {
+      const QModelIndex index = list->model()->index(row, 0);
+      if (index.data().toString().contains(words)) {
+        list->scrollTo(index);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(index).center());
+        return;
+      }
+    }
+    ADD_FAILURE() << "no finding says " << words.toStdString();
+  }
+};
+
+geometry::TriangleMesh plinth() {
+  return box({0, 0, 0}, {9, 9, 5});
+}
+
+// A post, an arm, and a tip that hangs from the arm's end: a wide platform's front closes under it.
+geometry::TriangleMesh hook() {
+  geometry::TriangleMesh mesh;
+  const double x[] = {0, 6, 22, 28}, z[] = {0, 6, 20, 26};
+  // The outline in x and z, extruded along y.
+  const std::vector<std::pair<double, double>> outline{{x[0], z[0]}, {x[1], z[0]}, {x[1], z[2]},
+                                                       {x[2], z[2]}, {x[2], z[1]}, {x[3], z[1]},
+                                                       {x[3], z[3]}, {x[0], z[3]}};
+  const int n = static_cast<int>(outline.size());
+  for (const double y : {0.0, 6.0})
+    for (const auto& [px, pz] : outline)
+      mesh.vertices.emplace_back(px, y, pz);
+  for (int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    mesh.triangles.push_back({i, next, n + next});
+    mesh.triangles.push_back({i, n + next, n + i});
+  }
+  // Convex pieces of the outline: post, arm, tip.
+  const int caps[][3] = {{0, 1, 2}, {0, 2, 7}, {2, 3, 7}, {3, 6, 7}, {3, 4, 6}, {4, 5, 6}};
+  for (const auto& c : caps) {
+    mesh.triangles.push_back({c[0], c[2], c[1]});
+    mesh.triangles.push_back({n + c[0], n + c[1], n + c[2]});
+  }
+  for (auto& t : mesh.triangles)
+    std::swap(t[1], t[2]);
+  return mesh;
+}
+
+TEST_F(PreviewTest, TheGrowthListInWordsStartsAPreviewOnThePageOfTheEdit) {
+  planLayers(writePart("plinth.stl", plinth()));
+  choosePage(Page::Prepare);
+  EXPECT_FALSE(window().viewport().view().voxels);
+  auto* growth = find<QComboBox>("growth");
+  EXPECT_EQ(growth->count(), 6);
+  EXPECT_NE(growth->currentText(), "auto") << "plain words";
+  const QImage before = picture();
+  growth->setFocus();
+  QTest::keyClick(growth, Qt::Key_End); // greedy
+  ASSERT_EQ(document().choices().growth, "greedy");
+  EXPECT_EQ(document().state(Stage::Decompose), StageState::OutOfDate);
+  ASSERT_TRUE(previewed());
+  EXPECT_EQ(document().state(Stage::Layers), StageState::OutOfDate);
+  EXPECT_TRUE(window().viewport().view().voxels);
+  EXPECT_TRUE(summary().contains("Preview")) << summary().toStdString();
+  EXPECT_GT(differingShare(before, picture()), 0.02);
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return !document().voxelsAhead() && !window().presenter().busy(); }));
+  EXPECT_FALSE(window().viewport().view().voxels);
+  EXPECT_FALSE(summary().contains("Preview"));
+}
+
+TEST_F(PreviewTest, PlanTakesThePreviewOn) {
+  planLayers(writePart("plinth.stl", plinth()));
+  setPlatform("disc:40");
+  ASSERT_TRUE(previewed());
+  EXPECT_TRUE(window().viewport().view().voxels) << "newer than the layers";
+  const auto previewed = document().result(Stage::Decompose)->job.decomposition;
+  clickMenu("runMenu", "planLayers");
+  ASSERT_TRUE(planned(Stage::Layers));
+  EXPECT_EQ(document().result(Stage::Decompose)->job.decomposition, previewed);
+  EXPECT_FALSE(window().viewport().view().voxels);
+  EXPECT_TRUE(window().viewport().view().layers);
+  EXPECT_FALSE(summary().contains("Preview"));
+}
+
+TEST_F(PreviewTest, ThePartIsInSightWhileItIsHandled) {
+  planLayers(writePart("plinth.stl", plinth()));
+  choosePage(Page::Prepare);
+  setPlatform("disc:40");
+  ASSERT_TRUE(previewed());
+  EXPECT_TRUE(window().viewport().view().voxels);
+  clickToolBar("toolMove");
+  EXPECT_TRUE(window().viewport().view().part);
+  EXPECT_FALSE(window().viewport().view().voxels);
+  clickToolBar("toolMove");
+  EXPECT_TRUE(window().viewport().view().voxels);
+  // Moved voxels would stand where the part is not.
+  QTest::keyClick(&window(), Qt::Key_C);
+  geometry::Placement moved = document().choices().placement;
+  moved.centreMm.x() += 12.0;
+  document().place(moved, "move");
+  EXPECT_FALSE(window().viewport().view().voxels);
+  ASSERT_TRUE(previewed());
+  EXPECT_TRUE(window().viewport().view().voxels);
+}
+
+TEST_F(PreviewTest, CanBeTurnedOffAndTheWindowRemembers) {
+  planLayers(writePart("plinth.stl", plinth()));
+  EXPECT_TRUE(find<QAction>("livePreview")->isChecked());
+  clickMenu("runMenu", "livePreview");
+  EXPECT_FALSE(window().livePreview().enabled());
+  setPlatform("disc:40");
+  EXPECT_FALSE(waitFor([&] { return window().livePreview().running(); }, 700));
+  EXPECT_EQ(document().state(Stage::Decompose), StageState::OutOfDate);
+  window_ = std::make_unique<window::MainWindow>(window::Appearance::Light);
+  EXPECT_FALSE(window().livePreview().enabled());
+}
+
+TEST_F(PreviewTest, AButtonCuresAFindingAndUndoTakesItBack) {
+  pipeline::Choices wide = document().choices();
+  wide.platform = "disc:150";
+  document().setChoices(wide, "platform");
+  planLayers(writePart("hook.stl", hook()));
+  const auto missed = [&] {
+    return document().result(Stage::Decompose)->job.report.decomposition.missedVoxels;
+  };
+  const std::size_t before = missed();
+  ASSERT_GT(before, 0U);
+  clickFinding("shadowed");
+  QPushButton* shrink = remedy("shrinkPlatform");
+  ASSERT_NE(shrink, nullptr);
+  ASSERT_TRUE(shrink->isVisible());
+  EXPECT_EQ(shrink->text(), "Shrink platform");
+  QTest::mouseClick(shrink, Qt::LeftButton);
+  EXPECT_EQ(document().choices().platform, "fit:0");
+  ASSERT_TRUE(previewed());
+  EXPECT_LT(missed(), before);
+  EXPECT_EQ(document().undoStack()->undoText(), "Shrink platform");
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().choices().platform, "disc:150");
+  ASSERT_TRUE(previewed());
+  EXPECT_EQ(missed(), before);
+}
+
+TEST_F(PreviewTest, APartInTheAirIsDroppedByTheButtonBesideWhatStoppedTheRun) {
+  planLayers(writePart("plinth.stl", plinth()));
+  geometry::Placement lifted = document().choices().placement;
+  lifted.liftMm = 5.0;
+  document().place(lifted, "lift");
+  ASSERT_TRUE(waitFor([&] { return document().failure() != nullptr; }));
+  clickFinding("does not touch");
+  ASSERT_NE(remedy("dropToPlate"), nullptr);
+  QTest::mouseClick(remedy("dropToPlate"), Qt::LeftButton);
+  EXPECT_EQ(document().choices().placement.liftMm, 0.0);
+  ASSERT_TRUE(previewed());
+  EXPECT_EQ(document().failure(), nullptr);
+  EXPECT_EQ(document().state(Stage::Layers), StageState::Done) << "as it was before the lift";
+}
+
+TEST_F(PreviewTest, AThinWallOffersTheWidthThatHoldsIt) {
+  geometry::TriangleMesh part = plinth();
+  append(part, box({14, 0, 0}, {14.5, 9, 6}));
+  planLayers(writePart("fin.stl", part));
+  clickFinding("thinner than");
+  ASSERT_NE(remedy("narrowVoxels"), nullptr);
+  EXPECT_EQ(remedy("narrowVoxels")->text(), "Use voxel width 0.5 mm");
+  QTest::mouseClick(remedy("narrowVoxels"), Qt::LeftButton);
+  ASSERT_TRUE(previewed());
+  for (const auto& finding : document().presentResult()->job.report.findings)
+    EXPECT_NE(finding.kind, "thinWalls");
+}
+
+// From an edit to the picture, for a part of one's own: VOLUTA_GUI_PART names a mesh,
+// VOLUTA_GUI_VOXEL_MM the width. No limit is tested: it is looked at on a quiet machine.
+TEST_F(PreviewTest, TimesFromTheEditToThePicture) {
+  const QString part = qEnvironmentVariable("VOLUTA_GUI_PART");
+  if (part.isEmpty())
+    GTEST_SKIP() << "VOLUTA_GUI_PART names no mesh";
+  window().resize(1280, 800);
+  document().setParameter("voxelMm", qEnvironmentVariable("VOLUTA_GUI_VOXEL_MM", "1"));
+  openPart(part);
+  clickMenu("runMenu", "planLayers");
+  ASSERT_TRUE(waitFor([&] { return document().upToDate(Stage::Layers); }, 600000));
+  ASSERT_TRUE(planned(Stage::Layers));
+  choosePage(Page::Prepare);
+  picture();
+  const auto measure = [&](const std::string& what, const std::function<void()>& edit) {
+    QElapsedTimer clock;
+    qint64 edited = 0, ranks = -1, drawn = -1, shown = -1;
+    int previews = 0;
+    QObject context;
+    QObject::connect(&document(), &document::Document::previewChanged, &context, [&] {
+      previews += document().preview().has_value();
+      if (ranks < 0 && document().preview())
+        ranks = clock.elapsed();
+    });
+    QObject::connect(&window().presenter(), &window::Presenter::voxelsDrawn, &context, [&] {
+      if (ranks >= 0 && drawn < 0)
+        drawn = clock.elapsed();
+    });
+    QObject::connect(&window().viewport(), &viewer::VtkView::framePainted, &context, [&] {
+      if (drawn >= 0 && shown < 0)
+        shown = clock.elapsed();
+    });
+    application().resetWatch();
+    clock.start();
+    edit();
+    edited = clock.elapsed();
+    ASSERT_TRUE(waitFor([&] { return shown >= 0; }, 120000)) << what;
+    const double stretch = application().longestMs();
+    const std::string stretchWhat = application().longestWhat().toStdString();
+    ASSERT_TRUE(waitFor([&] { return document().upToDate(Stage::Decompose); }, 600000));
+    std::cout << what << ": edit " << edited << " ms, ranks known " << ranks << " ms, drawn "
+              << drawn << " ms, on the screen " << shown << " ms, the field done "
+              << clock.elapsed() << " ms after " << previews << " previews; longest stretch "
+              << stretch << " ms (" << stretchWhat << "), later " << application().longestMs()
+              << " ms\n";
+  };
+  auto* growth = find<QComboBox>("growth");
+  growth->setFocus();
+  measure("growth reverse", [&] { QTest::keyClick(growth, Qt::Key_Down); });
+  measure("growth guided", [&] { QTest::keyClick(growth, Qt::Key_Down); });
+  measure("growth greedy", [&] { QTest::keyClick(growth, Qt::Key_End); });
+  measure("growth automatic", [&] { QTest::keyClick(growth, Qt::Key_Home); });
+  measure("platform disc:120", [&] { setPlatform("disc:120"); });
+  measure("platform disc:121", [&] { setPlatform("disc:121"); });
+  measure("voxel width 2 % more", [&] {
+    const double width = pipeline::parameterValues(document().choices()).number("voxelMm");
+    document().setParameter("voxelMm", QString::number(1.02 * width));
+  });
+  measure("turned by 90 degrees", [&] {
+    geometry::Placement turned = document().choices().placement;
+    turned.rotation =
+        Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ()) * turned.rotation;
+    document().place(turned, "turn");
+  });
+}
+
+} // namespace
+} // namespace voluta::test
