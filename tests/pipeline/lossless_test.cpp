@@ -1,0 +1,134 @@
+// supports and orient on the road: a part that growth alone cannot lay whole.
+#include "pipeline/road.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+#include "pipeline/job.h"
+#include "voxel/voxel_object.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+
+namespace {
+
+// Two posts, a beam, and a tooth that hangs down between the posts, inside the front of whatever is
+// laid before it.
+std::shared_ptr<const LoadedPart> toothPart(bool asCells) {
+  voxel::VoxelObject object;
+  object.size = {24, 6, 19};
+  for (int k = 0; k < 19; ++k)
+    for (int j = 0; j < 6; ++j)
+      for (int i = 0; i < 24; ++i)
+        object.solid.push_back(i < 4 || i >= 20 || k >= 16 ||
+                               ((i == 11 || i == 12) && (j == 2 || j == 3) && k >= 8));
+  for (int j = 0; j < 6; ++j)
+    for (int i = 0; i < 24; ++i)
+      if (i < 4 || i >= 20)
+        object.platform.push_back({i, j});
+  if (asCells)
+    return loadedFrom("tooth.txt", std::make_shared<voxel::VoxelObject>(object), true, {});
+  return loadedFrom("tooth.stl", std::make_shared<geometry::TriangleMesh>(voxel::surfaceOf(object)),
+                    {}, true, {});
+}
+
+PlanResult planned(const std::map<std::string, std::string>& parameters, Stage until,
+                   bool asCells = false) {
+  PlanRequest request;
+  request.loaded = toothPart(asCells);
+  request.until = until;
+  request.choices.parameters = parameters;
+  request.choices.parameters["voxelMm"] = "1";
+  return planPart(request, base::RunContext(base::CancelToken{}, 2));
+}
+
+std::size_t countOf(const Report& report, const std::string& kind) {
+  return static_cast<std::size_t>(std::count_if(report.findings.begin(), report.findings.end(),
+                                                [&](const auto& f) { return f.kind == kind; }));
+}
+
+TEST(Lossless, WithoutSupportsTheToothIsMissed) {
+  const PlanResult plan = planned({}, Stage::Decompose);
+  const DecompositionReport& r = plan.job.report.decomposition;
+  EXPECT_GT(r.missedVoxels, 0u);
+  EXPECT_EQ(r.missedAfterSupports, r.missedVoxels);
+  EXPECT_EQ(r.supportVolumeMm3, 0.0);
+  EXPECT_FALSE(nothingBlocks(plan.job.report));
+  EXPECT_TRUE(plan.job.decomposition->support.empty());
+}
+
+TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
+  const PlanResult plan = planned({{"supports", "auto"}}, Stage::Toolpath);
+  const Report& report = plan.job.report;
+  const DecompositionReport& r = report.decomposition;
+  EXPECT_GT(r.missedVoxels, 0u); // before
+  EXPECT_EQ(r.missedVoxels, r.shadowedVoxels + r.unreachedVoxels);
+  EXPECT_EQ(r.missedAfterSupports, 0u);
+  EXPECT_NEAR(r.supportVolumeMm3, 8.0, 1e-9);
+  EXPECT_TRUE(nothingBlocks(report));
+  EXPECT_EQ(countOf(report, "supportColumn"), 1u);
+  EXPECT_EQ(countOf(report, "unsupportedPatches"), 0u);
+
+  const curved::Decomposition& d = *plan.job.decomposition;
+  EXPECT_EQ(d.supportVoxels, 8u);
+  EXPECT_EQ(r.voxels, d.voxels);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(d.support.begin(), d.support.end(), 1)), 8u);
+  for (std::size_t c = 0; c < d.rank.size(); ++c)
+    EXPECT_TRUE(d.support[c] == 0 || d.rank[c] > 0);
+
+  // Told apart all the way to the beads, and not taken for the part.
+  std::size_t patches = 0, paths = 0;
+  for (const layers::Patch& patch : plan.job.layers->patches)
+    patches += patch.group == layers::kSupportGroup;
+  for (const plan::ToolPath& path : plan.job.toolPlan->paths) {
+    EXPECT_EQ(path.kind == plan::PathKind::Support, path.group == layers::kSupportGroup);
+    paths += path.kind == plan::PathKind::Support;
+  }
+  EXPECT_EQ(patches, 10u);
+  EXPECT_EQ(paths, 10u);
+  EXPECT_NEAR(report.layers.areaMm2 * report.layers.thicknessMeanMm,
+              geometry::volume(*plan.job.part), 0.02 * geometry::volume(*plan.job.part));
+}
+
+TEST(Lossless, ASupportedPlanIsKeptInItsProject) {
+  const PlanResult plan = planned({{"supports", "auto"}}, Stage::Layers);
+  const auto file = std::filesystem::temp_directory_path() / "voluta-lossless.voluta";
+  writeJob(file, plan.job);
+  const Job job = readJob(file);
+  std::filesystem::remove(file);
+  EXPECT_EQ(job.decomposition->support, plan.job.decomposition->support);
+  EXPECT_EQ(job.decomposition->supportVoxels, 8u);
+  EXPECT_EQ(job.layers->patches.back().group, plan.job.layers->patches.back().group);
+  EXPECT_EQ(job.report.decomposition.missedAfterSupports, 0u);
+}
+
+TEST(Lossless, TurnedItNeedsNoSupport) {
+  for (const bool asCells : {false, true}) {
+    const PlanResult plan = planned({{"orient", "fewestMissed"}}, Stage::Decompose, asCells);
+    EXPECT_EQ(plan.job.report.decomposition.missedVoxels, 0u) << asCells;
+    EXPECT_EQ(countOf(plan.job.report, "turned"), 1u) << asCells;
+    EXPECT_EQ(countOf(plan.job.report, "newCells"), 0u) << asCells;
+    EXPECT_TRUE(nothingBlocks(plan.job.report)) << asCells;
+    EXPECT_LT(geometry::centreOfMass(*plan.job.part).z(), 9.5) << "the beam is not below";
+    EXPECT_NEAR(plan.job.report.model.boundsMm.min().z(), 0.0, 1e-9);
+  }
+}
+
+TEST(Lossless, LeastRiskyTellsWhatWasWon) {
+  const PlanResult plan = planned({{"orient", "leastRisky"}}, Stage::Load);
+  ASSERT_EQ(countOf(plan.job.report, "turned"), 1u);
+  const plan::Finding& f = plan.job.report.findings.back();
+  EXPECT_FALSE(f.blocking);
+  EXPECT_NE(f.reason.find("mm2 overhang instead of"), std::string::npos) << f.reason;
+}
+
+TEST(Lossless, OddValuesAreNamed) {
+  for (const char* key : {"supports", "orient"}) {
+    Choices choices;
+    EXPECT_THROW(setParameters(choices, {std::string(key) + "=yes"}), base::Error);
+  }
+}
+
+} // namespace
