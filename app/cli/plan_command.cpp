@@ -27,7 +27,7 @@ void sayFindings(const plan::Findings& findings) {
 
 void sayResult(const pipeline::Report& r) {
   fmt::print("{} voxels, {} missed; {} layers; {} waypoints, {:.0f} s\n", r.decomposition.voxels,
-             r.decomposition.missedVoxels, r.layers.count, r.toolpath.waypoints,
+             r.decomposition.missedAfterSupports, r.layers.count, r.toolpath.waypoints,
              r.motion.durationS);
   if (r.replay.thresholds.covered > 0.0)
     fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "

@@ -133,8 +133,9 @@ QString MainWindow::summaryText() const {
   const bool ahead = document_.voxelsAhead() && !planning_.running();
   if (r.decomposition.voxels > 0)
     parts << tr("%1 voxels, %2 missed")
-                 .arg(locale.toString(static_cast<qulonglong>(r.decomposition.voxels)),
-                      locale.toString(static_cast<qulonglong>(r.decomposition.missedVoxels)));
+                 .arg(
+                     locale.toString(static_cast<qulonglong>(r.decomposition.voxels)),
+                     locale.toString(static_cast<qulonglong>(r.decomposition.missedAfterSupports)));
   if (r.layers.count > 0)
     parts << tr("%1 layers").arg(r.layers.count);
   if (r.toolpath.waypoints > 0)
