@@ -32,6 +32,8 @@ constexpr double kSupportedShare = 0.02;
 constexpr double kBeadsToDrop = 4.0;
 // A place is laid in other than whole levels where it has the volume of a patch so many beads wide.
 constexpr double kBeadsToChange = 2.0;
+// Half of so many voxels may lie outside the part: fewer leave a seam with one side only.
+constexpr double kVoxelsToChange = 60.0;
 
 // The spacing near `wanted` of which a whole number reaches the part's highest level.
 double fittedSpacing(const LevelField& field, const geometry::TriangleMesh& part, double wanted) {
@@ -176,7 +178,10 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
   result.spacingMm = o.fitSpacing ? fittedSpacing(field, part, o.layerHeightMm) : o.layerHeightMm;
   const double side = kBeadsToChange * o.beadWidthMm;
   const PartialLevels partial(
-      field, {result.spacingMm, o.heightMinMm, o.heightMaxMm, side * side * result.spacingMm}, ctx);
+      field,
+      {result.spacingMm, o.heightMinMm, o.heightMaxMm,
+       std::max(side * side * result.spacingMm, kVoxelsToChange * std::pow(d.grid.pitch, 3))},
+      ctx);
   std::vector<RawSlab> levels = extractSlabs(field, partial, ctx);
   result.seconds.extract = extractClock.seconds();
 
