@@ -19,7 +19,6 @@ LivePreview::LivePreview(Document& document, Planning& planning, QObject* parent
     : QObject(parent), document_(document), planning_(planning), pause_(new QTimer(this)) {
   pause_->setSingleShot(true);
   pause_->setTimerType(Qt::PreciseTimer);
-  pause_->setInterval(kPauseMs);
   connect(pause_, &QTimer::timeout, this, &LivePreview::start);
   connect(&document_, &Document::edited, this, &LivePreview::noteEdit);
   connect(&runner_, &jobs::JobRunner::progressed, this, &LivePreview::progressed);
@@ -58,10 +57,13 @@ void LivePreview::noteEdit() {
   const bool planning = planning_.running() && planning_.until() > Stage::Load;
   if (running() && runKey_ == document_.key(Stage::Decompose))
     return;
+  const bool first = !pause_->isActive() && !running();
   runner_.cancel();
   due_ = false;
   if (wanted()) {
-    pause_->start();
+    // Not before others have heard of the edit: where the part has to be turned anew, the first
+    // stage is planned once and for both.
+    pause_->start(first ? 0 : kPauseMs);
   } else {
     pause_->stop();
     if (!planning)
@@ -92,7 +94,7 @@ void LivePreview::cancel() {
 
 void LivePreview::start() {
   due_ = false;
-  if (!wanted())
+  if (!wanted() || (running() && runKey_ == document_.key(Stage::Decompose)))
     return;
   if (planning_.running()) {
     due_ = true;

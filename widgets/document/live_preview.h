@@ -16,8 +16,8 @@ namespace voluta::document {
 class Document;
 class Planning;
 
-// Where a decomposition was planned before, an edit that changes it starts a run 0.3 s after the
-// last edit; the next such edit cancels it and starts over. What comes out is shown as a preview
+// Where a decomposition was planned before, an edit that changes it starts a run at once; an edit
+// that follows cancels it and starts another 0.3 s after the last edit. What comes out is shown as a preview
 // and kept, so that a plan of the same choices goes on from there. Never runs beside a plan that
 // goes further than the first stage.
 class LivePreview : public QObject {

@@ -212,6 +212,7 @@ void FindingsPanel::showRemedies(const plan::Finding& finding) {
     connect(button, &QPushButton::clicked, this, [this, id = remedy.id] { chooseRemedy(id); });
     const int at = static_cast<int>(remedyButtons_.size());
     buttons_->addWidget(button, at / 2, at % 2);
+    button->show();
     remedyButtons_.push_back(button);
   }
 }
