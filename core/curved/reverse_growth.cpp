@@ -3,9 +3,9 @@
 #include "base/parallel.h"
 #include "curved/cut_voxels.h"
 #include "curved/nozzle_reach.h"
+#include "curved/support_order.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,8 +14,6 @@ namespace voluta::curved {
 
 namespace {
 
-// More than a voxel's neighbours could ever take from it: asks nothing of them.
-constexpr std::uint8_t kFree = 64;
 // Guided: a voxel that waits for more than kLate levels is late; cells by which it may lie deeper
 // for each further level, and at most.
 constexpr double kLate = 1.0, kEasedPerCell = 0.25, kEasedMost = 0.75;
@@ -26,19 +24,18 @@ public:
          const std::vector<float>& guide, const std::vector<std::int32_t>& order,
          const PeelOptions& options, const base::RunContext& ctx)
       : graph_(graph), guide_(guide), options_(options), ctx_(ctx), front_(graph),
-        present_(graph.size(), 0), removedIn_(graph.size(), 0) {
-    order_ = order.empty() ? flood(graph, use, {}, 1.0f, ctx).order : order;
+        present_(presentAtFirst(graph, use)),
+        support_(order.empty() ? SupportOrder(graph, present_, ctx)
+                               : SupportOrder(graph, present_, order, ctx)),
+        removedIn_(graph.size(), 0) {
     out_.deepest = options.tolerance;
     out_.rank.assign(graph.size(), 0);
     out_.given.assign(graph.size(), 0);
     out_.level.assign(guide.empty() ? 0 : graph.size(), std::numeric_limits<float>::infinity());
     for (std::size_t v = 0; v < graph.size(); ++v)
-      if (order_[v] >= 0) {
-        present_[v] = 1;
+      if (present_[v])
         front_.insert(v);
-      }
     front_.rebuild();
-    countSupports();
   }
 
   Peeling run() {
@@ -60,6 +57,11 @@ public:
   }
 
 private:
+  static std::vector<std::uint8_t> presentAtFirst(const VoxelGraph& graph,
+                                                  const std::vector<std::uint8_t>& use) {
+    return use.empty() ? std::vector<std::uint8_t>(graph.size(), 1) : use;
+  }
+
   void reportProgress() const {
     if (!options_.reports)
       return;
@@ -106,16 +108,14 @@ private:
           },
           candidates_);
     std::sort(candidates_.begin(), candidates_.end(), [&](std::int32_t a, std::int32_t b) {
-      const std::int32_t oa = order_[static_cast<std::size_t>(a)],
-                         ob = order_[static_cast<std::size_t>(b)];
-      return oa != ob ? oa > ob : a > b;
+      return support_.later(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     });
     taken_.clear();
     for (const std::int32_t v : candidates_)
-      if (supportAllows(static_cast<std::size_t>(v))) {
+      if (support_.allows(static_cast<std::size_t>(v))) {
         const auto x = static_cast<std::size_t>(v);
         taken_.push_back(v);
-        changeSupport(x, -1);
+        support_.lift(x);
         front_.remove(x);
       }
     if (taken_.empty())
@@ -134,7 +134,7 @@ private:
     for (std::size_t i = 0; i < taken_.size(); ++i) {
       const auto x = static_cast<std::size_t>(taken_[i]);
       if (shadowed_[i]) {
-        changeSupport(x, 1);
+        support_.putBack(x);
         front_.insert(x);
         continue;
       }
@@ -155,61 +155,10 @@ private:
     present_[v] = 0;
     if (reach_)
       reach_->remove(v);
-    supports_[v] = kFree;
+    support_.drop(v);
     removedIn_[v] = round_;
     if (!guide_.empty())
       out_.level[v] = std::min(guide_[v], level_ + static_cast<float>(options_.levelSlack));
-  }
-
-  // Sets the order of support: a voxel rests on the neighbours that were reached before it.
-  void reorder() {
-    order_ = flood(graph_, present_, {}, 1.0f, ctx_).order;
-    countSupports();
-  }
-
-  void countSupports() {
-    supports_.assign(graph_.size(), kFree);
-    carries_.assign(graph_.size(), 0);
-    base::parallelChunks(ctx_, graph_.size(), 8192, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) {
-        if (!present_[v])
-          continue;
-        std::uint8_t supports = 0;
-        std::uint32_t carries = 0;
-        for (std::size_t n = 0; n < kNeighbours; ++n) {
-          const std::int32_t w = graph_.neighbour[v][n];
-          if (w < 0 || !present_[static_cast<std::size_t>(w)])
-            continue;
-          if (order_[static_cast<std::size_t>(w)] < order_[v])
-            ++supports;
-          else if (order_[static_cast<std::size_t>(w)] > order_[v] &&
-                   !graph_.onPlatform[static_cast<std::size_t>(w)])
-            carries |= 1u << n;
-        }
-        carries_[v] = carries;
-        if (!graph_.onPlatform[v])
-          supports_[v] = supports;
-      }
-    });
-  }
-
-  // Every neighbour that rests on v, also one taken in this round (it may be put back), must keep
-  // another support.
-  bool supportAllows(std::size_t v) const {
-    for (std::uint32_t c = carries_[v]; c != 0; c &= c - 1) {
-      const std::int32_t w = graph_.neighbour[v][static_cast<std::size_t>(std::countr_zero(c))];
-      if (supports_[static_cast<std::size_t>(w)] < 2)
-        return false;
-    }
-    return true;
-  }
-
-  void changeSupport(std::size_t v, int by) {
-    for (std::uint32_t c = carries_[v]; c != 0; c &= c - 1) {
-      const std::int32_t w = graph_.neighbour[v][static_cast<std::size_t>(std::countr_zero(c))];
-      supports_[static_cast<std::size_t>(w)] =
-          static_cast<std::uint8_t>(supports_[static_cast<std::size_t>(w)] + by);
-    }
   }
 
   // The voxels that lose every way to the platform with `cut`, `many` in all.
@@ -243,22 +192,20 @@ private:
   // Where nothing can go on, each voxel on the front is the last support of another. The one on
   // which the fewest hang goes all the same: mostly a loop is opened there, and nothing is lost.
   bool goOnWhenStuck() {
-    const std::vector<std::int32_t> loss = lossWithout(graph_, present_);
     front_.nearSurface(
         0.0, [](std::size_t) { return true; }, candidates_);
     if (candidates_.empty())
       return false;
-    const auto key = [&](std::int32_t v) {
-      const auto x = static_cast<std::size_t>(v);
-      return std::pair(loss[x], -order_[x]);
-    };
-    const std::int32_t best =
-        *std::min_element(candidates_.begin(), candidates_.end(),
-                          [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
+    const std::vector<std::int32_t> loss = lossWithout(graph_, present_);
+    const auto best = *std::min_element(
+        candidates_.begin(), candidates_.end(), [&](std::int32_t a, std::int32_t b) {
+          const auto x = static_cast<std::size_t>(a), y = static_cast<std::size_t>(b);
+          return loss[x] != loss[y] ? loss[x] < loss[y] : support_.later(x, y);
+        });
     const auto cut = static_cast<std::size_t>(best);
     gatherLoss(cut, static_cast<std::size_t>(loss[cut]));
     if (!loss_.empty()) {
-      reorder();
+      support_.flood(ctx_);
       if (round(options_.sheet, options_.tolerance) || relaxSheet() || relaxLoss() || reachLoss())
         return true;
       if (!options_.sacrifice)
@@ -277,7 +224,7 @@ private:
       ++out_.givenUp;
     }
     front_.rebuild();
-    reorder();
+    support_.flood(ctx_);
     return true;
   }
 
@@ -313,7 +260,7 @@ private:
         noteRelaxed(x);
       take(x);
     }
-    reorder();
+    support_.flood(ctx_);
     return true;
   }
 
@@ -346,7 +293,7 @@ private:
     }
     if (any) {
       front_.rebuild();
-      reorder();
+      support_.flood(ctx_);
     }
     return any;
   }
@@ -371,9 +318,7 @@ private:
   ConvexFront front_;
   std::optional<NozzleReach> reach_;
   std::vector<std::uint8_t> present_;
-  std::vector<std::int32_t> order_;
-  std::vector<std::uint8_t> supports_;  // earlier neighbours that stay, of voxels off the platform
-  std::vector<std::uint32_t> carries_;  // bit n: the n-th neighbour comes later
+  SupportOrder support_;
   std::vector<std::int32_t> removedIn_; // round
   std::vector<std::int32_t> candidates_, taken_, loss_;
   std::vector<std::uint8_t> shadowed_; // per taken voxel
