@@ -42,7 +42,7 @@ struct VoxelLook {
   bool bySteps = false; // what is shown is chosen by growth step (rank 1 is layer 0), for replaying
   ColourBy colourBy = ColourBy::Layer; // Layer, GrowthStep or Peeling; others count as Layer
   // For Peeling: curved::peelingField, an entry a cell. Null: as Layer.
-  std::shared_ptr<const std::vector<std::int32_t>> peeling;
+  std::shared_ptr<const std::vector<std::int32_t>> peeling = nullptr;
 };
 
 // Solid voxels: the faces that are visible for any range of layers. Support has a colour of its

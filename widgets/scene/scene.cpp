@@ -76,15 +76,19 @@ struct Scene::Impl {
   Eigen::Affine3d moved_T_part = Eigen::Affine3d::Identity();
   std::shared_ptr<const PlatformDrawing> platform;
   std::shared_ptr<const VoxelDrawing> voxels, growth;
-  const VoxelDrawing* loaded = nullptr; // of the two, the one whose faces the actors hold
   std::shared_ptr<const FrontDrawing> front;
   std::shared_ptr<const LayersDrawing> layers;
   std::shared_ptr<const PathsDrawing> paths;
   std::shared_ptr<const CellDrawing> cell;
 
   vtkSmartPointer<vtkActor> partSurface, partEdges, plate, outline, grid, frontSurface, frontEdges;
-  RangeActor voxelOutside, voxelInside, ghosts, slabs, beads, travels, marker, markerHalo;
-  std::array<RangeActor, kLossCount> missed, missedHalo; // by reason
+  // Each drawing keeps its buffers: changing between them uploads nothing.
+  struct VoxelActors {
+    RangeActor outside, inside, ghosts;
+    std::array<RangeActor, kLossCount> missed, missedHalo; // by reason
+  };
+  VoxelActors byLayer, bySteps;
+  RangeActor slabs, beads, travels, marker, markerHalo;
   std::vector<vtkSmartPointer<vtkActor>> bodies;
 
   ColourState slabColours, beadColours;
@@ -102,27 +106,32 @@ struct Scene::Impl {
     outline = addLines(renderer);
     partSurface = addSolid(renderer);
     partEdges = addLines(renderer);
-    voxelOutside = RangeActor::make(renderer);
-    voxelInside = RangeActor::make(renderer);
-    for (RangeActor* voxel : {&voxelOutside, &voxelInside})
-      addPlainColour(voxel->actor);
-    for (RangeActor& one : missed)
-      one = RangeActor::make(renderer);
+    for (VoxelActors* voxel : {&byLayer, &bySteps}) {
+      voxel->outside = RangeActor::make(renderer);
+      voxel->inside = RangeActor::make(renderer);
+      addPlainColour(voxel->outside.actor);
+      addPlainColour(voxel->inside.actor);
+      for (RangeActor& one : voxel->missed)
+        one = RangeActor::make(renderer);
+    }
     slabs = RangeActor::make(renderer);
     beads = RangeActor::make(renderer);
     drawAsBeads(beads.actor, beads.mapper);
     addPlainColour(beads.actor);
     travels = RangeActor::make(renderer);
     travels.actor->GetProperty()->LightingOff();
-    ghosts = RangeActor::make(renderer);
-    ghosts.mapper->ScalarVisibilityOff();
-    ghosts.actor->GetProperty()->SetOpacity(kGhostOpacity);
+    for (VoxelActors* voxel : {&byLayer, &bySteps}) {
+      voxel->ghosts = RangeActor::make(renderer);
+      voxel->ghosts.mapper->ScalarVisibilityOff();
+      voxel->ghosts.actor->GetProperty()->SetOpacity(kGhostOpacity);
+    }
     frontSurface = addSolid(renderer);
     frontSurface->GetProperty()->SetOpacity(kFrontOpacity);
     frontEdges = addLines(renderer);
     frontEdges->GetProperty()->SetOpacity(2.0 * kFrontOpacity);
-    for (RangeActor& one : missedHalo)
-      one = halo();
+    for (VoxelActors* voxel : {&byLayer, &bySteps})
+      for (RangeActor& one : voxel->missedHalo)
+        one = halo();
     marker = RangeActor::make(renderer);
     marker.setData(unitSphere());
     marker.mapper->setStretches(everything(marker.mapper->GetInput()));
@@ -162,13 +171,15 @@ struct Scene::Impl {
     setColour(outline, theme.platformEdges);
     setColour(grid, theme.grid);
     const std::array<Colour, kLossCount> lost{theme.blocked, theme.unreached, theme.cascade};
-    for (std::size_t reason = 0; reason < kLossCount; ++reason) {
-      setColour(missed[reason].actor, lost[reason]);
-      setColour(missedHalo[reason].actor, lost[reason]);
+    for (VoxelActors* voxel : {&byLayer, &bySteps}) {
+      for (std::size_t reason = 0; reason < kLossCount; ++reason) {
+        setColour(voxel->missed[reason].actor, lost[reason]);
+        setColour(voxel->missedHalo[reason].actor, lost[reason]);
+      }
+      for (RangeActor* faces : {&voxel->outside, &voxel->inside})
+        faces->mapper->setPlainColour(theme.current);
+      setColour(voxel->ghosts.actor, theme.ghost);
     }
-    for (RangeActor* voxel : {&voxelOutside, &voxelInside})
-      voxel->mapper->setPlainColour(theme.current);
-    setColour(ghosts.actor, theme.ghost);
     setColour(frontSurface, theme.front);
     setColour(frontEdges, theme.front);
     setColour(travels.actor, theme.travel);
@@ -225,12 +236,15 @@ struct Scene::Impl {
 
   // What a section plane cuts, the part apart.
   std::vector<vtkActor*> cutActors() const {
-    std::vector<vtkActor*> actors{voxelOutside.actor, voxelInside.actor, ghosts.actor,
-                                  frontSurface,       frontEdges,        slabs.actor,
-                                  beads.actor,        travels.actor};
-    for (const auto* group : {&missed, &missedHalo})
-      for (const RangeActor& one : *group)
-        actors.push_back(one.actor);
+    std::vector<vtkActor*> actors{frontSurface, frontEdges, slabs.actor, beads.actor,
+                                  travels.actor};
+    for (const VoxelActors* voxel : {&byLayer, &bySteps}) {
+      for (const RangeActor* one : {&voxel->outside, &voxel->inside, &voxel->ghosts})
+        actors.push_back(one->actor);
+      for (const auto* group : {&voxel->missed, &voxel->missedHalo})
+        for (const RangeActor& one : *group)
+          actors.push_back(one.actor);
+    }
     return actors;
   }
 
@@ -258,17 +272,16 @@ struct Scene::Impl {
     grid->SetVisibility(on && !byCell);
   }
 
-  void load(const VoxelDrawing* drawing) {
-    voxelOutside.setData(drawing ? drawing->outside.Get() : nullptr);
-    voxelInside.setData(drawing ? drawing->inside.Get() : nullptr);
-    ghosts.setData(drawing ? drawing->outside.Get() : nullptr);
+  static void load(VoxelActors& actors, const VoxelDrawing* drawing) {
+    actors.outside.setData(drawing ? drawing->outside.Get() : nullptr);
+    actors.inside.setData(drawing ? drawing->inside.Get() : nullptr);
+    actors.ghosts.setData(drawing ? drawing->outside.Get() : nullptr);
     for (std::size_t reason = 0; reason < kLossCount; ++reason)
-      for (RangeActor* one : {&missed[reason], &missedHalo[reason]}) {
+      for (RangeActor* one : {&actors.missed[reason], &actors.missedHalo[reason]}) {
         one->setData(drawing ? drawing->missed.Get() : nullptr);
         one->mapper->setStretches(drawing ? std::vector{drawing->missedFaces[reason]}
                                           : std::vector<Stretch>{});
       }
-    loaded = drawing;
   }
 
   struct VoxelFaces {
@@ -297,23 +310,33 @@ struct Scene::Impl {
   }
 
   void showVoxels() {
-    const VoxelDrawing* drawing = shownVoxels();
-    const bool on = drawing != nullptr, growing = replaysGrowth();
-    for (std::size_t reason = 0; reason < kLossCount; ++reason) {
-      const bool any = on && drawing->lost[reason] > 0;
-      missed[reason].actor->SetVisibility(any);
-      missedHalo[reason].actor->SetVisibility(any && !view.seeThrough);
-    }
+    const bool growing = replaysGrowth();
     const bool frontOn = growing && shows(view.front, front.get());
     frontSurface->SetVisibility(frontOn);
     frontEdges->SetVisibility(frontOn);
-    voxelOutside.actor->SetVisibility(on && !view.seeThrough);
-    voxelInside.actor->SetVisibility(false);
-    ghosts.actor->SetVisibility(on && (view.seeThrough || (growing && view.ghosts)));
+    show(byLayer, growing ? nullptr : shownVoxels());
+    show(bySteps, growing ? growth.get() : nullptr);
+    // Uploaded before it is asked for, so that replaying begins without a halt.
+    if (!growing && shows(view.voxels, growth.get()))
+      for (const RangeActor* faces : {&bySteps.outside, &bySteps.inside}) {
+        faces->actor->SetVisibility(true);
+        faces->mapper->setStretches({});
+      }
+  }
+
+  // Null: nothing of them.
+  void show(VoxelActors& actors, const VoxelDrawing* drawing) {
+    const bool on = drawing != nullptr, growing = on && drawing == growth.get();
+    for (std::size_t reason = 0; reason < kLossCount; ++reason) {
+      const bool any = on && drawing->lost[reason] > 0;
+      actors.missed[reason].actor->SetVisibility(any);
+      actors.missedHalo[reason].actor->SetVisibility(any && !view.seeThrough);
+    }
+    actors.outside.actor->SetVisibility(on && !view.seeThrough);
+    actors.inside.actor->SetVisibility(false);
+    actors.ghosts.actor->SetVisibility(on && (view.seeThrough || (growing && view.ghosts)));
     if (!on)
       return;
-    if (loaded != drawing)
-      load(drawing);
     const int first = growing ? 0 : view.firstLayer;
     const int last = growing ? *view.growthStep - 1 : view.lastLayer;
     std::vector<Stretch> faint;
@@ -321,13 +344,13 @@ struct Scene::Impl {
       drawing->outer.append(faint, first, last, -kNeverHidden);
     if (growing && view.ghosts)
       drawing->outer.append(faint, last + 1, kAllLayers, -kNeverHidden);
-    ghosts.mapper->setStretches(std::move(faint));
+    actors.ghosts.mapper->setStretches(std::move(faint));
     if (view.seeThrough)
       return;
     VoxelFaces faces = voxelFaces(*drawing, first, last, growing);
-    voxelOutside.mapper->setStretches(std::move(faces.outer));
-    voxelInside.actor->SetVisibility(!faces.inner.empty());
-    voxelInside.mapper->setStretches(std::move(faces.inner));
+    actors.outside.mapper->setStretches(std::move(faces.outer));
+    actors.inside.actor->SetVisibility(!faces.inner.empty());
+    actors.inside.mapper->setStretches(std::move(faces.inner));
   }
 
   bool seenFromAbove() const {
@@ -564,13 +587,13 @@ void Scene::setPlatform(std::shared_ptr<const PlatformDrawing> platform) {
 }
 
 void Scene::setVoxels(std::shared_ptr<const VoxelDrawing> voxels) {
-  impl_->loaded = nullptr;
+  impl_->load(impl_->byLayer, voxels.get());
   impl_->voxels = std::move(voxels);
   impl_->applyView();
 }
 
 void Scene::setGrowth(std::shared_ptr<const VoxelDrawing> growth) {
-  impl_->loaded = nullptr;
+  impl_->load(impl_->bySteps, growth.get());
   impl_->growth = std::move(growth);
   impl_->applyView();
 }
