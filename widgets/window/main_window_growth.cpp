@@ -12,7 +12,7 @@ namespace voluta::window {
 using pipeline::Stage;
 
 namespace {
-constexpr double kFindingRadiusMm = 15.0;
+constexpr double kLeastRadiusMm = 30.0; // enough of the part around to know the place
 // A group of n voxels is seen with as much around it: radius in widths of a cube of n voxels.
 constexpr double kAroundGroup = 3.0;
 } // namespace
@@ -74,7 +74,7 @@ bool MainWindow::lookAtMissed(const plan::Finding& finding) {
   showView();
   const double group =
       std::cbrt(static_cast<double>(finding.count)) * presented.pitchMm() * kAroundGroup;
-  viewport_->lookAt(*finding.where, std::max(kFindingRadiusMm, group));
+  viewport_->lookAt(*finding.where, std::max(kLeastRadiusMm, group));
   return true;
 }
 

@@ -22,11 +22,11 @@ QColor colourOf(const scene::Colour& c) {
 
 // A share that is not all is never rounded up to all, nor one that is not nothing down to nothing.
 QString percent(const QLocale& locale, double share) {
-  double value = 100.0 * share;
-  if (share < 1.0)
-    value = std::min(value, 99.99);
-  if (share > 0.0)
-    value = std::max(value, 0.01);
+  const double value = 100.0 * share;
+  if (value > 99.99 && share < 1.0)
+    return QStringLiteral("> ") + locale.toString(99.99, 'f', 2);
+  if (value > 0.0 && value < 0.01)
+    return QStringLiteral("< ") + locale.toString(0.01, 'f', 2);
   const int digits = (value > 99.0 && value < 100.0) || (value > 0.0 && value < 1.0) ? 2
                      : value < 100.0 && value > 0.0                                  ? 1
                                                                                      : 0;
