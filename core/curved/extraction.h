@@ -18,9 +18,11 @@ using RawLevel = layers::LevelSurface;
 // RawLevel each (some may be empty), element L being level L. Marching cubes on the cells of
 // LevelField: each surface is manifold, oriented along +grad phi, and reaches at least half a voxel
 // beyond the printed voxels, so that it can be cut on the part's surface; limbs with a gap of a
-// voxel between them are not joined. The source contours dually (Dai 2020, 3.4.5), which keeps
-// creases; levels of a smooth field have none, and marching cubes need no mending to be manifold.
-// Their slivers are taken out afterwards (layers::cleanSurface).
+// voxel between them are not joined. Slivers are taken out afterwards (layers::cleanSurface). The
+// source contours dually (Dai 2020, 3.4.5): on the same fields in closed form (bin/contour_report,
+// 125,000 voxels) its triangles are 0.0023-0.0033 mm off smooth levels on average and 588 of the
+// edges of one are not manifold, these 0.0016 mm and none; at a crease its worst is 0.036 mm, here
+// 0.060 mm; 0-1.4 % of its triangles have angles below 15 degrees, here 0-1.3 %.
 // Per vertex: direction = grad phi / |grad phi|; thickness = the distance along it between
 // phi = L spacing and (L + 1) spacing; clearDirection = front normals of the printed voxels around,
 // blended (direction where there are none). Level 0 is laid on the plate z = 0: where it lies flat,
