@@ -15,6 +15,7 @@ namespace voluta::support {
 namespace {
 
 constexpr std::size_t kTold = 20;
+constexpr int kSlowRounds = 4; // of schemes that do not peel
 constexpr std::int32_t kUnreached = std::numeric_limits<std::int32_t>::max();
 
 struct Group {
@@ -89,9 +90,11 @@ private:
 
   // Ranks as the first pass of reverse growth gives them, in which what is given up stands apart
   // from what it carried; as the scheme itself gives them elsewhere.
-  std::vector<std::int32_t> quickRanks(const curved::VoxelGraph& graph) {
+  // `at`: how far the search is.
+  std::vector<std::int32_t> quickRanks(const curved::VoxelGraph& graph, double at) {
+    ctx_.report(at, "supports");
     if (!peels_)
-      return grown(graph, ctx_.sub(0.3, 0.9)).rank;
+      return grown(graph, ctx_.sub(at, at)).rank;
     ++out_.growths;
     curved::PeelOptions peeling;
     peeling.sheet = 0.6;
@@ -154,10 +157,10 @@ private:
 
   void addColumns(const curved::VoxelGraph& plain, const std::vector<std::int32_t>& plainRank) {
     // A scheme that does not peel has its first answer already.
-    std::vector<std::int32_t> rank = peels_ ? quickRanks(plain) : plainRank;
+    std::vector<std::int32_t> rank = peels_ ? quickRanks(plain, 0.3) : plainRank;
     curved::VoxelGraph graph = plain;
-    for (int round = 0; round < options_.rounds; ++round) {
-      ctx_.report(0.3 + 0.4 * round / options_.rounds, "supports");
+    const int rounds = peels_ ? options_.rounds : std::min(options_.rounds, kSlowRounds);
+    for (int round = 0; round < rounds; ++round) {
       const std::vector<std::int32_t> order = curved::flood(graph, {}, {}, 1.0f, ctx_).order;
       stranded_.clear();
       const std::size_t before = out_.columns.size();
@@ -167,7 +170,7 @@ private:
       if (out_.columns.size() == before)
         return;
       graph = graphOf(out_.solid.solid);
-      rank = quickRanks(graph);
+      rank = quickRanks(graph, 0.3 + 0.4 * (round + 1) / rounds);
       if (missedOf(graph, rank) == belowPlate_) {
         stranded_.clear();
         return;
@@ -223,24 +226,23 @@ private:
   // Leaves out columns, the longest first, as long as nothing more is missed without them.
   void thin() {
     std::vector<std::uint8_t> keep(out_.columns.size(), 1);
+    int trials = 0;
     const auto missedWith = [&] {
       const curved::VoxelGraph graph = graphOf(solidWith(keep));
-      return missedOf(graph, quickRanks(graph));
+      return missedOf(graph, quickRanks(graph, 0.7 + 0.2 * trials / (options_.trials + 1)));
     };
-    if (out_.columns.size() > 1) {
+    if (peels_ && out_.columns.size() > 1) {
       const std::size_t allowed = missedWith();
       std::vector<std::size_t> order(out_.columns.size());
       std::iota(order.begin(), order.end(), 0);
       std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return out_.columns[a].cells.size() > out_.columns[b].cells.size();
       });
-      int trials = 0;
       for (const std::size_t n : order) {
         if (trials == options_.trials)
           break;
         if (isJoined(n, keep))
           continue;
-        ctx_.report(0.7 + 0.2 * trials / options_.trials, "supports");
         ++trials;
         keep[n] = 0;
         if (missedWith() > allowed)

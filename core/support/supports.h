@@ -44,8 +44,9 @@ struct Supports {
 // group that growth has to give up, from inside the platform or from a part of the part that lies
 // nearer to the platform; grown again with them, until nothing is missed or no further column can
 // be found; then every column that is not needed after all is taken away again. Where growth
-// misses nothing, that is all it does.
-// Growing the result misses `missedAfter` voxels, whether by this scheme or in auto.
+// misses nothing, that is all it does. The sources' schemes take long: four rounds at most, and
+// nothing is taken away.
+// Growing `solid` by the same scheme misses `missedAfter` voxels of the part.
 // `platform`: as in curved::voxelGraph(). Throws Error{Usage}: the scheme; Cancelled.
 Supports supportsFor(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,
                      const SupportOptions& options, const base::RunContext& ctx);

@@ -155,6 +155,34 @@ TEST(Supports, AreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.growths, two.growths);
 }
 
+TEST(Supports, ProgressNeverFalls) {
+  for (const char* growth : {"auto", "greedy"}) {
+    double last = 0.0;
+    const base::RunContext ctx(base::CancelToken{}, 2, [&](double fraction, std::string_view) {
+      EXPECT_GE(fraction, last - 1e-12) << growth;
+      last = fraction;
+    });
+    SupportOptions options;
+    options.growth = growth;
+    const voxel::SolidVoxels part = toothPart();
+    supportsFor(part, curved::platformFit(part, 0.0), options, ctx);
+    EXPECT_EQ(last, 1.0);
+  }
+}
+
+// A platform far wider than the part shadows more (Boge 2019, table 6.2).
+TEST(Supports, CureAPlatformThatIsTooLarge) {
+  VOLUTA_MODEL_OR_SKIP(file, "synthetic_candelabra.stl");
+  const voxel::SolidVoxels part = voxel::solidVoxels(geometry::readMesh(file).mesh, 1.6, kQuiet);
+  const std::vector<Eigen::Vector2d> platform = curved::platformFit(part, 40.0);
+  const Supports s = supportsFor(part, platform, {}, kQuiet);
+  EXPECT_GT(s.missedBefore, 0u);
+  EXPECT_EQ(s.missedAfter, 0u);
+  EXPECT_LE(static_cast<double>(s.voxels), 0.006 * static_cast<double>(part.count));
+  expectMaskIsColumns(s, part);
+  expectWhole(s, platform);
+}
+
 TEST(Supports, CanBeCancelled) {
   const base::CancelToken token;
   token.cancel();
