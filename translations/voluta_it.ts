@@ -560,6 +560,22 @@
         <translation>riparazione: autointersezioni</translation>
     </message>
     <message>
+        <source>orientation</source>
+        <translation>orientamento</translation>
+    </message>
+    <message>
+        <source>supports</source>
+        <translation>supporti</translation>
+    </message>
+    <message>
+        <source>peeling</source>
+        <translation>spellatura</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>fronte</translation>
+    </message>
+    <message>
         <source>voxelise</source>
         <translation>voxelizzazione</translation>
     </message>
