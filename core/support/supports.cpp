@@ -171,7 +171,8 @@ private:
         return;
       graph = graphOf(out_.solid.solid);
       rank = quickRanks(graph, 0.3 + 0.4 * (round + 1) / rounds);
-      if (missedOf(graph, rank) == belowPlate_) {
+      missedWithAll_ = missedOf(graph, rank);
+      if (missedWithAll_ == belowPlate_) {
         stranded_.clear();
         return;
       }
@@ -231,8 +232,9 @@ private:
       const curved::VoxelGraph graph = graphOf(solidWith(keep));
       return missedOf(graph, quickRanks(graph, 0.7 + 0.2 * trials / (options_.trials + 1)));
     };
-    if (peels_ && out_.columns.size() > 1) {
-      const std::size_t allowed = missedWith();
+    const std::size_t allowed = missedWithAll_;
+    // One column that cures everything is needed.
+    if (peels_ && !keep.empty() && (keep.size() > 1 || allowed > belowPlate_)) {
       std::vector<std::size_t> order(out_.columns.size());
       std::iota(order.begin(), order.end(), 0);
       std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -318,6 +320,7 @@ private:
   std::size_t belowPlate_ = 0; // voxels of the part
   std::vector<Cell> cells_;
   std::vector<std::size_t> carried_; // per column
+  std::size_t missedWithAll_ = 0;    // with every column there is
   std::vector<Group> stranded_;
   Supports out_;
 };
