@@ -351,55 +351,55 @@
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished">Fronte</translation>
+        <translation>fronte</translation>
     </message>
     <message>
         <source>Shape of the head that must clear all that is printed earlier: a flat one as wide as needed, or, where that would lose voxels, the head as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Forma della testa che deve evitare tutto ciò che è già stampato: una piatta, larga quanto serve, o, dove così si perderebbero dei voxel, la testa com&apos;è.</translation>
     </message>
     <message>
         <source>flat</source>
-        <translation type="unfinished"></translation>
+        <translation>piatto</translation>
     </message>
     <message>
         <source>nozzle</source>
-        <translation type="unfinished"></translation>
+        <translation>ugello</translation>
     </message>
     <message>
         <source>Supports</source>
-        <translation type="unfinished"></translation>
+        <translation>supporti</translation>
     </message>
     <message>
         <source>What carries voxels that growth would miss: nothing, or columns as thin as a voxel, to be broken off afterwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa regge i voxel che la crescita mancherebbe: nulla, o colonne sottili quanto un voxel, da staccare alla fine.</translation>
     </message>
     <message>
         <source>Placement</source>
-        <translation type="unfinished"></translation>
+        <translation>Posizione</translation>
     </message>
     <message>
         <source>Turn the part</source>
-        <translation type="unfinished">Gira il pezzo</translation>
+        <translation>giro del pezzo</translation>
     </message>
     <message>
         <source>Looks for a better way for the part to lie, from where it was put: with the least overhanging area, or with the fewest voxels missed by growth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca una giacitura migliore del pezzo, da dove è stato messo: con la minore area a sbalzo, o con il minor numero di voxel mancati dalla crescita.</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuno</translation>
     </message>
     <message>
         <source>auto</source>
-        <translation type="unfinished"></translation>
+        <translation>automatici</translation>
     </message>
     <message>
         <source>leastRisky</source>
-        <translation type="unfinished"></translation>
+        <translation>minimo sbalzo</translation>
     </message>
     <message>
         <source>fewestMissed</source>
-        <translation type="unfinished"></translation>
+        <translation>minimi mancati</translation>
     </message>
 </context>
 <context>

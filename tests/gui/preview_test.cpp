@@ -109,6 +109,7 @@ TEST_F(PreviewTest, TheGrowthListInWordsStartsAPreviewOnThePageOfTheEdit) {
   EXPECT_EQ(document().state(Stage::Layers), StageState::OutOfDate);
   EXPECT_TRUE(window().viewport().view().voxels);
   EXPECT_TRUE(summary().contains("Preview")) << summary().toStdString();
+  EXPECT_TRUE(find<QWidget>("legend")->isVisible()) << "what the colours mean";
   EXPECT_GT(differingShare(before, picture()), 0.02);
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitFor([&] { return !document().voxelsAhead() && !window().presenter().busy(); }));

@@ -271,7 +271,8 @@ void MainWindow::showPreview() {
 }
 
 void MainWindow::showLayerMeasures(int layer) {
-  const auto facts = presenter_->facts();
+  // Layers of other voxels than those on show have nothing to say.
+  const auto facts = document_.voxelsAhead() ? nullptr : presenter_->facts();
   if (facts && layer >= 0 && layer < static_cast<int>(facts->measures.size()))
     layerInfo_->setMeasures(facts->measures[static_cast<std::size_t>(layer)]);
   else

@@ -95,7 +95,9 @@ scene::ViewState MainWindow::viewState() const {
 void MainWindow::showView() {
   showGrowth();
   viewport_->setView(viewState());
-  legend_->setLegend(page() == Page::Layers ? viewport_->scene().legend() : scene::Legend{});
+  legend_->setLegend(page() == Page::Layers || viewport_->view().voxels
+                         ? viewport_->scene().legend()
+                         : scene::Legend{});
 }
 
 void MainWindow::showMoves() {
