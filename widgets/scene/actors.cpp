@@ -10,6 +10,8 @@ namespace voluta::scene {
 
 namespace {
 
+constexpr double kHaloOpacity = 0.35;
+
 // A mapper keeps times on its input: each scene has its own shell over the shared arrays.
 vtkSmartPointer<vtkPolyData> shellOf(vtkPolyData* data) {
   auto shell = vtkSmartPointer<vtkPolyData>::New();
@@ -28,6 +30,14 @@ RangeActor RangeActor::make(vtkRenderer* renderer) {
   giveSolidLook(out.actor);
   out.mapper->SetInputData(shellOf(nullptr));
   renderer->AddActor(out.actor);
+  return out;
+}
+
+RangeActor RangeActor::halo(vtkRenderer* renderer) {
+  RangeActor out = make(renderer);
+  out.mapper->setThroughEverything(true);
+  out.actor->GetProperty()->SetOpacity(kHaloOpacity);
+  out.actor->ForceTranslucentOn();
   return out;
 }
 

@@ -17,6 +17,8 @@ struct RangeActor {
   vtkSmartPointer<RangeMapper> mapper;
 
   static RangeActor make(vtkRenderer* renderer);
+  // Faint, and seen through whatever is before it.
+  static RangeActor halo(vtkRenderer* renderer);
   // Null: nothing.
   void setData(vtkPolyData* data);
 };

@@ -8,6 +8,7 @@
 #include "scene/pick.h"
 #include "scene/shape_mesh.h"
 #include "scene/visible_beads.h"
+#include "scene/voxel_actors.h"
 #include "scene/vtk_modules.h"
 
 #include "base/units.h"
@@ -32,8 +33,6 @@ namespace {
 
 constexpr double kLineBeadScale = 0.22; // beads as thin lines
 constexpr double kMarkerShare = 0.012;  // of the picture's height
-constexpr double kHaloOpacity = 0.35;
-constexpr double kGhostOpacity = 0.12; // of voxels that are still to come, or looked through
 constexpr double kFrontOpacity = 0.28;
 
 // What the colours of a range actor were made for.
@@ -83,11 +82,7 @@ struct Scene::Impl {
 
   vtkSmartPointer<vtkActor> partSurface, partEdges, plate, outline, grid, frontSurface, frontEdges;
   // Each drawing keeps its buffers: changing between them uploads nothing.
-  struct VoxelActors {
-    RangeActor outside, inside, ghosts;
-    std::array<RangeActor, kLossCount> missed, missedHalo; // by reason
-  };
-  VoxelActors byLayer, bySteps;
+  std::unique_ptr<VoxelActors> byLayer, bySteps;
   RangeActor slabs, beads, travels, marker, markerHalo;
   std::vector<vtkSmartPointer<vtkActor>> bodies;
 
@@ -106,36 +101,22 @@ struct Scene::Impl {
     outline = addLines(renderer);
     partSurface = addSolid(renderer);
     partEdges = addLines(renderer);
-    for (VoxelActors* voxel : {&byLayer, &bySteps}) {
-      voxel->outside = RangeActor::make(renderer);
-      voxel->inside = RangeActor::make(renderer);
-      addPlainColour(voxel->outside.actor);
-      addPlainColour(voxel->inside.actor);
-      for (RangeActor& one : voxel->missed)
-        one = RangeActor::make(renderer);
-    }
+    byLayer = std::make_unique<VoxelActors>(renderer);
+    bySteps = std::make_unique<VoxelActors>(renderer);
     slabs = RangeActor::make(renderer);
     beads = RangeActor::make(renderer);
     drawAsBeads(beads.actor, beads.mapper);
     addPlainColour(beads.actor);
     travels = RangeActor::make(renderer);
     travels.actor->GetProperty()->LightingOff();
-    for (VoxelActors* voxel : {&byLayer, &bySteps}) {
-      voxel->ghosts = RangeActor::make(renderer);
-      voxel->ghosts.mapper->ScalarVisibilityOff();
-      voxel->ghosts.actor->GetProperty()->SetOpacity(kGhostOpacity);
-    }
     frontSurface = addSolid(renderer);
     frontSurface->GetProperty()->SetOpacity(kFrontOpacity);
     frontEdges = addLines(renderer);
     frontEdges->GetProperty()->SetOpacity(2.0 * kFrontOpacity);
-    for (VoxelActors* voxel : {&byLayer, &bySteps})
-      for (RangeActor& one : voxel->missedHalo)
-        one = halo();
     marker = RangeActor::make(renderer);
     marker.setData(unitSphere());
     marker.mapper->setStretches(everything(marker.mapper->GetInput()));
-    markerHalo = halo();
+    markerHalo = RangeActor::halo(renderer);
     markerHalo.setData(unitSphere());
     markerHalo.mapper->setStretches(everything(markerHalo.mapper->GetInput()));
     overlay = std::make_unique<Overlay>(renderer);
@@ -147,15 +128,6 @@ struct Scene::Impl {
     renderer->AddObserver(vtkCommand::StartEvent, beforeFrame);
   }
   ~Impl() { renderer->RemoveObserver(beforeFrame); }
-
-  // Seen through whatever is before it.
-  RangeActor halo() {
-    RangeActor out = RangeActor::make(renderer);
-    out.mapper->setThroughEverything(true);
-    out.actor->GetProperty()->SetOpacity(kHaloOpacity);
-    out.actor->ForceTranslucentOn();
-    return out;
-  }
 
   void applyTheme() {
     renderer->SetBackground(theme.backgroundBottom.data());
@@ -170,16 +142,8 @@ struct Scene::Impl {
     setColour(plate, theme.platform);
     setColour(outline, theme.platformEdges);
     setColour(grid, theme.grid);
-    const std::array<Colour, kLossCount> lost{theme.blocked, theme.unreached, theme.cascade};
-    for (VoxelActors* voxel : {&byLayer, &bySteps}) {
-      for (std::size_t reason = 0; reason < kLossCount; ++reason) {
-        setColour(voxel->missed[reason].actor, lost[reason]);
-        setColour(voxel->missedHalo[reason].actor, lost[reason]);
-      }
-      for (RangeActor* faces : {&voxel->outside, &voxel->inside})
-        faces->mapper->setPlainColour(theme.current);
-      setColour(voxel->ghosts.actor, theme.ghost);
-    }
+    byLayer->setTheme(theme);
+    bySteps->setTheme(theme);
     setColour(frontSurface, theme.front);
     setColour(frontEdges, theme.front);
     setColour(travels.actor, theme.travel);
@@ -238,13 +202,9 @@ struct Scene::Impl {
   std::vector<vtkActor*> cutActors() const {
     std::vector<vtkActor*> actors{frontSurface, frontEdges, slabs.actor, beads.actor,
                                   travels.actor};
-    for (const VoxelActors* voxel : {&byLayer, &bySteps}) {
-      for (const RangeActor* one : {&voxel->outside, &voxel->inside, &voxel->ghosts})
-        actors.push_back(one->actor);
-      for (const auto* group : {&voxel->missed, &voxel->missedHalo})
-        for (const RangeActor& one : *group)
-          actors.push_back(one.actor);
-    }
+    for (const auto* held : {&byLayer, &bySteps})
+      for (vtkActor* actor : (*held)->actors())
+        actors.push_back(actor);
     return actors;
   }
 
@@ -272,85 +232,21 @@ struct Scene::Impl {
     grid->SetVisibility(on && !byCell);
   }
 
-  static void load(VoxelActors& actors, const VoxelDrawing* drawing) {
-    actors.outside.setData(drawing ? drawing->outside.Get() : nullptr);
-    actors.inside.setData(drawing ? drawing->inside.Get() : nullptr);
-    actors.ghosts.setData(drawing ? drawing->outside.Get() : nullptr);
-    for (std::size_t reason = 0; reason < kLossCount; ++reason)
-      for (RangeActor* one : {&actors.missed[reason], &actors.missedHalo[reason]}) {
-        one->setData(drawing ? drawing->missed.Get() : nullptr);
-        one->mapper->setStretches(drawing ? std::vector{drawing->missedFaces[reason]}
-                                          : std::vector<Stretch>{});
-      }
-  }
-
-  struct VoxelFaces {
-    std::vector<Stretch> outer, inner;
-  };
-  // Of layers first to last; `lastPlain`: the last one stands out in the mappers' plain colour.
-  VoxelFaces voxelFaces(const VoxelDrawing& drawing, int first, int last, bool lastPlain) const {
-    VoxelFaces faces, plain;
-    const std::int32_t above = view.sectionOn ? -kNeverHidden : last;
-    const int coloured = lastPlain ? last - 1 : last;
-    drawing.outer.append(faces.outer, first, coloured, -kNeverHidden);
-    drawing.upper.append(faces.inner, first, coloured, above);
-    if (!view.sectionOn)
-      drawing.lower.append(faces.inner, first, last, -first);
-    if (lastPlain) {
-      drawing.outer.append(plain.outer, last, last, -kNeverHidden);
-      drawing.upper.append(plain.inner, last, last, above);
-    }
-    for (const auto& [from, to] :
-         {std::pair(&plain.outer, &faces.outer), std::pair(&plain.inner, &faces.inner)})
-      for (Stretch stretch : *from) {
-        stretch.plain = true;
-        to->push_back(stretch);
-      }
-    return faces;
-  }
-
   void showVoxels() {
     const bool growing = replaysGrowth();
     const bool frontOn = growing && shows(view.front, front.get());
     frontSurface->SetVisibility(frontOn);
     frontEdges->SetVisibility(frontOn);
-    show(byLayer, growing ? nullptr : shownVoxels());
-    show(bySteps, growing ? growth.get() : nullptr);
-    // Uploaded before it is asked for, so that replaying begins without a halt.
-    if (!growing && shows(view.voxels, growth.get()))
-      for (const RangeActor* faces : {&bySteps.outside, &bySteps.inside}) {
-        faces->actor->SetVisibility(true);
-        faces->mapper->setStretches({});
-      }
-  }
-
-  // Null: nothing of them.
-  void show(VoxelActors& actors, const VoxelDrawing* drawing) {
-    const bool on = drawing != nullptr, growing = on && drawing == growth.get();
-    for (std::size_t reason = 0; reason < kLossCount; ++reason) {
-      const bool any = on && drawing->lost[reason] > 0;
-      actors.missed[reason].actor->SetVisibility(any);
-      actors.missedHalo[reason].actor->SetVisibility(any && !view.seeThrough);
-    }
-    actors.outside.actor->SetVisibility(on && !view.seeThrough);
-    actors.inside.actor->SetVisibility(false);
-    actors.ghosts.actor->SetVisibility(on && (view.seeThrough || (growing && view.ghosts)));
-    if (!on)
-      return;
-    const int first = growing ? 0 : view.firstLayer;
-    const int last = growing ? *view.growthStep - 1 : view.lastLayer;
-    std::vector<Stretch> faint;
-    if (view.seeThrough)
-      drawing->outer.append(faint, first, last, -kNeverHidden);
-    if (growing && view.ghosts)
-      drawing->outer.append(faint, last + 1, kAllLayers, -kNeverHidden);
-    actors.ghosts.mapper->setStretches(std::move(faint));
-    if (view.seeThrough)
-      return;
-    VoxelFaces faces = voxelFaces(*drawing, first, last, growing);
-    actors.outside.mapper->setStretches(std::move(faces.outer));
-    actors.inside.actor->SetVisibility(!faces.inner.empty());
-    actors.inside.mapper->setStretches(std::move(faces.inner));
+    if (shownVoxels() && !growing)
+      byLayer->show(view, false);
+    else
+      byLayer->hide();
+    if (growing)
+      bySteps->show(view, true);
+    else if (view.voxels)
+      bySteps->prepare();
+    else
+      bySteps->hide();
   }
 
   bool seenFromAbove() const {
@@ -587,13 +483,13 @@ void Scene::setPlatform(std::shared_ptr<const PlatformDrawing> platform) {
 }
 
 void Scene::setVoxels(std::shared_ptr<const VoxelDrawing> voxels) {
-  impl_->load(impl_->byLayer, voxels.get());
+  impl_->byLayer->setDrawing(voxels.get());
   impl_->voxels = std::move(voxels);
   impl_->applyView();
 }
 
 void Scene::setGrowth(std::shared_ptr<const VoxelDrawing> growth) {
-  impl_->load(impl_->bySteps, growth.get());
+  impl_->bySteps->setDrawing(growth.get());
   impl_->growth = std::move(growth);
   impl_->applyView();
 }
