@@ -98,6 +98,32 @@ TEST_F(TimelineBarTest, AClickNearAMarkMeansTheMark) {
   EXPECT_NEAR(bar_.timeS(), 7.0, 1e-9);
 }
 
+TEST_F(TimelineBarTest, StepsOfGrowthHaveTheirOwnPositionAndGoByTen) {
+  bar_.setMoveCount(40);
+  bar_.setStepCount(25);
+  bar_.setMode(BarMode::Steps);
+  EXPECT_EQ(bar_.step(), 25) << "all is grown at first";
+  QSignalSpy step(&bar_, &TimelineBar::stepChanged), move(&bar_, &TimelineBar::moveChanged);
+  QSignalSpy layer(&bar_, &TimelineBar::layerStepRequested);
+  bar_.previousMove();
+  EXPECT_EQ(bar_.step(), 24);
+  bar_.previousLayer();
+  EXPECT_EQ(bar_.step(), 14);
+  bar_.nextLayer();
+  bar_.nextLayer();
+  EXPECT_EQ(bar_.step(), 25) << "held at the end";
+  EXPECT_EQ(step.size(), 4);
+  bar_.setStep(3);
+  bar_.setStepCount(25);
+  EXPECT_EQ(bar_.step(), 3) << "as many steps: the place is kept";
+  bar_.setStepCount(30);
+  EXPECT_EQ(bar_.step(), 30);
+  bar_.setMode(BarMode::Moves);
+  EXPECT_EQ(bar_.move(), 40);
+  EXPECT_EQ(move.size(), 0);
+  EXPECT_EQ(layer.size(), 0);
+}
+
 TEST_F(TimelineBarTest, MovesOfALayerHaveTheirOwnPosition) {
   bar_.setTimeS(5.0);
   bar_.setMoveCount(40);
