@@ -20,7 +20,7 @@ constexpr std::size_t kMostSamples = 400; // a patch
 constexpr double kRounding = 1e-9;        // mm
 constexpr double kDownwards = 0.5;
 
-// All patches as one mesh.
+// The first `count` patches as one mesh.
 struct Floor {
   geometry::TriangleMesh mesh;
   std::vector<int> patchOf;          // per triangle
@@ -28,9 +28,9 @@ struct Floor {
   double most = 0.0;                 // of halfThickness
 };
 
-Floor floorOf(const LayerStack& stack) {
+Floor floorOf(const LayerStack& stack, std::size_t count) {
   Floor floor;
-  for (std::size_t p = 0; p < stack.patches.size(); ++p) {
+  for (std::size_t p = 0; p < count; ++p) {
     const Patch& patch = stack.patches[p];
     const int base = static_cast<int>(floor.mesh.vertices.size());
     floor.mesh.vertices.insert(floor.mesh.vertices.end(), patch.surface.vertices.begin(),
@@ -195,7 +195,7 @@ std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShar
                                        const base::RunContext& ctx,
                                        const std::vector<std::size_t>& which) {
   std::vector<SupportCheck> checks(which.empty() ? stack.patches.size() : which.size());
-  const Floor floor = floorOf(stack);
+  const Floor floor = floorOf(stack, which.empty() ? stack.patches.size() : which.back());
   const geometry::MeshQuery query(floor.mesh);
   base::parallelChunks(ctx, checks.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
