@@ -125,10 +125,12 @@ void tellDropped(LayersResult& result, const std::vector<layers::DroppedPiece>& 
   f.kind = "droppedPieces";
   f.where = largest->centre;
   f.count = dropped.size();
-  f.reason = fmt::format("{} pieces of layers are too small for a bead ({:.1f} mm3 in all, the "
-                         "largest {:.1f} mm3)",
-                         dropped.size(), result.droppedVolumeMm3, largest->volumeMm3);
-  f.remedy = "a narrower bead or a lower layer height follows finer detail";
+  f.reason =
+      fmt::format("{} pieces of layers are too small for a bead or would begin in the air and are "
+                  "not laid ({:.1f} mm3 in all, the largest {:.1f} mm3)",
+                  dropped.size(), result.droppedVolumeMm3, largest->volumeMm3);
+  f.remedy = "a narrower bead or a lower layer height follows finer detail; support carries "
+             "what begins in the air";
   f.blocking = false;
   result.findings.push_back(std::move(f));
 }

@@ -31,7 +31,7 @@ struct LayersResult {
   double spacingMm = 0.0;         // of levels in the field, as used
   std::size_t partialPatches = 0; // of less or more than one level
   double partialAreaMm2 = 0.0;
-  std::size_t mergedPieces = 0; // too small for a bead: taken by the patches around
+  std::size_t mergedPieces = 0; // too small for a bead or in the air: taken by the patches around
   double mergedVolumeMm3 = 0.0;
   std::size_t droppedPieces = 0; // the same, where that would have left the height limits
   double droppedVolumeMm3 = 0.0;
@@ -50,13 +50,13 @@ struct LayersResult {
 
 // Level surfaces of the field, cut on the part's surface and made into patches: PartialLevels,
 // extractLevels, layers::trimToPart, layers::makePatches, layers::absorbCrumbs,
-// layers::orderForPrinting. Where a level would be thicker than heightMaxMm, it is laid in parts;
-// where levels would be thinner than heightMinMm, they end and one patch takes the place of
-// several: layers are numbered by where their patches begin in the field, `supports` among them. A
-// patch's group is the component of the printed voxels it lies in. Sum of area x thickness is the
-// part's volume but for what the findings tell; thickness is never clamped. `part` faces outward
-// and stands on the plate, mm. Preconditions: positive heights, heightMin <= heightMax. Throws
-// Cancelled.
+// layers::orderForPrinting, layers::absorbIslands. Where a level would be thicker than heightMaxMm,
+// it is laid in parts; where levels would be thinner than heightMinMm, they end and one patch takes
+// the place of several: layers are numbered by where their patches begin in the field, `supports`
+// among them. A patch's group is the component of the printed voxels it lies in. Sum of area x
+// thickness is the part's volume but for what the findings tell; thickness is never clamped. `part`
+// faces outward and stands on the plate, mm. Preconditions: positive heights, heightMin <=
+// heightMax. Throws Cancelled.
 LayersResult curvedLayers(const Decomposition& decomposition, const geometry::TriangleMesh& part,
                           const LayerOptions& options, const base::RunContext& ctx,
                           std::vector<SupportPatch> supports = {});
