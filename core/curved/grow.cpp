@@ -23,6 +23,10 @@ constexpr std::array<ForwardRow, 4> kForward{{{"guided", ForwardScheme::Guided},
                                               {"incremental", ForwardScheme::Incremental},
                                               {"greedy", ForwardScheme::Greedy}}};
 
+// Of so many voxels, so small a share missed is not worth minutes of further passes.
+constexpr std::size_t kManyVoxels = 200'000;
+constexpr double kFewMissed = 1e-4;
+
 std::size_t laidOf(const std::vector<std::int32_t>& rank) {
   return static_cast<std::size_t>(
       std::count_if(rank.begin(), rank.end(), [](std::int32_t r) { return r > 0; }));
@@ -35,10 +39,13 @@ void growReverse(const VoxelGraph& graph, const process::HeadShape* head, Growth
   PeelOptions first;
   first.sheet = kSheet;
   first.head = head;
-  Peeling best = peel(graph, {}, first, ctx.sub(0.0, 0.5));
+  first.runs = 1;
+  Peeling best = peelAll(graph, {}, first, ctx.sub(0.0, 0.5));
   out.peelSeconds = watch.seconds();
-  const bool lossy = best.givenUp > 0;
-  if (lossy) {
+  const bool enough = best.givenUp == 0 || (graph.size() > kManyVoxels &&
+                                            static_cast<double>(best.givenUp) <=
+                                                kFewMissed * static_cast<double>(graph.size()));
+  if (!enough) {
     struct Pass {
       double sheet;
       bool relaxSheets;

@@ -369,10 +369,9 @@ Peeling peelAll(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
                 const PeelOptions& options, const base::RunContext& ctx) {
   std::vector<std::uint8_t> kept = use.empty() ? std::vector<std::uint8_t>(graph.size(), 1) : use;
   std::vector<std::uint8_t> given(graph.size(), 0);
-  constexpr int kMostRuns = 12;
   Peeling best;
   std::size_t givenUp = 0;
-  for (int run = 1; run <= kMostRuns; ++run) {
+  for (int run = 1; run <= options.runs; ++run) {
     Peeling result =
         peel(graph, kept, options, ctx.sub(1.0 - std::pow(0.5, run - 1), 1.0 - std::pow(0.5, run)));
     for (std::size_t v = 0; v < graph.size(); ++v)

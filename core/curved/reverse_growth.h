@@ -26,6 +26,7 @@ struct PeelOptions {
   // Where a voxel would have to be given up: a head that may reach it all the same (NozzleReach).
   // Null: the front is flat everywhere.
   const process::HeadShape* head = nullptr;
+  int runs = 12;       // peelAll(): at most
   bool reports = true; // progress
 };
 
@@ -58,8 +59,8 @@ Peeling peel(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
              const PeelOptions& options, const base::RunContext& ctx);
 
 // peel(), repeated without what was given up until nothing more has to be; what stood on it falls
-// too (`fallen`). Of these runs the one that lays most: both constraints hold for all that has a
-// rank. With sacrifice it ends with nothing remaining.
+// too (`fallen`). Of these runs, options.runs at most, the one that lays most: both constraints
+// hold for all that has a rank. With sacrifice it ends with nothing remaining.
 Peeling peelAll(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
                 const PeelOptions& options, const base::RunContext& ctx);
 
