@@ -8,6 +8,7 @@
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
 #include "process/process.h"
+#include "support/voxel_width.h"
 #include "voxel/solid_voxels.h"
 
 #include <sys/resource.h>
@@ -24,18 +25,6 @@
 using namespace voluta;
 
 namespace {
-
-// Voxels of a part at the width that gives about `wanted` of them.
-voxel::SolidVoxels voxelsOf(const geometry::TriangleMesh& mesh, double wanted,
-                            const base::RunContext& ctx) {
-  double width = std::cbrt(std::abs(geometry::volume(mesh)) / wanted);
-  voxel::SolidVoxels voxels;
-  for (int round = 0; round < 5; ++round) {
-    voxels = voxel::solidVoxels(mesh, width, ctx);
-    width *= std::cbrt(static_cast<double>(voxels.count) / wanted);
-  }
-  return voxels;
-}
 
 // Slope of log(seconds) over log(voxels), least squares.
 double exponent(const std::vector<std::array<double, 2>>& rows) {
@@ -95,7 +84,8 @@ int main(int argc, char** argv) try {
     const std::string name = file.substr(file.find_last_of('/') + 1);
     std::vector<std::array<double, 2>> rows;
     for (const double wanted : counts) {
-      const voxel::SolidVoxels voxels = voxelsOf(mesh, wanted, ctx);
+      const voxel::SolidVoxels voxels =
+          voxel::solidVoxels(mesh, test::voxelWidthFor(mesh, wanted, ctx), ctx);
       const auto platform = curved::platformFit(voxels, 0.0);
       double best = 0.0;
       curved::Growth growth;

@@ -7,6 +7,7 @@
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
 #include "process/process.h"
+#include "support/voxel_width.h"
 #include "voxel/solid_voxels.h"
 
 #include <cmath>
@@ -130,13 +131,7 @@ int main(int argc, char** argv) try {
   const base::RunContext ctx(base::CancelToken{}, threads);
   for (const std::string& file : files) {
     const geometry::TriangleMesh mesh = geometry::readMesh(file).mesh;
-    double width = pitch;
-    if (wanted > 0.0) {
-      width = std::cbrt(std::abs(geometry::volume(mesh)) / wanted);
-      for (int i = 0; i < 4; ++i)
-        width *=
-            std::cbrt(static_cast<double>(voxel::solidVoxels(mesh, width, ctx).count) / wanted);
-    }
+    const double width = wanted > 0.0 ? test::voxelWidthFor(mesh, wanted, ctx) : pitch;
     base::Stopwatch watch;
     const voxel::SolidVoxels voxels = voxel::solidVoxels(mesh, width, ctx);
     const double voxelise = watch.seconds();

@@ -8,6 +8,7 @@
 #include "curved/rank_checker.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
+#include "support/voxel_width.h"
 #include "voxel/solid_voxels.h"
 
 #include <algorithm>
@@ -21,14 +22,6 @@
 using namespace voluta;
 
 namespace {
-
-// Voxel width at which the mesh has about `wanted` solid voxels.
-double widthFor(const geometry::TriangleMesh& mesh, double wanted, const base::RunContext& ctx) {
-  double width = std::cbrt(std::abs(geometry::volume(mesh)) / wanted);
-  for (int i = 0; i < 4; ++i)
-    width *= std::cbrt(static_cast<double>(voxel::solidVoxels(mesh, width, ctx).count) / wanted);
-  return width;
-}
 
 curved::Decomposition asDecomposition(const curved::VoxelGraph& graph,
                                       const voxel::SolidVoxels& voxels,
@@ -87,7 +80,8 @@ int main(int argc, char** argv) try {
       {"guided", curved::ForwardScheme::Guided}};
   for (const std::string& file : files) {
     const geometry::TriangleMesh mesh = geometry::readMesh(file).mesh;
-    const voxel::SolidVoxels voxels = voxel::solidVoxels(mesh, widthFor(mesh, wanted, ctx), ctx);
+    const voxel::SolidVoxels voxels =
+        voxel::solidVoxels(mesh, test::voxelWidthFor(mesh, wanted, ctx), ctx);
     const std::vector<Eigen::Vector2d> platform = curved::platformFit(voxels, 0.0);
     const curved::VoxelGraph graph =
         curved::voxelGraph(voxels.grid, voxels.solid, voxels.plateLayer(), platform);

@@ -9,6 +9,7 @@
 #include "geometry/mesh_reader.h"
 #include "layers/stack_checker.h"
 #include "layers/vtp_writer.h"
+#include "support/voxel_width.h"
 #include "voxel/solid_voxels.h"
 
 #include <algorithm>
@@ -51,14 +52,6 @@ void triangleQuality(const layers::LayerStack& stack) {
   std::printf("  %zu triangles; least angle below 5: %.4f, below 15: %.4f; shortest edge %.5f\n",
               triangles, static_cast<double>(below5) / static_cast<double>(triangles),
               static_cast<double>(below15) / static_cast<double>(triangles), shortest);
-}
-
-// The width of voxels of which the part takes about `wanted`.
-double widthFor(const geometry::TriangleMesh& part, double wanted, const base::RunContext& ctx) {
-  double width = std::cbrt(std::abs(geometry::volume(part)) / wanted);
-  for (int i = 0; i < 4; ++i)
-    width *= std::cbrt(static_cast<double>(voxel::solidVoxels(part, width, ctx).count) / wanted);
-  return width;
 }
 
 template <typename T> void put(std::ostream& out, const std::vector<T>& v) {
@@ -130,7 +123,7 @@ int main(int argc, char** argv) try {
   for (const std::string& file : files) {
     const geometry::TriangleMesh part = placed(geometry::readMesh(file).mesh, scale);
     if (wanted > 0.0)
-      pitch = widthFor(part, wanted, ctx);
+      pitch = test::voxelWidthFor(part, wanted, ctx);
     base::Stopwatch clock;
     const auto solid = voxel::solidVoxels(part, pitch, ctx);
     const std::string kept = keep.empty() ? keep

@@ -3,6 +3,7 @@
 #include "base/stopwatch.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
+#include "support/voxel_width.h"
 #include "voxel/containment.h"
 #include "voxel/solid_voxels.h"
 #include "voxel/wall_thickness.h"
@@ -21,13 +22,6 @@ double peakMb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-double widthFor(const geometry::TriangleMesh& mesh, double voxels, const base::RunContext& ctx) {
-  double width = std::cbrt(std::abs(geometry::volume(mesh)) / voxels);
-  for (int i = 0; i < 4; ++i)
-    width *= std::cbrt(static_cast<double>(voxel::solidVoxels(mesh, width, ctx).count) / voxels);
-  return width;
 }
 
 } // namespace
@@ -51,7 +45,7 @@ int main(int argc, char** argv) try {
   const base::RunContext ctx(base::CancelToken{}, threads);
   for (const std::string& file : files) {
     const geometry::TriangleMesh mesh = geometry::readMesh(file).mesh;
-    const double width = wanted > 0.0 ? widthFor(mesh, wanted, ctx) : pitch;
+    const double width = wanted > 0.0 ? test::voxelWidthFor(mesh, wanted, ctx) : pitch;
     double best = 1e9;
     voxel::SolidVoxels voxels;
     for (int run = 0; run < 5; ++run) {
