@@ -16,7 +16,6 @@ namespace voluta::curved {
 namespace {
 
 constexpr float kUnset = std::numeric_limits<float>::infinity();
-constexpr float kPitSlope = 0.15f;
 
 // The coarse grid: cells of `factor` fine ones each way, an empty border, the plate on a boundary.
 struct Coarsening {
@@ -83,18 +82,14 @@ std::vector<float> coarseField(const VoxelGraph& graph,
     const Eigen::Vector3i c = coarsening.cellOf(cell);
     use[grid.index(c.x(), c.y(), c.z())] = 1;
   }
-  const auto cellIndex = [&](const VoxelGraph& g, std::size_t v) {
-    return g.grid.index(g.cell[v][0], g.cell[v][1], g.cell[v][2]);
-  };
   std::vector<std::int32_t> rank;
   {
     const VoxelGraph all = voxelGraph(grid, use, coarsening.plateLayer, platform);
     PeelOptions options;
-    options.sheet = 0.6;
     options.reports = false;
     const Peeling peeled = peelAll(all, {}, options, ctx);
     for (std::size_t v = 0; v < all.size(); ++v) {
-      use[cellIndex(all, v)] = peeled.rank[v] > 0;
+      use[all.cellOf(v)] = peeled.rank[v] > 0;
       if (peeled.rank[v] > 0)
         rank.push_back(peeled.rank[v]);
     }

@@ -23,10 +23,6 @@ namespace voluta::curved {
 
 namespace {
 
-std::size_t cellOf(const VoxelGraph& graph, std::size_t v) {
-  return graph.grid.index(graph.cell[v][0], graph.cell[v][1], graph.cell[v][2]);
-}
-
 // The front's normal for each voxel, hulls taken before each group of equal key.
 template <typename Key>
 std::vector<Eigen::Vector3f> frontNormals(const VoxelGraph& graph, const std::vector<Key>& key,
@@ -64,8 +60,8 @@ void store(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
            const std::vector<Eigen::Vector3f>& normals, Decomposition& out) {
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (rank[v] > 0) {
-      out.rank[cellOf(graph, v)] = rank[v];
-      out.frontNormal[cellOf(graph, v)] = normals[v];
+      out.rank[graph.cellOf(v)] = rank[v];
+      out.frontNormal[graph.cellOf(v)] = normals[v];
     }
 }
 
@@ -85,7 +81,7 @@ std::vector<Eigen::Vector3f> normalsOfRanks(const VoxelGraph& graph,
 void storeField(const VoxelGraph& graph, const std::vector<float>& field, Decomposition& out) {
   out.field.assign(out.grid.cellCount(), std::numeric_limits<float>::quiet_NaN());
   for (std::size_t v = 0; v < graph.size(); ++v)
-    out.field[cellOf(graph, v)] = field[v];
+    out.field[graph.cellOf(v)] = field[v];
 }
 
 // The field of what was laid, and ranks that follow it.
@@ -96,7 +92,7 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
   if (growth.laid < graph.size()) {
     std::vector<std::uint8_t> use(out.grid.cellCount(), 0);
     for (std::size_t v = 0; v < graph.size(); ++v)
-      use[cellOf(graph, v)] = growth.rank[v] > 0;
+      use[graph.cellOf(v)] = growth.rank[v] > 0;
     withoutMissed = voxelGraph(out.grid, use, graph.plateLayer, out.platform);
   }
   const VoxelGraph& laid = withoutMissed ? *withoutMissed : graph;
@@ -110,7 +106,7 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
   std::vector<std::int32_t> plain(laid.size());
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (growth.rank[v] > 0)
-      plain[static_cast<std::size_t>(laid.voxelAt[cellOf(graph, v)])] = growth.rank[v];
+      plain[static_cast<std::size_t>(laid.voxelAt[graph.cellOf(v)])] = growth.rank[v];
   const bool coarse = laid.size() > kFieldVoxels;
   const std::vector<float> field =
       coarse ? coarseField(laid, out.platform, limits, options.rounds, ctx.sub(0.0, 0.85))
@@ -122,7 +118,6 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
     for (std::size_t v = 0; v < laid.size(); ++v)
       guide[v] = static_cast<float>(field[v] / out.grid.pitch);
     PeelOptions strict;
-    strict.sheet = 0.6;
     strict.levelStep = 1.0;
     strict.sacrifice = false;
     Peeling guided = peelGuided(laid, guide, rank, strict, ctx.sub(0.85, 0.95));
@@ -183,8 +178,7 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
     out.rank[c] = voxels.solid[c] ? -1 : 0;
   out.frontNormal.assign(voxels.grid.cellCount(), Eigen::Vector3f::Zero());
 
-  const bool reverse = options.growth == "auto" || options.growth == "reverse";
-  const bool fits = reverse && options.rounds > 0;
+  const bool fits = peels(options.growth) && options.rounds > 0;
   const Growth growth =
       grow(graph, options.growth, options.forward, ctx.sub(0.0, fits ? 0.15 : 0.9),
            options.head.sections.empty() ? nullptr : &options.head);
@@ -197,7 +191,7 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
   out.seconds.grow = growth.growSeconds;
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (growth.rank[v] > 0)
-      out.rank[cellOf(graph, v)] = growth.rank[v];
+      out.rank[graph.cellOf(v)] = growth.rank[v];
   describeMissed(voxels, out, ctx);
   if (watch)
     watch(out);
@@ -208,8 +202,8 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
   if (growth.byHead > 0)
     for (std::size_t v = 0; v < graph.size(); ++v)
       if (growth.headDirection[v] != Eigen::Vector3f::Zero()) {
-        out.frontNormal[cellOf(graph, v)] = growth.headDirection[v];
-        out.byHead[cellOf(graph, v)] = 1;
+        out.frontNormal[graph.cellOf(v)] = growth.headDirection[v];
+        out.byHead[graph.cellOf(v)] = 1;
       }
   out.headVoxels = growth.byHead;
   ctx.report(1.0, "growth");

@@ -35,9 +35,7 @@ std::size_t laidOf(const std::vector<std::int32_t>& rank) {
 void growReverse(const VoxelGraph& graph, const process::HeadShape* head, Growth& out,
                  const base::RunContext& ctx) {
   base::Stopwatch watch;
-  constexpr double kSheet = 0.6;
   PeelOptions first;
-  first.sheet = kSheet;
   first.head = head;
   first.runs = 1;
   Peeling best = peelAll(graph, {}, first, ctx.sub(0.0, 0.5));
@@ -50,7 +48,7 @@ void growReverse(const VoxelGraph& graph, const process::HeadShape* head, Growth
       double sheet;
       bool relaxSheets;
     };
-    constexpr std::array<Pass, 2> kPasses{{{kSheet, true}, {1.0, true}}};
+    constexpr std::array<Pass, 2> kPasses{{{0.6, true}, {1.0, true}}};
     std::array<Peeling, kPasses.size()> passes;
     base::parallelChunks(ctx, kPasses.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) {
@@ -84,6 +82,10 @@ std::vector<std::string> growthSchemes() {
   for (const ForwardRow& row : kForward)
     ids.emplace_back(row.id);
   return ids;
+}
+
+bool peels(const std::string& scheme) {
+  return scheme == "auto" || scheme == "reverse";
 }
 
 void checkGrowthScheme(const std::string& scheme) {

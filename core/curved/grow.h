@@ -15,6 +15,8 @@ namespace voluta::curved {
 // Schemes that a user may name, in the order they are offered: auto, reverse, guided, adaptive,
 // incremental, greedy. The last four are the sources' (forward_growth.h).
 std::vector<std::string> growthSchemes();
+// Whether a scheme peels: auto and reverse. The others grow forward.
+bool peels(const std::string& scheme);
 // Throws Error{Usage} that names the nearest scheme.
 void checkGrowthScheme(const std::string& scheme);
 

@@ -39,10 +39,7 @@ public:
   }
 
 private:
-  std::size_t cellOf(std::size_t v) const {
-    return graph_.grid.index(graph_.cell[v][0], graph_.cell[v][1], graph_.cell[v][2]);
-  }
-  std::int32_t rank(std::size_t v) const { return d_.rank[cellOf(v)]; }
+  std::int32_t rank(std::size_t v) const { return d_.rank[graph_.cellOf(v)]; }
   Eigen::Vector3d centreOf(std::int32_t v) const {
     const auto& c = graph_.cell[static_cast<std::size_t>(v)];
     return graph_.grid.centre(c[0], c[1], c[2]);
@@ -64,9 +61,9 @@ private:
     const std::vector<std::int32_t> reached = flood(graph_, {}, {}, 1.0f, ctx_).order;
     for (std::size_t v = 0; v < graph_.size(); ++v)
       if (rank(v) < 0)
-        d_.loss[cellOf(v)] = reached[v] < 0         ? Loss::Unreached
-                             : supportedFrom(v) > 0 ? Loss::Shadowed
-                                                    : Loss::Cascade;
+        d_.loss[graph_.cellOf(v)] = reached[v] < 0         ? Loss::Unreached
+                                    : supportedFrom(v) > 0 ? Loss::Shadowed
+                                                           : Loss::Cascade;
   }
 
   void gather() {
@@ -102,7 +99,7 @@ private:
       const auto x = static_cast<std::size_t>(v);
       if ((centreOf(v) - mean).squaredNorm() < (group.centre - mean).squaredNorm())
         group.centre = centreOf(v);
-      const Loss loss = d_.loss[cellOf(x)];
+      const Loss loss = d_.loss[graph_.cellOf(x)];
       group.cascade += loss == Loss::Cascade;
       if (loss != Loss::Shadowed)
         continue;

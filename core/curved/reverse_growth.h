@@ -15,7 +15,7 @@ namespace voluta::curved {
 
 // Lengths in cells.
 struct PeelOptions {
-  double sheet = 1.0;     // how deep below the front voxels are peeled in one round
+  double sheet = 0.6;     // how deep below the front voxels are peeled in one round
   double tolerance = 0.0; // how deep inside the front of what is laid before a voxel may be laid
   double stuckTolerance = 0.5; // the same, only where nothing else can go on
   bool relaxSheets = false; // there: the whole sheet at that tolerance, not only what hangs on one

@@ -1,21 +1,18 @@
 #include "curved/smooth_field.h"
 
 #include "base/error.h"
-#include "base/stopwatch.h"
 #include "curved/field_fit.h"
 #include "curved/flood.h"
 #include "curved/reverse_growth.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace voluta::curved {
 
 namespace {
 
-constexpr float kPitSlope = 0.15f; // least rise of the field from a voxel to one it carries
-constexpr float kChanged = 0.3f;   // a growth that lowers the field by more holds it there
+constexpr float kChanged = 0.3f; // a growth that lowers the field by more holds it there
 constexpr float kScreenStart = 0.001f, kScreenFree = 0.003f, kScreenHeld = 0.02f,
                 kScreenPressed = 0.3f;
 // Fewer voxels than this may be inaccessible, and more must be within the limits, for a field to be
@@ -63,7 +60,6 @@ SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>
                         const base::RunContext& ctx) {
   base::require(rounds >= 1 && graph.size() > 0 && rank.size() == graph.size(),
                 "smoothField: a round and a voxel or more, a rank each");
-  base::Stopwatch total;
   SmoothField out;
   ctx.report(0.0, "field");
   std::vector<float> field = geodesicDistance(graph, rank, ctx);
@@ -108,9 +104,7 @@ SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>
       break;
     if (stalled)
       fitOptions.overhang += kOverhangStep;
-    base::Stopwatch growing;
     const Peeling grown = peelGuided(graph, field, rank, peelOptions, ctx);
-    out.growSeconds += growing.seconds();
     std::vector<float> target(graph.size());
     for (std::size_t v = 0; v < graph.size(); ++v)
       target[v] = grown.rank[v] > 0 ? std::max(grown.level[v], 0.25f) : field[v];
@@ -118,7 +112,6 @@ SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>
     field = target;
     fit.fit(field, target, screen, fitOptions, ctx);
   }
-  out.smoothSeconds = total.seconds() - out.growSeconds;
   ctx.report(1.0, "field");
   return out;
 }

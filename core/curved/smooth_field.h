@@ -10,11 +10,13 @@
 
 namespace voluta::curved {
 
+// Least rise of a field, per cell, from a voxel to one it carries: flood() takes out what is less.
+inline constexpr float kPitSlope = 0.15f;
+
 struct SmoothField {
   std::vector<float> field; // mm, one a voxel: level L covers [L h, (L + 1) h)
   FieldScore score;
   std::vector<FieldScore> rounds; // of each round, in order
-  double growSeconds = 0.0, smoothSeconds = 0.0;
 };
 
 // From the geodesic distance to the platform along the ranks of a growth (> 0, one a voxel, valid),

@@ -30,6 +30,8 @@ struct VoxelGraph {
   std::vector<LatticePoint> platform;                           // corners on the lattice, z = 0
 
   std::size_t size() const { return cell.size(); }
+  // Index in the grid.
+  std::size_t cellOf(std::size_t v) const { return grid.index(cell[v][0], cell[v][1], cell[v][2]); }
   // Centre of a voxel on the front's lattice.
   LatticePoint lattice(std::size_t v) const {
     return {kLatticePerCell * cell[v][0] + 8.0, kLatticePerCell * cell[v][1] + 8.0,

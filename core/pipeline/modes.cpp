@@ -19,10 +19,6 @@ std::string heightsText(const process::Process& p) {
                      p.layerHeightMaxMm);
 }
 
-bool growsForward(const std::string& growth) {
-  return growth != "auto" && growth != "reverse";
-}
-
 // The head that the front may have the shape of, shrunk by what counts as contact; none for flat.
 process::HeadShape frontHead(const ModeChoices& in) {
   if (in.values.text("frontShape") != "nozzle")
@@ -35,7 +31,7 @@ std::string curvedDecomposeKey(const ModeChoices& in) {
                                 in.choices.platform, heightsText(in.process)) +
                     parameterText(curved::curvedParameters(), in.values) +
                     parameterText(support::supportParameters(), in.values);
-  if (growsForward(in.choices.growth))
+  if (!curved::peels(in.choices.growth))
     key += parameterText(curved::forwardParameters(), in.values);
   for (const process::HeadSection& s : frontHead(in).sections)
     key += fmt::format("head {} {}\n", s.zMm, s.radiusMm);

@@ -174,7 +174,6 @@ private:
     const curved::VoxelGraph graph =
         curved::voxelGraph(part.grid, part.solid, part.plateLayer(), platform);
     curved::PeelOptions peeling;
-    peeling.sheet = 0.6;
     peeling.reports = false;
     const std::vector<std::int32_t> rank = curved::peel(graph, {}, peeling, ctx).rank;
     return part.count - static_cast<std::size_t>(

@@ -32,7 +32,7 @@ public:
   Supporter(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,
             const SupportOptions& options, const base::RunContext& ctx)
       : part_(part), platform_(platform), options_(options), ctx_(ctx),
-        peels_(options.growth == "auto" || options.growth == "reverse") {
+        peels_(curved::peels(options.growth)) {
     out_.solid = part;
   }
 
@@ -69,9 +69,6 @@ private:
   curved::VoxelGraph graphOf(const std::vector<std::uint8_t>& solid) const {
     return curved::voxelGraph(part_.grid, solid, part_.plateLayer(), platform_);
   }
-  static std::size_t cellOf(const curved::VoxelGraph& graph, std::size_t v) {
-    return graph.grid.index(graph.cell[v][0], graph.cell[v][1], graph.cell[v][2]);
-  }
   bool ofPart(std::size_t cell) const { return part_.solid[cell] != 0; }
 
   curved::Growth grown(const curved::VoxelGraph& graph, const base::RunContext& ctx) {
@@ -84,7 +81,7 @@ private:
                        const std::vector<std::int32_t>& rank) const {
     std::size_t missed = belowPlate_;
     for (std::size_t v = 0; v < graph.size(); ++v)
-      missed += rank[v] <= 0 && ofPart(cellOf(graph, v));
+      missed += rank[v] <= 0 && ofPart(graph.cellOf(v));
     return missed;
   }
 
@@ -97,7 +94,6 @@ private:
       return grown(graph, ctx_.sub(at, at)).rank;
     ++out_.growths;
     curved::PeelOptions peeling;
-    peeling.sheet = 0.6;
     peeling.reports = false;
     peeling.head = head();
     return curved::peel(graph, {}, peeling, ctx_).rank;
@@ -115,13 +111,13 @@ private:
           plate[part_.grid.index(i, j, k)] = 1;
     const curved::VoxelGraph layer = graphOf(plate);
     for (std::size_t v = 0; v < layer.size(); ++v)
-      cells_[cellOf(layer, v)] = layer.onPlatform[v] ? Cell::Plate : Cell::Closed;
+      cells_[layer.cellOf(v)] = layer.onPlatform[v] ? Cell::Plate : Cell::Closed;
     for (int below = 0; below < std::min(k, n.z()); ++below)
       for (int j = 0; j < n.y(); ++j)
         for (int i = 0; i < n.x(); ++i)
           cells_[part_.grid.index(i, j, below)] = Cell::Closed;
     for (std::size_t v = 0; v < plain.size(); ++v)
-      cells_[cellOf(plain, v)] = Cell::Part;
+      cells_[plain.cellOf(v)] = Cell::Part;
   }
 
   std::vector<Group> missedGroups(const curved::VoxelGraph& graph,
@@ -140,8 +136,8 @@ private:
         const std::size_t v = members[i];
         if (order[v] >= 0)
           group.order = std::min(group.order, order[v]);
-        if (ofPart(cellOf(graph, v)))
-          group.cells.push_back(cellOf(graph, v));
+        if (ofPart(graph.cellOf(v)))
+          group.cells.push_back(graph.cellOf(v));
         for (const std::int32_t w : graph.neighbour[v])
           if (w >= 0 && !seen[static_cast<std::size_t>(w)] &&
               rank[static_cast<std::size_t>(w)] <= 0) {
@@ -184,7 +180,7 @@ private:
              const std::vector<std::int32_t>& order) {
     // What it stands on must not itself wait for the group.
     for (std::size_t v = 0; v < graph.size(); ++v)
-      if (const std::size_t c = cellOf(graph, v); ofPart(c))
+      if (const std::size_t c = graph.cellOf(v); ofPart(c))
         cells_[c] = order[v] >= 0 && order[v] < group.order ? Cell::Footing : Cell::Part;
     for (const std::size_t c : group.cells)
       cells_[c] = Cell::Part;
