@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "document/parts.h"
 
-#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <gtest/gtest.h>
 
@@ -157,18 +156,6 @@ TEST(Document, TheRepairedPartReachesEveryEdit) {
   document.undoStack()->redo();
   EXPECT_EQ(document.source(), repaired);
   EXPECT_TRUE(document.sourceReady());
-}
-
-TEST(Document, AnEditTakesAFewMilliseconds) {
-  Document document;
-  document.openPart(test::boxPart(), {}, true);
-  QElapsedTimer watch;
-  watch.start();
-  for (int i = 2; i < 52; ++i)
-    test::setSeed(document, i);
-  const double each = watch.elapsed() / 50.0;
-  std::printf("an edit: %.2f ms\n", each);
-  EXPECT_LT(each, 50.0);
 }
 
 } // namespace

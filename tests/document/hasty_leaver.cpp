@@ -12,9 +12,9 @@ int main(int argc, char** argv) {
   const int status = argc > 1 ? std::atoi(argv[1]) : 0;
   voluta::jobs::JobRunner runner;
   runner.run(
-      [](const voluta::base::RunContext&) {
-        std::this_thread::sleep_for(std::chrono::seconds(60));
-        return 1;
+      [](const voluta::base::RunContext&) -> int {
+        while (true)
+          std::this_thread::sleep_for(std::chrono::seconds(60));
       },
       [](const voluta::base::Outcome<int>&) {});
   QTimer::singleShot(100, [&] {
