@@ -97,7 +97,10 @@ Absorbed absorbCrumbs(std::vector<Patch>& patches, const std::vector<Patch>& cru
           patches[p].group == kSupportGroup)
         continue;
       const Patch& patch = patches[p];
-      const Host& host = hosts.try_emplace(p, hostOf(patch)).first->second;
+      const auto [entry, isNew] = hosts.try_emplace(p);
+      if (isNew)
+        entry->second = hostOf(patch);
+      const Host& host = entry->second;
       const double side = patch.layer < piece.layer ? 1.0 : -1.0;
       for (std::size_t v = 0; v < host.area.size(); ++v) {
         const double room = options.heightMaxMm - patch.thicknessMm[v];

@@ -44,7 +44,8 @@ double distanceToSegment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
   return (p - a - t * d).norm();
 }
 
-// What the rounds look up; built anew for each.
+// What a round looks up, built anew for each: of the triangles it was given, those around each
+// vertex and the edges, from their lower vertex in order.
 struct Ring {
   std::vector<geometry::HalfEdge> halfEdges;
   std::vector<int> first, triangles;       // triangles around each vertex
@@ -52,18 +53,19 @@ struct Ring {
   std::vector<std::uint8_t> bad;           // a vertex of an edge with more than two triangles
   std::vector<std::array<int, 2>> along;   // its two boundary neighbours, where it has two
 
-  explicit Ring(const geometry::TriangleMesh& mesh)
-      : halfEdges(geometry::sortedHalfEdges(mesh)), first(mesh.vertices.size() + 1, 0),
-        triangles(3 * mesh.triangles.size()), boundaryEdges(mesh.vertices.size(), 0),
-        bad(mesh.vertices.size(), 0), along(mesh.vertices.size(), {-1, -1}) {
-    for (const Triangle& t : mesh.triangles)
-      for (int v : t)
+  Ring(const geometry::TriangleMesh& mesh, const std::vector<int>& active)
+      : first(mesh.vertices.size() + 1, 0), triangles(3 * active.size()),
+        boundaryEdges(mesh.vertices.size(), 0), bad(mesh.vertices.size(), 0),
+        along(mesh.vertices.size(), {-1, -1}) {
+    for (const int t : active)
+      for (int v : mesh.triangles[at(t)])
         ++first[at(v) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<int> next(first.begin(), first.end() - 1);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-      for (int v : mesh.triangles[t])
-        triangles[at(next[at(v)]++)] = static_cast<int>(t);
+    for (const int t : active)
+      for (int v : mesh.triangles[at(t)])
+        triangles[at(next[at(v)]++)] = t;
+    findEdges(mesh);
     geometry::forEachEdge(halfEdges, [&](std::size_t b, std::size_t e) {
       for (int v : {halfEdges[b].low, halfEdges[b].high}) {
         if (e - b > 2)
@@ -83,16 +85,42 @@ struct Ring {
     for (int k = first[at(v)]; k < first[at(v) + 1]; ++k)
       f(triangles[at(k)]);
   }
+
+private:
+  // A sort of all of them at once would take most of the time of cleaning.
+  void findEdges(const geometry::TriangleMesh& mesh) {
+    halfEdges.reserve(triangles.size());
+    for (int v = 0; v + 1 < static_cast<int>(first.size()); ++v) {
+      const std::size_t from = halfEdges.size();
+      around(v, [&](int t) {
+        const Triangle& corners = mesh.triangles[at(t)];
+        for (std::size_t side = 0; side < 3; ++side) {
+          const int a = corners[side], b = corners[(side + 1) % 3];
+          if (std::min(a, b) == v)
+            halfEdges.push_back({v, std::max(a, b), t, static_cast<int>(side), a < b});
+        }
+      });
+      // A handful, those of one triangle after the other.
+      for (std::size_t k = from + 1; k < halfEdges.size(); ++k)
+        for (std::size_t j = k; j > from && halfEdges[j].high < halfEdges[j - 1].high; --j)
+          std::swap(halfEdges[j], halfEdges[j - 1]);
+    }
+  }
 };
 
 class Cleaner {
 public:
-  Cleaner(LevelSurface& s, const CleanOptions& options) : s_(s), options_(options) {}
+  Cleaner(LevelSurface& s, const CleanOptions& options)
+      : s_(s), options_(options), afterCollapse_(s.surface.vertices.size(), 1),
+        afterFlip_(afterCollapse_) {
+    dropDegenerate();
+  }
 
   // One round of collapses; returns how many were done.
   int collapse() {
     auto& mesh = s_.surface;
-    const Ring ring(mesh);
+    const std::vector<std::uint8_t> mayChange = changed();
+    const Ring ring(mesh, trianglesNear(mayChange, 1));
     struct Candidate {
       double length;
       int low, high;
@@ -101,6 +129,8 @@ public:
     std::vector<Candidate> candidates;
     geometry::forEachEdge(ring.halfEdges, [&](std::size_t b, std::size_t e) {
       const int low = ring.halfEdges[b].low, high = ring.halfEdges[b].high;
+      if (!mayChange[at(low)] && !mayChange[at(high)])
+        return;
       const double length = (point(low) - point(high)).norm();
       if (length < options_.shortEdgeMm && e - b <= 2)
         candidates.push_back({length, low, high, e - b == 1});
@@ -110,7 +140,8 @@ public:
              : x.low != y.low     ? x.low < y.low
                                   : x.high < y.high;
     });
-    std::vector<std::uint8_t> locked(mesh.vertices.size(), 0);
+    std::vector<std::uint8_t>& locked = afterCollapse_;
+    locked.assign(mesh.vertices.size(), 0);
     int done = 0;
     for (const Candidate& c : candidates) {
       double best = -1.0;
@@ -142,8 +173,10 @@ public:
   // One round of flips; returns how many were done.
   int flip() {
     auto& mesh = s_.surface;
-    const Ring ring(mesh);
-    std::vector<std::uint8_t> locked(mesh.vertices.size(), 0);
+    const std::vector<std::uint8_t> mayChange = changed();
+    const Ring ring(mesh, trianglesNear(mayChange, 2));
+    std::vector<std::uint8_t>& locked = afterFlip_;
+    locked.assign(mesh.vertices.size(), 0);
     int done = 0;
     geometry::forEachEdge(ring.halfEdges, [&](std::size_t b, std::size_t e) {
       if (e - b != 2 || ring.halfEdges[b].forward == ring.halfEdges[b + 1].forward)
@@ -155,6 +188,8 @@ public:
       Triangle &s = mesh.triangles[at(h.triangle)], &t = mesh.triangles[at(g.triangle)];
       const int u = h.low, v = h.high; // s holds u -> v, t holds v -> u
       const int x = s[at((h.side + 2) % 3)], y = t[at((g.side + 2) % 3)];
+      if (!mayChange[at(u)] && !mayChange[at(v)] && !mayChange[at(x)] && !mayChange[at(y)])
+        return;
       if (x == y || locked[at(u)] || locked[at(v)] || locked[at(x)] || locked[at(y)])
         return;
       const Eigen::Vector3d &pu = point(u), &pv = point(v), &px = point(x), &py = point(y);
@@ -186,6 +221,35 @@ public:
   }
 
 private:
+  // Vertices at which something was done, or left for being beside it, since they were looked at
+  // last: an answer is no other where there are none of them.
+  std::vector<std::uint8_t> changed() const {
+    std::vector<std::uint8_t> mask(afterCollapse_);
+    for (std::size_t v = 0; v < mask.size(); ++v)
+      mask[v] |= afterFlip_[v];
+    return mask;
+  }
+
+  // All triangles around vertices that are so many edges from one of a set or fewer.
+  std::vector<int> trianglesNear(std::vector<std::uint8_t> near, int edges) const {
+    const auto& triangles = s_.surface.triangles;
+    const auto touches = [&](const Triangle& t) {
+      return near[at(t[0])] != 0 || near[at(t[1])] != 0 || near[at(t[2])] != 0;
+    };
+    for (; edges > 0; --edges) {
+      std::vector<std::uint8_t> wider(near);
+      for (const Triangle& t : triangles)
+        if (touches(t))
+          wider[at(t[0])] = wider[at(t[1])] = wider[at(t[2])] = 1;
+      near.swap(wider);
+    }
+    std::vector<int> found;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      if (touches(triangles[t]))
+        found.push_back(static_cast<int>(t));
+    return found;
+  }
+
   const Eigen::Vector3d& point(int v) const { return s_.surface.vertices[at(v)]; }
 
   void lock(std::vector<std::uint8_t>& locked, int triangle) const {
@@ -267,6 +331,7 @@ private:
 
   LevelSurface& s_;
   CleanOptions options_;
+  std::vector<std::uint8_t> afterCollapse_, afterFlip_; // vertices locked by the last of each
   mutable std::vector<int> neighbours_, mine_;
 };
 
