@@ -1,10 +1,10 @@
 #include "base/files.h"
 
 #include "base/error.h"
+#include "support/temporary_folder.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 using namespace voluta::base;
@@ -13,17 +13,11 @@ namespace {
 
 class Files : public ::testing::Test {
 protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "voluta-files.XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   std::size_t entries(const fs::path& where) const {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(where), fs::directory_iterator{}));
   }
-  fs::path folder_;
+  const voluta::test::TemporaryFolder folder_;
 };
 
 ErrorCode codeOf(const std::function<void()>& f) {
@@ -41,12 +35,12 @@ TEST_F(Files, WritesWholeAndReadsBack) {
   writeFile(file, "first");
   writeFile(file, std::string(100000, 'x'));
   EXPECT_EQ(readFile(file), std::string(100000, 'x'));
-  EXPECT_EQ(entries(folder_), 1u) << "a temporary was left";
+  EXPECT_EQ(entries(folder_.path()), 1u) << "a temporary was left";
 }
 
 TEST_F(Files, ReadErrorsNameTheCase) {
   EXPECT_EQ(codeOf([&] { readFile(folder_ / "none"); }), ErrorCode::UnreadableFile);
-  EXPECT_EQ(codeOf([&] { readFile(folder_); }), ErrorCode::UnreadableFile);
+  EXPECT_EQ(codeOf([&] { readFile(folder_.path()); }), ErrorCode::UnreadableFile);
 }
 
 TEST_F(Files, AWriteThatFailsLeavesWhatWasThere) {
@@ -55,7 +49,7 @@ TEST_F(Files, AWriteThatFailsLeavesWhatWasThere) {
   writeFile(file / "inside", "kept");
   EXPECT_EQ(codeOf([&] { writeFile(file, "new"); }), ErrorCode::CannotWrite);
   EXPECT_EQ(readFile(file / "inside"), "kept");
-  EXPECT_EQ(entries(folder_), 1u);
+  EXPECT_EQ(entries(folder_.path()), 1u);
   EXPECT_EQ(codeOf([&] { writeFile(folder_ / "no" / "such", "x"); }), ErrorCode::CannotWrite);
 }
 
@@ -67,7 +61,7 @@ TEST_F(Files, StagedFolderAppearsOnlyOnCommit) {
     EXPECT_FALSE(fs::exists(target));
   }
   EXPECT_FALSE(fs::exists(target));
-  EXPECT_EQ(entries(folder_), 0u) << "folders made for staging stay behind";
+  EXPECT_EQ(entries(folder_.path()), 0u) << "folders made for staging stay behind";
   {
     StagedFolder staged(target);
     writeFile(staged.path() / "a", "2");

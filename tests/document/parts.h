@@ -2,8 +2,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "pipeline/load_stage.h"
-#include "support/shapes.h"
+#include "support/loaded_box.h"
 
 #include <memory>
 #include <string>
@@ -13,9 +12,7 @@ namespace voluta::test {
 // A box of 12 triangles that prints in a moment.
 inline std::shared_ptr<const pipeline::LoadedPart> boxPart(double side = 8.0,
                                                            const std::string& name = "box.stl") {
-  auto mesh = std::make_shared<geometry::TriangleMesh>(
-      box(Eigen::Vector3d::Zero(), Eigen::Vector3d(side, side, 4.0)));
-  return pipeline::loadedFrom(name, mesh, {}, true, {});
+  return loadedBox(Eigen::Vector3d::Zero(), {side, side, 4.0}, name);
 }
 
 inline int seedOf(const document::Document& document) {

@@ -2,6 +2,7 @@
 // stderr and what it leaves on the disk.
 #include "base/files.h"
 #include "support/shapes.h"
+#include "support/temporary_folder.h"
 
 #include <chrono>
 #include <csignal>
@@ -28,13 +29,6 @@ struct Ended {
 
 class CommandLine : public ::testing::Test {
 protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "voluta-cli.XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   pid_t start(const std::vector<std::string>& words) const {
     std::vector<std::string> all{VOLUTA_CLI};
     all.insert(all.end(), words.begin(), words.end());
@@ -93,13 +87,13 @@ protected:
   }
   // Every entry of the folder but the two that hold the child's words.
   std::set<std::string> entries() const {
-    std::set<std::string> found = names(folder_);
+    std::set<std::string> found = names(folder_.path());
     found.erase("stdout");
     found.erase("stderr");
     return found;
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder folder_;
 };
 
 void expectOneLine(const Ended& ended, int code, const std::vector<std::string>& says) {

@@ -4,6 +4,7 @@
 #include "pipeline/block_file.h"
 #include "pipeline/job_blocks.h"
 #include "support/shapes.h"
+#include "support/temporary_folder.h"
 
 #include <cmath>
 #include <filesystem>
@@ -12,7 +13,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <unistd.h>
 
 using namespace voluta;
 using pipeline::Job;
@@ -170,12 +170,6 @@ std::string formatOneBytes(const Job& job) {
 
 class JobFile : public ::testing::Test {
 protected:
-  void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "voluta-job.XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   std::string errorOf(const std::string& bytes) const {
     try {
       readBack(bytes);
@@ -190,7 +184,7 @@ protected:
     std::ofstream(folder_ / "job.voluta", std::ios::binary) << bytes;
     return pipeline::readJob(folder_ / "job.voluta");
   }
-  std::filesystem::path folder_;
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(JobFile, ComesBackAsItWas) {

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "geometry/measures.h"
 #include "pipeline/job.h"
+#include "support/temporary_folder.h"
 #include "voxel/voxel_object.h"
 
 #include <algorithm>
@@ -94,10 +95,9 @@ TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
 
 TEST(Lossless, ASupportedPlanIsKeptInItsProject) {
   const PlanResult plan = planned({{"supports", "auto"}}, Stage::Layers);
-  const auto file = std::filesystem::temp_directory_path() / "voluta-lossless.voluta";
-  writeJob(file, plan.job);
-  const Job job = readJob(file);
-  std::filesystem::remove(file);
+  const test::TemporaryFolder folder;
+  writeJob(folder / "job.voluta", plan.job);
+  const Job job = readJob(folder / "job.voluta");
   EXPECT_EQ(job.decomposition->support, plan.job.decomposition->support);
   EXPECT_EQ(job.decomposition->supportVoxels, 8u);
   EXPECT_EQ(job.layers->patches.back().group, plan.job.layers->patches.back().group);

@@ -4,37 +4,22 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
+#include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
-#include "support/shapes.h"
+#include "support/temporary_folder.h"
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <unistd.h>
 
 using namespace voluta;
 using namespace voluta::pipeline;
-namespace fs = std::filesystem;
 
 namespace {
 
-std::shared_ptr<const LoadedPart> boxPart() {
-  static const auto kPart = loadedFrom("box.stl",
-                                       std::make_shared<geometry::TriangleMesh>(test::box(
-                                           Eigen::Vector3d(-10, -9, 0), Eigen::Vector3d(10, 9, 8))),
-                                       {}, true, {});
-  return kPart;
-}
-
-PlanRequest boxRequest(const std::map<std::string, std::string>& parameters = {}) {
-  PlanRequest request;
-  request.loaded = boxPart();
-  request.choices.parameters = parameters;
-  return request;
-}
+using test::boxPart, test::boxRequest;
 
 base::RunContext context() {
   return base::RunContext(base::CancelToken(), 2);
@@ -149,12 +134,9 @@ TEST_F(PlannedBox, ThePlanHasTheKeysThatWereAskedForBefore) {
 }
 
 TEST_F(PlannedBox, AReopenedProjectPlansOnlyItsProgramsAndTheSameOnes) {
-  std::string pattern = (fs::temp_directory_path() / "voluta-road.XXXXXX").string();
-  ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-  const fs::path file = fs::path(pattern) / "job.voluta";
-  writeJob(file, first_->job);
-  const Job job = readJob(file);
-  fs::remove_all(pattern);
+  const test::TemporaryFolder folder;
+  writeJob(folder / "job.voluta", first_->job);
+  const Job job = readJob(folder / "job.voluta");
 
   EXPECT_EQ(said(job.report), said(first_->job.report));
   const PlanResult shown = resultOf(job);

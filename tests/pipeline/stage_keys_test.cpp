@@ -2,15 +2,15 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "curved/forward_growth.h"
+#include "pipeline/box_request.h"
 #include "pipeline/road.h"
-#include "support/shapes.h"
+#include "support/temporary_folder.h"
 
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
 #include <tuple>
-#include <unistd.h>
 
 using namespace voluta;
 using namespace voluta::pipeline;
@@ -18,20 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::shared_ptr<const LoadedPart> boxPart() {
-  static const auto kPart = loadedFrom("box.stl",
-                                       std::make_shared<geometry::TriangleMesh>(test::box(
-                                           Eigen::Vector3d(-10, -9, 0), Eigen::Vector3d(10, 9, 8))),
-                                       {}, true, {});
-  return kPart;
-}
-
-PlanRequest boxRequest(const std::map<std::string, std::string>& parameters = {}) {
-  PlanRequest request;
-  request.loaded = boxPart();
-  request.choices.parameters = parameters;
-  return request;
-}
+using test::boxPart, test::boxRequest;
 
 // The first stage whose key a parameter changes; kStageCount: none.
 const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
@@ -62,13 +49,10 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
 class StageKeysOf : public ::testing::Test {
 protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "voluta-keys.XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    fs::copy(base::resourceFolder() / "", folder_, fs::copy_options::recursive);
+    fs::copy(base::resourceFolder() / "", folder_.path(), fs::copy_options::recursive);
     if (const char* before = std::getenv("VOLUTA_RESOURCES"))
       before_ = before;
-    ::setenv("VOLUTA_RESOURCES", folder_.c_str(), 1);
+    ::setenv("VOLUTA_RESOURCES", folder_.path().c_str(), 1);
     default_ = stageKeys(boxRequest());
   }
   void TearDown() override {
@@ -76,7 +60,6 @@ protected:
       ::unsetenv("VOLUTA_RESOURCES");
     else
       ::setenv("VOLUTA_RESOURCES", before_.c_str(), 1);
-    fs::remove_all(folder_);
   }
   void replace(const char* file, const std::string& what, const std::string& with) const {
     std::string text = base::readFile(folder_ / file);
@@ -92,7 +75,7 @@ protected:
       EXPECT_EQ(now[i] == default_[i], i < first) << what << ", stage " << i;
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder folder_;
   std::string before_;
   StageKeys default_;
 };

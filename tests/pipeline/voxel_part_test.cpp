@@ -1,22 +1,20 @@
 // Parts that come as cells, and what is said of cells that would not do.
 #include "base/error.h"
+#include "base/files.h"
 #include "geometry/measures.h"
 #include "pipeline/choices.h"
 #include "pipeline/part_voxels.h"
 #include "pipeline/road.h"
-#include "support/shapes.h"
+#include "support/loaded_box.h"
+#include "support/temporary_folder.h"
 #include "voxel/voxel_text.h"
 
 #include <Eigen/Geometry>
-#include <filesystem>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 using namespace voluta;
 using namespace voluta::pipeline;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -74,19 +72,6 @@ std::string errorOf(const PlanRequest& request) {
   }
   return {};
 }
-
-class TemporaryFile {
-public:
-  TemporaryFile(const std::string& name, const std::string& bytes)
-      : path_(fs::temp_directory_path() / (std::to_string(getpid()) + name)) {
-    std::ofstream(path_, std::ios::binary) << bytes;
-  }
-  ~TemporaryFile() { fs::remove(path_); }
-  std::string path() const { return path_.string(); }
-
-private:
-  fs::path path_;
-};
 
 TEST(VoxelPart, SamplesGoTheRoadWithNothingMissed) {
   for (const auto& [name, voxels] :
@@ -205,17 +190,16 @@ TEST(VoxelPart, KeysKnowItsCellsItsPlatformAndTheirWidth) {
   EXPECT_NE(keyOf(ell(), "0.8"), keyOf(ell(), "0.7"));
   EXPECT_NE(keyOf(ell(), "0.8"), keyOf(textPart("01000\n01000\n01100\n0----\n"), "0.8"));
   EXPECT_NE(keyOf(ell(), "0.8"), keyOf(textPart("01000\n01000\n00100\n-----\n"), "0.8"));
-  const auto mesh =
-      loadedFrom("b.stl", std::make_shared<geometry::TriangleMesh>(test::box({0, 0, 0}, {4, 4, 4})),
-                 {}, true, {});
+  const auto mesh = test::loadedBox({0, 0, 0}, {4, 4, 4});
   EXPECT_EQ(keyOf(mesh, "0.8"), keyOf(mesh, "0.7")) << "a mesh does not care until it is cut";
 }
 
 TEST(VoxelPart, ProjectsKeepItsCells) {
   StageCache cache;
   const PlanResult planned = planPart(requestFor(ell(), Stage::Decompose), {}, &cache);
-  const TemporaryFile file("cells.voluta", jobBytes(planned.job));
-  const Job job = readJob(file.path());
+  const test::TemporaryFolder folder;
+  writeJob(folder / "cells.voluta", planned.job);
+  const Job job = readJob(folder / "cells.voluta");
   ASSERT_TRUE(job.loaded->cells);
   EXPECT_EQ(job.loaded->cells->solid, ell()->cells->solid);
   EXPECT_EQ(job.loaded->cells->platform, ell()->cells->platform);
@@ -240,11 +224,12 @@ TEST(VoxelPart, IsToldFromMeshesByEndingOrContent) {
 }
 
 TEST(VoxelPart, BadFilesAreOneLineWithTheirPlace) {
-  const TemporaryFile file("bad.txt", "0110\n01z0\n----\n");
+  const test::TemporaryFolder folder;
   PlanRequest request;
-  request.part = file.path();
+  request.part = (folder / "bad.txt").string();
+  base::writeFile(request.part, "0110\n01z0\n----\n");
   const std::string line = errorOf(request);
-  EXPECT_THAT(line, HasSubstr(file.path() + ", line 2, column 3"));
+  EXPECT_THAT(line, HasSubstr(request.part + ", line 2, column 3"));
   EXPECT_EQ(line.find('\n'), std::string::npos);
 }
 
@@ -255,10 +240,7 @@ TEST(BadVoxels, APartThatDoesNotTouchThePlatformIsToldSo) {
   request.choices.platform = "disc:5";
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the platform"));
 
-  request = requestFor(
-      loadedFrom("b.stl", std::make_shared<geometry::TriangleMesh>(test::box({0, 0, 0}, {4, 4, 4})),
-                 {}, true, {}),
-      Stage::Decompose);
+  request = requestFor(test::loadedBox({0, 0, 0}, {4, 4, 4}), Stage::Decompose);
   request.choices.placement.liftMm = 3.0;
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the plate"));
   request.choices.placement.liftMm = 0.0;

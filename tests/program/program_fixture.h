@@ -5,13 +5,13 @@
 #include "process/process.h"
 #include "program/program_input.h"
 #include "robot/cell.h"
+#include "support/temporary_folder.h"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <optional>
 #include <random>
 #include <string>
-#include <unistd.h>
 
 namespace voluta::test {
 
@@ -32,14 +32,10 @@ protected:
   void SetUp() override {
     setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
     process_ = process::loadProcess("fdm-1.0");
-    std::string name = "voluta_bench_";
-    name += std::to_string(::getpid());
-    const auto folder = std::filesystem::path(::testing::TempDir()) / name;
-    std::filesystem::create_directories(folder);
+    const TemporaryFolder folder;
     base::writeFile(folder / "bench.json", kCellJson);
     cell_.emplace(robot::Cell::read(folder / "bench.json", process_,
                                     {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
-    std::filesystem::remove_all(folder);
   }
 
   void append(plan::MoveKind move, const std::vector<double>& q, double seconds, double volume) {

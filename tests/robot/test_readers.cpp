@@ -7,6 +7,7 @@
 #include "process/process.h"
 #include "robot/cell.h"
 #include "robot/robot_json_output.h"
+#include "support/temporary_folder.h"
 
 #include <filesystem>
 #include <fstream>
@@ -23,15 +24,6 @@ using ::testing::HasSubstr;
 
 class Files : public test::WithResources {
 protected:
-  void SetUp() override {
-    WithResources::SetUp();
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("voluta_robot_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   static json shipped(const std::string& name) {
     return json::parse(std::ifstream(std::string(VOLUTA_SOURCE_DIR "/resources/") + name));
   }
@@ -58,7 +50,7 @@ protected:
     return {};
   }
 
-  std::filesystem::path folder_;
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(Files, robotMistakesNameFileAndKey) {

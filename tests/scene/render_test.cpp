@@ -3,15 +3,14 @@
 #include "base/files.h"
 #include "pipeline/job.h"
 #include "scene/offscreen_target.h"
-
 #include "support/shapes.h"
+#include "support/temporary_folder.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -156,9 +155,6 @@ TEST(Render, WrongSizeIsRefused) {
 class RenderCommand : public ::testing::Test {
 protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "voluta-render.XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
     pipeline::Job job;
     job.partName = "ball.stl";
     const auto mesh = std::make_shared<const geometry::TriangleMesh>(test::sphere({0, 0, 20}, 20));
@@ -170,7 +166,6 @@ protected:
     job.platform = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
     pipeline::writeJob(folder_ / "job.voluta", job);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   int run(const std::string& before, const std::string& words) const {
     const std::string line = before + " " + VOLUTA_CLI + " render " +
@@ -182,7 +177,7 @@ protected:
   std::string picturePath(const char* name) const { return (folder_ / name).string(); }
   std::string complaint() const { return base::readFile(folder_ / "stderr"); }
 
-  fs::path folder_;
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(RenderCommand, SamePictureWithAndWithoutADisplay) {

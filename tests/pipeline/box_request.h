@@ -1,0 +1,25 @@
+// A small box to be planned: a whole plan takes about a second.
+#pragma once
+
+#include "pipeline/road.h"
+#include "support/loaded_box.h"
+
+#include <map>
+#include <string>
+
+namespace voluta::test {
+
+// The same part every time, 20 x 18 x 8 mm.
+inline std::shared_ptr<const pipeline::LoadedPart> boxPart() {
+  static const auto kPart = loadedBox({-10, -9, 0}, {10, 9, 8});
+  return kPart;
+}
+
+inline pipeline::PlanRequest boxRequest(const std::map<std::string, std::string>& parameters = {}) {
+  pipeline::PlanRequest request;
+  request.loaded = boxPart();
+  request.choices.parameters = parameters;
+  return request;
+}
+
+} // namespace voluta::test
