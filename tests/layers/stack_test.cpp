@@ -9,6 +9,7 @@
 #include "layers/level_surface.h"
 #include "layers/order.h"
 #include "layers/stack_checker.h"
+#include "support/flat_square.h"
 #include "synthetic.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,7 @@ namespace voluta {
 namespace {
 
 using Eigen::Vector3d;
+using test::flatSquare;
 
 constexpr double kLeast = 0.4, kMost = 1.0;
 
@@ -145,25 +147,6 @@ TEST(PartialLevels, LeaveASmallPlaceAsItIs) {
   EXPECT_EQ(r.partialPatches, 0u);
 }
 
-layers::LevelSurface plate(double half, double step, double z, double thickness) {
-  layers::LevelSurface s;
-  const int n = static_cast<int>(std::round(2 * half / step));
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) {
-      s.surface.vertices.emplace_back(-half + i * step, -half + j * step, z);
-      s.thicknessMm.push_back(thickness);
-      s.direction.push_back(Vector3d::UnitZ());
-      s.clearDirection.push_back(Vector3d::UnitZ());
-    }
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int a = i + (n + 1) * j, b = a + 1, c = a + n + 1, d = c + 1;
-      s.surface.triangles.push_back({a, b, d});
-      s.surface.triangles.push_back({a, d, c});
-    }
-  return s;
-}
-
 layers::Patch patchOf(const layers::LevelSurface& s, int layer) {
   layers::Patch p;
   p.surface = s.surface;
@@ -175,7 +158,7 @@ layers::Patch patchOf(const layers::LevelSurface& s, int layer) {
 }
 
 TEST(KeepPositive, CutsAlongTheZeroLineAndMarksIt) {
-  layers::LevelSurface s = plate(5, 0.5, 1.0, 0.8);
+  layers::LevelSurface s = flatSquare(5, 0.5, 1.0, 0.8);
   std::vector<double> values;
   for (const Vector3d& v : s.surface.vertices)
     values.push_back(1.7 - v.x() - 0.5 * v.y());
@@ -197,8 +180,8 @@ TEST(KeepPositive, CutsAlongTheZeroLineAndMarksIt) {
 }
 
 TEST(AbsorbCrumbs, GivesTheirVolumeToThePatchBelow) {
-  std::vector<layers::Patch> patches{patchOf(plate(5, 0.5, 1.0, 0.7), 1)};
-  const auto crumb = patchOf(plate(0.4, 0.2, 1.6, 0.5), 2);
+  std::vector<layers::Patch> patches{patchOf(flatSquare(5, 0.5, 1.0, 0.7), 1)};
+  const auto crumb = patchOf(flatSquare(0.4, 0.2, 1.6, 0.5), 2);
   const auto volumeOf = [&] {
     layers::LayerStack s;
     s.patches = patches;
@@ -218,9 +201,9 @@ TEST(AbsorbCrumbs, GivesTheirVolumeToThePatchBelow) {
 }
 
 TEST(AbsorbCrumbs, DropsWhatDoesNotFit) {
-  std::vector<layers::Patch> patches{patchOf(plate(5, 0.5, 1.0, 0.98), 1)};
-  const auto crumb = patchOf(plate(0.4, 0.2, 1.7, 0.5), 2);
-  const auto far = patchOf(plate(0.4, 0.2, 9.0, 0.5), 3);
+  std::vector<layers::Patch> patches{patchOf(flatSquare(5, 0.5, 1.0, 0.98), 1)};
+  const auto crumb = patchOf(flatSquare(0.4, 0.2, 1.7, 0.5), 2);
+  const auto far = patchOf(flatSquare(0.4, 0.2, 9.0, 0.5), 3);
   const auto a = layers::absorbCrumbs(patches, {crumb, far}, {1.0, 1.2});
   EXPECT_EQ(a.merged, 0u);
   ASSERT_EQ(a.dropped.size(), 2u);
@@ -233,12 +216,12 @@ TEST(AbsorbCrumbs, DropsWhatDoesNotFit) {
 TEST(AbsorbIslands, HangsAPatchInTheAirOnTheOneOverIt) {
   layers::LayerStack s;
   for (int layer = 0; layer < 4; ++layer)
-    s.patches.push_back(patchOf(plate(4, 0.5, 0.3 + 0.6 * layer, 0.6), layer));
-  auto island = plate(3, 0.3, 0.3 + 0.6 * 3, 0.6); // 36 mm2, 4.5 mm beside the column
+    s.patches.push_back(patchOf(flatSquare(4, 0.5, 0.3 + 0.6 * layer, 0.6), layer));
+  auto island = flatSquare(3, 0.3, 0.3 + 0.6 * 3, 0.6); // 36 mm2, 4.5 mm beside the column
   for (auto& v : island.surface.vertices)
     v.x() += 11.5;
   s.patches.push_back(patchOf(std::move(island), 3));
-  s.patches.push_back(patchOf(plate(15, 0.5, 0.3 + 0.6 * 4, 0.6), 4)); // lies on both
+  s.patches.push_back(patchOf(flatSquare(15, 0.5, 0.3 + 0.6 * 4, 0.6), 4)); // lies on both
   layers::orderForPrinting(s);
   const double before = layers::layerStatistics(s).volumeMm3();
   const auto taken = layers::absorbIslands(s, {}, {1.0, 1.2}, {});
@@ -259,8 +242,8 @@ TEST(AbsorbIslands, HangsAPatchInTheAirOnTheOneOverIt) {
 TEST(AbsorbIslands, LeavesLargeOnesThatFindNoRoomAndDropsSmallOnes) {
   for (const double half : {6.0, 1.2}) {
     layers::LayerStack s;
-    s.patches.push_back(patchOf(plate(8, 1.0, 0.3, 0.6), 0));
-    s.patches.push_back(patchOf(plate(half, 0.3, 5.0, 0.6), 1));
+    s.patches.push_back(patchOf(flatSquare(8, 1.0, 0.3, 0.6), 0));
+    s.patches.push_back(patchOf(flatSquare(half, 0.3, 5.0, 0.6), 1));
     layers::orderForPrinting(s);
     const auto taken = layers::absorbIslands(s, {}, {1.0, 1.2}, {});
     EXPECT_EQ(s.patches.size(), half > 3.0 ? 2u : 1u);
@@ -272,8 +255,8 @@ TEST(AbsorbIslands, LeavesLargeOnesThatFindNoRoomAndDropsSmallOnes) {
 
 TEST(AbsorbIslands, LeaveSupportAlone) {
   layers::LayerStack s;
-  s.patches.push_back(patchOf(plate(8, 1.0, 0.3, 0.6), 0));
-  s.patches.push_back(patchOf(plate(1.0, 0.3, 5.0, 0.6), 1));
+  s.patches.push_back(patchOf(flatSquare(8, 1.0, 0.3, 0.6), 0));
+  s.patches.push_back(patchOf(flatSquare(1.0, 0.3, 5.0, 0.6), 1));
   s.patches.back().group = layers::kSupportGroup;
   const auto taken = layers::absorbIslands(s, {}, {1.0, 1.2}, {});
   EXPECT_EQ(s.patches.size(), 2u);
@@ -283,7 +266,7 @@ TEST(AbsorbIslands, LeaveSupportAlone) {
 TEST(OrderForPrinting, NumbersLayersWithoutGaps) {
   layers::LayerStack s;
   for (int layer : {12, 4, 8, 4, 10})
-    s.patches.push_back(patchOf(plate(1, 1, layer, 0.8), layer));
+    s.patches.push_back(patchOf(flatSquare(1, 1, layer, 0.8), layer));
   layers::orderForPrinting(s);
   EXPECT_EQ(s.layerCount, 4);
   const std::vector<int> wanted{0, 0, 1, 2, 3};

@@ -9,6 +9,7 @@
 #include "layers/polygon_fill.h"
 #include "layers/trim.h"
 #include "layers/vtp_writer.h"
+#include "support/flat_square.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -18,26 +19,7 @@ namespace voluta::layers {
 namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
-
-// A flat grid of triangles at height z over [-half, half]^2.
-LevelSurface flatGrid(double half, double step, double z) {
-  LevelSurface s;
-  const int n = static_cast<int>(std::ceil(2 * half / step));
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) {
-      s.surface.vertices.emplace_back(-half + i * step, -half + j * step, z);
-      s.thicknessMm.push_back(0.8);
-      s.direction.push_back(Vector3d::UnitZ());
-      s.clearDirection.push_back(Vector3d::UnitZ());
-    }
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int a = i + (n + 1) * j, b = a + 1, c = a + n + 1, d = c + 1;
-      s.surface.triangles.push_back({a, b, d});
-      s.surface.triangles.push_back({a, d, c});
-    }
-  return s;
-}
+using test::flatSquare;
 
 geometry::TriangleMesh turned(geometry::TriangleMesh m, double angle) {
   const Eigen::Matrix3d r = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
@@ -50,7 +32,7 @@ TEST(TrimToPart, CutsABoxAtAnyAngleWithItsCorners) {
   for (double angle : {0.0, 0.1, 0.5, 0.785}) {
     const auto part = turned(test::box({-7.3, -4.1, -5}, {7.3, 4.1, 5}), angle);
     const PartBoundary boundary(part, 0.8, {});
-    LevelSurface s = trimToPart(flatGrid(10, 0.7, 0.2), boundary, {}, {});
+    LevelSurface s = trimToPart(flatSquare(10, 0.7, 0.2), boundary, {}, {});
     EXPECT_NEAR(geometry::area(s.surface), 14.6 * 8.2, 0.03) << angle;
     cleanSurface(s, {}, {});
     EXPECT_NEAR(geometry::area(s.surface), 14.6 * 8.2, 0.05) << angle;
@@ -68,7 +50,7 @@ TEST(TrimToPart, FollowsFacesThatLieInTheGridsOwnPlanes) {
   // The part's walls run along rows of vertices, where every test is a tie.
   const auto part = test::box({-7, -4.2, -5}, {7, 4.2, 5});
   const PartBoundary boundary(part, 0.8, {});
-  const LevelSurface s = trimToPart(flatGrid(9.8, 0.7, 0.2), boundary, {}, {});
+  const LevelSurface s = trimToPart(flatSquare(9.8, 0.7, 0.2), boundary, {}, {});
   EXPECT_NEAR(geometry::area(s.surface), 14.0 * 8.4, 0.01);
 }
 
@@ -80,7 +62,7 @@ TEST(TrimToPart, KeepsSlotsAndWallsThinnerThanATriangle) {
   for (const auto& t : right.triangles)
     part.triangles.push_back({base + t[0], base + t[1], base + t[2]});
   const PartBoundary boundary(part, 0.8, {});
-  const LevelSurface s = trimToPart(flatGrid(10, 0.83, 0.1), boundary, {}, {});
+  const LevelSurface s = trimToPart(flatSquare(10, 0.83, 0.1), boundary, {}, {});
   EXPECT_NEAR(geometry::area(s.surface), (7.85 + 0.3) * 16, 0.3);
 }
 
@@ -108,7 +90,7 @@ TEST(TrimToPart, FindsCornersWhereverTheyFall) {
     const double w = width(random), x = place(random), y = place(random);
     const auto part = turned(test::box({x, y, -1}, {x + 4.3, y + w, 0.13}), turn(random));
     const PartBoundary boundary(part, 0.8, {});
-    const LevelSurface s = trimToPart(flatGrid(8, 0.83, 0.1), boundary, {}, {});
+    const LevelSurface s = trimToPart(flatSquare(8, 0.83, 0.1), boundary, {}, {});
     for (const Vector3d& v : part.vertices)
       EXPECT_LT(fromBoundary(s, {v.x(), v.y(), 0.1}), 0.02) << n << ": " << v.transpose();
   }
@@ -124,14 +106,14 @@ TEST(TrimToPart, LeavesHolesAndCavitiesEmpty) {
   for (const auto& t : hole.triangles)
     part.triangles.push_back({base + t[0], base + t[1], base + t[2]});
   const PartBoundary boundary(part, 0.8, {});
-  const LevelSurface s = trimToPart(flatGrid(11, 0.7, 0.03), boundary, {}, {});
+  const LevelSurface s = trimToPart(flatSquare(11, 0.7, 0.03), boundary, {}, {});
   EXPECT_NEAR(geometry::area(s.surface) / (std::numbers::pi * (81 - 16)), 1.0, 0.004);
 }
 
 TEST(TrimToPart, NothingIsLeftOutside) {
   const auto part = test::box({-1, -1, 10}, {1, 1, 12});
   const PartBoundary boundary(part, 0.8, {});
-  EXPECT_TRUE(trimToPart(flatGrid(5, 0.7, 0.0), boundary, {}, {}).surface.empty());
+  EXPECT_TRUE(trimToPart(flatSquare(5, 0.7, 0.0), boundary, {}, {}).surface.empty());
 }
 
 TEST(FillPolygon, AreaIsKeptOnRandomStars) {
@@ -164,8 +146,8 @@ TEST(FillPolygon, AreaIsKeptOnRandomStars) {
 }
 
 TEST(MakePatches, SetsApartWhatIsTooSmall) {
-  LevelSurface s = flatGrid(5, 0.5, 1.0);
-  const LevelSurface crumb = flatGrid(0.4, 0.2, 2.0); // 0.64 mm2: less than a round bead
+  LevelSurface s = flatSquare(5, 0.5, 1.0);
+  const LevelSurface crumb = flatSquare(0.4, 0.2, 2.0); // 0.64 mm2: less than a round bead
   const int base = static_cast<int>(s.surface.vertices.size());
   for (std::size_t v = 0; v < crumb.surface.vertices.size(); ++v) {
     s.surface.vertices.push_back(crumb.surface.vertices[v]);
@@ -188,7 +170,7 @@ TEST(OrderForPrinting, LayersFirstThenShortWays) {
   std::uniform_real_distribution<double> place(-50, 50);
   for (int n = 0; n < 60; ++n) {
     Patch p;
-    p.surface = flatGrid(1, 1, n % 4).surface;
+    p.surface = flatSquare(1, 1, n % 4).surface;
     const double x = place(random);
     for (auto& v : p.surface.vertices)
       v.x() += x;
@@ -214,7 +196,7 @@ TEST(LayerStatistics, AreaTimesMeanIsTheVolume) {
   stack.layerCount = 2;
   for (double t : {0.5, 0.9}) {
     Patch p;
-    p.surface = flatGrid(5, 0.5, 1.0).surface;
+    p.surface = flatSquare(5, 0.5, 1.0).surface;
     p.thicknessMm.assign(p.surface.vertices.size(), t);
     stack.patches.push_back(p);
   }
@@ -229,7 +211,7 @@ TEST(LayerStatistics, AreaTimesMeanIsTheVolume) {
 TEST(VtpWriter, DeclaresWhatItHolds) {
   LayerStack stack;
   Patch p;
-  p.surface = flatGrid(1, 1, 0.4).surface;
+  p.surface = flatSquare(1, 1, 0.4).surface;
   p.thicknessMm.assign(p.surface.vertices.size(), 0.8);
   p.direction.assign(p.surface.vertices.size(), Vector3d::UnitZ());
   stack.patches.push_back(p);
