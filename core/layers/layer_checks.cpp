@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
+#include "layers/stack_query.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,49 +21,44 @@ constexpr std::size_t kMostSamples = 400; // a patch
 constexpr double kRounding = 1e-9;        // mm
 constexpr double kDownwards = 0.5;
 
-// The first `count` patches as one mesh.
-struct Floor {
-  geometry::TriangleMesh mesh;
-  std::vector<int> patchOf;          // per triangle
-  std::vector<double> halfThickness; // per triangle
-  double most = 0.0;                 // of halfThickness
-};
-
-Floor floorOf(const LayerStack& stack, std::size_t count) {
-  Floor floor;
-  for (std::size_t p = 0; p < count; ++p) {
-    const Patch& patch = stack.patches[p];
-    const int base = static_cast<int>(floor.mesh.vertices.size());
-    floor.mesh.vertices.insert(floor.mesh.vertices.end(), patch.surface.vertices.begin(),
-                               patch.surface.vertices.end());
-    for (const auto& t : patch.surface.triangles) {
-      floor.mesh.triangles.push_back({base + t[0], base + t[1], base + t[2]});
-      floor.patchOf.push_back(static_cast<int>(p));
-      floor.halfThickness.push_back((patch.thicknessMm[at(t[0])] + patch.thicknessMm[at(t[1])] +
-                                     patch.thicknessMm[at(t[2])]) /
-                                    6.0);
-      floor.most = std::max(floor.most, floor.halfThickness.back());
-    }
-  }
-  return floor;
+double halfThickness(const Patch& patch, std::size_t triangle) {
+  const auto& t = patch.surface.triangles[triangle];
+  return (patch.thicknessMm[at(t[0])] + patch.thicknessMm[at(t[1])] + patch.thicknessMm[at(t[2])]) /
+         6.0;
 }
 
-SupportCheck supportOf(std::size_t p, const Patch& patch, const Floor& floor,
-                       const geometry::MeshQuery& query, double reachShare) {
+double mostThickness(const LayerStack& stack) {
+  double most = 0.0;
+  for (const Patch& patch : stack.patches)
+    for (double t : patch.thicknessMm)
+      most = std::max(most, t);
+  return most;
+}
+
+// Reach of what supports a point: from its middle to the middle of what it lies on.
+double reachOf(double mostThicknessMm, double reachShare) {
+  return (1.0 + reachShare) * mostThicknessMm;
+}
+
+SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery& query,
+                       double mostThicknessMm, double reachShare) {
+  const Patch& patch = stack.patches[p];
   const std::size_t n = patch.surface.triangles.size();
   const std::size_t step = std::max<std::size_t>(1, n / kMostSamples);
   double whole = 0.0, supported = 0.0;
   std::map<int, int> met;
-  std::vector<geometry::MeshQuery::Hit> hits;
+  std::vector<StackQuery::Place> hits;
+  Eigen::AlignedBox3d box = geometry::bounds(patch.surface);
+  box.min().array() -= reachOf(mostThicknessMm, reachShare);
+  box.max().array() += reachOf(mostThicknessMm, reachShare);
+  const std::vector<int> earlier = query.near(box, 0, static_cast<int>(p));
   SupportCheck check;
   for (std::size_t t = 0; t < n; t += step) {
     const auto& tri = patch.surface.triangles[t];
     const double area = geometry::triangleArea(patch.surface, t);
     const Eigen::Vector3d centre =
         (patch.surface.corner(t, 0) + patch.surface.corner(t, 1) + patch.surface.corner(t, 2)) / 3;
-    const double half = (patch.thicknessMm[at(tri[0])] + patch.thicknessMm[at(tri[1])] +
-                         patch.thicknessMm[at(tri[2])]) /
-                        6.0;
+    const double half = halfThickness(patch, t);
     whole += area;
     if (centre.z() <= 2.0 * reachShare * half) {
       supported += area;
@@ -71,30 +67,30 @@ SupportCheck supportOf(std::size_t p, const Patch& patch, const Floor& floor,
     }
     const Eigen::Vector3d down = -patch.direction[at(tri[0])];
     // What ends beside it carries nothing: half the way at least has to lead downwards.
-    const auto lies = [&](int triangle, const Eigen::Vector3d& place) {
-      if (triangle < 0 || floor.patchOf[at(triangle)] >= static_cast<int>(p))
+    const auto lies = [&](const StackQuery::Place& place) {
+      if (place.patch < 0)
         return false;
-      const double halves = half + floor.halfThickness[at(triangle)];
-      return (place - centre).norm() <= reachShare * halves &&
-             (place - centre).dot(down) >= kDownwards * halves;
+      const double halves =
+          half + halfThickness(stack.patches[at(place.patch)], at(place.triangle));
+      return (place.point - centre).norm() <= reachShare * halves &&
+             (place.point - centre).dot(down) >= kDownwards * halves;
     };
     // What is under it is nearest to a point a thickness down; else anything straight below.
     int lower = -1;
-    const auto found = query.closest(centre + 2.0 * half * down, 2.0 * half * reachShare);
-    if (found.triangle >= 0 && lies(found.triangle, found.point)) {
-      lower = found.triangle;
+    const StackQuery::Place found =
+        query.closest(earlier, centre + 2.0 * half * down, 2.0 * half * reachShare);
+    if (lies(found)) {
+      lower = found.patch;
     } else {
-      const double reach = reachShare * (half + floor.most);
-      query.hits(centre + 0.1 * half * down, centre + reach * down, hits);
-      for (const auto& hit : hits)
-        if (lies(hit.triangle, centre + (0.1 * half + hit.t * (reach - 0.1 * half)) * down)) {
-          lower = hit.triangle;
-          break;
-        }
+      const double reach = reachShare * (half + 0.5 * mostThicknessMm);
+      query.hits(earlier, centre + 0.1 * half * down, centre + reach * down, hits);
+      const auto hit = std::find_if(hits.begin(), hits.end(), lies);
+      if (hit != hits.end())
+        lower = hit->patch;
     }
     if (lower >= 0) {
       supported += area;
-      ++met[floor.patchOf[at(lower)]];
+      ++met[lower];
     } else {
       check.unsupportedAt = centre;
     }
@@ -195,13 +191,14 @@ std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShar
                                        const base::RunContext& ctx,
                                        const std::vector<std::size_t>& which) {
   std::vector<SupportCheck> checks(which.empty() ? stack.patches.size() : which.size());
-  const Floor floor = floorOf(stack, which.empty() ? stack.patches.size() : which.back());
-  const geometry::MeshQuery query(floor.mesh);
+  const double most = mostThickness(stack);
+  std::vector<Eigen::AlignedBox3d> around;
+  for (std::size_t n = 0; n < checks.size(); ++n)
+    around.push_back(geometry::bounds(stack.patches[which.empty() ? n : which[n]].surface));
+  const StackQuery query(stack.patches, around, reachOf(most, reachShare), ctx);
   base::parallelChunks(ctx, checks.size(), 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const std::size_t p = which.empty() ? n : which[n];
-      checks[n] = supportOf(p, stack.patches[p], floor, query, reachShare);
-    }
+    for (std::size_t n = begin; n < end; ++n)
+      checks[n] = supportOf(stack, which.empty() ? n : which[n], query, most, reachShare);
   });
   return checks;
 }
