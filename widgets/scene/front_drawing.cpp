@@ -1,8 +1,6 @@
 #include "scene/drawing_data.h"
+#include "scene/feature_edges.h"
 #include "scene/mesh_buffers.h"
-
-#include <vtkFeatureEdges.h>
-#include <vtkNew.h>
 
 namespace voluta::scene {
 
@@ -18,18 +16,7 @@ std::shared_ptr<const FrontDrawing> drawFront(const geometry::TriangleMesh& fron
   for (const auto& t : front.triangles)
     buffers.addTriangle(t[0], t[1], t[2]);
   drawing->surface = polyDataOf(buffers);
-
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(drawing->surface);
-  edges->SetFeatureAngle(kFeatureAngleDeg);
-  edges->BoundaryEdgesOff();
-  edges->FeatureEdgesOn();
-  edges->NonManifoldEdgesOff();
-  edges->ManifoldEdgesOff();
-  edges->ColoringOff();
-  edges->Update();
-  drawing->edges = edges->GetOutput();
-  drawing->edges->ComputeBounds();
+  drawing->edges = featureEdges(drawing->surface, kFeatureAngleDeg, false);
   return drawing;
 }
 

@@ -1,7 +1,7 @@
 #include "scene/drawing_data.h"
+#include "scene/feature_edges.h"
 #include "scene/mesh_buffers.h"
 
-#include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
@@ -33,17 +33,7 @@ std::shared_ptr<const PartDrawing> drawPart(const geometry::TriangleMesh& part) 
   drawing->surface = normals->GetOutput();
   drawing->surface->ComputeBounds();
 
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(raw);
-  edges->SetFeatureAngle(kFeatureAngleDeg);
-  edges->BoundaryEdgesOn();
-  edges->FeatureEdgesOn();
-  edges->NonManifoldEdgesOn();
-  edges->ManifoldEdgesOff();
-  edges->ColoringOff();
-  edges->Update();
-  drawing->edges = edges->GetOutput();
-  drawing->edges->ComputeBounds();
+  drawing->edges = featureEdges(raw, kFeatureAngleDeg, true);
   return drawing;
 }
 

@@ -2,6 +2,7 @@
 
 #include "scene/actors.h"
 #include "scene/bead_shader.h"
+#include "scene/camera.h"
 #include "scene/colour_values.h"
 #include "scene/drawing_data.h"
 #include "scene/overlay.h"
@@ -11,15 +12,11 @@
 #include "scene/voxel_actors.h"
 #include "scene/vtk_modules.h"
 
-#include "base/units.h"
-
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkMapper.h>
-#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
@@ -250,10 +247,7 @@ struct Scene::Impl {
   }
 
   bool seenFromAbove() const {
-    vtkCamera* camera = renderer->GetActiveCamera();
-    const Eigen::Vector3d back =
-        Eigen::Vector3d(camera->GetPosition()) - Eigen::Vector3d(camera->GetFocalPoint());
-    return (world_T_work.linear().transpose() * back).z() > 0.0;
+    return (world_T_work.linear().transpose() * towardsEye(renderer)).z() > 0.0;
   }
 
   std::vector<Stretch> layerStretches() const {
@@ -360,18 +354,10 @@ struct Scene::Impl {
     return {};
   }
 
-  double pixelSize(const Eigen::Vector3d& worldPoint) const {
-    vtkCamera* camera = renderer->GetActiveCamera();
-    if (camera->GetParallelProjection())
-      return 2.0 * camera->GetParallelScale();
-    const Eigen::Vector3d eye(camera->GetPosition());
-    return 2.0 * (worldPoint - eye).norm() * std::tan(camera->GetViewAngle() * base::kPi / 360.0);
-  }
-
   void prepareFrame() {
     if (view.marker) {
       const Eigen::Vector3d place = world_T_work * *view.marker;
-      const double radius = kMarkerShare * pixelSize(place);
+      const double radius = kMarkerShare * pictureHeightMm(renderer, place);
       for (vtkActor* actor : {marker.actor.Get(), markerHalo.actor.Get()}) {
         actor->SetPosition(place.x(), place.y(), place.z());
         actor->SetScale(actor == marker.actor ? radius : 2.0 * radius);
@@ -407,43 +393,6 @@ struct Scene::Impl {
           box.extend(Eigen::Vector3d(b[1], b[3], b[5]));
         }
     return box;
-  }
-
-  void frame() {
-    const Eigen::AlignedBox3d box = visibleBox();
-    if (box.isEmpty())
-      return;
-    const double bounds[6] = {box.min().x(), box.max().x(), box.min().y(),
-                              box.max().y(), box.min().z(), box.max().z()};
-    renderer->ResetCamera(bounds);
-    // VTK frames the box's ball, which leaves a wide margin.
-    closeIn(box);
-  }
-
-  // Moves the camera so that the corners of the box just fit.
-  void closeIn(const Eigen::AlignedBox3d& box) {
-    vtkCamera* camera = renderer->GetActiveCamera();
-    const int* size = renderer->GetSize();
-    const double aspect = size[1] > 0 ? double(size[0]) / size[1] : 1.28;
-    const Eigen::Vector3d eye(camera->GetPosition()), centre = box.center();
-    const Eigen::Vector3d back = (eye - centre).normalized();
-    const Eigen::Vector3d right = Eigen::Vector3d(camera->GetViewUp()).cross(back).normalized();
-    const Eigen::Vector3d up = back.cross(right);
-    const double slope = std::tan(camera->GetViewAngle() * base::kPi / 360.0);
-    double distance = 0.0, half = 0.0;
-    for (int i = 0; i < 8; ++i) {
-      const Eigen::Vector3d v =
-          box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)) - centre;
-      const double extent = std::max(std::abs(v.dot(right)) / aspect, std::abs(v.dot(up)));
-      half = std::max(half, extent);
-      distance = std::max(distance, v.dot(back) + extent / slope);
-    }
-    constexpr double kMargin = 1.06;
-    const Eigen::Vector3d place = centre + kMargin * distance * back;
-    camera->SetFocalPoint(centre.x(), centre.y(), centre.z());
-    camera->SetPosition(place.x(), place.y(), place.z());
-    camera->SetParallelScale(kMargin * half);
-    renderer->ResetCameraClippingRange();
   }
 };
 
@@ -548,54 +497,16 @@ Legend Scene::legend() const {
 }
 
 void Scene::frameAll() {
-  impl_->frame();
+  frameBox(impl_->renderer, impl_->visibleBox());
 }
 
 void Scene::standardView(StandardView view) {
-  Eigen::Vector3d back(0.75, -1.0, 0.62), up = Eigen::Vector3d::UnitZ();
-  switch (view) {
-  case StandardView::Front:
-    back = -Eigen::Vector3d::UnitY();
-    break;
-  case StandardView::Back:
-    back = Eigen::Vector3d::UnitY();
-    break;
-  case StandardView::Left:
-    back = -Eigen::Vector3d::UnitX();
-    break;
-  case StandardView::Right:
-    back = Eigen::Vector3d::UnitX();
-    break;
-  case StandardView::Top:
-    back = Eigen::Vector3d::UnitZ();
-    up = Eigen::Vector3d::UnitY();
-    break;
-  case StandardView::Bottom:
-    back = -Eigen::Vector3d::UnitZ();
-    up = Eigen::Vector3d::UnitY();
-    break;
-  case StandardView::Isometric:
-    break;
-  }
-  vtkCamera* camera = impl_->renderer->GetActiveCamera();
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(back.data());
-  camera->SetViewUp(up.data());
-  impl_->frame();
+  lookFrom(impl_->renderer, view);
+  frameAll();
 }
 
 void Scene::lookAt(const Eigen::Vector3d& pointInWork, double radiusMm) {
-  vtkCamera* camera = impl_->renderer->GetActiveCamera();
-  const Eigen::Vector3d target = impl_->world_T_work * pointInWork;
-  const Eigen::Vector3d back =
-      (Eigen::Vector3d(camera->GetPosition()) - Eigen::Vector3d(camera->GetFocalPoint()))
-          .normalized();
-  const Eigen::Vector3d place =
-      target + back * (radiusMm / std::sin(camera->GetViewAngle() * base::kPi / 360.0));
-  camera->SetFocalPoint(target.x(), target.y(), target.z());
-  camera->SetPosition(place.x(), place.y(), place.z());
-  camera->SetParallelScale(radiusMm);
-  cameraMoved();
+  scene::lookAt(impl_->renderer, impl_->world_T_work * pointInWork, radiusMm);
 }
 
 void Scene::setParallelProjection(bool parallel) {
@@ -608,15 +519,9 @@ void Scene::cameraMoved() {
 
 std::optional<Hit> Scene::pick(int x, int y) const {
   const Impl& s = *impl_;
-  const auto world = [&](double depth) {
-    double p[4];
-    s.renderer->SetDisplayPoint(x, y, depth);
-    s.renderer->DisplayToWorld();
-    s.renderer->GetWorldPoint(p);
-    return Eigen::Vector3d(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
-  };
   const Eigen::Isometry3d work_T_world = s.world_T_work.inverse();
-  const Eigen::Vector3d from = work_T_world * world(0.0), to = work_T_world * world(1.0);
+  const Eigen::Vector3d from = work_T_world * pointAt(s.renderer, x, y, 0.0);
+  const Eigen::Vector3d to = work_T_world * pointAt(s.renderer, x, y, 1.0);
   if (!from.allFinite() || !to.allFinite() || (to - from).norm() == 0.0)
     return std::nullopt;
   const Ray ray{from, (to - from).normalized()};

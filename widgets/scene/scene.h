@@ -2,6 +2,7 @@
 // needs a rendering context only when its renderer is drawn.
 #pragma once
 
+#include "scene/camera.h"
 #include "scene/colouring.h"
 #include "scene/drawings.h"
 #include "scene/theme.h"
@@ -15,8 +16,6 @@
 class vtkRenderer;
 
 namespace voluta::scene {
-
-enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric };
 
 struct Hit {
   enum class What { Part, Platform, Voxel, Layer, Path, Cell };
