@@ -1,7 +1,7 @@
 // The last look at a finished trajectory: every point, and points between where steps are large.
 #pragma once
 
-#include "motion/path_planner.h"
+#include "motion/motion_scene.h"
 #include "plan/trajectory.h"
 
 #include <cstddef>

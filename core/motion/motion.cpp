@@ -5,6 +5,7 @@
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "motion/check.h"
+#include "motion/head_refusals.h"
 #include "motion/nozzle_frame.h"
 #include "motion/path_planner.h"
 #include "motion/refusal_findings.h"
@@ -80,8 +81,8 @@ public:
     result_.trajectory.dof = cell_.dof();
     result_.statistics.maxJerk.assign(static_cast<std::size_t>(cell_.dof()), 0.0);
     base::Stopwatch watch;
-    headBefore_ = planner_.headBefore();
-    const std::vector<Refusal> head = planner_.headRefusals(headBefore_, ctx.sub(0.0, 0.05));
+    headBefore_ = headBefore(scene_.plan);
+    const std::vector<Refusal> head = headRefusals(scene_, headBefore_, ctx.sub(0.0, 0.05));
     result_.times.collision += watch.seconds();
 
     Sequence sequence;

@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "motion/even_turns.h"
+#include "motion/joint_costs.h"
 #include "motion/nozzle_frame.h"
 #include "process/bead_model.h"
 
@@ -24,117 +25,17 @@ constexpr double kTurn = 2.0 * base::kPi;
 constexpr double kRungStep = 0.9; // rad, joint step between rungs that are some steps apart
 constexpr int kTries = 40;        // of blocking what failed and searching again
 constexpr int kTriesBeforeJudgingAll = 6;
-constexpr double kSmoothing = 200.0; // waves under about 24 waypoints go
-constexpr double kLimitCost = 0.5;   // of a joint at its limit, rad of way
-constexpr double kTurnCost = 0.3;    // of turning a joint back by a whole turn, rad of way
-constexpr double kBranchStep = 1.0;  // rad, a joint's step beyond which the branch is another
-constexpr double kBranchCost = 4.0;  // a rad beyond it
+constexpr double kSmoothing = 200.0;                    // waves under about 24 waypoints go
 constexpr double kLiftStepMm = 2.0, kLiftFactor = 10.0; // of liftMm, from both ends of a run
-constexpr std::size_t kHeadChunk = 256, kCheckChunk = 16, kRungChunk = 2, kJudgeChunk = 1;
-
-// Costs of being near a joint's limit, rising from four fifths of its range.
-double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& limits) {
-  double cost = 0.0;
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const auto& l = limits[static_cast<std::size_t>(j)];
-    const double middle = 0.5 * (l.min + l.max), half = 0.5 * (l.max - l.min);
-    const double beyond = std::max(0.0, std::abs(q[j] - middle) / half - 0.8) / 0.2;
-    cost += kLimitCost * beyond * beyond;
-  }
-  return cost;
-}
-
-// Costs of going from one path's end to the next one's start: turning a joint back by whole turns
-// is done quickly with the nozzle lifted, another branch is a long way through the cell.
-double startCostOf(const JointVector& from, const JointVector& to) {
-  double cost = 0.0, largest = 0.0;
-  for (Eigen::Index j = 0; j < from.size(); ++j) {
-    const double turns = std::round((to[j] - from[j]) / kTurn);
-    const double rest = std::abs(to[j] - from[j] - kTurn * turns);
-    cost += rest + kTurnCost * std::abs(turns);
-    largest = std::max(largest, rest);
-  }
-  return cost + kBranchCost * std::max(0.0, largest - kBranchStep);
-}
+constexpr std::size_t kCheckChunk = 16, kRungChunk = 2, kJudgeChunk = 1;
 
 } // namespace
-
-double MotionScene::bend(const Vector3d& from, const Vector3d& to, double angle) const {
-  if (cell.nozzleMount() == robot::Mount::Flange)
-    return 0.0; // the tool centre is the tip itself
-  const double lever = std::max(from.norm(), to.norm());
-  return lever * angle * angle / 8.0 + (to - from).norm() * angle / 4.0;
-}
-
-int MotionScene::divisions(const Vector3d& from, const Vector3d& to, double angle) const {
-  const double bends = bend(from, to, angle);
-  if (bends <= options.deviationMm)
-    return 1;
-  return static_cast<int>(std::ceil(std::sqrt(bends / options.deviationMm)));
-}
-
-bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& tool,
-               const JointVector& near, double maxStep, std::vector<JointVector>& scratch,
-               JointVector& q) {
-  cell.inverse(toolPose(tip, tool), near, scratch);
-  double best = maxStep;
-  bool found = false;
-  for (const JointVector& s : scratch) {
-    const double step = (s - near).cwiseAbs().maxCoeff();
-    if (step <= best) {
-      best = step;
-      q = s;
-      found = true;
-    }
-  }
-  return found;
-}
 
 struct PathPlanner::Ladder {
   std::vector<Place> places;
   std::vector<Rung> rungs;
   LadderOptions options;
 };
-
-std::vector<std::size_t> PathPlanner::headBefore() const {
-  const plan::ToolPlan& plan = scene_.plan;
-  std::vector<std::size_t> before(plan.waypointCount());
-  for (const plan::ToolPath& path : plan.paths) {
-    std::size_t tail = path.first;
-    double way = 0.0; // from the tail to here
-    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-      if (i > path.first)
-        way += (plan.position[i] - plan.position[i - 1]).norm();
-      while (tail < i) {
-        const double step = (plan.position[tail + 1] - plan.position[tail]).norm();
-        if (way - step < 2.0 * static_cast<double>(plan.widthMm[i]))
-          break;
-        way -= step;
-        ++tail;
-      }
-      before[i] = tail;
-    }
-  }
-  return before;
-}
-
-std::vector<Refusal> PathPlanner::headRefusals(const std::vector<std::size_t>& before,
-                                               const base::RunContext& ctx) const {
-  const plan::ToolPlan& plan = scene_.plan;
-  std::vector<Refusal> refusals(plan.waypointCount(), Refusal::None);
-  base::parallelChunks(ctx, plan.waypointCount(), kHeadChunk, [&](std::size_t b, std::size_t e) {
-    for (std::size_t i = b; i < e; ++i) {
-      const Eigen::Isometry3d pose =
-          toolPose(plan.position[i], carried(uprightTool(), plan.direction[i]));
-      const double margin = scene_.options.printing.headMm;
-      if (scene_.collision.headTouchesPart(pose, scene_.part, before[i], margin))
-        refusals[i] = Refusal::HeadPart;
-      else if (scene_.collision.headTouchesPlatform(pose, margin))
-        refusals[i] = Refusal::HeadPlatform;
-    }
-  });
-  return refusals;
-}
 
 void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count, const Station& from,
                        const base::RunContext& ctx, std::vector<Run>& runs,
@@ -381,10 +282,10 @@ std::vector<std::size_t> PathPlanner::failures(const std::vector<RunPoint>& poin
 // limits, and near home. The one that gets further, then the cheaper one.
 LadderWay PathPlanner::bestWay(Ladder& ladder, const Station& from) const {
   const auto search = [&] {
-    std::vector<double> startCost;
+    std::vector<double> startCosts;
     for (const LadderNode& node : ladder.rungs.front())
-      startCost.push_back(startCostOf(from.q, node.q));
-    return shortestWay(ladder.rungs, startCost, scene_.cell.limits(), ladder.options);
+      startCosts.push_back(startCost(from.q, node.q));
+    return shortestWay(ladder.rungs, startCosts, scene_.cell.limits(), ladder.options);
   };
   const auto beginNear = [&](const JointVector& near) {
     bool changed = false;

@@ -2,15 +2,11 @@
 // nozzle and the branches of the inverse kinematics (Dai 3.5.3).
 #pragma once
 
-#include "collision/cell_collision.h"
-#include "collision/growing_part.h"
 #include "motion/ladder.h"
-#include "motion/motion_options.h"
+#include "motion/motion_scene.h"
+#include "motion/refusal.h"
 #include "motion/run.h"
-#include "plan/tool_plan.h"
-#include "robot/cell.h"
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,59 +16,13 @@ class RunContext;
 
 namespace voluta::motion {
 
-// Why a waypoint is not printed.
-enum class Refusal : std::uint8_t {
-  None,
-  Unreachable, // no joints within limits, whatever the turn about the nozzle
-  Collision,   // every way to be there meets something: `contact` is the commonest
-  HeadPart,    // the head would be in the part, whatever the arm does
-  HeadPlatform,
-  NoConnection // could be reached, but from neither neighbour without a lift
-};
-struct Refused {
-  std::size_t waypoint = 0;
-  Refusal why = Refusal::None;
-  collision::Contact contact; // Collision
-};
-
 struct PathTimes {
   double ik = 0.0, graph = 0.0, collision = 0.0; // wall seconds
 };
 
-// What planners of one job share. All referenced objects outlive it.
-struct MotionScene {
-  const plan::ToolPlan& plan;
-  const robot::Cell& cell;
-  const collision::CellCollision& collision;
-  const collision::GrowingPart& part;
-  const MotionOptions& options;
-
-  // At most how far the nozzle leaves its straight way on the part, in mm, where flange poses are
-  // interpolated between two tips over a turn of `angle`. With the plate on the flange
-  // tip(t) = R(t)^T (n - o(t)), o straight and R even: its second derivative is the tip's swing
-  // about the plate's centre and twice turn times travel, an eighth of which is the sagitta.
-  double bend(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
-  // Into how many steps such a move is to be divided.
-  int divisions(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
-};
-
-// The joints that bring the nozzle there, nearest to `near` (largest joint step); false when there
-// are none within maxStep. `scratch` is memory for the call.
-bool solveNear(const robot::Cell& cell, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
-               const robot::JointVector& near, double maxStep,
-               std::vector<robot::JointVector>& scratch, robot::JointVector& q);
-
 class PathPlanner {
 public:
   explicit PathPlanner(const MotionScene& scene) : scene_(scene) {}
-
-  // For each waypoint the first one of the same path that lies within two bead widths of way before
-  // it: what was laid from there on is soft and shaped by the nozzle, and no obstacle to the head.
-  std::vector<std::size_t> headBefore() const;
-  // Where the head itself would meet the platform, or the part filled before headBefore: for each
-  // waypoint None, HeadPart or HeadPlatform.
-  std::vector<Refusal> headRefusals(const std::vector<std::size_t>& headBefore,
-                                    const base::RunContext& ctx) const;
 
   // Plans waypoints [first, first + count) of path `path`, none of which the head refuses, to
   // follow on `from`. Appends the runs that are printed (usually one) and the waypoints that are

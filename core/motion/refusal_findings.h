@@ -1,7 +1,8 @@
 // What could not be printed, in words.
 #pragma once
 
-#include "motion/path_planner.h"
+#include "motion/motion_scene.h"
+#include "motion/refusal.h"
 #include "plan/finding.h"
 
 #include <functional>

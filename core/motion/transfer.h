@@ -1,7 +1,7 @@
 // Ways between runs that keep clear of everything, the part printed so far included.
 #pragma once
 
-#include "motion/path_planner.h"
+#include "motion/motion_scene.h"
 #include "motion/run.h"
 
 #include <cstdint>

@@ -1,0 +1,52 @@
+#include "motion/head_refusals.h"
+
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "motion/nozzle_frame.h"
+
+namespace voluta::motion {
+
+namespace {
+constexpr std::size_t kChunk = 256;
+}
+
+std::vector<std::size_t> headBefore(const plan::ToolPlan& plan) {
+  std::vector<std::size_t> before(plan.waypointCount());
+  for (const plan::ToolPath& path : plan.paths) {
+    std::size_t tail = path.first;
+    double way = 0.0; // from the tail to here
+    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+      if (i > path.first)
+        way += (plan.position[i] - plan.position[i - 1]).norm();
+      while (tail < i) {
+        const double step = (plan.position[tail + 1] - plan.position[tail]).norm();
+        if (way - step < 2.0 * static_cast<double>(plan.widthMm[i]))
+          break;
+        way -= step;
+        ++tail;
+      }
+      before[i] = tail;
+    }
+  }
+  return before;
+}
+
+std::vector<Refusal> headRefusals(const MotionScene& scene, const std::vector<std::size_t>& before,
+                                  const base::RunContext& ctx) {
+  const plan::ToolPlan& plan = scene.plan;
+  std::vector<Refusal> refusals(plan.waypointCount(), Refusal::None);
+  base::parallelChunks(ctx, plan.waypointCount(), kChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t i = b; i < e; ++i) {
+      const Eigen::Isometry3d pose =
+          toolPose(plan.position[i], carried(uprightTool(), plan.direction[i]));
+      const double margin = scene.options.printing.headMm;
+      if (scene.collision.headTouchesPart(pose, scene.part, before[i], margin))
+        refusals[i] = Refusal::HeadPart;
+      else if (scene.collision.headTouchesPlatform(pose, margin))
+        refusals[i] = Refusal::HeadPlatform;
+    }
+  });
+  return refusals;
+}
+
+} // namespace voluta::motion

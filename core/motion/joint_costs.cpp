@@ -1,0 +1,42 @@
+#include "motion/joint_costs.h"
+
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::motion {
+
+using robot::JointVector;
+
+namespace {
+constexpr double kTurn = 2.0 * base::kPi;
+constexpr double kLimitCost = 0.5;  // of a joint at its limit
+constexpr double kTurnCost = 0.3;   // of turning a joint back by a whole turn
+constexpr double kBranchStep = 1.0; // rad, a joint's step beyond which the branch is another
+constexpr double kBranchCost = 4.0; // a rad beyond it
+} // namespace
+
+double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& limits) {
+  double cost = 0.0;
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const auto& l = limits[static_cast<std::size_t>(j)];
+    const double middle = 0.5 * (l.min + l.max), half = 0.5 * (l.max - l.min);
+    const double beyond = std::max(0.0, std::abs(q[j] - middle) / half - 0.8) / 0.2;
+    cost += kLimitCost * beyond * beyond;
+  }
+  return cost;
+}
+
+double startCost(const JointVector& from, const JointVector& to) {
+  double cost = 0.0, largest = 0.0;
+  for (Eigen::Index j = 0; j < from.size(); ++j) {
+    const double turns = std::round((to[j] - from[j]) / kTurn);
+    const double rest = std::abs(to[j] - from[j] - kTurn * turns);
+    cost += rest + kTurnCost * std::abs(turns);
+    largest = std::max(largest, rest);
+  }
+  return cost + kBranchCost * std::max(0.0, largest - kBranchStep);
+}
+
+} // namespace voluta::motion

@@ -1,0 +1,17 @@
+// What joints cost a way through the ladder, in rad of way.
+#pragma once
+
+#include "robot/robot_model.h"
+
+#include <vector>
+
+namespace voluta::motion {
+
+// Of being near a joint's limit, rising from four fifths of its range.
+double limitCost(const robot::JointVector& q, const std::vector<robot::JointLimits>& limits);
+
+// Of going from one path's end to the next one's start: turning a joint back by whole turns is done
+// quickly with the nozzle lifted, another branch is a long way through the cell.
+double startCost(const robot::JointVector& from, const robot::JointVector& to);
+
+} // namespace voluta::motion

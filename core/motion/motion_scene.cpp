@@ -1,0 +1,45 @@
+#include "motion/motion_scene.h"
+
+#include "motion/nozzle_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::motion {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using robot::JointVector;
+
+double MotionScene::bend(const Vector3d& from, const Vector3d& to, double angle) const {
+  if (cell.nozzleMount() == robot::Mount::Flange)
+    return 0.0; // the tool centre is the tip itself
+  const double lever = std::max(from.norm(), to.norm());
+  return lever * angle * angle / 8.0 + (to - from).norm() * angle / 4.0;
+}
+
+int MotionScene::divisions(const Vector3d& from, const Vector3d& to, double angle) const {
+  const double bends = bend(from, to, angle);
+  if (bends <= options.deviationMm)
+    return 1;
+  return static_cast<int>(std::ceil(std::sqrt(bends / options.deviationMm)));
+}
+
+bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& tool,
+               const JointVector& near, double maxStep, std::vector<JointVector>& scratch,
+               JointVector& q) {
+  cell.inverse(toolPose(tip, tool), near, scratch);
+  double best = maxStep;
+  bool found = false;
+  for (const JointVector& s : scratch) {
+    const double step = (s - near).cwiseAbs().maxCoeff();
+    if (step <= best) {
+      best = step;
+      q = s;
+      found = true;
+    }
+  }
+  return found;
+}
+
+} // namespace voluta::motion

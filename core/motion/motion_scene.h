@@ -1,0 +1,37 @@
+// What planners of one job share, and how finely a move of theirs is to be divided.
+#pragma once
+
+#include "collision/cell_collision.h"
+#include "collision/growing_part.h"
+#include "motion/motion_options.h"
+#include "plan/tool_plan.h"
+#include "robot/cell.h"
+
+#include <vector>
+
+namespace voluta::motion {
+
+// All referenced objects outlive it.
+struct MotionScene {
+  const plan::ToolPlan& plan;
+  const robot::Cell& cell;
+  const collision::CellCollision& collision;
+  const collision::GrowingPart& part;
+  const MotionOptions& options;
+
+  // At most how far the nozzle leaves its straight way on the part, in mm, where flange poses are
+  // interpolated between two tips over a turn of `angle`. With the plate on the flange
+  // tip(t) = R(t)^T (n - o(t)), o straight and R even: its second derivative is the tip's swing
+  // about the plate's centre and twice turn times travel, an eighth of which is the sagitta.
+  double bend(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
+  // Into how many steps such a move is to be divided.
+  int divisions(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
+};
+
+// The joints that bring the nozzle there, nearest to `near` (largest joint step); false when there
+// are none within maxStep. `scratch` is memory for the call.
+bool solveNear(const robot::Cell& cell, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
+               const robot::JointVector& near, double maxStep,
+               std::vector<robot::JointVector>& scratch, robot::JointVector& q);
+
+} // namespace voluta::motion
