@@ -8,6 +8,7 @@
 #include "geometry/measures.h"
 #include "layers/absorb.h"
 #include "layers/clean_surface.h"
+#include "layers/follow_top.h"
 #include "layers/islands.h"
 #include "layers/order.h"
 #include "layers/part_boundary.h"
@@ -34,6 +35,8 @@ constexpr double kBeadsToDrop = 4.0;
 constexpr double kBeadsToChange = 2.0;
 // Half of so many voxels may lie outside the part: fewer leave a seam with one side only.
 constexpr double kVoxelsToChange = 60.0;
+// Share of a bead's width in which the height of a last layer may change.
+constexpr double kFineShare = 1.0 / 6.0;
 
 // The spacing near `wanted` of which a whole number reaches the part's highest level.
 double fittedSpacing(const LevelField& field, const geometry::TriangleMesh& part, double wanted) {
@@ -236,6 +239,9 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
   std::move(taken.dropped.begin(), taken.dropped.end(), std::back_inserter(absorbed.dropped));
   result.mergedPieces = absorbed.merged + taken.merged;
   result.mergedVolumeMm3 = absorbed.mergedVolumeMm3 + taken.mergedVolumeMm3;
+  ctx.report(0.8, "ending layers on the surface");
+  layers::followTop(result.stack, boundary,
+                    {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
   ctx.report(0.9, "checking layers");
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   result.volumeMm3 = result.statistics.volumeMm3();

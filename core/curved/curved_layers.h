@@ -50,13 +50,13 @@ struct LayersResult {
 
 // Level surfaces of the field, cut on the part's surface and made into patches: PartialLevels,
 // extractLevels, layers::trimToPart, layers::makePatches, layers::absorbCrumbs,
-// layers::orderForPrinting, layers::absorbIslands. Where a level would be thicker than heightMaxMm,
-// it is laid in parts; where levels would be thinner than heightMinMm, they end and one patch takes
-// the place of several: layers are numbered by where their patches begin in the field, `supports`
-// among them. A patch's group is the component of the printed voxels it lies in. Sum of area x
-// thickness is the part's volume but for what the findings tell; thickness is never clamped. `part`
-// faces outward and stands on the plate, mm. Preconditions: positive heights, heightMin <=
-// heightMax. Throws Cancelled.
+// layers::orderForPrinting, layers::absorbIslands, layers::followTop. Where a level would be
+// thicker than heightMaxMm, it is laid in parts; where levels would be thinner than heightMinMm,
+// they end and one patch takes the place of several: layers are numbered by where their patches
+// begin in the field, `supports` among them. A patch's group is the component of the printed voxels
+// it lies in. Sum of area x thickness is the part's volume but for what the findings tell;
+// thickness beyond the limits is left as it is. `part` faces outward and stands on the plate, mm.
+// Preconditions: positive heights, heightMin <= heightMax. Throws Cancelled.
 LayersResult curvedLayers(const Decomposition& decomposition, const geometry::TriangleMesh& part,
                           const LayerOptions& options, const base::RunContext& ctx,
                           std::vector<SupportPatch> supports = {});

@@ -171,6 +171,8 @@ int main(int argc, char** argv) try {
         "to feet %.4f mm\n",
         v.sharpOffAt.x(), v.sharpOffAt.y(), v.sharpOffAt.z(), v.topMeanMm, v.topP99Mm,
         v.plateMostMm);
+    std::printf("  within 25 degrees of the layers (%.3f of the surface): mean %.4f, P99 %.4f mm\n",
+                v.flatTopShare, v.flatTopMeanMm, v.flatTopP99Mm);
     for (const auto& a : v.air) {
       const layers::Patch& p = r.stack.patches[static_cast<std::size_t>(a.patch)];
       std::printf("  in the air: layer %d, patch %d, %.2f mm2, %.2f mm thick, at %.2f %.2f %.2f, "

@@ -126,6 +126,9 @@ private:
 // Sine of the angle to the layers from which on an edge runs through them.
 constexpr double kThroughLayers = 0.5;
 
+// Cosine of the angle to the layers within which a top should end on the surface.
+constexpr double kNearlyAlong = 0.9063;
+
 const auto kAny = [](int) { return true; };
 
 struct Facet {
@@ -457,8 +460,9 @@ private:
     double area = 0.0;
     for (std::size_t t = 0; t < part_.triangles.size(); ++t)
       area += areaOf(static_cast<int>(t));
-    std::vector<double> off;
-    double sum = 0.0;
+    std::vector<double> off, flatOff;
+    double sum = 0.0, flatSum = 0.0;
+    std::size_t drawn = 0;
     // Evenly by walking along the triangles' areas.
     const double step = area / 20000.0;
     double passed = unit(random) * step;
@@ -474,11 +478,18 @@ private:
         const Vector3d x = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
         if (x.z() < 1e-3 && n.z() < -0.99)
           v_.plateMostMm = std::max(v_.plateMostMm, feet_.nearest(x, 1.0, kAny).distance);
+        ++drawn;
         const auto near = middles_.nearest(x, 2.0, kAny);
-        if (near.triangle < 0 || facets_[at(near.triangle)].direction[0].dot(n) <= 0.5)
+        const double along =
+            near.triangle < 0 ? 0.0 : facets_[at(near.triangle)].direction[0].dot(n);
+        if (along <= 0.5)
           continue;
         off.push_back(tops_.nearest(x, 2.0, kAny).distance);
         sum += off.back();
+        if (along <= kNearlyAlong)
+          continue;
+        flatOff.push_back(off.back());
+        flatSum += off.back();
       }
       passed -= areaOf(static_cast<int>(t));
     }
@@ -487,6 +498,12 @@ private:
     std::sort(off.begin(), off.end());
     v_.topMeanMm = sum / static_cast<double>(off.size());
     v_.topP99Mm = off[off.size() * 99 / 100];
+    if (flatOff.empty())
+      return;
+    std::sort(flatOff.begin(), flatOff.end());
+    v_.flatTopMeanMm = flatSum / static_cast<double>(flatOff.size());
+    v_.flatTopP99Mm = flatOff[flatOff.size() * 99 / 100];
+    v_.flatTopShare = static_cast<double>(flatOff.size()) / static_cast<double>(drawn);
   }
 
   double areaOf(int triangle) const {

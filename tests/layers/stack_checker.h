@@ -46,6 +46,8 @@ struct StackVerdict {
   // Points drawn evenly on the part's surface where it faces along the layers (n . d > 0.5), to the
   // nearest top of a patch; and where it stands on the plate, to the nearest foot.
   double topMeanMm = 0.0, topP99Mm = 0.0, plateMostMm = 0.0;
+  // The same of those within 25 degrees of the layers, and what share of the part's surface it is.
+  double flatTopMeanMm = 0.0, flatTopP99Mm = 0.0, flatTopShare = 0.0;
 
   struct InTheAir {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
