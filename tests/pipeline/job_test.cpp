@@ -1,172 +1,21 @@
 #include "pipeline/job.h"
 
 #include "base/error.h"
-#include "pipeline/block_file.h"
-#include "pipeline/job_blocks.h"
-#include "support/shapes.h"
+#include "pipeline/sample_job.h"
 #include "support/temporary_folder.h"
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <random>
 
 using namespace voluta;
 using pipeline::Job;
 using pipeline::Stage;
+using test::formatOneBytes, test::sampleJob;
 
 namespace {
-
-// A box without its last triangle: something to mend.
-std::shared_ptr<const pipeline::LoadedPart> openBox() {
-  auto mesh = test::box(Eigen::Vector3d(-5, -5, 0), Eigen::Vector3d(5, 5, 10));
-  mesh.triangles.pop_back();
-  return pipeline::loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(mesh),
-                              {"left out 1 facet"}, true, {});
-}
-
-std::shared_ptr<const curved::Decomposition> sampleDecomposition() {
-  curved::Decomposition d;
-  d.grid.size = {2, 1, 2};
-  d.grid.pitch = 0.8;
-  d.grid.origin = {-1, 2, 0};
-  d.rank = {1, 2, -1, 0};
-  d.field = {0.4f, 1.2f, std::numeric_limits<float>::quiet_NaN(), 0.0f};
-  d.frontNormal.assign(4, Eigen::Vector3f(0, 0.6f, 0.8f));
-  d.epsilonMm = 0.4;
-  d.platform = {{0, 0}, {1, 0}, {0, 1}};
-  d.growth = "reverse";
-  d.voxels = 3;
-  d.layers = 2;
-  d.missedVoxels = d.shadowedVoxels = 1;
-  d.seconds.grow = 0.25;
-  d.loss.assign(d.rank.size(), curved::Loss::None);
-  d.loss[0] = curved::Loss::Cascade;
-  d.byHead.assign(d.rank.size(), 0);
-  d.byHead[1] = 1;
-  d.support = d.byHead;
-  d.cascadeVoxels = d.headVoxels = d.supportVoxels = 1;
-  return std::make_shared<curved::Decomposition>(d);
-}
-
-std::shared_ptr<const layers::LayerStack> sampleLayers() {
-  layers::LayerStack stack;
-  stack.layerCount = 2;
-  for (int i = 0; i < 2; ++i) {
-    layers::Patch p;
-    p.surface.vertices = {{0, 0, 0.4 + i}, {1, 0, 0.4 + i}, {0, 1, 0.4 + i}};
-    p.surface.triangles = {{0, 1, 2}};
-    if (i == 1) { // patches of different sizes
-      p.surface.vertices.emplace_back(1, 1, 1.4);
-      p.surface.triangles.push_back({1, 3, 2});
-    }
-    p.thicknessMm.assign(p.surface.vertices.size(), 0.7 + i);
-    p.direction.assign(p.surface.vertices.size(), Eigen::Vector3d::UnitZ());
-    p.clearDirection.assign(p.surface.vertices.size(), Eigen::Vector3d(0, 0.6, 0.8));
-    p.layer = i;
-    p.group = 3 - i;
-    stack.patches.push_back(p);
-  }
-  return std::make_shared<layers::LayerStack>(stack);
-}
-
-void addReport(Job& job) {
-  job.reached = Stage::Motion;
-  job.report.model.file = "box.stl";
-  job.report.model.repairs = {"closed 1 hole"};
-  job.report.layers.count = 2;
-  job.report.motion.maxJerk = {1.5, 2.5};
-  job.report.motion.minClearanceMm = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < 3; ++i) {
-    plan::Finding finding;
-    finding.stage = "motion";
-    finding.kind = "kind" + std::to_string(i);
-    finding.reason = "why";
-    finding.blocking = i == 2;
-    if (i == 1)
-      finding.where = Eigen::Vector3d(0.1, 2, 3), finding.whenS = 0.3;
-    job.report.findings.push_back(finding);
-  }
-  for (std::size_t i = 0; i <= pipeline::indexOf(Stage::Motion); ++i)
-    job.stages[i].key = "what went into stage " + std::to_string(i);
-  job.stages[pipeline::indexOf(Stage::Layers)].findings = 1;
-  job.stages[pipeline::indexOf(Stage::Motion)].findings = 2;
-  job.stages[pipeline::indexOf(Stage::Motion)].timings.ik = 0.125;
-  job.report.timings.ik = 0.125;
-}
-
-Job sampleJob() {
-  Job job;
-  job.partName = "box.stl";
-  job.loaded = openBox();
-  job.part = std::make_shared<geometry::TriangleMesh>(
-      test::box(Eigen::Vector3d(-5, -5, 0), Eigen::Vector3d(5, 5, 10)));
-  job.scale = 0.93;
-  job.choices.placement.rotation = Eigen::Quaterniond(0.6, 0.8, 0, 0);
-  job.choices.placement.centreMm = {3, -4};
-  job.choices.placement.liftMm = 0.5;
-  job.decomposition = sampleDecomposition();
-  job.layers = sampleLayers();
-  job.choices.formats = {"urscript"};
-  job.choices.parameters = {{"voxelMm", "1.08"}};
-  job.platform = {{-5, -5}, {5, -5}, {5, 5}};
-  plan::ToolPlan p;
-  p.position = {{0, 0, 0.8}, {1, 0, 0.8}, {2, 0.5, 0.8}};
-  p.direction.assign(3, Eigen::Vector3d::UnitZ());
-  p.widthMm = {1.2f, 1.3f, 1.4f};
-  p.heightMm = {0.8f, 0.7f, 0.6f};
-  p.speedMmPerS = {20, 20, 20};
-  p.paths.push_back({0, 3, plan::PathKind::Infill, 4, 2, 1, true});
-  job.toolPlan = std::make_shared<plan::ToolPlan>(p);
-  plan::Trajectory t;
-  t.dof = 2;
-  t.joints = {0, 0.1, 0.2, 0.3};
-  t.timeS = {0, 1.5};
-  t.move = {plan::MoveKind::Joint, plan::MoveKind::Print};
-  t.waypoint = {plan::kNoWaypoint, 1};
-  t.extrudedMm3 = {0, 0.9};
-  job.trajectory = std::make_shared<plan::Trajectory>(t);
-  addReport(job);
-  return job;
-}
-
-// The same part, plan and motion as the first format had them.
-std::string formatOneBytes(const Job& job) {
-  pipeline::BlockWriter blocks;
-  addMesh(blocks, "part", *job.part);
-  blocks.add("platform", job.platform);
-  addToolPlan(blocks, *job.toolPlan);
-  addTrajectory(blocks, *job.trajectory);
-  nlohmann::ordered_json table = nlohmann::ordered_json::array();
-  for (const pipeline::BlockRow& row : blocks.table())
-    table.push_back({{"name", row.name},
-                     {"offset", row.offset},
-                     {"bytes", row.bytes},
-                     {"item", row.item},
-                     {"crc32", row.crc32}});
-  const nlohmann::ordered_json header{{"part", job.partName},
-                                      {"scale", job.scale},
-                                      {"choices",
-                                       {{"mode", "curved"},
-                                        {"growth", "auto"},
-                                        {"platform", "fit:0"},
-                                        {"cell", "ur5-fixed"},
-                                        {"process", "fdm-1.0"},
-                                        {"scale", "0.93"},
-                                        {"formats", job.choices.formats},
-                                        {"parameters", job.choices.parameters},
-                                        {"seed", 1}}},
-                                      {"planned", true},
-                                      {"dof", 2},
-                                      {"blocks", table}};
-  const std::string text = header.dump(1);
-  std::string bytes = "VOLUTA 1\n" + std::to_string(text.size()) + "\n" + text;
-  blocks.appendTo(bytes);
-  return bytes;
-}
 
 class JobFile : public ::testing::Test {
 protected:
@@ -267,7 +116,7 @@ TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
 
 TEST_F(JobFile, APartAloneIsAJob) {
   Job job;
-  job.loaded = openBox();
+  job.loaded = sampleJob().loaded;
   job.partName = job.loaded->name;
   const Job back = readBack(pipeline::jobBytes(job));
   EXPECT_EQ(back.part, nullptr);

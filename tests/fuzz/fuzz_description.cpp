@@ -1,0 +1,49 @@
+// Descriptions of robots, cells and processes in JSON.
+#include "fuzz_target.h"
+
+#include "base/files.h"
+#include "process/process.h"
+#include "robot/cell.h"
+
+#include <filesystem>
+
+using namespace voluta;
+
+namespace {
+
+const std::filesystem::path kResources = VOLUTA_SOURCE_DIR "/resources";
+
+// Files are to be named as what they describe.
+void read(const char* name, const std::string& text, void (*readIt)(const std::filesystem::path&)) {
+  fuzz::write(name, text);
+  fuzz::takenOrRefused([&] { readIt(name); });
+}
+
+} // namespace
+
+std::vector<std::string> fuzz::seeds() {
+  ::setenv("VOLUTA_RESOURCES", kResources.c_str(), 1);
+  return {base::readFile(kResources / "robots" / "ur5.json"),
+          base::readFile(kResources / "cells" / "ur5-fixed.json"),
+          base::readFile(kResources / "processes" / "fdm-1.0.json")};
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = fuzz::textOf(data, size);
+  read("ur5.json", text, [](const std::filesystem::path& file) {
+    const robot::RobotModel robot = robot::readRobot(file);
+    fuzz::expect(robot.dof() > 0 && robot.limits.size() == static_cast<std::size_t>(robot.dof()),
+                 "every joint has its limits");
+  });
+  read("ur5-fixed.json", text, [](const std::filesystem::path& file) {
+    const robot::Cell cell =
+        robot::Cell::read(file, process::loadProcess("fdm-1.0"), {{-9, -9}, {9, -9}, {0, 9}});
+    fuzz::expect(cell.home().size() == static_cast<Eigen::Index>(cell.dof()),
+                 "the arm has a home for every joint");
+  });
+  read("fdm-1.0.json", text, [](const std::filesystem::path& file) {
+    const process::Process process = process::readProcess(file);
+    fuzz::expect(process.head.sections.size() >= 2, "a head has a shape");
+  });
+  return 0;
+}

@@ -1,0 +1,60 @@
+// Robot programs, by the readers of all dialects.
+#include "fuzz_target.h"
+
+#include "program/dialect.h"
+
+using namespace voluta;
+
+namespace {
+
+plan::Trajectory sampleTrajectory() {
+  plan::Trajectory t;
+  t.dof = 6;
+  constexpr int kPoints = 8;
+  for (int i = 0; i < kPoints; ++i) {
+    const bool prints = i > 2 && i + 1 < kPoints;
+    const double turn = 0.002 * i;
+    t.joints.insert(t.joints.end(), {0.1 + turn, -1.9, 1.7, -1.2, -1.4, 0.3});
+    t.timeS.push_back(0.5 * i);
+    t.extrudedMm3.push_back(prints ? t.extrudedMm3.back() + 0.8
+                                   : (i == 0 ? 0.0 : t.extrudedMm3.back()));
+    t.move.push_back(prints   ? plan::MoveKind::Print
+                     : i == 2 ? plan::MoveKind::Linear
+                              : plan::MoveKind::Joint);
+    t.waypoint.push_back(prints ? static_cast<std::size_t>(i - 3) : plan::kNoWaypoint);
+  }
+  return t;
+}
+
+} // namespace
+
+std::vector<std::string> fuzz::seeds() {
+  ::setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
+  const process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, {{-9, -9}, {9, -9}, {0, 9}});
+  const plan::Trajectory trajectory = sampleTrajectory();
+  plan::ToolPlan toolPlan;
+  toolPlan.position.assign(4, Eigen::Vector3d::Zero());
+  toolPlan.direction.assign(4, Eigen::Vector3d::UnitZ());
+  toolPlan.paths.push_back({.first = 0, .count = 4, .layer = 1});
+  std::vector<std::string> texts;
+  for (const program::Dialect& dialect : program::dialects())
+    for (const plan::ProgramFile& file :
+         program::writeProgram(dialect.id, {toolPlan, trajectory, cell, process, "part", 0}).files)
+      texts.push_back(file.text);
+  return texts;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = fuzz::textOf(data, size);
+  const process::Process process;
+  program::detectDialect("input", text);
+  for (const program::Dialect& dialect : program::dialects()) {
+    const plan::ReadProgram read = program::readProgram(dialect.id, {{"input", text}}, process);
+    fuzz::expect(read.defects.size() <= program::kMaxDefects, "defects are not listed without end");
+    for (const plan::ProgramMotion& motion : read.motions)
+      fuzz::expect(motion.position.allFinite() && motion.base_T_tcp.matrix().allFinite(),
+                   "motions lead to places");
+  }
+  return 0;
+}
