@@ -354,10 +354,6 @@
         <translation>fronte</translation>
     </message>
     <message>
-        <source>Shape of the head that must clear all that is printed earlier: a flat one as wide as needed, or, where that would lose voxels, the head as it is.</source>
-        <translation>Forma della testa che deve evitare tutto ciò che è già stampato: una piatta, larga quanto serve, o, dove così si perderebbero dei voxel, la testa com&apos;è.</translation>
-    </message>
-    <message>
         <source>flat</source>
         <translation>piatto</translation>
     </message>
@@ -391,7 +387,7 @@
     </message>
     <message>
         <source>auto</source>
-        <translation>automatici</translation>
+        <translation>automatico</translation>
     </message>
     <message>
         <source>leastRisky</source>
@@ -400,6 +396,10 @@
     <message>
         <source>fewestMissed</source>
         <translation>minimi mancati</translation>
+    </message>
+    <message>
+        <source>Shape of the head that must clear all that is printed earlier: a flat one as wide as needed, or the head as it is: where voxels would be lost otherwise (nozzle) and under wide roofs (nozzle and auto).</source>
+        <translation>Forma della testa che deve evitare tutto ciò che è già stampato: una piatta, larga quanto serve, o la testa com&apos;è: dove altrimenti si perderebbero dei voxel (ugello) e sotto tetti ampi (ugello e automatico).</translation>
     </message>
 </context>
 <context>

@@ -74,7 +74,8 @@ void continueField(const VoxelGraph& graph, std::vector<float>& field) {
 
 std::vector<float> coarseField(const VoxelGraph& graph,
                                const std::vector<Eigen::Vector2d>& platform,
-                               const LayerLimits& limits, int rounds, const base::RunContext& ctx) {
+                               const LayerLimits& limits, int rounds,
+                               const process::HeadShape* head, const base::RunContext& ctx) {
   const Coarsening coarsening(graph);
   const voxel::VoxelGrid& grid = coarsening.grid;
   std::vector<std::uint8_t> use(grid.cellCount(), 0);
@@ -97,7 +98,7 @@ std::vector<float> coarseField(const VoxelGraph& graph,
   const VoxelGraph coarse = voxelGraph(grid, use, coarsening.plateLayer, platform);
   base::require(coarse.size() > 0, "coarseField: something of the part stands on the platform");
   const std::vector<float> field =
-      smoothField(coarse, rank, limits, rounds, {}, ctx.sub(0.0, 0.9)).field;
+      smoothField(coarse, rank, limits, rounds, head, {}, ctx.sub(0.0, 0.9)).field;
   const std::vector<Eigen::Vector3f> gradient = fieldGradient(coarse, field, ctx);
 
   ctx.report(0.9, "field");

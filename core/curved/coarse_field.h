@@ -21,6 +21,7 @@ inline constexpr std::size_t kFieldVoxels = 600'000;
 // cells. Throws Cancelled.
 std::vector<float> coarseField(const VoxelGraph& graph,
                                const std::vector<Eigen::Vector2d>& platform,
-                               const LayerLimits& limits, int rounds, const base::RunContext& ctx);
+                               const LayerLimits& limits, int rounds,
+                               const process::HeadShape* head, const base::RunContext& ctx);
 
 } // namespace voluta::curved

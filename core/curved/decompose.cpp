@@ -8,12 +8,12 @@
 #include "curved/field_fit.h"
 #include "curved/flood.h"
 #include "curved/missed_voxels.h"
+#include "curved/nozzle_reach.h"
 #include "curved/reverse_growth.h"
 #include "curved/smooth_field.h"
 #include "curved/voxel_graph.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -23,11 +23,13 @@ namespace voluta::curved {
 
 namespace {
 
-// The front's normal for each voxel, hulls taken before each group of equal key.
-template <typename Key>
-std::vector<Eigen::Vector3f> frontNormals(const VoxelGraph& graph, const std::vector<Key>& key,
-                                          const std::vector<Eigen::Vector3f>& wish,
-                                          const base::RunContext& ctx) {
+// The front's normal for each voxel, hulls taken before each group of equal key; with a head, for
+// what lies deeper than half a cell inside the hull, a direction in which that head clears all
+// groups before. Marks those in `byHead`.
+std::vector<Eigen::Vector3f>
+frontNormals(const VoxelGraph& graph, const std::vector<std::int32_t>& key,
+             const std::vector<Eigen::Vector3f>& wish, const process::HeadShape* head,
+             std::vector<std::uint8_t>& byHead, const base::RunContext& ctx) {
   std::vector<std::int32_t> order;
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (key[v] >= 0)
@@ -36,20 +38,33 @@ std::vector<Eigen::Vector3f> frontNormals(const VoxelGraph& graph, const std::ve
     return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)];
   });
   std::vector<Eigen::Vector3f> normals(graph.size(), Eigen::Vector3f::Zero());
+  byHead.assign(graph.size(), 0);
   ConvexFront front(graph);
+  std::optional<NozzleReach> reach;
+  if (head != nullptr)
+    reach.emplace(graph, *head);
   for (std::size_t begin = 0; begin < order.size();) {
     std::size_t end = begin;
     const auto keyAt = [&](std::size_t i) { return key[static_cast<std::size_t>(order[i])]; };
     while (end < order.size() && keyAt(end) == keyAt(begin))
       ++end;
     base::parallelChunks(ctx, end - begin, 256, [&](std::size_t from, std::size_t to) {
+      std::size_t hint = 0;
       for (std::size_t i = begin + from; i < begin + to; ++i) {
         const auto v = static_cast<std::size_t>(order[i]);
-        normals[v] = front.clearNormal(v, wish[v].cast<double>()).cast<float>();
+        const Eigen::Vector3d wished = wish[v].cast<double>();
+        std::optional<Eigen::Vector3d> direction;
+        if (reach && front.deeperThan(v, 0.5, hint))
+          direction = reach->direction(v, wished);
+        byHead[v] = direction.has_value();
+        normals[v] = (direction ? *direction : front.clearNormal(v, wished)).cast<float>();
       }
     });
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
       front.insert(static_cast<std::size_t>(order[i]));
+      if (reach)
+        reach->insert(static_cast<std::size_t>(order[i]));
+    }
     front.rebuild();
     begin = end;
   }
@@ -75,7 +90,8 @@ std::vector<Eigen::Vector3f> normalsOfRanks(const VoxelGraph& graph,
     key[v] = rank[v] > 0 ? rank[v] : -1;
     height[v] = static_cast<float>(rank[v]);
   }
-  return frontNormals(graph, key, fieldGradient(graph, height, ctx), ctx);
+  std::vector<std::uint8_t> none;
+  return frontNormals(graph, key, fieldGradient(graph, height, ctx), nullptr, none, ctx);
 }
 
 void storeField(const VoxelGraph& graph, const std::vector<float>& field, Decomposition& out) {
@@ -107,10 +123,12 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (growth.rank[v] > 0)
       plain[static_cast<std::size_t>(laid.voxelAt[graph.cellOf(v)])] = growth.rank[v];
+  const process::HeadShape* const head = options.head.sections.empty() ? nullptr : &options.head;
   const bool coarse = laid.size() > kFieldVoxels;
   const std::vector<float> field =
-      coarse ? coarseField(laid, out.platform, limits, options.rounds, ctx.sub(0.0, 0.85))
-             : smoothField(laid, plain, limits, options.rounds, improved, ctx.sub(0.0, 0.85)).field;
+      coarse ? coarseField(laid, out.platform, limits, options.rounds, head, ctx.sub(0.0, 0.85))
+             : smoothField(laid, plain, limits, options.rounds, head, improved, ctx.sub(0.0, 0.85))
+                   .field;
 
   std::vector<std::int32_t> rank = std::move(plain);
   if (!coarse) {
@@ -134,8 +152,14 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
     level[v] = static_cast<std::int32_t>(
         std::floor(static_cast<double>(field[v]) / options.layerHeightMm));
   const std::vector<Eigen::Vector3f> wish = fieldGradient(laid, field, ctx);
-  store(laid, rank, frontNormals(laid, level, wish, ctx), out);
+  std::vector<std::uint8_t> byHead;
+  store(laid, rank, frontNormals(laid, level, wish, head, byHead, ctx), out);
   storeField(laid, field, out);
+  if (std::find(byHead.begin(), byHead.end(), 1) != byHead.end())
+    out.byHead.resize(out.grid.cellCount(), 0);
+  for (std::size_t v = 0; v < laid.size(); ++v)
+    if (byHead[v])
+      out.byHead[laid.cellOf(v)] = 2;
   out.seconds.smooth = clock.seconds();
 }
 
@@ -146,10 +170,10 @@ base::ParameterTable curvedParameters() {
       base::numberParameter("voxelMm", "mm", 0.8, 0.1, 10.0, "Layers", "Voxel width",
                             "Width of the voxels that growth works on; layers are not bound to it.",
                             true),
-      base::choiceParameter("frontShape", "flat", {"flat", "nozzle"}, "Layers", "Front",
+      base::choiceParameter("frontShape", "auto", {"auto", "flat", "nozzle"}, "Layers", "Front",
                             "Shape of the head that must clear all that is printed earlier: a flat "
-                            "one as wide as needed, or, where that would lose voxels, the head as "
-                            "it is."),
+                            "one as wide as needed, or the head as it is: where voxels would be "
+                            "lost otherwise (nozzle) and under wide roofs (nozzle and auto)."),
       base::integerParameter("fieldRounds", 8, 0, 30, "Layers", "Field rounds",
                              "How often growth and smooth field are fitted to each other at "
                              "most. 0: layers from the ranks."),
@@ -181,7 +205,7 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
   const bool fits = peels(options.growth) && options.rounds > 0;
   const Growth growth =
       grow(graph, options.growth, options.forward, ctx.sub(0.0, fits ? 0.15 : 0.9),
-           options.head.sections.empty() ? nullptr : &options.head);
+           options.head.sections.empty() || !options.headForLosses ? nullptr : &options.head);
   out.growth = growth.scheme;
   out.layers = growth.ranks;
   if (growth.byHead > 0)
@@ -205,7 +229,8 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
         out.frontNormal[graph.cellOf(v)] = growth.headDirection[v];
         out.byHead[graph.cellOf(v)] = 1;
       }
-  out.headVoxels = growth.byHead;
+  out.headVoxels = static_cast<std::size_t>(
+      std::count_if(out.byHead.begin(), out.byHead.end(), [](std::uint8_t b) { return b != 0; }));
   ctx.report(1.0, "growth");
   return out;
 }

@@ -18,11 +18,13 @@ struct CurvedOptions {
   std::string growth = "auto";                                      // of growthSchemes()
   ForwardOptions forward;                                           // of the sources' schemes
   double layerHeightMm = 0.8, heightMinMm = 0.4, heightMaxMm = 1.0; // heights a layer may have
-  process::HeadShape head; // a front of this shape where the flat one loses voxels; empty: flat
-  int rounds = 8;          // of growth and refit, at most; 0: ranks only, no field
+  process::HeadShape head;   // a front of this shape where the flat one does not do; empty: flat
+  bool headForLosses = true; // where the flat one loses voxels; false: only under roofs
+  int rounds = 8;            // of growth and refit, at most; 0: ranks only, no field
 };
 
-// voxelMm (mm, 0.8: width of the voxels), frontShape (flat, nozzle: CurvedOptions::head) and
+// voxelMm (mm, 0.8: width of the voxels), frontShape (auto: CurvedOptions::head under roofs only;
+// flat; nozzle: also where voxels would be lost) and
 // fieldRounds (CurvedOptions::rounds).
 base::ParameterTable curvedParameters();
 

@@ -22,10 +22,12 @@ enum class Loss : std::uint8_t {
 // Flat arrays over grid.cellCount() cells.
 struct Decomposition {
   voxel::VoxelGrid grid;
-  std::vector<std::int32_t> rank;    // 0 outside, n >= 1 its layer in growth order, -1 missed
-  std::vector<Loss> loss;            // None where rank >= 0; empty: not told
-  std::vector<std::uint8_t> byHead;  // 1: inside the flat front, but the head itself reaches it in
-                                     // the direction of frontNormal; empty: none
+  std::vector<std::int32_t> rank; // 0 outside, n >= 1 its layer in growth order, -1 missed
+  std::vector<Loss> loss;         // None where rank >= 0; empty: not told
+  // Not 0: deeper than half a voxel inside the flat front, but the head itself reaches it in the
+  // direction of frontNormal. 1: past all of lower rank; 2: past all of lower levels of the field.
+  // Empty: none.
+  std::vector<std::uint8_t> byHead;
   std::vector<std::uint8_t> support; // 1: support material, laid like the part; empty: none
   std::vector<float> field; // level of a printed voxel's centre, mm above the platform along
                             // the growth: layer L covers [L h, (L + 1) h). NaN elsewhere.

@@ -3,10 +3,12 @@
 #include "base/error.h"
 #include "curved/convex_front.h"
 #include "curved/field_fit.h"
+#include "curved/nozzle_reach.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace voluta::curved {
 
@@ -45,9 +47,12 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
 namespace {
 
 // Voxels whose centre lies deeper than half a cell inside the hull of the platform and all voxels
-// of earlier levels: their share and depth. spacing: height of a level in units of `field`, > 0.
-void scoreAccess(const VoxelGraph& graph, const std::vector<float>& field, double spacing,
-                 FieldScore& score, std::vector<std::int32_t>& deep, const base::RunContext& ctx) {
+// of earlier levels, and that the head does not reach: their share and depth. spacing: height of a
+// level in units of `field`, > 0.
+void scoreAccess(const VoxelGraph& graph, const std::vector<float>& field,
+                 const std::vector<Eigen::Vector3f>& gradient, double spacing,
+                 const process::HeadShape* head, FieldScore& score, std::vector<std::int32_t>& deep,
+                 const base::RunContext& ctx) {
   std::vector<std::int32_t> order(graph.size());
   std::iota(order.begin(), order.end(), 0);
   const auto level = [&](std::int32_t v) {
@@ -58,6 +63,9 @@ void scoreAccess(const VoxelGraph& graph, const std::vector<float>& field, doubl
     return la != lb ? la < lb : a < b;
   });
   ConvexFront front(graph);
+  std::optional<NozzleReach> reach;
+  if (head != nullptr)
+    reach.emplace(graph, *head);
   deep.clear();
   std::size_t inaccessible = 0, hint = 0;
   for (std::size_t begin = 0; begin < order.size();) {
@@ -67,14 +75,19 @@ void scoreAccess(const VoxelGraph& graph, const std::vector<float>& field, doubl
       const auto v = static_cast<std::size_t>(order[end]);
       if (!front.deeperThan(v, 0.5, hint))
         continue;
+      if (reach && reach->direction(v, gradient[v].cast<double>()))
+        continue;
       ++inaccessible;
       const double depth = front.depth(v);
       score.deepest = std::max(score.deepest, depth);
       if (depth > 1.0)
         deep.push_back(order[end]);
     }
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
       front.insert(static_cast<std::size_t>(order[i]));
+      if (reach)
+        reach->insert(static_cast<std::size_t>(order[i]));
+    }
     front.rebuild();
     begin = end;
   }
@@ -85,7 +98,8 @@ void scoreAccess(const VoxelGraph& graph, const std::vector<float>& field, doubl
 
 FieldScore scoreField(const VoxelGraph& graph, const std::vector<float>& field,
                       const std::vector<Eigen::Vector3f>& normals, const LayerLimits& limits,
-                      std::vector<std::int32_t>& deep, const base::RunContext& ctx) {
+                      const process::HeadShape* head, std::vector<std::int32_t>& deep,
+                      const base::RunContext& ctx) {
   const std::vector<Eigen::Vector3f> gradient = fieldGradient(graph, field, ctx);
   std::vector<float> slope(gradient.size());
   std::size_t surface = 0, leaning = 0;
@@ -99,7 +113,9 @@ FieldScore scoreField(const VoxelGraph& graph, const std::vector<float>& field,
   FieldScore score;
   score.scale = bestScale(slope, limits, &score.within);
   score.overhang = surface > 0 ? static_cast<double>(leaning) / static_cast<double>(surface) : 0.0;
-  scoreAccess(graph, field, limits.heightMm / (score.scale * graph.grid.pitch), score, deep, ctx);
+  score.roofs = static_cast<double>(leaning) / static_cast<double>(graph.size());
+  scoreAccess(graph, field, gradient, limits.heightMm / (score.scale * graph.grid.pitch), head,
+              score, deep, ctx);
   return score;
 }
 

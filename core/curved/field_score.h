@@ -3,6 +3,7 @@
 
 #include "base/run_context.h"
 #include "curved/voxel_graph.h"
+#include "process/process.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -17,9 +18,11 @@ struct LayerLimits {
 struct FieldScore {
   double scale = 1.0;        // levels = scale * field: best use of the limits
   double within = 0.0;       // share of the voxels whose thickness is within the limits
-  double inaccessible = 0.0; // share deeper than half a cell inside all earlier levels' hull
+  double inaccessible = 0.0; // share deeper than half a cell inside all earlier levels' hull, that
+                             // the head does not reach there either
   double deepest = 0.0;      // of those, cells
   double overhang = 0.0;     // share of the surface that leans over by more than 60 degrees
+  double roofs = 0.0;        // the same voxels as a share of all
   // Smaller is better. What passes a margin of the process counts fully, the rest as far as it
   // tells good fields apart: thickness out of limits must be cut or filled, what lies inside the
   // front is gouged by a flat head, what leans over only looks worse.
@@ -36,9 +39,11 @@ struct FieldScore {
 // field| a voxel. level of a voxel in mm is scale * field * pitch.
 double bestScale(const std::vector<float>& slope, const LayerLimits& limits, double* within);
 
-// Fills `deep` with the voxels that lie deeper than one cell inside the hull of earlier levels.
+// Fills `deep` with the inaccessible voxels that lie deeper than one cell inside that hull. `head`:
+// of what lies inside, what this head reaches past all earlier levels is accessible; null: none is.
 FieldScore scoreField(const VoxelGraph& graph, const std::vector<float>& field,
                       const std::vector<Eigen::Vector3f>& normals, const LayerLimits& limits,
-                      std::vector<std::int32_t>& deep, const base::RunContext& ctx);
+                      const process::HeadShape* head, std::vector<std::int32_t>& deep,
+                      const base::RunContext& ctx);
 
 } // namespace voluta::curved

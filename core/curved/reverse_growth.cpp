@@ -27,7 +27,7 @@ public:
         present_(presentAtFirst(graph, use)),
         support_(order.empty() ? SupportOrder(graph, present_, ctx)
                                : SupportOrder(graph, present_, order, ctx)),
-        removedIn_(graph.size(), 0) {
+        deepest_(lookedFor(options)), removedIn_(graph.size(), 0) {
     out_.deepest = options.tolerance;
     out_.rank.assign(graph.size(), 0);
     out_.given.assign(graph.size(), 0);
@@ -84,10 +84,29 @@ private:
   // What hangs back behind the level holds up all that carries it, often for the sake of a fraction
   // of a cell: the longer it waits, the deeper it may lie.
   double toleranceOf(std::size_t v, double tolerance) const {
-    if (guide_.empty() || !options_.eases)
+    if (guide_.empty())
       return tolerance;
+    const double allowed =
+        options_.allowance.empty() ? tolerance : tolerance + options_.allowance[v];
     const double late = static_cast<double>(guide_[v] - level_) - kLate;
-    return late <= 0.0 ? tolerance : std::min(tolerance + kEasedPerCell * late, kEasedMost);
+    if (!options_.eases || late <= 0.0)
+      return allowed;
+    return std::max(allowed, std::min(tolerance + kEasedPerCell * late, kEasedMost));
+  }
+
+  bool allowed(std::size_t v) const {
+    return !options_.allowance.empty() && options_.allowance[v] > 0.0f;
+  }
+
+  // Guided: how deep below the front voxels are looked for. A sheet, and further down what is late
+  // or allowed to lie there.
+  static double lookedFor(const PeelOptions& options) {
+    constexpr double kBelowAllowed = 0.2;
+    double most = std::max(options.sheet, options.eases ? kEasedMost : 0.0);
+    for (const float allowed : options.allowance)
+      if (allowed > 0.0f)
+        most = std::max(most, options.tolerance + allowed + kBelowAllowed);
+    return most;
   }
 
   // Tells whether anything was peeled.
@@ -99,12 +118,12 @@ private:
           sheet, [](std::size_t) { return true; }, candidates_);
     else
       front_.nearSurface(
-          options_.eases ? std::max(sheet, kEasedMost) : sheet,
+          deepest_,
           [&](std::size_t v) {
             std::size_t hint = 0;
             const double late = static_cast<double>(guide_[v] - level_);
-            return late > 0.0 &&
-                   (late > kLate || !options_.eases || !front_.deeperThan(v, sheet, hint));
+            return late > 0.0 && (late > kLate || deepest_ <= sheet || allowed(v) ||
+                                  !front_.deeperThan(v, sheet, hint));
           },
           candidates_);
     std::sort(candidates_.begin(), candidates_.end(), [&](std::int32_t a, std::int32_t b) {
@@ -319,6 +338,7 @@ private:
   std::optional<NozzleReach> reach_;
   std::vector<std::uint8_t> present_;
   SupportOrder support_;
+  double deepest_;                      // guided: below the front, where voxels are looked for
   std::vector<std::int32_t> removedIn_; // round
   std::vector<std::int32_t> candidates_, taken_, loss_;
   std::vector<std::uint8_t> shadowed_; // per taken voxel

@@ -9,6 +9,7 @@
 #include "process/process.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace voluta::curved {
@@ -22,7 +23,9 @@ struct PeelOptions {
   double levelStep = 0.5;   // guided: the level falls by this each round
   double levelSlack = 0.0;  // guided: how long a voxel may wait and still count as on time
   bool eases = false;       // guided: what waits for long may lie deeper than the tolerance
-  bool sacrifice = true;    // where nothing can go on at all: give up voxels. False: stop.
+  // Guided: per voxel, how much deeper than the tolerance it may lie at any time; empty: none may.
+  std::span<const float> allowance;
+  bool sacrifice = true; // where nothing can go on at all: give up voxels. False: stop.
   // Where a voxel would have to be given up: a head that may reach it all the same (NozzleReach).
   // Null: the front is flat everywhere.
   const process::HeadShape* head = nullptr;

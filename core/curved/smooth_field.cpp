@@ -19,6 +19,10 @@ constexpr float kScreenStart = 0.001f, kScreenFree = 0.003f, kScreenHeld = 0.02f
 // good enough; above it, layers may overhang more where that helps.
 constexpr double kAccessible = 0.0012, kWithin = 0.9965, kDeepest = 1.4;
 constexpr double kStalled = 0.6; // a round that leaves more than this share of them
+// Cells that roofs may lag behind a flat front, and behind one of the head's shape; the share of
+// voxels under roofs beyond 60 degrees that the latter is worth its time for.
+constexpr float kRoofFlat = 0.6f, kRoofByHead = 1.2f;
+constexpr double kRoofs = 0.012;
 constexpr float kOverhangFirst = 0.68f, kOverhangStep = 0.12f;
 
 // Marks the neighbours of what is marked, and theirs.
@@ -52,68 +56,130 @@ void adaptScreen(const VoxelGraph& graph, const std::vector<float>& field,
                            : std::max(kScreenFree, screen[v] * 0.5f);
 }
 
+// How far, in cells, voxels may lag behind the front by the slope of the surface they are at: all
+// the way under roofs flatter than 32 degrees, not at all at 53 degrees and steeper.
+std::vector<float> roofAllowance(const std::vector<Eigen::Vector3f>& normals, float cells) {
+  constexpr float kSteep = 0.6f, kFlat = 0.85f;
+  std::vector<float> allowance(normals.size());
+  for (std::size_t v = 0; v < normals.size(); ++v)
+    allowance[v] = cells * std::clamp((-normals[v].z() - kSteep) / (kFlat - kSteep), 0.0f, 1.0f);
+  return allowance;
+}
+
+struct Front {
+  const process::HeadShape* head; // null: flat
+  float roofCells;                // that roofs may lag
+  bool givesWay;                  // overhang, while too much stays inaccessible,
+  double roofsMost;               // but not once more than this share of roofs has come of it
+};
+
+class Rounds {
+public:
+  Rounds(const VoxelGraph& graph, const std::vector<std::int32_t>& rank, const LayerLimits& limits,
+         int rounds, const std::function<void(const std::vector<float>&)>& improved,
+         const base::RunContext& ctx)
+      : graph_(graph), rank_(rank), limits_(limits), rounds_(rounds), improved_(improved),
+        fit_(graph, ctx), start_(geodesicDistance(graph, rank, ctx)) {
+    for (const float f : start_)
+      base::require(std::isfinite(f), "smoothField: every voxel is reached from the platform");
+    FitOptions options;
+    options.slopeMin = 0.85f;
+    options.slopeMax = 1.15f;
+    options.overhang = kOverhangFirst;
+    fit_.fit(start_, std::vector<float>(start_), std::vector<float>(graph.size(), kScreenStart),
+             options, ctx);
+  }
+
+  void run(const Front& front, const base::RunContext& ctx) {
+    std::vector<float> field = start_;
+    std::vector<float> screen(graph_.size(), kScreenStart);
+    FitOptions fitOptions;
+    fitOptions.overhang = kOverhangFirst;
+    const std::vector<float> allowance = roofAllowance(fit_.normals(), front.roofCells);
+    PeelOptions peelOptions;
+    peelOptions.tolerance = 0.1;
+    peelOptions.sheet = 0.75;
+    peelOptions.levelSlack = 0.25;
+    peelOptions.eases = true;
+    peelOptions.allowance = allowance;
+    peelOptions.sacrifice = false;
+    peelOptions.reports = false;
+    std::vector<std::int32_t> deep;
+    double before = 0.0;
+    for (int round = 0; round < rounds_; ++round) {
+      ctx.report((round + 0.5) / (rounds_ + 0.5), "field");
+      field = flood(graph_, {}, field, kPitSlope, ctx, Steps::FacesFirst).value;
+      const FieldScore score =
+          scoreField(graph_, field, fit_.normals(), limits_, front.head, deep, ctx);
+      const bool stalled =
+          round > 0 && score.inaccessible > kAccessible && score.inaccessible > kStalled * before;
+      before = score.inaccessible;
+      keepIfBetter(field, score);
+      if (round + 1 == rounds_ ||
+          (score.inaccessible <= kAccessible && score.within >= kWithin &&
+           score.deepest <= kDeepest && (front.givesWay || score.roofs <= kRoofs)))
+        break;
+      if (fitOptions.overhang > kOverhangFirst && score.roofs > front.roofsMost)
+        break;
+      if (stalled && front.givesWay)
+        fitOptions.overhang += kOverhangStep;
+      const Peeling grown = peelGuided(graph_, field, rank_, peelOptions, ctx);
+      std::vector<float> target(graph_.size());
+      for (std::size_t v = 0; v < graph_.size(); ++v)
+        target[v] = grown.rank[v] > 0 ? std::max(grown.level[v], 0.25f) : field[v];
+      adaptScreen(graph_, field, target, deep, screen);
+      field = target;
+      fit_.fit(field, target, screen, fitOptions, ctx);
+    }
+  }
+
+  const FieldScore& last() const { return best_.rounds.back(); }
+  SmoothField take() { return std::move(best_); }
+
+private:
+  void keepIfBetter(const std::vector<float>& field, const FieldScore& score) {
+    const bool first = best_.rounds.empty();
+    best_.rounds.push_back(score);
+    if (!first && score.total() >= best_.score.total())
+      return;
+    best_.score = score;
+    best_.field = field;
+    const auto toMm = static_cast<float>(score.scale * graph_.grid.pitch);
+    for (float& f : best_.field)
+      f *= toMm;
+    if (improved_)
+      improved_(best_.field);
+  }
+
+  const VoxelGraph& graph_;
+  const std::vector<std::int32_t>& rank_;
+  const LayerLimits& limits_;
+  int rounds_;
+  const std::function<void(const std::vector<float>&)>& improved_;
+  FieldFit fit_;
+  std::vector<float> start_;
+  SmoothField best_;
+};
+
 } // namespace
 
 SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
-                        const LayerLimits& limits, int rounds,
+                        const LayerLimits& limits, int rounds, const process::HeadShape* head,
                         const std::function<void(const std::vector<float>&)>& improved,
                         const base::RunContext& ctx) {
   base::require(rounds >= 1 && graph.size() > 0 && rank.size() == graph.size(),
                 "smoothField: a round and a voxel or more, a rank each");
-  SmoothField out;
   ctx.report(0.0, "field");
-  std::vector<float> field = geodesicDistance(graph, rank, ctx);
-  for (const float f : field)
-    base::require(std::isfinite(f), "smoothField: every voxel is reached from the platform");
-  FieldFit fit(graph, ctx);
-  std::vector<float> screen(graph.size(), kScreenStart);
-  FitOptions fitOptions;
-  fitOptions.slopeMin = 0.85f;
-  fitOptions.slopeMax = 1.15f;
-  fitOptions.overhang = kOverhangFirst;
-  fit.fit(field, std::vector<float>(field), screen, fitOptions, ctx);
-  fitOptions.slopeMin = FitOptions{}.slopeMin;
-  fitOptions.slopeMax = FitOptions{}.slopeMax;
-
-  PeelOptions peelOptions;
-  peelOptions.tolerance = 0.1;
-  peelOptions.sheet = 0.75;
-  peelOptions.levelSlack = 0.25;
-  peelOptions.eases = true;
-  peelOptions.sacrifice = false;
-  peelOptions.reports = false;
-  std::vector<std::int32_t> deep;
-  for (int round = 0; round < rounds; ++round) {
-    ctx.report((round + 0.5) / (rounds + 0.5), "field");
-    field = flood(graph, {}, field, kPitSlope, ctx, Steps::FacesFirst).value;
-    const FieldScore score = scoreField(graph, field, fit.normals(), limits, deep, ctx);
-    const bool stalled = !out.rounds.empty() && score.inaccessible > kAccessible &&
-                         score.inaccessible > kStalled * out.rounds.back().inaccessible;
-    out.rounds.push_back(score);
-    if (round == 0 || score.total() < out.score.total()) {
-      out.score = score;
-      out.field = field;
-      const auto toMm = static_cast<float>(score.scale * graph.grid.pitch);
-      for (float& f : out.field)
-        f *= toMm;
-      if (improved)
-        improved(out.field);
-    }
-    if (round + 1 == rounds ||
-        (score.inaccessible <= kAccessible && score.within >= kWithin && score.deepest <= kDeepest))
-      break;
-    if (stalled)
-      fitOptions.overhang += kOverhangStep;
-    const Peeling grown = peelGuided(graph, field, rank, peelOptions, ctx);
-    std::vector<float> target(graph.size());
-    for (std::size_t v = 0; v < graph.size(); ++v)
-      target[v] = grown.rank[v] > 0 ? std::max(grown.level[v], 0.25f) : field[v];
-    adaptScreen(graph, field, target, deep, screen);
-    field = target;
-    fit.fit(field, target, screen, fitOptions, ctx);
+  Rounds all(graph, rank, limits, rounds, improved, ctx);
+  if (head == nullptr) {
+    all.run({nullptr, kRoofFlat, true, 1.0}, ctx);
+  } else {
+    all.run({nullptr, kRoofFlat, true, kRoofs}, ctx.sub(0.0, 0.6));
+    if (all.last().roofs > kRoofs)
+      all.run({head, kRoofByHead, false, 1.0}, ctx.sub(0.6, 1.0));
   }
   ctx.report(1.0, "field");
-  return out;
+  return all.take();
 }
 
 } // namespace voluta::curved

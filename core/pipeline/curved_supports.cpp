@@ -16,7 +16,8 @@ support::Supports supportsOf(const voxel::SolidVoxels& part,
   support::SupportOptions options;
   options.growth = growth.growth;
   options.forward = growth.forward;
-  options.head = growth.head;
+  if (growth.headForLosses)
+    options.head = growth.head;
   return support::supportsFor(part, platform, options, ctx);
 }
 

@@ -21,7 +21,7 @@ std::string heightsText(const process::Process& p) {
 
 // The head that the front may have the shape of, shrunk by what counts as contact; none for flat.
 process::HeadShape frontHead(const ModeChoices& in) {
-  if (in.values.text("frontShape") != "nozzle")
+  if (in.values.text("frontShape") == "flat")
     return {};
   return process::erodedHead(in.process.head, in.process.contactToleranceMm);
 }
@@ -55,6 +55,7 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
   growth.heightMinMm = in.process.layerHeightMinMm;
   growth.heightMaxMm = in.process.layerHeightMaxMm;
   growth.head = frontHead(in);
+  growth.headForLosses = in.values.text("frontShape") == "nozzle";
   growth.rounds = static_cast<int>(in.values.integer("fieldRounds"));
   const support::Supports supports =
       supportsOf(solid, stage->platform, growth, in.values, ctx.sub(0.07, 0.2));

@@ -5,6 +5,7 @@
 #include "curved/platform.h"
 #include "curved/voxel_shapes.h"
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -108,11 +109,12 @@ TEST(Decompose, AHeadReachesTheHookThatAFlatFrontShadows) {
   const Decomposition d = decompose(part, platform, options, kQuiet);
   EXPECT_LT(d.missedVoxels, flat.missedVoxels);
   ASSERT_GT(d.headVoxels, 0u);
-  std::size_t byHead = 0;
+  std::size_t byHead = 0, inOrder = 0;
   for (std::size_t c = 0; c < d.rank.size(); ++c) {
-    if (!d.byHead[c])
+    byHead += d.byHead[c] != 0;
+    if (d.byHead[c] != 1)
       continue;
-    ++byHead;
+    ++inOrder;
     ASSERT_GT(d.rank[c], 0);
     const Eigen::Vector3d tip = d.grid.cell(c).cast<double>();
     for (std::size_t w = 0; w < d.rank.size(); ++w)
@@ -122,6 +124,72 @@ TEST(Decompose, AHeadReachesTheHookThatAFlatFrontShadows) {
       }
   }
   EXPECT_EQ(byHead, d.headVoxels);
+  EXPECT_GT(inOrder, 0u);
+}
+
+// Direction of growth by least squares over the cells around.
+Eigen::Vector3d growthAt(const Decomposition& d, const Eigen::Vector3i& cell) {
+  const auto value = [&](const Eigen::Vector3i& at) {
+    return static_cast<double>(d.field[d.grid.index(at.x(), at.y(), at.z())]);
+  };
+  Eigen::Matrix3d a = 1e-9 * Eigen::Matrix3d::Identity();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  for (int n = 0; n < 27; ++n) {
+    const Eigen::Vector3i step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    const double rise = value(cell + step) - value(cell);
+    if (std::isnan(rise))
+      continue;
+    a += (step * step.transpose()).cast<double>();
+    b += rise * step.cast<double>();
+  }
+  return a.ldlt().solve(b).normalized();
+}
+
+TEST(Decompose, UnderARoofLayersLeanAsFarAsTheHeadReaches) {
+  constexpr double kOut = 22.0, kIn = 17.0;
+  const Eigen::Vector3d centre(22.0, 22.0, -0.5);
+  const auto inShell = [&](int i, int j, int k) {
+    const double r = (Eigen::Vector3d(i, j, k) - centre).norm();
+    return r <= kOut && r > kIn;
+  };
+  const voxel::SolidVoxels part = test::voxelPart(45, 45, 22, inShell);
+  // Of the cells under the roof, the share that growth leaves at more than 60 degrees.
+  const auto roof = [&](const Decomposition& d) {
+    double all = 0.0, flat = 0.0;
+    for (int k = 8; k < 22; ++k)
+      for (int j = 0; j < 45; ++j)
+        for (int i = 0; i < 45; ++i) {
+          if (!inShell(i, j, k) || inShell(i, j, k - 1))
+            continue;
+          const Eigen::Vector3d down = (centre - Eigen::Vector3d(i, j, k)).normalized();
+          ++all;
+          flat += growthAt(d, {i + 1, j + 1, k + 1}).dot(down) < -0.866;
+        }
+    return flat / all;
+  };
+  CurvedOptions options;
+  const auto platform = platformFit(part, 0.0);
+  const Decomposition flat = decompose(part, platform, options, kQuiet);
+  options.head = cone(part.grid.pitch);
+  options.headForLosses = false;
+  const Decomposition d = decompose(part, platform, options, kQuiet);
+  EXPECT_GT(roof(flat), 0.1);
+  EXPECT_LT(roof(d), 0.4 * roof(flat));
+  EXPECT_TRUE(flat.byHead.empty());
+  ASSERT_GT(d.headVoxels, 0u);
+  EXPECT_EQ(d.missedVoxels, 0u);
+  const auto level = [&](std::size_t c) { return std::floor(d.field[c] / options.layerHeightMm); };
+  for (std::size_t c = 0; c < d.rank.size(); ++c) {
+    if (!d.byHead[c])
+      continue;
+    EXPECT_EQ(d.byHead[c], 2);
+    const Eigen::Vector3d tip = d.grid.cell(c).cast<double>();
+    for (std::size_t w = 0; w < d.rank.size(); ++w)
+      if (d.rank[w] > 0 && level(w) < level(c)) {
+        EXPECT_FALSE(
+            insideCone(d.grid.cell(w).cast<double>(), tip, d.frontNormal[c].cast<double>()));
+      }
+  }
 }
 
 } // namespace

@@ -28,7 +28,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"output.debug", {"true", kStageCount}},
     {"output.refused", {"true", kStageCount}},
     {"voxelMm", {"0.9", 1}},
-    {"frontShape", {"nozzle", 1}},
+    {"frontShape", {"flat", 1}},
     {"supports", {"auto", 1}},
     {"orient", {"leastRisky", 0}},
     {"fieldRounds", {"5", 1}},

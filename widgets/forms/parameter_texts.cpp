@@ -34,7 +34,8 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters", "Front"),
     QT_TRANSLATE_NOOP("Parameters",
                       "Shape of the head that must clear all that is printed earlier: a flat one "
-                      "as wide as needed, or, where that would lose voxels, the head as it is."),
+                      "as wide as needed, or the head as it is: where voxels would be lost "
+                      "otherwise (nozzle) and under wide roofs (nozzle and auto)."),
     QT_TRANSLATE_NOOP("Parameters", "flat"),
     QT_TRANSLATE_NOOP("Parameters", "nozzle"),
     QT_TRANSLATE_NOOP("Parameters", "Supports"),
