@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 namespace voluta::pipeline {
 
@@ -35,10 +36,19 @@ private:
   std::size_t used_ = 0;
 };
 
+// Numbers, or points.
+template <typename T> bool allFinite(const std::vector<T>& values) {
+  return std::all_of(values.begin(), values.end(), [](const T& value) {
+    if constexpr (std::is_arithmetic_v<T>)
+      return std::isfinite(value);
+    else
+      return value.allFinite();
+  });
+}
+
 bool soundMesh(const geometry::TriangleMesh& mesh) {
-  for (const Eigen::Vector3d& v : mesh.vertices)
-    if (!v.allFinite())
-      return false;
+  if (!allFinite(mesh.vertices))
+    return false;
   for (const auto& triangle : mesh.triangles)
     for (const int v : triangle)
       if (v < 0 || static_cast<std::size_t>(v) >= mesh.vertices.size())
@@ -50,7 +60,7 @@ bool soundDecomposition(const curved::Decomposition& d) {
   const Eigen::Vector3i n = d.grid.size;
   constexpr int kMostCells = 1 << 20; // a side
   if (n.minCoeff() < 0 || n.maxCoeff() > kMostCells || !d.grid.origin.allFinite() ||
-      !std::isfinite(d.grid.pitch) || d.grid.pitch <= 0.0)
+      !std::isfinite(d.grid.pitch) || d.grid.pitch <= 0.0 || !allFinite(d.platform))
     return false;
   const std::size_t cells = d.grid.cellCount();
   const auto sound = [&](const auto& array) { return array.empty() || array.size() == cells; };
@@ -63,7 +73,7 @@ bool soundDecomposition(const curved::Decomposition& d) {
 bool soundToolPlan(const plan::ToolPlan& p) {
   const std::size_t n = p.waypointCount();
   if (p.direction.size() != n || p.widthMm.size() != n || p.heightMm.size() != n ||
-      p.speedMmPerS.size() != n)
+      p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction))
     return false;
   return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
     return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Support;
@@ -73,7 +83,8 @@ bool soundToolPlan(const plan::ToolPlan& p) {
 bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) {
   const std::size_t n = t.pointCount();
   if (t.dof <= 0 || t.joints.size() != n * static_cast<std::size_t>(t.dof) || t.move.size() != n ||
-      t.waypoint.size() != n || t.extrudedMm3.size() != n)
+      t.waypoint.size() != n || t.extrudedMm3.size() != n || !allFinite(t.joints) ||
+      !allFinite(t.timeS))
     return false;
   return std::all_of(t.move.begin(), t.move.end(),
                      [](plan::MoveKind kind) { return kind <= plan::MoveKind::Joint; }) &&
@@ -83,13 +94,15 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
 }
 
 bool holdsWhatItReached(const Job& job) {
-  std::size_t findings = 0;
-  for (const StageRecord& record : job.stages)
-    findings += record.findings;
+  std::size_t left = job.report.findings.size();
+  for (const StageRecord& record : job.stages) {
+    if (record.findings > left)
+      return false;
+    left -= record.findings;
+  }
   const auto reached = [&](Stage stage) { return job.reached && *job.reached >= stage; };
-  return findings <= job.report.findings.size() && (!reached(Stage::Load) || job.part) &&
-         (!reached(Stage::Layers) || job.layers) && (!reached(Stage::Toolpath) || job.toolPlan) &&
-         (!reached(Stage::Replay) || job.trajectory);
+  return (!reached(Stage::Load) || job.part) && (!reached(Stage::Layers) || job.layers) &&
+         (!reached(Stage::Toolpath) || job.toolPlan) && (!reached(Stage::Replay) || job.trajectory);
 }
 } // namespace
 
@@ -102,6 +115,8 @@ geometry::TriangleMesh getMesh(const BlockReader& in, const std::string& name) {
   geometry::TriangleMesh mesh;
   mesh.vertices = in.get<Eigen::Vector3d>(name + ".vertices");
   mesh.triangles = in.get<std::array<int, 3>>(name + ".triangles");
+  if (!soundMesh(mesh))
+    contradiction("a mesh with corners that are not there");
   return mesh;
 }
 
@@ -288,9 +303,7 @@ plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
 }
 
 bool isConsistent(const Job& job) {
-  if (job.part && !soundMesh(*job.part))
-    return false;
-  if (job.loaded && (!soundMesh(*job.loaded->source) || !soundMesh(*job.loaded->mesh)))
+  if (!allFinite(job.platform))
     return false;
   if (job.decomposition && !soundDecomposition(*job.decomposition))
     return false;

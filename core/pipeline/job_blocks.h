@@ -16,6 +16,7 @@ namespace voluta::pipeline {
 
 // What is added has to outlive the writer. Getters throw Error{UnreadableFile}.
 void addMesh(BlockWriter& out, const std::string& name, const geometry::TriangleMesh& mesh);
+// Also where its corners are not there or not finite: a part is looked at while it is read.
 geometry::TriangleMesh getMesh(const BlockReader& in, const std::string& name);
 
 void addDecomposition(BlockWriter& out, const curved::Decomposition& decomposition);

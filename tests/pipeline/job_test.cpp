@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 using namespace voluta;
@@ -264,8 +265,30 @@ TEST_F(JobFile, ContradictionsAreRefused) {
     p.paths[0].kind = static_cast<plan::PathKind>(77);
     job.toolPlan = std::make_shared<plan::ToolPlan>(p);
   });
+  refused("a part of corners that are not there", [](Job& job) {
+    auto part = std::make_shared<pipeline::LoadedPart>(*job.loaded);
+    auto mesh = std::make_shared<geometry::TriangleMesh>(*part->source);
+    mesh->triangles[0][1] = 1'000'000'000;
+    part->source = part->mesh = mesh;
+    job.loaded = part;
+  });
+  refused("a platform nowhere", [](Job& job) { job.platform[1].y() = INFINITY; });
+  refused("a waypoint nowhere", [](Job& job) {
+    plan::ToolPlan p = *job.toolPlan;
+    p.position[2].z() = NAN;
+    job.toolPlan = std::make_shared<plan::ToolPlan>(p);
+  });
+  refused("joints that are no numbers", [](Job& job) {
+    plan::Trajectory t = *job.trajectory;
+    t.joints[1] = NAN;
+    job.trajectory = std::make_shared<plan::Trajectory>(t);
+  });
   refused("reached more than there is", [](Job& job) { job.toolPlan = nullptr; });
   refused("more findings than the report", [](Job& job) { job.stages[0].findings = 9; });
+  refused("findings beyond all number", [](Job& job) {
+    job.stages[0].findings = std::numeric_limits<std::size_t>::max();
+    job.stages[1].findings = 2;
+  });
   refused("scale", [](Job& job) { job.scale = 0.0; });
 }
 
