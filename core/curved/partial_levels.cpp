@@ -68,10 +68,9 @@ void PartialLevels::measure(const base::RunContext& ctx) {
       if (field_.printed(node))
         thickness_[c] = static_cast<float>(
             std::log2(spacing / std::max(field_.gradient(node).norm(), kSteepest)));
-      // Of a level that begins at a ceiling only what is above it is laid: cut in two, its lower
-      // half would begin in the air.
-      const auto thickness = static_cast<double>(thickness_[c]);
-      if (thickness > splitAt_ && thickness < splitAt_ + 1.0 && hangs(c))
+      // Of a level that begins at a ceiling only what is above it is laid: cut in parts, the lowest
+      // would begin in the air.
+      if (static_cast<double>(thickness_[c]) > splitAt_ && hangs(c))
         thickness_[c] = static_cast<float>(splitAt_);
     }
   });
