@@ -22,13 +22,13 @@ struct FacetSoup {
 bool looksLikeStl(std::string_view bytes);
 // Throws Error{UnreadableFile} with the line or the facet.
 FacetSoup readStl(std::string_view bytes, const std::string& name);
-// OBJ, OFF and PLY are read here and not by assimp 5.2, whose asserts end the program on damaged
-// files. Throw Error{UnreadableFile} with the line or the byte.
+// Throw Error{UnreadableFile} with the line or the byte.
 FacetSoup readObj(std::string_view bytes, const std::string& name);
 FacetSoup readOff(std::string_view bytes, const std::string& name);
 FacetSoup readPly(std::string_view bytes, const std::string& name);
-// Throws Error{UnreadableFile} with assimp's reason.
-FacetSoup read3mfByAssimp(std::string_view bytes, const std::string& name);
+// All that is built, each object where it is used; lengths in mm. Throws Error{UnreadableFile} with
+// the member of the package and the line.
+FacetSoup read3mf(std::string_view bytes, const std::string& name);
 
 // Appends the polygon's triangles.
 void addPolygon(const std::vector<Eigen::Vector3d>& polygon, std::vector<Facet>& facets);

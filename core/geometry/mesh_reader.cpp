@@ -120,7 +120,7 @@ MeshFile readMesh(std::string_view bytes, const std::string& name) {
                    : format == "obj" ? readObj(bytes, name)
                    : format == "off" ? readOff(bytes, name)
                    : format == "ply" ? readPly(bytes, name)
-                                     : read3mfByAssimp(bytes, name);
+                                     : read3mf(bytes, name);
   if (soup.facets.empty())
     throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle", name);
   dropBadFacets(soup, name);

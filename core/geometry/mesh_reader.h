@@ -16,8 +16,8 @@ struct MeshFile {
   std::vector<std::string> repairs; // what was left out while reading, a sentence each
 };
 
-// Reads the file of one mesh; all objects in it together are the mesh. Lengths are taken as mm; the
-// unit that a 3MF names is not known through assimp 5.2, which is told in `repairs`. Polygons are
+// Reads the file of one mesh; all objects in it together are the mesh. Lengths are taken as mm; those
+// of a 3MF are turned into mm from the unit that it names, which is told in `repairs`. Polygons are
 // cut into triangles. The format is told by the content where it has a mark, else by the
 // extension. A binary STL may begin with "solid".
 //
