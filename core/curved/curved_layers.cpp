@@ -98,7 +98,7 @@ double farthestOf(const layers::PatchesOfLevel& level, const geometry::MeshQuery
   for (std::size_t p = 0; p < level.patches.size(); ++p) {
     const auto& mesh = level.patches[p].surface;
     const auto edges = geometry::sortedHalfEdges(mesh);
-    std::vector<std::uint8_t> isDone = level.innerRim[p];
+    std::vector<std::uint8_t> isDone = level.patches[p].innerRim;
     isDone.resize(mesh.vertices.size(), 0);
     geometry::forEachEdge(edges, [&](std::size_t b, std::size_t e) {
       if (e - b != 1)

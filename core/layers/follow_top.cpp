@@ -37,6 +37,7 @@ LevelSurface surfaceOf(const Patch& p) {
   s.thicknessMm = p.thicknessMm;
   s.direction = p.direction;
   s.clearDirection = p.clearDirection;
+  s.innerRim = p.innerRim;
   return s;
 }
 
@@ -257,6 +258,8 @@ private:
     s_.thicknessMm.pop_back();
     s_.direction.pop_back();
     s_.clearDirection.pop_back();
+    if (!s_.innerRim.empty())
+      s_.innerRim.pop_back();
     inwards_.pop_back();
     over_.pop_back();
   }
@@ -353,6 +356,7 @@ void followTop(LayerStack& stack, const PartBoundary& part, const TopOptions& op
     patch.thicknessMm = std::move(surface.thicknessMm);
     patch.direction = std::move(surface.direction);
     patch.clearDirection = std::move(surface.clearDirection);
+    patch.innerRim = std::move(surface.innerRim);
   }
 }
 

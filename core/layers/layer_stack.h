@@ -4,6 +4,7 @@
 #include "geometry/triangle_mesh.h"
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 namespace voluta::layers {
@@ -23,6 +24,9 @@ struct Patch {
                                                // clears what is printed earlier (front normal)
   int layer = 0;                               // level it was cut from, 0 is on the platform
   int group = 0;                               // piece or component, or kSupportGroup
+  // Per vertex, 1 on a seam: a boundary inside the part where another patch takes over. Empty:
+  // nowhere.
+  std::vector<std::uint8_t> innerRim;
 };
 
 // Patches in print order: a patch comes after what supports it.

@@ -130,13 +130,12 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
       patch.surface.triangles.push_back(corners);
       area += geometry::triangleArea(s.surface, t);
     }
-    std::vector<std::uint8_t> rim;
     for (int v : used) {
       index[at(v)] = -1;
       patch.surface.vertices.push_back(s.surface.vertices[at(v)]);
       patch.thicknessMm.push_back(s.thicknessMm[at(v)]);
       if (!s.innerRim.empty())
-        rim.push_back(s.innerRim[at(v)]);
+        patch.innerRim.push_back(s.innerRim[at(v)]);
       patch.direction.push_back(s.direction[at(v)]);
       patch.clearDirection.push_back(s.clearDirection[at(v)]);
     }
@@ -145,7 +144,6 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
         result.crumbs.push_back(std::move(patch));
       continue;
     }
-    result.innerRim.push_back(std::move(rim));
     result.patches.push_back(std::move(patch));
   }
   return result;

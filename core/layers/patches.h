@@ -15,8 +15,7 @@ struct PatchOptions {
 
 struct PatchesOfLevel {
   std::vector<Patch> patches;
-  std::vector<std::vector<std::uint8_t>> innerRim; // LevelSurface::innerRim, of each patch
-  std::vector<Patch> crumbs;                       // too small for a bead
+  std::vector<Patch> crumbs; // too small for a bead
 };
 
 // The pieces that hang together by edges, each a patch; a vertex in which a boundary touches

@@ -202,6 +202,13 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
         process::hatchOf(process.beadWidthMm, std::min(s.thicknessMm[v], process.beadWidthMm));
     depth[v] = boundaryMm[v] / hatchMm[v];
   }
+  const BoundaryParts parts = boundaryParts(s);
+  if (!parts.seams.empty()) {
+    const std::vector<double> surfaceMm = distanceToSegments(s, parts.surface, 1e9),
+                              seamMm = distanceToSegments(s, parts.seams, 1e9);
+    for (std::size_t v = 0; v < n; ++v)
+      depth[v] = std::min(surfaceMm[v] / hatchMm[v], o.walls + seamMm[v] / hatchMm[v]);
+  }
   Centrelines lines;
   for (int i = 0; i < o.walls; ++i)
     lines.add(wallAt(s, depth, hatchMm, i + 0.5), PathKind::Wall, i);

@@ -39,7 +39,8 @@ struct PatchCover {
 };
 
 // 1. Walls at (i + 1/2) hatch from the boundary, infill in what they leave, gap fill along the
-//    middle of what both leave (walls.h, infill.h, gap_fill.h).
+//    middle of what both leave (walls.h, infill.h, gap_fill.h). A seam to another patch is no
+//    surface of the part: it has no walls, infill goes up to it.
 // 2. Every point of the patch goes to its nearest centreline; centrelines move to the middle of
 //    what they got (Lloyd), twice.
 // 3. Resampled; each stretch lays the volume of what is nearest to it: beads tile the patch and

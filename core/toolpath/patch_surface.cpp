@@ -63,6 +63,8 @@ private:
         else
           v->back() = (*v)[at(a)];
       s_.thicknessMm.push_back((s_.thicknessMm[at(a)] + s_.thicknessMm[at(b)]) / 2.0);
+      if (!s_.seam.empty())
+        s_.seam.push_back(s_.seam[at(a)] & s_.seam[at(b)]);
     }
     return it->second;
   }
@@ -112,7 +114,8 @@ private:
 PatchSurface PatchSurface::refine(const layers::Patch& patch, double edgeMm) {
   const std::size_t n = patch.surface.vertices.size();
   base::require(patch.thicknessMm.size() == n && patch.direction.size() == n &&
-                    patch.clearDirection.size() == n,
+                    patch.clearDirection.size() == n &&
+                    (patch.innerRim.empty() || patch.innerRim.size() == n),
                 "a patch has one thickness and two directions a vertex");
   base::require(edgeMm > 0, "edge length is positive");
   PatchSurface s;
@@ -120,6 +123,7 @@ PatchSurface PatchSurface::refine(const layers::Patch& patch, double edgeMm) {
   s.thicknessMm = patch.thicknessMm;
   s.direction = patch.direction;
   s.clearDirection = patch.clearDirection;
+  s.seam = patch.innerRim;
   s.triangles = patch.surface.triangles;
   EdgeSplitter splitter(s, edgeMm);
   while (splitter.pass()) {
@@ -136,6 +140,7 @@ PatchSurface PatchSurface::refinedAt(std::vector<char> marks, double edgeMm) con
   s.thicknessMm = thicknessMm;
   s.direction = direction;
   s.clearDirection = clearDirection;
+  s.seam = seam;
   s.triangles = triangles;
   EdgeSplitter splitter(s, edgeMm, std::move(marks));
   while (splitter.pass()) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -26,10 +27,16 @@ struct PatchSurface {
   std::vector<Eigen::Vector3d> normal;   // per vertex, unit, of the refined surface
   std::vector<double> thicknessMm;       // per vertex
   std::vector<Eigen::Vector3d> direction, clearDirection; // per vertex, unit
+  std::vector<std::uint8_t> seam; // per vertex, layers::Patch::innerRim; empty: nowhere
   std::vector<std::array<int, 3>> triangles;
   std::vector<double> triangleArea;            // mm2
   std::vector<Eigen::Vector3d> triangleNormal; // unit, zero where degenerate
   std::vector<std::array<int, 3>> boundary;    // vertex, next vertex, triangle
+  // Does boundary edge i end the patch inside the part, where another takes over?
+  bool isSeam(std::size_t i) const {
+    return !seam.empty() && seam[static_cast<std::size_t>(boundary[i][0])] != 0 &&
+           seam[static_cast<std::size_t>(boundary[i][1])] != 0;
+  }
   double areaMm2 = 0.0;
   double volumeMm3 = 0.0; // area x thickness
 

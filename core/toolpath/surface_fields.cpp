@@ -52,6 +52,16 @@ std::vector<SourceSegment> boundarySegments(const PatchSurface& s) {
   return out;
 }
 
+BoundaryParts boundaryParts(const PatchSurface& s) {
+  BoundaryParts parts;
+  for (std::size_t i = 0; i < s.boundary.size(); ++i) {
+    const auto& e = s.boundary[i];
+    (s.isSeam(i) ? parts.seams : parts.surface)
+        .push_back({s.position[at(e[0])], s.position[at(e[1])], e[2]});
+  }
+  return parts;
+}
+
 std::vector<SourceSegment> segmentsOf(const PatchSurface&,
                                       const std::vector<SurfaceCurve>& curves) {
   std::vector<SourceSegment> out;

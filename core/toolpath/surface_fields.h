@@ -15,6 +15,11 @@ struct SourceSegment {
 };
 
 std::vector<SourceSegment> boundarySegments(const PatchSurface& surface);
+// The same by what they are: the part's surface, and seams to other patches.
+struct BoundaryParts {
+  std::vector<SourceSegment> surface, seams;
+};
+BoundaryParts boundaryParts(const PatchSurface& surface);
 std::vector<SourceSegment> segmentsOf(const PatchSurface& surface,
                                       const std::vector<SurfaceCurve>& curves);
 

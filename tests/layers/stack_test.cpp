@@ -12,6 +12,7 @@
 #include "support/flat_square.h"
 #include "synthetic.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace voluta {
@@ -130,6 +131,12 @@ TEST(PartialLevels, ConserveVolumeWhereTheyMeetWholeOnes) {
   EXPECT_LT(v.inNone, 0.03);
   EXPECT_LT(v.inSeveral, 0.03);
   EXPECT_GT(v.seamVertices, 100u);
+  std::size_t onSeams = 0;
+  for (const layers::Patch& patch : r.stack.patches) {
+    ASSERT_TRUE(patch.innerRim.empty() || patch.innerRim.size() == patch.thicknessMm.size());
+    onSeams += static_cast<std::size_t>(std::ranges::count(patch.innerRim, 1));
+  }
+  EXPECT_GT(onSeams, 100u);
   EXPECT_EQ(v.looseVertices, 0u);
   EXPECT_EQ(v.notSimple, 0u);
   EXPECT_EQ(v.patchesInTheAir, 0u);

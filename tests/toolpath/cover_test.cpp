@@ -75,6 +75,37 @@ TEST(CoverPatch, StripsOfEveryWidth) {
   }
 }
 
+TEST(CoverPatch, LaysNoWallsAlongSeams) {
+  layers::Patch patch = test::patchOver({test::rectangle(30, 20)});
+  const auto whole = cover(patch);
+  // At the side of most x another patch takes over.
+  const double side = 15.0;
+  for (const Vector3d& v : patch.surface.vertices)
+    patch.innerRim.push_back(v.x() > side - 0.05);
+  const auto c = cover(patch);
+  const auto nearSide = [&](const toolpath::PatchCover& of, plan::PathKind kind) {
+    double length = 0.0;
+    for (const toolpath::Bead& b : of.beads)
+      for (std::size_t i = 1; i < b.points.size() && b.kind == kind; ++i) {
+        const Vector3d &p = b.points[i - 1].middle, &q = b.points[i].middle;
+        if (std::min(p.x(), q.x()) > side - 3.0 && std::abs(p.y()) < 7.0 && std::abs(q.y()) < 7.0)
+          length += (q - p).norm();
+      }
+    return length;
+  };
+  EXPECT_GT(nearSide(whole, plan::PathKind::Wall), 14.0);
+  EXPECT_EQ(nearSide(c, plan::PathKind::Wall), 0.0);
+  EXPECT_GT(nearSide(c, plan::PathKind::Infill), nearSide(whole, plan::PathKind::Infill) + 10.0);
+  double furthest = 0.0;
+  for (const toolpath::Bead& b : c.beads)
+    for (const toolpath::BeadPoint& p : b.points)
+      furthest = std::max(furthest, p.middle.x());
+  EXPECT_GT(furthest, side - 1.2);
+  const test::Painted painted = test::paint(patch, c.beads);
+  EXPECT_GE(painted.coveredMm2 / painted.areaMm2, 0.96);
+  EXPECT_NEAR(c.beadVolumeMm3 / c.volumeMm3, 1.0, 0.01);
+}
+
 TEST(CoverPatch, CentrelinesStayInside) {
   const auto c = cover(test::patchOver({test::circle(15), test::circle(9, true)}));
   for (const toolpath::Bead& b : c.beads)
