@@ -71,7 +71,8 @@ TEST(FollowTop, LeavesSteepRoofsAndSupportAsTheyAre) {
   layers::LayerStack stack;
   for (int layer = 0; layer < 10; ++layer) {
     const layers::LevelSurface s = test::flatSquare(3, 0.5, 0.4 + 0.8 * layer);
-    stack.patches.push_back({s.surface, s.thicknessMm, s.direction, s.clearDirection, layer, 0});
+    stack.patches.push_back(
+        {s.surface, s.thicknessMm, s.direction, s.clearDirection, layer, 0, {}});
   }
   const auto isUnchanged = [&](const layers::LayerStack& other) {
     for (std::size_t p = 0; p < stack.patches.size(); ++p)
