@@ -42,7 +42,8 @@ ConvexFront::ConvexFront(const VoxelGraph& graph)
       rows_(static_cast<std::size_t>(graph.grid.size.y()) *
             static_cast<std::size_t>(graph.grid.size.z())),
       slice_(static_cast<std::size_t>(graph.grid.size.z())), sliceDirty_(slice_.size(), 0),
-      stamp_(graph.size(), 0) {
+      ofRow_(static_cast<std::size_t>(graph.grid.size.y())),
+      cornerStamp_(graph.size() + graph.platform.size(), 0), stamp_(graph.size(), 0) {
   for (int axis = 0; axis < 3; ++axis) {
     Surface& surface = surface_[static_cast<std::size_t>(axis)];
     surface.u = (axis + 1) % 3;
@@ -54,17 +55,22 @@ ConvexFront::ConvexFront(const VoxelGraph& graph)
   }
 }
 
-void ConvexFront::touch(std::size_t v) {
-  rows_[rowOf(v)].dirty = true;
-  sliceDirty_[static_cast<std::size_t>(graph_.cell[v][2])] = 1;
-}
-
 void ConvexFront::insert(std::size_t v) {
   if (present_[v])
     return;
   present_[v] = 1;
   ++count_;
-  touch(v);
+  Row& row = rows_[rowOf(v)];
+  const std::int32_t i = graph_.cell[v][0];
+  if (row.high >= row.low && i > row.low && i < row.high)
+    return;
+  if (row.high < row.low) {
+    row.low = row.high = i;
+  } else {
+    row.low = std::min(row.low, i);
+    row.high = std::max(row.high, i);
+  }
+  sliceDirty_[static_cast<std::size_t>(graph_.cell[v][2])] = 1;
 }
 
 void ConvexFront::remove(std::size_t v) {
@@ -72,26 +78,26 @@ void ConvexFront::remove(std::size_t v) {
     return;
   present_[v] = 0;
   --count_;
-  touch(v);
+  Row& row = rows_[rowOf(v)];
+  const std::int32_t i = graph_.cell[v][0];
+  if (i > row.low && i < row.high)
+    return;
+  row.dirty = true;
+  sliceDirty_[static_cast<std::size_t>(graph_.cell[v][2])] = 1;
 }
 
 void ConvexFront::refreshRow(std::size_t row) {
-  const auto nx = static_cast<std::size_t>(graph_.grid.size.x());
-  const std::int32_t* voxels = graph_.voxelAt.data() + row * nx;
+  const std::int32_t* voxels =
+      graph_.voxelAt.data() + row * static_cast<std::size_t>(graph_.grid.size.x());
   Row& r = rows_[row];
-  r = {};
-  const auto has = [&](std::size_t i) {
+  const auto has = [&](std::int32_t i) {
     return voxels[i] >= 0 && present_[static_cast<std::size_t>(voxels[i])];
   };
-  std::size_t i = 0;
-  while (i < nx && !has(i))
-    ++i;
-  if (i == nx)
-    return;
-  r.low = static_cast<std::int32_t>(i);
-  for (i = nx - 1; !has(i);)
-    --i;
-  r.high = static_cast<std::int32_t>(i);
+  r.dirty = false;
+  while (r.low <= r.high && !has(r.low))
+    ++r.low;
+  while (r.high > r.low && !has(r.high))
+    --r.high;
 }
 
 void ConvexFront::refreshSlice(std::size_t k) {
@@ -115,55 +121,121 @@ void ConvexFront::refreshSlice(std::size_t k) {
 
 void ConvexFront::gatherCandidates() {
   // What survived in its z-slice must survive in its y-slice too.
-  const auto ny = static_cast<std::size_t>(graph_.grid.size.y());
-  std::vector<std::vector<Cell2>> ofRow(ny);
+  for (auto& row : ofRow_)
+    row.clear();
   for (std::size_t k = 0; k < slice_.size(); ++k)
     for (const Cell2& c : slice_[k])
-      ofRow[static_cast<std::size_t>(c[1])].push_back({static_cast<std::int32_t>(k), c[0]});
+      ofRow_[static_cast<std::size_t>(c[1])].push_back({static_cast<std::int32_t>(k), c[0]});
   candidates_ = graph_.platform;
-  for (std::size_t j = 0; j < ny; ++j) {
-    std::sort(ofRow[j].begin(), ofRow[j].end());
-    for (const Cell2& c : planarHull(ofRow[j]))
-      candidates_.emplace_back(kLatticePerCell * c[1] + 8.0,
-                               kLatticePerCell * static_cast<double>(j) + 8.0,
-                               kLatticePerCell * (c[0] - graph_.plateLayer) + 8.0);
+  candidateId_.clear();
+  for (std::size_t c = 0; c < graph_.platform.size(); ++c)
+    candidateId_.push_back(static_cast<std::int32_t>(graph_.size() + c));
+  for (std::size_t j = 0; j < ofRow_.size(); ++j) {
+    std::sort(ofRow_[j].begin(), ofRow_[j].end());
+    for (const Cell2& c : planarHull(ofRow_[j])) {
+      candidateId_.push_back(
+          graph_.voxelAt[graph_.grid.index(c[1], static_cast<std::int32_t>(j), c[0])]);
+      candidates_.push_back(pointOf(candidateId_.back()));
+    }
   }
 }
 
 void ConvexFront::rebuild() {
+  bool changed = !built_;
   for (std::size_t k = 0; k < slice_.size(); ++k)
-    if (sliceDirty_[k])
+    if (sliceDirty_[k]) {
+      changed = true;
       refreshSlice(k);
+    }
+  if (!changed)
+    return;
+  built_ = true;
   gatherCandidates();
-  facets_ = convexHull(candidates_);
+  replaceFacets(convexHull(candidates_));
+}
 
-  const std::size_t padded = (facets_.size() + kBlock - 1) / kBlock * kBlock;
-  nx_.assign(padded, 0.0);
-  ny_.assign(padded, 0.0);
-  nz_.assign(padded, 0.0);
-  offset_.assign(padded, std::numeric_limits<double>::max());
-  inverseLength_.assign(padded, 1.0);
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    nx_[f] = facets_[f].normal.x();
-    ny_[f] = facets_[f].normal.y();
-    nz_[f] = facets_[f].normal.z();
-    offset_[f] = facets_[f].offset;
-    inverseLength_[f] = 1.0 / (kLatticePerCell * facets_[f].normal.norm());
+void ConvexFront::replaceFacets(const std::vector<HullFacet>& hull) {
+  std::vector<std::pair<Corners, const HullFacet*>> wanted;
+  wanted.reserve(hull.size());
+  for (const HullFacet& h : hull) {
+    Corners c;
+    for (std::size_t s = 0; s < 3; ++s)
+      c[s] = candidateId_[static_cast<std::size_t>(h.corner[s])];
+    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+    wanted.emplace_back(c, &h);
   }
+  std::sort(wanted.begin(), wanted.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
 
-  planeInCells_.resize(facets_.size());
-  for (Surface& surface : surface_) {
-    std::fill(surface.ends.begin(), surface.ends.end(), Ends{});
-    surface.firstW = surface.sizeW;
-    surface.lastW = -1;
+  std::vector<std::int32_t> had = std::move(byCorners_), kept;
+  std::vector<std::pair<Corners, const HullFacet*>> added;
+  byCorners_.clear();
+  ++rebuilt_;
+  auto old = had.begin();
+  const auto cornersOf = [&](std::int32_t slot) -> const Corners& {
+    return facets_[static_cast<std::size_t>(slot)].corner;
+  };
+  for (const auto& entry : wanted) {
+    for (; old != had.end() && cornersOf(*old) < entry.first; ++old)
+      dropFacet(*old);
+    if (old != had.end() && cornersOf(*old) == entry.first)
+      kept.push_back(*old++);
+    else
+      added.push_back(entry);
   }
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    planeInCells_[f] =
-        facets_[f].normal.dot(inCells(candidates_[static_cast<std::size_t>(facets_[f].corner[0])]));
-    for (int axis = 0; axis < 3; ++axis)
-      if (facets_[f].normal[axis] != 0.0)
-        rasterise(f, axis);
+  for (; old != had.end(); ++old)
+    dropFacet(*old);
+  std::vector<std::int32_t> made;
+  for (const auto& [corners, h] : added)
+    made.push_back(addFacet(corners, *h));
+  // A line that meets the rim of a facet that went may meet one that stays there.
+  for (const std::int32_t slot : kept)
+    for (const std::int32_t c : cornersOf(slot))
+      if (cornerStamp_[static_cast<std::size_t>(c)] == rebuilt_) {
+        mark(static_cast<std::size_t>(slot), Stroke::Fill);
+        break;
+      }
+  byCorners_.resize(kept.size() + made.size());
+  std::merge(kept.begin(), kept.end(), made.begin(), made.end(), byCorners_.begin(),
+             [&](std::int32_t a, std::int32_t b) { return cornersOf(a) < cornersOf(b); });
+}
+
+void ConvexFront::dropFacet(std::int32_t slot) {
+  const auto f = static_cast<std::size_t>(slot);
+  mark(f, Stroke::Erase);
+  for (const std::int32_t c : facets_[f].corner)
+    cornerStamp_[static_cast<std::size_t>(c)] = rebuilt_;
+  facets_[f] = {};
+  nx_[f] = ny_[f] = nz_[f] = 0.0;
+  offset_[f] = std::numeric_limits<double>::max();
+  inverseLength_[f] = 1.0;
+  free_.push_back(slot);
+}
+
+std::int32_t ConvexFront::addFacet(const Corners& corners, const HullFacet& hullFacet) {
+  if (free_.empty()) {
+    for (std::size_t i = 0; i < kBlock; ++i)
+      free_.push_back(static_cast<std::int32_t>(facets_.size() + kBlock - 1 - i));
+    const std::size_t size = facets_.size() + kBlock;
+    facets_.resize(size);
+    for (std::vector<double>* a : {&nx_, &ny_, &nz_})
+      a->resize(size, 0.0);
+    offset_.resize(size, std::numeric_limits<double>::max());
+    inverseLength_.resize(size, 1.0);
   }
+  const std::int32_t slot = free_.back();
+  free_.pop_back();
+  const auto f = static_cast<std::size_t>(slot);
+  const Eigen::Vector3d& n = hullFacet.normal;
+  facets_[f] = {corners, n, n.dot(inCells(pointOf(corners[0]))), 0, 0, true};
+  new_.push_back(slot);
+  nx_[f] = n.x();
+  ny_[f] = n.y();
+  nz_[f] = n.z();
+  offset_[f] = hullFacet.offset;
+  inverseLength_[f] = 1.0 / (kLatticePerCell * n.norm());
+  mark(f, Stroke::Draw);
+  return slot;
 }
 
 double ConvexFront::below(std::size_t f, const LatticePoint& p) const {
@@ -171,7 +243,7 @@ double ConvexFront::below(std::size_t f, const LatticePoint& p) const {
 }
 
 bool ConvexFront::deeperThan(std::size_t v, double depth, std::size_t& hint) const {
-  if (facets_.empty())
+  if (byCorners_.empty())
     return false;
   const LatticePoint p = graph_.lattice(v);
   // A point of a convex body lies on a facet exactly when it is an end of the line through it along
@@ -214,7 +286,7 @@ bool ConvexFront::deeperThan(std::size_t v, double depth, std::size_t& hint) con
 }
 
 double ConvexFront::depth(std::size_t v) const {
-  if (facets_.empty())
+  if (byCorners_.empty())
     return 0.0;
   const LatticePoint p = graph_.lattice(v);
   double least = std::numeric_limits<double>::max();
@@ -223,71 +295,87 @@ double ConvexFront::depth(std::size_t v) const {
   return least;
 }
 
-// Column by column along each axis that a facet faces enough: what lies within `depth` below its
-// plane there. Near the rim of a facet columns may pass it by; its neighbour sees to those.
-const std::vector<std::int32_t>& ConvexFront::belowSurface(double depth) {
-  below_.clear();
-  ++round_;
-  constexpr double kFacing = 0.5;
+// Column by column: what lies within `depth` below the facet's plane there. Near the rim columns
+// may pass it by; the facet's neighbour sees to those.
+void ConvexFront::gatherBelow(std::size_t slot, int axis, double depth,
+                              std::vector<std::int32_t>& out) {
+  const Facet& facet = facets_[slot];
+  const Eigen::Vector3d& n = facet.normal;
+  const double facing = kLatticePerCell * inverseLength_[slot] * std::abs(n[axis]);
   const Eigen::Vector3i& size = graph_.grid.size;
-  const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(size.x()),
-                                          static_cast<std::size_t>(size.x()) *
-                                              static_cast<std::size_t>(size.y())};
-  for (int axis = 0; axis < 3; ++axis) {
-    const Surface& surface = surface_[static_cast<std::size_t>(axis)];
-    const int u = surface.u, w = surface.w;
-    for (int cw = surface.firstW; cw <= surface.lastW; ++cw)
-      for (int cu = 0; cu < surface.sizeU; ++cu) {
-        const Ends& ends = surface.ends[static_cast<std::size_t>(cu + surface.sizeU * cw)];
-        for (const std::int32_t end : {ends.low, ends.high}) {
-          if (end < 0)
-            continue;
-          const auto f = static_cast<std::size_t>(end);
-          const Eigen::Vector3d& n = facets_[f].normal;
-          const double facing = kLatticePerCell * inverseLength_[f] * std::abs(n[axis]);
-          if (facing < kFacing)
-            continue;
-          const double reach = (depth + 1e-9) / facing;
-          const double at = (planeInCells_[f] - n[u] * cu - n[w] * cw) / n[axis];
-          const bool upper = n[axis] > 0.0;
-          const int from = std::max(0, static_cast<int>(std::ceil(upper ? at - reach : at - 1e-9)));
-          const int to = std::min(size[axis] - 1,
-                                  static_cast<int>(std::floor(upper ? at + 1e-9 : at + reach)));
-          std::size_t cell =
-              static_cast<std::size_t>(cu) * stride[static_cast<std::size_t>(u)] +
-              static_cast<std::size_t>(cw) * stride[static_cast<std::size_t>(w)] +
-              static_cast<std::size_t>(from) * stride[static_cast<std::size_t>(axis)];
-          for (int ca = from; ca <= to; ++ca, cell += stride[static_cast<std::size_t>(axis)]) {
-            const std::int32_t v = graph_.voxelAt[cell];
-            if (v < 0 || !present_[static_cast<std::size_t>(v)] ||
-                stamp_[static_cast<std::size_t>(v)] == round_)
-              continue;
-            stamp_[static_cast<std::size_t>(v)] = round_;
-            below_.push_back(v);
-          }
-        }
+  const std::array<std::size_t, 3> strides{1, static_cast<std::size_t>(size.x()),
+                                           static_cast<std::size_t>(size.x()) *
+                                               static_cast<std::size_t>(size.y())};
+  const Surface& surface = surface_[static_cast<std::size_t>(axis)];
+  const std::size_t stride = strides[static_cast<std::size_t>(axis)];
+  const double reach = (depth + 1e-9) / facing;
+  const bool upper = n[axis] > 0.0;
+  eachRow(facet, axis, [&](int cw, int firstU, int lastU) {
+    for (int cu = firstU; cu <= lastU; ++cu) {
+      const double at = (facet.planeInCells - n[surface.u] * cu - n[surface.w] * cw) / n[axis];
+      const int from = std::max(0, static_cast<int>(std::ceil(upper ? at - reach : at - 1e-9)));
+      const int to =
+          std::min(size[axis] - 1, static_cast<int>(std::floor(upper ? at + 1e-9 : at + reach)));
+      std::size_t cell =
+          static_cast<std::size_t>(cu) * strides[static_cast<std::size_t>(surface.u)] +
+          static_cast<std::size_t>(cw) * strides[static_cast<std::size_t>(surface.w)] +
+          static_cast<std::size_t>(from) * stride;
+      for (int ca = from; ca <= to; ++ca, cell += stride) {
+        const std::int32_t v = graph_.voxelAt[cell];
+        if (v < 0 || !present_[static_cast<std::size_t>(v)] ||
+            stamp_[static_cast<std::size_t>(v)] == round_)
+          continue;
+        stamp_[static_cast<std::size_t>(v)] = round_;
+        out.push_back(v);
       }
-  }
-  return below_;
+    }
+  });
 }
 
-// Marks the columns along `axis` that meet the facet, its rim included.
-void ConvexFront::rasterise(std::size_t f, int axis) {
-  Surface& surface = surface_[static_cast<std::size_t>(axis)];
-  const int u = surface.u, w = surface.w;
+void ConvexFront::gatherBelow(std::size_t slot, double depth, std::vector<std::int32_t>& out) {
+  constexpr double kFacing = 0.5;
+  const Eigen::Vector3d facing =
+      kLatticePerCell * inverseLength_[slot] * facets_[slot].normal.cwiseAbs();
+  for (int axis = 0; axis < 3; ++axis)
+    if (facing[axis] >= kFacing)
+      gatherBelow(slot, axis, depth, out);
+}
+
+void ConvexFront::nearSurface(double depth, std::vector<std::int32_t>& out) {
+  out.clear();
+  ++round_;
+  for (const std::int32_t slot : byCorners_)
+    gatherBelow(static_cast<std::size_t>(slot), depth, out);
+}
+
+void ConvexFront::onNewFacets(std::vector<std::int32_t>& out) {
+  out.clear();
+  ++round_;
+  for (const std::int32_t slot : new_) {
+    Facet& facet = facets_[static_cast<std::size_t>(slot)];
+    if (!facet.isNew)
+      continue;
+    facet.isNew = false;
+    int axis = 0;
+    facet.normal.cwiseAbs().maxCoeff(&axis);
+    gatherBelow(static_cast<std::size_t>(slot), axis, 0.0, out);
+  }
+  new_.clear();
+}
+
+template <typename Visit>
+void ConvexFront::eachRow(const Facet& facet, int axis, Visit&& visit) const {
+  const Surface& surface = surface_[static_cast<std::size_t>(axis)];
   // Corners in cells: a voxel's centre is at its whole index.
   std::array<std::array<double, 2>, 3> corner;
   for (std::size_t c = 0; c < 3; ++c) {
-    const LatticePoint p = inCells(candidates_[static_cast<std::size_t>(facets_[f].corner[c])]);
-    corner[c] = {p[u], p[w]};
+    const LatticePoint p = inCells(pointOf(facet.corner[c]));
+    corner[c] = {p[surface.u], p[surface.w]};
   }
   const auto [lowW, highW] = std::minmax({corner[0][1], corner[1][1], corner[2][1]});
   constexpr double kSlack = 1e-9;
-  const bool upper = facets_[f].normal[axis] > 0.0;
   const int firstW = std::max(0, static_cast<int>(std::ceil(lowW - kSlack)));
   const int lastW = std::min(surface.sizeW - 1, static_cast<int>(std::floor(highW + kSlack)));
-  surface.firstW = std::min(surface.firstW, firstW);
-  surface.lastW = std::max(surface.lastW, lastW);
   for (int cw = firstW; cw <= lastW; ++cw) {
     double lowU = std::numeric_limits<double>::max(), highU = -lowU;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -305,12 +393,37 @@ void ConvexFront::rasterise(std::size_t f, int axis) {
         highU = std::max(highU, at);
       }
     }
-    const int firstU = std::max(0, static_cast<int>(std::ceil(lowU - kSlack)));
-    const int lastU = std::min(surface.sizeU - 1, static_cast<int>(std::floor(highU + kSlack)));
-    Ends* row = surface.ends.data() + static_cast<std::ptrdiff_t>(surface.sizeU) * cw;
-    for (int cu = firstU; cu <= lastU; ++cu)
-      (upper ? row[cu].high : row[cu].low) = static_cast<std::int32_t>(f);
+    visit(cw, std::max(0, static_cast<int>(std::ceil(lowU - kSlack))),
+          std::min(surface.sizeU - 1, static_cast<int>(std::floor(highU + kSlack))));
   }
+}
+
+void ConvexFront::mark(std::size_t slot, Stroke stroke) {
+  const Facet& facet = facets_[slot];
+  const auto id = static_cast<std::int32_t>(slot);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (facet.normal[axis] == 0.0)
+      continue;
+    Surface& surface = surface_[static_cast<std::size_t>(axis)];
+    const auto end = facet.normal[axis] > 0.0 ? &Ends::high : &Ends::low;
+    eachRow(facet, axis, [&](int cw, int firstU, int lastU) {
+      Ends* row = surface.ends.data() + static_cast<std::ptrdiff_t>(surface.sizeU) * cw;
+      for (int cu = firstU; cu <= lastU; ++cu) {
+        std::int32_t& at = row[cu].*end;
+        if (stroke == Stroke::Draw)
+          at = id;
+        else if (stroke == Stroke::Erase)
+          at = at == id ? -1 : at;
+        else if (at < 0)
+          at = id;
+      }
+    });
+  }
+}
+
+LatticePoint ConvexFront::pointOf(std::int32_t corner) const {
+  const auto c = static_cast<std::size_t>(corner);
+  return c < graph_.size() ? graph_.lattice(c) : graph_.platform[c - graph_.size()];
 }
 
 LatticePoint ConvexFront::inCells(const LatticePoint& p) const {
@@ -319,7 +432,7 @@ LatticePoint ConvexFront::inCells(const LatticePoint& p) const {
 }
 
 std::array<Eigen::Vector3d, 3> ConvexFront::facetOver(std::size_t v) const {
-  base::require(!facets_.empty(), "facetOver: there is a hull");
+  base::require(!byCorners_.empty(), "facetOver: there is a hull");
   const LatticePoint p = graph_.lattice(v);
   std::size_t nearest = 0;
   for (std::size_t f = 1; f < facets_.size(); ++f)
@@ -327,7 +440,7 @@ std::array<Eigen::Vector3d, 3> ConvexFront::facetOver(std::size_t v) const {
       nearest = f;
   std::array<Eigen::Vector3d, 3> corners;
   for (std::size_t c = 0; c < 3; ++c)
-    corners[c] = inCells(candidates_[static_cast<std::size_t>(facets_[nearest].corner[c])]);
+    corners[c] = inCells(pointOf(facets_[nearest].corner[c]));
   return corners;
 }
 

@@ -4,51 +4,46 @@
 
 namespace voluta::curved {
 
-std::vector<std::int32_t> lossWithout(const VoxelGraph& graph,
-                                      const std::vector<std::uint8_t>& present) {
-  const std::size_t n = graph.size();
-  std::vector<std::int32_t> loss(n, 0), enter(n, -1), low(n, 0), size(n, 1);
-  struct Step {
-    std::int32_t voxel, parent;
-    std::uint32_t next;
-  };
-  std::vector<Step> path;
+void CutVoxels::find(const std::vector<std::uint8_t>& present,
+                     const std::vector<std::int32_t>& among) {
+  node_.resize(graph_.size());
+  for (const std::int32_t v : among)
+    node_[static_cast<std::size_t>(v)] = {};
   std::int32_t time = 1; // 0 is the platform's
-  for (std::size_t root = 0; root < n; ++root) {
-    if (!present[root] || !graph.onPlatform[root] || enter[root] >= 0)
+  for (const std::int32_t start : among) {
+    const auto root = static_cast<std::size_t>(start);
+    if (!present[root] || !graph_.onPlatform[root] || node_[root].enter >= 0)
       continue;
-    enter[root] = time++;
-    low[root] = 0;
-    path.push_back({static_cast<std::int32_t>(root), -1, 0});
-    while (!path.empty()) {
-      Step& step = path.back();
-      const auto v = static_cast<std::size_t>(step.voxel);
+    node_[root].enter = time++;
+    path_.push_back({start, -1, 0});
+    while (!path_.empty()) {
+      Step& step = path_.back();
+      Node& node = node_[static_cast<std::size_t>(step.voxel)];
       if (step.next < kNeighbours) {
-        const std::int32_t w = graph.neighbour[v][step.next++];
+        const std::int32_t w = graph_.neighbour[static_cast<std::size_t>(step.voxel)][step.next++];
         if (w < 0 || w == step.parent || !present[static_cast<std::size_t>(w)])
           continue;
-        const auto x = static_cast<std::size_t>(w);
-        if (enter[x] >= 0) {
-          low[v] = std::min(low[v], enter[x]);
+        Node& other = node_[static_cast<std::size_t>(w)];
+        if (other.enter >= 0) {
+          node.low = std::min(node.low, other.enter);
           continue;
         }
-        enter[x] = time++;
-        low[x] = graph.onPlatform[x] ? 0 : enter[x];
-        path.push_back({w, step.voxel, 0});
+        other.enter = time++;
+        other.low = graph_.onPlatform[static_cast<std::size_t>(w)] ? 0 : other.enter;
+        path_.push_back({w, step.voxel, 0});
         continue;
       }
       const std::int32_t parent = step.parent;
-      path.pop_back();
+      path_.pop_back();
       if (parent < 0)
         continue;
-      const auto p = static_cast<std::size_t>(parent);
-      low[p] = std::min(low[p], low[v]);
-      size[p] += size[v];
-      if (low[v] >= enter[p])
-        loss[p] += size[v];
+      Node& above = node_[static_cast<std::size_t>(parent)];
+      above.low = std::min(above.low, node.low);
+      above.size += node.size;
+      if (node.low >= above.enter)
+        above.loss += node.size;
     }
   }
-  return loss;
 }
 
 } // namespace voluta::curved

@@ -132,6 +132,37 @@ Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
   return out;
 }
 
+void chamferDistance(const VoxelGraph& graph, const std::vector<std::int32_t>& among,
+                     const std::vector<std::uint8_t>& present, std::vector<float>& value,
+                     const base::RunContext& ctx) {
+  FrontQueue queue;
+  for (const std::int32_t v : among) {
+    const auto x = static_cast<std::size_t>(v);
+    value[x] = graph.onPlatform[x] ? 0.5f : kFar;
+    if (graph.onPlatform[x])
+      queue.push({0.5f, v});
+  }
+  std::size_t reached = 0;
+  while (!queue.empty()) {
+    const Front top = queue.pop();
+    const auto v = static_cast<std::size_t>(top.voxel);
+    if (top.value > value[v])
+      continue;
+    if (++reached % 4096 == 0)
+      ctx.checkpoint();
+    for (std::size_t s = 0; s < kNeighbours; ++s) {
+      const std::int32_t w = graph.neighbour[v][s];
+      if (w < 0 || !present[static_cast<std::size_t>(w)])
+        continue;
+      const float by = top.value + kNeighbourDistance[s];
+      if (by < value[static_cast<std::size_t>(w)]) {
+        value[static_cast<std::size_t>(w)] = by;
+        queue.push({by, w});
+      }
+    }
+  }
+}
+
 std::vector<float> geodesicDistance(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
                                     const base::RunContext& ctx) {
   const std::size_t n = graph.size();

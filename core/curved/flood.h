@@ -29,6 +29,13 @@ Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
             const std::vector<float>& field, float slope, const base::RunContext& ctx,
             Steps steps = Steps::All);
 
+// The chamfer distance, flood() with an empty field and slope 1, over the voxels of `among` alone:
+// writes value[v] for those and leaves the rest. present[v] tells which voxels these are.
+// Throws Cancelled.
+void chamferDistance(const VoxelGraph& graph, const std::vector<std::int32_t>& among,
+                     const std::vector<std::uint8_t>& present, std::vector<float>& value,
+                     const base::RunContext& ctx);
+
 // Geodesic distance from the platform inside the part, in cells (first order fast marching over
 // the faces of cells; Sethian 1996). A voxel on the platform has 1/2. Voxels that hang together
 // only by an edge get the distance of that neighbour plus sqrt(2). Infinite where not reached.

@@ -14,8 +14,7 @@ std::vector<std::int32_t> peelingField(const VoxelGraph& graph, const base::RunC
   std::vector<std::int32_t> peeled(graph.size(), 0), sheet;
   for (std::int32_t round = 1; front.count() > 0; ++round) {
     front.rebuild();
-    front.nearSurface(
-        0.0, [](std::size_t) { return true; }, sheet);
+    front.nearSurface(0.0, sheet);
     base::require(!sheet.empty(), "peelingField: a platform with an area");
     for (const std::int32_t v : sheet) {
       peeled[static_cast<std::size_t>(v)] = round;

@@ -18,6 +18,10 @@ namespace {
 // for each further level, and at most.
 constexpr double kLate = 1.0, kEasedPerCell = 0.25, kEasedMost = 0.75;
 
+// Where nothing can go on: distances are made anew once this share of the voxels went since, and so
+// many voxels may be given new ones otherwise.
+constexpr std::size_t kStale = 32, kRerouted = 256;
+
 class Peeler {
 public:
   Peeler(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
@@ -27,7 +31,7 @@ public:
         present_(presentAtFirst(graph, use)),
         support_(order.empty() ? SupportOrder(graph, present_, ctx)
                                : SupportOrder(graph, present_, order, ctx)),
-        deepest_(lookedFor(options)), removedIn_(graph.size(), 0) {
+        deepest_(lookedFor(options)), cuts_(graph), removedIn_(graph.size(), 0) {
     out_.deepest = options.tolerance;
     out_.rank.assign(graph.size(), 0);
     out_.given.assign(graph.size(), 0);
@@ -44,7 +48,7 @@ public:
       lowerLevels();
     while (front_.count() > 0) {
       reportProgress();
-      if (round(options_.sheet, options_.tolerance) || goOnWhenStuck())
+      if (round(options_.sheet, options_.tolerance) || peelFrontOnly() || goOnWhenStuck())
         continue;
       break;
     }
@@ -113,30 +117,19 @@ private:
   bool round(double sheet, double tolerance) {
     ctx_.checkpoint();
     ++round_;
-    if (guide_.empty())
-      front_.nearSurface(
-          sheet, [](std::size_t) { return true; }, candidates_);
-    else
-      front_.nearSurface(
-          deepest_,
-          [&](std::size_t v) {
-            std::size_t hint = 0;
-            const double late = static_cast<double>(guide_[v] - level_);
-            return late > 0.0 && (late > kLate || deepest_ <= sheet || allowed(v) ||
-                                  !front_.deeperThan(v, sheet, hint));
-          },
-          candidates_);
-    std::sort(candidates_.begin(), candidates_.end(), [&](std::int32_t a, std::int32_t b) {
-      return support_.later(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-    });
     taken_.clear();
-    for (const std::int32_t v : candidates_)
-      if (support_.allows(static_cast<std::size_t>(v))) {
-        const auto x = static_cast<std::size_t>(v);
-        taken_.push_back(v);
-        support_.lift(x);
-        front_.remove(x);
-      }
+    if (laysInside(tolerance)) {
+      proposeNear(sheet);
+    } else {
+      lookAtFront();
+      front_.nearGoing(
+          sheet, [&](std::size_t v) { return late(v) && support_.allows(v); }, candidates_);
+      candidates_.insert(candidates_.end(), onFront_.begin(), onFront_.end());
+      sortOut(candidates_);
+      propose(candidates_);
+      front_.nearGone(sheet, candidates_);
+      propose(candidates_);
+    }
     if (taken_.empty())
       return false;
     front_.rebuild();
@@ -163,6 +156,77 @@ private:
       ++peeled;
     }
     return peeled > 0;
+  }
+
+  // What lies on the front itself, if it may go at all, goes for good. Tells whether anything went.
+  bool peelFrontOnly() {
+    if (laysInside(options_.tolerance))
+      return false;
+    ++round_;
+    lookAtFront();
+    taken_.clear();
+    propose(onFront_);
+    for (const std::int32_t v : taken_)
+      take(static_cast<std::size_t>(v));
+    front_.rebuild();
+    return !taken_.empty();
+  }
+
+  // Whether some voxels may lie inside the front.
+  bool laysInside(double tolerance) const {
+    return tolerance > 0.0 || options_.eases || !options_.allowance.empty();
+  }
+
+  bool late(std::size_t v) const { return guide_.empty() || guide_[v] > level_; }
+
+  // Takes what may go, farthest from the platform first, for the time being.
+  void propose(std::vector<std::int32_t>& candidates) {
+    sortByDistance(candidates);
+    for (const std::int32_t v : candidates) {
+      const auto x = static_cast<std::size_t>(v);
+      if (!late(x) || !support_.allows(x))
+        continue;
+      taken_.push_back(v);
+      support_.lift(x);
+      front_.remove(x);
+    }
+  }
+
+  // All that is near the front, whether or not anything on the front may go.
+  void proposeNear(double sheet) {
+    front_.nearSurface(guide_.empty() ? sheet : deepest_, candidates_);
+    if (!guide_.empty() && deepest_ > sheet)
+      candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
+                                       [&](std::int32_t v) {
+                                         const auto x = static_cast<std::size_t>(v);
+                                         std::size_t hint = 0;
+                                         return guide_[x] - level_ <= kLate && !allowed(x) &&
+                                                front_.deeperThan(x, sheet, hint);
+                                       }),
+                        candidates_.end());
+    propose(candidates_);
+  }
+
+  // Brings onFront_ up to date.
+  void lookAtFront() {
+    front_.onNewFacets(candidates_);
+    onFront_.insert(onFront_.end(), candidates_.begin(), candidates_.end());
+    onFront_.erase(
+        std::remove_if(onFront_.begin(), onFront_.end(),
+                       [&](std::int32_t v) { return !present_[static_cast<std::size_t>(v)]; }),
+        onFront_.end());
+    sortOut(onFront_);
+  }
+
+  static void sortOut(std::vector<std::int32_t>& voxels) {
+    std::sort(voxels.begin(), voxels.end());
+    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  }
+
+  void sortByDistance(std::vector<std::int32_t>& voxels) const {
+    std::sort(voxels.begin(), voxels.end(), [&](std::int32_t a, std::int32_t b) {
+      return support_.later(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    });
   }
 
   void noteRelaxed(std::size_t v) {
@@ -208,22 +272,32 @@ private:
     }
   }
 
-  // Where nothing can go on, each voxel on the front is the last support of another. The one on
-  // which the fewest hang goes all the same: mostly a loop is opened there, and nothing is lost.
+  // Where nothing can go on, each voxel on the front is the last support of another. First it is
+  // asked whether that is so by older distances only, then whether what rests on one could as well
+  // rest on others nearby: mostly a loop is opened there, and nothing is lost. If not, the voxel on
+  // which the fewest hang goes all the same.
   bool goOnWhenStuck() {
-    front_.nearSurface(
-        0.0, [](std::size_t) { return true; }, candidates_);
+    front_.nearSurface(0.0, candidates_);
     if (candidates_.empty())
       return false;
-    const std::vector<std::int32_t> loss = lossWithout(graph_, present_);
+    if ((support_.left().size() - front_.count()) * kStale > front_.count()) {
+      support_.flood(ctx_);
+      return true;
+    }
+    if (takeRerouted())
+      return true;
+    cuts_.find(present_, support_.left());
+    const auto loss = [&](std::size_t v) { return cuts_.lossWithout(v); };
     const auto best = *std::min_element(
         candidates_.begin(), candidates_.end(), [&](std::int32_t a, std::int32_t b) {
           const auto x = static_cast<std::size_t>(a), y = static_cast<std::size_t>(b);
-          return loss[x] != loss[y] ? loss[x] < loss[y] : support_.later(x, y);
+          return loss(x) != loss(y) ? loss(x) < loss(y) : support_.later(x, y);
         });
     const auto cut = static_cast<std::size_t>(best);
-    gatherLoss(cut, static_cast<std::size_t>(loss[cut]));
+    gatherLoss(cut, static_cast<std::size_t>(loss(cut)));
     if (!loss_.empty()) {
+      if (!options_.relaxSheets && relaxLoss())
+        return true;
       support_.flood(ctx_);
       if (round(options_.sheet, options_.tolerance) || relaxSheet() || relaxLoss() || reachLoss())
         return true;
@@ -245,6 +319,35 @@ private:
     front_.rebuild();
     support_.flood(ctx_);
     return true;
+  }
+
+  // Takes of the candidates, no two side by side, those of which all that rests on them can rest on
+  // others; only the first where fewest relaxed and missed count for more than time (relaxSheets).
+  bool takeRerouted() {
+    sortByDistance(candidates_);
+    ++round_;
+    bool any = false;
+    for (const std::int32_t v : candidates_) {
+      const auto x = static_cast<std::size_t>(v);
+      const auto& beside = graph_.neighbour[x];
+      if (std::any_of(beside.begin(), beside.end(), [&](std::int32_t w) {
+            return w >= 0 && removedIn_[static_cast<std::size_t>(w)] == round_;
+          }))
+        continue;
+      present_[x] = 0;
+      if (!support_.reroute(x, kRerouted)) {
+        present_[x] = 1;
+        continue;
+      }
+      front_.remove(x);
+      take(x);
+      any = true;
+      if (options_.relaxSheets)
+        break;
+    }
+    if (any)
+      front_.rebuild();
+    return any;
   }
 
   bool relaxSheet() {
@@ -277,9 +380,9 @@ private:
       const auto x = static_cast<std::size_t>(loss_[i]);
       if (front_.deeperThan(x, options_.tolerance, hint))
         noteRelaxed(x);
+      support_.lift(x);
       take(x);
     }
-    support_.flood(ctx_);
     return true;
   }
 
@@ -338,8 +441,10 @@ private:
   std::optional<NozzleReach> reach_;
   std::vector<std::uint8_t> present_;
   SupportOrder support_;
-  double deepest_;                      // guided: below the front, where voxels are looked for
+  double deepest_; // guided: below the front, where voxels are looked for
+  CutVoxels cuts_;
   std::vector<std::int32_t> removedIn_; // round
+  std::vector<std::int32_t> onFront_;   // on the front when last looked at, and not gone then
   std::vector<std::int32_t> candidates_, taken_, loss_;
   std::vector<std::uint8_t> shadowed_; // per taken voxel
   std::vector<std::uint32_t> visitedIn_;

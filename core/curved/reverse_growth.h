@@ -50,14 +50,14 @@ struct Peeling {
 };
 
 // Peels the voxels with use[v] (empty: all) that the platform reaches, as soon as the front meets
-// them. Each round: candidates near the front, farthest from the platform first, are taken as long
-// as every present neighbour that was reached later keeps another earlier neighbour; the hull of
-// the rest is built; what lies deeper than the tolerance inside it is put back (which does not
-// change that hull). So, read backwards: every voxel of rank r has an AM-stable neighbour of lower
-// rank or stands on the platform (constraint 1), and lies no deeper than the tolerance inside the
-// hull of the platform and all lower ranks (constraint 2), but for `relaxed` voxels
-// (stuckTolerance) and for what had its support given up: peelAll cures that.
-// Throws Cancelled.
+// them. Each round: candidates on the front, and below it where a corner of it may go, farthest
+// from the platform first, are taken as long as every present neighbour that was reached later
+// keeps another earlier neighbour; the hull of the rest is built; what lies deeper than the
+// tolerance inside it is put back (which does not change that hull). So a round costs what changes
+// in it. Read backwards: every voxel of rank r has an AM-stable neighbour of lower rank or stands
+// on the platform (constraint 1), and lies no deeper than the tolerance inside the hull of the
+// platform and all lower ranks (constraint 2), but for `relaxed` voxels (stuckTolerance) and for
+// what had its support given up: peelAll cures that. Throws Cancelled.
 Peeling peel(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
              const PeelOptions& options, const base::RunContext& ctx);
 

@@ -3,38 +3,58 @@
 #include "base/parallel.h"
 #include "curved/flood.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
 
 namespace voluta::curved {
 
 SupportOrder::SupportOrder(const VoxelGraph& graph, std::vector<std::uint8_t>& present,
                            const base::RunContext& ctx)
-    : graph_(graph), present_(present), tiesCarry_(true) {
+    : graph_(graph), present_(present), tiesCarry_(true),
+      distance_(graph.size(), std::numeric_limits<float>::infinity()),
+      supports_(graph.size(), kFree), carries_(graph.size(), 0) {
+  gatherLeft();
   flood(ctx);
 }
 
 SupportOrder::SupportOrder(const VoxelGraph& graph, std::vector<std::uint8_t>& present,
                            const std::vector<std::int32_t>& order, const base::RunContext& ctx)
-    : graph_(graph), present_(present), tiesCarry_(false), distance_(order.begin(), order.end()) {
+    : graph_(graph), present_(present), tiesCarry_(false), distance_(order.begin(), order.end()),
+      supports_(graph.size(), kFree), carries_(graph.size(), 0) {
+  gatherLeft();
   countAll(ctx);
+}
+
+void SupportOrder::gatherLeft() {
+  for (std::size_t v = 0; v < graph_.size(); ++v)
+    if (present_[v])
+      left_.push_back(static_cast<std::int32_t>(v));
 }
 
 void SupportOrder::flood(const base::RunContext& ctx) {
   tiesCarry_ = true;
-  Flood reached = curved::flood(graph_, present_, {}, 1.0f, ctx);
-  distance_ = std::move(reached.value);
-  for (std::size_t v = 0; v < graph_.size(); ++v)
-    present_[v] = reached.order[v] >= 0;
+  const auto drop = [&](auto gone) {
+    left_.erase(std::remove_if(left_.begin(), left_.end(), gone), left_.end());
+  };
+  drop([&](std::int32_t v) { return !present_[static_cast<std::size_t>(v)]; });
+  chamferDistance(graph_, left_, present_, distance_, ctx);
+  drop([&](std::int32_t v) {
+    const auto x = static_cast<std::size_t>(v);
+    present_[x] = std::isfinite(distance_[x]);
+    return !present_[x];
+  });
   countAll(ctx);
 }
 
 void SupportOrder::countAll(const base::RunContext& ctx) {
-  supports_.assign(graph_.size(), kFree);
-  carries_.assign(graph_.size(), 0);
-  base::parallelChunks(ctx, graph_.size(), 8192, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v)
-      if (present_[v])
-        count(v);
+  base::parallelChunks(ctx, left_.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      count(static_cast<std::size_t>(left_[i]));
   });
 }
 
@@ -52,8 +72,95 @@ void SupportOrder::count(std::size_t v) {
       carries |= 1u << n;
   }
   carries_[v] = carries;
-  if (!graph_.onPlatform[v])
-    supports_[v] = supports;
+  supports_[v] = graph_.onPlatform[v] ? kFree : supports;
+}
+
+bool SupportOrder::reroute(std::size_t v, std::size_t most) {
+  mark_.resize(graph_.size(), 0);
+  ++marked_;
+  uprooted_.clear();
+  lessened_.clear();
+  was_.clear();
+  if (!uprootAll(v, most) || !findOtherWays()) {
+    for (const std::int32_t w : lessened_)
+      ++supports_[static_cast<std::size_t>(w)];
+    for (std::size_t i = 0; i < was_.size(); ++i)
+      distance_[static_cast<std::size_t>(uprooted_[i])] = was_[i];
+    return false;
+  }
+  for (const std::int32_t w : uprooted_) {
+    count(static_cast<std::size_t>(w));
+    for (const std::int32_t u : graph_.neighbour[static_cast<std::size_t>(w)])
+      if (u >= 0 && present_[static_cast<std::size_t>(u)] &&
+          mark_[static_cast<std::size_t>(u)] != marked_)
+        count(static_cast<std::size_t>(u));
+  }
+  return true;
+}
+
+bool SupportOrder::uprootAll(std::size_t from, std::size_t most) {
+  uproot(from);
+  for (std::size_t i = 0; i < uprooted_.size(); ++i) {
+    if (uprooted_.size() > most)
+      return false;
+    uproot(static_cast<std::size_t>(uprooted_[i]));
+  }
+  return true;
+}
+
+void SupportOrder::uproot(std::size_t from) {
+  for (std::uint32_t c = carries_[from]; c != 0; c &= c - 1) {
+    const std::int32_t w = graph_.neighbour[from][static_cast<std::size_t>(std::countr_zero(c))];
+    const auto x = static_cast<std::size_t>(w);
+    if (!present_[x] || mark_[x] == marked_)
+      continue;
+    lessened_.push_back(w);
+    if (--supports_[x] == 0) {
+      mark_[x] = marked_;
+      uprooted_.push_back(w);
+    }
+  }
+}
+
+bool SupportOrder::findOtherWays() {
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  using Entry = std::pair<float, std::int32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  for (const std::int32_t w : uprooted_) {
+    was_.push_back(distance_[static_cast<std::size_t>(w)]);
+    distance_[static_cast<std::size_t>(w)] = kFar;
+  }
+  for (const std::int32_t w : uprooted_) {
+    const auto x = static_cast<std::size_t>(w);
+    float by = kFar;
+    for (std::size_t n = 0; n < kNeighbours; ++n)
+      if (const std::int32_t u = graph_.neighbour[x][n];
+          u >= 0 && present_[static_cast<std::size_t>(u)] &&
+          mark_[static_cast<std::size_t>(u)] != marked_)
+        by = std::min(by, distance_[static_cast<std::size_t>(u)] + kNeighbourDistance[n]);
+    distance_[x] = by;
+    if (by < kFar)
+      open.push({by, w});
+  }
+  while (!open.empty()) {
+    const auto [by, w] = open.top();
+    open.pop();
+    const auto x = static_cast<std::size_t>(w);
+    if (by > distance_[x])
+      continue;
+    for (std::size_t n = 0; n < kNeighbours; ++n) {
+      const std::int32_t u = graph_.neighbour[x][n];
+      if (u < 0 || mark_[static_cast<std::size_t>(u)] != marked_)
+        continue;
+      const float further = by + kNeighbourDistance[n];
+      if (further < distance_[static_cast<std::size_t>(u)]) {
+        distance_[static_cast<std::size_t>(u)] = further;
+        open.push({further, u});
+      }
+    }
+  }
+  return std::all_of(uprooted_.begin(), uprooted_.end(),
+                     [&](std::int32_t w) { return distance_[static_cast<std::size_t>(w)] < kFar; });
 }
 
 bool SupportOrder::allows(std::size_t v) const {

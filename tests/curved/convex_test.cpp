@@ -6,6 +6,7 @@
 #include "curved/grid_solver.h"
 #include "curved/platform.h"
 #include "curved/reverse_growth.h"
+#include "curved/support_order.h"
 #include "curved/voxel_shapes.h"
 
 #include "base/error.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -104,8 +106,7 @@ TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsGo) {
         outermost.insert(static_cast<std::int32_t>(v));
     }
     std::vector<std::int32_t> near;
-    front.nearSurface(
-        0.75, [](std::size_t) { return true; }, near);
+    front.nearSurface(0.75, near);
     const std::set<std::int32_t> found(near.begin(), near.end());
     EXPECT_EQ(near.size(), found.size());
     EXPECT_TRUE(std::includes(shallow.begin(), shallow.end(), found.begin(), found.end()));
@@ -114,6 +115,60 @@ TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsGo) {
     for (const std::int32_t v : near)
       if (random() % 2)
         front.remove(static_cast<std::size_t>(v));
+  }
+}
+
+TEST(ConvexFront, KeptFacetsAnswerLikeThoseFromScratch) {
+  const VoxelGraph graph = graphOf(test::blobPart(5));
+  ConvexFront front(graph);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    front.insert(v);
+  std::mt19937 random(7);
+  std::set<std::int32_t> onFront;
+  std::vector<std::int32_t> near, gone;
+  for (int round = 0; round < 30 && front.count() > 0; ++round) {
+    front.rebuild();
+    ConvexFront fresh(graph);
+    for (std::size_t v = 0; v < graph.size(); ++v)
+      if (front.present(v))
+        fresh.insert(v);
+    fresh.rebuild();
+    EXPECT_EQ(front.facetCount() == 0, fresh.facetCount() == 0);
+    std::size_t hint = 0, freshHint = 0;
+    for (std::size_t v = 0; v < graph.size(); ++v)
+      for (const double depth : {0.0, 0.6})
+        ASSERT_EQ(front.deeperThan(v, depth, hint), fresh.deeperThan(v, depth, freshHint))
+            << v << " round " << round;
+
+    // What new facets show stays on the front until it goes.
+    front.onNewFacets(near);
+    onFront.insert(near.begin(), near.end());
+    fresh.nearSurface(0.0, near);
+    std::set<std::int32_t> left;
+    for (const std::int32_t v : onFront)
+      if (front.present(static_cast<std::size_t>(v)))
+        left.insert(v);
+    EXPECT_EQ(left, std::set<std::int32_t>(near.begin(), near.end()));
+
+    const auto goes = [&](std::size_t v) { return left.count(static_cast<std::int32_t>(v)) > 0; };
+    front.nearGoing(1.0, goes, near);
+    for (const std::int32_t v : left)
+      if (random() % 4 == 0)
+        front.remove(static_cast<std::size_t>(v));
+    front.nearGone(1.0, gone);
+    for (const std::int32_t v : gone) {
+      EXPECT_TRUE(front.present(static_cast<std::size_t>(v)));
+      EXPECT_FALSE(front.deeperThan(static_cast<std::size_t>(v), 1.0 + 1e-9, hint));
+    }
+    // Some come back, as what is put back does: inside the front that is asked next.
+    if (round % 3 == 2) {
+      front.rebuild();
+      for (const std::int32_t v : near)
+        if (front.present(static_cast<std::size_t>(v)) && random() % 2 == 0) {
+          front.remove(static_cast<std::size_t>(v));
+          front.insert(static_cast<std::size_t>(v));
+        }
+    }
   }
 }
 
@@ -222,18 +277,83 @@ TEST(Flood, DistanceAlongRanksComesByWaysThatNeverFall) {
   EXPECT_TRUE(differ);
 }
 
+TEST(ChamferDistance, IsThatOfFloodOverWhatIsLeft) {
+  const VoxelGraph graph = graphOf(test::blobPart(5));
+  std::vector<float> value(graph.size(), -7.0f);
+  std::vector<std::uint8_t> present(graph.size(), 0);
+  std::vector<std::int32_t> among;
+  std::mt19937 random(2);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    if (random() % 3 != 0) {
+      present[v] = 1;
+      among.push_back(static_cast<std::int32_t>(v));
+    }
+  chamferDistance(graph, among, present, value, kQuiet);
+  const Flood whole = flood(graph, present, {}, 1.0f, kQuiet);
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    EXPECT_EQ(value[v], present[v] ? whole.value[v] : -7.0f) << v;
+}
+
+TEST(SupportOrder, WhatIsReroutedStandsAndNothingElseIs) {
+  const VoxelGraph graph = graphOf(test::blobPart(5));
+  std::mt19937 random(9);
+  std::vector<std::uint8_t> present(graph.size(), 0);
+  for (std::uint8_t& p : present)
+    p = random() % 10 < 4;
+  SupportOrder support(graph, present, kQuiet);
+  std::size_t rerouted = 0, refused = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const auto v = static_cast<std::size_t>(random() % graph.size());
+    if (!present[v])
+      continue;
+    const auto count = [&] { return std::count(present.begin(), present.end(), 1); };
+    std::vector<bool> allowed(graph.size());
+    for (std::size_t u = 0; u < graph.size(); ++u)
+      allowed[u] = present[u] && support.allows(u);
+    present[v] = 0;
+    const bool stands =
+        static_cast<std::ptrdiff_t>(flood(graph, present, {}, 1.0f, kQuiet).reached) == count();
+    ASSERT_EQ(support.reroute(v, graph.size()), stands) << trial;
+    if (!stands) {
+      ++refused;
+      present[v] = 1;
+      for (std::size_t u = 0; u < graph.size(); ++u)
+        ASSERT_EQ(present[u] && support.allows(u), allowed[u]) << u;
+      continue;
+    }
+    rerouted += !allowed[v];
+    support.drop(v);
+    for (std::size_t u = 0; u < graph.size(); ++u) {
+      if (!present[u] || graph.onPlatform[u])
+        continue;
+      const auto& beside = graph.neighbour[u];
+      ASSERT_TRUE(std::any_of(beside.begin(), beside.end(), [&](std::int32_t w) {
+        return w >= 0 && present[static_cast<std::size_t>(w)] &&
+               support.later(u, static_cast<std::size_t>(w));
+      })) << u;
+    }
+  }
+  EXPECT_GT(rerouted, 5u);
+  EXPECT_GT(refused, 5u);
+}
+
 TEST(CutVoxels, LossIsWhatHangsOnAVoxel) {
   const VoxelGraph graph = graphOf(test::voxelPart(9, 3, 9, [](int i, int j, int k) {
     // A post, a bridge one voxel thick to a ball.
     return (i < 2 && k < 6) || (j == 1 && k == 4 && i < 6) || (i >= 6 && k >= 3 && k <= 5);
   }));
   const std::vector<std::uint8_t> all(graph.size(), 1);
-  const std::vector<std::int32_t> loss = lossWithout(graph, all);
+  std::vector<std::int32_t> among(graph.size());
+  std::iota(among.begin(), among.end(), 0);
+  CutVoxels cuts(graph);
+  cuts.find(std::vector<std::uint8_t>(graph.size(), 0), among); // leaves no traces
+  cuts.find(all, among);
   for (std::size_t v = 0; v < graph.size(); ++v) {
     std::vector<std::uint8_t> rest = all;
     rest[v] = 0;
     const Flood reached = flood(graph, rest, {}, 1.0f, kQuiet);
-    EXPECT_EQ(static_cast<std::size_t>(loss[v]), graph.size() - 1 - reached.reached) << v;
+    EXPECT_EQ(static_cast<std::size_t>(cuts.lossWithout(v)), graph.size() - 1 - reached.reached)
+        << v;
   }
 }
 
