@@ -4,45 +4,49 @@
 
 #include <algorithm>
 #include <exception>
+
+#ifdef __SANITIZE_THREAD__
+#include <atomic>
+#include <thread>
+#else
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
-
-#ifdef __SANITIZE_THREAD__
-#include <sanitizer/tsan_interface.h>
 #endif
 
 namespace voluta::base {
 
 namespace {
 
-// TBB hands work over unseen by the thread sanitizer, which it is not built with: this tells it
-// that chunks begin after the call and end before its return. Not that one chunk comes after
-// another, so that what two of them do to the same data is seen.
-class ForkAndJoin {
-public:
+// Calls work(c) for every c in [0, count) on up to `threads` threads. `work` throws nothing.
 #ifdef __SANITIZE_THREAD__
-  ForkAndJoin() {
-    __tsan_release(&fork_);
-  }
-  void begin() {
-    __tsan_acquire(&fork_);
-  }
-  void end() {
-    __tsan_release(&join_);
-  }
-  void join() {
-    __tsan_acquire(&join_);
-  }
-
-private:
-  char fork_ = 0, join_ = 0;
+// TBB is not built with the thread sanitizer, which therefore sees neither how it hands work over
+// nor how it waits: threads of our own, taken in turn by a count that orders nothing else.
+template <typename Work> void onThreads(int threads, std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto take = [&] {
+    for (std::size_t c; (c = next.fetch_add(1, std::memory_order_relaxed)) < count;)
+      work(c);
+  };
+  std::vector<std::jthread> others;
+  for (int t = 1; t < threads; ++t)
+    others.emplace_back(take);
+  take();
+}
 #else
-  void begin() {}
-  void end() {}
-  void join() {}
+template <typename Work> void onThreads(int threads, std::size_t count, const Work& work) {
+  oneapi::tbb::task_arena arena(threads);
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(
+        oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
+        [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t c = range.begin(); c != range.end(); ++c)
+            work(c);
+        },
+        oneapi::tbb::simple_partitioner());
+  });
+}
 #endif
-};
 
 } // namespace
 
@@ -60,27 +64,15 @@ void parallelChunks(const RunContext& ctx, std::size_t count, std::size_t grain,
     return;
   }
   std::vector<std::exception_ptr> failed(chunks);
-  ForkAndJoin order;
-  oneapi::tbb::task_arena arena(ctx.threads());
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(
-        oneapi::tbb::blocked_range<std::size_t>(0, chunks, 1),
-        [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-          order.begin();
-          for (std::size_t c = range.begin(); c != range.end(); ++c) {
-            if (ctx.cancelled())
-              break;
-            try {
-              runChunk(c);
-            } catch (...) {
-              failed[c] = std::current_exception();
-            }
-          }
-          order.end();
-        },
-        oneapi::tbb::simple_partitioner());
+  onThreads(ctx.threads(), chunks, [&](std::size_t c) {
+    if (ctx.cancelled())
+      return;
+    try {
+      runChunk(c);
+    } catch (...) {
+      failed[c] = std::current_exception();
+    }
   });
-  order.join();
   ctx.checkpoint();
   for (const std::exception_ptr& e : failed)
     if (e)
