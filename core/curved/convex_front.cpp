@@ -11,6 +11,8 @@ namespace voluta::curved {
 namespace {
 
 constexpr std::size_t kBlock = 8;
+// Along axes that a facet faces less, columns say little of what is near it.
+constexpr double kFacing = 0.5;
 using Cell2 = std::array<std::int32_t, 2>;
 
 // Corners of the hull of points sorted by (x, y), without those on its sides (Andrew's chain).
@@ -167,7 +169,7 @@ void ConvexFront::replaceFacets(const std::vector<HullFacet>& hull) {
   std::sort(wanted.begin(), wanted.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
 
-  std::vector<std::int32_t> had = std::move(byCorners_), kept;
+  std::vector<std::int32_t> had = std::move(byCorners_), kept, gone;
   std::vector<std::pair<Corners, const HullFacet*>> added;
   byCorners_.clear();
   ++rebuilt_;
@@ -177,24 +179,33 @@ void ConvexFront::replaceFacets(const std::vector<HullFacet>& hull) {
   };
   for (const auto& entry : wanted) {
     for (; old != had.end() && cornersOf(*old) < entry.first; ++old)
-      dropFacet(*old);
+      gone.push_back(*old);
     if (old != had.end() && cornersOf(*old) == entry.first)
       kept.push_back(*old++);
     else
       added.push_back(entry);
   }
-  for (; old != had.end(); ++old)
-    dropFacet(*old);
+  gone.insert(gone.end(), old, had.end());
+  const bool anew = gone.size() > kept.size();
+  if (anew)
+    for (Surface& surface : surface_)
+      std::fill(surface.ends.begin(), surface.ends.end(), Ends{});
+  for (const std::int32_t slot : gone) {
+    if (!anew)
+      mark(static_cast<std::size_t>(slot), Stroke::Erase);
+    dropFacet(slot);
+  }
   std::vector<std::int32_t> made;
   for (const auto& [corners, h] : added)
     made.push_back(addFacet(corners, *h));
   // A line that meets the rim of a facet that went may meet one that stays there.
-  for (const std::int32_t slot : kept)
-    for (const std::int32_t c : cornersOf(slot))
-      if (cornerStamp_[static_cast<std::size_t>(c)] == rebuilt_) {
-        mark(static_cast<std::size_t>(slot), Stroke::Fill);
-        break;
-      }
+  for (const std::int32_t slot : kept) {
+    const Corners& corners = cornersOf(slot);
+    if (anew || std::any_of(corners.begin(), corners.end(), [&](std::int32_t c) {
+          return cornerStamp_[static_cast<std::size_t>(c)] == rebuilt_;
+        }))
+      mark(static_cast<std::size_t>(slot), Stroke::Fill);
+  }
   byCorners_.resize(kept.size() + made.size());
   std::merge(kept.begin(), kept.end(), made.begin(), made.end(), byCorners_.begin(),
              [&](std::int32_t a, std::int32_t b) { return cornersOf(a) < cornersOf(b); });
@@ -202,7 +213,6 @@ void ConvexFront::replaceFacets(const std::vector<HullFacet>& hull) {
 
 void ConvexFront::dropFacet(std::int32_t slot) {
   const auto f = static_cast<std::size_t>(slot);
-  mark(f, Stroke::Erase);
   for (const std::int32_t c : facets_[f].corner)
     cornerStamp_[static_cast<std::size_t>(c)] = rebuilt_;
   facets_[f] = {};
@@ -227,7 +237,10 @@ std::int32_t ConvexFront::addFacet(const Corners& corners, const HullFacet& hull
   free_.pop_back();
   const auto f = static_cast<std::size_t>(slot);
   const Eigen::Vector3d& n = hullFacet.normal;
-  facets_[f] = {corners, n, n.dot(inCells(pointOf(corners[0]))), 0, 0, true};
+  std::array<Eigen::Vector3d, 3> at;
+  for (std::size_t c = 0; c < 3; ++c)
+    at[c] = inCells(pointOf(corners[c]));
+  facets_[f] = {corners, n, at, n.dot(at[0]), 0, 0, true};
   new_.push_back(slot);
   nx_[f] = n.x();
   ny_[f] = n.y();
@@ -295,57 +308,76 @@ double ConvexFront::depth(std::size_t v) const {
   return least;
 }
 
-// Column by column: what lies within `depth` below the facet's plane there. Near the rim columns
-// may pass it by; the facet's neighbour sees to those.
-void ConvexFront::gatherBelow(std::size_t slot, int axis, double depth,
-                              std::vector<std::int32_t>& out) {
+double ConvexFront::facing(std::size_t slot, int axis) const {
+  return kLatticePerCell * inverseLength_[slot] * std::abs(facets_[slot].normal[axis]);
+}
+
+// What lies within `depth` below the facet's plane there. Near the rim columns may pass it by; the
+// facet's neighbour sees to those.
+inline void ConvexFront::gatherColumn(std::size_t slot, int axis, double facing, double depth,
+                                      int cu, int cw, std::vector<std::int32_t>& out) {
   const Facet& facet = facets_[slot];
+  const Surface& surface = surface_[static_cast<std::size_t>(axis)];
   const Eigen::Vector3d& n = facet.normal;
-  const double facing = kLatticePerCell * inverseLength_[slot] * std::abs(n[axis]);
   const Eigen::Vector3i& size = graph_.grid.size;
+  const double reach = (depth + 1e-9) / facing;
+  const double at = (facet.planeInCells - n[surface.u] * cu - n[surface.w] * cw) / n[axis];
+  const bool upper = n[axis] > 0.0;
+  const int from = std::max(0, static_cast<int>(std::ceil(upper ? at - reach : at - 1e-9)));
+  const int to =
+      std::min(size[axis] - 1, static_cast<int>(std::floor(upper ? at + 1e-9 : at + reach)));
+  if (from > to)
+    return;
+  std::array<int, 3> cell{};
+  cell[static_cast<std::size_t>(surface.u)] = cu;
+  cell[static_cast<std::size_t>(surface.w)] = cw;
+  cell[static_cast<std::size_t>(axis)] = from;
   const std::array<std::size_t, 3> strides{1, static_cast<std::size_t>(size.x()),
                                            static_cast<std::size_t>(size.x()) *
                                                static_cast<std::size_t>(size.y())};
-  const Surface& surface = surface_[static_cast<std::size_t>(axis)];
-  const std::size_t stride = strides[static_cast<std::size_t>(axis)];
-  const double reach = (depth + 1e-9) / facing;
-  const bool upper = n[axis] > 0.0;
-  eachRow(facet, axis, [&](int cw, int firstU, int lastU) {
-    for (int cu = firstU; cu <= lastU; ++cu) {
-      const double at = (facet.planeInCells - n[surface.u] * cu - n[surface.w] * cw) / n[axis];
-      const int from = std::max(0, static_cast<int>(std::ceil(upper ? at - reach : at - 1e-9)));
-      const int to =
-          std::min(size[axis] - 1, static_cast<int>(std::floor(upper ? at + 1e-9 : at + reach)));
-      std::size_t cell =
-          static_cast<std::size_t>(cu) * strides[static_cast<std::size_t>(surface.u)] +
-          static_cast<std::size_t>(cw) * strides[static_cast<std::size_t>(surface.w)] +
-          static_cast<std::size_t>(from) * stride;
-      for (int ca = from; ca <= to; ++ca, cell += stride) {
-        const std::int32_t v = graph_.voxelAt[cell];
-        if (v < 0 || !present_[static_cast<std::size_t>(v)] ||
-            stamp_[static_cast<std::size_t>(v)] == round_)
-          continue;
-        stamp_[static_cast<std::size_t>(v)] = round_;
-        out.push_back(v);
-      }
-    }
+  std::size_t index = graph_.grid.index(cell[0], cell[1], cell[2]);
+  for (int ca = from; ca <= to; ++ca, index += strides[static_cast<std::size_t>(axis)]) {
+    const std::int32_t v = graph_.voxelAt[index];
+    if (v < 0 || !present_[static_cast<std::size_t>(v)] ||
+        stamp_[static_cast<std::size_t>(v)] == round_)
+      continue;
+    stamp_[static_cast<std::size_t>(v)] = round_;
+    out.push_back(v);
+  }
+}
+
+void ConvexFront::gatherBelow(std::size_t slot, int axis, double depth,
+                              std::vector<std::int32_t>& out) {
+  const double towards = facing(slot, axis);
+  eachRow(facets_[slot], axis, [&](int cw, int firstU, int lastU) {
+    for (int cu = firstU; cu <= lastU; ++cu)
+      gatherColumn(slot, axis, towards, depth, cu, cw, out);
   });
 }
 
 void ConvexFront::gatherBelow(std::size_t slot, double depth, std::vector<std::int32_t>& out) {
-  constexpr double kFacing = 0.5;
-  const Eigen::Vector3d facing =
-      kLatticePerCell * inverseLength_[slot] * facets_[slot].normal.cwiseAbs();
   for (int axis = 0; axis < 3; ++axis)
-    if (facing[axis] >= kFacing)
+    if (facing(slot, axis) >= kFacing)
       gatherBelow(slot, axis, depth, out);
 }
 
 void ConvexFront::nearSurface(double depth, std::vector<std::int32_t>& out) {
   out.clear();
   ++round_;
-  for (const std::int32_t slot : byCorners_)
-    gatherBelow(static_cast<std::size_t>(slot), depth, out);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Surface& surface = surface_[static_cast<std::size_t>(axis)];
+    for (int cw = 0; cw < surface.sizeW; ++cw)
+      for (int cu = 0; cu < surface.sizeU; ++cu) {
+        const Ends& ends = surface.ends[static_cast<std::size_t>(cu + surface.sizeU * cw)];
+        for (const std::int32_t end : {ends.low, ends.high}) {
+          if (end < 0)
+            continue;
+          const auto slot = static_cast<std::size_t>(end);
+          if (const double towards = facing(slot, axis); towards >= kFacing)
+            gatherColumn(slot, axis, towards, depth, cu, cw, out);
+        }
+      }
+  }
 }
 
 void ConvexFront::onNewFacets(std::vector<std::int32_t>& out) {
@@ -369,8 +401,7 @@ void ConvexFront::eachRow(const Facet& facet, int axis, Visit&& visit) const {
   // Corners in cells: a voxel's centre is at its whole index.
   std::array<std::array<double, 2>, 3> corner;
   for (std::size_t c = 0; c < 3; ++c) {
-    const LatticePoint p = inCells(pointOf(facet.corner[c]));
-    corner[c] = {p[surface.u], p[surface.w]};
+    corner[c] = {facet.corners[c][surface.u], facet.corners[c][surface.w]};
   }
   const auto [lowW, highW] = std::minmax({corner[0][1], corner[1][1], corner[2][1]});
   constexpr double kSlack = 1e-9;
@@ -438,10 +469,7 @@ std::array<Eigen::Vector3d, 3> ConvexFront::facetOver(std::size_t v) const {
   for (std::size_t f = 1; f < facets_.size(); ++f)
     if (below(f, p) * inverseLength_[f] < below(nearest, p) * inverseLength_[nearest])
       nearest = f;
-  std::array<Eigen::Vector3d, 3> corners;
-  for (std::size_t c = 0; c < 3; ++c)
-    corners[c] = inCells(pointOf(facets_[nearest].corner[c]));
-  return corners;
+  return facets_[nearest].corners;
 }
 
 Eigen::Vector3d ConvexFront::clearNormal(std::size_t v, const Eigen::Vector3d& wish) const {

@@ -78,6 +78,7 @@ private:
   struct Facet {
     Corners corner{-1, -1, -1};                       // counter-clockwise from the least
     Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // outward, not unit
+    std::array<Eigen::Vector3d, 3> corners;           // in cells
     double planeInCells = 0.0;  // offset of its plane with a voxel's cell as its coordinates
     std::uint32_t asked = 0;    // by nearGoing(), so often
     std::uint32_t gathered = 0; // round_ of the last time
@@ -117,6 +118,10 @@ private:
   // included.
   template <typename Visit> void eachRow(const Facet& facet, int axis, Visit&& visit) const;
   void mark(std::size_t slot, Stroke stroke);
+  // Of the column (cu, cw) along `axis`, which the facet faces by `facing` > 0.
+  void gatherColumn(std::size_t slot, int axis, double facing, double depth, int cu, int cw,
+                    std::vector<std::int32_t>& out);
+  double facing(std::size_t slot, int axis) const;
   void gatherBelow(std::size_t slot, int axis, double depth, std::vector<std::int32_t>& out);
   void gatherBelow(std::size_t slot, double depth, std::vector<std::int32_t>& out);
   // Every number up to 8, then four of each doubling.
