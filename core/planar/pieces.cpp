@@ -1,0 +1,51 @@
+#include "planar/pieces.h"
+
+#include "geometry/measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::planar {
+
+bool isRisky(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction,
+             const RiskRule& rule) {
+  return normal.dot(direction) + std::sin(rule.overhangRad) < 0.0;
+}
+
+std::vector<std::uint8_t> standsOn(const Piece& piece, const RiskRule& rule) {
+  const geometry::TriangleMesh& mesh = piece.solid.mesh;
+  std::vector<std::uint8_t> stands(mesh.triangles.size());
+  for (std::size_t t = 0; t < stands.size(); ++t) {
+    if (piece.baseTag != kPlate) {
+      stands[t] = piece.solid.tag[t] == piece.baseTag;
+      continue;
+    }
+    double highest = piece.base.heightOf(mesh.corner(t, 0));
+    for (int k = 1; k < 3; ++k)
+      highest = std::max(highest, piece.base.heightOf(mesh.corner(t, k)));
+    stands[t] =
+        highest <= rule.contactMm && geometry::triangleNormal(mesh, t).dot(piece.base.normal) < 0.0;
+  }
+  return stands;
+}
+
+double riskyArea(const Piece& piece, const RiskRule& rule) {
+  const std::vector<std::uint8_t> stands = standsOn(piece, rule);
+  double sum = 0.0;
+  for (std::size_t t = 0; t < stands.size(); ++t)
+    if (!stands[t] &&
+        isRisky(geometry::triangleNormal(piece.solid.mesh, t), piece.base.normal, rule))
+      sum += geometry::triangleArea(piece.solid.mesh, t);
+  return sum;
+}
+
+double baseArea(const Piece& piece, const RiskRule& rule) {
+  const std::vector<std::uint8_t> stands = standsOn(piece, rule);
+  double sum = 0.0;
+  for (std::size_t t = 0; t < stands.size(); ++t)
+    if (stands[t])
+      sum += geometry::triangleArea(piece.solid.mesh, t);
+  return sum;
+}
+
+} // namespace voluta::planar

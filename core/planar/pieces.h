@@ -1,0 +1,42 @@
+// A part taken apart by planes: what is printed on what, and along which direction.
+#pragma once
+
+#include "planar/plane_cut.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace voluta::planar {
+
+inline constexpr std::int32_t kPlate = -2; // Piece::baseTag of what stands on the plate
+
+// A solid that is printed in layers parallel to its base plane, upwards along its normal.
+struct Piece {
+  TaggedMesh solid;
+  Plane base;                    // nothing of the piece lies below it
+  std::int32_t baseTag = kPlate; // the cut whose section it stands on; sections of other cuts are
+                                 // what later pieces stand on
+  int parent = -1;               // index of the piece it stands on; -1: the plate
+};
+
+// When a face needs support: dissertation eq. 2.1.
+struct RiskRule {
+  double overhangRad = 0.7853981633974483; // alpha: how far a face may lean over without support
+  double contactMm = 0.4;                  // what lies this close over the plate lies on it
+};
+
+// n . d + sin(alpha) < 0: a face of outward unit normal n, printed along unit d, needs support.
+bool isRisky(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction, const RiskRule& rule);
+
+// Area of the faces that need support where the piece is printed along its base's normal, but for
+// what it stands on: its base section, and on the plate what lies no higher than contactMm. mm2.
+double riskyArea(const Piece& piece, const RiskRule& rule);
+
+// Whether each triangle is what the piece stands on.
+std::vector<std::uint8_t> standsOn(const Piece& piece, const RiskRule& rule);
+
+// Area of the section that the piece stands on (of the plate: what lies on it). mm2.
+double baseArea(const Piece& piece, const RiskRule& rule);
+
+} // namespace voluta::planar
