@@ -213,6 +213,13 @@ void addLayers(BlockWriter& out, const layers::LayerStack& stack) {
   column(
       "layers.clearDirection", sizeof(Eigen::Vector3d),
       [](const Patch& p) -> const auto& { return p.clearDirection; });
+  std::vector<std::uint8_t> rims;
+  for (const Patch& patch : stack.patches) {
+    rims.insert(rims.end(), patch.innerRim.begin(), patch.innerRim.end());
+    if (patch.innerRim.empty())
+      rims.insert(rims.end(), patch.surface.vertices.size(), 0);
+  }
+  out.addOwned("layers.innerRim", rims);
 }
 
 layers::LayerStack getLayers(const BlockReader& in) {
@@ -224,6 +231,10 @@ layers::LayerStack getLayers(const BlockReader& in) {
   Portions thickness(in.get<double>("layers.thickness"));
   Portions direction(in.get<Eigen::Vector3d>("layers.direction"));
   Portions clearDirection(in.get<Eigen::Vector3d>("layers.clearDirection"));
+  // Projects of before these were kept.
+  const bool hasRims = in.has("layers.innerRim");
+  Portions innerRim(hasRims ? in.get<std::uint8_t>("layers.innerRim")
+                            : std::vector<std::uint8_t>{});
   layers::LayerStack stack;
   stack.layerCount = static_cast<int>(rows[0]);
   for (std::size_t i = 1; i < rows.size(); i += kPatchColumns) {
@@ -233,6 +244,8 @@ layers::LayerStack getLayers(const BlockReader& in) {
     patch.thicknessMm = thickness.next(rows[i]);
     patch.direction = direction.next(rows[i]);
     patch.clearDirection = clearDirection.next(rows[i]);
+    if (hasRims)
+      patch.innerRim = innerRim.next(rows[i]);
     patch.layer = static_cast<int>(rows[i + 2]);
     patch.group = static_cast<int>(rows[i + 3]);
     stack.patches.push_back(std::move(patch));

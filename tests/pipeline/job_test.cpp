@@ -105,6 +105,7 @@ TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
     EXPECT_EQ(p.thicknessMm, q.thicknessMm);
     EXPECT_EQ(p.direction, q.direction);
     EXPECT_EQ(p.clearDirection, q.clearDirection);
+    EXPECT_EQ(p.innerRim, q.innerRim);
     EXPECT_EQ(p.group, q.group);
   }
   EXPECT_EQ(back.layers->layerCount, 2);

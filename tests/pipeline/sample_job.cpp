@@ -60,6 +60,8 @@ std::shared_ptr<const layers::LayerStack> sampleLayers() {
     p.thicknessMm.assign(p.surface.vertices.size(), 0.7 + i);
     p.direction.assign(p.surface.vertices.size(), Eigen::Vector3d::UnitZ());
     p.clearDirection.assign(p.surface.vertices.size(), Eigen::Vector3d(0, 0.6, 0.8));
+    p.innerRim.assign(p.surface.vertices.size(), 0);
+    p.innerRim.back() = 1;
     p.layer = i;
     p.group = 3 - i;
     stack.patches.push_back(p);
