@@ -4,9 +4,9 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "geometry/measures.h"
+#include "geometry/simplify.h"
 #include "planar/cut_candidates.h"
 #include "planar/head_reach.h"
-#include "planar/simplify.h"
 
 #include <algorithm>
 #include <cmath>
@@ -359,7 +359,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
                       "repair it, or use curved mode, which takes any mesh");
   PlanarDecomposition out;
   base::Stopwatch watch;
-  Search search(simplified(part, options.searchTriangles), options, ctx.sub(0.0, 0.9));
+  Search search(geometry::simplified(part, options.searchTriangles), options, ctx.sub(0.0, 0.9));
   const State found = search.run();
   out.seconds.search = watch.seconds();
   Piece whole;

@@ -22,6 +22,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"layers", {"geometry", "voxel", "process", "plan"}},
     {"curved", {"geometry", "voxel", "process", "layers", "plan"}},
     {"support", {"geometry", "voxel", "process", "layers", "plan", "curved"}},
+    {"planar", {"geometry", "voxel", "process", "layers", "plan"}},
     {"placement", {"geometry", "voxel", "process", "layers", "plan", "curved"}},
     {"robot", {"geometry", "process"}},
     {"collision", {"geometry", "process", "voxel", "robot", "plan"}},
@@ -31,8 +32,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"program", {"geometry", "process", "robot", "plan"}},
     {"replay", {"geometry", "process", "voxel", "robot", "plan", "program"}},
     {"pipeline",
-     {"geometry", "process", "voxel", "plan", "layers", "curved", "support", "placement", "robot",
-      "collision", "toolpath", "motion", "program", "replay"}},
+     {"geometry", "process", "voxel", "plan", "layers", "curved", "planar", "support", "placement",
+      "robot", "collision", "toolpath", "motion", "program", "replay"}},
 };
 
 struct Include {

@@ -5,10 +5,10 @@
 
 #include <cstddef>
 
-namespace voluta::planar {
+namespace voluta::geometry {
 
 // Edges collapsed (Lindstrom and Turk 1998) until no more than about `triangles` are left. A mesh
 // that is small enough, or no manifold, comes back as it is.
-geometry::TriangleMesh simplified(const geometry::TriangleMesh& mesh, std::size_t triangles);
+TriangleMesh simplified(const TriangleMesh& mesh, std::size_t triangles);
 
-} // namespace voluta::planar
+} // namespace voluta::geometry
