@@ -30,4 +30,8 @@ RunContext RunContext::sub(double lo, double hi) const {
   return inner;
 }
 
+RunContext RunContext::quiet() const {
+  return RunContext(cancel_, threads_);
+}
+
 } // namespace voluta::base

@@ -44,6 +44,9 @@ public:
 
   // A context for a part of the work that covers [lo, hi] of this one's span.
   RunContext sub(double lo, double hi) const;
+  // The same run without progress: for work on several threads at once, and for small steps of a
+  // stage that reports as a whole.
+  RunContext quiet() const;
 
 private:
   CancelToken cancel_;

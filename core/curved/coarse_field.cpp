@@ -86,9 +86,7 @@ std::vector<float> coarseField(const VoxelGraph& graph,
   std::vector<std::int32_t> rank;
   {
     const VoxelGraph all = voxelGraph(grid, use, coarsening.plateLayer, platform);
-    PeelOptions options;
-    options.reports = false;
-    const Peeling peeled = peelAll(all, {}, options, ctx);
+    const Peeling peeled = peelAll(all, {}, {}, ctx.quiet());
     for (std::size_t v = 0; v < all.size(); ++v) {
       use[all.cellOf(v)] = peeled.rank[v] > 0;
       if (peeled.rank[v] > 0)

@@ -55,9 +55,8 @@ void growReverse(const VoxelGraph& graph, const process::HeadShape* head, Growth
         PeelOptions options;
         options.sheet = kPasses[p].sheet;
         options.relaxSheets = kPasses[p].relaxSheets;
-        options.reports = false;
         options.head = head;
-        passes[p] = peelAll(graph, {}, options, ctx);
+        passes[p] = peelAll(graph, {}, options, ctx.quiet());
       }
     });
     const auto key = [](const Peeling& p) { return std::tuple(p.givenUp, p.relaxed, p.ranks); };

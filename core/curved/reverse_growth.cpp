@@ -67,8 +67,6 @@ private:
   }
 
   void reportProgress() const {
-    if (!options_.reports)
-      return;
     ctx_.report(1.0 - static_cast<double>(front_.count()) / static_cast<double>(start_), "growth");
   }
 

@@ -29,8 +29,7 @@ struct PeelOptions {
   // Where a voxel would have to be given up: a head that may reach it all the same (NozzleReach).
   // Null: the front is flat everywhere.
   const process::HeadShape* head = nullptr;
-  int runs = 12;       // peelAll(): at most
-  bool reports = true; // progress
+  int runs = 12; // peelAll(): at most
 };
 
 struct Peeling {

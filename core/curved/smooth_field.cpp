@@ -103,7 +103,6 @@ public:
     peelOptions.eases = true;
     peelOptions.allowance = allowance;
     peelOptions.sacrifice = false;
-    peelOptions.reports = false;
     std::vector<std::int32_t> deep;
     double before = 0.0;
     for (int round = 0; round < rounds_; ++round) {
@@ -123,7 +122,7 @@ public:
         break;
       if (stalled && front.givesWay)
         fitOptions.overhang += kOverhangStep;
-      const Peeling grown = peelGuided(graph_, field, rank_, peelOptions, ctx);
+      const Peeling grown = peelGuided(graph_, field, rank_, peelOptions, ctx.quiet());
       std::vector<float> target(graph_.size());
       for (std::size_t v = 0; v < graph_.size(); ++v)
         target[v] = grown.rank[v] > 0 ? std::max(grown.level[v], 0.25f) : field[v];

@@ -6,7 +6,6 @@
 #include "voxel/wall_thickness.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -16,12 +15,15 @@ namespace {
 constexpr std::size_t kTold = 5;
 constexpr double kLeastVoxelMm = 0.1; // of the parameter voxelMm
 
-constexpr std::string_view kNarrower = "a voxel width of at most ";
-
-std::string remedyFor(double thicknessMm) {
+void addRemedy(plan::Finding& finding, double thicknessMm) {
   const double fits = std::floor(100.0 * thicknessMm + 1e-6) / 100.0;
-  return fits < kLeastVoxelMm ? fmt::format("thicken the wall to {:g} mm or more", kLeastVoxelMm)
-                              : fmt::format("{}{:g} mm", kNarrower, fits);
+  if (fits < kLeastVoxelMm) {
+    finding.remedy = fmt::format("thicken the wall to {:g} mm or more", kLeastVoxelMm);
+    finding.remedyMm = std::nullopt;
+  } else {
+    finding.remedy = fmt::format("a voxel width of at most {:g} mm", fits);
+    finding.remedyMm = fits;
+  }
 }
 
 plan::Finding findingOf(const voxel::ThinPlace& place, double voxelMm) {
@@ -33,22 +35,11 @@ plan::Finding findingOf(const voxel::ThinPlace& place, double voxelMm) {
   finding.reason = fmt::format("a wall {:.2f} mm thick ({:.2f} mm at its thinnest) is thinner than "
                                "a voxel of {:g} mm",
                                place.usualMm, place.leastMm, voxelMm);
-  finding.remedy = remedyFor(place.usualMm);
+  addRemedy(finding, place.usualMm);
   finding.blocking = false;
   return finding;
 }
 } // namespace
-
-std::optional<double> thinWallVoxelMm(const plan::Finding& finding) {
-  if (finding.kind != "thinWalls" || !finding.remedy.starts_with(kNarrower))
-    return std::nullopt;
-  const char* number = finding.remedy.data() + kNarrower.size();
-  double width = 0.0;
-  if (std::from_chars(number, finding.remedy.data() + finding.remedy.size(), width).ec !=
-      std::errc{})
-    return std::nullopt;
-  return width;
-}
 
 std::shared_ptr<const PartVoxels> partVoxels(const LoadStage& placed, double voxelMm,
                                              const base::RunContext& ctx) {
@@ -85,7 +76,7 @@ plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxel
   rest.reason = fmt::format("{} smaller places are thinner than a voxel of {:g} mm; this is the "
                             "largest, the thinnest is {:.2f} mm thick",
                             places.size() - kTold, voxelMm, thinnest);
-  rest.remedy = remedyFor(thinnest);
+  addRemedy(rest, thinnest);
   findings.push_back(rest);
   return findings;
 }

@@ -8,7 +8,6 @@
 #include "voxel/solid_voxels.h"
 
 #include <memory>
-#include <optional>
 
 namespace voluta::pipeline {
 
@@ -25,11 +24,10 @@ std::shared_ptr<const PartVoxels> partVoxels(const LoadStage& placed, double vox
                                              const base::RunContext& ctx);
 
 // Places whose walls are thinner than a voxel of `voxelMm`: five findings at most for the largest,
-// and one for the rest. None of them blocks. Precondition: voxelMm > 0. Throws Cancelled.
+// and one for the rest. None of them blocks; `remedyMm` is the voxel
+// width that holds the wall, none where no voxel is that narrow. Precondition: voxelMm > 0. Throws
+// Cancelled.
 plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxelMm,
                                 const base::RunContext& ctx);
-
-// The voxel width in mm that such a finding asks for; none: of another kind, or nothing would do.
-std::optional<double> thinWallVoxelMm(const plan::Finding& finding);
 
 } // namespace voluta::pipeline

@@ -2,7 +2,6 @@
 
 #include "base/parameters.h"
 #include "pipeline/choices.h"
-#include "pipeline/part_voxels.h"
 #include "pipeline/road.h"
 
 #include <algorithm>
@@ -47,7 +46,7 @@ std::optional<Cure> shrinkPlatform(const plan::Finding&, const Choices& choices)
 }
 
 std::optional<Cure> narrowVoxels(const plan::Finding& finding, const Choices& choices) {
-  const std::optional<double> width = thinWallVoxelMm(finding);
+  const std::optional<double> width = finding.remedyMm;
   if (!width || *width >= parameterValues(choices).number("voxelMm"))
     return std::nullopt;
   return withParameter(choices, "voxelMm", base::formatParameter(*width));

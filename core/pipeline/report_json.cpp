@@ -27,6 +27,7 @@ Json findingJson(const plan::Finding& f) {
               {"count", f.count},
               {"reason", f.reason},
               {"remedy", f.remedy},
+              {"remedyMm", f.remedyMm ? Json(*f.remedyMm) : Json()},
               {"blocking", f.blocking}};
 }
 

@@ -33,6 +33,9 @@ plan::Finding finding(const Json& j) {
   get(j, "count", f.count);
   get(j, "reason", f.reason);
   get(j, "remedy", f.remedy);
+  // Reports of before this was kept.
+  if (const auto mm = j.find("remedyMm"); mm != j.end() && !mm->is_null())
+    f.remedyMm = mm->get<double>();
   get(j, "blocking", f.blocking);
   return f;
 }

@@ -94,9 +94,8 @@ private:
       return grown(graph, ctx_.sub(at, at)).rank;
     ++out_.growths;
     curved::PeelOptions peeling;
-    peeling.reports = false;
     peeling.head = head();
-    return curved::peel(graph, {}, peeling, ctx_).rank;
+    return curved::peel(graph, {}, peeling, ctx_.quiet()).rank;
   }
 
   // Every empty cell over the platform, in the plate's layer, and every closed one beyond it.

@@ -120,7 +120,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Pro
   std::vector<PatchCover> covers(stack.patches.size());
   // In spans, so that progress is told from this thread.
   constexpr std::size_t kSpan = 16;
-  const base::RunContext silent = ctx.sub(0.0, 0.0);
+  const base::RunContext silent = ctx.quiet();
   for (std::size_t from = 0; from < covers.size(); from += kSpan) {
     const std::size_t count = std::min(kSpan, covers.size() - from);
     base::parallelChunks(ctx, count, 1, [&](std::size_t b, std::size_t e) {

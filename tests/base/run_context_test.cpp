@@ -26,6 +26,20 @@ TEST(RunContext, NestedSpansReportTheWhole) {
   EXPECT_DOUBLE_EQ(seen[2], 1.0);
 }
 
+TEST(RunContext, AQuietOneOnlyTellsNothing) {
+  const CancelToken token;
+  int told = 0;
+  const RunContext ctx(token, 3, [&](double, std::string_view) { ++told; });
+  const RunContext quiet = ctx.sub(0.2, 0.4).quiet();
+  quiet.report(0.5, "a");
+  quiet.sub(0.0, 0.5).report(0.5, "b");
+  EXPECT_EQ(told, 0);
+  EXPECT_EQ(quiet.threads(), 3);
+  token.cancel();
+  EXPECT_TRUE(quiet.cancelled());
+  EXPECT_THROW(quiet.report(1.0, "c"), Cancelled);
+}
+
 TEST(RunContext, CancelIsStickyAndShared) {
   const CancelToken token;
   const RunContext ctx(token, 2);
