@@ -1,0 +1,101 @@
+#include "planar/flat.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/edges.h"
+#include "geometry/measures.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace voluta::planar {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t kTold = 5;
+constexpr double kLeastMm2 = 1.0; // smaller places are no more than a bead
+
+struct Place {
+  double areaMm2 = 0.0;
+  Vector3d centre = Vector3d::Zero();
+};
+
+// Risky faces that hang together by edges.
+std::vector<Place> riskyPlaces(const Piece& piece, const RiskRule& rule) {
+  const geometry::TriangleMesh& mesh = piece.solid.mesh;
+  const std::vector<std::uint8_t> stands = standsOn(piece, rule);
+  std::vector<bool> risky(stands.size());
+  for (std::size_t t = 0; t < stands.size(); ++t)
+    risky[t] = !stands[t] && isRisky(geometry::triangleNormal(mesh, t), piece.base.normal, rule);
+  const geometry::TriangleMesh faces = geometry::subMesh(mesh, risky);
+  const geometry::Components parts = geometry::components(faces);
+  std::vector<Place> places(static_cast<std::size_t>(parts.count));
+  for (std::size_t t = 0; t < faces.triangles.size(); ++t) {
+    Place& place = places[static_cast<std::size_t>(parts.ofTriangle[t])];
+    const double area = geometry::triangleArea(faces, t);
+    place.areaMm2 += area;
+    place.centre += area / 3.0 * (faces.corner(t, 0) + faces.corner(t, 1) + faces.corner(t, 2));
+  }
+  for (Place& place : places)
+    if (place.areaMm2 > 0.0)
+      place.centre /= place.areaMm2;
+  return places;
+}
+
+plan::Finding overhang(std::size_t count, std::string reason) {
+  plan::Finding f;
+  f.stage = "decompose";
+  f.kind = "overhang";
+  f.count = count;
+  f.reason = std::move(reason);
+  f.remedy = "turn the part (orient=leastRisky), or use planar or curved mode";
+  f.blocking = false;
+  return f;
+}
+
+} // namespace
+
+plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule) {
+  std::vector<Place> places;
+  for (const Piece& piece : pieces) {
+    const std::vector<Place> more = riskyPlaces(piece, rule);
+    std::copy_if(more.begin(), more.end(), std::back_inserter(places),
+                 [](const Place& place) { return place.areaMm2 >= kLeastMm2; });
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.areaMm2 > b.areaMm2; });
+  plan::Findings findings;
+  for (std::size_t i = 0; i < std::min(kTold, places.size()); ++i) {
+    findings.push_back(
+        overhang(1, fmt::format("{:.3g} mm2 lean over by more than {:g} degrees", places[i].areaMm2,
+                                base::radiansToDegrees(rule.overhangRad))));
+    findings.back().where = places[i].centre;
+  }
+  if (places.size() > kTold) {
+    double rest = 0.0;
+    for (std::size_t i = kTold; i < places.size(); ++i)
+      rest += places[i].areaMm2;
+    findings.push_back(
+        overhang(places.size() - kTold,
+                 fmt::format("{} smaller places lean over too far, {:.3g} mm2 together",
+                             places.size() - kTold, rest)));
+  }
+  return findings;
+}
+
+PlanarDecomposition flatDecomposition(const geometry::TriangleMesh& part, const RiskRule& rule) {
+  if (!isClosed(part))
+    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed", {},
+                      "repair it, or use curved mode, which takes any mesh");
+  PlanarDecomposition out;
+  Piece whole;
+  whole.solid = tagged(part);
+  out.pieces.push_back(std::move(whole));
+  out.riskyBeforeMm2 = out.riskyMm2 = riskyArea(out.pieces.front(), rule);
+  out.findings = overhangFindings(out.pieces, rule);
+  return out;
+}
+
+} // namespace voluta::planar

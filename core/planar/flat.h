@@ -1,0 +1,18 @@
+// Ordinary slicing: the whole part along z.
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+#include "planar/decomposition.h"
+
+namespace voluta::planar {
+
+// The part as one piece on the plate, with the area that needs support as a finding that does not
+// block: what overhangs may still come out. `part` is closed, faces outward, stands on z = 0.
+// Throws Error{UnusableInput} where the part is not closed.
+PlanarDecomposition flatDecomposition(const geometry::TriangleMesh& part, const RiskRule& rule);
+
+// Where faces that need support hang together: one finding ("overhang") for each of the five
+// largest places, one for the rest. None of them blocks.
+plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule);
+
+} // namespace voluta::planar

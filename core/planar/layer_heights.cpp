@@ -1,0 +1,128 @@
+#include "planar/layer_heights.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::planar {
+
+namespace {
+
+constexpr double kFlat = 0.999;     // cosine: about 2.5 degrees
+constexpr double kSameMm = 1e-3;    // heights that are one
+constexpr double kStretched = 1.25; // share of its height to which a last layer may be stretched
+constexpr double kTopShare = 0.02;  // of the piece's volume^(2/3), for a flat top to count
+
+// A facet as slicing sees it: between which heights, how steep.
+struct Slope {
+  double low, high, cosine; // |n . d|
+};
+
+std::vector<Slope> slopesOf(const Piece& piece) {
+  const geometry::TriangleMesh& mesh = piece.solid.mesh;
+  std::vector<Slope> slopes;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double a = piece.base.heightOf(mesh.corner(t, 0)),
+                 b = piece.base.heightOf(mesh.corner(t, 1)),
+                 c = piece.base.heightOf(mesh.corner(t, 2));
+    slopes.push_back({std::min({a, b, c}), std::max({a, b, c}),
+                      std::abs(geometry::triangleNormal(mesh, t).dot(piece.base.normal))});
+  }
+  std::sort(slopes.begin(), slopes.end(),
+            [](const Slope& a, const Slope& b) { return a.low < b.low; });
+  return slopes;
+}
+
+double topOf(const Piece& piece) {
+  double top = 0.0;
+  for (const auto& t : piece.solid.mesh.triangles)
+    for (const int v : t)
+      top = std::max(top,
+                     piece.base.heightOf(piece.solid.mesh.vertices[static_cast<std::size_t>(v)]));
+  return top;
+}
+
+bool endsFlat(const Piece& piece, double top) {
+  const geometry::TriangleMesh& mesh = piece.solid.mesh;
+  double flat = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (geometry::triangleNormal(mesh, t).dot(piece.base.normal) > kFlat &&
+        piece.base.heightOf(mesh.corner(t, 0)) > top - kSameMm)
+      flat += geometry::triangleArea(mesh, t);
+  return flat > kTopShare * std::pow(std::abs(geometry::volume(mesh)), 2.0 / 3.0);
+}
+
+// Boundaries of `count` layers of one height between two heights, the first left out.
+void appendEven(std::vector<double>& bounds, double to, int count) {
+  const double from = bounds.back();
+  for (int k = 1; k < count; ++k)
+    bounds.push_back(from + (to - from) * k / count);
+  bounds.push_back(to);
+}
+
+// The number of layers of one height as near to the wanted one as the limits allow; where none
+// does, the fewest that are not too high.
+int evenCount(double height, const HeightOptions& o) {
+  const int count = std::max(1, static_cast<int>(std::lround(height / o.wantedMm)));
+  const int most = std::max(1, static_cast<int>(std::floor(height / o.minMm + kSameMm)));
+  const int least = std::max(1, static_cast<int>(std::ceil(height / o.maxMm - kSameMm)));
+  return std::max(least, std::min(count, most));
+}
+
+// The height of the layer from `z` on, where nothing but the surface matters.
+double adaptiveHeight(const std::vector<Slope>& slopes, double z, const HeightOptions& o) {
+  double height = o.maxMm;
+  for (const Slope& s : slopes) {
+    if (s.low >= z + height + o.minMm)
+      break;
+    if (s.cosine > kFlat) {
+      // Two layers share the way to a flat place where one would leave too little for the next.
+      const double left = s.high - z;
+      if (left > kSameMm && left < height + o.minMm - kSameMm)
+        height = std::max(o.minMm, left <= height + kSameMm ? left : 0.5 * left);
+      continue;
+    }
+    if (s.low >= z + height)
+      continue;
+    if (s.high <= z + kSameMm)
+      continue;
+    const double allowed = s.cosine * o.maxMm > o.cuspMm ? o.cuspMm / s.cosine : o.maxMm;
+    // Up to where the facet begins it does not matter.
+    height = std::min(height, std::max({o.minMm, allowed, s.low - z}));
+  }
+  return height;
+}
+
+} // namespace
+
+std::vector<double> layerBounds(const Piece& piece, const HeightOptions& o) {
+  base::require(o.minMm > 0.0 && o.minMm <= o.wantedMm && o.wantedMm <= o.maxMm && o.cuspMm > 0.0,
+                "layerBounds: heights in order");
+  const double top = topOf(piece);
+  std::vector<double> bounds{0.0};
+  if (top <= o.maxMm) {
+    appendEven(bounds, top, evenCount(top, o));
+    return bounds;
+  }
+  if (!o.adaptive && endsFlat(piece, top)) {
+    appendEven(bounds, top, evenCount(top, o));
+    return bounds;
+  }
+  const std::vector<Slope> slopes = o.adaptive ? slopesOf(piece) : std::vector<Slope>{};
+  while (top - bounds.back() > kSameMm) {
+    const double z = bounds.back(), left = top - z;
+    const double height = o.adaptive ? adaptiveHeight(slopes, z, o) : o.wantedMm;
+    if (left > height + o.minMm) {
+      bounds.push_back(z + height);
+      continue;
+    }
+    const bool tooHigh = left > std::min(o.maxMm, kStretched * height);
+    appendEven(bounds, top, left > o.maxMm || (tooHigh && left >= 2.0 * o.minMm) ? 2 : 1);
+  }
+  bounds.back() = top;
+  return bounds;
+}
+
+} // namespace voluta::planar

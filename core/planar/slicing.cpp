@@ -1,0 +1,218 @@
+#include "planar/slicing.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "geometry/measures.h"
+#include "layers/clean_surface.h"
+#include "layers/order.h"
+#include "layers/patches.h"
+#include "planar/region_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace voluta::planar {
+
+using Eigen::Vector3d;
+using layers::LevelSurface;
+using layers::Patch;
+
+namespace {
+
+constexpr double kReachShare = 1.25;     // as layers::checkSupport's other users
+constexpr double kOnSomething = 0.02;    // share of its area with which a patch does not hang
+constexpr double kBlockingShare = 0.005; // of the volume not laid
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::optional<LevelSurface> surfaceOf(const Section& section, double edgeMm,
+                                      const base::RunContext& ctx) {
+  const Vector3d& normal = section.plane.normal;
+  const PlaneFrame frame = frameOf(normal);
+  std::vector<Eigen::Vector2d> points;
+  for (const Vector3d& p : section.points)
+    points.emplace_back(frame.across.dot(p), frame.along.dot(p));
+  const std::optional<RegionMesh> region = meshRegion(points, section.edges, edgeMm);
+  if (!region)
+    return std::nullopt;
+  LevelSurface s;
+  s.surface.vertices = section.points;
+  for (const RegionMesh::Split& split : region->splits)
+    s.surface.vertices.push_back((1.0 - split.t) * section.points[at(split.a)] +
+                                 split.t * section.points[at(split.b)]);
+  for (std::size_t i = s.surface.vertices.size(); i < region->points.size(); ++i)
+    s.surface.vertices.push_back(region->points[i].x() * frame.across +
+                                 region->points[i].y() * frame.along +
+                                 section.plane.offsetMm * normal);
+  s.surface.triangles = region->triangles;
+  s.thicknessMm.assign(s.surface.vertices.size(), 1.0);
+  s.direction.assign(s.surface.vertices.size(), normal);
+  s.clearDirection = s.direction;
+  layers::cleanSurface(s, {}, ctx);
+  return s;
+}
+
+[[noreturn]] void crossing() {
+  throw base::Error(base::ErrorCode::UnusableInput,
+                    "the section of the mesh by a plane crosses itself", {},
+                    "repair the mesh, or use curved mode, which takes any mesh");
+}
+
+// The section at a height, or as near to it as one can be filled.
+LevelSurface levelAt(const Sections& sections, double offsetMm, double edgeMm,
+                     const base::RunContext& ctx) {
+  constexpr std::array<double, 9> kMoved{0.0, 1e-7, -1e-7, 1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4};
+  for (const double moved : kMoved)
+    if (auto surface = surfaceOf(sections.at(offsetMm + moved), edgeMm, ctx))
+      return std::move(*surface);
+  crossing();
+}
+
+double volumeOf(const Patch& patch) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < patch.surface.triangles.size(); ++t) {
+    const auto& tri = patch.surface.triangles[t];
+    sum += geometry::triangleArea(patch.surface, t) *
+           (patch.thicknessMm[at(tri[0])] + patch.thicknessMm[at(tri[1])] +
+            patch.thicknessMm[at(tri[2])]) /
+           3.0;
+  }
+  return sum;
+}
+
+Vector3d middleOf(const Patch& patch) {
+  return geometry::bounds(patch.surface).center();
+}
+
+plan::Finding finding(const char* kind, const Vector3d& where, std::size_t count,
+                      std::string reason, std::string remedy, bool blocking) {
+  plan::Finding f;
+  f.stage = "layers";
+  f.kind = kind;
+  f.where = where;
+  f.count = count;
+  f.reason = std::move(reason);
+  f.remedy = std::move(remedy);
+  f.blocking = blocking;
+  return f;
+}
+
+// One layer to be made.
+struct Level {
+  std::size_t piece;
+  double low, high; // over the piece's base
+  int number;       // over all pieces
+};
+
+} // namespace
+
+LevelSurface sectionSurface(const Section& section, double edgeMm, const base::RunContext& ctx) {
+  auto surface = surfaceOf(section, edgeMm, ctx);
+  if (!surface)
+    crossing();
+  return std::move(*surface);
+}
+
+void finishStack(SliceResult& result, const std::vector<Patch>& crumbs,
+                 const HeightOptions& heights, const base::RunContext& ctx) {
+  layers::LayerStack& stack = result.stack;
+  for (const Patch& patch : stack.patches)
+    result.volumeOfPiece[at(patch.group)] += volumeOf(patch);
+  double laid = 0.0;
+  for (const double volume : result.volumeOfPiece)
+    laid += volume;
+  result.slivers = crumbs.size();
+  const Patch* largest = nullptr;
+  double most = 0.0;
+  for (const Patch& crumb : crumbs) {
+    const double volume = volumeOf(crumb);
+    result.sliverVolumeMm3 += volume;
+    if (!largest || volume > most) {
+      largest = &crumb;
+      most = volume;
+    }
+  }
+  if (largest)
+    result.findings.push_back(finding(
+        "slivers", middleOf(*largest), result.slivers,
+        fmt::format("{} pieces of layers are too small for a bead, {:.3g} mm3 of {:.3g}: they are "
+                    "not laid",
+                    result.slivers, result.sliverVolumeMm3, laid + result.sliverVolumeMm3),
+        "use a finer nozzle, or print the part larger",
+        result.sliverVolumeMm3 > kBlockingShare * (laid + result.sliverVolumeMm3)));
+
+  result.statistics = layers::layerStatistics(stack, {heights.minMm, heights.maxMm});
+  const auto support = layers::checkSupport(stack, kReachShare, ctx);
+  std::optional<Vector3d> inAir;
+  for (std::size_t p = 0; p < support.size(); ++p)
+    if (support[p].supportedFraction < kOnSomething) {
+      ++result.unsupportedPatches;
+      if (!inAir)
+        inAir = support[p].unsupportedAt;
+    }
+  if (inAir)
+    result.findings.push_back(finding(
+        "beginsInAir", *inAir, result.unsupportedPatches,
+        fmt::format("{} pieces of layers have nothing under them", result.unsupportedPatches),
+        "turn the part (orient=leastRisky), or use planar or curved mode", true));
+}
+
+SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
+                        const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  SliceResult result;
+  std::vector<Sections> sections;
+  std::vector<Level> levels;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    sections.emplace_back(pieces[p].solid.mesh, pieces[p].base.normal);
+    const std::vector<double> bounds = layerBounds(pieces[p], options.heights);
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
+      levels.push_back({p, bounds[k], bounds[k + 1], static_cast<int>(levels.size())});
+    result.layersOfPiece.push_back(static_cast<int>(bounds.size()) - 1);
+  }
+  result.volumeOfPiece.assign(pieces.size(), 0.0);
+
+  std::vector<layers::PatchesOfLevel> made(levels.size());
+  // In spans, so that progress is told from this thread.
+  constexpr std::size_t kSpan = 16;
+  const base::RunContext silent = ctx.quiet();
+  for (std::size_t from = 0; from < levels.size(); from += kSpan) {
+    ctx.report(0.8 * static_cast<double>(from) / static_cast<double>(levels.size()), "slicing");
+    base::parallelChunks(
+        ctx, std::min(kSpan, levels.size() - from), 1, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = from + begin; i < from + end; ++i) {
+            const Level& level = levels[i];
+            const double middle =
+                pieces[level.piece].base.offsetMm + 0.5 * (level.low + level.high);
+            LevelSurface surface = levelAt(sections[level.piece], middle, options.edgeMm, silent);
+            surface.level = level.number;
+            surface.thicknessMm.assign(surface.surface.vertices.size(), level.high - level.low);
+            made[i] = layers::makePatches(surface, {options.beadWidthMm});
+          }
+        });
+  }
+  std::vector<Patch> crumbs;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    for (Patch& patch : made[i].patches) {
+      patch.group = static_cast<int>(levels[i].piece);
+      result.stack.patches.push_back(std::move(patch));
+    }
+    for (Patch& crumb : made[i].crumbs) {
+      crumb.group = static_cast<int>(levels[i].piece);
+      crumbs.push_back(std::move(crumb));
+    }
+  }
+  layers::orderForPrinting(result.stack);
+  ctx.report(0.8, "checking layers");
+  finishStack(result, crumbs, options.heights, ctx);
+  result.seconds.extract = watch.seconds();
+  return result;
+}
+
+} // namespace voluta::planar

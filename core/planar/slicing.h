@@ -1,0 +1,59 @@
+// From pieces to the layers that are laid.
+#pragma once
+
+#include "base/run_context.h"
+#include "layers/layer_checks.h"
+#include "layers/layer_stack.h"
+#include "layers/level_surface.h"
+#include "plan/finding.h"
+#include "planar/layer_heights.h"
+#include "planar/pieces.h"
+#include "planar/section.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace voluta::planar {
+
+struct SliceOptions {
+  HeightOptions heights;
+  double beadWidthMm = 1.2;
+  double edgeMm = 1.0; // of the triangles of a layer
+};
+
+struct SliceResult {
+  layers::LayerStack stack; // in print order; group: index of the piece
+  layers::LayerStatistics statistics;
+  std::vector<int> layersOfPiece;
+  std::vector<double> volumeOfPiece; // sum of patch area x thickness, mm3
+  std::size_t slivers = 0;           // pieces of layers too small for a bead: not laid
+  double sliverVolumeMm3 = 0.0;
+  std::size_t unsupportedPatches = 0; // that begin in the air
+  plan::Findings findings;            // stage "layers"
+  struct {
+    double extract = 0.0;
+  } seconds;
+};
+
+// The section as the mid-surface of a layer, ready to become patches: boundary on the section's
+// edges (points closer together than 0.15 mm are thinned out by at most 2e-3 mm), thickness 1,
+// directions along the plane's normal. Nothing for an empty section. Throws Error{UnusableInput}
+// where the section's edges cross each other; Cancelled.
+layers::LevelSurface sectionSurface(const Section& section, double edgeMm,
+                                    const base::RunContext& ctx);
+
+// Slices each piece along its base's normal (layerBounds): a layer's mid-surface is the section at
+// half its height, its direction the normal. Layers run over all pieces in their order. Sections
+// that cross or touch themselves are taken up to 1e-4 mm higher or lower. What is too small for a
+// bead is left out and told, and so is what begins in the air. Throws Error{UnusableInput} where a
+// section's edges cross each other (a mesh that cuts itself there); Cancelled. Same result for any
+// number of threads.
+SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
+                        const base::RunContext& ctx);
+
+// What is known of a stack once all its patches are there: order, numbers, statistics, what begins
+// in the air. Patches of `crumbs` are told as not laid.
+void finishStack(SliceResult& result, const std::vector<layers::Patch>& crumbs,
+                 const HeightOptions& heights, const base::RunContext& ctx);
+
+} // namespace voluta::planar

@@ -1,0 +1,413 @@
+// Slicing: sections and layers of parts whose measures are known.
+#include "planar/slicing.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_query.h"
+#include "geometry/mesh_reader.h"
+#include "planar/flat.h"
+#include "planar/region_mesh.h"
+#include "planar/uniform_misses.h"
+#include "planar/user_planes.h"
+#include "support/models.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace voluta::planar {
+namespace {
+
+using Eigen::Vector3d;
+using geometry::TriangleMesh;
+
+Piece pieceOf(const TriangleMesh& mesh) {
+  Piece piece;
+  piece.solid = tagged(mesh);
+  return piece;
+}
+
+// A prism over the polygon (x, z), counter-clockwise, from y = 0 to y = depth.
+TriangleMesh prism(const std::vector<Eigen::Vector2d>& profile, double depth) {
+  std::vector<std::array<int, 2>> edges;
+  const int n = static_cast<int>(profile.size());
+  for (int i = 0; i < n; ++i)
+    edges.push_back({i, (i + 1) % n});
+  const auto region = meshRegion(profile, edges, 1e6);
+  TriangleMesh m;
+  for (const double y : {0.0, depth})
+    for (const auto& p : profile)
+      m.vertices.emplace_back(p.x(), y, p.y());
+  for (const auto& t : region->triangles) {
+    m.triangles.push_back({t[0], t[1], t[2]});
+    m.triangles.push_back({t[0] + n, t[2] + n, t[1] + n});
+  }
+  for (const auto& e : edges) {
+    m.triangles.push_back({e[0], e[0] + n, e[1] + n});
+    m.triangles.push_back({e[0], e[1] + n, e[1]});
+  }
+  return m;
+}
+
+// A cone as a pyramid of n sides on z = 0.
+TriangleMesh cone(double radius, double height, int n) {
+  TriangleMesh m;
+  m.vertices = {{0, 0, 0}, {0, 0, height}};
+  for (int i = 0; i < n; ++i) {
+    const double a = 2.0 * std::numbers::pi * i / n;
+    m.vertices.emplace_back(radius * std::cos(a), radius * std::sin(a), 0.0);
+  }
+  for (int i = 0; i < n; ++i) {
+    const int a = 2 + i, b = 2 + (i + 1) % n;
+    m.triangles.push_back({a, b, 1});
+    m.triangles.push_back({b, a, 0});
+  }
+  return m;
+}
+
+// A torus about z, its middle at height `centre`.
+TriangleMesh torus(double ring, double tube, double centre, int n, int k) {
+  TriangleMesh m;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < k; ++j) {
+      const double a = 2.0 * std::numbers::pi * i / n, b = 2.0 * std::numbers::pi * j / k;
+      const double r = ring + tube * std::cos(b);
+      m.vertices.emplace_back(r * std::cos(a), r * std::sin(a), centre + tube * std::sin(b));
+    }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < k; ++j) {
+      const int a = i * k + j, b = (i + 1) % n * k + j, c = (i + 1) % n * k + (j + 1) % k,
+                d = i * k + (j + 1) % k;
+      m.triangles.push_back({a, b, c});
+      m.triangles.push_back({a, c, d});
+    }
+  return m;
+}
+
+double areaOf(const layers::LayerStack& stack, int layer) {
+  double sum = 0.0;
+  for (const layers::Patch& p : stack.patches)
+    if (p.layer == layer)
+      sum += geometry::area(p.surface);
+  return sum;
+}
+
+// Boundary vertices lie on the mesh, inner ones inside it; triangles face the nozzle.
+void expectWithin(const SliceResult& sliced, const std::vector<Piece>& pieces) {
+  std::vector<geometry::MeshQuery> query;
+  for (const Piece& piece : pieces)
+    query.emplace_back(piece.solid.mesh);
+  double farthest = 0.0;
+  for (const layers::Patch& patch : sliced.stack.patches) {
+    const auto& solid = query[static_cast<std::size_t>(patch.group)];
+    for (const Vector3d& v : patch.surface.vertices)
+      farthest = std::max(farthest, solid.inside(v) ? 0.0 : solid.closest(v).distance);
+    for (std::size_t t = 0; t < patch.surface.triangles.size(); ++t) {
+      const Vector3d middle =
+          (patch.surface.corner(t, 0) + patch.surface.corner(t, 1) + patch.surface.corner(t, 2)) /
+          3.0;
+      farthest = std::max(farthest, solid.inside(middle) ? 0.0 : solid.closest(middle).distance);
+      EXPECT_GT(geometry::triangleNormal(patch.surface, t).dot(patch.direction.front()), 0.999);
+    }
+  }
+  EXPECT_LT(farthest, 2.1e-3);
+  const auto query0 = layers::checkBoundaries(
+      sliced.stack, geometry::MeshQuery(pieces.front().solid.mesh), 1e-6, {});
+  for (const layers::BoundaryCheck& check : query0)
+    EXPECT_TRUE(check.simple);
+}
+
+double volumeOf(const SliceResult& sliced) {
+  double sum = 0.0;
+  for (const double v : sliced.volumeOfPiece)
+    sum += v;
+  return sum;
+}
+
+TEST(Section, OfABoxIsItsRectangle) {
+  const TriangleMesh box = test::box({0, 0, 0}, {4, 5, 6});
+  const Sections across(box, Vector3d::UnitZ());
+  EXPECT_NEAR(areaOf(across.at(2.5)), 20.0, 1e-12);
+  EXPECT_TRUE(across.at(-0.1).empty());
+  EXPECT_TRUE(across.at(6.1).empty());
+  // What lies on the plane counts as above it.
+  EXPECT_NEAR(areaOf(across.at(6.0)), 20.0, 1e-12);
+  EXPECT_NEAR(areaOf(across.at(0.0)), 0.0, 1e-12);
+  const Sections slanted(box, Vector3d(1, 0, 1).normalized());
+  EXPECT_NEAR(areaOf(slanted.at(5.0 / std::sqrt(2.0))), 4.0 * std::sqrt(2.0) * 5.0, 1e-9);
+}
+
+TEST(Section, HolesCountAsNothing) {
+  TriangleMesh hollow = test::box({0, 0, 0}, {10, 10, 10});
+  test::append(hollow, test::box({2, 2, 2}, {8, 8, 8}), true);
+  const Sections across(hollow, Vector3d::UnitZ());
+  EXPECT_NEAR(areaOf(across.at(5.0)), 100.0 - 36.0, 1e-12);
+  const layers::LevelSurface s = sectionSurface(across.at(5.0), 1.0, {});
+  EXPECT_NEAR(geometry::area(s.surface), 64.0, 1e-9);
+}
+
+TEST(Section, OfATorusIsTwoRings) {
+  const TriangleMesh ring = torus(20.0, 6.0, 6.0, 96, 48);
+  const Section level = Sections(ring, Vector3d::UnitZ()).at(6.3);
+  const double half = std::sqrt(36.0 - 0.09);
+  EXPECT_NEAR(areaOf(level), std::numbers::pi * 4.0 * 20.0 * half, 0.01 * areaOf(level));
+  const Section upright = Sections(ring, Vector3d::UnitX()).at(0.1);
+  EXPECT_NEAR(areaOf(upright), 2.0 * std::numbers::pi * 36.0, 0.02 * areaOf(upright));
+  const layers::LevelSurface s = sectionSurface(upright, 1.0, {});
+  EXPECT_EQ(geometry::components(s.surface).count, 2);
+}
+
+TEST(RegionMesh, TrianglesAreOfOneSizeAndWellShaped) {
+  const std::vector<Eigen::Vector2d> square{{0, 0}, {20, 0}, {20, 15}, {0, 15}};
+  const auto mesh = meshRegion(square, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, 1.0);
+  ASSERT_TRUE(mesh);
+  double area = 0.0, longest = 0.0, least = 1.0;
+  for (const auto& t : mesh->triangles) {
+    const auto corner = [&](std::size_t k) {
+      return mesh->points[static_cast<std::size_t>(t[k % 3])];
+    };
+    double sides = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      longest = std::max(longest, (corner(k + 1) - corner(k)).norm());
+      sides += (corner(k + 1) - corner(k)).squaredNorm();
+    }
+    const Eigen::Vector2d a = corner(1) - corner(0), b = corner(2) - corner(0);
+    const double twice = a.x() * b.y() - a.y() * b.x();
+    EXPECT_GT(twice, 0.0);
+    area += 0.5 * twice;
+    least = std::min(least, 2.0 * std::sqrt(3.0) * twice / sides);
+  }
+  EXPECT_NEAR(area, 300.0, 1e-9);
+  EXPECT_LT(longest, 1.8);
+  EXPECT_GT(least, 0.4);
+}
+
+TEST(RegionMesh, CrossingEdgesGiveNothing) {
+  const std::vector<Eigen::Vector2d> bow{{0, 0}, {10, 10}, {10, 0}, {0, 10}};
+  EXPECT_FALSE(meshRegion(bow, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, 1.0));
+}
+
+TEST(LayerBounds, AFlatTopGetsAWholeNumberOfLayers) {
+  for (const double height : {8.0, 8.3, 7.7, 1.2, 1.7, 0.3}) {
+    const std::vector<double> bounds =
+        layerBounds(pieceOf(test::box({0, 0, 0}, {20, 20, height})), {});
+    EXPECT_EQ(bounds.front(), 0.0);
+    EXPECT_EQ(bounds.back(), height);
+    for (std::size_t k = 1; k < bounds.size(); ++k) {
+      const double h = bounds[k] - bounds[k - 1];
+      EXPECT_NEAR(h, bounds[1], 1e-9);
+      EXPECT_LE(h, 1.0 + 1e-9);
+      EXPECT_GE(h, std::min(height, 0.4) - 1e-9);
+    }
+  }
+}
+
+TEST(LayerBounds, ElsewhereTheLastLayerIsWhatIsLeft) {
+  for (const double height : {10.0, 10.1, 10.3, 10.5, 10.7}) {
+    const std::vector<double> bounds = layerBounds(pieceOf(cone(8.0, height, 32)), {});
+    EXPECT_EQ(bounds.back(), height);
+    EXPECT_NEAR(bounds[1], 0.8, 1e-12);
+    for (std::size_t k = 1; k < bounds.size(); ++k) {
+      EXPECT_LE(bounds[k] - bounds[k - 1], 1.0 + 1e-9);
+      EXPECT_GE(bounds[k] - bounds[k - 1], 0.4 - 1e-9);
+    }
+  }
+}
+
+TEST(LayerBounds, AdaptiveLayersAreThinWhereTheSurfaceLeans) {
+  HeightOptions options;
+  options.adaptive = true;
+  options.cuspMm = 0.5;
+  // Upright to z = 10, then a slope of 60 degrees against the upright.
+  const double rise = 10.0 * std::tan(std::numbers::pi / 6.0);
+  const TriangleMesh roof = prism({{-10, 0}, {10, 0}, {10, 10}, {0, 10 + rise}, {-10, 10}}, 20.0);
+  const std::vector<double> bounds = layerBounds(pieceOf(roof), options);
+  const double cosine = std::cos(std::numbers::pi / 6.0);
+  for (std::size_t k = 1; k + 2 < bounds.size(); ++k) {
+    const double h = bounds[k] - bounds[k - 1];
+    EXPECT_GE(h, 0.4 - 1e-9);
+    if (bounds[k] <= 10.0 + 1e-9 || bounds[k - 1] > 10.0) {
+      EXPECT_NEAR(h, bounds[k] <= 10.0 + 1e-9 ? 1.0 : 0.5 / cosine, 1e-9) << bounds[k];
+    }
+  }
+  EXPECT_EQ(bounds.back(), 10.0 + rise);
+  // A step of 3.3 mm: a boundary lies on it.
+  const TriangleMesh step =
+      prism({{0, 0}, {20, 0}, {20, 3.3}, {10, 3.3}, {10, 9.0}, {0, 9.0}}, 20.0);
+  const std::vector<double> stepped = layerBounds(pieceOf(step), options);
+  EXPECT_TRUE(std::any_of(stepped.begin(), stepped.end(),
+                          [](double z) { return std::abs(z - 3.3) < 1e-9; }));
+}
+
+TEST(Slicing, LayersOfAConeAreItsSections) {
+  const double radius = 15.0, height = 12.0;
+  const int n = 64;
+  const std::vector<Piece> pieces{pieceOf(cone(radius, height, n))};
+  const SliceResult sliced = slicePieces(pieces, {}, {});
+  const double base = 0.5 * n * std::sin(2.0 * std::numbers::pi / n) * radius * radius;
+  const std::vector<double> bounds = layerBounds(pieces.front(), {});
+  for (int k = 0; k < sliced.stack.layerCount; ++k) {
+    const double middle =
+        0.5 * (bounds[static_cast<std::size_t>(k)] + bounds[static_cast<std::size_t>(k) + 1]);
+    const double share = 1.0 - middle / height;
+    EXPECT_NEAR(areaOf(sliced.stack, k), base * share * share, 1e-3 * base) << k;
+  }
+  EXPECT_NEAR(volumeOf(sliced) + sliced.sliverVolumeMm3, base * height / 3.0,
+              0.01 * base * height / 3.0);
+  EXPECT_EQ(sliced.unsupportedPatches, 0u);
+  expectWithin(sliced, pieces);
+}
+
+TEST(Slicing, AWedgeOnItsSide) {
+  const std::vector<Piece> pieces{pieceOf(prism({{0, 0}, {30, 0}, {0, 12}}, 10.0))};
+  const SliceResult sliced = slicePieces(pieces, {}, {});
+  EXPECT_NEAR(volumeOf(sliced), 1800.0, 18.0);
+  expectWithin(sliced, pieces);
+}
+
+TEST(Slicing, APieceAlongItsOwnBase) {
+  // A bar that stands askew on a plane of its own.
+  Piece bar = pieceOf(test::box({0, 0, 0}, {6, 6, 20}));
+  const Eigen::AngleAxisd turn(0.7, Vector3d(1, 2, 0).normalized());
+  for (Vector3d& v : bar.solid.mesh.vertices)
+    v = turn * v + Vector3d(3, 4, 30);
+  bar.base.normal = turn * Vector3d::UnitZ();
+  bar.base.offsetMm = bar.base.normal.dot(Vector3d(3, 4, 30));
+  const std::vector<Piece> pieces{pieceOf(test::box({-20, -20, 0}, {20, 20, 4})), bar};
+  const SliceResult sliced = slicePieces(pieces, {}, {});
+  EXPECT_EQ(sliced.layersOfPiece, (std::vector<int>{5, 25}));
+  EXPECT_EQ(sliced.stack.layerCount, 30);
+  EXPECT_NEAR(sliced.volumeOfPiece[1], 720.0, 1e-6);
+  for (const layers::Patch& patch : sliced.stack.patches) {
+    EXPECT_EQ(patch.group, patch.layer < 5 ? 0 : 1);
+    EXPECT_NEAR(geometry::area(patch.surface), patch.group == 0 ? 1600.0 : 36.0, 1e-6);
+    for (const Vector3d& d : patch.direction)
+      EXPECT_TRUE(d.isApprox(patch.group == 0 ? Vector3d::UnitZ() : bar.base.normal));
+  }
+  // It hangs in the air where it is.
+  EXPECT_EQ(sliced.unsupportedPatches, 1u);
+  ASSERT_FALSE(sliced.findings.empty());
+  EXPECT_EQ(sliced.findings.back().kind, "beginsInAir");
+}
+
+TEST(Slicing, WhatIsTooNarrowForABeadIsTold) {
+  TriangleMesh fin = test::box({-10, -10, 0}, {10, 10, 8});
+  test::append(fin, test::box({20, -10, 0}, {20.1, 10, 8}));
+  const SliceResult sliced = slicePieces({pieceOf(fin)}, {}, {});
+  EXPECT_EQ(sliced.slivers, 10u);
+  EXPECT_NEAR(sliced.sliverVolumeMm3, 16.0, 1e-6);
+  ASSERT_EQ(sliced.findings.size(), 1u);
+  EXPECT_EQ(sliced.findings.front().kind, "slivers");
+}
+
+TEST(Slicing, RealPiecesStayWithinAndAddUp) {
+  VOLUTA_MODEL_OR_SKIP(path, "spot.stl");
+  const TriangleMesh spot = geometry::readMesh(path).mesh;
+  const std::vector<Piece> whole{pieceOf(spot)};
+  const SliceResult sliced = slicePieces(whole, {}, base::RunContext(base::CancelToken(), 2));
+  expectWithin(sliced, whole);
+  const double volume = geometry::volume(spot);
+  EXPECT_NEAR(volumeOf(sliced), volume, 0.01 * volume);
+}
+
+TEST(Flat, APartWithARoofHasItsOverhangTold) {
+  // A table: top 20 x 20 on a leg of 4 x 4.
+  const TriangleMesh table =
+      prism({{-2, 0}, {2, 0}, {2, 10}, {10, 10}, {10, 14}, {-10, 14}, {-10, 10}, {-2, 10}}, 20.0);
+  const PlanarDecomposition d = flatDecomposition(table, {});
+  EXPECT_EQ(d.pieces.size(), 1u);
+  EXPECT_NEAR(d.riskyMm2, 320.0, 1e-9);
+  EXPECT_EQ(d.riskyMm2, d.riskyBeforeMm2);
+  ASSERT_EQ(d.findings.size(), 2u);
+  EXPECT_NEAR(d.findings[0].where->z(), 10.0, 1e-9);
+  EXPECT_FALSE(d.findings[0].blocking);
+  TriangleMesh open = table;
+  open.triangles.pop_back();
+  EXPECT_THROW(flatDecomposition(open, {}), base::Error);
+}
+
+TEST(UniformMisses, ARoofIsMissedButForItsFirstSteps) {
+  // Boge 6.3, on a T: a leg 4 wide and 8 high, a bar 20 wide and 3 high.
+  voxel::SolidVoxels t;
+  t.grid.size = {22, 3, 13};
+  t.solid.assign(t.grid.cellCount(), 0);
+  t.grid.origin = {0, 0, -1};
+  t.grid.pitch = 1.0;
+  for (int k = 1; k <= 11; ++k)
+    for (int i = 1; i <= 20; ++i)
+      if (k > 8 || (i >= 9 && i <= 12)) {
+        t.solid[t.grid.index(i, 1, k)] = 1;
+        ++t.count;
+      }
+  // Rows of the bar reach 6, 8 and 10 wide.
+  EXPECT_EQ(uniformMisses(t).count, std::size_t{14 + 12 + 10});
+}
+
+TEST(UserPlanes, LayersOfABentBarAreItsSections) {
+  // A quarter ring about the y axis through x = 30: section 8 x 10, from the plate up and over.
+  const int n = 60;
+  const double centre = 30.0, inner = 22.0, outer = 30.0;
+  std::vector<Eigen::Vector2d> profile;
+  const auto add = [&](double radius, int k) {
+    const double a = 0.5 * std::numbers::pi * k / n;
+    profile.emplace_back(centre - radius * std::cos(a), radius * std::sin(a));
+  };
+  for (int k = n; k >= 0; --k)
+    add(outer, k);
+  for (int k = 0; k <= n; ++k)
+    add(inner, k);
+  const TriangleMesh bar = prism(profile, 10.0);
+  ASSERT_TRUE(isClosed(bar));
+  ASSERT_GT(geometry::volume(bar), 0.0);
+  const double step = 0.5 * std::numbers::pi / n; // 0.68 mm in the middle
+  std::string json = "[";
+  for (int k = 0; k < n; ++k) {
+    const double a = (k + 0.5) * step;
+    json += (k > 0 ? "," : "") + std::string("{\"point\": [30, 0, 0], \"normal\": [") +
+            std::to_string(std::sin(a)) + ", 0, " + std::to_string(std::cos(a)) + "]}";
+  }
+  const SliceResult sliced = sliceByPlanes(bar, readUserPlanes(json + "]", "here"), {}, {});
+  EXPECT_EQ(sliced.stack.layerCount, n);
+  for (const layers::Patch& patch : sliced.stack.patches)
+    EXPECT_NEAR(geometry::area(patch.surface), 80.0, 0.1) << patch.layer;
+  const double volume = geometry::volume(bar);
+  EXPECT_NEAR(volumeOf(sliced), volume, 0.01 * volume);
+  EXPECT_EQ(sliced.unsupportedPatches, 0u);
+  // Thicker on the outside of the bend.
+  const layers::Patch& middle = sliced.stack.patches[30];
+  for (std::size_t v = 0; v < middle.surface.vertices.size(); ++v) {
+    const Vector3d& p = middle.surface.vertices[v];
+    EXPECT_NEAR(middle.thicknessMm[v], std::hypot(p.x() - centre, p.z()) * std::tan(step), 1e-3);
+  }
+  EXPECT_TRUE(sliced.findings.empty());
+}
+
+TEST(UserPlanes, AQuadrilateralCutsWithinItsCorners) {
+  const TriangleMesh box = test::box({0, 0, 0}, {20, 10, 1.6});
+  const std::string json = R"([{"corners": [[-1,-1,0.4],[8,-1,0.4],[8,11,0.4],[-1,11,0.4]]},
+    {"corners": [[8,-1,0.4],[21,-1,0.4],[21,11,0.4],[8,11,0.4]]},
+    {"point": [0,0,1.2], "normal": [0,0,2]},
+    {"point": [0,0,5], "normal": [0,0,1]}])";
+  const SliceResult sliced = sliceByPlanes(box, readUserPlanes(json, "here"), {}, {});
+  ASSERT_EQ(sliced.stack.patches.size(), 3u);
+  EXPECT_NEAR(geometry::area(sliced.stack.patches[0].surface), 80.0, 1e-6);
+  EXPECT_NEAR(geometry::area(sliced.stack.patches[1].surface), 120.0, 1e-6);
+  EXPECT_NEAR(volumeOf(sliced), 320.0, 1e-6);
+  ASSERT_EQ(sliced.findings.size(), 1u);
+  EXPECT_EQ(sliced.findings[0].kind, "planeMisses");
+}
+
+TEST(UserPlanes, WrongOnesAreRefusedWithTheirPlace) {
+  for (const char* wrong :
+       {"", "{}", "[]", "[3]", R"([{"point": [0,0], "normal": [0,0,1]}])",
+        R"([{"point": [0,0,1], "normal": [0,0,0]}])", R"([{"corners": [[0,0,0],[1,0,0],[1,1,0]]}])",
+        R"([{"corners": [[0,0,0],[9,0,0],[9,9,5],[0,9,0]]}])",
+        R"([{"corners": [[0,0,0],[9,0,0],[1,1,0],[0,9,0]]}])"})
+    EXPECT_THROW(readUserPlanes(wrong, "here"), base::Error) << wrong;
+}
+
+} // namespace
+} // namespace voluta::planar
