@@ -103,7 +103,7 @@ private:
   // Guided: how deep below the front voxels are looked for. A sheet, and further down what is late
   // or allowed to lie there.
   static double lookedFor(const PeelOptions& options) {
-    constexpr double kBelowAllowed = 0.2;
+    constexpr double kBelowAllowed = 0.0;
     double most = std::max(options.sheet, options.eases ? kEasedMost : 0.0);
     for (const float allowed : options.allowance)
       if (allowed > 0.0f)
@@ -197,9 +197,10 @@ private:
       candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
                                        [&](std::int32_t v) {
                                          const auto x = static_cast<std::size_t>(v);
+                                         const float late = guide_[x] - level_;
                                          std::size_t hint = 0;
-                                         return guide_[x] - level_ <= kLate && !allowed(x) &&
-                                                front_.deeperThan(x, sheet, hint);
+                                         return late <= 0.0f || (late <= kLate && !allowed(x) &&
+                                                                 front_.deeperThan(x, sheet, hint));
                                        }),
                         candidates_.end());
     propose(candidates_);

@@ -21,9 +21,9 @@ constexpr double kAccessible = 0.0012, kWithin = 0.9965, kDeepest = 1.4;
 constexpr double kStalled = 0.6; // a round that leaves more than this share of them
 // Cells that roofs may lag behind a flat front, and behind one of the head's shape; the share of
 // voxels under roofs beyond 60 degrees that the latter is worth its time for.
-constexpr float kRoofFlat = 0.6f, kRoofByHead = 1.2f;
+constexpr float kRoofFlat = 0.65f, kRoofByHead = 1.2f;
 constexpr double kRoofs = 0.012;
-constexpr float kOverhangFirst = 0.68f, kOverhangStep = 0.12f;
+constexpr float kOverhangFirst = 0.66f, kOverhangStep = 0.12f;
 
 // Marks the neighbours of what is marked, and theirs.
 void widen(const VoxelGraph& graph, std::vector<std::uint8_t>& marked) {
