@@ -173,7 +173,7 @@ private:
         options_.platform ? options_.platform(part) : curved::platformFit(part, 0.0);
     const curved::VoxelGraph graph =
         curved::voxelGraph(part.grid, part.solid, part.plateLayer(), platform);
-    const std::vector<std::int32_t> rank = curved::peel(graph, {}, {}, ctx).rank;
+    const std::vector<std::int32_t> rank = curved::peel(graph, {}, {}, ctx.quiet()).rank;
     return part.count - static_cast<std::size_t>(
                             std::count_if(rank.begin(), rank.end(), [](auto r) { return r > 0; }));
   }
@@ -190,7 +190,7 @@ private:
         parts.push_back(voxels(found_[begin + n].turn, coarseMm_, at));
       base::parallelChunks(ctx_, count, 1, [&](std::size_t b, std::size_t e) {
         for (std::size_t n = b; n < e; ++n)
-          found_[begin + n].missed = missedIn(parts[n], ctx_.quiet());
+          found_[begin + n].missed = missedIn(parts[n], ctx_);
       });
     }
   }
