@@ -119,6 +119,14 @@
         <source>Narrow enough for this wall; narrower voxels take longer</source>
         <translation>Abbastanza stretti per questa parete; voxel più stretti richiedono più tempo</translation>
     </message>
+    <message>
+        <source>Planar pieces</source>
+        <translation>Pezzi piani</translation>
+    </message>
+    <message>
+        <source>Flat layers</source>
+        <translation>Strati piani</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -180,10 +188,6 @@
     <message>
         <source>write what every stage made</source>
         <translation>scrivi il risultato di ogni fase</translation>
-    </message>
-    <message>
-        <source>Adds voxels.vti, layers.vtp, toolpath.vtp and trajectory.csv.</source>
-        <translation>Aggiunge voxels.vti, layers.vtp, toolpath.vtp e trajectory.csv.</translation>
     </message>
     <message>
         <source>write refused programs</source>
@@ -400,6 +404,54 @@
     <message>
         <source>Shape of the head that must clear all that is printed earlier: a flat one as wide as needed, or the head as it is: where voxels would be lost otherwise (nozzle) and under wide roofs (nozzle and auto).</source>
         <translation>Forma della testa che deve evitare tutto ciò che è già stampato: una piatta, larga quanto serve, o la testa com&apos;è: dove altrimenti si perderebbero dei voxel (ugello) e sotto tetti ampi (ugello e automatico).</translation>
+    </message>
+    <message>
+        <source>Adds voxels.vti, pieces/N.stl, layers.vtp, toolpath.vtp and trajectory.csv.</source>
+        <translation>Aggiunge voxels.vti, pieces/N.stl, layers.vtp, toolpath.vtp e trajectory.csv.</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Pezzi</translation>
+    </message>
+    <message>
+        <source>overhang angle</source>
+        <translation>angolo di sbalzo</translation>
+    </message>
+    <message>
+        <source>Modes planar and flat: how far a face may lean over from the upright without support.</source>
+        <translation>Modi planar e flat: di quanto una faccia può sporgere dalla verticale senza supporto.</translation>
+    </message>
+    <message>
+        <source>materials of pieces</source>
+        <translation>materiali dei pezzi</translation>
+    </message>
+    <message>
+        <source>Mode planar: a material or filament for each piece, separated by commas; from the first again where there are more pieces. Empty: the process&apos;s.</source>
+        <translation>Modo planar: un materiale o filamento per ogni pezzo, separati da virgole; si ricomincia dal primo se i pezzi sono di più. Vuoto: quello del processo.</translation>
+    </message>
+    <message>
+        <source>adaptive layers</source>
+        <translation>strati adattivi</translation>
+    </message>
+    <message>
+        <source>Modes planar and flat: thinner layers where the surface leans, within the process&apos;s limits.</source>
+        <translation>Modi planar e flat: strati più sottili dove la superficie è inclinata, entro i limiti del processo.</translation>
+    </message>
+    <message>
+        <source>step height</source>
+        <translation>altezza del gradino</translation>
+    </message>
+    <message>
+        <source>Adaptive layers: how far the edges of layers may stand out of the surface.</source>
+        <translation>Strati adattivi: di quanto i bordi degli strati possono sporgere dalla superficie.</translation>
+    </message>
+    <message>
+        <source>planes of layers</source>
+        <translation>piani degli strati</translation>
+    </message>
+    <message>
+        <source>Mode flat: a JSON file, or its text, with the plane or quadrilateral of each layer. Empty: layers along z.</source>
+        <translation>Modo flat: un file JSON, o il suo testo, con il piano o quadrilatero di ogni strato. Vuoto: strati lungo z.</translation>
     </message>
 </context>
 <context>
@@ -658,6 +710,14 @@
     <message>
         <source>motion</source>
         <translation>movimento</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>pezzi</translation>
+    </message>
+    <message>
+        <source>slicing</source>
+        <translation>taglio in strati</translation>
     </message>
 </context>
 <context>

@@ -26,8 +26,13 @@ void sayFindings(const plan::Findings& findings) {
 }
 
 void sayResult(const pipeline::Report& r) {
-  fmt::print("{} voxels, {} missed; {} layers; {} waypoints, {:.0f} s\n", r.decomposition.voxels,
-             r.decomposition.missedAfterSupports, r.layers.count, r.toolpath.waypoints,
+  const pipeline::DecompositionReport& d = r.decomposition;
+  if (d.voxels > 0)
+    fmt::print("{} voxels, {} missed; ", d.voxels, d.missedAfterSupports);
+  if (!d.pieceList.empty())
+    fmt::print("{} pieces, {:.1f} of {:.1f} mm2 risky; ", d.pieces, d.riskyAreaMm2,
+               d.riskyAreaBeforeMm2);
+  fmt::print("{} layers; {} waypoints, {:.0f} s\n", r.layers.count, r.toolpath.waypoints,
              r.motion.durationS);
   if (r.replay.thresholds.covered > 0.0)
     fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "

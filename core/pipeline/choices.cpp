@@ -7,6 +7,7 @@
 #include "curved/platform.h"
 #include "motion/motion_options.h"
 #include "pipeline/modes.h"
+#include "pipeline/planar_modes.h"
 #include "pipeline/road.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
@@ -80,13 +81,15 @@ base::ParameterTable allParameters() {
       base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads", "step",
                             "Longest distance of waypoints along a tool-path."),
       base::booleanParameter("output.debug", false, "Output", "write what every stage made",
-                             "Adds voxels.vti, layers.vtp, toolpath.vtp and trajectory.csv."),
+                             "Adds voxels.vti, pieces/N.stl, layers.vtp, toolpath.vtp and "
+                             "trajectory.csv."),
       base::booleanParameter("output.refused", false, "Output", "write refused programs",
                              "Also writes programs that the replay refused, as refused-NAME, to "
                              "be looked at and never to be run."),
   });
   table.append(curved::curvedParameters());
   table.append(curved::forwardParameters());
+  table.append(planarModeParameters());
   table.append(support::supportParameters());
   table.append(placement::orientParameters());
   table.append(toolpath::toolpathParameters());
@@ -100,6 +103,10 @@ void setParameters(Choices& choices, const std::vector<std::string>& assignments
     values.setAssignment(assignment);
   for (const auto& [key, value] : values.changes())
     choices.parameters[key] = base::formatParameter(value);
+  // The planes go with the choices, wherever a project is opened again.
+  if (const auto planes = choices.parameters.find("layerPlanes");
+      planes != choices.parameters.end() && !planes->second.empty())
+    planes->second = layerPlanesText(planes->second);
 }
 
 base::ParameterValues parameterValues(const Choices& choices) {
@@ -155,6 +162,19 @@ std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
   if (p.kind == "rect")
     return curved::platformRect(p.width, p.depth);
   return own.empty() ? curved::platformFit(voxels, p.width) : curved::convexPolygon(own, p.width);
+}
+
+std::vector<Eigen::Vector2d> platformAround(const std::string& platform,
+                                            std::vector<Eigen::Vector2d> standing) {
+  const Platform p = parsedPlatform(platform);
+  if (p.kind == "disc")
+    return curved::platformDisc(p.width);
+  if (p.kind == "rect")
+    return curved::platformRect(p.width, p.depth);
+  if (standing.empty())
+    throw Error(ErrorCode::UnusableInput, "the part does not touch the plate", {},
+                "drop it to the plate");
+  return curved::convexPolygon(std::move(standing), p.width);
 }
 
 double unitMm(const LoadedPart& loaded, const Choices& choices) {

@@ -35,6 +35,10 @@ void checkPlatform(const std::string& platform);
 std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
                                              const voxel::SolidVoxels& voxels,
                                              const std::vector<Eigen::Vector2d>& own = {});
+// The same where what stands on the plate is given by points of it; they do not matter to a disc or
+// a rectangle. Throws Error{UnusableInput} where "fit" has none.
+std::vector<Eigen::Vector2d> platformAround(const std::string& platform,
+                                            std::vector<Eigen::Vector2d> standing);
 
 // Millimetres that a unit of length of the loaded part's mesh stands for at scale 1: voxelMm for
 // a voxel object, else 1. Throws Error{Usage}: the parameters.

@@ -19,6 +19,7 @@ Job upTo(Job job, std::optional<Stage> last) {
   if (!keeps(Stage::Decompose)) {
     job.platform.clear();
     job.decomposition = nullptr;
+    job.pieces = nullptr;
     job.report.decomposition = {};
     job.report.decomposition.mode = job.choices.mode;
   }

@@ -10,6 +10,7 @@
 #include "pipeline/stage.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
+#include "planar/decomposition.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -61,6 +62,7 @@ struct Job {
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
   std::vector<Eigen::Vector2d> platform;              // polygon material starts on, work frame
   std::shared_ptr<const curved::Decomposition> decomposition; // also null in modes without voxels
+  std::shared_ptr<const planar::PlanarDecomposition> pieces;  // also null in modes without pieces
   std::shared_ptr<const layers::LayerStack> layers;
   std::shared_ptr<const plan::ToolPlan> toolPlan;
   std::shared_ptr<const plan::Trajectory> trajectory; // also null when nothing is left to print

@@ -10,8 +10,8 @@ namespace voluta::pipeline {
 namespace {
 using Json = nlohmann::ordered_json;
 
-// Columns of a patch's row and of a tool-path's row.
-constexpr std::size_t kPatchColumns = 4, kPathColumns = 7;
+// Columns of the rows of patches, tool-paths, pieces and their base planes.
+constexpr std::size_t kPatchColumns = 4, kPathColumns = 7, kPieceColumns = 4, kPlaneColumns = 4;
 
 [[noreturn]] void contradiction(const char* what) {
   throw base::Error(base::ErrorCode::UnreadableFile,
@@ -25,7 +25,7 @@ public:
   explicit Portions(std::vector<T> all) : all_(std::move(all)) {}
   std::vector<T> next(std::int64_t count) {
     if (count < 0 || static_cast<std::size_t>(count) > all_.size() - used_)
-      contradiction("a patch beyond its array");
+      contradiction("a row beyond its array");
     const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(used_);
     used_ += static_cast<std::size_t>(count);
     return {begin, begin + static_cast<std::ptrdiff_t>(count)};
@@ -68,6 +68,15 @@ bool soundDecomposition(const curved::Decomposition& d) {
          sound(d.field) && sound(d.byHead) && sound(d.support) &&
          std::all_of(d.loss.begin(), d.loss.end(),
                      [](curved::Loss loss) { return loss <= curved::Loss::Cascade; });
+}
+
+bool soundPieces(const planar::PlanarDecomposition& d) {
+  const auto count = static_cast<int>(d.pieces.size());
+  return std::all_of(d.pieces.begin(), d.pieces.end(), [&](const planar::Piece& piece) {
+    return !piece.solid.mesh.empty() && soundMesh(piece.solid.mesh) && piece.parent >= -1 &&
+           piece.parent < count && std::isfinite(piece.base.offsetMm) &&
+           piece.base.normal.allFinite();
+  });
 }
 
 bool soundToolPlan(const plan::ToolPlan& p) {
@@ -182,6 +191,69 @@ curved::Decomposition getDecomposition(const BlockReader& in) {
     d.byHead = in.get<std::uint8_t>("decomposition.byHead");
   if (in.has("decomposition.support"))
     d.support = in.get<std::uint8_t>("decomposition.support");
+  return d;
+}
+
+void addPieces(BlockWriter& out, const planar::PlanarDecomposition& d) {
+  out.addText("pieces", Json{{"riskyBeforeMm2", d.riskyBeforeMm2},
+                             {"riskyMm2", d.riskyMm2},
+                             {"sectionMm2", d.sectionMm2},
+                             {"blocked", d.blockedPieces},
+                             {"searchS", d.seconds.search},
+                             {"cutS", d.seconds.cut}}
+                            .dump());
+  std::vector<std::int64_t> rows;
+  std::vector<double> bases;
+  for (const planar::Piece& piece : d.pieces) {
+    rows.insert(rows.end(), {static_cast<std::int64_t>(piece.solid.mesh.vertices.size()),
+                             static_cast<std::int64_t>(piece.solid.mesh.triangles.size()),
+                             piece.baseTag, piece.parent});
+    const Eigen::Vector3d& n = piece.base.normal;
+    bases.insert(bases.end(), {n.x(), n.y(), n.z(), piece.base.offsetMm});
+  }
+  out.addOwned("pieces.rows", rows);
+  out.addOwned("pieces.bases", bases);
+  out.begin("pieces.vertices", sizeof(Eigen::Vector3d));
+  for (const planar::Piece& piece : d.pieces)
+    out.append(piece.solid.mesh.vertices);
+  out.begin("pieces.triangles", sizeof(std::array<int, 3>));
+  for (const planar::Piece& piece : d.pieces)
+    out.append(piece.solid.mesh.triangles);
+  out.begin("pieces.tags", sizeof(std::int32_t));
+  for (const planar::Piece& piece : d.pieces)
+    out.append(piece.solid.tag);
+}
+
+planar::PlanarDecomposition getPieces(const BlockReader& in) {
+  planar::PlanarDecomposition d;
+  const Json j = Json::parse(in.text("pieces"));
+  j.at("riskyBeforeMm2").get_to(d.riskyBeforeMm2);
+  j.at("riskyMm2").get_to(d.riskyMm2);
+  j.at("sectionMm2").get_to(d.sectionMm2);
+  j.at("blocked").get_to(d.blockedPieces);
+  j.at("searchS").get_to(d.seconds.search);
+  j.at("cutS").get_to(d.seconds.cut);
+  const auto rows = in.get<std::int64_t>("pieces.rows");
+  const auto bases = in.get<double>("pieces.bases");
+  const std::size_t count = rows.size() / kPieceColumns;
+  if (rows.size() != count * kPieceColumns || bases.size() != count * kPlaneColumns)
+    contradiction("rows of pieces");
+  Portions vertices(in.get<Eigen::Vector3d>("pieces.vertices"));
+  Portions triangles(in.get<std::array<int, 3>>("pieces.triangles"));
+  Portions tags(in.get<std::int32_t>("pieces.tags"));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t* row = &rows[i * kPieceColumns];
+    const double* base = &bases[i * kPlaneColumns];
+    planar::Piece piece;
+    piece.solid.mesh.vertices = vertices.next(row[0]);
+    piece.solid.mesh.triangles = triangles.next(row[1]);
+    piece.solid.tag = tags.next(row[1]);
+    piece.baseTag = static_cast<std::int32_t>(row[2]);
+    piece.parent = static_cast<int>(row[3]);
+    piece.base.normal = {base[0], base[1], base[2]};
+    piece.base.offsetMm = base[3];
+    d.pieces.push_back(std::move(piece));
+  }
   return d;
 }
 
@@ -319,6 +391,8 @@ bool isConsistent(const Job& job) {
   if (!allFinite(job.platform))
     return false;
   if (job.decomposition && !soundDecomposition(*job.decomposition))
+    return false;
+  if (job.pieces && !soundPieces(*job.pieces))
     return false;
   if (job.layers)
     for (const layers::Patch& patch : job.layers->patches)

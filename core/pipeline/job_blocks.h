@@ -9,6 +9,7 @@
 #include "pipeline/job.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
+#include "planar/decomposition.h"
 
 #include <string>
 
@@ -22,6 +23,10 @@ geometry::TriangleMesh getMesh(const BlockReader& in, const std::string& name);
 void addDecomposition(BlockWriter& out, const curved::Decomposition& decomposition);
 // Findings are not among it: the report has them.
 curved::Decomposition getDecomposition(const BlockReader& in);
+
+void addPieces(BlockWriter& out, const planar::PlanarDecomposition& pieces);
+// Findings are not among it: the report has them.
+planar::PlanarDecomposition getPieces(const BlockReader& in);
 
 void addLayers(BlockWriter& out, const layers::LayerStack& stack);
 layers::LayerStack getLayers(const BlockReader& in);

@@ -285,6 +285,8 @@ Job readFrame(const Frame& frame, const std::string& where) {
     job.loaded = getLoaded(blocks);
     if (holds("decomposed"))
       job.decomposition = std::make_shared<curved::Decomposition>(getDecomposition(blocks));
+    if (header.value("pieces", false)) // projects of before there were any have no such key
+      job.pieces = std::make_shared<planar::PlanarDecomposition>(getPieces(blocks));
     if (holds("layered"))
       job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
     job.report = readReportJson(blocks.text("report"));
@@ -309,6 +311,8 @@ std::string jobBytes(const Job& job) {
   blocks.add("platform", job.platform);
   if (job.decomposition)
     addDecomposition(blocks, *job.decomposition);
+  if (job.pieces)
+    addPieces(blocks, *job.pieces);
   if (job.layers)
     addLayers(blocks, *job.layers);
   if (job.toolPlan)
@@ -323,6 +327,7 @@ std::string jobBytes(const Job& job) {
                     {"stages", recordsJson(job)},
                     {"placed", job.part != nullptr},
                     {"decomposed", job.decomposition != nullptr},
+                    {"pieces", job.pieces != nullptr},
                     {"layered", job.layers != nullptr},
                     {"planned", job.toolPlan != nullptr},
                     {"dof", job.trajectory ? job.trajectory->dof : 0},

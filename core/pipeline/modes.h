@@ -6,6 +6,7 @@
 #include "base/run_context.h"
 #include "curved/decomposition.h"
 #include "geometry/triangle_mesh.h"
+#include "layers/layer_checks.h"
 #include "pipeline/job.h"
 #include "pipeline/part_voxels.h"
 #include "pipeline/stages.h"
@@ -52,5 +53,9 @@ struct Mode {
 const std::vector<Mode>& modes();
 // Precondition: the id is known (checkChoices).
 const Mode& findMode(std::string_view id);
+
+// What modes share: heights as text for keys, statistics as the report has them.
+std::string heightsText(const process::Process& process);
+LayersReport reportOf(const layers::LayerStatistics& statistics);
 
 } // namespace voluta::pipeline

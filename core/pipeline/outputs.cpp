@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/stopwatch.h"
+#include "geometry/mesh_reader.h"
 #include "layers/vtp_writer.h"
 #include "motion/trajectory_csv.h"
 #include "pipeline/vti_writer.h"
@@ -18,10 +19,23 @@ double peakResidentMb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0; // Linux gives KiB
 }
 
+void writePieces(const std::vector<planar::Piece>& pieces, const std::filesystem::path& folder,
+                 const base::RunContext& ctx) {
+  std::error_code failed; // writing into it says so
+  std::filesystem::create_directories(folder, failed);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    ctx.checkpoint();
+    base::writeFile(folder / (std::to_string(i) + ".stl"),
+                    geometry::writeStl(pieces[i].solid.mesh));
+  }
+}
+
 void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
                 const base::RunContext& ctx) {
   if (result.job.decomposition)
     base::writeFile(folder / "voxels.vti", voxelsVti(*result.job.decomposition));
+  if (result.job.pieces)
+    writePieces(result.job.pieces->pieces, folder / "pieces", ctx);
   ctx.checkpoint();
   if (result.job.layers)
     base::writeFile(folder / "layers.vtp", layers::writeLayersVtp(*result.job.layers));

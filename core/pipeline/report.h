@@ -19,6 +19,14 @@ struct ModelReport {
   std::vector<std::string> repairs;
 };
 
+// One piece of planar mode, in print order.
+struct PieceReport {
+  int parent = -1; // index of the piece it stands on; -1: the plate
+  double volumeMm3 = 0.0, riskyAreaMm2 = 0.0;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // that it is printed along
+  std::string material;
+};
+
 struct DecompositionReport {
   std::string mode, growth;
   double voxelMm = 0.0;
@@ -28,6 +36,7 @@ struct DecompositionReport {
   double supportVolumeMm3 = 0.0;
   int pieces = 0;
   double riskyAreaMm2 = 0.0, riskyAreaBeforeMm2 = 0.0;
+  std::vector<PieceReport> pieceList;
 };
 
 struct LayersReport {

@@ -38,6 +38,17 @@ Json modelJson(const ModelReport& m) {
               {"repairs", m.repairs}};
 }
 
+Json piecesJson(const std::vector<PieceReport>& pieces) {
+  Json list = Json::array();
+  for (const PieceReport& p : pieces)
+    list.push_back(Json{{"parent", p.parent},
+                        {"volumeMm3", p.volumeMm3},
+                        {"riskyAreaMm2", p.riskyAreaMm2},
+                        {"direction", pointJson(p.direction)},
+                        {"material", p.material}});
+  return list;
+}
+
 Json decompositionJson(const DecompositionReport& d) {
   return Json{{"mode", d.mode},
               {"growth", d.growth},
@@ -51,7 +62,8 @@ Json decompositionJson(const DecompositionReport& d) {
               {"supportVolumeMm3", d.supportVolumeMm3},
               {"pieces", d.pieces},
               {"riskyAreaMm2", d.riskyAreaMm2},
-              {"riskyAreaBeforeMm2", d.riskyAreaBeforeMm2}};
+              {"riskyAreaBeforeMm2", d.riskyAreaBeforeMm2},
+              {"pieceList", piecesJson(d.pieceList)}};
 }
 
 Json layersJson(const LayersReport& l) {

@@ -65,6 +65,16 @@ void read(const Json& j, DecompositionReport& d) {
   get(j, "pieces", d.pieces);
   get(j, "riskyAreaMm2", d.riskyAreaMm2);
   get(j, "riskyAreaBeforeMm2", d.riskyAreaBeforeMm2);
+  // Reports of before there were pieces have none.
+  for (const Json& row : j.value("pieceList", Json::array())) {
+    PieceReport p;
+    get(row, "parent", p.parent);
+    get(row, "volumeMm3", p.volumeMm3);
+    get(row, "riskyAreaMm2", p.riskyAreaMm2);
+    p.direction = point(row.at("direction"));
+    get(row, "material", p.material);
+    d.pieceList.push_back(std::move(p));
+  }
 }
 
 void read(const Json& j, LayersReport& l) {

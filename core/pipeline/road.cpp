@@ -115,6 +115,7 @@ private:
     });
     job().platform = decomposed_->platform;
     job().decomposition = decomposed_->decomposition;
+    job().pieces = decomposed_->pieces;
     report().decomposition = decomposed_->report;
     result_.cell = std::make_shared<robot::Cell>(
         robot::loadCell(choices_.cell, *process_, decomposed_->platform));

@@ -72,6 +72,7 @@ void seedCache(StageCache& cache, const Job& job) {
   auto decompose = std::make_shared<DecomposeStage>();
   decompose->platform = job.platform;
   decompose->decomposition = job.decomposition;
+  decompose->pieces = job.pieces;
   seed(decompose, job.report.decomposition, &decompose->findings);
   auto layers = std::make_shared<LayersStage>();
   layers->layers = job.layers;

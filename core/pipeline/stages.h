@@ -14,6 +14,7 @@
 #include "plan/program.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
+#include "planar/decomposition.h"
 #include "process/process.h"
 #include "robot/cell.h"
 #include "voxel/solid_voxels.h"
@@ -42,6 +43,7 @@ struct DecomposeStage {
   static constexpr Stage kStage = Stage::Decompose;
   std::vector<Eigen::Vector2d> platform;                      // polygon material starts on
   std::shared_ptr<const curved::Decomposition> decomposition; // null in modes without voxels
+  std::shared_ptr<const planar::PlanarDecomposition> pieces;  // null in modes without pieces
   DecompositionReport report;
   plan::Findings findings;
   Timings timings;

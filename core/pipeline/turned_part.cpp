@@ -59,6 +59,7 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const Choices& choic
   const bool fewestMissed = orient == "fewestMissed";
   placement::OrientOptions options;
   options.voxelMm = voxelMm;
+  options.overhangRad = base::degreesToRadians(values.number("overhangAngle"));
   options.quarterTurns = onlyQuarters;
   options.centreMm = choices.placement.centreMm;
   options.platform = [&](const voxel::SolidVoxels& part) {
@@ -79,7 +80,8 @@ std::string turnText(const Choices& choices, const base::ParameterValues& values
   const std::string orient = values.text("orient");
   if (orient == "none")
     return {};
-  return fmt::format("orient {}\nwidth {} mm\n", orient, values.number("voxelMm")) +
+  return fmt::format("orient {}\nwidth {} mm\noverhang {}\n", orient, values.number("voxelMm"),
+                     values.number("overhangAngle")) +
          (orient == "fewestMissed" ? fmt::format("platform {}\n", choices.platform) : "");
 }
 

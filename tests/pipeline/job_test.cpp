@@ -97,6 +97,22 @@ TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
   EXPECT_EQ(d.growth, was.growth);
   EXPECT_EQ(d.shadowedVoxels, 1u);
   EXPECT_EQ(d.seconds.grow, 0.25);
+  ASSERT_EQ(back.pieces->pieces.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const planar::Piece &p = back.pieces->pieces[i], &q = job.pieces->pieces[i];
+    EXPECT_EQ(p.solid.mesh.vertices, q.solid.mesh.vertices);
+    EXPECT_EQ(p.solid.mesh.triangles, q.solid.mesh.triangles);
+    EXPECT_EQ(p.solid.tag, q.solid.tag);
+    EXPECT_EQ(p.base.normal, q.base.normal);
+    EXPECT_EQ(p.base.offsetMm, q.base.offsetMm);
+    EXPECT_EQ(p.baseTag, q.baseTag);
+    EXPECT_EQ(p.parent, q.parent);
+  }
+  EXPECT_EQ(back.pieces->riskyBeforeMm2, 12.0);
+  EXPECT_EQ(back.pieces->riskyMm2, 0.5);
+  EXPECT_EQ(back.pieces->sectionMm2, 100.0);
+  EXPECT_EQ(back.pieces->blockedPieces, 1u);
+  EXPECT_EQ(back.pieces->seconds.cut, 0.5);
   ASSERT_EQ(back.layers->patches.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     const layers::Patch &p = back.layers->patches[i], &q = job.layers->patches[i];
@@ -239,6 +255,18 @@ TEST_F(JobFile, ContradictionsAreRefused) {
       job.decomposition = std::make_shared<curved::Decomposition>(d);
     };
   };
+  const auto withPiece = [&](auto&& change) {
+    return [change](Job& job) {
+      planar::PlanarDecomposition d = *job.pieces;
+      change(d.pieces[1]);
+      job.pieces = std::make_shared<planar::PlanarDecomposition>(d);
+    };
+  };
+  refused("a piece on one that is not there", withPiece([](auto& p) { p.parent = 2; }));
+  refused("a piece with corners that are not there",
+          withPiece([](auto& p) { p.solid.mesh.triangles[0][1] = 8; }));
+  refused("tags too few", withPiece([](auto& p) { p.solid.tag.pop_back(); }));
+  refused("a base plane nowhere", withPiece([](auto& p) { p.base.offsetMm = 1e300 * 1e300; }));
   const auto withPatch = [&](auto&& change) {
     return [change](Job& job) {
       layers::LayerStack stack = *job.layers;

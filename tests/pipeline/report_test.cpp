@@ -17,7 +17,7 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
     {"decomposition",
      {"mode", "growth", "voxelMm", "voxels", "layers", "missedVoxels", "shadowedVoxels",
       "unreachedVoxels", "missedAfterSupports", "supportVolumeMm3", "pieces", "riskyAreaMm2",
-      "riskyAreaBeforeMm2"}},
+      "riskyAreaBeforeMm2", "pieceList"}},
     {"layers",
      {"count", "areaMm2", "thicknessMeanMm", "thicknessStdMm", "thicknessP01Mm", "thicknessP99Mm",
       "withinLimitsFraction"}},
@@ -64,6 +64,8 @@ TEST(Report, ComesBackFromItsText) {
   report.model.repairs = {"closed 1 hole"};
   report.model.boundsMm = Eigen::AlignedBox3d(Eigen::Vector3d(0.1, 2, 3), Eigen::Vector3d(4, 5, 6));
   report.decomposition.growth = "reverse";
+  report.decomposition.pieceList = {{-1, 12.5, 0.25, {0, 0.6, 0.8}, "white PLA"},
+                                    {0, 2.0, 0.0, {1, 0, 0}, "PLA"}};
   report.layers.thicknessP01Mm = 1.0 / 3.0;
   report.toolpath.gouges = 3;
   report.motion.maxJerk = {0.5, 1.5};

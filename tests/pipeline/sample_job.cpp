@@ -46,6 +46,28 @@ std::shared_ptr<const curved::Decomposition> sampleDecomposition() {
   return std::make_shared<curved::Decomposition>(d);
 }
 
+std::shared_ptr<const planar::PlanarDecomposition> samplePieces() {
+  planar::PlanarDecomposition d;
+  d.riskyBeforeMm2 = 12.0;
+  d.riskyMm2 = 0.5;
+  d.sectionMm2 = 100.0;
+  d.blockedPieces = 1;
+  d.seconds.cut = 0.5;
+  for (int i = 0; i < 2; ++i) {
+    planar::Piece piece;
+    piece.solid = planar::tagged(
+        test::box(Eigen::Vector3d(-5, -5, 5.0 * i), Eigen::Vector3d(5, 5, 5.0 * (i + 1))));
+    piece.solid.tag[3] = 7;
+    if (i == 1) {
+      piece.base = {Eigen::Vector3d(0, 0.6, 0.8), 3.0};
+      piece.baseTag = 7;
+      piece.parent = 0;
+    }
+    d.pieces.push_back(piece);
+  }
+  return std::make_shared<planar::PlanarDecomposition>(d);
+}
+
 std::shared_ptr<const layers::LayerStack> sampleLayers() {
   layers::LayerStack stack;
   stack.layerCount = 2;
@@ -107,6 +129,7 @@ Job sampleJob() {
   job.choices.placement.centreMm = {3, -4};
   job.choices.placement.liftMm = 0.5;
   job.decomposition = sampleDecomposition();
+  job.pieces = samplePieces();
   job.layers = sampleLayers();
   job.choices.formats = {"urscript"};
   job.choices.parameters = {{"voxelMm", "1.08"}};

@@ -36,6 +36,11 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"growthQueue", {"insertion", kStageCount}},
     {"growthBoundary", {"inside", kStageCount}},
     {"growthSacrifice", {"least", kStageCount}},
+    {"overhangAngle", {"40", kStageCount}}, // of modes planar and flat, see below
+    {"pieceMaterials", {"white PLA, red PLA", kStageCount}},
+    {"adaptiveLayers", {"true", kStageCount}},
+    {"cuspMm", {"0.4", kStageCount}},
+    {"layerPlanes", {R"([{"point": [0, 0, 0.4], "normal": [0, 0, 1]}])", kStageCount}},
     {"walls", {"3", 3}},
     {"infill", {"concentric", 3}},
     {"infillDensity", {"0.5", 3}},
@@ -124,6 +129,29 @@ TEST_F(StageKeysOf, GrowthOptionsMatterToTheSourcesSchemes) {
       expectChangesFrom(request, 1, growth + (" " + spec.key));
     }
   }
+}
+
+TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
+  const std::tuple<const char*, const char*, std::size_t> rows[] = {
+      {"planar", "overhangAngle", 1},  {"planar", "pieceMaterials", 1},
+      {"planar", "adaptiveLayers", 2}, {"planar", "cuspMm", 2},
+      {"planar", "layerPlanes", 6},    {"planar", "voxelMm", 6},
+      {"flat", "overhangAngle", 1},    {"flat", "pieceMaterials", 1},
+      {"flat", "adaptiveLayers", 2},   {"flat", "cuspMm", 2},
+      {"flat", "layerPlanes", 2},      {"flat", "voxelMm", 1},
+      {"flat", "frontShape", 6},       {"flat", "layerHeightMm", 1}};
+  for (const auto& [mode, key, first] : rows) {
+    PlanRequest request = boxRequest();
+    request.choices.mode = mode;
+    default_ = stageKeys(request);
+    request.choices.parameters = {{key, kParameters.at(key).first}};
+    expectChangesFrom(request, first, mode + (std::string(" ") + key));
+  }
+  // Where the part is turned, what overhangs decides how.
+  PlanRequest turned = boxRequest({{"orient", "leastRisky"}});
+  default_ = stageKeys(turned);
+  turned.choices.parameters["overhangAngle"] = "40";
+  expectChangesFrom(turned, 0, "overhangAngle where the part is turned");
 }
 
 TEST_F(StageKeysOf, ThePartCountsByItsContent) {

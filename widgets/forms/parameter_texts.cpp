@@ -23,8 +23,8 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters", "step"),
     QT_TRANSLATE_NOOP("Parameters", "Longest distance of waypoints along a tool-path."),
     QT_TRANSLATE_NOOP("Parameters", "write what every stage made"),
-    QT_TRANSLATE_NOOP("Parameters",
-                      "Adds voxels.vti, layers.vtp, toolpath.vtp and trajectory.csv."),
+    QT_TRANSLATE_NOOP("Parameters", "Adds voxels.vti, pieces/N.stl, layers.vtp, toolpath.vtp and "
+                                    "trajectory.csv."),
     QT_TRANSLATE_NOOP("Parameters", "write refused programs"),
     QT_TRANSLATE_NOOP("Parameters", "Also writes programs that the replay refused, as "
                                     "refused-NAME, to be looked at and never to be run."),
@@ -78,6 +78,26 @@ constexpr auto kTexts = std::to_array<const char*>({
                       "Growth incremental, adaptive, guided: where every voxel of a layer would "
                       "cut others off, lay all of it as the source does (layer) or only what cuts "
                       "off fewest (least)."),
+    QT_TRANSLATE_NOOP("Parameters", "Pieces"),
+    QT_TRANSLATE_NOOP("Parameters", "overhang angle"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Modes planar and flat: how far a face may lean over from the upright "
+                      "without support."),
+    QT_TRANSLATE_NOOP("Parameters", "materials of pieces"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Mode planar: a material or filament for each piece, separated by commas; "
+                      "from the first again where there are more pieces. Empty: the process's."),
+    QT_TRANSLATE_NOOP("Parameters", "adaptive layers"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Modes planar and flat: thinner layers where the surface leans, within the "
+                      "process's limits."),
+    QT_TRANSLATE_NOOP("Parameters", "step height"),
+    QT_TRANSLATE_NOOP("Parameters", "Adaptive layers: how far the edges of layers may stand out "
+                                    "of the surface."),
+    QT_TRANSLATE_NOOP("Parameters", "planes of layers"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Mode flat: a JSON file, or its text, with the plane or quadrilateral of "
+                      "each layer. Empty: layers along z."),
     QT_TRANSLATE_NOOP("Parameters", "walls"),
     QT_TRANSLATE_NOOP("Parameters", "Beads laid along the edge of each layer before it is filled."),
     QT_TRANSLATE_NOOP("Parameters", "infill"),

@@ -8,6 +8,8 @@ namespace {
 // Seen by lupdate.
 [[maybe_unused]] const char* const kTexts[] = {
     QT_TRANSLATE_NOOP("Core", "Curved layers"),
+    QT_TRANSLATE_NOOP("Core", "Planar pieces"),
+    QT_TRANSLATE_NOOP("Core", "Flat layers"),
     QT_TRANSLATE_NOOP("Core", "Extended G-code (nozzle direction as nX nY nZ)"),
     QT_TRANSLATE_NOOP("Core", "Joint table (CSV)"),
 };

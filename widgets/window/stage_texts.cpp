@@ -24,6 +24,8 @@ namespace {
     QT_TRANSLATE_NOOP("Stages", "field"),
     QT_TRANSLATE_NOOP("Stages", "cutting layers from the field"),
     QT_TRANSLATE_NOOP("Stages", "trimming layers on the part"),
+    QT_TRANSLATE_NOOP("Stages", "pieces"),
+    QT_TRANSLATE_NOOP("Stages", "slicing"),
     QT_TRANSLATE_NOOP("Stages", "checking layers"),
     QT_TRANSLATE_NOOP("Stages", "directions"),
     QT_TRANSLATE_NOOP("Stages", "tool-paths"),

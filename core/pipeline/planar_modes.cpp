@@ -1,0 +1,264 @@
+#include "pipeline/planar_modes.h"
+
+#include "base/files.h"
+#include "base/stopwatch.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "pipeline/choices.h"
+#include "pipeline/content_hash.h"
+#include "planar/beam_search.h"
+#include "planar/flat.h"
+#include "planar/slicing.h"
+#include "planar/uniform_misses.h"
+#include "planar/user_planes.h"
+
+#include <fmt/format.h>
+
+namespace voluta::pipeline {
+
+namespace {
+
+base::ParameterSpec textParameter(const char* key, const char* group, const char* label,
+                                  const char* help) {
+  base::ParameterSpec spec;
+  spec.key = key;
+  spec.type = base::ParameterType::Text;
+  spec.defaultValue = std::string();
+  spec.group = group;
+  spec.label = label;
+  spec.help = help;
+  return spec;
+}
+
+std::string valueText(const base::ParameterValues& values,
+                      std::initializer_list<const char*> keys) {
+  std::string text;
+  for (const char* key : keys) {
+    const auto changed = values.changes().find(key);
+    text += fmt::format("{}={}\n", key,
+                        base::formatParameter(changed == values.changes().end()
+                                                  ? values.table().find(key)->defaultValue
+                                                  : changed->second));
+  }
+  return text;
+}
+
+
+planar::RiskRule riskRule(const ModeChoices& in) {
+  planar::RiskRule rule;
+  rule.overhangRad = base::degreesToRadians(in.values.number("overhangAngle"));
+  rule.contactMm = 0.5 * in.process.layerHeightMm;
+  return rule;
+}
+
+planar::SliceOptions sliceOptions(const ModeChoices& in) {
+  planar::SliceOptions options;
+  options.heights.wantedMm = in.process.layerHeightMm;
+  options.heights.minMm = in.process.layerHeightMinMm;
+  options.heights.maxMm = in.process.layerHeightMaxMm;
+  options.heights.adaptive = in.values.boolean("adaptiveLayers");
+  options.heights.cuspMm = in.values.number("cuspMm");
+  options.beadWidthMm = in.process.beadWidthMm;
+  return options;
+}
+
+// "white PLA, red PLA": one a piece, from the first again where there are more pieces; the
+// process's where none is named.
+std::vector<std::string> materialsOf(const ModeChoices& in) {
+  std::vector<std::string> materials;
+  const std::string text = in.values.text("pieceMaterials") + ",";
+  for (std::size_t from = 0, to = 0; (to = text.find(',', from)) != std::string::npos;
+       from = to + 1) {
+    const std::string name = text.substr(from, to - from);
+    const std::size_t first = name.find_first_not_of(' '), last = name.find_last_not_of(' ');
+    if (first != std::string::npos)
+      materials.push_back(name.substr(first, last - first + 1));
+  }
+  if (materials.empty())
+    materials.push_back(in.process.material);
+  return materials;
+}
+
+void tellPieces(const planar::PlanarDecomposition& d, const ModeChoices& in,
+                DecomposeStage& stage) {
+  DecompositionReport& r = stage.report;
+  r.mode = in.choices.mode;
+  r.pieces = static_cast<int>(d.pieces.size());
+  r.riskyAreaMm2 = d.riskyMm2;
+  r.riskyAreaBeforeMm2 = d.riskyBeforeMm2;
+  const std::vector<std::string> materials = materialsOf(in);
+  for (std::size_t i = 0; i < d.pieces.size(); ++i) {
+    const planar::Piece& piece = d.pieces[i];
+    r.pieceList.push_back({piece.parent, geometry::volume(piece.solid.mesh),
+                           planar::riskyArea(piece, riskRule(in)), piece.base.normal,
+                           materials[i % materials.size()]});
+  }
+  stage.findings.insert(stage.findings.end(), d.findings.begin(), d.findings.end());
+}
+
+// Where the part stands, as far as its first layer reaches.
+std::vector<Eigen::Vector2d> standingPoints(const geometry::TriangleMesh& part, double heightMm) {
+  std::vector<Eigen::Vector2d> points;
+  for (const Eigen::Vector3d& p :
+       planar::Sections(part, Eigen::Vector3d::UnitZ()).at(heightMm).points)
+    points.push_back(p.head<2>());
+  return points;
+}
+
+std::string headText(const process::HeadShape& head) {
+  std::string text;
+  for (const process::HeadSection& s : head.sections)
+    text += fmt::format("head {} {}\n", s.zMm, s.radiusMm);
+  return text;
+}
+
+std::string planarKey(const ModeChoices& in) {
+  return fmt::format("platform {}\n{}", in.choices.platform, heightsText(in.process)) +
+         headText(process::erodedHead(in.process.head, in.process.contactToleranceMm)) +
+         valueText(in.values, {"overhangAngle", "pieceMaterials"});
+}
+
+std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& input,
+                                                      const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  const ModeChoices& in = input.choices;
+  auto stage = std::make_shared<DecomposeStage>();
+  planar::PlanarOptions options;
+  options.rule = riskRule(in);
+  options.head = process::erodedHead(in.process.head, in.process.contactToleranceMm);
+  options.plate = platformAround(in.choices.platform,
+                                 input.placed.platform.empty()
+                                     ? standingPoints(*input.placed.part, options.rule.contactMm)
+                                     : input.placed.platform);
+  const auto pieces = std::make_shared<planar::PlanarDecomposition>(
+      planar::beamDecompose(*input.placed.part, options, ctx));
+  stage->platform = options.plate;
+  tellPieces(*pieces, in, *stage);
+  stage->pieces = pieces;
+  stage->timings.decompose = watch.seconds();
+  return stage;
+}
+
+std::string flatKey(const ModeChoices& in) {
+  return fmt::format("platform {}\n{}", in.choices.platform, heightsText(in.process)) +
+         valueText(in.values, {"overhangAngle", "voxelMm", "pieceMaterials"});
+}
+
+plan::Finding uniformMissesFinding(const planar::UniformMisses& misses,
+                                   const voxel::SolidVoxels& solid) {
+  plan::Finding f;
+  f.stage = "decompose";
+  f.kind = "uniformMisses";
+  f.count = misses.count;
+  for (std::size_t c = 0; c < misses.missed.size() && !f.where; ++c)
+    if (misses.missed[c] != 0) {
+      const Eigen::Vector3i cell = solid.grid.cell(c);
+      f.where = solid.grid.centre(cell.x(), cell.y(), cell.z());
+    }
+  f.reason =
+      fmt::format("{} of {} voxels have nothing printed under them", misses.count, solid.count);
+  f.remedy = "turn the part (orient=leastRisky), or use planar or curved mode";
+  f.blocking = false;
+  return f;
+}
+
+std::shared_ptr<const DecomposeStage> decomposeFlat(const DecomposeInput& input,
+                                                    const base::RunContext& ctx) {
+  const ModeChoices& in = input.choices;
+  auto stage = std::make_shared<DecomposeStage>();
+  ctx.report(0.0, "voxelise");
+  const std::shared_ptr<const PartVoxels> part = input.voxels(ctx.sub(0.0, 0.8));
+  const voxel::SolidVoxels& solid = *part->voxels;
+  stage->timings.voxelise = part->seconds;
+  stage->platform = platformPolygon(in.choices.platform, solid, input.placed.platform);
+
+  const base::Stopwatch watch;
+  const auto pieces = std::make_shared<planar::PlanarDecomposition>(
+      planar::flatDecomposition(*input.placed.part, riskRule(in)));
+  tellPieces(*pieces, in, *stage);
+  const planar::UniformMisses misses = planar::uniformMisses(solid);
+  DecompositionReport& r = stage->report;
+  r.voxelMm = solid.grid.pitch;
+  r.voxels = solid.count;
+  r.missedVoxels = r.missedAfterSupports = misses.count;
+  if (misses.count > 0)
+    stage->findings.push_back(uniformMissesFinding(misses, solid));
+  stage->pieces = pieces;
+  stage->timings.decompose = watch.seconds();
+  return stage;
+}
+
+std::string sliceKey(const ModeChoices& in) {
+  return fmt::format("{}bead width {}\n", heightsText(in.process), in.process.beadWidthMm) +
+         valueText(in.values, {"adaptiveLayers", "cuspMm"});
+}
+
+std::string flatLayersKey(const ModeChoices& in) {
+  const std::string planes = in.values.text("layerPlanes");
+  return sliceKey(in) +
+         (planes.empty() ? std::string() : "planes " + contentHash(layerPlanesText(planes)) + "\n");
+}
+
+std::shared_ptr<const LayersStage> layersFrom(planar::SliceResult sliced) {
+  auto stage = std::make_shared<LayersStage>();
+  stage->report = reportOf(sliced.statistics);
+  stage->findings = std::move(sliced.findings);
+  stage->timings.extract = sliced.seconds.extract;
+  stage->layers = std::make_shared<layers::LayerStack>(std::move(sliced.stack));
+  return stage;
+}
+
+std::shared_ptr<const LayersStage> planarLayers(const DecomposeStage& decomposed,
+                                                const geometry::TriangleMesh&,
+                                                const ModeChoices& in,
+                                                const base::RunContext& ctx) {
+  return layersFrom(planar::slicePieces(decomposed.pieces->pieces, sliceOptions(in), ctx));
+}
+
+std::shared_ptr<const LayersStage> flatLayers(const DecomposeStage& decomposed,
+                                              const geometry::TriangleMesh& part,
+                                              const ModeChoices& in, const base::RunContext& ctx) {
+  const std::string planes = in.values.text("layerPlanes");
+  if (planes.empty())
+    return planarLayers(decomposed, part, in, ctx);
+  return layersFrom(planar::sliceByPlanes(
+      part, planar::readUserPlanes(layerPlanesText(planes), "layerPlanes"), sliceOptions(in), ctx));
+}
+
+} // namespace
+
+Mode planarMode() {
+  return {"planar", "Planar pieces", planarKey, sliceKey, decomposePlanar, planarLayers};
+}
+
+Mode flatMode() {
+  return {"flat", "Flat layers", flatKey, flatLayersKey, decomposeFlat, flatLayers};
+}
+
+base::ParameterTable planarModeParameters() {
+  return base::ParameterTable({
+      base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Pieces", "overhang angle",
+                            "Modes planar and flat: how far a face may lean over from the upright "
+                            "without support.",
+                            true),
+      textParameter("pieceMaterials", "Pieces", "materials of pieces",
+                    "Mode planar: a material or filament for each piece, separated by commas; from "
+                    "the first again where there are more pieces. Empty: the process's."),
+      base::booleanParameter("adaptiveLayers", false, "Layers", "adaptive layers",
+                             "Modes planar and flat: thinner layers where the surface leans, "
+                             "within the process's limits."),
+      base::numberParameter("cuspMm", "mm", 0.3, 0.05, 2.0, "Layers", "step height",
+                            "Adaptive layers: how far the edges of layers may stand out of the "
+                            "surface."),
+      textParameter("layerPlanes", "Layers", "planes of layers",
+                    "Mode flat: a JSON file, or its text, with the plane or quadrilateral of each "
+                    "layer. Empty: layers along z."),
+  });
+}
+
+std::string layerPlanesText(const std::string& value) {
+  const std::size_t first = value.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && value[first] == '[' ? value : base::readFile(value);
+}
+
+} // namespace voluta::pipeline

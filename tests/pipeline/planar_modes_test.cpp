@@ -1,0 +1,144 @@
+// Modes planar and flat on the road.
+#include "pipeline/planar_modes.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "pipeline/box_request.h"
+#include "pipeline/outputs.h"
+#include "pipeline/road.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+
+namespace {
+
+using test::boxRequest;
+
+base::RunContext context() {
+  return base::RunContext(base::CancelToken(), 2);
+}
+
+PlanRequest request(const std::string& mode, Stage until = Stage::Layers) {
+  PlanRequest r = boxRequest();
+  r.choices.mode = mode;
+  r.until = until;
+  return r;
+}
+
+// A T: a leg of 8 x 8 x 12 with a bar of 32 x 8 x 8 on it, standing through each other's faces.
+std::shared_ptr<const LoadedPart> tee() {
+  geometry::TriangleMesh m;
+  const double profile[][2] = {{-4, 0},  {4, 0},    {4, 12},   {16, 12},
+                               {16, 20}, {-16, 20}, {-16, 12}, {-4, 12}};
+  for (const double y : {-4.0, 4.0})
+    for (const auto& p : profile)
+      m.vertices.emplace_back(p[0], y, p[1]);
+  const std::array<int, 3> front[] = {{0, 1, 2}, {0, 2, 7}, {7, 2, 5},
+                                      {7, 5, 6}, {2, 3, 4}, {2, 4, 5}};
+  for (const auto& t : front) {
+    m.triangles.push_back(t);
+    m.triangles.push_back({t[0] + 8, t[2] + 8, t[1] + 8});
+  }
+  for (int i = 0; i < 8; ++i) {
+    const int j = (i + 1) % 8;
+    m.triangles.push_back({i, i + 8, j + 8});
+    m.triangles.push_back({i, j + 8, j});
+  }
+  return loadedFrom("tee.stl", std::make_shared<geometry::TriangleMesh>(m), {}, true, {});
+}
+
+TEST(FlatMode, ABoxIsSlicedFromThePlateToItsTopAndPassesReplay) {
+  const PlanResult result = planPart(request("flat", Stage::Replay), context());
+  const Report& r = result.job.report;
+  EXPECT_EQ(result.job.decomposition, nullptr);
+  ASSERT_NE(result.job.pieces, nullptr);
+  EXPECT_EQ(r.decomposition.mode, "flat");
+  EXPECT_EQ(r.decomposition.pieces, 1);
+  EXPECT_EQ(r.decomposition.missedVoxels, 0u);
+  EXPECT_EQ(r.decomposition.riskyAreaMm2, 0.0);
+  EXPECT_EQ(r.layers.count, 10);
+  EXPECT_NEAR(r.layers.areaMm2, 3600.0, 1e-6);
+  EXPECT_NEAR(r.layers.thicknessMeanMm, 0.8, 1e-9);
+  EXPECT_TRUE(r.replay.passed);
+  EXPECT_TRUE(nothingBlocks(r));
+}
+
+TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
+  PlanRequest flat = request("flat");
+  flat.loaded = tee();
+  const PlanResult result = planPart(flat, context());
+  const DecompositionReport& d = result.job.report.decomposition;
+  EXPECT_NEAR(d.riskyAreaMm2, 2 * 12 * 8, 1e-6);
+  EXPECT_EQ(d.riskyAreaBeforeMm2, d.riskyAreaMm2);
+  EXPECT_GT(d.missedVoxels, 1000u);
+  std::size_t overhangs = 0, misses = 0;
+  for (const plan::Finding& f : result.job.report.findings) {
+    overhangs += f.kind == "overhang" ? 1 : 0;
+    misses += f.kind == "uniformMisses" ? f.count : 0;
+  }
+  EXPECT_EQ(overhangs, 2u);
+  EXPECT_EQ(misses, d.missedVoxels);
+  // On its head it needs nothing.
+  flat.choices.parameters["orient"] = "leastRisky";
+  const PlanResult turned = planPart(flat, context());
+  EXPECT_NEAR(turned.job.report.decomposition.riskyAreaMm2, 0.0, 1e-6);
+  EXPECT_EQ(turned.job.report.decomposition.missedVoxels, 0u);
+}
+
+TEST(FlatMode, LayersLieWhereTheUserSays) {
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "planes.json",
+                  R"([{"point": [0, 0, 0.4], "normal": [0, 0, 1]},
+                      {"corners": [[-11, -10, 1.2], [0, -10, 1.2], [0, 10, 1.2], [-11, 10, 1.2]]},
+                      {"point": [0, 0, 90], "normal": [0, 0, 1]}])");
+  PlanRequest flat = request("flat");
+  setParameters(flat.choices, {"layerPlanes=" + (folder / "planes.json").string()});
+  EXPECT_EQ(flat.choices.parameters.at("layerPlanes").front(), '[') << "goes with the project";
+  const PlanResult result = planPart(flat, context());
+  EXPECT_EQ(result.job.report.layers.count, 2);
+  EXPECT_NEAR(result.job.report.layers.areaMm2, 360.0 + 180.0, 1e-6);
+  EXPECT_EQ(result.job.report.findings.back().kind, "planeMisses");
+  PlanRequest wrong = request("flat");
+  wrong.choices.parameters["layerPlanes"] = (folder / "none.json").string();
+  EXPECT_THROW(planPart(wrong, context()), base::Error);
+  wrong.choices.parameters["layerPlanes"] = "[{}]";
+  EXPECT_THROW(planPart(wrong, context()), base::Error);
+}
+
+TEST(PlanarMode, ATeeComesInPiecesThatNeedNoSupport) {
+  PlanRequest planar = request("planar");
+  planar.loaded = tee();
+  planar.choices.parameters = {{"pieceMaterials", "white PLA, red PLA"}, {"output.debug", "true"}};
+  PlanResult result = planPart(planar, context());
+  ASSERT_NE(result.job.pieces, nullptr);
+  const DecompositionReport& d = result.job.report.decomposition;
+  EXPECT_GT(d.pieces, 1);
+  EXPECT_NEAR(d.riskyAreaBeforeMm2, 192.0, 1e-6);
+  EXPECT_LT(d.riskyAreaMm2, 2.0);
+  double volume = 0.0;
+  for (std::size_t i = 0; i < d.pieceList.size(); ++i) {
+    volume += d.pieceList[i].volumeMm3;
+    EXPECT_EQ(d.pieceList[i].material, i % 2 == 0 ? "white PLA" : "red PLA");
+    EXPECT_LT(d.pieceList[i].parent, static_cast<int>(i));
+  }
+  const double whole = 8 * 8 * 12 + 32 * 8 * 8;
+  EXPECT_NEAR(volume, whole, 1e-6 * whole);
+  EXPECT_NEAR(result.job.report.layers.areaMm2 * result.job.report.layers.thicknessMeanMm, whole,
+              0.01 * whole);
+  for (const layers::Patch& p : result.job.layers->patches)
+    EXPECT_LT(p.group, d.pieces);
+
+  const test::TemporaryFolder folder;
+  writeOutputs(result, folder.path(), {});
+  for (int i = 0; i < d.pieces; ++i)
+    EXPECT_TRUE(std::filesystem::exists(folder / "pieces" / (std::to_string(i) + ".stl")));
+  const Job back = readJob(folder / "job.voluta");
+  ASSERT_NE(back.pieces, nullptr);
+  EXPECT_EQ(back.pieces->pieces.size(), result.job.pieces->pieces.size());
+  EXPECT_EQ(back.report.decomposition.pieceList.size(), d.pieceList.size());
+}
+
+} // namespace
