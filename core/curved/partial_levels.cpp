@@ -68,10 +68,6 @@ void PartialLevels::measure(const base::RunContext& ctx) {
       if (field_.printed(node))
         thickness_[c] = static_cast<float>(
             std::log2(spacing / std::max(field_.gradient(node).norm(), kSteepest)));
-      // Of a level that begins at a ceiling only what is above it is laid: cut in parts, the lowest
-      // would begin in the air.
-      if (static_cast<double>(thickness_[c]) > splitAt_ && hangs(c))
-        thickness_[c] = static_cast<float>(splitAt_);
     }
   });
   std::vector<float> next(thickness_.size());
@@ -93,27 +89,6 @@ void PartialLevels::measure(const base::RunContext& ctx) {
     });
     thickness_.swap(next);
   }
-}
-
-// Does a level that ends at a cell begin outside the printed voxels, the plate apart?
-bool PartialLevels::hangs(std::size_t cell) const {
-  const voxel::VoxelGrid& grid = field_.grid();
-  const Eigen::Vector3i at = grid.cell(cell);
-  const Eigen::Vector3d slope = field_.gradient(field_.voxelNode(at.x(), at.y(), at.z()));
-  const Eigen::Vector3d down = -slope.stableNormalized();
-  const double thickness = std::exp2(static_cast<double>(thickness_[cell]));
-  const int steps = std::max(1, static_cast<int>(std::ceil(thickness / grid.pitch)));
-  for (int step = 1; step <= steps; ++step) {
-    const Eigen::Vector3d below =
-        grid.centre(at.x(), at.y(), at.z()) + thickness * step / steps * down;
-    if (below.z() < 0.0)
-      return false;
-    const Eigen::Vector3i c = grid.cellOf(below);
-    if (!grid.contains(c.x(), c.y(), c.z()) ||
-        !field_.printed(field_.voxelNode(c.x(), c.y(), c.z())))
-      return true;
-  }
-  return false;
 }
 
 void PartialLevels::leaveSmallPlaces(const base::RunContext& ctx) {

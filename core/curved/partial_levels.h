@@ -20,8 +20,7 @@ struct Slab {
 // Share of levels by slabs, so that each point of the part is in exactly one: going down from the
 // largest scale, a slab is left whole or cut into its halves, as told by the thickness that a level
 // would have at its middle. Levels stay whole where that lies within the limits. That thickness is
-// known to a voxel, smoothed; places too small to be worth a patch are left as they are, and so
-// are levels that begin at a ceiling.
+// known to a voxel, smoothed; places too small to be worth a patch are left as they are.
 class PartialLevels {
 public:
   // Scales that are tried: levels are quartered at most, and four laid as one.
@@ -61,7 +60,6 @@ private:
   // Log2 of the thickness of a whole level above which a slab of this scale is cut.
   double cutAbove(int scale) const;
   void measure(const base::RunContext& ctx);
-  bool hangs(std::size_t cell) const;
   void leaveSmallPlaces(const base::RunContext& ctx);
   void markBlocks();
   double thicknessAt(const Eigen::Vector3d& point) const;

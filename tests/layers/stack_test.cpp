@@ -164,22 +164,6 @@ layers::Patch patchOf(const layers::LevelSurface& s, int layer) {
   return p;
 }
 
-TEST(PartialLevels, LeaveWhatHangsUnderACeilingWhole) {
-  // A cup upside down; just over its ceiling levels are thicker than can be laid. Their lower
-  // halves would begin in the air.
-  const auto part = test::revolved({{0, 4}, {9, 4}, {9, 0}, {15, 0}, {15, 9}, {0, 9}}, 64, false);
-  const auto r = layersOf(part, [](const Vector3d& p) {
-    const double inwards = std::clamp((9.0 - p.head<2>().norm()) / 3.0, 0.0, 1.0);
-    return p.z() - 0.45 * inwards * std::clamp(p.z() - 4.0, 0.0, 1.6);
-  });
-  const auto v = test::checkStack(r.stack, part, kLeast, kMost);
-  EXPECT_EQ(r.partialPatches, 0u);
-  EXPECT_EQ(r.unsupportedPatches, 0u);
-  EXPECT_EQ(v.patchesInTheAir, 0u);
-  EXPECT_EQ(v.looseVertices + v.nearVertices, 0u);
-  EXPECT_NEAR(v.volumeRatio, 1.0, 0.01);
-}
-
 TEST(KeepPositive, CutsAlongTheZeroLineAndMarksIt) {
   layers::LevelSurface s = flatSquare(5, 0.5, 1.0, 0.8);
   std::vector<double> values;
