@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace voluta::planar {
 
@@ -24,133 +23,179 @@ std::vector<Vector3d> evenDirections(int count, double zMin) {
   return directions;
 }
 
-namespace {
-
-struct Faces {
-  std::vector<Vector3d> centre, normal;
-  std::vector<double> area, risky; // risky: area that needs support as things are
-  std::vector<std::uint8_t> stands;
-  std::vector<std::array<int, 3>> neighbour; // -1: none
-};
-
-Faces facesOf(const Piece& piece, const RiskRule& rule) {
-  const geometry::TriangleMesh& mesh = piece.solid.mesh;
-  const std::size_t n = mesh.triangles.size();
-  Faces f;
-  f.stands = standsOn(piece, rule);
-  f.neighbour.assign(n, {-1, -1, -1});
-  for (std::size_t t = 0; t < n; ++t) {
-    f.centre.push_back((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0);
-    f.normal.push_back(geometry::triangleNormal(mesh, t));
-    f.area.push_back(geometry::triangleArea(mesh, t));
-    f.risky.push_back(!f.stands[t] && isRisky(f.normal[t], piece.base.normal, rule) ? f.area[t]
-                                                                                    : 0.0);
+std::vector<Vector3d> flatDirections(const geometry::TriangleMesh& mesh, double leastShare,
+                                     std::size_t count, double zMin) {
+  constexpr double kSame = 0.9998; // cosine: about a degree
+  struct Look {
+    Vector3d normal;
+    double area = 0.0;
+  };
+  std::vector<Look> looks;
+  const double all = geometry::area(mesh);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double area = geometry::triangleArea(mesh, t);
+    if (area < 1e-4 * all)
+      continue;
+    const Vector3d n = geometry::triangleNormal(mesh, t);
+    const auto same = std::find_if(looks.begin(), looks.end(),
+                                   [&](const Look& l) { return l.normal.dot(n) > kSame; });
+    if (same == looks.end())
+      looks.push_back({n, area});
+    else
+      same->area += area;
   }
-  const std::vector<geometry::HalfEdge> sides = geometry::sortedHalfEdges(mesh);
-  geometry::forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i + 1 < end; ++i) {
-      const auto a = static_cast<std::size_t>(sides[i].triangle);
-      const auto b = static_cast<std::size_t>(sides[i + 1].triangle);
-      f.neighbour[a][static_cast<std::size_t>(sides[i].side)] = static_cast<int>(b);
-      f.neighbour[b][static_cast<std::size_t>(sides[i + 1].side)] = static_cast<int>(a);
-    }
-  });
-  return f;
+  std::erase_if(looks, [&](const Look& l) { return l.area < leastShare * all; });
+  std::stable_sort(looks.begin(), looks.end(),
+                   [](const Look& a, const Look& b) { return a.area > b.area; });
+  std::vector<Vector3d> out;
+  const auto add = [&](const Vector3d& n) {
+    if (n.z() >= zMin &&
+        std::none_of(out.begin(), out.end(), [&](const Vector3d& o) { return o.dot(n) > kSame; }))
+      out.push_back(n);
+  };
+  for (int k = 0; k < 3; ++k) {
+    add(Vector3d::Unit(k));
+    add(-Vector3d::Unit(k));
+  }
+  for (const Look& l : looks) {
+    if (out.size() >= count + 6)
+      break;
+    add(l.normal);
+    add(-l.normal);
+  }
+  return out;
 }
 
+namespace {
+
 // What hangs together above the falling plane.
-struct Part {
+struct Above {
   double before = 0.0, after = 0.0; // risky area
-  bool stands = false;
+  double stands = 0.0;
   int top = -1; // its highest face
+  // The best offset since the last that was kept.
+  double bestGain = -1.0, bestAfter = 0.0, bestOffset = 0.0;
 };
 
-void sweep(const Faces& f, const Vector3d& normal, const RiskRule& rule,
-           const CandidateOptions& options, std::vector<CutCandidate>& out) {
-  const std::size_t n = f.centre.size();
-  std::vector<double> height(n);
-  double lowest = 1e300, highest = -1e300;
-  for (std::size_t t = 0; t < n; ++t) {
-    height[t] = normal.dot(f.centre[t]);
-    lowest = std::min(lowest, height[t]);
-    highest = std::max(highest, height[t]);
-  }
-  const int bins = std::max(1, static_cast<int>(std::floor((highest - lowest) / options.stepMm)));
-  const double step = (highest - lowest) / bins;
-  if (!(step > 0.0))
-    return;
-  std::vector<int> first(static_cast<std::size_t>(bins) + 1, 0), order(n);
-  const auto binOf = [&](std::size_t t) {
-    return static_cast<std::size_t>(
-        std::clamp(static_cast<int>((height[t] - lowest) / step), 0, bins - 1));
+void sweep(const geometry::TriangleMesh& mesh, const FaceTable& f, const Vector3d& normal,
+           const RiskRule& rule, const CandidateOptions& options, std::vector<CutCandidate>& out) {
+  constexpr double kLevel = 1e-6; // mm: corners so near in height are at one offset
+  const std::size_t n = f.area.size();
+  std::vector<double> height(mesh.vertices.size());
+  for (std::size_t v = 0; v < height.size(); ++v)
+    height[v] = normal.dot(mesh.vertices[v]);
+  struct Entry {
+    double low;
+    int face;
   };
-  for (std::size_t t = 0; t < n; ++t)
-    ++first[binOf(t) + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  {
-    std::vector<int> next(first.begin(), first.end() - 1);
-    for (std::size_t t = 0; t < n; ++t)
-      order[static_cast<std::size_t>(next[binOf(t)]++)] = static_cast<int>(t);
+  std::vector<Entry> order(n); // a face is above a plane when its lowest corner is
+  double lowest = 1e300;
+  for (std::size_t t = 0; t < n; ++t) {
+    const auto& c = mesh.triangles[t];
+    const double low =
+        std::min({height[static_cast<std::size_t>(c[0])], height[static_cast<std::size_t>(c[1])],
+                  height[static_cast<std::size_t>(c[2])]});
+    order[t] = {low, static_cast<int>(t)};
+    lowest = std::min(lowest, low);
   }
-
+  std::sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) {
+    return a.low != b.low ? a.low > b.low : a.face < b.face;
+  });
   geometry::UnionFind sets(n);
-  std::vector<Part> part(n);
+  std::vector<Above> part(n);
   std::vector<std::uint8_t> above(n, 0);
-  std::vector<int> roots;
+  std::vector<int> fresh; // roots with a best to keep
   std::vector<CutCandidate> found;
-  for (int bin = bins - 1; bin > 0; --bin) {
-    for (int i = first[static_cast<std::size_t>(bin)]; i < first[static_cast<std::size_t>(bin) + 1];
-         ++i) {
-      const auto t = static_cast<std::size_t>(order[static_cast<std::size_t>(i)]);
+  const auto keep = [&] {
+    for (const int r : fresh) {
+      Above& p = part[static_cast<std::size_t>(r)];
+      if (sets.find(r) != r || p.bestGain < options.leastMm2)
+        continue;
+      CutCandidate c;
+      c.plane = {normal, p.bestOffset};
+      c.gainMm2 = p.bestGain;
+      c.afterMm2 = p.bestAfter;
+      c.top = p.top;
+      found.push_back(c);
+      p.bestGain = -1.0;
+    }
+    fresh.clear();
+  };
+  double kept = order.empty() ? 0.0 : order.front().low;
+  for (std::size_t begin = 0; begin < n;) {
+    std::size_t end = begin;
+    const double level = order[begin].low;
+    if (level <= lowest + kLevel)
+      break;
+    for (; end < n && order[end].low > level - kLevel; ++end) {
+      const auto t = static_cast<std::size_t>(order[end].face);
       above[t] = 1;
-      part[t] = {f.risky[t], !f.stands[t] && isRisky(f.normal[t], normal, rule) ? f.area[t] : 0.0,
-                 f.stands[t] != 0, static_cast<int>(t)};
-      roots.push_back(static_cast<int>(t));
+      Above& own = part[t];
+      own.before = f.risky[t];
+      own.after = !f.laid[t] && isRisky(f.normal[t], normal, rule) ? f.area[t] : 0.0;
+      own.stands = f.stands[t] ? f.area[t] : 0.0;
+      own.top = static_cast<int>(t);
       for (const int w : f.neighbour[t]) {
         if (w < 0 || !above[static_cast<std::size_t>(w)])
           continue;
         const int a = sets.find(static_cast<int>(t)), b = sets.find(w);
-        if (a == b)
+        if (!sets.join(a, b))
           continue;
-        sets.join(a, b);
         const auto root = static_cast<std::size_t>(sets.find(a));
-        const Part &p = part[static_cast<std::size_t>(a)], &q = part[static_cast<std::size_t>(b)];
+        const auto other = root == static_cast<std::size_t>(a) ? static_cast<std::size_t>(b)
+                                                               : static_cast<std::size_t>(a);
+        Above &p = part[root], &q = part[other];
         const bool higher =
-            height[static_cast<std::size_t>(p.top)] >= height[static_cast<std::size_t>(q.top)];
-        part[root] = {p.before + q.before, p.after + q.after, p.stands || q.stands,
-                      higher ? p.top : q.top};
+            height[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(p.top)][0])] >=
+            height[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(q.top)][0])];
+        p.before += q.before;
+        p.after += q.after;
+        p.stands += q.stands;
+        p.top = higher ? p.top : q.top;
+        p.bestGain = -1.0;
       }
     }
-    std::erase_if(roots, [&](int r) { return sets.find(r) != r; });
-    for (const int r : roots) {
-      const Part& p = part[static_cast<std::size_t>(r)];
-      if (p.stands || p.before - p.after < options.leastMm2)
+    for (std::size_t i = begin; i < end; ++i) {
+      const int r = sets.find(order[i].face);
+      Above& p = part[static_cast<std::size_t>(r)];
+      const double gain = p.before - p.after - options.footPrice * p.stands;
+      if (p.stands > options.mayGoMm2 || gain < options.leastMm2 || gain <= p.bestGain)
         continue;
-      found.push_back({{normal, lowest + bin * step},
-                       p.before - p.after,
-                       p.after,
-                       f.centre[static_cast<std::size_t>(p.top)]});
+      if (p.bestGain < 0.0)
+        fresh.push_back(r);
+      p.bestGain = gain;
+      p.bestAfter = p.after;
+      p.bestOffset = level;
+    }
+    begin = end;
+    if (kept - level >= options.stepMm) {
+      keep();
+      kept = level;
     }
   }
+  keep();
   std::stable_sort(found.begin(), found.end(), [](const CutCandidate& a, const CutCandidate& b) {
     return a.gainMm2 > b.gainMm2;
   });
-  if (found.size() > static_cast<std::size_t>(options.perNormal))
-    found.resize(static_cast<std::size_t>(options.perNormal));
+  if (found.size() > options.perNormal)
+    found.resize(options.perNormal);
+  for (CutCandidate& c : found)
+    for (int k = 0; k < 3; ++k)
+      c.topMm += mesh.corner(static_cast<std::size_t>(c.top), k) / 3.0;
   out = std::move(found);
 }
 
 } // namespace
 
-std::vector<CutCandidate> cutCandidates(const Piece& piece, const RiskRule& rule,
-                                        const std::vector<Vector3d>& normals,
+std::vector<CutCandidate> cutCandidates(const Piece& piece, const FaceTable& faces,
+                                        const RiskRule& rule, const std::vector<Vector3d>& normals,
                                         const CandidateOptions& options,
                                         const base::RunContext& ctx) {
-  const Faces faces = facesOf(piece, rule);
   std::vector<std::vector<CutCandidate>> found(normals.size());
-  base::parallelChunks(ctx, normals.size(), 4, [&](std::size_t begin, std::size_t end) {
+  base::parallelChunks(ctx, normals.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      sweep(faces, normals[i], rule, options, found[i]);
+      if (!isRisky(normals[i], piece.base.normal, rule))
+        sweep(piece.solid.mesh, faces, normals[i], rule, options, found[i]);
   });
   std::vector<CutCandidate> all;
   for (const auto& of : found)

@@ -13,17 +13,25 @@ namespace voluta::planar {
 
 struct PlanarOptions {
   RiskRule rule;
-  process::HeadShape head;            // must clear what is printed earlier; empty: not asked
-  std::vector<Eigen::Vector2d> plate; // convex polygon on z = 0 that the head must clear too
-  double leastVolumeMm3 = 30.0;       // pieces smaller than that are not worth a cut
+  process::HeadShape head; // must clear what is printed earlier; empty: not asked
+  // Convex polygon on z = 0 that the head must clear too, as thick as plateMm downwards; empty: the
+  // hull of what the first piece stands on, where the part stands on a plate of just that size.
+  std::vector<Eigen::Vector2d> plate;
+  double plateMm = 5.0;
+  double leastVolumeMm3 = 10.0; // pieces smaller than that are not worth a cut
+  // The first piece keeps these shares of what the part stands on and of the hull of that, mm2/mm2;
+  // all of it where a plate is given.
+  double keptContact = 0.35, keptHull = 0.05;
+  // What all of either is worth, in shares of the risky area before.
+  double contactWorth = 0.1, hullWorth = 0.05;
   // The search stops at this share of the risky area before, mm2/mm2.
-  double target = 0.004;
-  std::size_t beam = 8;               // partial results kept
-  int normals = 240;                  // of cutting planes, over the directions asked for
-  double lowestZ = -0.4;              // z of the least of them (constraint II: 0)
+  double target = 0.008;
+  std::size_t beam = 6;               // partial results kept
+  int normals = 200;                  // of cutting planes, over the directions asked for
+  double lowestZ = -0.71;             // z of the least of them (constraint II: 0)
   double stepMm = 2.0;                // between offsets of planes
-  std::size_t searchTriangles = 5000; // of the mesh that is searched
-  int mostCuts = 24;
+  std::size_t searchTriangles = 7000; // of the mesh that is searched
+  int mostCuts = 40;
 };
 
 struct PlanarDecomposition {
@@ -37,9 +45,9 @@ struct PlanarDecomposition {
   } seconds;
 };
 
-// Pieces in an order in which each comes after the one it stands on and the head reaches it past
+// Pieces in an order in which each comes after all that it stands on and the head reaches it past
 // those before it, as far as there is such an order; `blocked` counts those it does not reach
-// everywhere. Sets Piece::parent.
+// everywhere. Sets Piece::parent and under.
 std::vector<Piece> printOrder(std::vector<Piece> pieces, const PlanarOptions& options,
                               double spacingMm, std::size_t& blocked);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace voluta::planar {
 
@@ -29,62 +31,106 @@ std::vector<Vector3d> surfaceSamples(const geometry::TriangleMesh& mesh, double 
   return points;
 }
 
-std::vector<Vector3d> plateSamples(const std::vector<Eigen::Vector2d>& polygon, double spacingMm) {
-  std::vector<Vector3d> points;
+std::vector<Vector3d> plateSamples(const std::vector<Eigen::Vector2d>& polygon, double thicknessMm,
+                                   double spacingMm) {
   if (polygon.size() < 3)
-    return points;
-  geometry::TriangleMesh fan;
-  for (const auto& p : polygon)
-    fan.vertices.emplace_back(p.x(), p.y(), 0.0);
-  for (int i = 1; i + 1 < static_cast<int>(polygon.size()); ++i)
-    fan.triangles.push_back({0, i, i + 1});
-  points = surfaceSamples(fan, spacingMm);
-  for (std::size_t i = 0; i < fan.vertices.size(); ++i) {
-    const Vector3d &a = fan.vertices[i], &b = fan.vertices[(i + 1) % fan.vertices.size()];
-    const int n = std::max(1, static_cast<int>(std::ceil((b - a).norm() / spacingMm)));
-    for (int k = 0; k < n; ++k)
-      points.push_back(a + (b - a) * (static_cast<double>(k) / n));
+    return {};
+  geometry::TriangleMesh plate;
+  for (const auto& p : polygon) {
+    plate.vertices.emplace_back(p.x(), p.y(), 0.0);
+    plate.vertices.emplace_back(p.x(), p.y(), -thicknessMm);
   }
+  const int n = static_cast<int>(plate.vertices.size());
+  for (int i = 0; i < n; i += 2) {
+    const int next = (i + 2) % n;
+    plate.triangles.push_back({i, i + 1, next});
+    plate.triangles.push_back({next, i + 1, next + 1});
+    if (i >= 2 && i + 2 < n) {
+      plate.triangles.push_back({0, i, i + 2});
+      plate.triangles.push_back({1, i + 1, i + 3});
+    }
+  }
+  std::vector<Vector3d> points = surfaceSamples(plate, spacingMm);
+  points.insert(points.end(), plate.vertices.begin(), plate.vertices.end());
   return points;
 }
 
-double blockedShare(const std::vector<Vector3d>& tips, const std::vector<Vector3d>& obstacles,
-                    const Vector3d& direction, const process::HeadShape& head) {
-  if (tips.empty() || head.sections.empty())
-    return 0.0;
-  constexpr double kTouching = 1e-3; // mm
+namespace {
+
+constexpr double kStepMm = 0.1;    // of heights in the table of radii
+constexpr double kTouching = 1e-3; // mm
+constexpr double kColumnMm = 1.0;  // of obstacles in a column so wide only the highest counts
+
+struct Flat { // a point in the frame of a direction
+  double u, v, h;
+};
+
+} // namespace
+
+HeadReach::HeadReach(const process::HeadShape& head) {
+  if (head.sections.empty())
+    return;
+  double radius = 0.0;
+  std::size_t s = 0;
+  for (double z = 0.0; z < head.sections.back().zMm; z += kStepMm) {
+    while (s + 2 < head.sections.size() && head.sections[s + 1].zMm <= z)
+      ++s;
+    const auto &a = head.sections[s], &b = head.sections[std::min(s + 1, head.sections.size() - 1)];
+    const double rise = b.zMm - a.zMm;
+    radius = std::max(
+        radius, rise > 0.0 ? a.radiusMm + (b.radiusMm - a.radiusMm) * (z - a.zMm) / rise : 0.0);
+    const double reach = std::max(0.0, radius - kTouching);
+    squared_.push_back(reach * reach);
+  }
+}
+
+bool HeadReach::blocked(const std::vector<Vector3d>& tips, const std::vector<Vector3d>& obstacles,
+                        const Vector3d& direction) const {
+  if (tips.empty() || squared_.empty())
+    return false;
   double lowest = 1e300;
   for (const Vector3d& t : tips)
     lowest = std::min(lowest, direction.dot(t));
-  const double top = head.sections.back().zMm;
-  std::vector<Vector3d> near;
+  const Vector3d across = direction.unitOrthogonal(), along = direction.cross(across);
+  std::vector<Flat> near;
   for (const Vector3d& o : obstacles)
-    if (direction.dot(o) > lowest + kTouching)
-      near.push_back(o);
-  const auto radiusAt = [&](double z) {
-    double radius = 0.0;
-    for (std::size_t s = 0; s + 1 < head.sections.size(); ++s) {
-      const auto &a = head.sections[s], &b = head.sections[s + 1];
-      if (z < a.zMm || z > b.zMm)
-        continue;
-      const double rise = b.zMm - a.zMm;
-      radius = std::max(radius, rise <= 0.0
-                                    ? std::max(a.radiusMm, b.radiusMm)
-                                    : a.radiusMm + (b.radiusMm - a.radiusMm) * (z - a.zMm) / rise);
-    }
-    return radius;
+    if (const double h = direction.dot(o); h > lowest + kTouching)
+      near.push_back({across.dot(o), along.dot(o), h});
+  if (near.empty())
+    return false;
+  const auto columnOf = [](const Flat& f) {
+    return std::pair{std::lround(f.u / kColumnMm), std::lround(f.v / kColumnMm)};
   };
-  std::size_t blocked = 0;
-  for (const Vector3d& t : tips)
-    blocked += std::any_of(near.begin(), near.end(), [&](const Vector3d& o) {
-      const Vector3d to = o - t;
-      const double z = direction.dot(to);
-      if (z <= kTouching || z > top)
-        return false;
-      const double reach = radiusAt(z) - kTouching;
-      return reach > 0.0 && to.squaredNorm() - z * z < reach * reach;
-    });
-  return static_cast<double>(blocked) / static_cast<double>(tips.size());
+  std::sort(near.begin(), near.end(), [&](const Flat& a, const Flat& b) {
+    const auto ca = columnOf(a), cb = columnOf(b);
+    return ca != cb ? ca < cb : a.h > b.h;
+  });
+  near.erase(std::unique(near.begin(), near.end(),
+                         [&](const Flat& a, const Flat& b) { return columnOf(a) == columnOf(b); }),
+             near.end());
+  std::sort(near.begin(), near.end(), [](const Flat& a, const Flat& b) { return a.h > b.h; });
+  const double allowed = kBlockedShare * static_cast<double>(tips.size());
+  // Strewn over the piece, so that what is blocked a lot is soon known to be.
+  const std::size_t n = tips.size();
+  std::size_t stride = std::max<std::size_t>(1, static_cast<std::size_t>(0.618 * n)) | 1U;
+  while (std::gcd(stride, n) != 1)
+    ++stride;
+  std::size_t count = 0;
+  for (std::size_t i = 0, at = 0; i < n; ++i, at = (at + stride) % n) {
+    const Vector3d& t = tips[at];
+    const double u = across.dot(t), v = along.dot(t), h = direction.dot(t) + kTouching;
+    for (const Flat& o : near) {
+      if (o.h <= h)
+        break;
+      const auto z = static_cast<std::size_t>((o.h - h) / kStepMm);
+      if (z < squared_.size() && (o.u - u) * (o.u - u) + (o.v - v) * (o.v - v) < squared_[z]) {
+        if (static_cast<double>(++count) > allowed)
+          return true;
+        break;
+      }
+    }
+  }
+  return false;
 }
 
 } // namespace voluta::planar

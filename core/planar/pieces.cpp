@@ -7,6 +7,12 @@
 
 namespace voluta::planar {
 
+Piece wholePart(const geometry::TriangleMesh& part, const RiskRule& rule) {
+  Piece whole;
+  whole.solid = splitAlong(tagged(part), {Eigen::Vector3d::UnitZ(), rule.contactMm});
+  return whole;
+}
+
 bool isRisky(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction,
              const RiskRule& rule) {
   return normal.dot(direction) + std::sin(rule.overhangRad) < 0.0;
@@ -23,8 +29,8 @@ std::vector<std::uint8_t> standsOn(const Piece& piece, const RiskRule& rule) {
     double highest = piece.base.heightOf(mesh.corner(t, 0));
     for (int k = 1; k < 3; ++k)
       highest = std::max(highest, piece.base.heightOf(mesh.corner(t, k)));
-    stands[t] =
-        highest <= rule.contactMm && geometry::triangleNormal(mesh, t).dot(piece.base.normal) < 0.0;
+    stands[t] = highest <= rule.contactMm + 1e-6 &&
+                geometry::triangleNormal(mesh, t).dot(piece.base.normal) < 0.0;
   }
   return stands;
 }
@@ -33,7 +39,7 @@ double riskyArea(const Piece& piece, const RiskRule& rule) {
   const std::vector<std::uint8_t> stands = standsOn(piece, rule);
   double sum = 0.0;
   for (std::size_t t = 0; t < stands.size(); ++t)
-    if (!stands[t] &&
+    if (!stands[t] && piece.solid.tag[t] != kLaid &&
         isRisky(geometry::triangleNormal(piece.solid.mesh, t), piece.base.normal, rule))
       sum += geometry::triangleArea(piece.solid.mesh, t);
   return sum;

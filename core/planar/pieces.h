@@ -18,19 +18,30 @@ struct Piece {
   std::int32_t baseTag = kPlate; // the cut whose section it stands on; sections of other cuts are
                                  // what later pieces stand on
   int parent = -1;               // index of the piece it stands on; -1: the plate
+  // All pieces that hold some of the section it stands on, `parent` (the largest share) among them:
+  // a section may be shared after later cuts, all of it is there before the piece is printed.
+  std::vector<int> under;
 };
 
 // When a face needs support: dissertation eq. 2.1.
 struct RiskRule {
   double overhangRad = 0.7853981633974483; // alpha: how far a face may lean over without support
-  double contactMm = 0.4;                  // what lies this close over the plate lies on it
+  // What lies this close over the plate lies on it: half the first layer. A layer's outline is the
+  // section half-way up it, and the first lies on the plate all over; a flat face higher up has the
+  // second layer reach out over the first by more than alpha allows.
+  double contactMm = 0.4;
 };
+
+// The part as one piece that stands on the plate z = 0: split at contactMm, so that what lies on
+// the plate is whole faces.
+Piece wholePart(const geometry::TriangleMesh& part, const RiskRule& rule);
 
 // n . d + sin(alpha) < 0: a face of outward unit normal n, printed along unit d, needs support.
 bool isRisky(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction, const RiskRule& rule);
 
 // Area of the faces that need support where the piece is printed along its base's normal, but for
-// what it stands on: its base section, and on the plate what lies no higher than contactMm. mm2.
+// what it stands on: its base section and what is kLaid, and on the plate the faces that lie no
+// higher than contactMm (whole: see wholePart). mm2.
 double riskyArea(const Piece& piece, const RiskRule& rule);
 
 // Whether each triangle is what the piece stands on.

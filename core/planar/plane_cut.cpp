@@ -143,6 +143,13 @@ public:
     return out;
   }
 
+  TaggedMesh splitOnly() {
+    split();
+    below_.insert(below_.end(), above_.begin(), above_.end());
+    belowTag_.insert(belowTag_.end(), aboveTag_.begin(), aboveTag_.end());
+    return side(below_, belowTag_);
+  }
+
 private:
   using Triangle = std::array<int, 3>;
 
@@ -314,6 +321,11 @@ PlaneCut cutByPlane(const TaggedMesh& mesh, const Plane& plane, std::int32_t tag
   throw base::Error(base::ErrorCode::UnusableInput,
                     "the section of the mesh by a plane crosses itself", {},
                     "repair the mesh, or use curved mode, which takes any mesh");
+}
+
+TaggedMesh splitAlong(const TaggedMesh& mesh, const Plane& plane) {
+  base::require(mesh.tag.size() == mesh.mesh.triangles.size(), "splitAlong: a tag a triangle");
+  return Cutter(mesh, plane, 0).splitOnly();
 }
 
 std::vector<TaggedMesh> solids(const TaggedMesh& mesh) {

@@ -12,11 +12,13 @@ namespace voluta::planar {
 
 // A triangle's tag of a part's own surface; cuts have tags >= 0.
 inline constexpr std::int32_t kSkin = -1;
+// And of what lies on material that is printed before: once the base of a piece that was cut.
+inline constexpr std::int32_t kLaid = -3;
 
 // A closed mesh, oriented outward, of any number of components.
 struct TaggedMesh {
   geometry::TriangleMesh mesh;
-  std::vector<std::int32_t> tag; // per triangle: kSkin, or the cut whose section it lies on
+  std::vector<std::int32_t> tag; // per triangle: kSkin, kLaid, or the cut whose section it lies on
 };
 
 TaggedMesh tagged(const geometry::TriangleMesh& mesh);
@@ -42,6 +44,9 @@ using Wanted = std::function<bool(const TaggedMesh& solid)>;
 // Error{UnusableInput} where no nearby plane can be closed (a mesh that cuts itself there).
 PlaneCut cutByPlane(const TaggedMesh& mesh, const Plane& plane, std::int32_t tag,
                     const Wanted& wanted = {});
+
+// The same mesh, its triangles split where the plane crosses them.
+TaggedMesh splitAlong(const TaggedMesh& mesh, const Plane& plane);
 
 // Parts that hang together by shared edges, in order of their first triangle. A cavity's wall is
 // a component of its own, inside out: it goes with the solid that holds it.

@@ -1,62 +1,116 @@
+#include "planar/print_order.h"
+
+#include "geometry/measures.h"
 #include "planar/decomposition.h"
 #include "planar/head_reach.h"
+#include "planar/plate.h"
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace voluta::planar {
 
-namespace {
-
-// Of this share of a piece's points the head may be kept off: samples at the rim of its base.
-constexpr double kBlockedShare = 0.002;
-
-} // namespace
+PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
+                   const std::vector<std::vector<std::int32_t>>& holds,
+                   const std::function<bool(std::size_t i, std::size_t j)>& inTheWay) {
+  const std::size_t n = standsOnTag.size();
+  PieceOrder out;
+  out.under.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      if (i != j && standsOnTag[i] >= 0 &&
+          std::binary_search(holds[j].begin(), holds[j].end(), standsOnTag[i]))
+        out.under[i].push_back(static_cast<int>(j));
+  std::vector<std::vector<std::size_t>> waits(n); // for these to be printed first, for their sake
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      if (i != j && inTheWay(i, j))
+        waits[j].push_back(i);
+  std::vector<bool> done(n, false);
+  const auto standing = [&](std::size_t i) {
+    return std::all_of(out.under[i].begin(), out.under[i].end(),
+                       [&](int j) { return done[static_cast<std::size_t>(j)]; });
+  };
+  while (out.order.size() < n) {
+    std::size_t next = n, fewest = n;
+    for (std::size_t i = 0; i < n && fewest > 0; ++i) {
+      if (done[i] || !standing(i))
+        continue;
+      const auto hurt = static_cast<std::size_t>(
+          std::count_if(waits[i].begin(), waits[i].end(), [&](std::size_t w) { return !done[w]; }));
+      if (next == n || hurt < fewest) {
+        next = i;
+        fewest = hurt;
+      }
+    }
+    if (next == n)
+      break;
+    done[next] = true;
+    out.order.push_back(next);
+  }
+  std::vector<std::size_t> place(n, n);
+  for (std::size_t p = 0; p < out.order.size(); ++p)
+    place[out.order[p]] = p;
+  std::vector<bool> blocked(n, false);
+  for (std::size_t j = 0; j < n; ++j)
+    for (const std::size_t i : waits[j])
+      if (place[j] < place[i])
+        blocked[i] = true;
+  out.blocked = static_cast<std::size_t>(std::count(blocked.begin(), blocked.end(), true)) +
+                (n - out.order.size());
+  return out;
+}
 
 std::vector<Piece> printOrder(std::vector<Piece> pieces, const PlanarOptions& options,
                               double spacingMm, std::size_t& blocked) {
-  // Which piece holds the section of a tag besides the one that stands on it.
-  std::map<std::int32_t, int> holds;
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-    for (const std::int32_t tag : pieces[p].solid.tag)
-      if (tag >= 0 && tag != pieces[p].baseTag)
-        holds[tag] = static_cast<int>(p);
-  std::vector<int> parent(pieces.size(), -1);
-  std::vector<std::vector<Eigen::Vector3d>> samples;
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    if (const auto at = holds.find(pieces[p].baseTag); at != holds.end())
-      parent[p] = at->second;
-    samples.push_back(surfaceSamples(pieces[p].solid.mesh, spacingMm));
-  }
-  std::vector<Eigen::Vector3d> printed = plateSamples(options.plate, spacingMm);
-  std::vector<int> place(pieces.size(), -1); // in the order
-  std::vector<std::size_t> order;
-  blocked = 0;
-  while (order.size() < pieces.size()) {
-    double least = 2.0;
-    std::size_t next = pieces.size();
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-      if (place[p] >= 0 || (parent[p] >= 0 && place[static_cast<std::size_t>(parent[p])] < 0))
-        continue;
-      const double share = blockedShare(samples[p], printed, pieces[p].base.normal, options.head);
-      if (share < least) {
-        least = share;
-        next = p;
-      }
-      if (share == 0.0)
-        break;
+  const std::size_t n = pieces.size();
+  std::vector<std::int32_t> standsOnTag;
+  std::vector<std::vector<std::int32_t>> holds(n);
+  std::vector<std::vector<Eigen::Vector3d>> tips, bodies;
+  for (std::size_t p = 0; p < n; ++p) {
+    const Piece& piece = pieces[p];
+    standsOnTag.push_back(piece.baseTag);
+    std::set<std::int32_t> tags;
+    for (const std::int32_t tag : piece.solid.tag)
+      if (tag >= 0 && tag != piece.baseTag)
+        tags.insert(tag);
+    holds[p].assign(tags.begin(), tags.end());
+    tips.push_back(surfaceSamples(piece.solid.mesh, spacingMm));
+    bodies.push_back(tips.back());
+    if (piece.baseTag == kPlate) {
+      const auto plate = plateSamples(plateUnder(piece, options), options.plateMm, spacingMm);
+      bodies.back().insert(bodies.back().end(), plate.begin(), plate.end());
     }
-    if (next == pieces.size())
-      break;
-    blocked += least > kBlockedShare;
-    place[next] = static_cast<int>(order.size());
-    order.push_back(next);
-    printed.insert(printed.end(), samples[next].begin(), samples[next].end());
   }
+  const HeadReach head(options.head);
+  const PieceOrder found = orderOf(standsOnTag, holds, [&](std::size_t i, std::size_t j) {
+    return head.blocked(tips[i], bodies[j], pieces[i].base.normal);
+  });
+  blocked = found.blocked;
+  std::vector<int> place(n, -1);
+  for (std::size_t p = 0; p < found.order.size(); ++p)
+    place[found.order[p]] = static_cast<int>(p);
   std::vector<Piece> out;
-  for (const std::size_t p : order) {
-    out.push_back(std::move(pieces[p]));
-    out.back().parent = parent[p] < 0 ? -1 : place[static_cast<std::size_t>(parent[p])];
+  for (const std::size_t p : found.order) {
+    Piece piece = std::move(pieces[p]);
+    piece.parent = -1;
+    piece.under.clear();
+    double most = -1.0;
+    for (const int u : found.under[p]) {
+      const auto at = static_cast<std::size_t>(place[static_cast<std::size_t>(u)]);
+      double shared = 0.0;
+      for (std::size_t t = 0; t < out[at].solid.tag.size(); ++t)
+        if (out[at].solid.tag[t] == piece.baseTag)
+          shared += geometry::triangleArea(out[at].solid.mesh, t);
+      piece.under.push_back(static_cast<int>(at));
+      if (shared > most) {
+        most = shared;
+        piece.parent = static_cast<int>(at);
+      }
+    }
+    std::sort(piece.under.begin(), piece.under.end());
+    out.push_back(std::move(piece));
   }
   return out;
 }

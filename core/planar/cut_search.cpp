@@ -1,0 +1,368 @@
+#include "planar/cut_search.h"
+
+#include "base/parallel.h"
+#include "geometry/measures.h"
+#include "planar/face_table.h"
+#include "planar/head_reach.h"
+#include "planar/plane_polish.h"
+#include "planar/print_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace voluta::planar {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t kPiecesTried = 3, kCutsTried = 24; // of a partial result, of a piece
+constexpr double kAlike = 0.95, kAlikeMm = 5.0;          // normals (cosine) and offsets of cuts
+constexpr double kReachSpacingMm = 4.0;
+constexpr double kPieceCost = 0.002;                 // of the risky area before, for a piece more
+constexpr double kLeastGain = 0.0005;                // of the risky area before, for a cut
+constexpr double kBaseGoes = 0.4, kBaseWorth = 0.02; // of a piece's base: share that may go, price
+// Pieces that the head does not reach may yet become free when what is in the way is cut off.
+constexpr double kBlockedCost = 0.02; // of the risky area before
+constexpr std::size_t kBlockedAllowed = 0;
+constexpr std::size_t kResults = 4;
+constexpr std::int32_t kTagsPerCut = 1000;
+
+} // namespace
+
+struct CutSearch::Node {
+  Piece piece;
+  double risky = 0.0, base = 0.0, volume = 0.0, footCost = 0.0;
+  int id = 0;
+  std::vector<std::int32_t> holds; // tags of sections that others stand on
+  std::vector<Vector3d> tips, body;
+  bool searched = false;
+  FaceTable faces;
+  std::vector<CutCandidate> candidates;
+  std::vector<std::shared_ptr<const Cutting>> cuttings; // of the candidates tried
+  std::vector<bool> tried;
+};
+
+struct CutSearch::Cutting {
+  CutStep step;
+  NodePtr below;
+  std::vector<NodePtr> above;
+};
+
+struct CutSearch::State {
+  std::vector<NodePtr> nodes;
+  std::vector<std::shared_ptr<const Cutting>> cuts;
+  double risky = 0.0, cost = 0.0;
+  std::size_t blocked = 0;
+};
+
+CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, double riskyBeforeMm2,
+                     const Footing& footing, const base::RunContext& ctx)
+    : options_(options), ctx_(ctx), head_(options.head),
+      normals_(evenDirections(options.normals, options.lowestZ)), before_(riskyBeforeMm2),
+      least_(kLeastGain * riskyBeforeMm2), footing_(footing) {
+  constexpr double kFlatShare = 0.004;
+  geometry::TriangleMesh all;
+  for (const Piece& piece : pieces) {
+    const int offset = static_cast<int>(all.vertices.size());
+    const geometry::TriangleMesh& mesh = piece.solid.mesh;
+    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const auto& t : mesh.triangles)
+      all.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+    for (const std::int32_t tag : piece.solid.tag)
+      tags_ = std::max(tags_, tag + kTagsPerCut);
+  }
+  const std::vector<Vector3d> flat = flatDirections(all, kFlatShare, 24, options.lowestZ);
+  normals_.insert(normals_.begin(), flat.begin(), flat.end());
+  for (Piece& piece : pieces) {
+    start_.push_back(node(std::move(piece)));
+    start_.back()->id = ids_++;
+  }
+}
+
+CutSearch::~CutSearch() = default;
+
+CutSearch::NodePtr CutSearch::node(Piece piece) {
+  auto made = std::make_shared<Node>();
+  made->piece = std::move(piece);
+  made->risky = riskyArea(made->piece, options_.rule);
+  made->base = baseArea(made->piece, options_.rule);
+  made->volume = geometry::volume(made->piece.solid.mesh);
+  if (made->piece.baseTag == kPlate && footing_.contactMm2 > 0.0) {
+    const Footing left = footingOf(made->piece, options_.rule);
+    made->footCost =
+        before_ * (options_.contactWorth * (1.0 - left.contactMm2 / footing_.contactMm2) +
+                   options_.hullWorth * (1.0 - left.hullMm2 / std::max(1e-9, footing_.hullMm2)));
+  }
+  std::set<std::int32_t> tags;
+  for (const std::int32_t tag : made->piece.solid.tag)
+    if (tag >= 0 && tag != made->piece.baseTag)
+      tags.insert(tag);
+  made->holds.assign(tags.begin(), tags.end());
+  if (!head_.empty()) {
+    made->tips = surfaceSamples(made->piece.solid.mesh, kReachSpacingMm);
+    made->body = made->tips;
+    if (made->piece.baseTag == kPlate) {
+      const auto plate =
+          plateSamples(plateUnder(made->piece, options_), options_.plateMm, kReachSpacingMm);
+      made->body.insert(made->body.end(), plate.begin(), plate.end());
+    }
+  }
+  return made;
+}
+
+double CutSearch::mayGo(const Node& n) const {
+  if (n.piece.baseTag != kPlate)
+    return kBaseGoes * n.base;
+  if (!options_.plate.empty())
+    return 0.0;
+  return std::max(0.0, n.base - options_.keptContact * footing_.contactMm2);
+}
+
+double CutSearch::footPrice(const Node& n) const {
+  if (n.piece.baseTag != kPlate)
+    return kBaseWorth;
+  return footing_.contactMm2 > 0.0 ? options_.contactWorth * before_ / footing_.contactMm2 : 0.0;
+}
+
+// Whether the plate under what stays is wide enough for it to stand as it did.
+bool CutSearch::keepsFoot(const Node& n, const Plane& plane) const {
+  return n.piece.baseTag != kPlate || footingBelow(n.piece, n.faces.stands, plane).hullMm2 >=
+                                          options_.keptHull * footing_.hullMm2 - 1e-9;
+}
+
+// Of many candidates the best that are not alike.
+void CutSearch::findCandidates(Node& n) {
+  if (n.searched)
+    return;
+  n.searched = true;
+  n.faces = faceTable(n.piece, options_.rule);
+  CandidateOptions options;
+  options.stepMm = options_.stepMm;
+  options.leastMm2 = least_;
+  options.mayGoMm2 = mayGo(n);
+  options.footPrice = footPrice(n);
+  for (const CutCandidate& c :
+       cutCandidates(n.piece, n.faces, options_.rule, normals_, options, ctx_)) {
+    const bool alike =
+        std::any_of(n.candidates.begin(), n.candidates.end(), [&](const CutCandidate& o) {
+          return o.plane.normal.dot(c.plane.normal) > kAlike &&
+                 std::abs(o.plane.heightOf(c.topMm) - c.plane.heightOf(c.topMm)) < kAlikeMm &&
+                 std::abs(o.plane.heightOf(o.topMm) - c.plane.heightOf(o.topMm)) < kAlikeMm;
+        });
+    if (alike || !keepsFoot(n, c.plane))
+      continue;
+    n.candidates.push_back(c);
+    if (n.candidates.size() == kCutsTried)
+      break;
+  }
+  n.cuttings.resize(n.candidates.size());
+  n.tried.assign(n.candidates.size(), false);
+}
+
+std::vector<CutSearch::Option> CutSearch::optionsOf(const std::vector<State>& beam) {
+  std::vector<Option> out;
+  for (const State& state : beam) {
+    std::vector<NodePtr> worst = state.nodes;
+    std::stable_sort(worst.begin(), worst.end(),
+                     [](const NodePtr& a, const NodePtr& b) { return a->risky > b->risky; });
+    std::size_t pieces = 0;
+    for (const NodePtr& n : worst) {
+      if (n->risky < least_ || pieces == kPiecesTried)
+        break;
+      findCandidates(*n);
+      bool any = false;
+      for (std::size_t c = 0; c < n->candidates.size(); ++c) {
+        if (n->tried[c] && !n->cuttings[c])
+          continue;
+        any = true;
+        out.push_back({&state, n, c, state.cost - n->candidates[c].gainMm2});
+      }
+      pieces += any;
+    }
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Option& a, const Option& b) { return a.estimate < b.estimate; });
+  return out;
+}
+
+void CutSearch::tryCuts(const std::vector<Option>& options, std::size_t begin, std::size_t end) {
+  struct Task {
+    Node* node = nullptr;
+    std::size_t candidate = 0;
+    std::shared_ptr<Cutting> made;
+  };
+  std::vector<Task> tasks;
+  for (std::size_t i = begin; i < end; ++i) {
+    Node& n = *options[i].node;
+    if (n.tried[options[i].candidate])
+      continue;
+    n.tried[options[i].candidate] = true;
+    tasks.push_back({&n, options[i].candidate, nullptr});
+  }
+  base::parallelChunks(ctx_, tasks.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Node& n = *tasks[i].node;
+      const CutCandidate& c = n.candidates[tasks[i].candidate];
+      PolishOptions polish;
+      polish.mayGoMm2 = mayGo(n);
+      polish.footPrice = footPrice(n);
+      polish.shiftMm = options_.stepMm;
+      const Plane plane = polished(n.piece, n.faces, options_.rule, c.plane, c.top, polish);
+      const CutRules rules{options_.rule, least_, options_.leastVolumeMm3, mayGo(n)};
+      auto cut =
+          cutPiece(n.piece, plane, tags_ + static_cast<std::int32_t>(i) * kTagsPerCut, rules);
+      if (!cut)
+        continue;
+      auto made = std::make_shared<Cutting>();
+      made->step.piece = n.id;
+      made->step.plane = plane;
+      made->step.topMm = c.topMm;
+      made->step.sectionMiddles = cut->sectionMiddles;
+      made->below = node(std::move(cut->below));
+      for (Piece& piece : cut->above)
+        made->above.push_back(node(std::move(piece)));
+      tasks[i].made = std::move(made);
+    }
+  });
+  tags_ += static_cast<std::int32_t>(tasks.size()) * kTagsPerCut;
+  for (Task& task : tasks) {
+    if (!task.made)
+      continue;
+    task.made->below->id = ids_++;
+    task.made->step.below = task.made->below->id;
+    for (const NodePtr& a : task.made->above) {
+      a->id = ids_++;
+      task.made->step.above.push_back(a->id);
+    }
+    task.node->cuttings[task.candidate] = std::move(task.made);
+  }
+}
+
+CutSearch::State CutSearch::after(const Option& option, const Cutting& cutting) {
+  State made;
+  made.cuts = option.state->cuts;
+  made.cuts.push_back(option.node->cuttings[option.candidate]);
+  for (const NodePtr& n : option.state->nodes)
+    if (n != option.node)
+      made.nodes.push_back(n);
+  made.nodes.push_back(cutting.below);
+  made.nodes.insert(made.nodes.end(), cutting.above.begin(), cutting.above.end());
+  made.cost = kPieceCost * before_ * static_cast<double>(made.nodes.size());
+  for (const NodePtr& n : made.nodes) {
+    made.risky += n->risky;
+    made.cost += n->risky + n->footCost;
+  }
+  return made;
+}
+
+bool CutSearch::inTheWay(const Node& of, const Node& what) {
+  const auto [at, fresh] = ways_.try_emplace({of.id, what.id}, false);
+  if (fresh)
+    at->second = head_.blocked(of.tips, what.body, of.piece.base.normal);
+  return at->second;
+}
+
+std::size_t CutSearch::blockedIn(const State& state) {
+  if (head_.empty())
+    return 0;
+  std::vector<std::int32_t> standsOnTag;
+  std::vector<std::vector<std::int32_t>> holds;
+  for (const NodePtr& n : state.nodes) {
+    standsOnTag.push_back(n->piece.baseTag);
+    holds.push_back(n->holds);
+  }
+  return orderOf(standsOnTag, holds,
+                 [&](std::size_t i, std::size_t j) {
+                   return inTheWay(*state.nodes[i], *state.nodes[j]);
+                 })
+      .blocked;
+}
+
+// The best, no two alike: with pieces of the same volumes to two per cent.
+std::vector<CutSearch::State> CutSearch::kept(std::vector<State> states) const {
+  std::stable_sort(states.begin(), states.end(),
+                   [](const State& a, const State& b) { return a.cost < b.cost; });
+  std::vector<State> out;
+  std::set<std::vector<long>> seen;
+  for (State& state : states) {
+    if (out.size() == options_.beam)
+      break;
+    std::vector<long> sizes;
+    for (const NodePtr& n : state.nodes)
+      sizes.push_back(std::lround(50.0 * std::log(1.0 + n->volume)));
+    std::sort(sizes.begin(), sizes.end());
+    if (seen.insert(std::move(sizes)).second)
+      out.push_back(std::move(state));
+  }
+  return out;
+}
+
+bool CutSearch::better(const State& a, const State& b) const {
+  if (a.blocked != b.blocked)
+    return a.blocked < b.blocked;
+  const double goal = options_.target * before_;
+  if ((a.risky <= goal) != (b.risky <= goal))
+    return a.risky <= goal;
+  // Short of the goal risk counts first, to half a per cent of what it was.
+  const auto step = [&](const State& s) { return std::floor(s.risky / (0.005 * before_)); };
+  if (a.risky > goal && step(a) != step(b))
+    return step(a) < step(b);
+  return a.cost < b.cost - 1e-9;
+}
+
+std::vector<SearchResult> CutSearch::run() {
+  constexpr std::size_t kBatch = 8;
+  State start;
+  start.nodes = start_;
+  for (const NodePtr& n : start_)
+    start.risky += n->risky;
+  start.cost = start.risky + kPieceCost * before_ * static_cast<double>(start_.size());
+  const std::size_t blockedBefore = blockedIn(start);
+  start.blocked = blockedBefore;
+  std::vector<State> beam{start}, best{start};
+  const double goal = options_.target * before_;
+  for (int level = 0; level < options_.mostCuts && best.front().risky > goal; ++level) {
+    ctx_.report(static_cast<double>(level) / options_.mostCuts, "pieces");
+    const std::vector<Option> options = optionsOf(beam);
+    std::vector<State> next;
+    for (std::size_t at = 0;
+         at < options.size() && next.size() < 2 * options_.beam && at < 20 * options_.beam;
+         at += kBatch) {
+      const std::size_t end = std::min(at + kBatch, options.size());
+      tryCuts(options, at, end);
+      for (std::size_t i = at; i < end; ++i)
+        if (const auto& cutting = options[i].node->cuttings[options[i].candidate]) {
+          State made = after(options[i], *cutting);
+          if (made.risky >= options[i].state->risky - 0.5 * least_)
+            continue;
+          made.blocked = blockedIn(made);
+          made.cost += kBlockedCost * before_ * static_cast<double>(made.blocked);
+          if (made.blocked <= blockedBefore + kBlockedAllowed)
+            next.push_back(std::move(made));
+        }
+    }
+    if (next.empty())
+      break;
+    beam = kept(std::move(next));
+    best.insert(best.end(), beam.begin(), beam.end());
+    std::stable_sort(best.begin(), best.end(),
+                     [&](const State& a, const State& b) { return better(a, b); });
+    if (best.size() > kResults)
+      best.resize(kResults);
+  }
+  std::vector<SearchResult> out;
+  for (const State& state : best) {
+    SearchResult result;
+    for (const NodePtr& n : state.nodes)
+      result.pieces.push_back(n->piece);
+    for (const auto& cutting : state.cuts)
+      result.steps.push_back(cutting->step);
+    result.riskyMm2 = state.risky;
+    out.push_back(std::move(result));
+  }
+  return out;
+}
+
+} // namespace voluta::planar

@@ -1,0 +1,85 @@
+// Several partial results side by side, each a set of pieces, cut further where it pays most.
+#pragma once
+
+#include "base/run_context.h"
+#include "planar/cut_candidates.h"
+#include "planar/decomposition.h"
+#include "planar/head_reach.h"
+#include "planar/piece_cut.h"
+#include "planar/plate.h"
+
+#include <Eigen/Core>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace voluta::planar {
+
+// A cut of the search: which piece, and which pieces came of it, by numbers of the search's own.
+struct CutStep {
+  int piece = 0;
+  Plane plane;
+  Eigen::Vector3d topMm = Eigen::Vector3d::Zero(); // of what is cut off, on its surface
+  int below = 0;
+  std::vector<int> above;
+  std::vector<Eigen::Vector3d> sectionMiddles; // of each above
+};
+
+struct SearchResult {
+  std::vector<Piece> pieces;
+  std::vector<CutStep> steps;
+  double riskyMm2 = 0.0;
+};
+
+class CutSearch {
+public:
+  // Starts from `pieces`, numbered 0 and up. `riskyBeforeMm2` and `footing` are the whole
+  // part's: what shares of it are counted by, and what of it must stay on the plate.
+  CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, double riskyBeforeMm2,
+            const Footing& footing, const base::RunContext& ctx);
+  ~CutSearch();
+
+  // The best results found, best first: those that reach the target with the fewest pieces, else
+  // those with the least risky area. At least one (the start, where no cut helps). Throws
+  // Cancelled.
+  std::vector<SearchResult> run();
+
+private:
+  struct Node;
+  struct Cutting;
+  struct State;
+  using NodePtr = std::shared_ptr<Node>;
+  struct Option { // to cut a piece of a partial result
+    const State* state = nullptr;
+    NodePtr node;
+    std::size_t candidate = 0;
+    double estimate = 0.0;
+  };
+
+  NodePtr node(Piece piece);
+  double mayGo(const Node& node) const;
+  double footPrice(const Node& node) const; // risky area that a mm2 of contact is worth
+  bool keepsFoot(const Node& node, const Plane& plane) const;
+  void findCandidates(Node& node);
+  std::vector<Option> optionsOf(const std::vector<State>& beam);
+  void tryCuts(const std::vector<Option>& options, std::size_t begin, std::size_t end);
+  State after(const Option& option, const Cutting& cutting);
+  bool inTheWay(const Node& of, const Node& what);
+  std::size_t blockedIn(const State& state);
+  std::vector<State> kept(std::vector<State> states) const;
+  bool better(const State& a, const State& b) const;
+
+  const PlanarOptions& options_;
+  const base::RunContext& ctx_;
+  HeadReach head_;
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<NodePtr> start_;
+  double before_ = 0.0, least_ = 0.0;
+  Footing footing_;
+  int ids_ = 0;
+  std::int32_t tags_ = 0;
+  std::map<std::pair<int, int>, bool> ways_; // known answers of inTheWay
+};
+
+} // namespace voluta::planar

@@ -1,0 +1,81 @@
+#include "planar/plate.h"
+
+#include "geometry/measures.h"
+
+#include <algorithm>
+
+namespace voluta::planar {
+
+namespace {
+
+double cross(const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3)
+    return points;
+  std::vector<Eigen::Vector2d> hull;
+  for (int half = 0; half < 2; ++half) {
+    const std::size_t start = hull.size();
+    for (const Eigen::Vector2d& p : points) {
+      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0.0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+double polygonArea(const std::vector<Eigen::Vector2d>& polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    twice += cross(polygon[0], polygon[i], polygon[i + 1]);
+  return 0.5 * twice;
+}
+
+std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions& options) {
+  if (!options.plate.empty() || piece.baseTag != kPlate)
+    return options.plate;
+  std::vector<Eigen::Vector2d> points;
+  const std::vector<std::uint8_t> stands = standsOn(piece, options.rule);
+  for (std::size_t t = 0; t < stands.size(); ++t)
+    for (int k = 0; stands[t] && k < 3; ++k)
+      points.push_back(piece.solid.mesh.corner(t, k).head<2>());
+  return convexHull(std::move(points));
+}
+
+Footing footingOf(const Piece& piece, const RiskRule& rule) {
+  return footingBelow(piece, standsOn(piece, rule), {Eigen::Vector3d::UnitZ(), 1e300});
+}
+
+Footing footingBelow(const Piece& piece, const std::vector<std::uint8_t>& stands,
+                     const Plane& plane) {
+  Footing out;
+  std::vector<Eigen::Vector2d> points;
+  for (std::size_t t = 0; t < stands.size(); ++t) {
+    if (!stands[t])
+      continue;
+    bool all = true;
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d& c = piece.solid.mesh.corner(t, k);
+      if (plane.heightOf(c) <= 0.0)
+        points.push_back(c.head<2>());
+      else
+        all = false;
+    }
+    out.contactMm2 += all ? geometry::triangleArea(piece.solid.mesh, t) : 0.0;
+  }
+  out.hullMm2 = polygonArea(convexHull(std::move(points)));
+  return out;
+}
+
+} // namespace voluta::planar

@@ -1,0 +1,29 @@
+// The plate under a piece, and how well the piece stands on it.
+#pragma once
+
+#include "planar/decomposition.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voluta::planar {
+
+// Convex hull, counter-clockwise, without points on its sides.
+std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points);
+double polygonArea(const std::vector<Eigen::Vector2d>& polygon);
+
+// The plate under a piece that stands on it: options.plate, or the hull of what the piece stands
+// on.
+std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions& options);
+
+// What a part stands on.
+struct Footing {
+  double contactMm2 = 0.0;
+  double hullMm2 = 0.0; // of the hull of it
+};
+Footing footingOf(const Piece& piece, const RiskRule& rule);
+// Of that which would be left below the plane.
+Footing footingBelow(const Piece& piece, const std::vector<std::uint8_t>& stands,
+                     const Plane& plane);
+
+} // namespace voluta::planar

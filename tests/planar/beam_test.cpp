@@ -1,0 +1,302 @@
+// Pieces that print without support: parts whose best number of pieces is worked out by hand, and
+// checks of what is found that share nothing with the search.
+#include "planar/beam_search.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+#include "process/process.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace voluta::planar {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using geometry::TriangleMesh;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// A polygon of x and z pushed along y.
+TriangleMesh prism(const std::vector<Vector2d>& outline,
+                   const std::vector<std::array<int, 3>>& triangles, double y0, double y1) {
+  TriangleMesh m;
+  const int n = static_cast<int>(outline.size());
+  for (const double y : {y0, y1})
+    for (const Vector2d& p : outline)
+      m.vertices.emplace_back(p.x(), y, p.y());
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    m.triangles.push_back({i, j, n + j});
+    m.triangles.push_back({i, n + j, n + i});
+  }
+  for (const auto& t : triangles) {
+    m.triangles.push_back({t[0], t[2], t[1]});
+    m.triangles.push_back({n + t[0], n + t[1], n + t[2]});
+  }
+  if (geometry::volume(m) < 0.0)
+    for (auto& t : m.triangles)
+      std::swap(t[1], t[2]);
+  return m;
+}
+
+// A body of revolution about z from its profile of (r, z), r = 0 at both ends.
+TriangleMesh revolved(const std::vector<Vector2d>& profile, int around) {
+  TriangleMesh m;
+  std::vector<int> ring;
+  for (const Vector2d& p : profile) {
+    ring.push_back(static_cast<int>(m.vertices.size()));
+    for (int j = 0; j < (p.x() > 0.0 ? around : 1); ++j) {
+      const double a = 2.0 * std::numbers::pi * j / around;
+      m.vertices.emplace_back(p.x() * std::cos(a), p.x() * std::sin(a), p.y());
+    }
+  }
+  for (std::size_t i = 0; i + 1 < profile.size(); ++i)
+    for (int j = 0; j < around; ++j) {
+      const auto at = [&](std::size_t k, int step) {
+        return ring[k] + (profile[k].x() > 0.0 ? (j + step) % around : 0);
+      };
+      if (profile[i].x() > 0.0)
+        m.triangles.push_back({at(i, 0), at(i, 1), at(i + 1, 0)});
+      if (profile[i + 1].x() > 0.0)
+        m.triangles.push_back({at(i, 1), at(i + 1, 1), at(i + 1, 0)});
+    }
+  if (geometry::volume(m) < 0.0)
+    for (auto& t : m.triangles)
+      std::swap(t[1], t[2]);
+  return m;
+}
+
+TriangleMesh tee() {
+  return prism({{-4, 0}, {4, 0}, {4, 20}, {20, 20}, {20, 28}, {-20, 28}, {-20, 20}, {-4, 20}},
+               {{0, 1, 2}, {0, 2, 7}, {2, 3, 4}, {2, 4, 7}, {7, 4, 5}, {7, 5, 6}}, -4, 4);
+}
+
+// Arms that lean out by 60 degrees from upright.
+TriangleMesh wye() {
+  const double reach = 24.0, rise = reach / std::sqrt(3.0);
+  return prism({{-4, 0},
+                {4, 0},
+                {4, 16},
+                {4 + reach, 16 + rise},
+                {4 + reach, 24 + rise},
+                {0, 24 - 4 / std::sqrt(3.0)},
+                {-4 - reach, 24 + rise},
+                {-4 - reach, 16 + rise},
+                {-4, 16}},
+               {{0, 1, 2}, {0, 2, 8}, {2, 3, 4}, {2, 4, 5}, {8, 2, 5}, {8, 5, 6}, {8, 6, 7}}, -4,
+               4);
+}
+
+// A square cap on a square stem.
+TriangleMesh mushroom() {
+  TriangleMesh m;
+  const double s = 5.0, c = 15.0;
+  const auto square = [&](double r, double z) {
+    const int first = static_cast<int>(m.vertices.size());
+    for (const Vector2d& p : {Vector2d(-r, -r), Vector2d(r, -r), Vector2d(r, r), Vector2d(-r, r)})
+      m.vertices.emplace_back(p.x(), p.y(), z);
+    return first;
+  };
+  const std::array<int, 4> rings{square(s, 0.0), square(s, 20.0), square(c, 20.0), square(c, 28.0)};
+  for (std::size_t k = 0; k + 1 < rings.size(); ++k)
+    for (int j = 0; j < 4; ++j) {
+      const int i = (j + 1) % 4;
+      m.triangles.push_back({rings[k] + j, rings[k] + i, rings[k + 1] + i});
+      m.triangles.push_back({rings[k] + j, rings[k + 1] + i, rings[k + 1] + j});
+    }
+  for (const auto& t : {std::array{0, 2, 1}, std::array{0, 3, 2}})
+    m.triangles.push_back({t[0], t[1], t[2]});
+  for (const auto& t : {std::array{0, 1, 2}, std::array{0, 2, 3}})
+    m.triangles.push_back({rings[3] + t[0], rings[3] + t[1], rings[3] + t[2]});
+  return m;
+}
+
+// A post, an arm to the side of it and a square drop that hangs from the arm.
+TriangleMesh hanging() {
+  return prism({{0, 0}, {10, 0}, {10, 40}, {30, 40}, {30, 20}, {40, 20}, {40, 50}, {0, 50}},
+               {{0, 1, 2}, {0, 2, 7}, {7, 2, 3}, {7, 3, 6}, {3, 4, 5}, {3, 5, 6}}, -5, 5);
+}
+
+PlanarOptions withHead() {
+  PlanarOptions options;
+  options.head = process::erodedHead(process::loadProcess("fdm-1.0").head, 0.4);
+  return options;
+}
+
+// Solid angle of the triangle seen from p, signed (Van Oosterom and Strackee 1983).
+double solidAngle(const TriangleMesh& m, std::size_t t, const Vector3d& p) {
+  const Vector3d a = m.corner(t, 0) - p, b = m.corner(t, 1) - p, c = m.corner(t, 2) - p;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  return 2.0 * std::atan2(a.dot(b.cross(c)),
+                          la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+bool within(const TriangleMesh& m, const Vector3d& p) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t)
+    sum += solidAngle(m, t, p);
+  return sum > 2.0 * std::numbers::pi;
+}
+
+// Points spread over a mesh, corners drawn in a little.
+std::vector<Vector3d> spread(const TriangleMesh& m, double spacing) {
+  std::vector<Vector3d> out;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+    const Vector3d &a = m.corner(t, 0), &b = m.corner(t, 1), &c = m.corner(t, 2);
+    const int n = 1 + static_cast<int>(std::max((b - a).norm(), (c - a).norm()) / spacing);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j) {
+        const Vector3d q = a + (b - a) * i / n + (c - a) * j / n;
+        out.push_back(q + 1e-3 * ((a + b + c) / 3.0 - q));
+      }
+  }
+  return out;
+}
+
+double headRadius(const process::HeadShape& head, double z) {
+  double radius = 0.0;
+  for (std::size_t s = 0; s + 1 < head.sections.size(); ++s) {
+    const auto &a = head.sections[s], &b = head.sections[s + 1];
+    if (z >= a.zMm && z <= b.zMm && b.zMm > a.zMm)
+      radius =
+          std::max(radius, a.radiusMm + (b.radiusMm - a.radiusMm) * (z - a.zMm) / (b.zMm - a.zMm));
+  }
+  return radius;
+}
+
+// What must hold of pieces, whatever found them.
+void check(const TriangleMesh& part, const PlanarDecomposition& d, const PlanarOptions& options,
+           double spacing) {
+  double volume = 0.0;
+  for (const Piece& p : d.pieces) {
+    EXPECT_TRUE(isClosed(p.solid.mesh));
+    volume += geometry::volume(p.solid.mesh);
+    for (const Vector3d& v : p.solid.mesh.vertices)
+      EXPECT_GE(p.base.heightOf(v), -1e-3);
+  }
+  EXPECT_NEAR(volume, geometry::volume(part), 1e-6 * geometry::volume(part));
+  ASSERT_FALSE(d.pieces.empty());
+  for (std::size_t i = 0; i < d.pieces.size(); ++i) {
+    const Piece& piece = d.pieces[i];
+    EXPECT_EQ(piece.baseTag == kPlate, piece.under.empty());
+    for (const int u : piece.under)
+      EXPECT_LT(u, static_cast<int>(i));
+    // Disjoint: no point well inside one is inside another, so no section passes through another
+    // piece or its section (constraint I).
+    for (std::size_t t = 0; t < piece.solid.mesh.triangles.size(); t += 7) {
+      const Vector3d middle = (piece.solid.mesh.corner(t, 0) + piece.solid.mesh.corner(t, 1) +
+                               piece.solid.mesh.corner(t, 2)) /
+                              3.0;
+      const Vector3d in = middle - 0.05 * geometry::triangleNormal(piece.solid.mesh, t);
+      if (within(piece.solid.mesh, in)) {
+        for (std::size_t j = 0; j < d.pieces.size(); ++j)
+          EXPECT_TRUE(j == i || !within(d.pieces[j].solid.mesh, in));
+      }
+    }
+    // The head at every point of the piece past all that is printed before it.
+    std::size_t hit = 0, tips = 0;
+    for (const Vector3d& tip : spread(piece.solid.mesh, spacing)) {
+      ++tips;
+      bool meets = false;
+      for (std::size_t j = 0; j < i && !meets; ++j)
+        for (const Vector3d& o : spread(d.pieces[j].solid.mesh, spacing)) {
+          const double z = piece.base.normal.dot(o - tip);
+          const double r = (o - tip - z * piece.base.normal).norm();
+          if (z > 0.01 && r < headRadius(options.head, z) - 0.01) {
+            meets = true;
+            break;
+          }
+        }
+      hit += meets;
+    }
+    EXPECT_LE(static_cast<double>(hit), 0.01 * static_cast<double>(tips));
+  }
+}
+
+struct Shape {
+  const char* name;
+  TriangleMesh (*make)();
+  int alphaDeg;
+  // Worked out by hand, all that stands on the plate left as it is.
+  std::size_t pieces; // a cut outwards at each side of the stem
+  std::size_t
+      least; // no direction is within 90 degrees + alpha of all faces of what would be one piece
+};
+std::ostream& operator<<(std::ostream& out, const Shape& s) {
+  return out << s.name;
+}
+
+class BeamShapes : public testing::TestWithParam<Shape> {};
+
+TEST_P(BeamShapes, TheBestNumberOfPiecesAndNothingRisky) {
+  const TriangleMesh part = GetParam().make();
+  ASSERT_TRUE(isClosed(part));
+  ASSERT_GT(geometry::volume(part), 0.0);
+  PlanarOptions options = withHead();
+  options.rule.overhangRad = GetParam().alphaDeg * kDegree;
+  options.target = 1e-9;
+  // Free to leave some of what the part stands on to later pieces, it needs no more of them.
+  const PlanarDecomposition freely = beamDecompose(part, options, base::RunContext({}, 2));
+  EXPECT_NEAR(freely.riskyMm2, 0.0, 1e-6);
+  EXPECT_LE(freely.pieces.size(), GetParam().pieces);
+  EXPECT_GE(freely.pieces.size(), 2u);
+  EXPECT_EQ(freely.blockedPieces, 0u);
+  check(part, freely, options, 1.5);
+  options.keptContact = options.keptHull = 1.0;
+  const PlanarDecomposition d = beamDecompose(part, options, base::RunContext({}, 2));
+  EXPECT_GT(d.riskyBeforeMm2, 50.0);
+  EXPECT_NEAR(d.riskyMm2, 0.0, 1e-6);
+  EXPECT_LE(d.pieces.size(), GetParam().pieces);
+  EXPECT_GE(d.pieces.size(), GetParam().least);
+  EXPECT_EQ(d.blockedPieces, 0u);
+  check(part, d, options, 1.5);
+  const PlanarDecomposition again = beamDecompose(part, options, base::RunContext({}, 1));
+  ASSERT_EQ(again.pieces.size(), d.pieces.size());
+  for (std::size_t i = 0; i < d.pieces.size(); ++i) {
+    EXPECT_EQ(again.pieces[i].solid.mesh.vertices, d.pieces[i].solid.mesh.vertices);
+    EXPECT_EQ(again.pieces[i].solid.mesh.triangles, d.pieces[i].solid.mesh.triangles);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Hand, BeamShapes,
+                         testing::Values(Shape{"tee", tee, 30, 3, 3}, Shape{"wye", wye, 30, 3, 3},
+                                         Shape{"mushroom", mushroom, 45, 5, 2},
+                                         Shape{"hanging", hanging, 45, 2, 2}));
+
+// A cone on its tip: its wall leans out by its half angle, so it is safe up to alpha.
+TEST(RiskRule, AConeIsSafeUpToTheOverhangAngle) {
+  for (int half = 10; half <= 80; half += 5) {
+    const double height = 20.0, radius = height * std::tan(half * kDegree);
+    Piece cone;
+    cone.solid = tagged(revolved({{0, 0}, {radius, height}, {0, height}}, 720));
+    ASSERT_TRUE(isClosed(cone.solid.mesh));
+    for (const int alpha : {32, 47, 62}) {
+      RiskRule rule;
+      rule.overhangRad = alpha * kDegree;
+      const double wall = std::numbers::pi * radius * std::hypot(radius, height);
+      EXPECT_NEAR(riskyArea(cone, rule), half > alpha ? wall : 0.0, 1e-4 * wall)
+          << half << " " << alpha;
+    }
+  }
+}
+
+TEST(Beam, AnOpenMeshIsRefused) {
+  TriangleMesh open = tee();
+  open.triangles.pop_back();
+  EXPECT_THROW(beamDecompose(open, withHead(), base::RunContext({}, 1)), base::Error);
+}
+
+TEST(Beam, WhatPrintsAsItIsIsLeftWhole) {
+  const PlanarDecomposition d =
+      beamDecompose(test::box({0, 0, 0}, {10, 12, 14}), withHead(), base::RunContext({}, 1));
+  EXPECT_EQ(d.pieces.size(), 1u);
+  EXPECT_EQ(d.riskyBeforeMm2, 0.0);
+}
+
+} // namespace
+} // namespace voluta::planar
