@@ -43,6 +43,8 @@ std::string valueText(const base::ParameterValues& values,
   return text;
 }
 
+// Down to where cells hold the plate; what carries it is taken to be as wide as the plate.
+constexpr double kCarrierMm = 100.0;
 
 planar::RiskRule riskRule(const ModeChoices& in) {
   planar::RiskRule rule;
@@ -126,6 +128,7 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
   planar::PlanarOptions options;
   options.rule = riskRule(in);
   options.head = process::erodedHead(in.process.head, in.process.contactToleranceMm);
+  options.plateMm = kCarrierMm;
   options.plate = platformAround(in.choices.platform,
                                  input.placed.platform.empty()
                                      ? standingPoints(*input.placed.part, options.rule.contactMm)
