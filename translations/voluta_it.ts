@@ -719,6 +719,10 @@
         <source>slicing</source>
         <translation>taglio in strati</translation>
     </message>
+    <message>
+        <source>ending layers on the surface</source>
+        <translation>strati terminati sulla superficie</translation>
+    </message>
 </context>
 <context>
     <name>voluta::document::Document</name>
