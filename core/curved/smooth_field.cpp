@@ -23,7 +23,7 @@ constexpr double kStalled = 0.6; // a round that leaves more than this share of 
 // voxels under roofs beyond 60 degrees that the latter is worth its time for.
 constexpr float kRoofFlat = 0.65f, kRoofByHead = 1.2f;
 constexpr double kRoofs = 0.012;
-constexpr float kOverhangFirst = 0.68f, kOverhangStep = 0.12f;
+constexpr float kOverhangFirst = 0.66f, kOverhangStep = 0.12f;
 
 // Marks the neighbours of what is marked, and theirs.
 void widen(const VoxelGraph& graph, std::vector<std::uint8_t>& marked) {
