@@ -2,42 +2,16 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/convex_polygon.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace voluta::curved {
 
-namespace {
-
-// Counter-clockwise, without corners on its sides.
-std::vector<Eigen::Vector2d> hull(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  std::vector<Eigen::Vector2d> out;
-  const auto chain = [&](auto first, auto last, std::size_t keep) {
-    for (auto it = first; it != last; ++it) {
-      while (out.size() >= keep + 2) {
-        const Eigen::Vector2d a = out.back() - out[out.size() - 2], b = *it - out[out.size() - 2];
-        if (a.x() * b.y() - a.y() * b.x() > 1e-9)
-          break;
-        out.pop_back();
-      }
-      out.push_back(*it);
-    }
-    out.pop_back();
-  };
-  chain(points.begin(), points.end(), 0);
-  chain(points.rbegin(), points.rend(), out.size());
-  return out;
-}
-
-} // namespace
-
 std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points, double marginMm) {
   base::require(marginMm >= 0.0, "convexPolygon: margin >= 0");
-  std::vector<Eigen::Vector2d> polygon = hull(std::move(points));
+  std::vector<Eigen::Vector2d> polygon = geometry::convexPolygon(std::move(points));
   if (marginMm == 0.0)
     return polygon;
   // Sum with a 16-gon about the disc of the margin.
@@ -48,7 +22,7 @@ std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points, 
       const double a = base::kPi * (2 * i + 1) / 16.0;
       widened.emplace_back(p + radius * Eigen::Vector2d(std::cos(a), std::sin(a)));
     }
-  return hull(std::move(widened));
+  return geometry::convexPolygon(std::move(widened));
 }
 
 std::vector<Eigen::Vector2d> platformFit(const voxel::SolidVoxels& voxels, double marginMm) {

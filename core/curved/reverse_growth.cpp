@@ -103,11 +103,10 @@ private:
   // Guided: how deep below the front voxels are looked for. A sheet, and further down what is late
   // or allowed to lie there.
   static double lookedFor(const PeelOptions& options) {
-    constexpr double kBelowAllowed = 0.0;
     double most = std::max(options.sheet, options.eases ? kEasedMost : 0.0);
     for (const float allowed : options.allowance)
       if (allowed > 0.0f)
-        most = std::max(most, options.tolerance + allowed + kBelowAllowed);
+        most = std::max(most, options.tolerance + allowed);
     return most;
   }
 

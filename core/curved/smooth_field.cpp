@@ -170,13 +170,10 @@ SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>
                 "smoothField: a round and a voxel or more, a rank each");
   ctx.report(0.0, "field");
   Rounds all(graph, rank, limits, rounds, improved, ctx);
-  if (head == nullptr) {
-    all.run({nullptr, kRoofFlat, true, 1.0}, ctx);
-  } else {
-    all.run({nullptr, kRoofFlat, true, kRoofs}, ctx.sub(0.0, 0.6));
-    if (all.last().roofs > kRoofs)
-      all.run({head, kRoofByHead, false, 1.0}, ctx.sub(0.6, 1.0));
-  }
+  const bool hasHead = head != nullptr;
+  all.run({nullptr, kRoofFlat, true, hasHead ? kRoofs : 1.0}, ctx.sub(0.0, hasHead ? 0.6 : 1.0));
+  if (hasHead && all.last().roofs > kRoofs)
+    all.run({head, kRoofByHead, false, 1.0}, ctx.sub(0.6, 1.0));
   ctx.report(1.0, "field");
   return all.take();
 }

@@ -1,3 +1,4 @@
+#include "geometry/append_mesh.h"
 #include "geometry/cgal_mesh.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
@@ -7,17 +8,6 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 
 namespace voluta::geometry {
-
-namespace {
-
-void append(TriangleMesh& mesh, const TriangleMesh& other) {
-  const int offset = static_cast<int>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const auto& t : other.triangles)
-    mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-}
-
-} // namespace
 
 std::size_t uniteComponents(TriangleMesh& mesh, const std::vector<std::pair<int, int>>& pairs,
                             const base::RunContext& ctx) {
@@ -73,9 +63,9 @@ std::size_t uniteComponents(TriangleMesh& mesh, const std::vector<std::pair<int,
         apart.push_back(&shells[c]);
       }
     }
-    append(result, sum);
+    appendMesh(result, sum);
     for (const TriangleMesh* shell : apart)
-      append(result, *shell);
+      appendMesh(result, *shell);
     united += members > 1 ? members : 0;
   }
   if (united > 0)

@@ -116,14 +116,29 @@ base::ParameterValues parameterValues(const Choices& choices) {
   return values;
 }
 
+namespace {
+
+std::string parameterLine(const base::ParameterSpec& spec, const base::ParameterValues& values) {
+  const auto changed = values.changes().find(spec.key);
+  return fmt::format("{}={}\n", spec.key,
+                     base::formatParameter(changed == values.changes().end() ? spec.defaultValue
+                                                                             : changed->second));
+}
+
+} // namespace
+
 std::string parameterText(const base::ParameterTable& table, const base::ParameterValues& values) {
   std::string text;
-  for (const base::ParameterSpec& spec : table.specs()) {
-    const auto changed = values.changes().find(spec.key);
-    text += fmt::format("{}={}\n", spec.key,
-                        base::formatParameter(changed == values.changes().end() ? spec.defaultValue
-                                                                                : changed->second));
-  }
+  for (const base::ParameterSpec& spec : table.specs())
+    text += parameterLine(spec, values);
+  return text;
+}
+
+std::string parameterText(std::initializer_list<const char*> keys,
+                          const base::ParameterValues& values) {
+  std::string text;
+  for (const char* key : keys)
+    text += parameterLine(*values.table().find(key), values);
   return text;
 }
 

@@ -18,6 +18,9 @@ base::ParameterValues parameterValues(const Choices& choices);
 
 // "key=value" a line of the parameters of `table` as `values` have them.
 std::string parameterText(const base::ParameterTable& table, const base::ParameterValues& values);
+// The same of these keys, which must be known.
+std::string parameterText(std::initializer_list<const char*> keys,
+                          const base::ParameterValues& values);
 
 // The ids of choices.formats, or what stands in for an empty list in this cell.
 std::vector<std::string> chosenFormats(const Choices& choices, const robot::Cell& cell);

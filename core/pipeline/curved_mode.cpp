@@ -27,9 +27,7 @@ std::string curvedDecomposeKey(const ModeChoices& in) {
                     parameterText(support::supportParameters(), in.values);
   if (!curved::peels(in.choices.growth))
     key += parameterText(curved::forwardParameters(), in.values);
-  for (const process::HeadSection& s : frontHead(in).sections)
-    key += fmt::format("head {} {}\n", s.zMm, s.radiusMm);
-  return key;
+  return key + headText(frontHead(in));
 }
 
 std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& input,

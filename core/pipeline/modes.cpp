@@ -25,6 +25,13 @@ std::string heightsText(const process::Process& p) {
                      p.layerHeightMaxMm);
 }
 
+std::string headText(const process::HeadShape& head) {
+  std::string text;
+  for (const process::HeadSection& s : head.sections)
+    text += fmt::format("head {} {}\n", s.zMm, s.radiusMm);
+  return text;
+}
+
 LayersReport reportOf(const layers::LayerStatistics& s) {
   LayersReport r;
   r.count = s.count;

@@ -54,8 +54,9 @@ const std::vector<Mode>& modes();
 // Precondition: the id is known (checkChoices).
 const Mode& findMode(std::string_view id);
 
-// What modes share: heights as text for keys, statistics as the report has them.
+// What modes share: heights and a head as text for keys, statistics as the report has them.
 std::string heightsText(const process::Process& process);
+std::string headText(const process::HeadShape& head);
 LayersReport reportOf(const layers::LayerStatistics& statistics);
 
 } // namespace voluta::pipeline

@@ -30,19 +30,6 @@ base::ParameterSpec textParameter(const char* key, const char* group, const char
   return spec;
 }
 
-std::string valueText(const base::ParameterValues& values,
-                      std::initializer_list<const char*> keys) {
-  std::string text;
-  for (const char* key : keys) {
-    const auto changed = values.changes().find(key);
-    text += fmt::format("{}={}\n", key,
-                        base::formatParameter(changed == values.changes().end()
-                                                  ? values.table().find(key)->defaultValue
-                                                  : changed->second));
-  }
-  return text;
-}
-
 // Down to where cells hold the plate; what carries it is taken to be as wide as the plate.
 constexpr double kCarrierMm = 100.0;
 
@@ -107,17 +94,10 @@ std::vector<Eigen::Vector2d> standingPoints(const geometry::TriangleMesh& part, 
   return points;
 }
 
-std::string headText(const process::HeadShape& head) {
-  std::string text;
-  for (const process::HeadSection& s : head.sections)
-    text += fmt::format("head {} {}\n", s.zMm, s.radiusMm);
-  return text;
-}
-
 std::string planarKey(const ModeChoices& in) {
   return fmt::format("platform {}\n{}", in.choices.platform, heightsText(in.process)) +
          headText(process::erodedHead(in.process.head, in.process.contactToleranceMm)) +
-         valueText(in.values, {"overhangAngle", "pieceMaterials"});
+         parameterText({"overhangAngle", "pieceMaterials"}, in.values);
 }
 
 std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& input,
@@ -144,7 +124,7 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
 
 std::string flatKey(const ModeChoices& in) {
   return fmt::format("platform {}\n{}", in.choices.platform, heightsText(in.process)) +
-         valueText(in.values, {"overhangAngle", "voxelMm", "pieceMaterials"});
+         parameterText({"overhangAngle", "voxelMm", "pieceMaterials"}, in.values);
 }
 
 plan::Finding uniformMissesFinding(const planar::UniformMisses& misses,
@@ -193,7 +173,7 @@ std::shared_ptr<const DecomposeStage> decomposeFlat(const DecomposeInput& input,
 
 std::string sliceKey(const ModeChoices& in) {
   return fmt::format("{}bead width {}\n", heightsText(in.process), in.process.beadWidthMm) +
-         valueText(in.values, {"adaptiveLayers", "cuspMm"});
+         parameterText({"adaptiveLayers", "cuspMm"}, in.values);
 }
 
 std::string flatLayersKey(const ModeChoices& in) {

@@ -59,11 +59,10 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
     PolishOptions polish;
     polish.shiftMm = options.stepMm;
     // The search has weighed what may go; here only what the finer shape adds may go besides.
-    const PlaneWorth planned = planeWorth(piece, faces, options.rule, step.plane,
-                                          faceAt(piece.solid.mesh, step.topMm), 1e300);
+    const int top = faceAt(piece.solid.mesh, step.topMm);
+    const PlaneWorth planned = planeWorth(piece, faces, options.rule, step.plane, top, 1e300);
     polish.mayGoMm2 = std::min(planned.footMm2 + 0.02 * faces.standsMm2, 0.9 * faces.standsMm2);
     polish.footPrice = 1e-3;
-    const int top = faceAt(piece.solid.mesh, step.topMm);
     const Plane plane = polished(piece, faces, options.rule, step.plane, top, polish);
     auto cut = cutPiece(piece, plane, tag,
                         {options.rule, leastGainMm2, options.leastVolumeMm3, polish.mayGoMm2});

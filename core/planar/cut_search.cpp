@@ -1,6 +1,7 @@
 #include "planar/cut_search.h"
 
 #include "base/parallel.h"
+#include "geometry/append_mesh.h"
 #include "geometry/measures.h"
 #include "planar/face_table.h"
 #include "planar/head_reach.h"
@@ -23,9 +24,8 @@ constexpr double kReachSpacingMm = 4.0;
 constexpr double kPieceCost = 0.002;                 // of the risky area before, for a piece more
 constexpr double kLeastGain = 0.0005;                // of the risky area before, for a cut
 constexpr double kBaseGoes = 0.4, kBaseWorth = 0.02; // of a piece's base: share that may go, price
-// Pieces that the head does not reach may yet become free when what is in the way is cut off.
-constexpr double kBlockedCost = 0.02; // of the risky area before
-constexpr std::size_t kBlockedAllowed = 0;
+constexpr double kBlockedCost =
+    0.02; // of the risky area before, for a piece the head does not reach
 constexpr std::size_t kResults = 4;
 constexpr std::int32_t kTagsPerCut = 1000;
 
@@ -65,11 +65,7 @@ CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, do
   constexpr double kFlatShare = 0.004;
   geometry::TriangleMesh all;
   for (const Piece& piece : pieces) {
-    const int offset = static_cast<int>(all.vertices.size());
-    const geometry::TriangleMesh& mesh = piece.solid.mesh;
-    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const auto& t : mesh.triangles)
-      all.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+    geometry::appendMesh(all, piece.solid.mesh);
     for (const std::int32_t tag : piece.solid.tag)
       tags_ = std::max(tags_, tag + kTagsPerCut);
   }
@@ -95,19 +91,10 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
         before_ * (options_.contactWorth * (1.0 - left.contactMm2 / footing_.contactMm2) +
                    options_.hullWorth * (1.0 - left.hullMm2 / std::max(1e-9, footing_.hullMm2)));
   }
-  std::set<std::int32_t> tags;
-  for (const std::int32_t tag : made->piece.solid.tag)
-    if (tag >= 0 && tag != made->piece.baseTag)
-      tags.insert(tag);
-  made->holds.assign(tags.begin(), tags.end());
+  made->holds = sectionsHeld(made->piece);
   if (!head_.empty()) {
     made->tips = surfaceSamples(made->piece.solid.mesh, kReachSpacingMm);
-    made->body = made->tips;
-    if (made->piece.baseTag == kPlate) {
-      const auto plate =
-          plateSamples(plateUnder(made->piece, options_), options_.plateMm, kReachSpacingMm);
-      made->body.insert(made->body.end(), plate.begin(), plate.end());
-    }
+    made->body = withPlate(made->tips, made->piece, options_, kReachSpacingMm);
   }
   return made;
 }
@@ -339,7 +326,7 @@ std::vector<SearchResult> CutSearch::run() {
             continue;
           made.blocked = blockedIn(made);
           made.cost += kBlockedCost * before_ * static_cast<double>(made.blocked);
-          if (made.blocked <= blockedBefore + kBlockedAllowed)
+          if (made.blocked <= blockedBefore)
             next.push_back(std::move(made));
         }
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace voluta::planar {
 
@@ -43,6 +44,14 @@ double riskyArea(const Piece& piece, const RiskRule& rule) {
         isRisky(geometry::triangleNormal(piece.solid.mesh, t), piece.base.normal, rule))
       sum += geometry::triangleArea(piece.solid.mesh, t);
   return sum;
+}
+
+std::vector<std::int32_t> sectionsHeld(const Piece& piece) {
+  std::set<std::int32_t> tags;
+  for (const std::int32_t tag : piece.solid.tag)
+    if (tag >= 0 && tag != piece.baseTag)
+      tags.insert(tag);
+  return {tags.begin(), tags.end()};
 }
 
 double baseArea(const Piece& piece, const RiskRule& rule) {

@@ -47,6 +47,9 @@ double riskyArea(const Piece& piece, const RiskRule& rule);
 // Whether each triangle is what the piece stands on.
 std::vector<std::uint8_t> standsOn(const Piece& piece, const RiskRule& rule);
 
+// Tags of the sections that later pieces stand on, sorted.
+std::vector<std::int32_t> sectionsHeld(const Piece& piece);
+
 // Area of the section that the piece stands on (of the plate: what lies on it). mm2.
 double baseArea(const Piece& piece, const RiskRule& rule);
 

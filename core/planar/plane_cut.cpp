@@ -4,6 +4,7 @@
 #include "geometry/edges.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
+#include "planar/nudged.h"
 #include "planar/region_fill.h"
 
 #include <algorithm>
@@ -311,16 +312,9 @@ PlaneCut cutByPlane(const TaggedMesh& mesh, const Plane& plane, std::int32_t tag
                     const Wanted& wanted) {
   base::require(mesh.tag.size() == mesh.mesh.triangles.size() && isClosed(mesh.mesh),
                 "cutByPlane: a closed mesh, a tag a triangle");
-  constexpr std::array<double, 9> kMoved{0.0, 1e-7, -1e-7, 1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4};
-  for (const double moved : kMoved) {
-    Plane tried = plane;
-    tried.offsetMm += moved;
-    if (auto cut = Cutter(mesh, tried, tag).run(wanted))
-      return std::move(*cut);
-  }
-  throw base::Error(base::ErrorCode::UnusableInput,
-                    "the section of the mesh by a plane crosses itself", {},
-                    "repair the mesh, or use curved mode, which takes any mesh");
+  return atOrNear(plane.offsetMm, [&](double offsetMm) {
+    return Cutter(mesh, {plane.normal, offsetMm}, tag).run(wanted);
+  });
 }
 
 TaggedMesh splitAlong(const TaggedMesh& mesh, const Plane& plane) {

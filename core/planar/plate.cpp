@@ -1,8 +1,8 @@
 #include "planar/plate.h"
 
+#include "geometry/convex_polygon.h"
 #include "geometry/measures.h"
-
-#include <algorithm>
+#include "planar/head_reach.h"
 
 namespace voluta::planar {
 
@@ -12,35 +12,14 @@ double cross(const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Ve
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
 }
 
-} // namespace
-
-std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3)
-    return points;
-  std::vector<Eigen::Vector2d> hull;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t start = hull.size();
-    for (const Eigen::Vector2d& p : points) {
-      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0.0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
 double polygonArea(const std::vector<Eigen::Vector2d>& polygon) {
   double twice = 0.0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
     twice += cross(polygon[0], polygon[i], polygon[i + 1]);
   return 0.5 * twice;
 }
+
+} // namespace
 
 std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions& options) {
   if (!options.plate.empty() || piece.baseTag != kPlate)
@@ -50,7 +29,16 @@ std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions&
   for (std::size_t t = 0; t < stands.size(); ++t)
     for (int k = 0; stands[t] && k < 3; ++k)
       points.push_back(piece.solid.mesh.corner(t, k).head<2>());
-  return convexHull(std::move(points));
+  return geometry::convexPolygon(std::move(points));
+}
+
+std::vector<Eigen::Vector3d> withPlate(std::vector<Eigen::Vector3d> points, const Piece& piece,
+                                       const PlanarOptions& options, double spacingMm) {
+  if (piece.baseTag == kPlate) {
+    const auto plate = plateSamples(plateUnder(piece, options), options.plateMm, spacingMm);
+    points.insert(points.end(), plate.begin(), plate.end());
+  }
+  return points;
 }
 
 Footing footingOf(const Piece& piece, const RiskRule& rule) {
@@ -74,7 +62,7 @@ Footing footingBelow(const Piece& piece, const std::vector<std::uint8_t>& stands
     }
     out.contactMm2 += all ? geometry::triangleArea(piece.solid.mesh, t) : 0.0;
   }
-  out.hullMm2 = polygonArea(convexHull(std::move(points)));
+  out.hullMm2 = polygonArea(geometry::convexPolygon(std::move(points)));
   return out;
 }
 

@@ -8,13 +8,14 @@
 
 namespace voluta::planar {
 
-// Convex hull, counter-clockwise, without points on its sides.
-std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points);
-double polygonArea(const std::vector<Eigen::Vector2d>& polygon);
-
 // The plate under a piece that stands on it: options.plate, or the hull of what the piece stands
 // on.
 std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions& options);
+
+// Points of a piece that stands on the plate and points of that plate, `spacingMm` apart; of
+// another piece its own.
+std::vector<Eigen::Vector3d> withPlate(std::vector<Eigen::Vector3d> points, const Piece& piece,
+                                       const PlanarOptions& options, double spacingMm);
 
 // What a part stands on.
 struct Footing {

@@ -6,8 +6,6 @@
 #include "planar/plate.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 namespace voluta::planar {
 
@@ -66,22 +64,14 @@ std::vector<Piece> printOrder(std::vector<Piece> pieces, const PlanarOptions& op
                               double spacingMm, std::size_t& blocked) {
   const std::size_t n = pieces.size();
   std::vector<std::int32_t> standsOnTag;
-  std::vector<std::vector<std::int32_t>> holds(n);
+  std::vector<std::vector<std::int32_t>> holds;
   std::vector<std::vector<Eigen::Vector3d>> tips, bodies;
   for (std::size_t p = 0; p < n; ++p) {
     const Piece& piece = pieces[p];
     standsOnTag.push_back(piece.baseTag);
-    std::set<std::int32_t> tags;
-    for (const std::int32_t tag : piece.solid.tag)
-      if (tag >= 0 && tag != piece.baseTag)
-        tags.insert(tag);
-    holds[p].assign(tags.begin(), tags.end());
+    holds.push_back(sectionsHeld(piece));
     tips.push_back(surfaceSamples(piece.solid.mesh, spacingMm));
-    bodies.push_back(tips.back());
-    if (piece.baseTag == kPlate) {
-      const auto plate = plateSamples(plateUnder(piece, options), options.plateMm, spacingMm);
-      bodies.back().insert(bodies.back().end(), plate.begin(), plate.end());
-    }
+    bodies.push_back(withPlate(tips.back(), piece, options, spacingMm));
   }
   const HeadReach head(options.head);
   const PieceOrder found = orderOf(standsOnTag, holds, [&](std::size_t i, std::size_t j) {

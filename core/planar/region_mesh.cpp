@@ -1,9 +1,6 @@
 #include "planar/region_mesh.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "planar/constrained_triangulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +13,6 @@ namespace voluta::planar {
 namespace {
 
 using Eigen::Vector2d;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-    Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-    CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 constexpr double kClear = 0.6; // of the spacing, between inner points and the boundary's
 
@@ -45,26 +35,15 @@ std::vector<int> firstAtPlace(const std::vector<Vector2d>& points) {
   return first;
 }
 
-// Edges that occur an odd number of times, between points that differ.
-std::vector<std::array<int, 2>> oddEdges(const std::vector<Vector2d>& points,
-                                         const std::vector<std::array<int, 2>>& edges) {
+// The edges by the least index at each place, without those of no length.
+std::vector<std::array<int, 2>> byPlace(const std::vector<Vector2d>& points,
+                                        const std::vector<std::array<int, 2>>& edges) {
   const std::vector<int> first = firstAtPlace(points);
-  std::vector<std::array<int, 2>> all, odd;
-  for (const auto& e : edges) {
-    const int a = first[at(e[0])], b = first[at(e[1])];
-    if (a != b)
-      all.push_back({std::min(a, b), std::max(a, b)});
-  }
-  std::sort(all.begin(), all.end());
-  for (std::size_t begin = 0; begin < all.size();) {
-    std::size_t end = begin;
-    while (end < all.size() && all[end] == all[begin])
-      ++end;
-    if ((end - begin) % 2 == 1)
-      odd.push_back(all[begin]);
-    begin = end;
-  }
-  return odd;
+  std::vector<std::array<int, 2>> out;
+  for (const auto& e : edges)
+    if (first[at(e[0])] != first[at(e[1])])
+      out.push_back({first[at(e[0])], first[at(e[1])]});
+  return out;
 }
 
 // Points taken, to be asked for a free place.
@@ -136,26 +115,6 @@ void addInside(RegionMesh& mesh, const std::vector<std::array<int, 2>>& edges, d
   }
 }
 
-// Counts crossed constraints from the infinite face: odd is inside.
-void markInside(Triangulation& t) {
-  constexpr int kUnseen = -1;
-  for (const auto face : t.all_face_handles())
-    face->info() = kUnseen;
-  std::vector<Triangulation::Face_handle> open{t.infinite_face()};
-  open.front()->info() = 0;
-  while (!open.empty()) {
-    const auto face = open.back();
-    open.pop_back();
-    for (int side = 0; side < 3; ++side) {
-      const auto next = face->neighbor(side);
-      if (next->info() != kUnseen)
-        continue;
-      next->info() = face->info() ^ (face->is_constrained(side) ? 1 : 0);
-      open.push_back(next);
-    }
-  }
-}
-
 } // namespace
 
 std::optional<RegionMesh> meshRegion(const std::vector<Vector2d>& points,
@@ -163,7 +122,7 @@ std::optional<RegionMesh> meshRegion(const std::vector<Vector2d>& points,
   RegionMesh mesh;
   mesh.points = points;
   std::vector<std::array<int, 2>> pieces;
-  for (const auto& e : oddEdges(points, edges)) {
+  for (const auto& e : oddEdges(byPlace(points, edges))) {
     const Vector2d a = points[at(e[0])], b = points[at(e[1])];
     const int n = std::max(1, static_cast<int>(std::ceil((b - a).norm() / edgeMm)));
     int from = e[0];
@@ -215,13 +174,7 @@ std::optional<RegionMesh> meshRegion(const std::vector<Vector2d>& points,
   }
   for (std::size_t i = boundary; i < mesh.points.size(); ++i)
     insert(static_cast<int>(i));
-  if (t.dimension() < 2)
-    return mesh;
-  markInside(t);
-  for (const auto face : t.finite_face_handles())
-    if (face->info() == 1)
-      mesh.triangles.push_back(
-          {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  mesh.triangles = insideTriangles(t);
   return mesh;
 }
 

@@ -1,16 +1,15 @@
 #include "planar/slicing.h"
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "geometry/measures.h"
 #include "layers/clean_surface.h"
 #include "layers/order.h"
 #include "layers/patches.h"
+#include "planar/nudged.h"
 #include "planar/region_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
@@ -58,22 +57,6 @@ std::optional<LevelSurface> surfaceOf(const Section& section, double edgeMm,
   return s;
 }
 
-[[noreturn]] void crossing() {
-  throw base::Error(base::ErrorCode::UnusableInput,
-                    "the section of the mesh by a plane crosses itself", {},
-                    "repair the mesh, or use curved mode, which takes any mesh");
-}
-
-// The section at a height, or as near to it as one can be filled.
-LevelSurface levelAt(const Sections& sections, double offsetMm, double edgeMm,
-                     const base::RunContext& ctx) {
-  constexpr std::array<double, 9> kMoved{0.0, 1e-7, -1e-7, 1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4};
-  for (const double moved : kMoved)
-    if (auto surface = surfaceOf(sections.at(offsetMm + moved), edgeMm, ctx))
-      return std::move(*surface);
-  crossing();
-}
-
 double volumeOf(const Patch& patch) {
   double sum = 0.0;
   for (std::size_t t = 0; t < patch.surface.triangles.size(); ++t) {
@@ -115,7 +98,7 @@ struct Level {
 LevelSurface sectionSurface(const Section& section, double edgeMm, const base::RunContext& ctx) {
   auto surface = surfaceOf(section, edgeMm, ctx);
   if (!surface)
-    crossing();
+    sectionCrosses();
   return std::move(*surface);
 }
 
@@ -190,7 +173,9 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
             const Level& level = levels[i];
             const double middle =
                 pieces[level.piece].base.offsetMm + 0.5 * (level.low + level.high);
-            LevelSurface surface = levelAt(sections[level.piece], middle, options.edgeMm, silent);
+            LevelSurface surface = atOrNear(middle, [&](double offsetMm) {
+              return surfaceOf(sections[level.piece].at(offsetMm), options.edgeMm, silent);
+            });
             surface.level = level.number;
             surface.thicknessMm.assign(surface.surface.vertices.size(), level.high - level.low);
             made[i] = layers::makePatches(surface, {options.beadWidthMm});

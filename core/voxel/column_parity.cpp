@@ -1,6 +1,7 @@
 #include "voxel/column_parity.h"
 
 #include "base/parallel.h"
+#include "geometry/append_mesh.h"
 #include "geometry/mesh_query.h"
 
 #include <algorithm>
@@ -218,10 +219,7 @@ void fillOpen(const geometry::TriangleMesh& mesh, const geometry::TriangleMesh& 
               const VoxelGrid& grid, std::vector<std::uint8_t>& solid,
               const base::RunContext& ctx) {
   geometry::TriangleMesh whole = mesh;
-  const int shift = static_cast<int>(mesh.vertices.size());
-  whole.vertices.insert(whole.vertices.end(), caps.vertices.begin(), caps.vertices.end());
-  for (const auto& t : caps.triangles)
-    whole.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  geometry::appendMesh(whole, caps);
   const geometry::MeshQuery query(caps);
   eachWinding(whole, grid, ctx, [&](std::size_t cell, int i, int j, int k, int winding) {
     if (!solid[cell] && std::abs(winding - query.windingNumber(grid.centre(i, j, k))) > 0.5)
