@@ -116,14 +116,15 @@ void addRender(CLI::App& app, Parsed& parsed) {
   CLI::App* render = app.add_subcommand("render", "a picture of a job, also without a display");
   render->add_option("JOB", options->job, "job.voluta")->required();
   render->add_option("-o", options->picture, "PNG file to write")->required();
-  render->add_option("--show", options->show, "part, voxels, layers, paths or robot");
-  render->add_option("--layer", options->layer, "show layers 1 to this one");
-  render->add_option("--time", options->timeS, "robot: seconds from the program's start");
+  render->add_option("--show", options->look.show, "part, voxels, layers, paths or robot");
+  render->add_option("--layer", options->look.layer, "show layers 1 to this one");
+  render->add_option("--time", options->look.timeS, "robot: seconds from the program's start");
   render->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
-  render->add_option("--colour", options->colour,
+  render->add_option("--colour", options->look.colour,
                      "layer, group, kind, height, width, speed, time or direction");
-  render->add_option("--view", options->view, "isometric, front, back, left, right, top or bottom");
-  render->add_flag("--dark", options->dark, "dark background");
+  render->add_option("--view", options->look.view,
+                     "isometric, front, back, left, right, top or bottom");
+  render->add_flag("--dark", options->look.dark, "dark background");
   render->callback(
       [options, &parsed] { parsed.run = [options] { return renderCommand(*options); }; });
 }

@@ -1,0 +1,208 @@
+#include "pictures/job_picture.h"
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "curved/peeling_field.h"
+#include "pipeline/choices.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+namespace voluta::pictures {
+
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+
+constexpr double kGroundBeyondPartMm = 30.0;
+
+template <typename T> using Row = std::pair<const char*, T>;
+
+template <typename T, std::size_t N> std::vector<std::string> namesOf(const Row<T> (&rows)[N]) {
+  std::vector<std::string> names;
+  for (const auto& row : rows)
+    names.emplace_back(row.first);
+  return names;
+}
+
+template <typename T, std::size_t N>
+T chosen(const Row<T> (&rows)[N], const std::string& name, const char* what) {
+  for (const auto& [known, value] : rows)
+    if (name == known)
+      return value;
+  throw Error(ErrorCode::Usage, fmt::format("unknown {} '{}'", what, name), {},
+              fmt::format("did you mean '{}'?", base::nearestName(name, namesOf(rows))));
+}
+
+class Renderer {
+public:
+  Renderer(const PictureOptions& options, const pipeline::Job& job)
+      : options_(options), job_(job),
+        scene_(options.dark ? scene::darkTheme() : scene::lightTheme()) {
+    view_.part = view_.paths = false;
+    view_.legend = view_.axes = options_.legend;
+    view_.colourBy = scene::colourByOf(options.colour);
+  }
+
+  void showPart() {
+    scene_.setPart(scene::drawPart(*need(job_.part, "placed part")));
+    view_.part = true;
+    showPlatform();
+  }
+  void showVoxels() {
+    const auto drawing = scene::drawVoxels(*need(job_.decomposition, "voxels"), voxelLook());
+    setLastLayer(scene::layerCount(*drawing));
+    scene_.setVoxels(drawing);
+    view_.voxels = true;
+    showPlatform();
+  }
+  void showLayers() {
+    const process::Process p = process();
+    const auto drawing = scene::drawLayers(
+        *need(job_.layers, "layers"), {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm});
+    setLastLayer(scene::layerCount(*drawing));
+    scene_.setLayers(drawing);
+    view_.layers = true;
+    showPlatform();
+  }
+  void showPaths() {
+    const auto drawing =
+        scene::drawPaths(*need(job_.toolPlan, "tool-paths"), job_.trajectory.get());
+    setLastLayer(scene::layerCount(*drawing));
+    scene_.setPaths(drawing);
+    view_.paths = true;
+    showPlatform();
+  }
+  void showRobot() {
+    const auto& trajectory = *need(job_.trajectory, "robot motion");
+    const auto& plan = *need(job_.toolPlan, "tool-paths");
+    scene_.setCell(scene::drawCell(robot::loadCell(job_.choices.cell, process(), job_.platform)));
+    const auto drawing = scene::drawPaths(plan, &trajectory);
+    setLastLayer(scene::layerCount(*drawing));
+    scene_.setPaths(drawing);
+    view_.paths = view_.cell = true;
+    view_.materialColour = options_.colour == "layer";
+    view_.world = scene::World::Base;
+    setTime(trajectory);
+    scene_.setPlatform(scene::drawPlatform(job_.platform, 0.0));
+  }
+
+  scene::Image picture(scene::StandardView view) {
+    scene_.setView(view_);
+    scene::OffscreenTarget target;
+    return target.imageOf(scene_, options_.width, options_.height,
+                          [&] { scene_.standardView(view); });
+  }
+
+private:
+  template <typename T>
+  const std::shared_ptr<const T>& need(const std::shared_ptr<const T>& result, const char* what) {
+    if (!result)
+      throw Error(ErrorCode::UnusableInput, fmt::format("the job holds no {}", what),
+                  options_.where, "plan the part further: voluta-cli plan PART -o DIR");
+    return result;
+  }
+
+  scene::VoxelLook voxelLook() const {
+    scene::VoxelLook look;
+    look.layerHeightMm = process().layerHeightMm;
+    look.colourBy = view_.colourBy;
+    if (look.colourBy == scene::ColourBy::Peeling)
+      look.peeling = std::make_shared<const std::vector<std::int32_t>>(
+          curved::peelingField(*job_.decomposition, {}));
+    return look;
+  }
+
+  process::Process process() const {
+    return pipeline::chosenProcess(job_.choices, pipeline::parameterValues(job_.choices));
+  }
+
+  void showPlatform() {
+    double reach = 0.0;
+    if (job_.part)
+      for (const Eigen::Vector3d& v : job_.part->vertices)
+        reach = std::max(reach, v.head<2>().norm());
+    scene_.setPlatform(scene::drawPlatform(job_.platform, reach + kGroundBeyondPartMm));
+  }
+
+  void setLastLayer(int count) {
+    if (!options_.layer)
+      return;
+    if (*options_.layer < 1 || *options_.layer > count)
+      throw Error(ErrorCode::Usage, fmt::format("there is no layer {}", *options_.layer),
+                  options_.where, fmt::format("layers are 1 to {}", count));
+    view_.lastLayer = *options_.layer - 1;
+  }
+
+  void setTime(const plan::Trajectory& t) {
+    if (t.pointCount() == 0)
+      throw Error(ErrorCode::UnusableInput, "the robot motion is empty", options_.where,
+                  "plan the part again");
+    const double end = t.timeS.back();
+    const double time = options_.timeS.value_or(end);
+    if (!(time >= 0.0 && time <= end))
+      throw Error(ErrorCode::Usage, fmt::format("there is no time {} s", time), options_.where,
+                  fmt::format("the program runs from 0 to {:.1f} s", end));
+    const auto after = std::upper_bound(t.timeS.begin(), t.timeS.end(), time) - t.timeS.begin();
+    const std::size_t last = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1)) - 1;
+    const std::size_t next = std::min(last + 1, t.pointCount() - 1);
+    const double step = t.timeS[next] - t.timeS[last];
+    const double share = step > 0.0 ? (time - t.timeS[last]) / step : 0.0;
+    view_.joints.resize(t.dof);
+    for (int j = 0; j < t.dof; ++j)
+      view_.joints[j] = t.at(last)[j] + share * (t.at(next)[j] - t.at(last)[j]);
+    view_.printedWaypoints = 0;
+    for (std::size_t i = last + 1; i-- > 0 && view_.printedWaypoints == 0;)
+      if (t.waypoint[i] != plan::kNoWaypoint)
+        view_.printedWaypoints = t.waypoint[i] + 1;
+  }
+
+  const PictureOptions& options_;
+  const pipeline::Job& job_;
+  scene::Scene scene_;
+  scene::ViewState view_;
+};
+
+constexpr Row<void (Renderer::*)()> kShown[] = {{"part", &Renderer::showPart},
+                                                {"voxels", &Renderer::showVoxels},
+                                                {"layers", &Renderer::showLayers},
+                                                {"paths", &Renderer::showPaths},
+                                                {"robot", &Renderer::showRobot}};
+
+constexpr Row<scene::StandardView> kViews[] = {
+    {"isometric", scene::StandardView::Isometric}, {"front", scene::StandardView::Front},
+    {"back", scene::StandardView::Back},           {"left", scene::StandardView::Left},
+    {"right", scene::StandardView::Right},         {"top", scene::StandardView::Top},
+    {"bottom", scene::StandardView::Bottom}};
+
+} // namespace
+
+std::vector<std::string> pictureNames() {
+  return namesOf(kShown);
+}
+
+std::vector<std::string> viewNames() {
+  return namesOf(kViews);
+}
+
+void checkNames(const PictureOptions& options) {
+  chosen(kShown, options.show, "picture");
+  chosen(kViews, options.view, "view");
+  scene::colourByOf(options.colour);
+}
+
+scene::Image jobPicture(const pipeline::Job& job, const PictureOptions& options) {
+  const auto show = chosen(kShown, options.show, "picture");
+  const auto view = chosen(kViews, options.view, "view");
+  Renderer renderer(options, job);
+  (renderer.*show)();
+  return renderer.picture(view);
+}
+
+std::string furthestPicture(const pipeline::Job& job) {
+  return job.toolPlan ? "paths" : job.layers ? "layers" : job.decomposition ? "voxels" : "part";
+}
+
+} // namespace voluta::pictures

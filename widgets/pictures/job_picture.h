@@ -1,0 +1,37 @@
+// Pictures of a job, drawn without a window: what `voluta-cli render` and comparisons show.
+#pragma once
+
+#include "pipeline/job.h"
+#include "scene/offscreen_target.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voluta::pictures {
+
+struct PictureOptions {
+  std::string show = "paths";  // of pictureNames()
+  std::optional<int> layer;    // from 1; the layers up to it
+  std::optional<double> timeS; // robot: at this time; none: at the end
+  int width = 1280, height = 800;
+  std::string colour = "layer";   // id in scene::colourByTable()
+  std::string view = "isometric"; // of viewNames()
+  bool dark = false;
+  bool legend = true; // and the axes
+  std::string where;  // what errors name: the job's file
+};
+
+std::vector<std::string> pictureNames(); // part, voxels, layers, paths, robot
+std::vector<std::string> viewNames();
+
+// Throws Error{Usage}: a name, layer or time that there is not; Error{UnusableInput}: the job holds
+// none of what is to be shown. Good for any thread.
+scene::Image jobPicture(const pipeline::Job& job, const PictureOptions& options);
+// Throws Error{Usage} for names that there are not, before a job is read.
+void checkNames(const PictureOptions& options);
+
+// What shows most of how the job is built: its paths, else layers, voxels, the part.
+std::string furthestPicture(const pipeline::Job& job);
+
+} // namespace voluta::pictures
