@@ -108,14 +108,14 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
   planar::PlanarOptions options;
   options.rule = riskRule(in);
   options.head = process::erodedHead(in.process.head, in.process.contactToleranceMm);
-  options.plateMm = kCarrierMm;
-  options.plate = platformAround(in.choices.platform,
-                                 input.placed.platform.empty()
-                                     ? standingPoints(*input.placed.part, options.rule.contactMm)
-                                     : input.placed.platform);
+  options.platform.thicknessMm = kCarrierMm;
+  options.platform.polygon = platformAround(
+      in.choices.platform, input.placed.platform.empty()
+                               ? standingPoints(*input.placed.part, options.rule.contactMm)
+                               : input.placed.platform);
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(
       planar::beamDecompose(*input.placed.part, options, ctx));
-  stage->platform = options.plate;
+  stage->platform = planar::plateOf(pieces->pieces, options);
   tellPieces(*pieces, in, *stage);
   stage->pieces = pieces;
   stage->timings.decompose = watch.seconds();

@@ -102,8 +102,6 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
 double CutSearch::mayGo(const Node& n) const {
   if (n.piece.baseTag != kPlate)
     return kBaseGoes * n.base;
-  if (!options_.plate.empty())
-    return 0.0;
   return std::max(0.0, n.base - options_.keptContact * footing_.contactMm2);
 }
 

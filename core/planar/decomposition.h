@@ -11,16 +11,29 @@
 
 namespace voluta::planar {
 
+// A frustum of what carries the plate, about the z axis. mm.
+struct StemFrustum {
+  double lowMm = 0.0, highMm = 0.0; // z, low < high <= 0
+  double lowRadiusMm = 0.0, highRadiusMm = 0.0;
+};
+
+// What the part stands on, in its frame. The head must clear it whichever piece is printed.
+struct PlanarPlatform {
+  // Top of the plate on z = 0, convex, counter-clockwise; empty: the hull of what the first piece
+  // stands on, marginMm wider, where the plate is made for the part. Then whatever else touches
+  // z = 0 has nothing under it but what it is printed on.
+  std::vector<Eigen::Vector2d> polygon;
+  double marginMm = 0.0;
+  double thicknessMm = 5.0;
+  std::vector<StemFrustum> stem; // what carries the plate, in any order
+};
+
 struct PlanarOptions {
   RiskRule rule;
   process::HeadShape head; // must clear what is printed earlier; empty: not asked
-  // Convex polygon on z = 0 that the head must clear too, as thick as plateMm downwards; empty: the
-  // hull of what the first piece stands on, where the part stands on a plate of just that size.
-  std::vector<Eigen::Vector2d> plate;
-  double plateMm = 5.0;
+  PlanarPlatform platform;
   double leastVolumeMm3 = 10.0; // pieces smaller than that are not worth a cut
-  // The first piece keeps these shares of what the part stands on and of the hull of that, mm2/mm2;
-  // all of it where a plate is given.
+  // The first piece keeps these shares of what the part stands on and of the hull of that, mm2/mm2.
   double keptContact = 0.35, keptHull = 0.05;
   // What all of either is worth, in shares of the risky area before.
   double contactWorth = 0.1, hullWorth = 0.05;
@@ -50,5 +63,9 @@ struct PlanarDecomposition {
 // everywhere. Sets Piece::parent and under.
 std::vector<Piece> printOrder(std::vector<Piece> pieces, const PlanarOptions& options,
                               double spacingMm, std::size_t& blocked);
+
+// The plate that the pieces are printed on: options.platform.polygon, or the one made for them.
+std::vector<Eigen::Vector2d> plateOf(const std::vector<Piece>& pieces,
+                                     const PlanarOptions& options);
 
 } // namespace voluta::planar

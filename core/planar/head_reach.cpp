@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -52,6 +53,29 @@ std::vector<Vector3d> plateSamples(const std::vector<Eigen::Vector2d>& polygon, 
   }
   std::vector<Vector3d> points = surfaceSamples(plate, spacingMm);
   points.insert(points.end(), plate.vertices.begin(), plate.vertices.end());
+  return points;
+}
+
+std::vector<Vector3d> frustumSamples(double lowMm, double highMm, double lowRadiusMm,
+                                     double highRadiusMm, double spacingMm) {
+  std::vector<Vector3d> points;
+  const auto ring = [&](double z, double radius) {
+    const int n =
+        std::max(6, static_cast<int>(std::ceil(2.0 * std::numbers::pi * radius / spacingMm)));
+    for (int i = 0; i < n; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / n;
+      points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
+    }
+  };
+  const int steps =
+      std::max(1, static_cast<int>(std::ceil(
+                      std::hypot(highMm - lowMm, highRadiusMm - lowRadiusMm) / spacingMm)));
+  for (int i = 0; i <= steps; ++i)
+    ring(lowMm + (highMm - lowMm) * i / steps,
+         lowRadiusMm + (highRadiusMm - lowRadiusMm) * i / steps);
+  for (const auto& [z, radius] : {std::pair{lowMm, lowRadiusMm}, std::pair{highMm, highRadiusMm}})
+    for (double r = radius - spacingMm; r > 0.0; r -= spacingMm)
+      ring(z, r);
   return points;
 }
 

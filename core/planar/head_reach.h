@@ -19,6 +19,10 @@ std::vector<Eigen::Vector3d> surfaceSamples(const geometry::TriangleMesh& mesh, 
 std::vector<Eigen::Vector3d> plateSamples(const std::vector<Eigen::Vector2d>& polygon,
                                           double thicknessMm, double spacingMm);
 
+// Points all over a frustum about the z axis.
+std::vector<Eigen::Vector3d> frustumSamples(double lowMm, double highMm, double lowRadiusMm,
+                                            double highRadiusMm, double spacingMm);
+
 // The head as radii by height over its tip.
 class HeadReach {
 public:

@@ -4,6 +4,9 @@
 #include "geometry/measures.h"
 #include "planar/head_reach.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace voluta::planar {
 
 namespace {
@@ -22,22 +25,48 @@ double polygonArea(const std::vector<Eigen::Vector2d>& polygon) {
 } // namespace
 
 std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions& options) {
-  if (!options.plate.empty() || piece.baseTag != kPlate)
-    return options.plate;
+  const PlanarPlatform& platform = options.platform;
+  if (!platform.polygon.empty() || piece.baseTag != kPlate)
+    return platform.polygon;
   std::vector<Eigen::Vector2d> points;
   const std::vector<std::uint8_t> stands = standsOn(piece, options.rule);
   for (std::size_t t = 0; t < stands.size(); ++t)
     for (int k = 0; stands[t] && k < 3; ++k)
       points.push_back(piece.solid.mesh.corner(t, k).head<2>());
-  return geometry::convexPolygon(std::move(points));
+  points = geometry::convexPolygon(std::move(points));
+  if (platform.marginMm <= 0.0)
+    return points;
+  // Sum with a polygon about the disc of the margin.
+  constexpr int kSides = 16;
+  const double radius = platform.marginMm / std::cos(std::numbers::pi / kSides);
+  std::vector<Eigen::Vector2d> wider;
+  for (const Eigen::Vector2d& p : points)
+    for (int i = 0; i < kSides; ++i) {
+      const double turn = std::numbers::pi * (2 * i + 1) / kSides;
+      wider.emplace_back(p + radius * Eigen::Vector2d(std::cos(turn), std::sin(turn)));
+    }
+  return geometry::convexPolygon(std::move(wider));
+}
+
+std::vector<Eigen::Vector2d> plateOf(const std::vector<Piece>& pieces,
+                                     const PlanarOptions& options) {
+  for (const Piece& piece : pieces)
+    if (piece.baseTag == kPlate)
+      return plateUnder(piece, options);
+  return options.platform.polygon;
 }
 
 std::vector<Eigen::Vector3d> withPlate(std::vector<Eigen::Vector3d> points, const Piece& piece,
                                        const PlanarOptions& options, double spacingMm) {
-  if (piece.baseTag == kPlate) {
-    const auto plate = plateSamples(plateUnder(piece, options), options.plateMm, spacingMm);
-    points.insert(points.end(), plate.begin(), plate.end());
-  }
+  if (piece.baseTag != kPlate)
+    return points;
+  const auto add = [&](const std::vector<Eigen::Vector3d>& more) {
+    points.insert(points.end(), more.begin(), more.end());
+  };
+  add(plateSamples(plateUnder(piece, options), options.platform.thicknessMm, spacingMm));
+  for (const StemFrustum& frustum : options.platform.stem)
+    add(frustumSamples(frustum.lowMm, frustum.highMm, frustum.lowRadiusMm, frustum.highRadiusMm,
+                       spacingMm));
   return points;
 }
 

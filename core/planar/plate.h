@@ -8,12 +8,12 @@
 
 namespace voluta::planar {
 
-// The plate under a piece that stands on it: options.plate, or the hull of what the piece stands
-// on.
+// The plate's polygon where `piece` stands on it: options.platform.polygon, or the one made for
+// the piece; of a piece that does not stand on the plate that of the options.
 std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions& options);
 
-// Points of a piece that stands on the plate and points of that plate, `spacingMm` apart; of
-// another piece its own.
+// Points of a piece that stands on the plate and points of that plate and what carries it,
+// `spacingMm` apart; of another piece its own.
 std::vector<Eigen::Vector3d> withPlate(std::vector<Eigen::Vector3d> points, const Piece& piece,
                                        const PlanarOptions& options, double spacingMm);
 
