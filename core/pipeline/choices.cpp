@@ -104,9 +104,10 @@ void setParameters(Choices& choices, const std::vector<std::string>& assignments
   for (const auto& [key, value] : values.changes())
     choices.parameters[key] = base::formatParameter(value);
   // The planes go with the choices, wherever a project is opened again.
-  if (const auto planes = choices.parameters.find("layerPlanes");
-      planes != choices.parameters.end() && !planes->second.empty())
-    planes->second = layerPlanesText(planes->second);
+  for (const char* key : {"layerPlanes", "cutPlanes"})
+    if (const auto planes = choices.parameters.find(key);
+        planes != choices.parameters.end() && !planes->second.empty())
+      planes->second = planesText(planes->second);
 }
 
 base::ParameterValues parameterValues(const Choices& choices) {

@@ -8,6 +8,7 @@
 #include "pipeline/content_hash.h"
 #include "planar/beam_search.h"
 #include "planar/flat.h"
+#include "planar/given_cuts.h"
 #include "planar/slicing.h"
 #include "planar/uniform_misses.h"
 #include "planar/user_planes.h"
@@ -94,10 +95,16 @@ std::vector<Eigen::Vector2d> standingPoints(const geometry::TriangleMesh& part, 
   return points;
 }
 
+std::string planesKey(const char* what, const std::string& planes) {
+  return planes.empty() ? std::string()
+                        : fmt::format("{} {}\n", what, contentHash(planesText(planes)));
+}
+
 std::string planarKey(const ModeChoices& in) {
   return fmt::format("platform {}\n{}", in.choices.platform, heightsText(in.process)) +
          headText(process::erodedHead(in.process.head, in.process.contactToleranceMm)) +
-         parameterText({"overhangAngle", "pieceMaterials"}, in.values);
+         parameterText({"overhangAngle", "pieceMaterials"}, in.values) +
+         planesKey("cuts", in.values.text("cutPlanes"));
 }
 
 std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& input,
@@ -113,8 +120,12 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
       in.choices.platform, input.placed.platform.empty()
                                ? standingPoints(*input.placed.part, options.rule.contactMm)
                                : input.placed.platform);
+  const std::string cuts = in.values.text("cutPlanes");
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(
-      planar::beamDecompose(*input.placed.part, options, ctx));
+      cuts.empty() ? planar::beamDecompose(*input.placed.part, options, ctx)
+                   : planar::decomposeByCuts(*input.placed.part,
+                                             planar::readGivenCuts(planesText(cuts), "cutPlanes"),
+                                             options, in.process.beadWidthMm, ctx));
   stage->platform = planar::plateOf(pieces->pieces, options);
   tellPieces(*pieces, in, *stage);
   stage->pieces = pieces;
@@ -177,9 +188,7 @@ std::string sliceKey(const ModeChoices& in) {
 }
 
 std::string flatLayersKey(const ModeChoices& in) {
-  const std::string planes = in.values.text("layerPlanes");
-  return sliceKey(in) +
-         (planes.empty() ? std::string() : "planes " + contentHash(layerPlanesText(planes)) + "\n");
+  return sliceKey(in) + planesKey("planes", in.values.text("layerPlanes"));
 }
 
 std::shared_ptr<const LayersStage> layersFrom(planar::SliceResult sliced) {
@@ -205,7 +214,7 @@ std::shared_ptr<const LayersStage> flatLayers(const DecomposeStage& decomposed,
   if (planes.empty())
     return planarLayers(decomposed, part, in, ctx);
   return layersFrom(planar::sliceByPlanes(
-      part, planar::readUserPlanes(layerPlanesText(planes), "layerPlanes"), sliceOptions(in), ctx));
+      part, planar::readUserPlanes(planesText(planes), "layerPlanes"), sliceOptions(in), ctx));
 }
 
 } // namespace
@@ -227,6 +236,9 @@ base::ParameterTable planarModeParameters() {
       textParameter("pieceMaterials", "Pieces", "materials of pieces",
                     "Mode planar: a material or filament for each piece, separated by commas; from "
                     "the first again where there are more pieces. Empty: the process's."),
+      textParameter("cutPlanes", "Pieces", "cutting planes",
+                    "Mode planar: a JSON file, or its text, with a point and a normal for each "
+                    "plane that cuts the part, in turn. Empty: they are searched for."),
       base::booleanParameter("adaptiveLayers", false, "Layers", "adaptive layers",
                              "Modes planar and flat: thinner layers where the surface leans, "
                              "within the process's limits."),
@@ -239,7 +251,7 @@ base::ParameterTable planarModeParameters() {
   });
 }
 
-std::string layerPlanesText(const std::string& value) {
+std::string planesText(const std::string& value) {
   const std::size_t first = value.find_first_not_of(" \t\r\n");
   return first != std::string::npos && value[first] == '[' ? value : base::readFile(value);
 }

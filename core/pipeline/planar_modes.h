@@ -11,11 +11,11 @@ namespace voluta::pipeline {
 Mode planarMode();
 Mode flatMode();
 
-// overhangAngle, adaptiveLayers, cuspMm, layerPlanes, pieceMaterials.
+// overhangAngle, pieceMaterials, cutPlanes, adaptiveLayers, cuspMm, layerPlanes.
 base::ParameterTable planarModeParameters();
 
-// The text of `layerPlanes`: planes as JSON as they are, else those in the file that it names.
-// Throws Error{UnreadableFile}.
-std::string layerPlanesText(const std::string& value);
+// The text of `layerPlanes` or `cutPlanes`: planes as JSON as they are, else those in the file that
+// it names. Throws Error{UnreadableFile}.
+std::string planesText(const std::string& value);
 
 } // namespace voluta::pipeline

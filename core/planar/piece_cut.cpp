@@ -68,20 +68,24 @@ std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::in
     goes += stood;
     return true;
   };
-  PlaneCut sides;
   try {
-    sides = cutByPlane(piece.solid, plane, tag, wanted);
+    return splitPiece(piece, plane, tag, wanted, rules.rule);
   } catch (const base::Error& e) {
     if (e.code() != base::ErrorCode::UnusableInput)
       throw;
     return std::nullopt;
   }
+}
+
+std::optional<PieceCut> splitPiece(const Piece& piece, const Plane& plane, std::int32_t tag,
+                                   const Wanted& wanted, const RiskRule& rule) {
+  PlaneCut sides = cutByPlane(piece.solid, plane, tag, wanted);
   if (sides.above.empty() || sides.below.mesh.empty())
     return std::nullopt;
   PieceCut out;
   out.sectionMm2 = sides.sectionMm2;
   out.below = {std::move(sides.below), piece.base, piece.baseTag, -1, {}};
-  if (!allStands(out.below, rules.rule))
+  if (!allStands(out.below, rule))
     return std::nullopt;
   for (std::size_t i = 0; i < sides.above.size(); ++i) {
     const std::int32_t own = tag + static_cast<std::int32_t>(i);
@@ -90,7 +94,7 @@ std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::in
       if (t == piece.baseTag)
         t = kLaid;
     out.above.push_back({std::move(sides.above[i]), {plane.normal, sides.offsetMm}, own, -1, {}});
-    if (!(baseArea(out.above.back(), rules.rule) > 0.0))
+    if (!(baseArea(out.above.back(), rule) > 0.0))
       return std::nullopt;
   }
   return out;

@@ -30,6 +30,11 @@ struct PieceCut {
 std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::int32_t tag,
                                  const CutRules& rules);
 
+// Cuts off the wanted solids above the plane. Nothing where none is wanted or where a part of what
+// stays, or what is cut off, would stand on nothing. Throws as cutByPlane.
+std::optional<PieceCut> splitPiece(const Piece& piece, const Plane& plane, std::int32_t tag,
+                                   const Wanted& wanted, const RiskRule& rule);
+
 // Whether each solid of the piece stands on what the piece stands on.
 bool allStands(const Piece& piece, const RiskRule& rule);
 

@@ -55,6 +55,7 @@ UserPlane quadrilateral(const Json& corners, const std::string& where) {
     unusable("the quadrilateral has no area", where);
   out.plane.normal = across.normalized();
   out.plane.offsetMm = out.plane.normal.dot(middle);
+  out.point = middle;
   for (std::size_t k = 0; k < 4; ++k) {
     if (std::abs(out.plane.heightOf(out.corners[k])) > kFlatMm)
       unusable("the quadrilateral is not flat", where);
@@ -117,7 +118,7 @@ plan::Finding told(const char* kind, std::size_t count, std::string reason, std:
 std::vector<UserPlane> readUserPlanes(const std::string& text, const std::string& where) {
   const Json list = Json::parse(text, nullptr, false);
   if (!list.is_array() || list.empty())
-    unusable("the planes of layers are not a JSON list", where);
+    unusable("the planes are not a JSON list", where);
   std::vector<UserPlane> out;
   for (const Json& entry : list) {
     const std::string place = fmt::format("{}, entry {}", where, out.size() + 1);
@@ -128,7 +129,8 @@ std::vector<UserPlane> readUserPlanes(const std::string& text, const std::string
       if (normal.norm() < 1e-9)
         unusable("the normal has no direction", place);
       const Vector3d unit = normal.normalized();
-      out.push_back({{unit, unit.dot(pointOf(entry["point"], place))}, {}});
+      const Vector3d point = pointOf(entry["point"], place);
+      out.push_back({{unit, unit.dot(point)}, {}, point});
     } else {
       unusable("neither a plane nor a quadrilateral", place);
     }

@@ -15,6 +15,7 @@ struct UserPlane {
   Plane plane;                          // normal: the direction the layer is laid along
   std::vector<Eigen::Vector3d> corners; // four, convex, counter-clockwise seen against the normal;
                                         // none: the whole plane
+  Eigen::Vector3d point = Eigen::Vector3d::Zero(); // as given; of a quadrilateral its middle
 };
 
 // A JSON list in print order, mm in the work frame, of

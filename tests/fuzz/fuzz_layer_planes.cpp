@@ -1,6 +1,7 @@
-// Layers where the user says, as JSON.
+// Layers and cuts where the user says, as JSON.
 #include "fuzz_target.h"
 
+#include "planar/given_cuts.h"
 #include "planar/user_planes.h"
 
 #include <cmath>
@@ -19,6 +20,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::expect(std::isfinite(p.plane.offsetMm), "planes are somewhere");
       fuzz::expect(p.corners.empty() || p.corners.size() == 4, "quadrilaterals have four corners");
     }
+  });
+  fuzz::takenOrRefused([&] {
+    const auto cuts = planar::readGivenCuts(fuzz::textOf(data, size), "planes");
+    const auto again = planar::readGivenCuts(planar::givenCutsText(cuts), "written");
+    fuzz::expect(again.size() == cuts.size(), "cuts come back as they were written");
+    for (std::size_t i = 0; i < cuts.size() && i < again.size(); ++i)
+      fuzz::expect((again[i].plane.normal - cuts[i].plane.normal).norm() < 1e-12 &&
+                       again[i].point == cuts[i].point,
+                   "cuts come back where they were");
   });
   return 0;
 }

@@ -38,6 +38,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"growthSacrifice", {"least", kStageCount}},
     {"overhangAngle", {"40", kStageCount}}, // of modes planar and flat, see below
     {"pieceMaterials", {"white PLA, red PLA", kStageCount}},
+    {"cutPlanes", {R"([{"point": [0, 0, 4], "normal": [0, 0, 1]}])", kStageCount}},
     {"adaptiveLayers", {"true", kStageCount}},
     {"cuspMm", {"0.4", kStageCount}},
     {"layerPlanes", {R"([{"point": [0, 0, 0.4], "normal": [0, 0, 1]}])", kStageCount}},
@@ -136,6 +137,7 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
       {"planar", "overhangAngle", 1},  {"planar", "pieceMaterials", 1},
       {"planar", "adaptiveLayers", 2}, {"planar", "cuspMm", 2},
       {"planar", "layerPlanes", 6},    {"planar", "voxelMm", 6},
+      {"planar", "cutPlanes", 1},      {"flat", "cutPlanes", 6},
       {"flat", "overhangAngle", 1},    {"flat", "pieceMaterials", 1},
       {"flat", "adaptiveLayers", 2},   {"flat", "cuspMm", 2},
       {"flat", "layerPlanes", 2},      {"flat", "voxelMm", 1},

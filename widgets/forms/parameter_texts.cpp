@@ -87,6 +87,10 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters",
                       "Mode planar: a material or filament for each piece, separated by commas; "
                       "from the first again where there are more pieces. Empty: the process's."),
+    QT_TRANSLATE_NOOP("Parameters", "cutting planes"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Mode planar: a JSON file, or its text, with a point and a normal for each "
+                      "plane that cuts the part, in turn. Empty: they are searched for."),
     QT_TRANSLATE_NOOP("Parameters", "adaptive layers"),
     QT_TRANSLATE_NOOP("Parameters",
                       "Modes planar and flat: thinner layers where the surface leans, within the "

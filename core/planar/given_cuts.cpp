@@ -1,0 +1,220 @@
+#include "planar/given_cuts.h"
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_query.h"
+#include "planar/piece_cut.h"
+#include "planar/user_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+namespace voluta::planar {
+
+using Eigen::Vector3d;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr double kOrderSpacingMm = 2.0;
+constexpr double kCrossesMm = 1e-6; // a piece reaches further than that to both sides
+constexpr int kWidths = 36;         // directions that the least width is looked for in
+
+geometry::TriangleMesh sectionOf(const TaggedMesh& solid, std::int32_t tag) {
+  std::vector<bool> keep(solid.tag.size());
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    keep[t] = solid.tag[t] == tag;
+  return geometry::subMesh(solid.mesh, keep);
+}
+
+Vector3d triangleMiddle(const geometry::TriangleMesh& mesh, std::size_t t) {
+  return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+}
+
+bool crosses(const geometry::TriangleMesh& mesh, const Plane& plane) {
+  bool above = false, below = false;
+  for (const Vector3d& v : mesh.vertices) {
+    const double h = plane.heightOf(v);
+    above = above || h > kCrossesMm;
+    below = below || h < -kCrossesMm;
+  }
+  return above && below;
+}
+
+double extent(const geometry::TriangleMesh& mesh, const Vector3d& direction) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vector3d& v : mesh.vertices) {
+    low = std::min(low, direction.dot(v));
+    high = std::max(high, direction.dot(v));
+  }
+  return high - low;
+}
+
+// The least of a piece's height over its base and its widths along it.
+double thinnest(const Piece& piece) {
+  const PlaneFrame frame = frameOf(piece.base.normal);
+  double least = extent(piece.solid.mesh, piece.base.normal);
+  for (int k = 0; k < kWidths; ++k) {
+    const double angle = std::numbers::pi * k / kWidths;
+    least = std::min(least, extent(piece.solid.mesh,
+                                   std::cos(angle) * frame.across + std::sin(angle) * frame.along));
+  }
+  return least;
+}
+
+[[noreturn]] void wrongCut(std::size_t index, const std::string& what, const char* remedy) {
+  throw base::Error(base::ErrorCode::UnusableInput, what, fmt::format("cut {}", index + 1), remedy);
+}
+
+// The place where a cut's plane meets what is left nearest to its point.
+struct Place {
+  std::size_t piece = 0;
+  geometry::TriangleMesh solid; // what lies above the plane there
+  double distanceMm = std::numeric_limits<double>::infinity();
+};
+
+std::optional<Place> placeOf(const GivenCut& cut, std::int32_t tag,
+                             const std::vector<Piece>& pieces, std::size_t index) {
+  std::optional<Place> best;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (!crosses(pieces[p].solid.mesh, cut.plane))
+      continue;
+    PlaneCut sides;
+    try {
+      sides = cutByPlane(pieces[p].solid, cut.plane, tag);
+    } catch (const base::Error& e) {
+      wrongCut(index, e.message(), "move or tilt the plane a little");
+    }
+    for (std::size_t s = 0; s < sides.above.size(); ++s) {
+      const geometry::TriangleMesh section =
+          sectionOf(sides.above[s], tag + static_cast<std::int32_t>(s));
+      if (section.empty())
+        continue;
+      const double distance = geometry::MeshQuery(section).closest(cut.point).distance;
+      if (!best || distance < best->distanceMm)
+        best = Place{p, std::move(sides.above[s].mesh), distance};
+    }
+  }
+  return best;
+}
+
+void requireBead(const Piece& piece, std::size_t index, double leastMm) {
+  if (const double mm = thinnest(piece); mm < leastMm)
+    wrongCut(index,
+             fmt::format("leaves a piece {:.2g} mm thin, less than a bead's {:g} mm", mm, leastMm),
+             "move the plane, or leave it out");
+}
+
+} // namespace
+
+std::vector<GivenCut> readGivenCuts(const std::string& json, const std::string& where) {
+  std::vector<GivenCut> cuts;
+  for (const UserPlane& p : readUserPlanes(json, where)) {
+    if (!p.corners.empty())
+      throw base::Error(base::ErrorCode::UnusableInput, "a quadrilateral does not cut a part",
+                        fmt::format("{}, entry {}", where, cuts.size() + 1),
+                        "give planes: {\"point\": [x, y, z], \"normal\": [x, y, z]}");
+    cuts.push_back({p.point, p.plane});
+  }
+  return cuts;
+}
+
+std::string givenCutsText(const std::vector<GivenCut>& cuts) {
+  Json list = Json::array();
+  for (const GivenCut& cut : cuts) {
+    const Vector3d &p = cut.point, &n = cut.plane.normal;
+    list.push_back({{"point", {p.x(), p.y(), p.z()}}, {"normal", {n.x(), n.y(), n.z()}}});
+  }
+  return list.dump();
+}
+
+std::vector<std::size_t> cutPieces(const std::vector<Piece>& pieces) {
+  std::vector<std::size_t> order;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    if (pieces[p].baseTag >= 0)
+      order.push_back(p);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return pieces[a].baseTag < pieces[b].baseTag;
+  });
+  return order;
+}
+
+std::vector<GivenCut> cutsOf(const std::vector<Piece>& pieces) {
+  std::vector<GivenCut> cuts;
+  for (const std::size_t p : cutPieces(pieces)) {
+    const Piece& piece = pieces[p];
+    const geometry::TriangleMesh section = sectionOf(piece.solid, piece.baseTag);
+    Vector3d middle = Vector3d::Zero();
+    double area = 0.0;
+    for (std::size_t t = 0; t < section.triangles.size(); ++t) {
+      const double a = geometry::triangleArea(section, t);
+      middle += a * triangleMiddle(section, t);
+      area += a;
+    }
+    // The middle of a ring is not on it.
+    GivenCut cut{piece.base.offsetMm * piece.base.normal, piece.base};
+    if (area > 0.0)
+      cut.point = geometry::MeshQuery(section).closest(middle / area).point;
+    cuts.push_back(cut);
+  }
+  return cuts;
+}
+
+std::vector<Piece> cutApart(Piece whole, const std::vector<GivenCut>& cuts, const RiskRule& rule,
+                            double leastMm, const base::RunContext& ctx) {
+  std::vector<Piece> pieces;
+  pieces.push_back(std::move(whole));
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    ctx.report(static_cast<double>(i) / static_cast<double>(cuts.size()), "cutting");
+    const auto tag = static_cast<std::int32_t>(i);
+    const auto place = placeOf(cuts[i], tag, pieces, i);
+    if (!place)
+      wrongCut(i, "the plane misses the part", "move it to where it crosses the part");
+    Piece& piece = pieces[place->piece];
+    const Wanted wanted = [&](const TaggedMesh& solid) {
+      return solid.mesh.vertices == place->solid.vertices;
+    };
+    std::optional<PieceCut> cut = splitPiece(piece, cuts[i].plane, tag, wanted, rule);
+    if (!cut)
+      wrongCut(i, "leaves a piece that stands on nothing",
+               "move the plane, or turn its normal to the side that is to be cut off");
+    requireBead(cut->below, i, leastMm);
+    piece = std::move(cut->below);
+    for (Piece& above : cut->above) {
+      requireBead(above, i, leastMm);
+      pieces.push_back(std::move(above));
+    }
+  }
+  return pieces;
+}
+
+PlanarDecomposition decomposeByCuts(const geometry::TriangleMesh& part,
+                                    const std::vector<GivenCut>& cuts, const PlanarOptions& options,
+                                    double leastMm, const base::RunContext& ctx) {
+  if (part.empty() || !isClosed(part))
+    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed", {},
+                      "repair it, or use curved mode, which takes any mesh");
+  const base::Stopwatch watch;
+  PlanarDecomposition out;
+  Piece whole = wholePart(part, options.rule);
+  out.riskyBeforeMm2 = riskyArea(whole, options.rule);
+  std::vector<Piece> pieces =
+      cutApart(std::move(whole), cuts, options.rule, leastMm, ctx.sub(0.0, 0.9));
+  out.pieces = printOrder(std::move(pieces), options, kOrderSpacingMm, out.blockedPieces);
+  for (const Piece& piece : out.pieces) {
+    out.riskyMm2 += riskyArea(piece, options.rule);
+    out.sectionMm2 += piece.baseTag == kPlate ? 0.0 : baseArea(piece, options.rule);
+  }
+  out.seconds.cut = watch.seconds();
+  ctx.report(1.0, "pieces");
+  return out;
+}
+
+} // namespace voluta::planar
