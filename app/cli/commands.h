@@ -4,6 +4,8 @@
 
 #include "cli/exit_code.h"
 #include "cli/progress.h"
+#include "pipeline/compare.h"
+#include "pipeline/compare_figures.h"
 #include "pipeline/road.h"
 
 #include <filesystem>
@@ -19,6 +21,17 @@ struct PlanOptions {
   ProgressStyle progress = ProgressStyle::Bar;
 };
 ExitCode planCommand(const PlanOptions& options);
+
+struct CompareCommandOptions {
+  pipeline::CompareOptions compared;
+  pipeline::Weights weights;
+  std::filesystem::path folder;
+  bool pictures = true;
+  int threads = 1;
+  ProgressStyle progress = ProgressStyle::Bar;
+};
+// Writes compare.json, and a folder with report, programs and pictures for each row.
+ExitCode compareCommand(const CompareCommandOptions& options);
 
 struct VerifyOptions {
   std::filesystem::path program, job;

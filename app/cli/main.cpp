@@ -27,37 +27,92 @@ struct Parsed {
   std::function<ExitCode()> run;
 };
 
+// What plans have in common, whichever way they are built.
+struct PlanValues {
+  std::string until = "replay", progress = "bar";
+  std::vector<std::string> sets;
+};
+
+void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValues& values) {
+  command.add_option("PART", request.part, "mesh file, or sample:NAME")->required();
+  command.add_option("--cell", request.choices.cell, "robot cell");
+  command.add_option("--process", request.choices.process, "nozzle, material, speeds");
+  command.add_option("--scale", request.choices.scale, "factor, or fit: largest <= 1 in reach");
+  command.add_option("--set", values.sets, "key=value of a parameter (see: list parameters)")
+      ->allow_extra_args(false);
+  command.add_option("--until", values.until, "stop after this stage");
+  command.add_option("--format", request.choices.formats, "program format")
+      ->allow_extra_args(false);
+  command.add_option("--seed", request.choices.seed, "of the samplers");
+}
+
+void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
+  request.until = pipeline::stageOf(values.until);
+  pipeline::setParameters(request.choices, values.sets);
+}
+
 void addPlan(CLI::App& app, Parsed& parsed, int threads) {
-  struct Values {
+  struct Values : PlanValues {
     PlanOptions options;
-    std::string until = "replay", progress = "bar";
-    std::vector<std::string> sets;
   };
   auto values = std::make_shared<Values>();
   values->options.threads = threads;
   CLI::App* plan = app.add_subcommand("plan", "a part in, checked robot programs out");
   auto& request = values->options.request;
-  plan->add_option("PART", request.part, "mesh file, or sample:NAME")->required();
+  addPlanOptions(*plan, request, *values);
   plan->add_option("-o", values->options.folder, "folder for job, report and programs")->required();
   plan->add_option("--mode", request.choices.mode, "way of building");
   plan->add_option("--growth", request.choices.growth, "growth scheme of curved mode");
   plan->add_option("--platform", request.choices.platform,
                    "disc:D, rect:WxD, fit[:MARGIN]; what material starts on");
-  plan->add_option("--cell", request.choices.cell, "robot cell");
-  plan->add_option("--process", request.choices.process, "nozzle, material, speeds");
-  plan->add_option("--scale", request.choices.scale, "factor, or fit: largest <= 1 in reach");
-  plan->add_option("--set", values->sets, "key=value of a parameter (see: list parameters)")
-      ->allow_extra_args(false);
-  plan->add_option("--until", values->until, "stop after this stage");
-  plan->add_option("--format", request.choices.formats, "program format")->allow_extra_args(false);
-  plan->add_option("--seed", request.choices.seed, "of the samplers");
   addRunOptions(*plan, values->options.threads, values->progress);
   plan->callback([values, &parsed] {
     parsed.run = [values] {
-      values->options.request.until = pipeline::stageOf(values->until);
       values->options.progress = kProgressStyles.at(values->progress);
-      pipeline::setParameters(values->options.request.choices, values->sets);
+      takePlanOptions(values->options.request, *values);
       return planCommand(values->options);
+    };
+  });
+}
+
+void addCompare(CLI::App& app, Parsed& parsed, int threads) {
+  struct Values : PlanValues {
+    CompareCommandOptions options;
+    std::vector<std::string> weights;
+    bool noPictures = false;
+  };
+  auto values = std::make_shared<Values>();
+  values->options.threads = threads;
+  CLI::App* compare = app.add_subcommand("compare", "ways of building a part, side by side");
+  auto& compared = values->options.compared;
+  addPlanOptions(*compare, compared.plan, *values);
+  compare
+      ->add_option("-o", values->options.folder,
+                   "folder for compare.json and, for each row, report, programs and pictures")
+      ->required();
+  const auto list = [&](const char* name, std::vector<std::string>& into, const char* help) {
+    compare->add_option(name, into, help)->delimiter(',')->allow_extra_args(false);
+  };
+  list("--modes", compared.modes, "M,...: ways of building; all of them unless given");
+  list("--growths", compared.growths, "G,...: growth schemes of curved mode; auto unless given");
+  list("--platforms", compared.platforms, "P,...: what material starts on; fit:0 unless given");
+  compare
+      ->add_option("--weight", values->weights,
+                   "FIGURE=NUMBER in the rule for the best. Rule: " +
+                       pipeline::ruleText(pipeline::defaultWeights()))
+      ->allow_extra_args(false);
+  compare->add_flag("--no-pictures", values->noPictures, "figures only");
+  addRunOptions(*compare, values->options.threads, values->progress);
+  compare->callback([values, &parsed] {
+    parsed.run = [values] {
+      CompareCommandOptions& options = values->options;
+      options.progress = kProgressStyles.at(values->progress);
+      options.pictures = !values->noPictures;
+      options.weights = pipeline::defaultWeights();
+      for (const std::string& weight : values->weights)
+        pipeline::setWeight(options.weights, weight);
+      takePlanOptions(options.compared.plan, *values);
+      return compareCommand(options);
     };
   });
 }
@@ -116,7 +171,7 @@ void addRender(CLI::App& app, Parsed& parsed) {
   CLI::App* render = app.add_subcommand("render", "a picture of a job, also without a display");
   render->add_option("JOB", options->job, "job.voluta")->required();
   render->add_option("-o", options->picture, "PNG file to write")->required();
-  render->add_option("--show", options->look.show, "part, voxels, layers, paths or robot");
+  render->add_option("--show", options->look.show, "part, voxels, pieces, layers, paths or robot");
   render->add_option("--layer", options->look.layer, "show layers 1 to this one");
   render->add_option("--time", options->look.timeS, "robot: seconds from the program's start");
   render->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
@@ -150,6 +205,7 @@ int run(int argc, char** argv) {
   Parsed parsed;
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   addPlan(app, parsed, threads);
+  addCompare(app, parsed, threads);
   addVerify(app, parsed, threads);
   addRender(app, parsed);
   addInspect(app, parsed);

@@ -1,0 +1,222 @@
+#include "base/files.h"
+#include "cli/commands.h"
+#include "cli/run_interruptibly.h"
+#include "pictures/job_picture.h"
+#include "pipeline/outputs.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace voluta::cli {
+
+namespace {
+
+using pipeline::CompareRow;
+using pipeline::RowState;
+
+// Fills the folders of the rows while they are planned: a plan is dropped once it is written.
+class Writer {
+public:
+  Writer(std::filesystem::path folder, bool pictures)
+      : folder_(std::move(folder)), pictures_(pictures) {}
+
+  void write(std::size_t index, const CompareRow& row, pipeline::PlanResult* result,
+             const base::RunContext& ctx) {
+    files_.push_back({});
+    if (!result)
+      return;
+    pipeline::RowFiles& files = files_.back();
+    files.folder = pipeline::rowFolder(index, row.combination);
+    const std::filesystem::path folder = folder_ / files.folder;
+    std::error_code failed; // writing into it says so
+    std::filesystem::create_directories(folder, failed);
+    pipeline::writeOutputs(*result, folder, ctx.quiet());
+    if (pictures_)
+      draw(*result, files);
+  }
+
+  const std::vector<pipeline::RowFiles>& files() const { return files_; }
+  const std::string& pictureTrouble() const { return pictureTrouble_; }
+
+private:
+  void draw(const pipeline::PlanResult& result, pipeline::RowFiles& files) {
+    for (const std::string& name : pictures::pictureNames()) {
+      const pipeline::Job& job = result.job;
+      const bool there = name == "part"     ? !job.decomposition && !job.layers
+                         : name == "voxels" ? job.decomposition != nullptr
+                         : name == "layers" ? job.layers != nullptr
+                                            : false;
+      if (!there)
+        continue;
+      pictures::PictureOptions look;
+      look.show = name;
+      look.width = 960;
+      look.height = 720;
+      look.colour = job.pieces && job.pieces->pieces.size() > 1 ? "group" : "layer";
+      const std::string file = files.folder + "/" + name + ".png";
+      try {
+        const std::string png = scene::pngBytes(pictures::jobPicture(job, look));
+        base::writeFile(folder_ / file, png);
+        files.pictures.push_back(file);
+      } catch (const base::Error& error) {
+        if (error.code() == base::ErrorCode::CannotWrite)
+          throw;
+        pictureTrouble_ = error.what(); // a comparison is of use without pictures
+        pictures_ = false;
+        return;
+      }
+    }
+  }
+
+  std::filesystem::path folder_;
+  bool pictures_;
+  std::vector<pipeline::RowFiles> files_;
+  std::string pictureTrouble_;
+};
+
+std::string valueText(const pipeline::Figure& figure, const CompareRow& row) {
+  const std::optional<double> value = figure.of(row);
+  if (!value && figure.key == "layers" && row.report.decomposition.layers > 0)
+    return fmt::format("{} steps", row.report.decomposition.layers);
+  if (!value)
+    return "-";
+  if (figure.unit == "%")
+    return fmt::format("{:.2f}", 100.0 * *value);
+  return figure.unit.empty() ? fmt::format("{:.0f}", *value) : fmt::format("{:.1f}", *value);
+}
+
+std::string headOf(const pipeline::Figure& figure) {
+  return figure.unit.empty() ? std::string(figure.label)
+                             : fmt::format("{} {}", figure.label, figure.unit);
+}
+
+// "auto (reverse)": what was asked for and what it came to.
+std::string growthText(const CompareRow& row) {
+  const std::string& asked = row.combination.growth;
+  const std::string& scheme = row.report.decomposition.growth;
+  if (asked.empty())
+    return "-";
+  return scheme.empty() || scheme == asked ? asked : fmt::format("{} ({})", asked, scheme);
+}
+
+using TextTable = std::vector<std::vector<std::string>>;
+
+// Width as a terminal shows it; the units are not ASCII.
+std::size_t shownWidth(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+void print(const TextTable& table, std::size_t leftAligned) {
+  std::vector<std::size_t> widths(table.front().size(), 0);
+  for (const auto& line : table)
+    for (std::size_t c = 0; c < line.size(); ++c)
+      widths[c] = std::max(widths[c], shownWidth(line[c]));
+  for (const auto& line : table) {
+    std::string text;
+    for (std::size_t c = 0; c < line.size(); ++c) {
+      const std::string pad(widths[c] - shownWidth(line[c]), ' ');
+      text += (c ? "  " : "") + (c < leftAligned ? line[c] + pad : pad + line[c]);
+    }
+    fmt::print("{}\n", text);
+  }
+}
+
+void sayTable(const pipeline::Comparison& comparison, const pipeline::Ranking& ranking) {
+  TextTable table;
+  std::vector<std::string> head{"", "mode", "growth", "platform"};
+  for (const pipeline::Figure& figure : pipeline::figures())
+    head.push_back(headOf(figure));
+  for (const char* last : {"replay", "verdict", "planned in s"})
+    head.emplace_back(last);
+  table.push_back(std::move(head));
+  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
+    const CompareRow& row = comparison.rows[i];
+    std::vector<std::string> line{fmt::format("{}{}", i + 1, ranking.best == i ? " best" : ""),
+                                  row.combination.mode, growthText(row), row.combination.platform};
+    for (const pipeline::Figure& figure : pipeline::figures())
+      line.push_back(valueText(figure, row));
+    const std::optional<bool> passed = pipeline::replayPassed(row);
+    line.emplace_back(!passed ? "-" : *passed ? "passed" : "refused");
+    line.emplace_back(pipeline::stateName(row.state()));
+    line.push_back(fmt::format("{:.1f}", row.seconds));
+    table.push_back(std::move(line));
+  }
+  constexpr std::size_t kTextColumns = 4;
+  print(table, kTextColumns);
+}
+
+void sayVerdict(const pipeline::Comparison& comparison, const pipeline::Ranking& ranking,
+                const pipeline::Weights& weights) {
+  for (std::size_t i = 0; i < comparison.rows.size(); ++i)
+    if (const std::string reason = comparison.rows[i].reason(); !reason.empty())
+      fmt::print("{}: {}{}\n", i + 1, reason,
+                 comparison.rows[i].blocking() > 1
+                     ? fmt::format("; {} findings more", comparison.rows[i].blocking() - 1)
+                     : "");
+  fmt::print("rule: {}\n", pipeline::ruleText(weights));
+  if (!ranking.best) {
+    fmt::print("best: none, as something blocks every row; nearest to it is row {}\n",
+               ranking.order.front() + 1);
+    return;
+  }
+  std::string tied;
+  for (const std::size_t row : ranking.tied)
+    tied += fmt::format("{}{}", tied.empty() ? "; as good: row " : ", ", row + 1);
+  fmt::print("best: row {}{}\n", *ranking.best + 1, tied);
+}
+
+// A best row: done. Planned rows that are all blocked: not all. None planned: as the first error.
+ExitCode exitCodeOf(const std::vector<CompareRow>& rows) {
+  const auto any = [&](RowState state) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const CompareRow& row) { return row.state() == state; });
+  };
+  if (any(RowState::Clear))
+    return kDone;
+  return any(RowState::Blocked) ? kNotAll : cli::exitCodeOf(rows.front().errorCode);
+}
+
+} // namespace
+
+ExitCode compareCommand(const CompareCommandOptions& options) {
+  base::StagedFolder staged(options.folder);
+  const std::filesystem::path folder = staged.path();
+  struct Done {
+    pipeline::Comparison comparison;
+    std::string pictureTrouble;
+  };
+  auto outcome = runInterruptibly(
+      [options, folder](const base::RunContext& ctx) {
+        Writer writer(folder, options.pictures);
+        pipeline::CompareWatch watch;
+        watch.ended = [&](std::size_t index, const CompareRow& row,
+                          const std::shared_ptr<pipeline::PlanResult>& result) {
+          writer.write(index, row, result.get(), ctx);
+        };
+        Done done;
+        done.comparison = pipeline::compare(options.compared, ctx, watch);
+        base::writeFile(folder / "compare.json",
+                        pipeline::compareJson(done.comparison, options.weights, writer.files()));
+        done.pictureTrouble = writer.pictureTrouble();
+        return done;
+      },
+      options.threads, progressSink(options.progress), [&] { staged.discard(); });
+  endProgress(options.progress);
+  if (std::holds_alternative<base::Cancelled>(outcome)) {
+    fmt::print(stderr, "cancelled; {} is as it was\n", options.folder.string());
+    return kCancelled;
+  }
+  if (const auto* error = std::get_if<base::Error>(&outcome))
+    throw *error;
+  staged.commit();
+  const Done& done = std::get<Done>(outcome);
+  const pipeline::Ranking ranking = pipeline::rank(done.comparison.rows, options.weights);
+  sayTable(done.comparison, ranking);
+  sayVerdict(done.comparison, ranking, options.weights);
+  if (!done.pictureTrouble.empty())
+    fmt::print(stderr, "no pictures: {}\n", done.pictureTrouble);
+  return exitCodeOf(done.comparison.rows);
+}
+
+} // namespace voluta::cli

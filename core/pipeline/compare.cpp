@@ -1,0 +1,153 @@
+#include "pipeline/compare.h"
+
+#include "base/outcome.h"
+#include "base/stopwatch.h"
+#include "curved/grow.h"
+#include "pipeline/choices.h"
+#include "pipeline/modes.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace voluta::pipeline {
+
+namespace {
+
+using Text = std::string Choices::*;
+
+// Does this choice go into the mode's decomposition?
+bool asksFor(const Mode& mode, const ModeChoices& in, Text choice,
+             const std::vector<std::string>& trials) {
+  std::set<std::string> keys;
+  for (const std::string& trial : trials) {
+    Choices choices = in.choices;
+    choices.*choice = trial;
+    keys.insert(mode.decomposeKey({choices, in.values, in.process}));
+  }
+  return keys.size() > 1;
+}
+
+// The part once for all; a request that has it is left as it is.
+PlanRequest withPart(PlanRequest request, const base::RunContext& ctx) {
+  if (!request.loaded)
+    request.loaded = loadPart(request.part, request.choices.repair, ctx);
+  else
+    request.loaded = withRepair(request.loaded, request.choices.repair, ctx);
+  return request;
+}
+
+} // namespace
+
+std::vector<Combination> combinations(const CompareOptions& options) {
+  const Choices& given = options.plan.choices;
+  std::vector<std::string> modeIds = options.modes;
+  if (modeIds.empty())
+    for (const Mode& mode : modes())
+      modeIds.emplace_back(mode.id);
+  const auto orOwn = [](const std::vector<std::string>& list, const std::string& own) {
+    return list.empty() ? std::vector<std::string>{own} : list;
+  };
+  const std::vector<std::string> growths = orOwn(options.growths, given.growth),
+                                 platforms = orOwn(options.platforms, given.platform);
+  const base::ParameterValues values = parameterValues(given);
+  const process::Process process = chosenProcess(given, values);
+
+  std::vector<Combination> all;
+  for (const std::string& id : modeIds)
+    for (const std::string& platform : platforms)
+      for (const std::string& growth : growths) {
+        const Choices choices = choicesOf({id, growth, platform}, given);
+        checkChoices(choices);
+        const Mode& mode = findMode(id);
+        const ModeChoices in{choices, values, process};
+        Combination row{id, growth, platform};
+        if (!asksFor(mode, in, &Choices::growth, curved::growthSchemes()))
+          row.growth.clear();
+        if (!asksFor(mode, in, &Choices::platform, {"fit:0", "disc:80"}))
+          row.platform = platforms.front();
+        if (std::find(all.begin(), all.end(), row) == all.end())
+          all.push_back(row);
+      }
+  return all;
+}
+
+Choices choicesOf(const Combination& combination, Choices choices) {
+  choices.mode = combination.mode;
+  if (!combination.growth.empty())
+    choices.growth = combination.growth;
+  choices.platform = combination.platform;
+  return choices;
+}
+
+RowState CompareRow::state() const {
+  if (!error.empty())
+    return RowState::Failed;
+  return nothingBlocks(report) ? RowState::Clear : RowState::Blocked;
+}
+
+std::size_t CompareRow::blocking() const {
+  return static_cast<std::size_t>(std::count_if(report.findings.begin(), report.findings.end(),
+                                                [](const auto& f) { return f.blocking; }));
+}
+
+std::string CompareRow::reason() const {
+  if (!error.empty())
+    return error;
+  for (const plan::Finding& f : report.findings)
+    if (f.blocking)
+      return fmt::format("{}: {}", f.stage, f.reason);
+  return {};
+}
+
+Comparison compare(const CompareOptions& options, const base::RunContext& ctx,
+                   const CompareWatch& watch) {
+  const base::Stopwatch whole;
+  const std::vector<Combination> all = combinations(options);
+  constexpr double kLoadShare = 0.02;
+  const PlanRequest request = withPart(options.plan, ctx.sub(0.0, kLoadShare));
+
+  Comparison comparison;
+  comparison.part = request.loaded->name;
+  comparison.choices = request.choices;
+  comparison.until = request.until;
+  comparison.threads = ctx.threads();
+  if (watch.planned)
+    watch.planned(all);
+  StageCache cache(1);
+  const auto share = [&](std::size_t i) {
+    return kLoadShare +
+           (1.0 - kLoadShare) * static_cast<double>(i) / static_cast<double>(all.size());
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ctx.checkpoint();
+    if (watch.begins)
+      watch.begins(i);
+    const base::Stopwatch own;
+    PlanRequest one = request;
+    one.choices = choicesOf(all[i], request.choices);
+    CompareRow row;
+    row.combination = all[i];
+    auto outcome =
+        base::outcomeOf([&] { return planPart(one, ctx.sub(share(i), share(i + 1)), &cache); });
+    if (std::holds_alternative<base::Cancelled>(outcome))
+      throw base::Cancelled{};
+    std::shared_ptr<PlanResult> result;
+    if (const auto* error = std::get_if<base::Error>(&outcome)) {
+      row.error = error->what();
+      row.errorCode = error->code();
+    } else {
+      result = std::make_shared<PlanResult>(std::move(std::get<PlanResult>(outcome)));
+      row.reached = result->job.reached;
+      row.report = result->job.report;
+    }
+    row.seconds = own.seconds();
+    comparison.rows.push_back(row);
+    if (watch.ended)
+      watch.ended(i, comparison.rows.back(), std::move(result));
+  }
+  comparison.seconds = whole.seconds();
+  return comparison;
+}
+
+} // namespace voluta::pipeline
