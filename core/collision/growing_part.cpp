@@ -5,6 +5,7 @@
 #include "base/run_context.h"
 #include "collision/bead_solid.h"
 #include "collision/shape_distance.h"
+#include "process/process.h"
 
 #include <algorithm>
 #include <array>
@@ -66,6 +67,18 @@ void lower(std::uint32_t& cell, std::uint32_t value) {
 }
 
 } // namespace
+
+double growingPitch(const plan::ToolPlan& plan, const process::Process& process) {
+  constexpr double kCells = 1 << 27;
+  const double finest = 0.25 * process.beadWidthMm;
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : plan.position)
+    box.extend(p);
+  if (box.isEmpty())
+    return finest;
+  const Vector3d sides = box.sizes().array() + 2.0 * process.beadWidthMaxMm;
+  return std::max(finest, std::cbrt(sides.prod() / kCells));
+}
 
 GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base::RunContext& ctx) {
   base::require(pitchMm > 0.0, "pitch > 0");

@@ -7,11 +7,6 @@
 
 namespace voluta::pipeline {
 
-namespace {
-// Cells of the part that collision is checked against: about half a bead.
-constexpr double kGrowingPitchMm = 0.5;
-} // namespace
-
 std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
                                                    const std::vector<Eigen::Vector2d>& platform,
                                                    const process::Process& process,
@@ -60,7 +55,8 @@ std::shared_ptr<const MotionStage> motionStage(const plan::ToolPlan& toolPlan,
   base::Stopwatch depositing;
   motion::MotionOptions options = motion::motionOptions(values);
   options.seed = static_cast<std::uint64_t>(seed);
-  const collision::GrowingPart growing(toolPlan, kGrowingPitchMm, ctx.sub(0.0, 0.05));
+  const collision::GrowingPart growing(toolPlan, collision::growingPitch(toolPlan, process),
+                                       ctx.sub(0.0, 0.05));
   const double deposited = depositing.seconds();
   motion::MotionResult planned =
       motion::planMotion(toolPlan, cell, process, growing, options, ctx.sub(0.05, 1.0));

@@ -39,7 +39,8 @@ class Orienter {
 public:
   Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear,
            const process::Process& process, const ToolpathOptions& o, const base::RunContext& ctx)
-      : plan_(plan), clear_(clear), o_(o), ctx_(ctx), head_(process, o.platform) {
+      : plan_(plan), clear_(clear), process_(process), o_(o), ctx_(ctx),
+        head_(process, o.platform) {
     middle_.resize(plan.waypointCount());
     for (std::size_t i = 0; i < middle_.size(); ++i)
       middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];
@@ -47,7 +48,7 @@ public:
 
   OrientResult run() {
     {
-      const collision::GrowingPart part(plan_, o_.growingPitchMm, ctx_);
+      const collision::GrowingPart part(plan_, collision::growingPitch(plan_, process_), ctx_);
       ctx_.report(0.2, "directions");
       choose(part);
       ctx_.report(0.5, "directions");
@@ -197,7 +198,7 @@ private:
       for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
         r.maxTurnDeg = std::max(
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
-    const collision::GrowingPart part(p, o_.growingPitchMm, ctx_);
+    const collision::GrowingPart part(p, collision::growingPitch(p, process_), ctx_);
     ctx_.report(0.8, "directions");
     std::vector<char> gouge(p.waypointCount(), 0);
     base::parallelChunks(ctx_, gouge.size(), kGrain, [&](std::size_t b, std::size_t e) {
@@ -224,6 +225,7 @@ private:
 
   const ToolPlan& plan_;
   const std::vector<Vector3d>& clear_;
+  const process::Process& process_;
   const ToolpathOptions& o_;
   const base::RunContext ctx_;
   HeadClearance head_;

@@ -17,7 +17,6 @@ struct ToolpathOptions {
   double edgeMm = 0.5;           // patches are refined to edges of this length for planning
   double turnLimitDeg = 5.0;     // steps in which the direction turns more are subdivided
   double smoothBeyondDeg = 10.0; // Dai 3.5.2
-  double growingPitchMm = 0.6;   // grid on which the head's clearance is checked
   // Convex, counter-clockwise, work frame: the plate, solid below z = 0. Empty: no plate.
   std::vector<Eigen::Vector2d> platform;
   double platformThicknessMm = 8.0;
