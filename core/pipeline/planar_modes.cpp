@@ -251,6 +251,12 @@ base::ParameterTable planarModeParameters() {
   });
 }
 
+planar::RiskRule riskRule(const Choices& choices) {
+  const base::ParameterValues values = parameterValues(choices);
+  const process::Process process = chosenProcess(choices, values);
+  return riskRule({choices, values, process});
+}
+
 std::string planesText(const std::string& value) {
   const std::size_t first = value.find_first_not_of(" \t\r\n");
   return first != std::string::npos && value[first] == '[' ? value : base::readFile(value);

@@ -3,6 +3,7 @@
 
 #include "base/parameters.h"
 #include "pipeline/modes.h"
+#include "planar/pieces.h"
 
 #include <string>
 
@@ -13,6 +14,9 @@ Mode flatMode();
 
 // overhangAngle, pieceMaterials, cutPlanes, adaptiveLayers, cuspMm, layerPlanes.
 base::ParameterTable planarModeParameters();
+
+// When faces of pieces need support, as `choices` have it. Throws as chosenProcess().
+planar::RiskRule riskRule(const Choices& choices);
 
 // The text of `layerPlanes` or `cutPlanes`: planes as JSON as they are, else those in the file that
 // it names. Throws Error{UnreadableFile}.

@@ -4,6 +4,7 @@
 #include "base/nearest_name.h"
 #include "curved/peeling_field.h"
 #include "pipeline/choices.h"
+#include "pipeline/planar_modes.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -65,6 +66,12 @@ public:
     setLastLayer(scene::layerCount(*drawing));
     scene_.setLayers(drawing);
     view_.layers = true;
+    showPlatform();
+  }
+  void showPieces() {
+    scene_.setPieces(
+        scene::drawPieces(need(job_.pieces, "pieces")->pieces, pipeline::riskRule(job_.choices)));
+    view_.pieces = true;
     showPlatform();
   }
   void showPaths() {
@@ -165,11 +172,10 @@ private:
   scene::ViewState view_;
 };
 
-constexpr Row<void (Renderer::*)()> kShown[] = {{"part", &Renderer::showPart},
-                                                {"voxels", &Renderer::showVoxels},
-                                                {"layers", &Renderer::showLayers},
-                                                {"paths", &Renderer::showPaths},
-                                                {"robot", &Renderer::showRobot}};
+constexpr Row<void (Renderer::*)()> kShown[] = {
+    {"part", &Renderer::showPart},     {"voxels", &Renderer::showVoxels},
+    {"pieces", &Renderer::showPieces}, {"layers", &Renderer::showLayers},
+    {"paths", &Renderer::showPaths},   {"robot", &Renderer::showRobot}};
 
 constexpr Row<scene::StandardView> kViews[] = {
     {"isometric", scene::StandardView::Isometric}, {"front", scene::StandardView::Front},
@@ -202,7 +208,11 @@ scene::Image jobPicture(const pipeline::Job& job, const PictureOptions& options)
 }
 
 std::string furthestPicture(const pipeline::Job& job) {
-  return job.toolPlan ? "paths" : job.layers ? "layers" : job.decomposition ? "voxels" : "part";
+  return job.toolPlan        ? "paths"
+         : job.layers        ? "layers"
+         : job.decomposition ? "voxels"
+         : job.pieces        ? "pieces"
+                             : "part";
 }
 
 } // namespace voluta::pictures

@@ -22,7 +22,7 @@ struct PictureOptions {
   std::string where;  // what errors name: the job's file
 };
 
-std::vector<std::string> pictureNames(); // part, voxels, layers, paths, robot
+std::vector<std::string> pictureNames(); // part, voxels, pieces, layers, paths, robot
 std::vector<std::string> viewNames();
 
 // Throws Error{Usage}: a name, layer or time that there is not; Error{UnusableInput}: the job holds
@@ -31,7 +31,7 @@ scene::Image jobPicture(const pipeline::Job& job, const PictureOptions& options)
 // Throws Error{Usage} for names that there are not, before a job is read.
 void checkNames(const PictureOptions& options);
 
-// What shows most of how the job is built: its paths, else layers, voxels, the part.
+// What shows most of how the job is built: its paths, else layers, voxels, pieces, the part.
 std::string furthestPicture(const pipeline::Job& job);
 
 } // namespace voluta::pictures

@@ -99,6 +99,17 @@ Colour supportColour() {
   return {0.34, 0.71, 0.91};
 }
 
+Colour pieceColour(int index) {
+  static constexpr int kHues[] = {0, 1, 2, 4, 5}; // of categoricalColour
+  static constexpr double kTowardsWhite[] = {0.0, 0.5, 0.0}, kTowardsBlack[] = {0.0, 0.0, 0.45};
+  const auto i = static_cast<std::size_t>(index);
+  const std::size_t shade = i / std::size(kHues) % std::size(kTowardsWhite);
+  Colour colour = categoricalColour(kHues[i % std::size(kHues)]);
+  for (double& c : colour)
+    c = (c + kTowardsWhite[shade] * (1.0 - c)) * (1.0 - kTowardsBlack[shade]);
+  return colour;
+}
+
 Colour categoricalColour(int index) {
   static constexpr Colour kColours[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45},
                                         {0.80, 0.47, 0.65}, {0.34, 0.71, 0.91}, {0.94, 0.89, 0.26},

@@ -73,6 +73,20 @@ struct BeadChunk {
   std::uint32_t hidingWaypoint = 0;
 };
 
+struct PieceShape {
+  std::shared_ptr<const PartDrawing> solid;
+  vtkSmartPointer<vtkPolyData> safe, risky;   // the solid's faces
+  vtkSmartPointer<vtkPolyData> base, baseRim; // null: stands on the plate
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+  int parent = -1;
+};
+
+struct PiecesDrawing {
+  std::vector<PieceShape> pieces;
+  bool anyRisky = false;
+  Eigen::AlignedBox3d box;
+};
+
 struct PathsDrawing {
   // Points 2 i and 2 i + 1 are the two sides of waypoint i's bead; a segment is two triangles.
   vtkSmartPointer<vtkPolyData> beads;

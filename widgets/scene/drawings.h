@@ -9,6 +9,7 @@
 #include "layers/layer_stack.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
+#include "planar/pieces.h"
 #include "robot/cell.h"
 #include "scene/colouring.h"
 
@@ -24,6 +25,7 @@ struct PlatformDrawing;
 struct VoxelDrawing;
 struct LayersDrawing;
 struct PathsDrawing;
+struct PiecesDrawing;
 struct CellDrawing;
 struct FrontDrawing;
 
@@ -83,6 +85,15 @@ int layerCount(const PathsDrawing& drawing);
 // Waypoints of one layer in print order, as ViewState::moves counts them; empty for a layer that
 // is not there.
 const std::vector<std::uint32_t>& waypointsOfLayer(const PathsDrawing& drawing, int layer);
+
+// Pieces of planar mode in print order: a colour each, the faces that need support, base planes.
+std::shared_ptr<const PiecesDrawing> drawPieces(const std::vector<planar::Piece>& pieces,
+                                                const planar::RiskRule& rule);
+int pieceCount(const PiecesDrawing& drawing);
+// Where each piece goes when each is moved that far off the one it stands on, along its direction.
+std::vector<Eigen::Vector3d> pieceOffsets(const PiecesDrawing& drawing, double explodeMm);
+// And its base plane, which stays on the piece that is cut.
+Eigen::Vector3d basePlaneOffset(const PiecesDrawing& drawing, std::size_t piece, double explodeMm);
 
 // Robot, holders, head, platform and obstacles as solids.
 std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell);

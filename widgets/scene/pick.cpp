@@ -158,6 +158,22 @@ std::optional<RayHit> pickVoxel(const VoxelDrawing& voxels, const Ray& ray, int 
   return std::nullopt;
 }
 
+std::optional<RayHit> pickPiece(const PiecesDrawing& pieces, const Ray& ray,
+                                const std::vector<Eigen::Vector3d>& offsets, const IsShown& shown) {
+  std::optional<RayHit> best;
+  for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
+    std::optional<RayHit> hit =
+        pickPart(*pieces.pieces[i].solid, {ray.origin - offsets[i], ray.direction},
+                 [&](const Eigen::Vector3d& p) { return shown(p + offsets[i]); });
+    if (!hit)
+      continue;
+    hit->hit.what = Hit::What::Piece;
+    hit->hit.piece = i;
+    keepNearer(best, hit->t, hit->hit);
+  }
+  return best;
+}
+
 std::optional<RayHit> pickLayer(const LayersDrawing& layers, const Ray& ray,
                                 const std::vector<Stretch>& stretches, const IsShown& shown) {
   const Triangles triangles(layers.surface);

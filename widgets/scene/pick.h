@@ -28,6 +28,9 @@ std::optional<RayHit> pickPlatform(const PlatformDrawing& platform, const Ray& r
 // Layers first <= layer <= last.
 std::optional<RayHit> pickVoxel(const VoxelDrawing& voxels, const Ray& ray, int first, int last,
                                 const IsShown& shown);
+// `offsets`: where each piece is drawn, off its place on the part.
+std::optional<RayHit> pickPiece(const PiecesDrawing& pieces, const Ray& ray,
+                                const std::vector<Eigen::Vector3d>& offsets, const IsShown& shown);
 // The triangles of the stretches.
 std::optional<RayHit> pickLayer(const LayersDrawing& layers, const Ray& ray,
                                 const std::vector<Stretch>& stretches, const IsShown& shown);

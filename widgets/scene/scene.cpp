@@ -7,6 +7,7 @@
 #include "scene/drawing_data.h"
 #include "scene/overlay.h"
 #include "scene/pick.h"
+#include "scene/piece_actors.h"
 #include "scene/shape_mesh.h"
 #include "scene/visible_beads.h"
 #include "scene/voxel_actors.h"
@@ -75,11 +76,13 @@ struct Scene::Impl {
   std::shared_ptr<const FrontDrawing> front;
   std::shared_ptr<const LayersDrawing> layers;
   std::shared_ptr<const PathsDrawing> paths;
+  std::shared_ptr<const PiecesDrawing> pieces;
   std::shared_ptr<const CellDrawing> cell;
 
   vtkSmartPointer<vtkActor> partSurface, partEdges, plate, outline, grid, frontSurface, frontEdges;
   // Each drawing keeps its buffers: changing between them uploads nothing.
   std::unique_ptr<VoxelActors> byLayer, bySteps;
+  std::unique_ptr<PieceActors> pieceActors;
   RangeActor slabs, beads, travels, marker, markerHalo;
   std::vector<vtkSmartPointer<vtkActor>> bodies;
 
@@ -100,6 +103,7 @@ struct Scene::Impl {
     partEdges = addLines(renderer);
     byLayer = std::make_unique<VoxelActors>(renderer);
     bySteps = std::make_unique<VoxelActors>(renderer);
+    pieceActors = std::make_unique<PieceActors>(renderer);
     slabs = RangeActor::make(renderer);
     beads = RangeActor::make(renderer);
     drawAsBeads(beads.actor, beads.mapper);
@@ -141,6 +145,8 @@ struct Scene::Impl {
     setColour(grid, theme.grid);
     byLayer->setTheme(theme);
     bySteps->setTheme(theme);
+    pieceActors->setTheme(theme);
+    showPieces();
     setColour(frontSurface, theme.front);
     setColour(frontEdges, theme.front);
     setColour(travels.actor, theme.travel);
@@ -306,6 +312,13 @@ struct Scene::Impl {
     markerHalo.actor->SetVisibility(view.marker.has_value());
   }
 
+  void showPieces() {
+    if (shows(view.pieces, pieces.get()))
+      pieceActors->show(view, world_T_work);
+    else
+      pieceActors->hide();
+  }
+
   void cut() {
     if (view.sectionOn) {
       const Eigen::Vector3d origin = world_T_work * view.sectionOrigin;
@@ -315,6 +328,8 @@ struct Scene::Impl {
     }
     std::vector<vtkActor*> actors = cutActors();
     actors.insert(actors.end(), {partSurface.Get(), partEdges.Get()});
+    for (vtkActor* actor : pieceActors->actors())
+      actors.push_back(actor);
     for (vtkActor* actor : actors) {
       vtkMapper* mapper = actor->GetMapper();
       const bool isCut = mapper->GetClippingPlanes() != nullptr;
@@ -330,6 +345,7 @@ struct Scene::Impl {
     showPart();
     showPlatform();
     showVoxels();
+    showPieces();
     showLayers();
     showPaths();
     showCell();
@@ -347,6 +363,8 @@ struct Scene::Impl {
         legend.marks.insert(legend.marks.begin() + 1, {0.0, "Convex front", theme.front});
       return legend;
     }
+    if (shows(view.pieces, pieces.get()))
+      return pieceLegend(*pieces, theme);
     if (shows(view.layers, layers.get()))
       return legendOf(layers->values, shownColouring(layers->values, view.colourBy));
     if (shows(view.paths, paths.get()) && !view.materialColour)
@@ -379,6 +397,11 @@ struct Scene::Impl {
       extend(part->box);
     if (const VoxelDrawing* drawing = shownVoxels())
       extend(drawing->box);
+    if (shows(view.pieces, pieces.get())) {
+      const std::vector<Eigen::Vector3d> offsets = pieceOffsets(*pieces, view.explodeMm);
+      for (std::size_t i = 0; i < offsets.size(); ++i)
+        extend(pieces->pieces[i].solid->box.translated(offsets[i]));
+    }
     if (shows(view.layers, layers.get()))
       extend(layers->box);
     if (shows(view.paths, paths.get()))
@@ -454,6 +477,12 @@ void Scene::setLayers(std::shared_ptr<const LayersDrawing> layers) {
   impl_->slabs.setData(layers ? layers->surface.Get() : nullptr);
   impl_->slabColours = {};
   impl_->layers = std::move(layers);
+  impl_->applyView();
+}
+
+void Scene::setPieces(std::shared_ptr<const PiecesDrawing> pieces) {
+  impl_->pieceActors->setDrawing(pieces.get());
+  impl_->pieces = std::move(pieces);
   impl_->applyView();
 }
 
@@ -545,6 +574,8 @@ std::optional<Hit> Scene::pick(int x, int y) const {
   } else if (const VoxelDrawing* drawing = s.shownVoxels()) {
     consider(pickVoxel(*drawing, ray, s.view.firstLayer, s.view.lastLayer, shown));
   }
+  if (s.shows(s.view.pieces, s.pieces.get()))
+    consider(pickPiece(*s.pieces, ray, pieceOffsets(*s.pieces, s.view.explodeMm), shown));
   if (s.shows(s.view.layers, s.layers.get()))
     consider(pickLayer(*s.layers, ray, s.layerStretches(), shown));
   if (s.shows(s.view.paths, s.paths.get()))

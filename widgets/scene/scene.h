@@ -18,7 +18,7 @@ class vtkRenderer;
 namespace voluta::scene {
 
 struct Hit {
-  enum class What { Part, Platform, Voxel, Layer, Path, Cell };
+  enum class What { Part, Platform, Voxel, Layer, Path, Piece, Cell };
   What what = What::Part;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // work frame, mm
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // unit, of the facet; zero for paths and cell
@@ -26,6 +26,7 @@ struct Hit {
   std::size_t path = 0, waypoint = 0; // Path: indices in the ToolPlan
   std::size_t patch = 0;              // Layer: index in the LayerStack
   std::size_t voxel = 0;              // Voxel: cell of the grid
+  std::size_t piece = 0;              // Piece: its place in print order; `point` is on the part
   std::size_t body = 0;               // Cell: index in Cell::bodies()
 };
 
@@ -52,6 +53,7 @@ public:
   void setGrowth(std::shared_ptr<const VoxelDrawing> growth);
   void setFront(std::shared_ptr<const FrontDrawing> front);
   void setLayers(std::shared_ptr<const LayersDrawing> layers);
+  void setPieces(std::shared_ptr<const PiecesDrawing> pieces);
   void setPaths(std::shared_ptr<const PathsDrawing> paths);
   void setCell(std::shared_ptr<const CellDrawing> cell);
 
@@ -61,7 +63,8 @@ public:
   // Pixels a point of text and an overlay's line take: the screen's device pixel ratio.
   void setPixelRatio(double ratio);
 
-  // Of what is shown under the view: voxels before layers before paths, whichever is visible.
+  // Of what is shown under the view: voxels before pieces before layers before paths, whichever is
+  // visible.
   Legend legend() const;
 
   // Camera. All keep the projection; frameAll and standardView see everything that is visible.

@@ -26,6 +26,7 @@ Theme lightTheme() {
   t.blocked = {0.85, 0.10, 0.12};
   t.unreached = {0.96, 0.96, 0.97};
   t.cascade = {0.90, 0.62, 0.00};
+  t.risky = {0.86, 0.00, 0.58};
   t.current = {0.98, 0.42, 0.78};
   t.ghost = {0.60, 0.63, 0.66};
   t.front = {0.30, 0.52, 0.74};
@@ -52,6 +53,7 @@ Theme darkTheme() {
   t.material = {0.84, 0.80, 0.72};
   t.travel = {0.50, 0.52, 0.55};
   t.blocked = {0.95, 0.22, 0.22};
+  t.risky = {0.96, 0.18, 0.72};
   t.front = {0.55, 0.76, 0.95};
   return t;
 }

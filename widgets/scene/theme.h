@@ -19,6 +19,7 @@ struct Theme {
   Colour marker;             // place of a finding
   Colour blocked;            // what cannot be printed or reached: shadowed voxels
   Colour unreached, cascade; // voxels missed for other reasons: no way there, hanging on shadowed
+  Colour risky;              // faces of pieces that need support
   Colour current, ghost, front; // growth: the step being laid, later ones, the convex front
 };
 

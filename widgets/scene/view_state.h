@@ -4,7 +4,7 @@
 #include "robot/robot_model.h"
 #include "scene/colouring.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -21,6 +21,7 @@ enum class World { Work, Base };
 
 struct ViewState {
   bool part = true, platform = true, cell = false, voxels = false, layers = false, paths = false;
+  bool pieces = false;
   bool travels = false; // of the paths shown
   bool axes = true;     // triad in the lower left corner
   double partOpacity = 1.0;
@@ -51,6 +52,11 @@ struct ViewState {
 
   bool sectionOn = false; // cuts part, voxels, layers and paths away on the side the normal shows
   Eigen::Vector3d sectionOrigin = Eigen::Vector3d::Zero(), sectionNormal = Eigen::Vector3d::UnitX();
+
+  double explodeMm = 0.0;           // pieces: how far each stands off the one it stands on
+  bool basePlanes = true;           // of pieces that stand on others
+  std::optional<std::size_t> piece; // stands out from the others
+  std::optional<Eigen::Isometry3d> moved_T_base; // its base plane, while it is dragged
 
   std::optional<Eigen::Vector3d> marker; // place of a finding, work frame
   bool legend = false;                   // drawn into the picture (a window shows its own)

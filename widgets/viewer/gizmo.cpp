@@ -16,10 +16,7 @@ using Eigen::Vector3d;
 constexpr double kLengthPixels = 90.0, kGrabPixels = 8.0;
 constexpr int kRingPoints = 64;
 constexpr int kAll = 3;
-
-Vector3d unit(int axis) {
-  return Vector3d::Unit(axis);
-}
+constexpr double kTiltShare = 0.72; // of an arrow's length: rings that tilt
 
 // Blue, bluish green and orange, which colour-blind people tell apart; the handles carry their
 // letter too.
@@ -57,30 +54,48 @@ void Gizmo::setTool(Tool tool) {
 std::vector<Gizmo::Handle> Gizmo::handles(const Projection& project, double mmPerPixel) const {
   const double length = kLengthPixels * mmPerPixel;
   std::vector<Handle> found;
-  if (tool_ == Tool::Move || tool_ == Tool::Scale) {
-    for (int axis = 0; axis < 3; ++axis)
-      found.push_back({axis,
-                       QPolygonF({project(centre_ + 0.12 * length * unit(axis)),
-                                  project(centre_ + length * unit(axis))}),
-                       false});
+  const auto arrow = [&](int k) {
+    found.push_back({k,
+                     QPolygonF({project(centre_ + 0.12 * length * axis(k)),
+                                project(centre_ + length * axis(k))}),
+                     false});
+  };
+  const auto ring = [&](int k, double radius) {
+    QPolygonF line;
+    const Vector3d a = axis((k + 1) % 3), b = axis((k + 2) % 3);
+    for (int i = 0; i <= kRingPoints; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kRingPoints;
+      line << project(centre_ + radius * (std::cos(angle) * a + std::sin(angle) * b));
+    }
+    found.push_back({k, line, false});
+  };
+  switch (tool_) {
+  case Tool::Move:
+  case Tool::Scale:
+    for (int k = 0; k < 3; ++k)
+      arrow(k);
     if (tool_ == Tool::Move) {
       const double near = 0.22 * length, far = 0.45 * length;
       QPolygonF square;
       for (const auto& [x, y] :
            {std::pair{near, near}, {far, near}, {far, far}, {near, far}, {near, near}})
-        square << project(centre_ + Vector3d(x, y, 0.0));
+        square << project(centre_ + x * axis(0) + y * axis(1));
       found.push_back({kAll, square, true});
     }
-  } else if (tool_ == Tool::Turn) {
-    for (int axis = 0; axis < 3; ++axis) {
-      QPolygonF ring;
-      const Vector3d a = unit((axis + 1) % 3), b = unit((axis + 2) % 3);
-      for (int i = 0; i <= kRingPoints; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / kRingPoints;
-        ring << project(centre_ + length * (std::cos(angle) * a + std::sin(angle) * b));
-      }
-      found.push_back({axis, ring, false});
-    }
+    break;
+  case Tool::Turn:
+    for (int k = 0; k < 3; ++k)
+      ring(k, length);
+    break;
+  case Tool::CutPlane:
+    ring(0, kTiltShare * length);
+    ring(1, kTiltShare * length);
+    arrow(2);
+    break;
+  case Tool::None:
+  case Tool::LayFlat:
+  case Tool::PickPoint:
+    break;
   }
   return found;
 }
@@ -104,7 +119,7 @@ void Gizmo::paint(QPainter& painter, const Projection& project, double mmPerPixe
       continue;
     }
     painter.drawPolyline(handle.line);
-    if (tool_ == Tool::Turn || handle.axis == kAll)
+    if (turns(handle.axis) || handle.axis == kAll)
       continue;
     const QPointF tip = handle.line.last();
     painter.setBrush(colour);
@@ -113,6 +128,8 @@ void Gizmo::paint(QPainter& painter, const Projection& project, double mmPerPixe
       painter.drawRect(QRectF(tip.x() - 6, tip.y() - 6, 12, 12));
     } else {
       painter.drawEllipse(tip, 8.0, 8.0);
+      if (tool_ == Tool::CutPlane)
+        continue;
       painter.setPen(Qt::white);
       QFont letter = painter.font();
       letter.setPixelSize(11);
@@ -143,12 +160,12 @@ bool Gizmo::hover(const QPointF& cursor, const Projection& project, double mmPer
 
 double Gizmo::alongAxis(const Ray& ray) const {
   // Closest point of the axis to the ray.
-  const Vector3d axis = unit(grabbed_), between = centreAtBegin_ - ray.origin;
-  const double along = axis.dot(ray.direction);
+  const Vector3d line = axis(grabbed_), between = centreAtBegin_ - ray.origin;
+  const double along = line.dot(ray.direction);
   const double denominator = 1.0 - along * along;
   if (denominator < 1e-6)
     return beganAt_;
-  return (along * ray.direction.dot(between) - axis.dot(between)) / denominator;
+  return (along * ray.direction.dot(between) - line.dot(between)) / denominator;
 }
 
 std::optional<Vector3d> Gizmo::onPlane(const Ray& ray, const Vector3d& normal) const {
@@ -159,11 +176,11 @@ std::optional<Vector3d> Gizmo::onPlane(const Ray& ray, const Vector3d& normal) c
 }
 
 double Gizmo::angleOnRing(const Ray& ray, const QPointF& cursor) const {
-  const Vector3d axis = unit(grabbed_);
-  if (std::abs(axis.dot(ray.direction)) > 0.1)
-    if (const auto hit = onPlane(ray, axis)) {
+  const Vector3d about = axis(grabbed_);
+  if (std::abs(about.dot(ray.direction)) > 0.1)
+    if (const auto hit = onPlane(ray, about)) {
       const Vector3d d = *hit - centreAtBegin_;
-      return std::atan2(d.dot(unit((grabbed_ + 2) % 3)), d.dot(unit((grabbed_ + 1) % 3)));
+      return std::atan2(d.dot(axis((grabbed_ + 2) % 3)), d.dot(axis((grabbed_ + 1) % 3)));
     }
   // Seen from its edge, a ring turns by the cursor's way along it.
   const QPointF d = cursor - centreOnScreen_;
@@ -174,7 +191,7 @@ void Gizmo::begin(const QPointF& cursor, const Ray& ray, const Projection& proje
   dragging_ = true;
   centreAtBegin_ = centre_;
   centreOnScreen_ = project(centre_);
-  if (tool_ == Tool::Turn)
+  if (turns(grabbed_))
     beganAt_ = angleOnRing(ray, cursor);
   else if (tool_ == Tool::Scale)
     beganAt_ = std::max(
@@ -187,10 +204,10 @@ void Gizmo::begin(const QPointF& cursor, const Ray& ray, const Projection& proje
 
 GizmoChange Gizmo::drag(const QPointF& cursor, const Ray& ray, bool snap) {
   GizmoChange change;
-  if (tool_ == Tool::Turn) {
+  if (turns(grabbed_)) {
     const double turned = std::remainder(angleOnRing(ray, cursor) - beganAt_, 2 * std::numbers::pi);
     const double angle = snapped(turned, std::numbers::pi / 12.0, snap);
-    change.turn = Eigen::AngleAxisd(angle, unit(grabbed_));
+    change.turn = Eigen::AngleAxisd(angle, axis(grabbed_));
     change.text = QString::fromUtf8("%1°").arg(angle * 180.0 / std::numbers::pi, 0, 'f', 1);
   } else if (tool_ == Tool::Scale) {
     const double now =
@@ -204,13 +221,13 @@ GizmoChange Gizmo::drag(const QPointF& cursor, const Ray& ray, bool snap) {
       change.moveMm.x() = snapped(change.moveMm.x(), 1.0, snap);
       change.moveMm.y() = snapped(change.moveMm.y(), 1.0, snap);
     } else {
-      change.moveMm = snapped(alongAxis(ray) - beganAt_, 1.0, snap) * unit(grabbed_);
+      change.moveMm = snapped(alongAxis(ray) - beganAt_, 1.0, snap) * axis(grabbed_);
     }
     centre_ = centreAtBegin_ + change.moveMm;
     change.text =
         grabbed_ == kAll
             ? tr("%1, %2 mm").arg(change.moveMm.x(), 0, 'f', 1).arg(change.moveMm.y(), 0, 'f', 1)
-            : tr("%1 mm").arg(change.moveMm[grabbed_], 0, 'f', 1);
+            : tr("%1 mm").arg(change.moveMm.dot(axis(grabbed_)), 0, 'f', 1);
   }
   return change;
 }

@@ -1,5 +1,6 @@
-// Handles about the part to move, turn and scale it with the mouse: where they are on the screen,
-// which one is under the cursor, and what a drag of one means. Knows a camera, no widget.
+// Handles about the part, or a plane that cuts it, to move, turn and scale it with the mouse: where
+// they are on the screen, which one is under the cursor, and what a drag of one means. Knows a
+// camera, no widget.
 #pragma once
 
 #include "viewer/camera_control.h"
@@ -18,12 +19,18 @@ class QPalette;
 
 namespace voluta::viewer {
 
-enum class Tool { None, Move, Turn, Scale, LayFlat };
+// CutPlane: a plane moved along its normal and tilted about the two other axes of its frame.
+// PickPoint: no handles, a click names a place.
+enum class Tool { None, Move, Turn, Scale, LayFlat, CutPlane, PickPoint };
+inline bool hasHandles(Tool tool) {
+  return tool != Tool::None && tool != Tool::LayFlat && tool != Tool::PickPoint;
+}
 
 // What a drag came to since it began.
 struct GizmoChange {
   Eigen::Vector3d moveMm = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity(); // about the gizmo's centre, world axes
+  Eigen::Quaterniond turn =
+      Eigen::Quaterniond::Identity(); // about the gizmo's centre, in the world
   double scale = 1.0;
   QString text; // for the label beside the cursor
 };
@@ -36,6 +43,8 @@ public:
   Tool tool() const { return tool_; }
   // Centre in world mm; the handles keep their size on the screen.
   void setCentre(const Eigen::Vector3d& centre) { centre_ = centre; }
+  // Unit vectors that the handles lie along, in columns; the world's at first.
+  void setAxes(const Eigen::Matrix3d& axes) { axes_ = axes; }
 
   // Widget coordinates of a place in the world.
   using Projection = std::function<QPointF(const Eigen::Vector3d&)>;
@@ -59,6 +68,10 @@ private:
     QPolygonF line;
     bool closed;
   };
+  Eigen::Vector3d axis(int k) const { return axes_.col(k); }
+  bool turns(int axis) const {
+    return tool_ == Tool::Turn || (tool_ == Tool::CutPlane && axis < 2);
+  }
   std::vector<Handle> handles(const Projection& project, double mmPerPixel) const;
   double alongAxis(const Ray& ray) const; // mm along the axis grabbed
   std::optional<Eigen::Vector3d> onPlane(const Ray& ray, const Eigen::Vector3d& normal) const;
@@ -66,6 +79,7 @@ private:
 
   Tool tool_ = Tool::None;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
   int grabbed_ = -1; // under the cursor or being dragged
   bool dragging_ = false;
   Eigen::Vector3d centreAtBegin_ = Eigen::Vector3d::Zero();

@@ -29,7 +29,7 @@ public:
 
 protected:
   void paintEvent(QPaintEvent*) override {
-    if (viewport_.gizmo_.tool() == Tool::None || viewport_.gizmo_.tool() == Tool::LayFlat)
+    if (!hasHandles(viewport_.gizmo_.tool()))
       return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -107,16 +107,20 @@ void Viewport::setTool(Tool tool) {
     return;
   gizmo_.setTool(tool);
   gizmo_.setCentre(gizmoCentre_);
+  gizmo_.setAxes(gizmoAxes_);
   gizmoText_.clear();
-  setCursor(tool == Tool::LayFlat ? Qt::CrossCursor : Qt::ArrowCursor);
+  setCursor(tool == Tool::LayFlat || tool == Tool::PickPoint ? Qt::CrossCursor : Qt::ArrowCursor);
   overlay_->update();
   emit toolChanged(tool);
 }
 
-void Viewport::setGizmoCentre(const Eigen::Vector3d& centre) {
+void Viewport::setGizmoCentre(const Eigen::Vector3d& centre, const Eigen::Matrix3d& axes) {
   gizmoCentre_ = centre;
-  if (!gizmo_.dragging())
+  gizmoAxes_ = axes;
+  if (!gizmo_.dragging()) {
     gizmo_.setCentre(centre);
+    gizmo_.setAxes(axes);
+  }
   overlay_->update();
 }
 
@@ -218,7 +222,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   if (button_ == Qt::NoButton) {
     const bool hot = gizmo_.hover(
         last_, [this](const Eigen::Vector3d& p) { return projected(p); }, gizmoMmPerPixel());
-    if (gizmo_.tool() != Tool::None && gizmo_.tool() != Tool::LayFlat) {
+    if (hasHandles(gizmo_.tool())) {
       setCursor(hot ? Qt::OpenHandCursor : Qt::ArrowCursor);
       overlay_->update();
     }

@@ -29,8 +29,10 @@ public:
 
   void setTool(Tool tool);
   Tool tool() const { return gizmo_.tool(); }
-  // Centre of the part in the world, for the handles.
-  void setGizmoCentre(const Eigen::Vector3d& centre);
+  // Where the handles are, in the world: at the part's centre, or on a plane that cuts it.
+  // `axes`: unit vectors in columns that the handles lie along.
+  void setGizmoCentre(const Eigen::Vector3d& centre,
+                      const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
 
   void frameAll();
   void viewFrom(const Eigen::Vector3d& towardsEye);
@@ -78,6 +80,7 @@ private:
   CameraControl camera_;
   Gizmo gizmo_;
   Eigen::Vector3d gizmoCentre_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d gizmoAxes_ = Eigen::Matrix3d::Identity();
   QString gizmoText_;
   Overlay* overlay_;
   ViewCube* cube_;
