@@ -7,6 +7,7 @@
 #include "panels/findings_panel.h"
 #include "panels/layer_info.h"
 #include "panels/mesh_panel.h"
+#include "panels/pieces_panel.h"
 #include "panels/placement_panel.h"
 #include "pipeline/modes.h"
 #include "process/process.h"
@@ -80,6 +81,7 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   connectDocument();
   connectPages();
   connectGrowth();
+  connectPieces();
   retranslate();
   showChoices();
   showPart();
@@ -152,6 +154,9 @@ void MainWindow::buildPages() {
   auto* layerColumn = new QVBoxLayout(layerPage);
   layerColumn->setContentsMargins(0, 0, 0, 0);
   layerColumn->addWidget(options_);
+  piecesPanel_ = new panels::PiecesPanel(this);
+  piecesPanel_->setObjectName("pieces");
+  layerColumn->addWidget(piecesPanel_);
   layerColumn->addWidget(layerInfo_);
   spacing_ = new SpacingView(this);
   layerColumn->addWidget(spacing_);

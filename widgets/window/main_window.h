@@ -10,6 +10,7 @@
 #include "document/recent_files.h"
 #include "document/saving.h"
 #include "panels/object_tree.h"
+#include "planar/given_cuts.h"
 #include "viewer/viewport.h"
 #include "window/flow_bar.h"
 #include "window/presenter.h"
@@ -41,6 +42,7 @@ class FindingsPanel;
 struct RemedyButton;
 class LayerInfo;
 class MeshPanel;
+class PiecesPanel;
 class PlacementPanel;
 } // namespace voluta::panels
 namespace voluta::timeline {
@@ -146,6 +148,18 @@ private:
   bool replaysGrowth() const;
   void showGrowth();
   void connectGrowth();
+  // main_window_pieces.cpp
+  void connectPieces();
+  bool piecesShown() const;
+  double explodeMm() const;
+  void showPieces();
+  void showCuts();
+  void selectPiece(int piece); // -1: none
+  void showCutHandles();
+  void dragCut(const viewer::GizmoChange& change, bool finished);
+  std::optional<Eigen::Isometry3d> movedBase() const;
+  void setCuts(const QString& text, const QString& editName); // empty: the search's
+  void pickRoot(const Eigen::Vector3d& point);
   // Flies to a group of missed voxels, the others made see-through; false: the finding is no such.
   bool lookAtMissed(const plan::Finding& finding);
   void goTo(const plan::Finding& finding);
@@ -189,6 +203,7 @@ private:
   ViewOptions* options_ = nullptr;
   panels::LayerInfo* layerInfo_ = nullptr;
   SpacingView* spacing_ = nullptr;
+  panels::PiecesPanel* piecesPanel_ = nullptr;
   timeline::JointPlots* plots_ = nullptr;
   panels::ExportPanel* export_ = nullptr;
   ProgramPreview* preview_ = nullptr;
@@ -204,6 +219,9 @@ private:
   std::optional<Eigen::Vector3d> marker_;
   pipeline::Choices beforeGizmo_;
   double scaleBeforeGizmo_ = 1.0;
+  std::vector<planar::GivenCut> cuts_, cutsBeforeDrag_; // as the choices have them, else as found
+  int chosenCut_ = -1;                                  // of the chosen piece; -1: none
+  bool cutHandles_ = false;
   std::function<void()> afterSave_;
   struct PendingExport {
     QString folder;

@@ -6,6 +6,7 @@
 #include "panels/export_panel.h"
 #include "panels/findings_panel.h"
 #include "panels/mesh_panel.h"
+#include "panels/pieces_panel.h"
 #include "panels/placement_panel.h"
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
@@ -72,7 +73,10 @@ void MainWindow::connectDocument() {
   connect(&live_, &document::LivePreview::started, this, &MainWindow::showStates);
   connect(&live_, &document::LivePreview::progressed, status_, &StatusLine::showProgress);
   connect(&live_, &document::LivePreview::finished, this, [this] {
-    status_->showIdle(tr("The voxels follow the settings. Press Plan for layers and paths."));
+    const auto result = document_.result(Stage::Decompose);
+    status_->showIdle(result && result->job.pieces
+                          ? tr("The pieces follow the settings. Press Plan for layers and paths.")
+                          : tr("The voxels follow the settings. Press Plan for layers and paths."));
     showStates();
   });
   connect(&live_, &document::LivePreview::cancelled, this, [this] {
@@ -219,18 +223,36 @@ void MainWindow::connectPages() {
 
   connect(viewport_, &viewer::Viewport::gizmoStarted, this, [this] {
     beforeGizmo_ = document_.choices();
+    cutsBeforeDrag_ = cuts_;
     const auto placed = document_.result(Stage::Load);
     scaleBeforeGizmo_ = placed ? placed->job.scale : 1.0;
   });
-  connect(viewport_, &viewer::Viewport::gizmoDragged, this, &MainWindow::applyGizmo);
+  connect(viewport_, &viewer::Viewport::gizmoDragged, this,
+          [this](const viewer::GizmoChange& change, bool finished) {
+            if (viewport_->tool() == viewer::Tool::CutPlane)
+              dragCut(change, finished);
+            else
+              applyGizmo(change, finished);
+          });
   connect(viewport_, &viewer::Viewport::toolChanged, this, [this](viewer::Tool tool) {
+    piecesPanel_->setPickingRoot(tool == viewer::Tool::PickPoint);
+    if (tool == viewer::Tool::None && piecesShown() && chosenCut_ >= 0) // given up by a key
+      selectPiece(-1);
     showView();
     placement_->setLayOnFace(tool == viewer::Tool::LayFlat);
     for (QAction* action : tools_->actions())
       action->setChecked(action->data().toInt() == static_cast<int>(tool));
   });
   connect(viewport_, &viewer::Viewport::clicked, this, [this](const auto& hit) {
-    if (viewport_->tool() == viewer::Tool::LayFlat && hit && hit->what == scene::Hit::What::Part) {
+    if (viewport_->tool() == viewer::Tool::PickPoint) {
+      if (hit && (hit->what == scene::Hit::What::Part || hit->what == scene::Hit::What::Piece)) {
+        setTool(viewer::Tool::None);
+        pickRoot(hit->point);
+      }
+    } else if (piecesShown()) {
+      selectPiece(hit && hit->what == scene::Hit::What::Piece ? static_cast<int>(hit->piece) : -1);
+    } else if (viewport_->tool() == viewer::Tool::LayFlat && hit &&
+               hit->what == scene::Hit::What::Part) {
       setTool(viewer::Tool::None);
       placeOnFace(hit->normal);
     } else if (page() == Page::Simulate && hit && hit->what == scene::Hit::What::Path &&
@@ -322,7 +344,8 @@ void MainWindow::connectPages() {
 
 void MainWindow::showLayerCount() {
   spacing_->setSpacing(presenter_->facts() ? presenter_->facts()->spacing : LayerSpacing{});
-  options_->setAvailable(presenter_->hasVoxels(), presenter_->hasLayers(), presenter_->hasPaths());
+  options_->setAvailable(presenter_->hasVoxels(), presenter_->hasPieces(), presenter_->hasLayers(),
+                         presenter_->hasPaths());
   const auto facts = presenter_->facts();
   layers_->setLayers(presenter_->layerCount(),
                      facts && static_cast<int>(facts->topsMm.size()) == presenter_->layerCount()

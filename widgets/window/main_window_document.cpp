@@ -128,6 +128,7 @@ void MainWindow::showChoices() {
   tree_->setText(panels::SceneItem::Platform, {}, platformText(c.platform));
   tree_->setText(panels::SceneItem::Cell, {}, QString::fromStdString(c.cell));
   status_->setCell(QString::fromStdString(c.cell));
+  showCuts();
   showPart();
 }
 

@@ -136,6 +136,10 @@ QString MainWindow::summaryText() const {
                  .arg(
                      locale.toString(static_cast<qulonglong>(r.decomposition.voxels)),
                      locale.toString(static_cast<qulonglong>(r.decomposition.missedAfterSupports)));
+  if (r.decomposition.mode == "planar")
+    parts << tr("%1 pieces, %2 mm² need support")
+                 .arg(r.decomposition.pieces)
+                 .arg(locale.toString(r.decomposition.riskyAreaMm2, 'f', 0));
   if (r.layers.count > 0)
     parts << tr("%1 layers").arg(r.layers.count);
   if (r.toolpath.waypoints > 0)

@@ -1,6 +1,8 @@
 // Voxels on the Layers page: growth replayed step by step, and what growth missed.
 #include "window/main_window.h"
 
+#include "panels/layer_info.h"
+#include "panels/pieces_panel.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
 
@@ -19,13 +21,18 @@ constexpr double kAroundGroup = 3.0;
 
 LayerSubject MainWindow::shownSubject() const {
   const LayerSubject chosen = options_->choices().subject;
-  if (chosen != LayerSubject::Furthest)
+  const bool pieces = presenter_->hasPieces();
+  // A mode has either voxels or pieces: what was chosen for another one says nothing.
+  const bool missing =
+      chosen == LayerSubject::Pieces ? !pieces : chosen == LayerSubject::Voxels && pieces;
+  if (chosen != LayerSubject::Furthest && !missing)
     return chosen;
-  return document_.voxelsAhead()          ? LayerSubject::Voxels
+  const LayerSubject decomposed = pieces ? LayerSubject::Pieces : LayerSubject::Voxels;
+  return document_.voxelsAhead()          ? decomposed
          : document_.ahead(Stage::Layers) ? LayerSubject::Layers
          : presenter_->hasPaths()         ? LayerSubject::Paths
          : presenter_->hasLayers()        ? LayerSubject::Layers
-                                          : LayerSubject::Voxels;
+                                          : decomposed;
 }
 
 bool MainWindow::replaysGrowth() const {
@@ -38,6 +45,9 @@ void MainWindow::showGrowth() {
   const LayerSubject subject = shownSubject();
   const bool onPage = page() == Page::Layers, voxels = onPage && subject == LayerSubject::Voxels;
   options_->setShown(subject);
+  const bool pieces = subject == LayerSubject::Pieces;
+  piecesPanel_->setVisible(pieces);
+  layerInfo_->setVisible(!pieces);
   if (onPage)
     timeline_->setMode(voxels ? timeline::BarMode::Steps : timeline::BarMode::Moves);
   VoxelPresenter& presented = presenter_->voxels();
@@ -46,8 +56,10 @@ void MainWindow::showGrowth() {
   const bool replayed = replaysGrowth();
   presented.setFrontStep(replayed && options_->choices().front ? std::optional(timeline_->step())
                                                                : std::nullopt);
-  layers_->setEnabled(!replayed);
-  layers_->setToolTip(replayed ? tr("Growth is replayed: all layers") : QString());
+  layers_->setEnabled(!replayed && !pieces);
+  layers_->setToolTip(replayed ? tr("Growth is replayed: all layers")
+                      : pieces ? tr("Pieces are shown whole")
+                               : QString());
 }
 
 void MainWindow::connectGrowth() {

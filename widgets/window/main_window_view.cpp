@@ -3,6 +3,7 @@
 
 #include "geometry/placement.h"
 #include "panels/export_panel.h"
+#include "panels/pieces_panel.h"
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
@@ -44,7 +45,10 @@ scene::ViewState MainWindow::viewState() const {
     // While the part is handled it is in sight itself.
     v.voxels = document_.voxelsAhead() && document_.voxelsInPlace() && presenter_->hasVoxels() &&
                viewport_->tool() == viewer::Tool::None && shows(SceneItem::Part);
-    v.part = !v.voxels && shows(SceneItem::Part);
+    v.pieces = document_.voxelsAhead() && document_.voxelsInPlace() && presenter_->hasPieces() &&
+               viewport_->tool() == viewer::Tool::None && shows(SceneItem::Part);
+    v.basePlanes = false;
+    v.part = !v.voxels && !v.pieces && shows(SceneItem::Part);
     v.cell = false;
     break;
   case Page::Layers: {
@@ -52,8 +56,17 @@ scene::ViewState MainWindow::viewState() const {
     v.voxels = subject == LayerSubject::Voxels && presenter_->hasVoxels();
     v.layers = subject == LayerSubject::Layers && presenter_->hasLayers();
     v.paths = subject == LayerSubject::Paths && presenter_->hasPaths();
-    v.part = (chosen.part && shows(SceneItem::Part)) || (!v.voxels && !v.layers && !v.paths);
-    v.partOpacity = v.voxels || v.layers || v.paths ? 0.25 : 1.0;
+    v.pieces = subject == LayerSubject::Pieces && presenter_->hasPieces();
+    if (v.pieces) {
+      v.explodeMm = explodeMm();
+      v.basePlanes = piecesPanel_->basePlanes();
+      if (piecesPanel_->selected() >= 0)
+        v.piece = static_cast<std::size_t>(piecesPanel_->selected());
+      v.moved_T_base = movedBase();
+    }
+    const bool planned = v.voxels || v.pieces || v.layers || v.paths;
+    v.part = (chosen.part && shows(SceneItem::Part)) || !planned;
+    v.partOpacity = planned ? 0.25 : 1.0;
     v.travels = chosen.travels;
     v.firstLayer = layers_->first();
     v.lastLayer = layers_->layerCount() > 0 ? layers_->last() : scene::kAllLayers;
@@ -95,7 +108,8 @@ scene::ViewState MainWindow::viewState() const {
 void MainWindow::showView() {
   showGrowth();
   viewport_->setView(viewState());
-  legend_->setLegend(page() == Page::Layers || viewport_->view().voxels
+  showCutHandles();
+  legend_->setLegend(page() == Page::Layers || viewport_->view().voxels || viewport_->view().pieces
                          ? viewport_->scene().legend()
                          : scene::Legend{});
 }

@@ -21,7 +21,8 @@ scene::HeightLimits heightLimits(const process::Process& process) {
 } // namespace
 
 Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, QObject* parent)
-    : QObject(parent), document_(document), viewport_(viewport), voxels_(viewport) {
+    : QObject(parent), document_(document), viewport_(viewport), voxels_(viewport),
+      pieces_(viewport) {
   for (auto& runner : runners_)
     runner = std::make_unique<jobs::JobRunner>();
   connect(&document, &document::Document::sourceChanged, this, &Presenter::drawSource);
@@ -46,8 +47,9 @@ int Presenter::movesOf(int layer) const {
 }
 
 bool Presenter::busy() const {
-  return voxels_.busy() || std::any_of(runners_.begin(), runners_.end(),
-                                       [](const auto& runner) { return runner->running(); });
+  return voxels_.busy() || pieces_.busy() ||
+         std::any_of(runners_.begin(), runners_.end(),
+                     [](const auto& runner) { return runner->running(); });
 }
 
 // The part as it was read is on show before the first stage has placed it.
@@ -144,6 +146,14 @@ void Presenter::drawVoxels() {
                            result && result->process ? result->process->layerHeightMm : 0.0);
 }
 
+// Flat slicing has one piece, the part: nothing to show.
+void Presenter::drawPieces() {
+  const auto result = document_.result(Stage::Decompose);
+  const bool planar = result && result->job.choices.mode == "planar";
+  pieces_.setPieces(planar ? result->job.pieces : nullptr,
+                    result ? result->job.choices : pipeline::Choices{});
+}
+
 void Presenter::drawMotion() {
   const auto result = document_.result(Stage::Motion);
   if (!result || !result->job.trajectory || !result->job.toolPlan)
@@ -198,6 +208,7 @@ void Presenter::show(Stage stage) {
     // Dropped with its part or project.
     if (stage == Stage::Decompose) {
       drawVoxels();
+      drawPieces();
     } else if (stage == Stage::Layers) {
       scene.setLayers(nullptr);
       patchLayers_ = 0;
@@ -218,8 +229,8 @@ void Presenter::show(Stage stage) {
     drawPart(job.part);
     drawPlannedPlate();
   } else if (stage == Stage::Decompose) {
-    plateDrawn_ = {job.choices.platform,
-                   pipeline::parameterValues(job.choices).number("voxelMm"), job.part};
+    plateDrawn_ = {job.choices.platform, pipeline::parameterValues(job.choices).number("voxelMm"),
+                   job.part};
     drawPlate(job.platform);
     if (result->cell && drawn_[CellBodies] != result->cell) {
       drawn_[CellBodies] = result->cell;
@@ -231,6 +242,7 @@ void Presenter::show(Stage stage) {
           });
     }
     drawVoxels();
+    drawPieces();
   } else if (stage == Stage::Layers) {
     if (!job.layers || drawn_[Patches] == job.layers)
       return;

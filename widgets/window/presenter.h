@@ -8,6 +8,7 @@
 #include "timeline/clock.h"
 #include "viewer/viewport.h"
 #include "window/layer_spacing.h"
+#include "window/pieces_presenter.h"
 #include "window/voxel_presenter.h"
 
 #include <QObject>
@@ -37,6 +38,9 @@ public:
 
   VoxelPresenter& voxels() { return voxels_; }
   const VoxelPresenter& voxels() const { return voxels_; }
+  PiecesPresenter& pieces() { return pieces_; }
+  const PiecesPresenter& pieces() const { return pieces_; }
+  bool hasPieces() const { return pieces_.count() > 0; }
   bool hasVoxels() const { return voxels_.layers() > 0; }
   bool hasLayers() const { return patchLayers_ > 0; }
   bool hasPaths() const { return pathLayers_ > 0; }
@@ -71,11 +75,13 @@ private:
   void drawPlate(const std::vector<Eigen::Vector2d>& polygon);
   void drawPlannedPlate();
   void drawVoxels(); // of the preview where there is one
+  void drawPieces();
   void drawMotion();
   void gatherFacts();
   document::Document& document_;
   viewer::Viewport& viewport_;
   VoxelPresenter voxels_;
+  PiecesPresenter pieces_;
   std::array<std::unique_ptr<jobs::JobRunner>, kSlotCount> runners_;
   std::shared_ptr<const timeline::Clock> clock_;
   std::shared_ptr<const LayerFacts> facts_;

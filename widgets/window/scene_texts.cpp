@@ -30,6 +30,9 @@ namespace {
     QT_TRANSLATE_NOOP("Scene", "Missed, cascade"),
     QT_TRANSLATE_NOOP("Scene", "Too thin to lay"),
     QT_TRANSLATE_NOOP("Scene", "Too thick to lay"),
+    QT_TRANSLATE_NOOP("Scene", "Piece"),
+    QT_TRANSLATE_NOOP("Scene", "on the plate"),
+    QT_TRANSLATE_NOOP("Scene", "Needs support"),
     QT_TRANSLATE_NOOP("Scene", "limit"),
     QT_TRANSLATE_NOOP("Scene", "nominal"),
 };

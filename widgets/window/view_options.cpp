@@ -22,6 +22,8 @@ constexpr int kPlaceSteps = 1000;
 
 bool offers(LayerSubject subject, scene::ColourBy colourBy) {
   using scene::ColourBy;
+  if (subject == LayerSubject::Pieces)
+    return false; // they have colours of their own
   switch (colourBy) {
   case ColourBy::Layer:
     return true;
@@ -48,6 +50,7 @@ ViewOptions::ViewOptions(QWidget* parent) : QWidget(parent) {
   build();
   retranslate();
   setChoices(choices_);
+  setAvailable(false, false, false, false);
 }
 
 void ViewOptions::build() {
@@ -65,7 +68,10 @@ void ViewOptions::build() {
                 "QToolButton:disabled { color: palette(mid); }");
   auto* row = new QHBoxLayout;
   row->setSpacing(0);
-  for (int id = 0; id < 4; ++id) {
+  for (const LayerSubject subject :
+       {LayerSubject::Furthest, LayerSubject::Voxels, LayerSubject::Pieces, LayerSubject::Layers,
+        LayerSubject::Paths}) {
+    const int id = static_cast<int>(subject);
     auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setAutoRaise(false);
@@ -122,11 +128,12 @@ void ViewOptions::build() {
 void ViewOptions::retranslate() {
   subjectLabel_->setText(tr("Show"));
   colourLabel_->setText(tr("Colour by"));
-  const QStringList names{tr("Latest"), tr("Voxels"), tr("Layers"), tr("Paths")};
+  const QStringList names{tr("Latest"), tr("Voxels"), tr("Layers"), tr("Paths"), tr("Pieces")};
   const QStringList tips{tr("What the plan has come to"), tr("Solid voxels, and how they grow"),
                          tr("Layers as slabs of their thickness"),
-                         tr("Tool-paths as the beads that are laid")};
-  for (int id = 0; id < 4; ++id) {
+                         tr("Tool-paths as the beads that are laid"),
+                         tr("Pieces that print without support, and their base planes")};
+  for (int id = 0; id < kLayerSubjectCount; ++id) {
     subjects_->button(id)->setText(names[id]);
     subjects_->button(id)->setToolTip(tips[id]);
   }
@@ -172,7 +179,9 @@ void ViewOptions::setChoices(const ViewChoices& choices) {
   filling_ = false;
 }
 
-void ViewOptions::setAvailable(bool voxels, bool layers, bool paths) {
+void ViewOptions::setAvailable(bool voxels, bool pieces, bool layers, bool paths) {
+  subjects_->button(static_cast<int>(LayerSubject::Voxels))->setVisible(!pieces);
+  subjects_->button(static_cast<int>(LayerSubject::Pieces))->setVisible(pieces);
   subjects_->button(static_cast<int>(LayerSubject::Voxels))->setEnabled(voxels);
   subjects_->button(static_cast<int>(LayerSubject::Layers))->setEnabled(layers);
   subjects_->button(static_cast<int>(LayerSubject::Paths))->setEnabled(paths);
@@ -185,6 +194,8 @@ void ViewOptions::setShown(LayerSubject subject) {
     box->setVisible(subject == LayerSubject::Voxels);
   for (QCheckBox* box : {travels_, beads_})
     box->setVisible(subject == LayerSubject::Paths);
+  for (QWidget* widget : {static_cast<QWidget*>(colourLabel_), static_cast<QWidget*>(colourBy_)})
+    widget->setVisible(subject != LayerSubject::Pieces);
   auto* items = qobject_cast<QStandardItemModel*>(colourBy_->model());
   for (int i = 0; i < colourBy_->count(); ++i)
     items->item(i)->setEnabled(

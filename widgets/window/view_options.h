@@ -15,7 +15,8 @@ class QToolButton;
 namespace voluta::window {
 
 // Furthest: whatever the plan has come to.
-enum class LayerSubject { Furthest, Voxels, Layers, Paths };
+enum class LayerSubject { Furthest, Voxels, Layers, Paths, Pieces };
+inline constexpr int kLayerSubjectCount = 5;
 
 struct ViewChoices {
   LayerSubject subject = LayerSubject::Furthest;
@@ -36,7 +37,8 @@ public:
   const ViewChoices& choices() const { return choices_; }
   // Emits nothing.
   void setChoices(const ViewChoices& choices);
-  void setAvailable(bool voxels, bool layers, bool paths);
+  // A mode has either voxels or pieces; only one of them is offered.
+  void setAvailable(bool voxels, bool pieces, bool layers, bool paths);
   // What is on show, never Furthest: only colourings that it has are offered.
   void setShown(LayerSubject subject);
 

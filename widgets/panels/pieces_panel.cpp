@@ -1,0 +1,249 @@
+#include "panels/pieces_panel.h"
+
+#include "forms/colours.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QPixmap>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace voluta::panels {
+
+namespace {
+constexpr int kPiece = 0, kVolume = 1, kRisky = 2, kMaterial = 3;
+constexpr int kExplodeSteps = 100, kSwatch = 12;
+constexpr int kLeastRows = 4, kMostRows = 9;
+
+QIcon swatch(const QColor& colour) {
+  QPixmap picture(kSwatch, kSwatch);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(colour.darker(130));
+  painter.setBrush(colour);
+  painter.drawRoundedRect(QRectF(0.5, 0.5, kSwatch - 1.0, kSwatch - 1.0), 2, 2);
+  return QIcon(picture);
+}
+
+QString areaText(double mm2) {
+  return QStringLiteral("%1 mm²").arg(QLocale().toString(mm2, 'f', mm2 < 10.0 ? 1 : 0));
+}
+} // namespace
+
+PiecesPanel::PiecesPanel(QWidget* parent) : QWidget(parent) {
+  build();
+  retranslate();
+}
+
+void PiecesPanel::build() {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 4, 8, 8);
+  tree_ = new QTreeWidget(this);
+  tree_->setObjectName("pieceTree");
+  tree_->setColumnCount(4);
+  tree_->setUniformRowHeights(true);
+  tree_->setIndentation(12);
+  tree_->setIconSize({kSwatch, kSwatch});
+  tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  tree_->header()->setStretchLastSection(false);
+  tree_->header()->setMinimumSectionSize(20);
+  for (const int fits : {kVolume, kRisky, kMaterial})
+    tree_->header()->setSectionResizeMode(fits, QHeaderView::ResizeToContents);
+  tree_->header()->setSectionResizeMode(kPiece, QHeaderView::Stretch);
+  total_ = new QLabel(this);
+  total_->setObjectName("pieceTotal");
+  total_->setWordWrap(true);
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(1, 1);
+  explodeLabel_ = new QLabel(this);
+  explode_ = new QSlider(Qt::Horizontal, this);
+  explode_->setObjectName("explode");
+  explode_->setRange(0, kExplodeSteps);
+  grid->addWidget(explodeLabel_, 0, 0);
+  grid->addWidget(explode_, 0, 1);
+  planes_ = new QCheckBox(this);
+  planes_->setObjectName("basePlanes");
+  planes_->setChecked(true);
+  hint_ = new QLabel(this);
+  hint_->setWordWrap(true);
+  cuts_ = new QPushButton(this);
+  cuts_->setObjectName("pieceCuts");
+  root_ = new QPushButton(this);
+  root_->setObjectName("pickRoot");
+  root_->setCheckable(true);
+  root_->hide();
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(cuts_);
+  buttons->addWidget(root_);
+  buttons->addStretch(1);
+  column->addWidget(tree_);
+  column->addWidget(total_);
+  column->addLayout(grid);
+  column->addWidget(planes_);
+  column->addWidget(hint_);
+  column->addLayout(buttons);
+  connect(tree_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    if (filling_)
+      return;
+    selected_ = item ? item->data(kPiece, Qt::UserRole).toInt() : -1;
+    emit selectionChanged(selected_);
+  });
+  connect(explode_, &QSlider::valueChanged, this, &PiecesPanel::viewChanged);
+  connect(explode_, &QSlider::sliderPressed, this, [this] { emit dragging(true); });
+  connect(explode_, &QSlider::sliderReleased, this, [this] { emit dragging(false); });
+  connect(planes_, &QCheckBox::toggled, this, &PiecesPanel::viewChanged);
+  connect(cuts_, &QPushButton::clicked, this, [this] {
+    if (own_)
+      emit searchRequested();
+    else
+      emit keepCutsRequested();
+  });
+  connect(root_, &QPushButton::toggled, this, &PiecesPanel::rootPicking);
+}
+
+void PiecesPanel::setPieces(std::vector<PieceRow> pieces, double riskyBeforeMm2) {
+  rows_ = std::move(pieces);
+  before_ = riskyBeforeMm2;
+  estimated_ = false;
+  fill();
+  showTotal();
+}
+
+void PiecesPanel::fill() {
+  filling_ = true;
+  tree_->clear();
+  items_.clear();
+  selected_ = -1;
+  const QLocale locale;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const PieceRow& row = rows_[i];
+    // A piece comes after the one it stands on.
+    const bool stands = row.parent >= 0 && row.parent < static_cast<int>(i);
+    auto* item = stands ? new QTreeWidgetItem(items_[static_cast<std::size_t>(row.parent)])
+                        : new QTreeWidgetItem(tree_);
+    items_.push_back(item);
+    item->setData(kPiece, Qt::UserRole, static_cast<int>(i));
+    item->setIcon(kPiece, swatch(row.colour));
+    item->setText(kPiece, QString::number(i + 1));
+    item->setToolTip(kPiece,
+                     stands ? tr("Printed as number %1, on piece %2").arg(i + 1).arg(row.parent + 1)
+                            : tr("Printed as number %1, on the plate").arg(i + 1));
+    item->setText(kVolume,
+                  QStringLiteral("%1 cm³").arg(locale.toString(row.volumeMm3 / 1000.0, 'f', 2)));
+    item->setText(kRisky, areaText(row.riskyMm2));
+    item->setText(kMaterial, row.material);
+    for (const int number : {kVolume, kRisky})
+      item->setTextAlignment(number, Qt::AlignRight | Qt::AlignVCenter);
+    item->setForeground(kRisky, row.riskyMm2 >= 0.05 ? palette().color(QPalette::Text)
+                                                     : forms::mutedColour(palette()));
+  }
+  tree_->expandAll();
+  const int shown = std::clamp(static_cast<int>(rows_.size()), kLeastRows, kMostRows);
+  const int row = std::max(tree_->sizeHintForRow(0), fontMetrics().height() + 4);
+  tree_->setFixedHeight(tree_->header()->sizeHint().height() + shown * row +
+                        2 * tree_->frameWidth());
+  filling_ = false;
+}
+
+void PiecesPanel::select(int piece) {
+  filling_ = true;
+  selected_ = piece >= 0 && piece < static_cast<int>(items_.size()) ? piece : -1;
+  tree_->setCurrentItem(selected_ < 0 ? nullptr : items_[static_cast<std::size_t>(selected_)]);
+  if (selected_ < 0)
+    tree_->clearSelection();
+  filling_ = false;
+}
+
+void PiecesPanel::setOwnCuts(bool own) {
+  own_ = own;
+  retranslate();
+}
+
+void PiecesPanel::setEstimate(const CutEstimate& estimate) {
+  estimate_ = estimate;
+  estimated_ = true;
+  showTotal();
+}
+
+void PiecesPanel::clearEstimate() {
+  estimated_ = false;
+  showTotal();
+}
+
+void PiecesPanel::setRootOffered(bool offered) {
+  root_->setVisible(offered);
+}
+
+void PiecesPanel::setPickingRoot(bool picking) {
+  const QSignalBlocker quiet(root_);
+  root_->setChecked(picking);
+}
+
+double PiecesPanel::explodeShare() const {
+  return static_cast<double>(explode_->value()) / kExplodeSteps;
+}
+
+bool PiecesPanel::basePlanes() const {
+  return planes_->isChecked();
+}
+
+void PiecesPanel::showTotal() {
+  double risky = 0.0;
+  for (const PieceRow& row : rows_)
+    risky += row.riskyMm2;
+  if (!estimated_)
+    total_->setText(tr("Needs support: %1 of %2 uncut").arg(areaText(risky), areaText(before_)));
+  else if (!estimate_.problem.isEmpty())
+    total_->setText(estimate_.problem);
+  else if (estimate_.exact)
+    total_->setText(
+        tr("With this cut: %1 need support. Press Plan.").arg(areaText(estimate_.riskyMm2)));
+  else
+    total_->setText(tr("With this cut: about %1 need support").arg(areaText(estimate_.riskyMm2)));
+}
+
+void PiecesPanel::retranslate() {
+  tree_->setHeaderLabels({tr("Piece"), tr("Volume"), tr("Risky"), tr("Material")});
+  tree_->headerItem()->setTextAlignment(kVolume, Qt::AlignRight | Qt::AlignVCenter);
+  tree_->headerItem()->setTextAlignment(kRisky, Qt::AlignRight | Qt::AlignVCenter);
+  tree_->headerItem()->setToolTip(kPiece,
+                                  tr("In print order; a piece hangs below the one it stands on"));
+  tree_->headerItem()->setToolTip(
+      kRisky, tr("Area that needs support where the piece is printed off its base"));
+  explodeLabel_->setText(tr("Apart"));
+  explode_->setToolTip(tr("Moves each piece off the one it stands on"));
+  planes_->setText(tr("Base planes"));
+  hint_->setText(
+      tr("Select a piece and drag the handles on its base plane to move or tilt the cut."));
+  QPalette muted = palette();
+  muted.setColor(QPalette::WindowText, forms::mutedColour(palette()));
+  hint_->setPalette(muted);
+  cuts_->setText(own_ ? tr("Search anew") : tr("Keep these cuts"));
+  cuts_->setToolTip(own_ ? tr("Gives up your cuts and lets the search decide")
+                         : tr("Makes the cuts that were found your own, so that they stay"));
+  root_->setText(tr("Pick root"));
+  root_->setToolTip(tr("Then click the part where the first piece is to be"));
+  showTotal();
+}
+
+void PiecesPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange) {
+    const int kept = selected_;
+    retranslate();
+    fill();
+    select(kept);
+  }
+  QWidget::changeEvent(event);
+}
+
+} // namespace voluta::panels

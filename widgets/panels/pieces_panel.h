@@ -1,0 +1,86 @@
+// The pieces of planar mode as a tree: what stands on what, in print order, with what each takes;
+// beside it how they are looked at and who decides where the part is cut.
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <QWidget>
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace voluta::panels {
+
+struct PieceRow {
+  int parent = -1; // place of the piece it stands on; -1: the plate
+  QColor colour;   // that it is drawn in
+  double volumeMm3 = 0.0, riskyMm2 = 0.0;
+  QString material;
+};
+
+// Area that needs support where a cut is being moved, or why that cannot be.
+struct CutEstimate {
+  double riskyMm2 = 0.0;
+  bool exact = false;
+  QString problem; // empty: none
+};
+
+class PiecesPanel : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PiecesPanel(QWidget* parent = nullptr);
+
+  // In print order. `riskyBeforeMm2`: of the part uncut. Emits nothing; nothing is selected then.
+  void setPieces(std::vector<PieceRow> pieces, double riskyBeforeMm2);
+  // -1: none. Emits nothing.
+  void select(int piece);
+  int selected() const { return selected_; }
+  // The cuts are the user's, not the search's.
+  void setOwnCuts(bool own);
+  // In place of the pieces' own area; none with a default one.
+  void setEstimate(const CutEstimate& estimate);
+  void clearEstimate();
+  // The user may say which part of the part stands on the plate.
+  void setRootOffered(bool offered);
+  void setPickingRoot(bool picking);
+
+  double explodeShare() const; // 0 to 1
+  bool basePlanes() const;
+
+signals:
+  void selectionChanged(int piece);
+  void viewChanged(); // explodeShare, basePlanes
+  void dragging(bool on);
+  void keepCutsRequested();
+  void searchRequested();
+  void rootPicking(bool on);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void build();
+  void fill();
+  void retranslate();
+  void showTotal();
+
+  std::vector<PieceRow> rows_;
+  std::vector<QTreeWidgetItem*> items_;
+  double before_ = 0.0;
+  CutEstimate estimate_;
+  bool estimated_ = false, own_ = false, filling_ = false;
+  int selected_ = -1;
+  QTreeWidget* tree_;
+  QLabel *total_, *explodeLabel_, *hint_;
+  QSlider* explode_;
+  QCheckBox* planes_;
+  QPushButton *cuts_, *root_;
+};
+
+} // namespace voluta::panels

@@ -1,0 +1,201 @@
+// Pieces of planar mode on the Layers page: chosen in tree or viewport, their cuts dragged.
+#include "window/main_window.h"
+
+#include "panels/pieces_panel.h"
+#include "pipeline/choices.h"
+#include "pipeline/planar_modes.h"
+#include "planar/given_cuts.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace voluta::window {
+
+using pipeline::Stage;
+
+namespace {
+constexpr const char* kCuts = "cutPlanes";
+constexpr const char* kRoot = "pieceRoot";
+constexpr double kExplodeShare = 0.4; // of the part's diagonal, at the slider's end
+
+QColor colourOf(const scene::Colour& c) {
+  return QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]),
+                          static_cast<float>(c[2]));
+}
+
+std::string chosenText(const pipeline::Choices& choices, const char* key) {
+  const auto chosen = choices.parameters.find(key);
+  return chosen == choices.parameters.end() ? std::string() : chosen->second;
+}
+
+// The plane of `cut` turned and moved.
+planar::GivenCut moved(const planar::GivenCut& cut, const viewer::GizmoChange& change) {
+  planar::GivenCut out;
+  out.point = cut.point + change.moveMm;
+  out.plane.normal = (change.turn * cut.plane.normal).normalized();
+  out.plane.offsetMm = out.plane.normal.dot(out.point);
+  return out;
+}
+
+bool same(const planar::GivenCut& a, const planar::GivenCut& b) {
+  return (a.plane.normal - b.plane.normal).norm() < 1e-9 &&
+         std::abs(a.plane.offsetMm - b.plane.offsetMm) < 1e-6;
+}
+} // namespace
+
+void MainWindow::connectPieces() {
+  connect(&presenter_->pieces(), &PiecesPresenter::drawn, this, &MainWindow::showPieces);
+  connect(&presenter_->pieces(), &PiecesPresenter::estimated, this,
+          [this](double riskyMm2, bool exact, const QString& problem) {
+            piecesPanel_->setEstimate({riskyMm2, exact, problem});
+          });
+  connect(piecesPanel_, &panels::PiecesPanel::selectionChanged, this, &MainWindow::selectPiece);
+  connect(piecesPanel_, &panels::PiecesPanel::viewChanged, this, &MainWindow::showView);
+  connect(piecesPanel_, &panels::PiecesPanel::dragging, viewport_, &viewer::Viewport::setDragging);
+  connect(piecesPanel_, &panels::PiecesPanel::keepCutsRequested, this, [this] {
+    setCuts(QString::fromStdString(planar::givenCutsText(presenter_->pieces().cuts())),
+            tr("keep cuts"));
+  });
+  connect(piecesPanel_, &panels::PiecesPanel::searchRequested, this,
+          [this] { setCuts({}, tr("search for cuts")); });
+  connect(piecesPanel_, &panels::PiecesPanel::rootPicking, this, [this](bool on) {
+    if (on)
+      selectPiece(-1);
+    setTool(on ? viewer::Tool::PickPoint : viewer::Tool::None);
+  });
+  piecesPanel_->setRootOffered(pipeline::allParameters().find(kRoot) != nullptr);
+}
+
+bool MainWindow::piecesShown() const {
+  return page() == Page::Layers && shownSubject() == LayerSubject::Pieces;
+}
+
+double MainWindow::explodeMm() const {
+  const Eigen::AlignedBox3d& box = presenter_->partBox();
+  return box.isEmpty() ? 0.0 : piecesPanel_->explodeShare() * kExplodeShare * box.diagonal().norm();
+}
+
+// The list follows what is drawn; the piece that was chosen is so by its cut.
+void MainWindow::showPieces() {
+  const auto result = document_.result(Stage::Decompose);
+  std::vector<panels::PieceRow> rows;
+  double before = 0.0;
+  if (result && presenter_->pieces().count() > 0) {
+    const pipeline::DecompositionReport& report = result->job.report.decomposition;
+    before = report.riskyAreaBeforeMm2;
+    for (std::size_t i = 0; i < report.pieceList.size(); ++i) {
+      const pipeline::PieceReport& piece = report.pieceList[i];
+      rows.push_back({piece.parent, colourOf(scene::pieceColour(static_cast<int>(i))),
+                      piece.volumeMm3, piece.riskyAreaMm2, QString::fromStdString(piece.material)});
+    }
+  }
+  const int chosen = presenter_->pieces().pieceOf(chosenCut_);
+  piecesPanel_->setPieces(std::move(rows), before);
+  piecesPanel_->select(chosen);
+  if (chosen < 0)
+    chosenCut_ = -1;
+  showCuts();
+  showLayerCount();
+}
+
+// The user's cuts where there are as many as pieces on show were cut off, else those on show.
+void MainWindow::showCuts() {
+  const std::string text = chosenText(document_.choices(), kCuts);
+  cuts_ = presenter_->pieces().cuts();
+  if (!text.empty())
+    try {
+      std::vector<planar::GivenCut> own = planar::readGivenCuts(pipeline::planesText(text), kCuts);
+      if (own.size() == cuts_.size())
+        cuts_ = std::move(own);
+    } catch (const base::Error&) {
+      // The run that meets it says what is wrong with it.
+    }
+  piecesPanel_->setOwnCuts(!text.empty());
+  if (document_.upToDate(Stage::Decompose)) {
+    presenter_->pieces().dropEstimate();
+    piecesPanel_->clearEstimate();
+  }
+}
+
+void MainWindow::selectPiece(int piece) {
+  piecesPanel_->select(piece);
+  chosenCut_ = presenter_->pieces().cutOf(piece);
+  showView();
+}
+
+// Where the chosen piece's plane is now, off where it was when the pieces were made.
+std::optional<Eigen::Isometry3d> MainWindow::movedBase() const {
+  const std::vector<planar::GivenCut>& shown = presenter_->pieces().cuts();
+  const auto cut = static_cast<std::size_t>(chosenCut_);
+  if (chosenCut_ < 0 || cut >= cuts_.size() || cut >= shown.size() || same(cuts_[cut], shown[cut]))
+    return std::nullopt;
+  const planar::Plane& plane = cuts_[cut].plane;
+  const Eigen::Vector3d from = shown[cut].point;
+  const Eigen::Vector3d to = from - plane.heightOf(from) * plane.normal;
+  Eigen::Isometry3d moved_T_base = Eigen::Isometry3d::Identity();
+  moved_T_base.translate(to);
+  moved_T_base.rotate(Eigen::Quaterniond::FromTwoVectors(shown[cut].plane.normal, plane.normal));
+  moved_T_base.translate(-from);
+  return moved_T_base;
+}
+
+// Handles on the chosen piece's base plane; elsewhere the tools are those of the part.
+void MainWindow::showCutHandles() {
+  if (viewport_->tool() != viewer::Tool::None && viewport_->tool() != viewer::Tool::CutPlane)
+    return;
+  const auto cut = static_cast<std::size_t>(chosenCut_);
+  if (!piecesShown() || chosenCut_ < 0 || cut >= cuts_.size()) {
+    if (std::exchange(cutHandles_, false)) {
+      viewport_->setTool(viewer::Tool::None);
+      if (!presenter_->partBox().isEmpty())
+        viewport_->setGizmoCentre(presenter_->partBox().center());
+    }
+    return;
+  }
+  const planar::Plane& plane = cuts_[cut].plane;
+  const Eigen::Vector3d shown = presenter_->pieces().cuts()[cut].point;
+  const planar::PlaneFrame frame = planar::frameOf(plane.normal);
+  Eigen::Matrix3d axes;
+  axes << frame.across, frame.along, plane.normal;
+  viewport_->setGizmoCentre(
+      shown - plane.heightOf(shown) * plane.normal +
+          presenter_->pieces().planeOffset(presenter_->pieces().pieceOf(chosenCut_), explodeMm()),
+      axes);
+  cutHandles_ = true;
+  viewport_->setTool(viewer::Tool::CutPlane);
+}
+
+void MainWindow::dragCut(const viewer::GizmoChange& change, bool finished) {
+  const auto placed = document_.result(Stage::Load);
+  const auto cut = static_cast<std::size_t>(chosenCut_);
+  if (chosenCut_ < 0 || cut >= cuts_.size() || cutsBeforeDrag_.size() != cuts_.size())
+    return;
+  cuts_[cut] = moved(cutsBeforeDrag_[cut], change);
+  const bool changed = !same(cuts_[cut], cutsBeforeDrag_[cut]);
+  if (changed && placed)
+    presenter_->pieces().estimate(placed->job.part, document_.choices(), cuts_, finished);
+  if (finished && changed)
+    setCuts(QString::fromStdString(planar::givenCutsText(cuts_)), tr("move cut"));
+  showView();
+}
+
+void MainWindow::setCuts(const QString& text, const QString& editName) {
+  pipeline::Choices choices = document_.choices();
+  if (text.isEmpty())
+    choices.parameters.erase(kCuts);
+  else
+    choices.parameters[kCuts] = text.toStdString();
+  document_.setChoices(choices, editName);
+}
+
+void MainWindow::pickRoot(const Eigen::Vector3d& point) {
+  pipeline::Choices choices = document_.choices();
+  const auto number = [](double v) { return QString::number(v, 'f', 2); };
+  choices.parameters[kRoot] =
+      QStringList{number(point.x()), number(point.y()), number(point.z())}.join(',').toStdString();
+  document_.setChoices(choices, tr("pick root"));
+}
+
+} // namespace voluta::window
