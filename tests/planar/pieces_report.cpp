@@ -4,6 +4,7 @@
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
 #include "planar/beam_search.h"
+#include "planar/greedy_decompose.h"
 #include "process/process.h"
 
 #include <cmath>
@@ -35,6 +36,8 @@ void writeStl(const std::string& file, const geometry::TriangleMesh& mesh) {
 int main(int argc, char** argv) try {
   planar::PlanarOptions options;
   options.head = process::erodedHead(process::loadProcess("fdm-1.0").head, 0.4);
+  planar::GreedyOptions greedy;
+  bool greedyScheme = false;
   int threads = 2;
   std::string stl;
   std::vector<std::string> files;
@@ -45,6 +48,10 @@ int main(int argc, char** argv) try {
       options.rule.overhangRad = std::stod(next()) * std::numbers::pi / 180.0;
     else if (a == "--threads")
       threads = std::stoi(next());
+    else if (a == "--scheme")
+      greedyScheme = next() == "greedy";
+    else if (a == "--clusters")
+      greedy.clusters = std::stoul(next());
     else if (a == "--beam")
       options.beam = std::stoul(next());
     else if (a == "--triangles")
@@ -66,7 +73,9 @@ int main(int argc, char** argv) try {
     for (auto& v : part.vertices)
       v += shift;
     base::Stopwatch watch;
-    const planar::PlanarDecomposition d = planar::beamDecompose(part, options, ctx);
+    const planar::PlanarDecomposition d =
+        greedyScheme ? planar::greedyDecompose(part, options, greedy, ctx)
+                     : planar::beamDecompose(part, options, ctx);
     double volume = 0.0;
     bool closed = true;
     for (const planar::Piece& p : d.pieces) {
