@@ -406,10 +406,6 @@
         <translation>Forma della testa che deve evitare tutto ciò che è già stampato: una piatta, larga quanto serve, o la testa com&apos;è: dove altrimenti si perderebbero dei voxel (ugello) e sotto tetti ampi (ugello e automatico).</translation>
     </message>
     <message>
-        <source>Adds voxels.vti, pieces/N.stl, layers.vtp, toolpath.vtp and trajectory.csv.</source>
-        <translation>Aggiunge voxels.vti, pieces/N.stl, layers.vtp, toolpath.vtp e trajectory.csv.</translation>
-    </message>
-    <message>
         <source>Pieces</source>
         <translation>Pezzi</translation>
     </message>
@@ -452,6 +448,18 @@
     <message>
         <source>Mode flat: a JSON file, or its text, with the plane or quadrilateral of each layer. Empty: layers along z.</source>
         <translation>Modo flat: un file JSON, o il suo testo, con il piano o quadrilatero di ogni strato. Vuoto: strati lungo z.</translation>
+    </message>
+    <message>
+        <source>Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, toolpath.vtp and trajectory.csv.</source>
+        <translation>Aggiunge voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, toolpath.vtp e trajectory.csv.</translation>
+    </message>
+    <message>
+        <source>cutting planes</source>
+        <translation>piani di taglio</translation>
+    </message>
+    <message>
+        <source>Mode planar: a JSON file, or its text, with a point and a normal for each plane that cuts the part, in turn. Empty: they are searched for.</source>
+        <translation>Modo planar: un file JSON, o il suo testo, con un punto e una normale per ogni piano che taglia il pezzo, uno dopo l&apos;altro. Vuoto: i piani vengono cercati.</translation>
     </message>
 </context>
 <context>
@@ -555,6 +563,18 @@
     <message>
         <source>nominal</source>
         <translation>nominale</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Pezzo</translation>
+    </message>
+    <message>
+        <source>on the plate</source>
+        <translation>sul piatto</translation>
+    </message>
+    <message>
+        <source>Needs support</source>
+        <translation>Richiede supporto</translation>
     </message>
 </context>
 <context>
@@ -1136,6 +1156,93 @@
     <message>
         <source>Show (Space)</source>
         <translation>Mostra (Spazio)</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::PiecesPanel</name>
+    <message>
+        <source>Printed as number %1, on piece %2</source>
+        <translation>Stampato come numero %1, sul pezzo %2</translation>
+    </message>
+    <message>
+        <source>Printed as number %1, on the plate</source>
+        <translation>Stampato come numero %1, sul piatto</translation>
+    </message>
+    <message>
+        <source>Needs support: %1, uncut %2</source>
+        <translation>Richiede supporto: %1, senza tagli %2</translation>
+    </message>
+    <message>
+        <source>With this cut: %1 need support. Press Plan.</source>
+        <translation>Con questo taglio: %1 da supportare. Premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>With this cut: about %1 need support</source>
+        <translation>Con questo taglio: circa %1 da supportare</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Pezzo</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Risky</source>
+        <translation>A rischio</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Materiale</translation>
+    </message>
+    <message>
+        <source>In print order; a piece hangs below the one it stands on</source>
+        <translation>In ordine di stampa; ogni pezzo sta sotto quello su cui poggia</translation>
+    </message>
+    <message>
+        <source>Area that needs support where the piece is printed off its base</source>
+        <translation>Area che richiede supporto quando il pezzo è stampato a partire dalla sua base</translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation>Distanza</translation>
+    </message>
+    <message>
+        <source>Moves each piece off the one it stands on</source>
+        <translation>Allontana ogni pezzo da quello su cui poggia</translation>
+    </message>
+    <message>
+        <source>Base planes</source>
+        <translation>Piani di base</translation>
+    </message>
+    <message>
+        <source>Select a piece and drag the handles on its base plane to move or tilt the cut.</source>
+        <translation>Seleziona un pezzo e trascina le maniglie sul suo piano di base per spostare o inclinare il taglio.</translation>
+    </message>
+    <message>
+        <source>Search anew</source>
+        <translation>Cerca di nuovo</translation>
+    </message>
+    <message>
+        <source>Keep these cuts</source>
+        <translation>Tieni questi tagli</translation>
+    </message>
+    <message>
+        <source>Gives up your cuts and lets the search decide</source>
+        <translation>Rinuncia ai tuoi tagli e lascia decidere alla ricerca</translation>
+    </message>
+    <message>
+        <source>Makes the cuts that were found your own, so that they stay</source>
+        <translation>Fa tuoi i tagli trovati, così che restino</translation>
+    </message>
+    <message>
+        <source>Pick root</source>
+        <translation>Scegli la radice</translation>
+    </message>
+    <message>
+        <source>Then click the part where the first piece is to be</source>
+        <translation>Poi fai clic sul pezzo dove dev&apos;essere la prima parte</translation>
     </message>
 </context>
 <context>
@@ -2129,6 +2236,34 @@
         <source>Growth is replayed: all layers</source>
         <translation>Si rivede la crescita: tutti gli strati</translation>
     </message>
+    <message>
+        <source>The pieces follow the settings. Press Plan for layers and paths.</source>
+        <translation>I pezzi seguono le impostazioni. Premi Pianifica per strati e percorsi.</translation>
+    </message>
+    <message>
+        <source>%1 pieces, %2 mm² need support</source>
+        <translation>%1 pezzi, %2 mm² da supportare</translation>
+    </message>
+    <message>
+        <source>Pieces are shown whole</source>
+        <translation>I pezzi sono mostrati interi</translation>
+    </message>
+    <message>
+        <source>keep cuts</source>
+        <translation>tagli tenuti</translation>
+    </message>
+    <message>
+        <source>search for cuts</source>
+        <translation>ricerca dei tagli</translation>
+    </message>
+    <message>
+        <source>move cut</source>
+        <translation>spostamento del taglio</translation>
+    </message>
+    <message>
+        <source>pick root</source>
+        <translation>scelta della radice</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -2292,6 +2427,14 @@
     <message>
         <source>While growth is replayed: what is still to be laid</source>
         <translation>Mentre si rivede la crescita: ciò che resta da deporre</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Pezzi</translation>
+    </message>
+    <message>
+        <source>Pieces that print without support, and their base planes</source>
+        <translation>Pezzi che si stampano senza supporto, e i loro piani di base</translation>
     </message>
 </context>
 <context>

@@ -81,8 +81,8 @@ base::ParameterTable allParameters() {
       base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads", "step",
                             "Longest distance of waypoints along a tool-path."),
       base::booleanParameter("output.debug", false, "Output", "write what every stage made",
-                             "Adds voxels.vti, pieces/N.stl, layers.vtp, toolpath.vtp and "
-                             "trajectory.csv."),
+                             "Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, "
+                             "toolpath.vtp and trajectory.csv."),
       base::booleanParameter("output.refused", false, "Output", "write refused programs",
                              "Also writes programs that the replay refused, as refused-NAME, to "
                              "be looked at and never to be run."),

@@ -6,6 +6,7 @@
 #include "layers/vtp_writer.h"
 #include "motion/trajectory_csv.h"
 #include "pipeline/vti_writer.h"
+#include "planar/given_cuts.h"
 #include "toolpath/vtp_writer.h"
 
 #include <sys/resource.h>
@@ -28,6 +29,8 @@ void writePieces(const std::vector<planar::Piece>& pieces, const std::filesystem
     base::writeFile(folder / (std::to_string(i) + ".stl"),
                     geometry::writeStl(pieces[i].solid.mesh));
   }
+  if (const auto cuts = planar::cutsOf(pieces); !cuts.empty())
+    base::writeFile(folder / "cuts.json", planar::givenCutsText(cuts));
 }
 
 void writeDebug(const PlanResult& result, const std::filesystem::path& folder,

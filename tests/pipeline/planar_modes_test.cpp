@@ -139,6 +139,16 @@ TEST(PlanarMode, ATeeComesInPiecesThatNeedNoSupport) {
   ASSERT_NE(back.pieces, nullptr);
   EXPECT_EQ(back.pieces->pieces.size(), result.job.pieces->pieces.size());
   EXPECT_EQ(back.report.decomposition.pieceList.size(), d.pieceList.size());
+
+  // The cuts that were found, given by the user.
+  planar.choices.parameters.clear();
+  setParameters(planar.choices, {"cutPlanes=" + (folder / "pieces/cuts.json").string()});
+  EXPECT_EQ(planar.choices.parameters.at("cutPlanes").front(), '[') << "goes with the project";
+  const PlanResult given = planPart(planar, context());
+  EXPECT_EQ(given.job.report.decomposition.pieces, d.pieces);
+  EXPECT_NEAR(given.job.report.decomposition.riskyAreaMm2, d.riskyAreaMm2, 1e-3);
+  planar.choices.parameters["cutPlanes"] = R"([{"point": [0, 0, 90], "normal": [0, 0, 1]}])";
+  EXPECT_THROW(planPart(planar, context()), base::Error);
 }
 
 } // namespace

@@ -23,8 +23,8 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters", "step"),
     QT_TRANSLATE_NOOP("Parameters", "Longest distance of waypoints along a tool-path."),
     QT_TRANSLATE_NOOP("Parameters", "write what every stage made"),
-    QT_TRANSLATE_NOOP("Parameters", "Adds voxels.vti, pieces/N.stl, layers.vtp, toolpath.vtp and "
-                                    "trajectory.csv."),
+    QT_TRANSLATE_NOOP("Parameters", "Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, "
+                                    "toolpath.vtp and trajectory.csv."),
     QT_TRANSLATE_NOOP("Parameters", "write refused programs"),
     QT_TRANSLATE_NOOP("Parameters", "Also writes programs that the replay refused, as "
                                     "refused-NAME, to be looked at and never to be run."),

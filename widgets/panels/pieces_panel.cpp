@@ -36,7 +36,8 @@ QIcon swatch(const QColor& colour) {
 }
 
 QString areaText(double mm2) {
-  return QStringLiteral("%1 mm²").arg(QLocale().toString(mm2, 'f', mm2 < 10.0 ? 1 : 0));
+  return QStringLiteral("%1 mm²").arg(
+      QLocale().toString(mm2, 'f', mm2 < 0.05 || mm2 >= 10.0 ? 0 : 1));
 }
 } // namespace
 
@@ -73,7 +74,6 @@ void PiecesPanel::build() {
   grid->addWidget(explode_, 0, 1);
   planes_ = new QCheckBox(this);
   planes_->setObjectName("basePlanes");
-  planes_->setChecked(true);
   hint_ = new QLabel(this);
   hint_->setWordWrap(true);
   cuts_ = new QPushButton(this);
@@ -202,7 +202,7 @@ void PiecesPanel::showTotal() {
   for (const PieceRow& row : rows_)
     risky += row.riskyMm2;
   if (!estimated_)
-    total_->setText(tr("Needs support: %1 of %2 uncut").arg(areaText(risky), areaText(before_)));
+    total_->setText(tr("Needs support: %1, uncut %2").arg(areaText(risky), areaText(before_)));
   else if (!estimate_.problem.isEmpty())
     total_->setText(estimate_.problem);
   else if (estimate_.exact)
