@@ -44,6 +44,7 @@ private:
       const pipeline::Job& job = result.job;
       const bool there = name == "part"     ? !job.decomposition && !job.layers
                          : name == "voxels" ? job.decomposition != nullptr
+                         : name == "pieces" ? job.pieces && job.pieces->pieces.size() > 1
                          : name == "layers" ? job.layers != nullptr
                                             : false;
       if (!there)

@@ -13,6 +13,7 @@ namespace voluta::window {
 
 namespace {
 constexpr int kHeight = 30, kPadding = 14, kGlyph = 12, kGap = 8;
+constexpr int kApart = 10; // Compare from the flow
 
 // A shape a state, so that no state is told by colour alone.
 void paintGlyph(QPainter& painter, const QRectF& r, PageState state, const QPalette& palette,
@@ -60,8 +61,10 @@ QString pageName(Page page) {
     return FlowBar::tr("Layers");
   case Page::Simulate:
     return FlowBar::tr("Simulate");
-  default:
+  case Page::Export:
     return FlowBar::tr("Export");
+  default:
+    return FlowBar::tr("Compare");
   }
 }
 
@@ -97,29 +100,32 @@ void FlowBar::setState(Page page, PageState state) {
   update();
 }
 
-int FlowBar::nameWidth(int page) const {
-  return fontMetrics().horizontalAdvance(pageName(static_cast<Page>(page)));
+int FlowBar::segmentWidth(int page) const {
+  return fontMetrics().horizontalAdvance(pageName(static_cast<Page>(page))) + 2 * kPadding +
+         kGlyph + kGap;
 }
 
 QSize FlowBar::sizeHint() const {
-  int width = 1;
+  int width = 1 + kApart;
   for (int i = 0; i < kPageCount; ++i)
-    width += nameWidth(i) + 2 * kPadding + kGlyph + kGap;
+    width += segmentWidth(i);
   return {width, std::max(kHeight, fontMetrics().height() + 12)};
 }
 
 QRect FlowBar::segment(Page page) const {
-  int x = 0;
+  int x = page == Page::Compare ? kApart : 0;
   for (int i = 0; i < static_cast<int>(page); ++i)
-    x += nameWidth(i) + 2 * kPadding + kGlyph + kGap;
-  return {x, 0, nameWidth(static_cast<int>(page)) + 2 * kPadding + kGlyph + kGap, height()};
+    x += segmentWidth(i);
+  return {x, 0, segmentWidth(static_cast<int>(page)), height()};
 }
 
 void FlowBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  const QRect aside = segment(Page::Compare), flow(0, 0, aside.left() - kApart, height());
   QPainterPath outline;
-  outline.addRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+  for (const QRect& r : {flow, aside})
+    outline.addRoundedRect(QRectF(r).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
   painter.fillPath(outline, palette().base());
   painter.save();
   painter.setClipPath(outline);
@@ -135,7 +141,7 @@ void FlowBar::paintEvent(QPaintEvent*) {
     painter.setPen(chosen ? palette().highlightedText().color() : palette().text().color());
     painter.drawText(r.adjusted(kPadding + kGlyph + kGap, 0, 0, 0),
                      Qt::AlignVCenter | Qt::AlignLeft, pageName(page));
-    if (i > 0) {
+    if (i > 0 && page != Page::Compare) {
       painter.setPen(palette().mid().color());
       painter.drawLine(r.left(), 1, r.left(), height() - 2);
     }

@@ -1,4 +1,5 @@
-// Prepare, Layers, Simulate, Export: the pages of one flow and how far each has come.
+// Prepare, Layers, Simulate, Export: the pages of one flow and how far each has come; beside them
+// Compare, which is no step of it.
 #pragma once
 
 #include <QString>
@@ -7,8 +8,8 @@
 
 namespace voluta::window {
 
-enum class Page { Prepare, Layers, Simulate, Export };
-inline constexpr int kPageCount = 4;
+enum class Page { Prepare, Layers, Simulate, Export, Compare };
+inline constexpr int kPageCount = 5;
 
 // What the results of a page are worth.
 enum class PageState { Nothing, Running, Done, OutOfDate, Blocked };
@@ -44,7 +45,7 @@ protected:
   bool event(QEvent* event) override;
 
 private:
-  int nameWidth(int page) const;
+  int segmentWidth(int page) const;
   void choose(Page page);
 
   Page page_ = Page::Prepare;

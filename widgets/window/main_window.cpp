@@ -15,6 +15,7 @@
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
+#include "window/compare_page.h"
 #include "window/core_texts.h"
 #include "window/legend_view.h"
 #include "window/program_preview.h"
@@ -63,7 +64,7 @@ forms::ChoiceLists choiceLists() {
 
 MainWindow::MainWindow(Appearance appearance, QWidget* parent)
     : QMainWindow(parent), planning_(document_), live_(document_, planning_),
-      opening_(document_, planning_), saving_(document_),
+      opening_(document_, planning_), saving_(document_), comparing_(document_),
       autosave_(std::make_unique<document::Autosave>(document_)), appearance_(appearance) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
@@ -114,7 +115,9 @@ void MainWindow::buildCentre() {
   row->addWidget(layers_);
   column->addLayout(row, 1);
   column->addWidget(timeline_);
-  setCentralWidget(centre);
+  centre_ = new QStackedWidget(this);
+  centre_->addWidget(centre);
+  setCentralWidget(centre_);
 }
 
 QScrollArea* MainWindow::scrolled(QWidget* content) {
@@ -176,6 +179,7 @@ void MainWindow::buildPages() {
       Qt::ScrollBarAsNeeded); // nothing is cut off where it is tight
   pages_->addWidget(plots);
   pages_->addWidget(scrolled(export_));
+  buildCompare();
 }
 
 void MainWindow::buildDocks() {
@@ -213,8 +217,9 @@ void MainWindow::setPage(Page page) {
   lookingAtMissed_ = false;
   flow_->setPage(page);
   pages_->setCurrentIndex(static_cast<int>(page));
+  centre_->setCurrentIndex(page == Page::Compare ? 1 : 0);
   layers_->setVisible(page == Page::Layers);
-  timeline_->setVisible(page != Page::Prepare);
+  timeline_->setVisible(page != Page::Prepare && page != Page::Compare);
   timeline_->setMode(page == Page::Layers ? timeline::BarMode::Moves : timeline::BarMode::Time);
   if (page != Page::Prepare)
     setTool(viewer::Tool::None);
@@ -231,7 +236,9 @@ void MainWindow::setPage(Page page) {
 }
 
 void MainWindow::showLists() {
-  choices_->setLists(choiceLists());
+  const forms::ChoiceLists lists = choiceLists();
+  choices_->setLists(lists);
+  compare_->setLists(lists.modes, lists.growths);
 }
 
 void MainWindow::retranslate() {
@@ -275,6 +282,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   planning_.cancel();
   live_.cancel();
+  comparing_.cancel();
   opening_.cancel();
   QSettings settings;
   settings.setValue("window/geometry", saveGeometry());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/autosave.h"
+#include "document/comparing.h"
 #include "document/document.h"
 #include "document/live_preview.h"
 #include "document/opening.h"
@@ -53,6 +54,7 @@ class TimelineBar;
 
 namespace voluta::window {
 
+class ComparePage;
 class LegendView;
 class ProgramPreview;
 class SpacingView;
@@ -77,6 +79,7 @@ public:
   document::Document& document() { return document_; }
   document::Planning& planning() { return planning_; }
   document::LivePreview& livePreview() { return live_; }
+  document::Comparing& comparing() { return comparing_; }
   viewer::Viewport& viewport() { return *viewport_; }
   Presenter& presenter() { return *presenter_; }
 
@@ -160,6 +163,9 @@ private:
   std::optional<Eigen::Isometry3d> movedBase() const;
   void setCuts(const QString& text, const QString& editName); // empty: the search's
   void pickRoot(const Eigen::Vector3d& point);
+  // main_window_compare.cpp
+  void buildCompare();
+  void showCompareState();
   // Flies to a group of missed voxels, the others made see-through; false: the finding is no such.
   bool lookAtMissed(const plan::Finding& finding);
   void goTo(const plan::Finding& finding);
@@ -178,6 +184,7 @@ private:
   document::LivePreview live_;
   document::Opening opening_;
   document::Saving saving_;
+  document::Comparing comparing_;
   document::RecentFiles recent_;
   std::unique_ptr<document::Autosave> autosave_;
   jobs::JobRunner exporting_;
@@ -196,6 +203,8 @@ private:
   panels::ObjectTree* tree_ = nullptr;
   panels::FindingsPanel* findings_ = nullptr;
   QStackedWidget* pages_ = nullptr;
+  QStackedWidget* centre_ = nullptr; // the viewport with its bars, or the comparison
+  ComparePage* compare_ = nullptr;
   panels::PlacementPanel* placement_ = nullptr;
   panels::MeshPanel* mesh_ = nullptr;
   forms::ChoicesForm* choices_ = nullptr;

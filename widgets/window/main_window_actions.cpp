@@ -3,6 +3,7 @@
 #include "panels/placement_panel.h"
 #include "pipeline/version.h"
 #include "timeline/timeline_bar.h"
+#include "window/compare_page.h"
 #include "window/icons.h"
 #include "window/language.h"
 #include "window/main_window.h"
@@ -224,7 +225,8 @@ void MainWindow::buildMenus() {
   static const std::pair<const char*, Page> kPages[] = {{QT_TR_NOOP("&Prepare"), Page::Prepare},
                                                         {QT_TR_NOOP("&Layers"), Page::Layers},
                                                         {QT_TR_NOOP("&Simulate"), Page::Simulate},
-                                                        {QT_TR_NOOP("&Export"), Page::Export}};
+                                                        {QT_TR_NOOP("&Export"), Page::Export},
+                                                        {QT_TR_NOOP("&Compare"), Page::Compare}};
   for (const auto& [text, page] : kPages)
     command(window, ("page" + std::to_string(static_cast<int>(page))).c_str(), text,
             QT_TR_NOOP("Go to this page"),
@@ -391,6 +393,7 @@ void MainWindow::switchAppearance(Appearance appearance) {
   applyAppearance(*qobject_cast<QApplication*>(QCoreApplication::instance()), appearance);
   viewport_->scene().setTheme(appearance == Appearance::Dark ? scene::darkTheme()
                                                              : scene::lightTheme());
+  compare_->setDark(appearance == Appearance::Dark);
   viewport_->requestFrame();
   QSettings().setValue("window/appearance", appearanceName(appearance));
 }

@@ -101,7 +101,9 @@ void MainWindow::showStates() {
                   pageState(document_, {Stage::Decompose, Stage::Layers, Stage::Toolpath}));
   flow_->setState(Page::Simulate, pageState(document_, {Stage::Motion}));
   flow_->setState(Page::Export, pageState(document_, {Stage::Replay}));
-  const bool busy = planning_.running() || opening_.running() || live_.running();
+  showCompareState();
+  const bool busy = planning_.running() || opening_.running() || live_.running() ||
+                    comparing_.running();
   cancel_->setEnabled(busy);
   plan_->setEnabled(static_cast<bool>(document_.source()));
   if (QAction* layers = findChild<QAction*>("planLayers"))

@@ -96,7 +96,7 @@ void MainWindow::plan() {
     chooseFile();
     return;
   }
-  if (page() == Page::Prepare)
+  if (page() == Page::Prepare || page() == Page::Compare)
     setPage(Page::Layers);
   planning_.plan(Stage::Replay);
 }
@@ -113,6 +113,8 @@ void MainWindow::cancel() {
     live_.cancel();
   else if (opening_.running())
     opening_.cancel();
+  else if (comparing_.running())
+    comparing_.cancel();
 }
 
 QString MainWindow::summaryText() const {

@@ -47,7 +47,6 @@ scene::ViewState MainWindow::viewState() const {
                viewport_->tool() == viewer::Tool::None && shows(SceneItem::Part);
     v.pieces = document_.voxelsAhead() && document_.voxelsInPlace() && presenter_->hasPieces() &&
                viewport_->tool() == viewer::Tool::None && shows(SceneItem::Part);
-    v.basePlanes = false;
     v.part = !v.voxels && !v.pieces && shows(SceneItem::Part);
     v.cell = false;
     break;
@@ -80,6 +79,8 @@ scene::ViewState MainWindow::viewState() const {
       v.moves = static_cast<std::size_t>(timeline_->move());
     break;
   }
+  case Page::Compare:
+    break;
   case Page::Simulate:
   case Page::Export:
     v.part = false;

@@ -1,0 +1,322 @@
+#include "window/compare_page.h"
+
+#include "pictures/job_picture.h"
+#include "pipeline/modes.h"
+#include "window/core_texts.h"
+#include "window/status_line.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace voluta::window {
+
+namespace {
+// Twice what the table shows, for screens of high density.
+constexpr int kPictureWidth = 184, kPictureHeight = 138;
+
+QImage pictureOf(const pipeline::Job& job, bool dark) {
+  const auto image = base::outcomeOf([&] {
+    pictures::PictureOptions look;
+    look.show = job.layers ? "layers" : pictures::furthestPicture(job);
+    look.width = kPictureWidth;
+    look.height = kPictureHeight;
+    look.colour = job.pieces && job.pieces->pieces.size() > 1 ? "group" : "layer";
+    look.legend = false;
+    look.dark = dark;
+    return pictures::jobPicture(job, look);
+  });
+  const auto* made = std::get_if<scene::Image>(&image);
+  if (!made)
+    return {}; // the figures are worth showing without it
+  return QImage(made->rgb.data(), made->width, made->height, 3 * made->width, QImage::Format_RGB888)
+      .copy();
+}
+
+// A line break where the head of a narrow column may be broken; seen by lupdate.
+struct Head {
+  std::string_view key;
+  const char* text;
+};
+constexpr Head kHeads[] = {
+    {"missedVoxels", QT_TRANSLATE_NOOP("Compare", "Missed\nvoxels")},
+    {"riskyAreaMm2", QT_TRANSLATE_NOOP("Compare", "Risky\nmm²")},
+    {"supportVolumeMm3", QT_TRANSLATE_NOOP("Compare", "Supports\nmm³")},
+    {"pieces", QT_TRANSLATE_NOOP("Compare", "Pieces")},
+    {"layers", QT_TRANSLATE_NOOP("Compare", "Layers")},
+    {"printTimeS", QT_TRANSLATE_NOOP("Compare", "Print\ntime")},
+    {"reachableFraction", QT_TRANSLATE_NOOP("Compare", "Reach\n%")},
+    {"collisions", QT_TRANSLATE_NOOP("Compare", "Colli-\nsions")},
+};
+// The same in full, for the weights.
+constexpr Head kNames[] = {
+    {"missedVoxels", QT_TRANSLATE_NOOP("Compare", "Missed voxels")},
+    {"riskyAreaMm2", QT_TRANSLATE_NOOP("Compare", "Risky area")},
+    {"supportVolumeMm3", QT_TRANSLATE_NOOP("Compare", "Supports")},
+    {"pieces", QT_TRANSLATE_NOOP("Compare", "Pieces")},
+    {"layers", QT_TRANSLATE_NOOP("Compare", "Layers")},
+    {"printTimeS", QT_TRANSLATE_NOOP("Compare", "Print time")},
+    {"reachableFraction", QT_TRANSLATE_NOOP("Compare", "Out of reach")},
+    {"collisions", QT_TRANSLATE_NOOP("Compare", "Collisions")},
+};
+
+template <std::size_t N> std::vector<QString> textsOf(const Head (&heads)[N]) {
+  std::vector<QString> texts;
+  for (const pipeline::Figure& figure : pipeline::figures()) {
+    texts.push_back(
+        QString::fromUtf8(figure.label.data(), static_cast<qsizetype>(figure.label.size())));
+    for (const Head& head : heads)
+      if (head.key == figure.key)
+        texts.back() = QCoreApplication::translate("Compare", head.text);
+  }
+  return texts;
+}
+
+QString valueText(const pipeline::Figure& figure, const pipeline::CompareRow& row) {
+  const std::optional<double> value = figure.of(row);
+  const QLocale locale;
+  if (!value)
+    return QStringLiteral("–");
+  if (figure.unit == "s") {
+    const auto whole = static_cast<int>(*value + 0.5);
+    const auto two = [](int n) { return QStringLiteral("%1").arg(n, 2, 10, QChar('0')); };
+    return whole < 3600 ? QStringLiteral("%1:%2").arg(whole / 60).arg(two(whole % 60))
+                        : QStringLiteral("%1:%2:%3")
+                              .arg(whole / 3600)
+                              .arg(two(whole / 60 % 60), two(whole % 60));
+  }
+  if (figure.unit == "%")
+    return locale.toString(100.0 * *value, 'f', *value < 1.0 ? 2 : 0);
+  return locale.toString(*value, 'f', figure.unit.empty() || *value == 0.0 ? 0 : 1);
+}
+
+QString modeLabel(const std::string& id) {
+  for (const pipeline::Mode& mode : pipeline::modes())
+    if (mode.id == id)
+      return coreLabel(mode.label);
+  return QString::fromStdString(id);
+}
+
+QString wayText(const pipeline::Combination& way) {
+  QStringList parts{modeLabel(way.mode)};
+  if (!way.growth.empty())
+    parts << growthTexts(way.growth).label;
+  parts << platformText(way.platform);
+  return parts.join(QStringLiteral(", "));
+}
+} // namespace
+
+ComparePage::ComparePage(document::Document& document, document::Comparing& comparing,
+                         QWidget* parent)
+    : QWidget(parent), document_(document), comparing_(comparing) {
+  panel_ = new panels::ComparePanel;
+  panel_->setObjectName("comparePanel");
+  panel_->setPlatformTexts(
+      [](const QString& platform) { return platformText(platform.toStdString()); });
+  panel_->setPlatform(QString::fromStdString(document_.choices().platform));
+  table_ = new panels::CompareTable(this);
+  table_->setObjectName("compareTable");
+  empty_ = new QLabel(this);
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  empty_->setMargin(24);
+  verdict_ = new QLabel(this);
+  verdict_->setObjectName("compareVerdict");
+  verdict_->setWordWrap(true);
+  adopt_ = new QPushButton(this);
+  adopt_->setObjectName("adopt");
+  auto* bottom = new QHBoxLayout;
+  bottom->setContentsMargins(10, 6, 10, 6);
+  bottom->addWidget(verdict_, 1);
+  bottom->addWidget(adopt_);
+  shown_ = new QStackedLayout;
+  shown_->addWidget(empty_);
+  shown_->addWidget(table_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(shown_, 1);
+  column->addLayout(bottom);
+
+  connect(panel_, &panels::ComparePanel::changed, this, &ComparePage::showCount);
+  connect(panel_, &panels::ComparePanel::weightsChanged, this,
+          [this] { comparing_.setWeights(panel_->weights()); });
+  connect(panel_, &panels::ComparePanel::runAsked, this, &ComparePage::run);
+  connect(panel_, &panels::ComparePanel::cancelAsked, &comparing_, &document::Comparing::cancel);
+  connect(table_, &panels::CompareTable::rowActivated, this, &ComparePage::adopt);
+  connect(table_, &panels::CompareTable::rowSelected, this, &ComparePage::showState);
+  connect(adopt_, &QPushButton::clicked, this, [this] { adopt(table_->selectedRow()); });
+  connect(&comparing_, &document::Comparing::rowsChanged, this, &ComparePage::showAll);
+  connect(&comparing_, &document::Comparing::rowChanged, this, &ComparePage::showRow);
+  connect(&comparing_, &document::Comparing::rankingChanged, this, &ComparePage::showRanking);
+  connect(&comparing_, &document::Comparing::started, this, &ComparePage::showRanking);
+  connect(&comparing_, &document::Comparing::ended, this, [this] {
+    showRanking();
+    showState();
+  });
+  connect(&document_, &document::Document::choicesChanged, this, [this] {
+    panel_->setPlatform(QString::fromStdString(document_.choices().platform));
+    showCount();
+    showRanking();
+  });
+  connect(&document_, &document::Document::sourceChanged, this, &ComparePage::showRanking);
+  retranslate();
+}
+
+void ComparePage::setLists(const std::vector<forms::ChoiceItem>& modes,
+                           const std::vector<forms::ChoiceItem>& growths) {
+  panel_->setLists(modes, growths);
+  showCount();
+}
+
+document::ComparedWays ComparePage::ways() const {
+  return {panel_->modes(), panel_->growths(), panel_->platforms(), panel_->until()};
+}
+
+void ComparePage::run() {
+  if (!document_.source() || !document_.sourceReady())
+    return;
+  comparing_.setPictures([dark = dark_](const pipeline::Job& job) { return pictureOf(job, dark); });
+  comparing_.run(ways());
+}
+
+void ComparePage::adopt(int row) {
+  if (row < 0 || row >= static_cast<int>(comparing_.rows().size()))
+    return;
+  const document::Comparing::Row& chosen = comparing_.rows()[static_cast<std::size_t>(row)];
+  document_.setChoices(pipeline::choicesOf(chosen.combination, document_.choices()),
+                       tr("way of building"));
+  emit adopted(wayText(chosen.combination), chosen.result);
+}
+
+panels::CompareEntry ComparePage::entryOf(std::size_t index) const {
+  const document::Comparing::Row& row = comparing_.rows()[index];
+  const pipeline::Ranking& ranking = comparing_.ranking();
+  panels::CompareEntry entry;
+  entry.way = modeLabel(row.combination.mode);
+  if (!row.combination.growth.empty())
+    entry.growth = growthTexts(row.combination.growth).label;
+  entry.platform = platformText(row.combination.platform);
+  entry.inUse = pipeline::choicesOf(row.combination, document_.choices()).growth ==
+                    document_.choices().growth &&
+                row.combination.mode == document_.choices().mode &&
+                row.combination.platform == document_.choices().platform;
+  entry.tip = wayText(row.combination);
+  if (!row.compared) {
+    const bool running = comparing_.current() == index;
+    entry.state = running ? panels::CompareState::Running : panels::CompareState::Waiting;
+    entry.verdict = running                ? tr("Being planned")
+                    : comparing_.running() ? tr("Waiting")
+                                           : tr("Not planned");
+    entry.figures.assign(pipeline::figures().size(), QString());
+    return entry;
+  }
+  const pipeline::CompareRow& compared = *row.compared;
+  for (const pipeline::Figure& figure : pipeline::figures())
+    entry.figures.push_back(valueText(figure, compared));
+  switch (compared.state()) {
+  case pipeline::RowState::Clear:
+    entry.state = panels::CompareState::Clear;
+    entry.verdict =
+        compared.reached == pipeline::Stage::Replay ? tr("Passed") : tr("Nothing blocks");
+    break;
+  case pipeline::RowState::Blocked:
+    entry.state = panels::CompareState::Blocked;
+    entry.verdict = tr("Blocked: %1").arg(compared.blocking());
+    break;
+  case pipeline::RowState::Failed:
+    entry.state = panels::CompareState::Failed;
+    entry.verdict = tr("Cannot be planned");
+    break;
+  }
+  if (const std::string reason = compared.reason(); !reason.empty())
+    entry.tip += QStringLiteral("\n") + QString::fromStdString(reason);
+  entry.tip += QStringLiteral("\n") + tr("Planned in %1").arg(durationText(compared.seconds));
+  entry.picture = row.picture;
+  entry.score = ranking.score[index];
+  const auto place = std::find(ranking.order.begin(), ranking.order.end(), index);
+  if (place != ranking.order.end())
+    entry.place = static_cast<int>(place - ranking.order.begin()) + 1;
+  entry.best = ranking.best == index;
+  return entry;
+}
+
+void ComparePage::showAll() {
+  std::vector<panels::CompareEntry> entries;
+  for (std::size_t i = 0; i < comparing_.rows().size(); ++i)
+    entries.push_back(entryOf(i));
+  table_->setEntries(std::move(entries));
+  shown_->setCurrentIndex(comparing_.rows().empty() ? 0 : 1);
+  showState();
+}
+
+void ComparePage::showRow(int row) {
+  if (row < static_cast<int>(table_->entries().size()))
+    table_->setEntry(row, entryOf(static_cast<std::size_t>(row)));
+  showState();
+}
+
+void ComparePage::showRanking() {
+  if (table_->entries().size() == comparing_.rows().size())
+    for (std::size_t i = 0; i < comparing_.rows().size(); ++i)
+      table_->setEntry(static_cast<int>(i), entryOf(i));
+  showState();
+}
+
+void ComparePage::showState() {
+  const pipeline::Ranking& ranking = comparing_.ranking();
+  const auto& rows = comparing_.rows();
+  QString text;
+  if (!rows.empty() && !comparing_.upToDate())
+    text = tr("Out of date: the part or its settings have changed since.");
+  else if (ranking.best) {
+    text = tr("Best: %1.").arg(wayText(rows[*ranking.best].combination));
+    if (!ranking.tied.empty())
+      text += QStringLiteral(" ") + tr("As good: %1.").arg(ranking.tied.size());
+  } else if (!ranking.order.empty() && !comparing_.running())
+    text = tr("None is best: something blocks each of them.");
+  verdict_->setText(text);
+  const int selected = table_->selectedRow();
+  adopt_->setEnabled(selected >= 0);
+  panel_->setState(document_.source() && document_.sourceReady(), comparing_.running());
+}
+
+void ComparePage::showCount() {
+  int count = 0;
+  const document::ComparedWays chosen = ways();
+  if (!chosen.modes.empty()) {
+    pipeline::CompareOptions options;
+    options.plan.choices = document_.choices();
+    options.modes = chosen.modes;
+    options.growths = chosen.growths;
+    options.platforms = chosen.platforms;
+    const auto all = base::outcomeOf([&] { return pipeline::combinations(options).size(); });
+    if (const auto* size = std::get_if<std::size_t>(&all))
+      count = static_cast<int>(*size);
+  }
+  panel_->setCount(count);
+}
+
+void ComparePage::retranslate() {
+  empty_->setText(tr("Which way of building suits this part?\nTick what to compare at the right, "
+                     "then press Compare."));
+  adopt_->setText(tr("Adopt this way"));
+  adopt_->setToolTip(tr("Build the part as the selected row does; undo takes it back"));
+  table_->setFigures(textsOf(kHeads));
+  panel_->setFigures(textsOf(kNames));
+  showRanking();
+}
+
+void ComparePage::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange)
+    retranslate();
+  QWidget::changeEvent(event);
+}
+
+} // namespace voluta::window
