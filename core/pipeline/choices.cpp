@@ -180,6 +180,11 @@ std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
   return own.empty() ? curved::platformFit(voxels, p.width) : curved::convexPolygon(own, p.width);
 }
 
+std::optional<double> fitMargin(const std::string& platform) {
+  const Platform p = parsedPlatform(platform);
+  return p.kind == "fit" ? std::optional(p.width) : std::nullopt;
+}
+
 std::vector<Eigen::Vector2d> platformAround(const std::string& platform,
                                             std::vector<Eigen::Vector2d> standing) {
   const Platform p = parsedPlatform(platform);

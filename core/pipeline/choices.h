@@ -8,6 +8,7 @@
 #include "voxel/solid_voxels.h"
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ void checkPlatform(const std::string& platform);
 std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
                                              const voxel::SolidVoxels& voxels,
                                              const std::vector<Eigen::Vector2d>& own = {});
+// The margin of "fit" or "fit:MARGIN", mm; none for other platforms. Throws Error{Usage}.
+std::optional<double> fitMargin(const std::string& platform);
 // The same where what stands on the plate is given by points of it; they do not matter to a disc or
 // a rectangle. Throws Error{UnusableInput} where "fit" has none.
 std::vector<Eigen::Vector2d> platformAround(const std::string& platform,

@@ -1,11 +1,13 @@
 #include "pipeline/planar_modes.h"
 
+#include "base/error.h"
 #include "base/files.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "geometry/measures.h"
 #include "pipeline/choices.h"
 #include "pipeline/content_hash.h"
+#include "pipeline/planar_platform.h"
 #include "planar/beam_search.h"
 #include "planar/flat.h"
 #include "planar/given_cuts.h"
@@ -30,9 +32,6 @@ base::ParameterSpec textParameter(const char* key, const char* group, const char
   spec.help = help;
   return spec;
 }
-
-// Down to where cells hold the plate; what carries it is taken to be as wide as the plate.
-constexpr double kCarrierMm = 100.0;
 
 planar::RiskRule riskRule(const ModeChoices& in) {
   planar::RiskRule rule;
@@ -86,15 +85,6 @@ void tellPieces(const planar::PlanarDecomposition& d, const ModeChoices& in,
   stage.findings.insert(stage.findings.end(), d.findings.begin(), d.findings.end());
 }
 
-// Where the part stands, as far as its first layer reaches.
-std::vector<Eigen::Vector2d> standingPoints(const geometry::TriangleMesh& part, double heightMm) {
-  std::vector<Eigen::Vector2d> points;
-  for (const Eigen::Vector3d& p :
-       planar::Sections(part, Eigen::Vector3d::UnitZ()).at(heightMm).points)
-    points.push_back(p.head<2>());
-  return points;
-}
-
 std::string planesKey(const char* what, const std::string& planes) {
   return planes.empty() ? std::string()
                         : fmt::format("{} {}\n", what, contentHash(planesText(planes)));
@@ -103,6 +93,7 @@ std::string planesKey(const char* what, const std::string& planes) {
 std::string planarKey(const ModeChoices& in) {
   return fmt::format("platform {}\n{}", in.choices.platform, heightsText(in.process)) +
          headText(process::erodedHead(in.process.head, in.process.contactToleranceMm)) +
+         carrierText(in.choices, in.process) +
          parameterText({"overhangAngle", "pieceMaterials"}, in.values) +
          planesKey("cuts", in.values.text("cutPlanes"));
 }
@@ -115,11 +106,7 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
   planar::PlanarOptions options;
   options.rule = riskRule(in);
   options.head = process::erodedHead(in.process.head, in.process.contactToleranceMm);
-  options.platform.thicknessMm = kCarrierMm;
-  options.platform.polygon = platformAround(
-      in.choices.platform, input.placed.platform.empty()
-                               ? standingPoints(*input.placed.part, options.rule.contactMm)
-                               : input.placed.platform);
+  options.platform = planarPlatform(in.choices, in.process, input.placed.platform);
   const std::string cuts = in.values.text("cutPlanes");
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(
       cuts.empty() ? planar::beamDecompose(*input.placed.part, options, ctx)
@@ -127,6 +114,9 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
                                              planar::readGivenCuts(planesText(cuts), "cutPlanes"),
                                              options, in.process.beadWidthMm, ctx));
   stage->platform = planar::plateOf(pieces->pieces, options);
+  if (stage->platform.size() < 3)
+    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate", {},
+                      "drop it to the plate");
   tellPieces(*pieces, in, *stage);
   stage->pieces = pieces;
   stage->timings.decompose = watch.seconds();
