@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "geometry/measures.h"
 #include "layers/clean_surface.h"
+#include "layers/islands.h"
 #include "layers/order.h"
 #include "layers/patches.h"
 #include "planar/nudged.h"
@@ -24,6 +25,7 @@ namespace {
 
 constexpr double kReachShare = 1.25;     // as layers::checkSupport's other users
 constexpr double kOnSomething = 0.02;    // share of its area with which a patch does not hang
+constexpr double kBeadsToDrop = 2.0;     // across: islands smaller than that go
 constexpr double kBlockingShare = 0.005; // of the volume not laid
 
 std::size_t at(int i) {
@@ -69,10 +71,6 @@ double volumeOf(const Patch& patch) {
   return sum;
 }
 
-Vector3d middleOf(const Patch& patch) {
-  return geometry::bounds(patch.surface).center();
-}
-
 plan::Finding finding(const char* kind, const Vector3d& where, std::size_t count,
                       std::string reason, std::string remedy, bool blocking) {
   plan::Finding f;
@@ -102,42 +100,48 @@ LevelSurface sectionSurface(const Section& section, double edgeMm, const base::R
   return std::move(*surface);
 }
 
-void finishStack(SliceResult& result, const std::vector<Patch>& crumbs,
-                 const HeightOptions& heights, const base::RunContext& ctx) {
+void finishStack(SliceResult& result, const std::vector<Patch>& crumbs, const SliceOptions& options,
+                 const base::RunContext& ctx) {
   layers::LayerStack& stack = result.stack;
+  const layers::AbsorbOptions absorb{options.heights.maxMm, options.beadWidthMm};
+  layers::Absorbed absorbed = layers::absorbCrumbs(stack.patches, crumbs, absorb);
+  layers::IslandOptions islands;
+  islands.supportReach = kReachShare;
+  islands.supportedShare = kOnSomething;
+  islands.dropMm2 = std::pow(kBeadsToDrop * options.beadWidthMm, 2);
+  layers::IslandsTaken taken = layers::absorbIslands(stack, islands, absorb, ctx);
+  std::move(taken.absorbed.dropped.begin(), taken.absorbed.dropped.end(),
+            std::back_inserter(absorbed.dropped));
+
   for (const Patch& patch : stack.patches)
     result.volumeOfPiece[at(patch.group)] += volumeOf(patch);
   double laid = 0.0;
   for (const double volume : result.volumeOfPiece)
     laid += volume;
-  result.slivers = crumbs.size();
-  const Patch* largest = nullptr;
-  double most = 0.0;
-  for (const Patch& crumb : crumbs) {
-    const double volume = volumeOf(crumb);
-    result.sliverVolumeMm3 += volume;
-    if (!largest || volume > most) {
-      largest = &crumb;
-      most = volume;
-    }
+  const layers::DroppedPiece* largest = nullptr;
+  for (const layers::DroppedPiece& piece : absorbed.dropped) {
+    ++result.slivers;
+    result.sliverVolumeMm3 += piece.volumeMm3;
+    if (!largest || piece.volumeMm3 > largest->volumeMm3)
+      largest = &piece;
   }
   if (largest)
     result.findings.push_back(finding(
-        "slivers", middleOf(*largest), result.slivers,
-        fmt::format("{} pieces of layers are too small for a bead, {:.3g} mm3 of {:.3g}: they are "
-                    "not laid",
+        "slivers", largest->centre, result.slivers,
+        fmt::format("{} pieces of layers are too small for a bead or would begin in the air, "
+                    "{:.3g} mm3 of {:.3g}: they are not laid",
                     result.slivers, result.sliverVolumeMm3, laid + result.sliverVolumeMm3),
         "use a finer nozzle, or print the part larger",
         result.sliverVolumeMm3 > kBlockingShare * (laid + result.sliverVolumeMm3)));
 
-  result.statistics = layers::layerStatistics(stack, {heights.minMm, heights.maxMm});
-  const auto support = layers::checkSupport(stack, kReachShare, ctx);
+  result.statistics =
+      layers::layerStatistics(stack, {options.heights.minMm, options.heights.maxMm});
   std::optional<Vector3d> inAir;
-  for (std::size_t p = 0; p < support.size(); ++p)
-    if (support[p].supportedFraction < kOnSomething) {
+  for (const layers::SupportCheck& support : taken.support)
+    if (support.supportedFraction < kOnSomething) {
       ++result.unsupportedPatches;
       if (!inAir)
-        inAir = support[p].unsupportedAt;
+        inAir = support.unsupportedAt;
     }
   if (inAir)
     result.findings.push_back(finding(
@@ -195,7 +199,7 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   }
   layers::orderForPrinting(result.stack);
   ctx.report(0.8, "checking layers");
-  finishStack(result, crumbs, options.heights, ctx);
+  finishStack(result, crumbs, options, ctx);
   result.seconds.extract = watch.seconds();
   return result;
 }

@@ -26,7 +26,7 @@ struct SliceResult {
   layers::LayerStatistics statistics;
   std::vector<int> layersOfPiece;
   std::vector<double> volumeOfPiece; // sum of patch area x thickness, mm3
-  std::size_t slivers = 0;           // pieces of layers too small for a bead: not laid
+  std::size_t slivers = 0;           // pieces of layers that are not laid: see finishStack
   double sliverVolumeMm3 = 0.0;
   std::size_t unsupportedPatches = 0; // that begin in the air
   plan::Findings findings;            // stage "layers"
@@ -51,9 +51,10 @@ layers::LevelSurface sectionSurface(const Section& section, double edgeMm,
 SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
                         const base::RunContext& ctx);
 
-// What is known of a stack once all its patches are there: order, numbers, statistics, what begins
-// in the air. Patches of `crumbs` are told as not laid.
+// What is known of a stack once all its patches are there. Neighbours take what they can of
+// `crumbs` and of small patches that begin in the air (layers/absorb.h, layers/islands.h); what is
+// left of those is told as not laid, larger ones as beginning in the air.
 void finishStack(SliceResult& result, const std::vector<layers::Patch>& crumbs,
-                 const HeightOptions& heights, const base::RunContext& ctx);
+                 const SliceOptions& options, const base::RunContext& ctx);
 
 } // namespace voluta::planar

@@ -177,7 +177,7 @@ SliceResult sliceByPlanes(const geometry::TriangleMesh& part, const std::vector<
     result.findings.push_back(told("planeMisses", misses,
                                    fmt::format("planes of layers miss the part: {}", missing),
                                    "move them, or leave them out"));
-  finishStack(result, crumbs, options.heights, ctx);
+  finishStack(result, crumbs, options, ctx);
   if (const double beyond = 1.0 - result.statistics.withinLimitsFraction; beyond > kBeyondShare)
     result.findings.push_back(
         told("heightBeyondLimits", 1,

@@ -110,7 +110,8 @@ void expectWithin(const SliceResult& sliced, const std::vector<Piece>& pieces) {
           (patch.surface.corner(t, 0) + patch.surface.corner(t, 1) + patch.surface.corner(t, 2)) /
           3.0;
       farthest = std::max(farthest, solid.inside(middle) ? 0.0 : solid.closest(middle).distance);
-      EXPECT_GT(geometry::triangleNormal(patch.surface, t).dot(patch.direction.front()), 0.999);
+      // Level, but for what is thicker where it takes crumbs over it.
+      EXPECT_GT(geometry::triangleNormal(patch.surface, t).dot(patch.direction.front()), 0.99);
     }
   }
   EXPECT_LT(farthest, 2.1e-3);
