@@ -12,6 +12,9 @@ using Eigen::Vector3d;
 
 constexpr int kAround = 32;      // points on a section's rim
 constexpr double kRimStep = 2.0; // mm along the platform's edge
+// Beyond what the grid can tell, mm: programs are judged by the head on a grid as fine, and ways
+// between waypoints come nearer.
+constexpr double kMargin = 0.05;
 
 bool inside(const std::vector<Vector2d>& polygon, const Vector2d& p) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -49,7 +52,7 @@ bool HeadClearance::clears(const collision::GrowingPart& part, const Vector3d& t
       Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), -direction).toRotationMatrix();
   work_T_tool.translation() = tip;
   return std::ranges::none_of(shapes_, [&](const robot::Shape& shape) {
-    return part.touches(shape, work_T_tool, 0.0, before);
+    return part.touches(shape, work_T_tool, kMargin - 0.5 * part.grid().pitch, before);
   });
 }
 

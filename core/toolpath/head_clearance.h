@@ -17,7 +17,8 @@ public:
   HeadClearance(const process::Process& process, std::vector<Eigen::Vector2d> platform);
 
   // Is the head clear of the plate and of all that is filled before waypoint `before`, with the tip
-  // at `tip` and the nozzle coming from `direction` (unit)? Work frame, mm.
+  // at `tip` and the nozzle coming from `direction` (unit)? By a little more than the part's grid
+  // can tell: half its pitch. Work frame, mm.
   bool clears(const collision::GrowingPart& part, const Eigen::Vector3d& tip,
               const Eigen::Vector3d& direction, std::size_t before) const;
 
