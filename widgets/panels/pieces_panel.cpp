@@ -32,7 +32,9 @@ QIcon swatch(const QColor& colour) {
   painter.setPen(colour.darker(130));
   painter.setBrush(colour);
   painter.drawRoundedRect(QRectF(0.5, 0.5, kSwatch - 1.0, kSwatch - 1.0), 2, 2);
-  return QIcon(picture);
+  QIcon icon(picture);
+  icon.addPixmap(picture, QIcon::Selected); // not tinted: it is the piece's colour
+  return icon;
 }
 
 QString areaText(double mm2) {

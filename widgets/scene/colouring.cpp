@@ -100,13 +100,16 @@ Colour supportColour() {
 }
 
 Colour pieceColour(int index) {
-  static constexpr int kHues[] = {0, 1, 2, 4, 5}; // of categoricalColour
-  static constexpr double kTowardsWhite[] = {0.0, 0.5, 0.0}, kTowardsBlack[] = {0.0, 0.0, 0.45};
+  static constexpr Colour kColours[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45},
+                                        {0.94, 0.89, 0.26}, {0.53, 0.80, 0.93}, {0.20, 0.13, 0.53},
+                                        {0.42, 0.25, 0.06}, {0.95, 0.88, 0.71}, {0.36, 0.36, 0.39},
+                                        {0.70, 0.67, 0.88}};
+  constexpr double kDarker = 0.62;
   const auto i = static_cast<std::size_t>(index);
-  const std::size_t shade = i / std::size(kHues) % std::size(kTowardsWhite);
-  Colour colour = categoricalColour(kHues[i % std::size(kHues)]);
-  for (double& c : colour)
-    c = (c + kTowardsWhite[shade] * (1.0 - c)) * (1.0 - kTowardsBlack[shade]);
+  Colour colour = kColours[i % std::size(kColours)];
+  if (i / std::size(kColours) % 2 == 1)
+    for (double& c : colour)
+      c *= kDarker;
   return colour;
 }
 

@@ -48,8 +48,8 @@ Colour divergingColour(double t);
 Colour tooThinColour();
 Colour tooThickColour();
 Colour supportColour(); // of voxels laid as support
-// Of the piece at that place in print order: hues that colour-blind eyes tell apart, lighter and
-// darker beyond their number; neither red nor the colour of what needs support. index >= 0.
+// Of the piece at that place in print order: hues and lightnesses that colour-blind eyes tell
+// apart, darker beyond their number; neither red nor the colour of what needs support. index >= 0.
 Colour pieceColour(int index);
 // Okabe and Ito's colours without the red one, repeated beyond their number. index >= 0.
 Colour categoricalColour(int index);

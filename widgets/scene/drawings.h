@@ -90,6 +90,8 @@ const std::vector<std::uint32_t>& waypointsOfLayer(const PathsDrawing& drawing, 
 std::shared_ptr<const PiecesDrawing> drawPieces(const std::vector<planar::Piece>& pieces,
                                                 const planar::RiskRule& rule);
 int pieceCount(const PiecesDrawing& drawing);
+// Axes of a base plane, unit vectors in columns: level across, upwards along, and its normal.
+Eigen::Matrix3d baseAxes(const Eigen::Vector3d& normal);
 // Where each piece goes when each is moved that far off the one it stands on, along its direction.
 std::vector<Eigen::Vector3d> pieceOffsets(const PiecesDrawing& drawing, double explodeMm);
 // And its base plane, which stays on the piece that is cut.

@@ -7,7 +7,7 @@ namespace voluta::scene {
 namespace {
 
 constexpr double kBaseOpacity = 0.22, kChosenBaseOpacity = 0.42;
-constexpr double kFaded = 0.72; // how far the others go towards the background
+constexpr double kFaded = 0.5, kFadedOpacity = 0.3; // the others: towards the background, as glass
 
 Colour mixed(const Colour& a, const Colour& b, double share) {
   Colour out{};
@@ -66,13 +66,14 @@ void PieceActors::show(const ViewState& view, const Eigen::Isometry3d& world_T_w
     const One& one = pieces_[i];
     const PieceShape& shape = drawing_->pieces[i];
     const bool chosen = some && *view.piece == i;
+    const bool glass = some && !chosen;
     const auto shown = [&](const Colour& colour) {
-      return some && !chosen ? mixed(colour, theme_.backgroundTop, kFaded) : colour;
+      return glass ? mixed(colour, theme_.backgroundTop, kFaded) : colour;
     };
     const Colour own = pieceColour(static_cast<int>(i));
     setColour(one.safe, shown(own));
     setColour(one.risky, shown(theme_.risky));
-    setColour(one.edges, shown(mixed(own, theme_.partEdges, 0.6)));
+    setColour(one.edges, mixed(own, theme_.partEdges, 0.6));
     setColour(one.base, own);
     setColour(one.baseRim, own);
     const Eigen::Isometry3d pose = world_T_work * Eigen::Translation3d(offsets[i]);
@@ -80,6 +81,12 @@ void PieceActors::show(const ViewState& view, const Eigen::Isometry3d& world_T_w
       setPose(actor, pose);
       actor->SetVisibility(true);
     }
+    // As the part where it is translucent: only walls that face the eye.
+    for (vtkActor* actor : {one.safe.Get(), one.risky.Get()}) {
+      actor->GetProperty()->SetOpacity(glass ? kFadedOpacity : 1.0);
+      actor->GetProperty()->SetBackfaceCulling(glass);
+    }
+    one.edges->SetVisibility(!glass);
     // The chosen one's alone where one is chosen.
     Eigen::Isometry3d base =
         world_T_work * Eigen::Translation3d(basePlaneOffset(*drawing_, i, view.explodeMm));
@@ -87,7 +94,7 @@ void PieceActors::show(const ViewState& view, const Eigen::Isometry3d& world_T_w
       base = base * *view.moved_T_base;
     for (vtkActor* actor : {one.base.Get(), one.baseRim.Get()}) {
       setPose(actor, base);
-      actor->SetVisibility(shape.base && view.basePlanes && (chosen || !some));
+      actor->SetVisibility(shape.base && (chosen || (view.basePlanes && !some)));
     }
     one.base->GetProperty()->SetOpacity(chosen ? kChosenBaseOpacity : kBaseOpacity);
   }

@@ -14,8 +14,8 @@ namespace voluta::scene {
 
 namespace {
 
-constexpr double kBeyondSection = 0.2; // of a base plane's size, but
-constexpr double kLeastBeyondMm = 3.0;
+constexpr double kBeyondSection = 0.08; // of its size, but
+constexpr double kLeastBeyondMm = 1.5, kMostBeyondMm = 5.0;
 
 // The triangles of a surface that are `wanted`, on the same points.
 vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface, const std::vector<bool>& wanted) {
@@ -36,24 +36,26 @@ vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface, const std::vector
 
 // The rectangle that a piece's section lies in, and a little more.
 void drawBase(const planar::Piece& piece, PieceShape& shape) {
-  const planar::PlaneFrame frame = planar::frameOf(piece.base.normal);
+  const Eigen::Matrix3d axes = baseAxes(piece.base.normal);
+  const Eigen::Vector3d across = axes.col(0), along = axes.col(1);
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Eigen::Vector2d low(kFar, kFar), high(-kFar, -kFar);
   for (std::size_t t = 0; t < piece.solid.tag.size(); ++t)
     if (piece.solid.tag[t] == piece.baseTag)
       for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d& p = piece.solid.mesh.corner(t, k);
-        const Eigen::Vector2d q(frame.across.dot(p), frame.along.dot(p));
+        const Eigen::Vector2d q(across.dot(p), along.dot(p));
         low = low.cwiseMin(q);
         high = high.cwiseMax(q);
       }
   if (!(low.x() <= high.x()))
     return;
-  const double beyond = std::max(kLeastBeyondMm, kBeyondSection * (high - low).maxCoeff());
+  const double beyond =
+      std::clamp(kBeyondSection * (high - low).maxCoeff(), kLeastBeyondMm, kMostBeyondMm);
   low.array() -= beyond;
   high.array() += beyond;
   const auto at = [&](double u, double v) -> Eigen::Vector3d {
-    return u * frame.across + v * frame.along + piece.base.offsetMm * piece.base.normal;
+    return u * across + v * along + piece.base.offsetMm * piece.base.normal;
   };
   const Eigen::Vector3d corners[] = {at(low.x(), low.y()), at(high.x(), low.y()),
                                      at(high.x(), high.y()), at(low.x(), high.y())};
@@ -92,6 +94,15 @@ std::shared_ptr<const PiecesDrawing> drawPieces(const std::vector<planar::Piece>
     drawing->pieces.push_back(std::move(shape));
   }
   return drawing;
+}
+
+Eigen::Matrix3d baseAxes(const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d level = Eigen::Vector3d::UnitZ().cross(normal);
+  const Eigen::Vector3d across =
+      level.norm() > 1e-6 ? level.normalized() : Eigen::Vector3d::UnitX();
+  Eigen::Matrix3d axes;
+  axes << across, normal.cross(across), normal;
+  return axes;
 }
 
 int pieceCount(const PiecesDrawing& drawing) {

@@ -156,13 +156,10 @@ void MainWindow::showCutHandles() {
   }
   const planar::Plane& plane = cuts_[cut].plane;
   const Eigen::Vector3d shown = presenter_->pieces().cuts()[cut].point;
-  const planar::PlaneFrame frame = planar::frameOf(plane.normal);
-  Eigen::Matrix3d axes;
-  axes << frame.across, frame.along, plane.normal;
   viewport_->setGizmoCentre(
       shown - plane.heightOf(shown) * plane.normal +
           presenter_->pieces().planeOffset(presenter_->pieces().pieceOf(chosenCut_), explodeMm()),
-      axes);
+      scene::baseAxes(plane.normal));
   cutHandles_ = true;
   viewport_->setTool(viewer::Tool::CutPlane);
 }
