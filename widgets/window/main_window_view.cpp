@@ -79,6 +79,8 @@ scene::ViewState MainWindow::viewState() const {
       v.moves = static_cast<std::size_t>(timeline_->move());
     break;
   }
+  case Page::Compare:
+    break;
   case Page::Simulate:
   case Page::Export:
     v.part = false;
