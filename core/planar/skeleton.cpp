@@ -8,12 +8,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 
 namespace voluta::planar {
 
 namespace {
 
 using Skeletonization = CGAL::Mean_curvature_flow_skeletonization<geometry::CgalMesh>;
+using Meso = Skeletonization::Meso_skeleton;
+using MesoEdge = boost::graph_traits<Meso>::edge_descriptor;
+
+} // namespace
+
+} // namespace voluta::planar
+
+// The flow collapses short edges in the order of a set, which would be that of their places in
+// memory, different each time. Numbers of half-edges are the same each time.
+template <> struct std::less<voluta::planar::MesoEdge> {
+  bool operator()(const voluta::planar::MesoEdge& a, const voluta::planar::MesoEdge& b) const {
+    return numberOf(a) < numberOf(b);
+  }
+
+private:
+  static std::size_t numberOf(const voluta::planar::MesoEdge& e) {
+    return std::min(e.halfedge()->id(), e.halfedge()->opposite()->id());
+  }
+};
+
+namespace voluta::planar {
+
+namespace {
+
+// Splits make half-edges without numbers.
+void number(const Meso& mesh) {
+  std::size_t next = 0;
+  for (const auto h : CGAL::make_range(halfedges(mesh)))
+    h->id() = next++;
+}
 
 void addSkeleton(const geometry::TriangleMesh& solid, const base::RunContext& ctx,
                  CurveSkeleton& out) {
@@ -26,6 +58,7 @@ void addSkeleton(const geometry::TriangleMesh& solid, const base::RunContext& ct
   double last = 0.0;
   for (int step = 0; step < kMostSteps; ++step) {
     ctx.checkpoint();
+    number(flow.meso_skeleton());
     flow.contract();
     const double area = CGAL::Polygon_mesh_processing::area(flow.meso_skeleton());
     if (std::abs(last - area) < flow.area_variation_factor() * whole)

@@ -1,14 +1,16 @@
-// pieces_report [--angle DEG] [--threads N] [--beam N] [--triangles N] [--no-head] [--stl DIR]
-// STL... What planar decomposition makes of real parts: a row each.
-#include "base/stopwatch.h"
+// pieces_report [--scheme greedy|beam] [--clusters N] [--angle DEG] [--threads N] [--beam N]
+// [--triangles N] [--no-head] [--stl DIR] [--brief] STL... What planar decomposition makes of real
+// parts, and what a checker that knows nothing of the planner says of it: a row each.
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
 #include "planar/beam_search.h"
 #include "planar/greedy_decompose.h"
+#include "planar/plan_checker.h"
 #include "process/process.h"
 
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <numbers>
@@ -37,7 +39,7 @@ int main(int argc, char** argv) try {
   planar::PlanarOptions options;
   options.head = process::erodedHead(process::loadProcess("fdm-1.0").head, 0.4);
   planar::GreedyOptions greedy;
-  bool greedyScheme = false;
+  bool greedyScheme = false, brief = false;
   int threads = 2;
   std::string stl;
   std::vector<std::string> files;
@@ -60,6 +62,8 @@ int main(int argc, char** argv) try {
       options.normals = std::stoi(next());
     else if (a == "--no-head")
       options.head.sections.clear();
+    else if (a == "--brief")
+      brief = true;
     else if (a == "--stl")
       stl = next();
     else
@@ -72,29 +76,33 @@ int main(int argc, char** argv) try {
     const Eigen::Vector3d shift(-box.center().x(), -box.center().y(), -box.min().z());
     for (auto& v : part.vertices)
       v += shift;
-    base::Stopwatch watch;
-    const planar::PlanarDecomposition d =
-        greedyScheme ? planar::greedyDecompose(part, options, greedy, ctx)
-                     : planar::beamDecompose(part, options, ctx);
-    double volume = 0.0;
-    bool closed = true;
-    for (const planar::Piece& p : d.pieces) {
-      volume += geometry::volume(p.solid.mesh);
-      closed = closed && planar::isClosed(p.solid.mesh);
-    }
-    std::printf("%s: %zu triangles, %zu pieces, risky %.1f -> %.2f mm2 (%.3f %%), sections %.0f "
-                "mm2, blocked %zu, volume off %.1e, %s, %.2f s (search %.2f)\n",
+    const std::clock_t begin = std::clock();
+    const planar::PlanarDecomposition d = greedyScheme
+                                              ? planar::greedyDecompose(part, options, greedy, ctx)
+                                              : planar::beamDecompose(part, options, ctx);
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    test::PlanCheck check;
+    check.overhangRad = options.rule.overhangRad;
+    check.contactMm = options.rule.contactMm;
+    check.head = options.head;
+    check.plate = planar::plateOf(d.pieces, options);
+    const test::PlanVerdict verdict = test::checkPlan(part, d.pieces, check);
+    std::printf("%s: %zu triangles, risky %.1f -> %.2f mm2 (%.2f %%), %zu pieces, blocked %zu, "
+                "sections %.0f mm2, %.1f s of processors; checked: risky %.2f mm2, blocked %zu, "
+                "%s\n",
                 file.substr(file.find_last_of('/') + 1).c_str(), part.triangles.size(),
-                d.pieces.size(), d.riskyBeforeMm2, d.riskyMm2,
-                100.0 * d.riskyMm2 / std::max(1e-9, d.riskyBeforeMm2), d.sectionMm2,
-                d.blockedPieces, volume / geometry::volume(part) - 1.0,
-                closed ? "closed" : "NOT CLOSED", watch.seconds(), d.seconds.search);
+                d.riskyBeforeMm2, d.riskyMm2, 100.0 * d.riskyMm2 / std::max(1e-9, d.riskyBeforeMm2),
+                d.pieces.size(), d.blockedPieces, d.sectionMm2, seconds, verdict.riskyMm2,
+                verdict.blockedPieces, verdict.faults.empty() ? "valid" : "NOT VALID");
+    for (const std::string& fault : verdict.faults)
+      std::printf("  ! %s\n", fault.c_str());
     for (std::size_t p = 0; p < d.pieces.size(); ++p) {
       const planar::Piece& piece = d.pieces[p];
-      std::printf("  %zu on %d: normal %.2f %.2f %.2f, volume %.0f, base %.1f, risky %.2f\n", p,
-                  piece.parent, piece.base.normal.x(), piece.base.normal.y(), piece.base.normal.z(),
-                  geometry::volume(piece.solid.mesh), planar::baseArea(piece, options.rule),
-                  planar::riskyArea(piece, options.rule));
+      if (!brief)
+        std::printf("  %zu on %d: normal %.2f %.2f %.2f, volume %.0f, base %.1f, risky %.2f\n", p,
+                    piece.parent, piece.base.normal.x(), piece.base.normal.y(),
+                    piece.base.normal.z(), geometry::volume(piece.solid.mesh),
+                    planar::baseArea(piece, options.rule), planar::riskyArea(piece, options.rule));
       if (!stl.empty())
         writeStl(stl + "/" + std::to_string(p) + ".stl", piece.solid.mesh);
     }
