@@ -7,6 +7,7 @@
 #include "geometry/measures.h"
 #include "pipeline/choices.h"
 #include "pipeline/content_hash.h"
+#include "pipeline/piece_search.h"
 #include "pipeline/planar_platform.h"
 #include "planar/beam_search.h"
 #include "planar/flat.h"
@@ -40,7 +41,8 @@ planar::RiskRule riskRule(const ModeChoices& in) {
   return rule;
 }
 
-planar::SliceOptions sliceOptions(const ModeChoices& in) {
+planar::SliceOptions sliceOptions(const ModeChoices& in,
+                                  const std::vector<Eigen::Vector2d>& plate) {
   planar::SliceOptions options;
   options.heights.wantedMm = in.process.layerHeightMm;
   options.heights.minMm = in.process.layerHeightMinMm;
@@ -48,6 +50,9 @@ planar::SliceOptions sliceOptions(const ModeChoices& in) {
   options.heights.adaptive = in.values.boolean("adaptiveLayers");
   options.heights.cuspMm = in.values.number("cuspMm");
   options.beadWidthMm = in.process.beadWidthMm;
+  options.supports = in.values.text("supports") != "none";
+  options.overhangRad = riskRule(in).overhangRad;
+  options.plate = plate;
   return options;
 }
 
@@ -91,11 +96,12 @@ std::string planesKey(const char* what, const std::string& planes) {
 }
 
 std::string planarKey(const ModeChoices& in) {
+  const std::string cuts = in.values.text("cutPlanes");
   return fmt::format("platform {}\n{}", in.choices.platform, heightsText(in.process)) +
          headText(process::erodedHead(in.process.head, in.process.contactToleranceMm)) +
          carrierText(in.choices, in.process) +
          parameterText({"overhangAngle", "pieceMaterials"}, in.values) +
-         planesKey("cuts", in.values.text("cutPlanes"));
+         (cuts.empty() ? pieceSearchKey(in.values) : planesKey("cuts", cuts));
 }
 
 std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& input,
@@ -109,7 +115,7 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
   options.platform = planarPlatform(in.choices, in.process, input.placed.platform);
   const std::string cuts = in.values.text("cutPlanes");
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(
-      cuts.empty() ? planar::beamDecompose(*input.placed.part, options, ctx)
+      cuts.empty() ? searchPieces(*input.placed.part, options, in.values, ctx)
                    : planar::decomposeByCuts(*input.placed.part,
                                              planar::readGivenCuts(planesText(cuts), "cutPlanes"),
                                              options, in.process.beadWidthMm, ctx));
@@ -174,7 +180,7 @@ std::shared_ptr<const DecomposeStage> decomposeFlat(const DecomposeInput& input,
 
 std::string sliceKey(const ModeChoices& in) {
   return fmt::format("{}bead width {}\n", heightsText(in.process), in.process.beadWidthMm) +
-         parameterText({"adaptiveLayers", "cuspMm"}, in.values);
+         parameterText({"adaptiveLayers", "cuspMm", "supports"}, in.values);
 }
 
 std::string flatLayersKey(const ModeChoices& in) {
@@ -185,6 +191,7 @@ std::shared_ptr<const LayersStage> layersFrom(planar::SliceResult sliced) {
   auto stage = std::make_shared<LayersStage>();
   stage->report = reportOf(sliced.statistics);
   stage->findings = std::move(sliced.findings);
+  stage->supportVolumeMm3 = sliced.supportVolumeMm3;
   stage->timings.extract = sliced.seconds.extract;
   stage->layers = std::make_shared<layers::LayerStack>(std::move(sliced.stack));
   return stage;
@@ -194,7 +201,8 @@ std::shared_ptr<const LayersStage> planarLayers(const DecomposeStage& decomposed
                                                 const geometry::TriangleMesh&,
                                                 const ModeChoices& in,
                                                 const base::RunContext& ctx) {
-  return layersFrom(planar::slicePieces(decomposed.pieces->pieces, sliceOptions(in), ctx));
+  return layersFrom(
+      planar::slicePieces(decomposed.pieces->pieces, sliceOptions(in, decomposed.platform), ctx));
 }
 
 std::shared_ptr<const LayersStage> flatLayers(const DecomposeStage& decomposed,
@@ -203,8 +211,9 @@ std::shared_ptr<const LayersStage> flatLayers(const DecomposeStage& decomposed,
   const std::string planes = in.values.text("layerPlanes");
   if (planes.empty())
     return planarLayers(decomposed, part, in, ctx);
-  return layersFrom(planar::sliceByPlanes(
-      part, planar::readUserPlanes(planesText(planes), "layerPlanes"), sliceOptions(in), ctx));
+  return layersFrom(planar::sliceByPlanes(part,
+                                          planar::readUserPlanes(planesText(planes), "layerPlanes"),
+                                          sliceOptions(in, decomposed.platform), ctx));
 }
 
 } // namespace
@@ -218,7 +227,7 @@ Mode flatMode() {
 }
 
 base::ParameterTable planarModeParameters() {
-  return base::ParameterTable({
+  base::ParameterTable table({
       base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Pieces", "overhang angle",
                             "Modes planar and flat: how far a face may lean over from the upright "
                             "without support.",
@@ -239,6 +248,8 @@ base::ParameterTable planarModeParameters() {
                     "Mode flat: a JSON file, or its text, with the plane or quadrilateral of each "
                     "layer. Empty: layers along z."),
   });
+  table.append(pieceSearchParameters());
+  return table;
 }
 
 planar::RiskRule riskRule(const Choices& choices) {

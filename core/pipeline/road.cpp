@@ -129,6 +129,8 @@ private:
     });
     job().layers = stage->layers;
     report().layers = stage->report;
+    report().decomposition.supportVolumeMm3 =
+        decomposed_->report.supportVolumeMm3 + stage->supportVolumeMm3;
     return done(Stage::Layers, stage->findings, stage->timings);
   }
 

@@ -53,6 +53,7 @@ struct LayersStage {
   static constexpr Stage kStage = Stage::Layers;
   std::shared_ptr<const layers::LayerStack> layers;
   LayersReport report;
+  double supportVolumeMm3 = 0.0; // of supports that came with the layers
   plan::Findings findings;
   Timings timings;
 };

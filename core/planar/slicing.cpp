@@ -9,6 +9,7 @@
 #include "layers/patches.h"
 #include "planar/nudged.h"
 #include "planar/region_mesh.h"
+#include "planar/support_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +92,44 @@ struct Level {
   int number;       // over all pieces
 };
 
+// The columns of every piece, a patch or more a level.
+void addColumns(SliceResult& result, const std::vector<Piece>& pieces,
+                const std::vector<std::vector<double>>& bounds, const SliceOptions& options,
+                const base::RunContext& ctx) {
+  double unheld = 0.0;
+  Vector3d unheldAt = Vector3d::Zero();
+  int level = 0;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    std::vector<Sections> sections;
+    for (const Piece& piece : pieces)
+      sections.emplace_back(piece.solid.mesh, pieces[p].base.normal);
+    ColumnOptions with;
+    with.overhangRad = options.overhangRad;
+    with.beadWidthMm = options.beadWidthMm;
+    with.plate = options.plate;
+    const SupportColumns columns = supportColumns(pieces, p, sections, bounds[p], with, ctx);
+    if (columns.unheldMm2 > 0.0 && unheld == 0.0)
+      unheldAt = columns.unheldAt;
+    unheld += columns.unheldMm2;
+    for (std::size_t k = 0; k < columns.sections.size(); ++k, ++level) {
+      if (columns.sections[k].empty())
+        continue;
+      LevelSurface surface = sectionSurface(columns.sections[k], options.edgeMm, ctx.quiet());
+      surface.level = level;
+      surface.thicknessMm.assign(surface.surface.vertices.size(), bounds[p][k + 1] - bounds[p][k]);
+      for (Patch& patch : layers::makePatches(surface, {options.beadWidthMm}).patches) {
+        patch.group = layers::kSupportGroup;
+        result.stack.patches.push_back(std::move(patch));
+      }
+    }
+  }
+  if (unheld > 0.0)
+    result.findings.push_back(
+        finding("unheldOverhang", unheldAt, 1,
+                fmt::format("{:.3g} mm2 hang where a support has nothing to stand on", unheld),
+                "use a larger platform (fit:MARGIN), or turn the part", false));
+}
+
 } // namespace
 
 LevelSurface sectionSurface(const Section& section, double edgeMm, const base::RunContext& ctx) {
@@ -114,7 +153,9 @@ void finishStack(SliceResult& result, const std::vector<Patch>& crumbs, const Sl
             std::back_inserter(absorbed.dropped));
 
   for (const Patch& patch : stack.patches)
-    result.volumeOfPiece[at(patch.group)] += volumeOf(patch);
+    (patch.group == layers::kSupportGroup ? result.supportVolumeMm3
+                                          : result.volumeOfPiece[at(patch.group)]) +=
+        volumeOf(patch);
   double laid = 0.0;
   for (const double volume : result.volumeOfPiece)
     laid += volume;
@@ -155,10 +196,12 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   const base::Stopwatch watch;
   SliceResult result;
   std::vector<Sections> sections;
+  std::vector<std::vector<double>> boundsOf;
   std::vector<Level> levels;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     sections.emplace_back(pieces[p].solid.mesh, pieces[p].base.normal);
     const std::vector<double> bounds = layerBounds(pieces[p], options.heights);
+    boundsOf.push_back(bounds);
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
       levels.push_back({p, bounds[k], bounds[k + 1], static_cast<int>(levels.size())});
     result.layersOfPiece.push_back(static_cast<int>(bounds.size()) - 1);
@@ -170,7 +213,7 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   constexpr std::size_t kSpan = 16;
   const base::RunContext silent = ctx.quiet();
   for (std::size_t from = 0; from < levels.size(); from += kSpan) {
-    ctx.report(0.8 * static_cast<double>(from) / static_cast<double>(levels.size()), "slicing");
+    ctx.report(0.7 * static_cast<double>(from) / static_cast<double>(levels.size()), "slicing");
     base::parallelChunks(
         ctx, std::min(kSpan, levels.size() - from), 1, [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = from + begin; i < from + end; ++i) {
@@ -196,6 +239,10 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
       crumb.group = static_cast<int>(levels[i].piece);
       crumbs.push_back(std::move(crumb));
     }
+  }
+  if (options.supports) {
+    ctx.report(0.7, "supports");
+    addColumns(result, pieces, boundsOf, options, ctx);
   }
   layers::orderForPrinting(result.stack);
   ctx.report(0.8, "checking layers");

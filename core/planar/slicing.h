@@ -19,14 +19,20 @@ struct SliceOptions {
   HeightOptions heights;
   double beadWidthMm = 1.2;
   double edgeMm = 1.0; // of the triangles of a layer
+  // Columns carry what reaches out too far (support_columns.h): where it leans by more than the
+  // angle, down to the plate (convex, on z = 0), the piece or pieces before it.
+  bool supports = false;
+  double overhangRad = 0.7853981633974483;
+  std::vector<Eigen::Vector2d> plate;
 };
 
 struct SliceResult {
-  layers::LayerStack stack; // in print order; group: index of the piece
+  layers::LayerStack stack; // in print order; group: index of the piece, or kSupportGroup
   layers::LayerStatistics statistics;
   std::vector<int> layersOfPiece;
   std::vector<double> volumeOfPiece; // sum of patch area x thickness, mm3
-  std::size_t slivers = 0;           // pieces of layers that are not laid: see finishStack
+  double supportVolumeMm3 = 0.0;
+  std::size_t slivers = 0; // pieces of layers that are not laid: see finishStack
   double sliverVolumeMm3 = 0.0;
   std::size_t unsupportedPatches = 0; // that begin in the air
   plan::Findings findings;            // stage "layers"

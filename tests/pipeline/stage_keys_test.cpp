@@ -39,6 +39,9 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"overhangAngle", {"40", kStageCount}}, // of modes planar and flat, see below
     {"pieceMaterials", {"white PLA, red PLA", kStageCount}},
     {"cutPlanes", {R"([{"point": [0, 0, 4], "normal": [0, 0, 1]}])", kStageCount}},
+    {"planarScheme", {"greedy", kStageCount}},
+    {"pieceClusters", {"3", kStageCount}}, // of the greedy scheme, see below
+    {"pieceRoot", {"0,0,0", kStageCount}},
     {"adaptiveLayers", {"true", kStageCount}},
     {"cuspMm", {"0.4", kStageCount}},
     {"layerPlanes", {R"([{"point": [0, 0, 0.4], "normal": [0, 0, 1]}])", kStageCount}},
@@ -136,8 +139,11 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
   const std::tuple<const char*, const char*, std::size_t> rows[] = {
       {"planar", "overhangAngle", 1},  {"planar", "pieceMaterials", 1},
       {"planar", "adaptiveLayers", 2}, {"planar", "cuspMm", 2},
+      {"planar", "supports", 2},       {"flat", "supports", 2},
       {"planar", "layerPlanes", 6},    {"planar", "voxelMm", 6},
       {"planar", "cutPlanes", 1},      {"flat", "cutPlanes", 6},
+      {"planar", "planarScheme", 1},   {"flat", "planarScheme", 6},
+      {"planar", "pieceClusters", 6},  {"planar", "pieceRoot", 6},
       {"flat", "overhangAngle", 1},    {"flat", "pieceMaterials", 1},
       {"flat", "adaptiveLayers", 2},   {"flat", "cuspMm", 2},
       {"flat", "layerPlanes", 2},      {"flat", "voxelMm", 1},
@@ -184,6 +190,17 @@ TEST_F(StageKeysOf, RepairMattersWhereThereIsSomethingToMend) {
   raw.loaded = mended.loaded;
   mended.loaded = withRepair(raw.loaded, true, {});
   EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
+}
+
+TEST_F(StageKeysOf, OptionsOfTheGreedySchemeMatterToIt) {
+  for (const char* key : {"pieceClusters", "pieceRoot"}) {
+    PlanRequest request = boxRequest();
+    request.choices.mode = "planar";
+    request.choices.parameters = {{"planarScheme", "greedy"}};
+    default_ = stageKeys(request);
+    request.choices.parameters[key] = kParameters.at(key).first;
+    expectChangesFrom(request, 1, key);
+  }
 }
 
 TEST_F(StageKeysOf, WrongChoicesAreAnErrorBeforeAnythingRuns) {

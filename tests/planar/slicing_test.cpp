@@ -304,6 +304,73 @@ TEST(Slicing, WhatIsTooNarrowForABeadIsTold) {
   EXPECT_EQ(sliced.findings.front().kind, "slivers");
 }
 
+// A gallows: a post of 10 x 10 x 16 with an arm of 10 x 10 x 4 more that hangs from x = 10 to 20.
+TriangleMesh gallows() {
+  return prism({{0, 0}, {10, 0}, {10, 16}, {20, 16}, {20, 20}, {0, 20}}, 10.0);
+}
+
+SliceOptions supported(double plateTo) {
+  SliceOptions options;
+  options.supports = true;
+  options.plate = {{-5, -5}, {plateTo, -5}, {plateTo, 15}, {-5, 15}};
+  return options;
+}
+
+std::vector<const layers::Patch*> supportsOf(const SliceResult& sliced) {
+  std::vector<const layers::Patch*> out;
+  for (const layers::Patch& patch : sliced.stack.patches)
+    if (patch.group == layers::kSupportGroup)
+      out.push_back(&patch);
+  return out;
+}
+
+TEST(Supports, ColumnsStandOnThePlateUnderAnArm) {
+  const std::vector<Piece> pieces{pieceOf(gallows())};
+  const SliceResult sliced = slicePieces(pieces, supported(25), {});
+  const auto supports = supportsOf(sliced);
+  EXPECT_EQ(supports.size(), 20u); // one a layer under the arm
+  for (const layers::Patch* patch : supports) {
+    const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
+    EXPECT_NEAR(box.min().x(), 10.3, 0.01); // a gap to the post
+    EXPECT_NEAR(box.max().x(), 20.0, 0.01);
+    EXPECT_NEAR(geometry::area(patch->surface), 97.0, 1.0); // round corners
+  }
+  EXPECT_NEAR(sliced.supportVolumeMm3, 16.0 * 97.0, 16.0);
+  EXPECT_NEAR(volumeOf(sliced), 2400.0, 1e-6);
+  const auto held = layers::checkSupport(sliced.stack, 1.25, {});
+  for (const layers::SupportCheck& check : held)
+    EXPECT_GT(check.supportedFraction, 0.95);
+  EXPECT_TRUE(sliced.findings.empty());
+  EXPECT_TRUE(supportsOf(slicePieces(pieces, {}, {})).empty());
+}
+
+TEST(Supports, WithoutAFootingTheyAreToldAndLeftOut) {
+  const SliceResult sliced = slicePieces({pieceOf(gallows())}, supported(12), {});
+  EXPECT_TRUE(supportsOf(sliced).empty());
+  ASSERT_EQ(sliced.findings.size(), 1u);
+  EXPECT_EQ(sliced.findings.front().kind, "unheldOverhang");
+  EXPECT_NEAR(sliced.findings.front().where->z(), 16.4, 0.41);
+}
+
+TEST(Supports, AColumnStandsOnThePartItself) {
+  // The arm hangs over a step of the part, 4 high.
+  const TriangleMesh step =
+      prism({{0, 0}, {30, 0}, {30, 4}, {10, 4}, {10, 16}, {20, 16}, {20, 20}, {0, 20}}, 10.0);
+  const SliceResult sliced = slicePieces({pieceOf(step)}, supported(12), {});
+  EXPECT_EQ(supportsOf(sliced).size(), 15u);
+  EXPECT_TRUE(sliced.findings.empty());
+}
+
+TEST(Supports, TheyKeepOutOfWhatIsPrintedLater) {
+  // What is later fills the place under the arm: nothing can be carried there.
+  Piece later = pieceOf(test::box({10, 0, 0}, {20, 10, 16}));
+  later.base = {-Vector3d::UnitX(), -20.0};
+  later.baseTag = 0;
+  const SliceResult sliced = slicePieces({pieceOf(gallows()), later}, supported(25), {});
+  for (const layers::Patch* patch : supportsOf(sliced))
+    EXPECT_TRUE(patch->direction.front().isApprox(-Vector3d::UnitX()));
+}
+
 TEST(Slicing, RealPiecesStayWithinAndAddUp) {
   VOLUTA_MODEL_OR_SKIP(path, "spot.stl");
   const TriangleMesh spot = geometry::readMesh(path).mesh;
