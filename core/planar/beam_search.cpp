@@ -6,6 +6,7 @@
 #include "geometry/simplify.h"
 #include "planar/cut_search.h"
 #include "planar/face_table.h"
+#include "planar/head_reach.h"
 #include "planar/plane_polish.h"
 #include "planar/plate.h"
 
@@ -17,8 +18,6 @@ namespace voluta::planar {
 using Eigen::Vector3d;
 
 namespace {
-
-constexpr double kOrderSpacingMm = 2.0;
 
 // The face nearest to a point, by its middle.
 int faceAt(const geometry::TriangleMesh& mesh, const Vector3d& p) {
@@ -44,7 +43,6 @@ struct Pieces {
 // finer shape does not allow is left out, and so are those that build on it.
 Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const PlanarOptions& options,
                  double leastGainMm2) {
-  constexpr std::int32_t kTagsPerCut = 1000;
   std::map<int, Piece> pieces; // by the search's numbers
   pieces[0] = part;
   Pieces out;
@@ -64,8 +62,15 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
     polish.mayGoMm2 = std::min(planned.footMm2 + 0.02 * faces.standsMm2, 0.9 * faces.standsMm2);
     polish.footPrice = 1e-3;
     const Plane plane = polished(piece, faces, options.rule, step.plane, top, polish);
-    auto cut = cutPiece(piece, plane, tag,
-                        {options.rule, leastGainMm2, options.leastVolumeMm3, polish.mayGoMm2});
+    const CutRules rules{options.rule, leastGainMm2, options.leastVolumeMm3, polish.mayGoMm2};
+    auto cut = cutPiece(piece, plane, tag, rules);
+    // Where the finer shape does not allow that plane, one near by.
+    CutRules any = rules;
+    any.leastGainMm2 = 0.0;
+    any.mayGoMm2 = std::max(polish.mayGoMm2, 0.5 * faces.standsMm2);
+    for (const double shift : {0.0, 0.4, -0.4, 0.8, -0.8, 1.6, -1.6})
+      if (!cut)
+        cut = cutPiece(piece, {step.plane.normal, step.plane.offsetMm + shift}, tag, any);
     tag += kTagsPerCut;
     if (!cut) {
       pieces[step.below] = std::move(at->second);
@@ -113,13 +118,15 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   Piece coarse = wholePart(geometry::simplified(part, options.searchTriangles), options.rule);
   const double coarseBefore = riskyArea(coarse, options.rule);
   const Footing coarseFooting = footingOf(coarse, options.rule);
+  const bool asIs = part.triangles.size() <= options.searchTriangles;
   const base::RunContext searching = ctx.sub(0.0, 0.8);
   const std::vector<SearchResult> found =
-      CutSearch({std::move(coarse)}, options, coarseBefore, coarseFooting, searching).run();
+      CutSearch({std::move(coarse)}, options, coarseBefore, coarseFooting,
+                asIs ? kHeadMarginMm : kCoarseHeadMarginMm, searching)
+          .run();
   out.seconds.search = watch.seconds();
   // The best that the head can build of the part as it is.
   const double least = 5e-4 * out.riskyBeforeMm2;
-  const bool asIs = part.triangles.size() <= options.searchTriangles;
   std::size_t fewest = 0;
   for (const SearchResult& result : found) {
     ctx.checkpoint();
@@ -129,7 +136,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
       continue;
     std::size_t blocked = 0;
     std::vector<Piece> ordered =
-        printOrder(std::move(made.pieces), options, kOrderSpacingMm, blocked);
+        printOrder(std::move(made.pieces), options, kReachSpacingMm, blocked);
     if (!out.pieces.empty() && blocked >= fewest)
       continue;
     fewest = blocked;
@@ -139,7 +146,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
       break;
   }
   if (out.pieces.empty())
-    out.pieces = printOrder({whole}, options, kOrderSpacingMm, out.blockedPieces);
+    out.pieces = printOrder({whole}, options, kReachSpacingMm, out.blockedPieces);
   const auto measure = [&] {
     out.riskyMm2 = out.sectionMm2 = 0.0;
     for (const Piece& piece : out.pieces) {
@@ -148,24 +155,30 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
     }
   };
   measure();
+  const double goal = options.target * out.riskyBeforeMm2;
+  const auto take = [&](SearchResult result) {
+    std::size_t blocked = 0;
+    std::vector<Piece> ordered =
+        printOrder(std::move(result.pieces), options, kReachSpacingMm, blocked);
+    if (blocked > out.blockedPieces)
+      return false;
+    out.pieces = std::move(ordered);
+    out.blockedPieces = blocked;
+    measure();
+    return true;
+  };
+  const base::RunContext mending = ctx.sub(0.8, 1.0);
+  PlanarOptions last = options;
+  last.beam = 2;
   // What the coarse mesh did not show.
-  if (out.riskyMm2 > options.target * out.riskyBeforeMm2 && !asIs) {
-    PlanarOptions last = options;
-    last.beam = 2;
-    const base::RunContext mending = ctx.sub(0.8, 1.0);
+  if (out.riskyMm2 > goal && !asIs)
     for (SearchResult& result :
-         CutSearch(out.pieces, last, out.riskyBeforeMm2, footing, mending).run()) {
-      std::size_t blocked = 0;
-      std::vector<Piece> ordered =
-          printOrder(std::move(result.pieces), options, kOrderSpacingMm, blocked);
-      if (blocked > out.blockedPieces)
-        continue;
-      out.pieces = std::move(ordered);
-      out.blockedPieces = blocked;
-      measure();
-      break;
-    }
-  }
+         CutSearch(out.pieces, last, out.riskyBeforeMm2, footing, kHeadMarginMm, mending).run())
+      if (take(std::move(result)))
+        break;
+  if (out.riskyMm2 > goal || out.blockedPieces > 0)
+    take(CutSearch(out.pieces, last, out.riskyBeforeMm2, footing, kHeadMarginMm, mending)
+             .bettered());
   out.seconds.cut = watch.seconds() - out.seconds.search;
   ctx.report(1.0, "pieces");
   return out;

@@ -3,12 +3,14 @@
 #include "base/parallel.h"
 #include "geometry/append_mesh.h"
 #include "geometry/measures.h"
+#include "planar/cut_search_state.h"
 #include "planar/face_table.h"
 #include "planar/head_reach.h"
 #include "planar/plane_polish.h"
 #include "planar/print_order.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -18,48 +20,20 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kPiecesTried = 3, kCutsTried = 24; // of a partial result, of a piece
+constexpr std::size_t kPiecesTried = 6, kCutsTried = 24; // of a partial result, of a piece
 constexpr double kAlike = 0.95, kAlikeMm = 5.0;          // normals (cosine) and offsets of cuts
-constexpr double kReachSpacingMm = 4.0;
 constexpr double kPieceCost = 0.002;                 // of the risky area before, for a piece more
 constexpr double kLeastGain = 0.0005;                // of the risky area before, for a cut
 constexpr double kBaseGoes = 0.4, kBaseWorth = 0.02; // of a piece's base: share that may go, price
 constexpr double kBlockedCost =
     0.02; // of the risky area before, for a piece the head does not reach
 constexpr std::size_t kResults = 4;
-constexpr std::int32_t kTagsPerCut = 1000;
 
 } // namespace
 
-struct CutSearch::Node {
-  Piece piece;
-  double risky = 0.0, base = 0.0, volume = 0.0, footCost = 0.0;
-  int id = 0;
-  std::vector<std::int32_t> holds; // tags of sections that others stand on
-  std::vector<Vector3d> tips, body;
-  bool searched = false;
-  FaceTable faces;
-  std::vector<CutCandidate> candidates;
-  std::vector<std::shared_ptr<const Cutting>> cuttings; // of the candidates tried
-  std::vector<bool> tried;
-};
-
-struct CutSearch::Cutting {
-  CutStep step;
-  NodePtr below;
-  std::vector<NodePtr> above;
-};
-
-struct CutSearch::State {
-  std::vector<NodePtr> nodes;
-  std::vector<std::shared_ptr<const Cutting>> cuts;
-  double risky = 0.0, cost = 0.0;
-  std::size_t blocked = 0;
-};
-
 CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, double riskyBeforeMm2,
-                     const Footing& footing, const base::RunContext& ctx)
-    : options_(options), ctx_(ctx), head_(options.head),
+                     const Footing& footing, double headMarginMm, const base::RunContext& ctx)
+    : options_(options), ctx_(ctx), head_(options.head, headMarginMm),
       normals_(evenDirections(options.normals, options.lowestZ)), before_(riskyBeforeMm2),
       least_(kLeastGain * riskyBeforeMm2), footing_(footing) {
   constexpr double kFlatShare = 0.004;
@@ -93,8 +67,9 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
   }
   made->holds = sectionsHeld(made->piece);
   if (!head_.empty()) {
-    made->tips = surfaceSamples(made->piece.solid.mesh, kReachSpacingMm);
-    made->body = withPlate(made->tips, made->piece, options_, kReachSpacingMm);
+    made->body = surfaceSamples(made->piece.solid.mesh, kReachSpacingMm);
+    made->tips = tipsOf(made->body);
+    made->body = withPlate(std::move(made->body), made->piece, options_, kReachSpacingMm);
   }
   return made;
 }
@@ -146,7 +121,7 @@ void CutSearch::findCandidates(Node& n) {
   n.tried.assign(n.candidates.size(), false);
 }
 
-std::vector<CutSearch::Option> CutSearch::optionsOf(const std::vector<State>& beam) {
+std::vector<CutSearch::Option> CutSearch::optionsOf(const std::vector<State>& beam, int firstId) {
   std::vector<Option> out;
   for (const State& state : beam) {
     std::vector<NodePtr> worst = state.nodes;
@@ -156,6 +131,8 @@ std::vector<CutSearch::Option> CutSearch::optionsOf(const std::vector<State>& be
     for (const NodePtr& n : worst) {
       if (n->risky < least_ || pieces == kPiecesTried)
         break;
+      if (n->id < firstId)
+        continue;
       findCandidates(*n);
       bool any = false;
       for (std::size_t c = 0; c < n->candidates.size(); ++c) {
@@ -234,18 +211,28 @@ CutSearch::State CutSearch::after(const Option& option, const Cutting& cutting) 
       made.nodes.push_back(n);
   made.nodes.push_back(cutting.below);
   made.nodes.insert(made.nodes.end(), cutting.above.begin(), cutting.above.end());
-  made.cost = kPieceCost * before_ * static_cast<double>(made.nodes.size());
-  for (const NodePtr& n : made.nodes) {
-    made.risky += n->risky;
-    made.cost += n->risky + n->footCost;
-  }
   return made;
+}
+
+void CutSearch::weigh(State& state) {
+  state.risky = 0.0;
+  state.cost = kPieceCost * before_ * static_cast<double>(state.nodes.size());
+  for (const NodePtr& n : state.nodes) {
+    state.risky += n->risky;
+    state.cost += n->risky + n->footCost;
+  }
+}
+
+void CutSearch::weighHead(State& state) {
+  state.blocked = blockedIn(state);
+  state.cost += kBlockedCost * before_ * static_cast<double>(state.blocked);
 }
 
 bool CutSearch::inTheWay(const Node& of, const Node& what) {
   const auto [at, fresh] = ways_.try_emplace({of.id, what.id}, false);
   if (fresh)
-    at->second = head_.blocked(of.tips, what.body, of.piece.base.normal);
+    at->second = head_.blocked(of.tips, what.body, of.piece.base.normal,
+                               firstTipMm(of.piece, options_.rule));
   return at->second;
 }
 
@@ -265,20 +252,21 @@ std::size_t CutSearch::blockedIn(const State& state) {
       .blocked;
 }
 
-// The best, no two alike: with pieces of the same volumes to two per cent.
-std::vector<CutSearch::State> CutSearch::kept(std::vector<State> states) const {
-  std::stable_sort(states.begin(), states.end(),
-                   [](const State& a, const State& b) { return a.cost < b.cost; });
+// The first that are not alike: the same cuts in another order give about the same risk.
+std::vector<CutSearch::State> CutSearch::kept(std::vector<State> states, std::size_t most) const {
+  constexpr double kAlikeRisk = 5e-4; // of the risky area before
   std::vector<State> out;
-  std::set<std::vector<long>> seen;
+  std::set<std::array<long, 3>> seen;
   for (State& state : states) {
-    if (out.size() == options_.beam)
+    if (out.size() == most)
       break;
-    std::vector<long> sizes;
+    double foot = 0.0;
     for (const NodePtr& n : state.nodes)
-      sizes.push_back(std::lround(50.0 * std::log(1.0 + n->volume)));
-    std::sort(sizes.begin(), sizes.end());
-    if (seen.insert(std::move(sizes)).second)
+      foot += n->piece.baseTag == kPlate ? n->volume : 0.0;
+    if (seen.insert({static_cast<long>(state.nodes.size()),
+                     std::lround(state.risky / (kAlikeRisk * before_)),
+                     std::lround(10.0 * std::log(1.0 + foot))})
+            .second)
       out.push_back(std::move(state));
   }
   return out;
@@ -297,56 +285,60 @@ bool CutSearch::better(const State& a, const State& b) const {
   return a.cost < b.cost - 1e-9;
 }
 
-std::vector<SearchResult> CutSearch::run() {
+std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width, int firstId) {
   constexpr std::size_t kBatch = 8;
-  State start;
-  start.nodes = start_;
-  for (const NodePtr& n : start_)
-    start.risky += n->risky;
-  start.cost = start.risky + kPieceCost * before_ * static_cast<double>(start_.size());
-  const std::size_t blockedBefore = blockedIn(start);
-  start.blocked = blockedBefore;
+  weigh(start);
+  weighHead(start);
+  const std::size_t blockedBefore = start.blocked;
   std::vector<State> beam{start}, best{start};
   const double goal = options_.target * before_;
   for (int level = 0; level < options_.mostCuts && best.front().risky > goal; ++level) {
-    ctx_.report(static_cast<double>(level) / options_.mostCuts, "pieces");
-    const std::vector<Option> options = optionsOf(beam);
+    const std::vector<Option> options = optionsOf(beam, firstId);
     std::vector<State> next;
-    for (std::size_t at = 0;
-         at < options.size() && next.size() < 2 * options_.beam && at < 20 * options_.beam;
+    for (std::size_t at = 0; at < options.size() && next.size() < 2 * width && at < 100 * width;
          at += kBatch) {
       const std::size_t end = std::min(at + kBatch, options.size());
       tryCuts(options, at, end);
       for (std::size_t i = at; i < end; ++i)
         if (const auto& cutting = options[i].node->cuttings[options[i].candidate]) {
           State made = after(options[i], *cutting);
+          weigh(made);
           if (made.risky >= options[i].state->risky - 0.5 * least_)
             continue;
-          made.blocked = blockedIn(made);
-          made.cost += kBlockedCost * before_ * static_cast<double>(made.blocked);
+          weighHead(made);
           if (made.blocked <= blockedBefore)
             next.push_back(std::move(made));
         }
     }
     if (next.empty())
       break;
-    beam = kept(std::move(next));
+    std::stable_sort(next.begin(), next.end(),
+                     [](const State& a, const State& b) { return a.cost < b.cost; });
+    beam = kept(std::move(next), width);
     best.insert(best.end(), beam.begin(), beam.end());
     std::stable_sort(best.begin(), best.end(),
                      [&](const State& a, const State& b) { return better(a, b); });
-    if (best.size() > kResults)
-      best.resize(kResults);
+    best = kept(std::move(best), kResults);
   }
+  return best;
+}
+
+SearchResult CutSearch::resultOf(const State& state) {
+  SearchResult result;
+  for (const NodePtr& n : state.nodes)
+    result.pieces.push_back(n->piece);
+  for (const auto& cutting : state.cuts)
+    result.steps.push_back(cutting->step);
+  result.riskyMm2 = state.risky;
+  return result;
+}
+
+std::vector<SearchResult> CutSearch::run() {
+  State start;
+  start.nodes = start_;
   std::vector<SearchResult> out;
-  for (const State& state : best) {
-    SearchResult result;
-    for (const NodePtr& n : state.nodes)
-      result.pieces.push_back(n->piece);
-    for (const auto& cutting : state.cuts)
-      result.steps.push_back(cutting->step);
-    result.riskyMm2 = state.risky;
-    out.push_back(std::move(result));
-  }
+  for (const State& state : bestFrom(std::move(start), options_.beam, 0))
+    out.push_back(resultOf(state));
   return out;
 }
 

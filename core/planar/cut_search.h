@@ -11,10 +11,13 @@
 #include <Eigen/Core>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace voluta::planar {
+
+inline constexpr std::int32_t kTagsPerCut = 1000;
 
 // A cut of the search: which piece, and which pieces came of it, by numbers of the search's own.
 struct CutStep {
@@ -35,15 +38,21 @@ struct SearchResult {
 class CutSearch {
 public:
   // Starts from `pieces`, numbered 0 and up. `riskyBeforeMm2` and `footing` are the whole
-  // part's: what shares of it are counted by, and what of it must stay on the plate.
+  // part's: what shares of it are counted by, and what of it must stay on the plate. The head is
+  // taken headMarginMm wider.
   CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, double riskyBeforeMm2,
-            const Footing& footing, const base::RunContext& ctx);
+            const Footing& footing, double headMarginMm, const base::RunContext& ctx);
   ~CutSearch();
 
   // The best results found, best first: those that reach the target with the fewest pieces, else
   // those with the least risky area. At least one (the start, where no cut helps). Throws
   // Cancelled.
   std::vector<SearchResult> run();
+
+  // The pieces bettered as they are: planes between two pieces are moved now that the directions on
+  // both sides are known, and pieces are joined with their neighbours and cut anew, the worst
+  // first, as long as that helps and the target is not reached. Throws Cancelled.
+  SearchResult bettered();
 
 private:
   struct Node;
@@ -62,13 +71,22 @@ private:
   double footPrice(const Node& node) const; // risky area that a mm2 of contact is worth
   bool keepsFoot(const Node& node, const Plane& plane) const;
   void findCandidates(Node& node);
-  std::vector<Option> optionsOf(const std::vector<State>& beam);
+  // Of pieces numbered firstId and up.
+  std::vector<Option> optionsOf(const std::vector<State>& beam, int firstId);
   void tryCuts(const std::vector<Option>& options, std::size_t begin, std::size_t end);
   State after(const Option& option, const Cutting& cutting);
   bool inTheWay(const Node& of, const Node& what);
   std::size_t blockedIn(const State& state);
-  std::vector<State> kept(std::vector<State> states) const;
+  std::vector<State> kept(std::vector<State> states, std::size_t most) const;
   bool better(const State& a, const State& b) const;
+  void weigh(State& state);
+  void weighHead(State& state);
+  std::vector<State> bestFrom(State start, std::size_t width, int firstId);
+  static SearchResult resultOf(const State& state);
+  std::vector<std::pair<NodePtr, NodePtr>> pairsOf(const State& state);
+  bool gains(const State& a, const State& b) const;
+  bool movePlanes(State& state);
+  bool cutAnew(State& state);
 
   const PlanarOptions& options_;
   const base::RunContext& ctx_;
@@ -79,7 +97,8 @@ private:
   Footing footing_;
   int ids_ = 0;
   std::int32_t tags_ = 0;
-  std::map<std::pair<int, int>, bool> ways_; // known answers of inTheWay
+  std::map<std::pair<int, int>, bool> ways_;   // known answers of inTheWay
+  std::set<std::pair<int, int>> moved_, anew_; // pairs of pieces tried before, lower and upper
 };
 
 } // namespace voluta::planar

@@ -79,60 +79,144 @@ std::vector<Vector3d> frustumSamples(double lowMm, double highMm, double lowRadi
   return points;
 }
 
+std::vector<Vector3d> tipsOf(const std::vector<Vector3d>& samples) {
+  constexpr std::size_t kEvery = 5;
+  std::vector<Vector3d> tips;
+  for (std::size_t i = 0; i < samples.size(); i += kEvery)
+    tips.push_back(samples[i]);
+  return tips;
+}
+
+double firstTipMm(const Piece& piece, const RiskRule& rule) {
+  return piece.base.offsetMm + 2.0 * rule.contactMm;
+}
+
 namespace {
 
-constexpr double kStepMm = 0.1;    // of heights in the table of radii
-constexpr double kTouching = 1e-3; // mm
-constexpr double kColumnMm = 1.0;  // of obstacles in a column so wide only the highest counts
+constexpr double kStepMm = 0.1;   // of radii in the table of heights
+constexpr double kColumnMm = 1.0; // of obstacles in a column so wide only the highest counts
+constexpr int kBlock = 8;         // columns in a block, either way
 
-struct Flat { // a point in the frame of a direction
-  double u, v, h;
+// Obstacles seen along a direction: the highest of each column.
+class HeightMap {
+public:
+  struct Point { // in the frame of the direction
+    double u, v, h;
+  };
+
+  HeightMap(std::vector<Point> points) {
+    double highU = -1e300, highV = -1e300;
+    for (const Point& p : points) {
+      lowU_ = std::min(lowU_, p.u);
+      lowV_ = std::min(lowV_, p.v);
+      highU = std::max(highU, p.u);
+      highV = std::max(highV, p.v);
+    }
+    wide_ = static_cast<int>((highU - lowU_) / kColumnMm) / kBlock + 1;
+    high_ = static_cast<int>((highV - lowV_) / kColumnMm) / kBlock + 1;
+    columns_.assign(static_cast<std::size_t>(wide_ * high_) * kBlock * kBlock, {0, 0, kNone});
+    top_.assign(static_cast<std::size_t>(wide_ * high_), kNone);
+    for (const Point& p : points) {
+      const int i = static_cast<int>((p.u - lowU_) / kColumnMm),
+                j = static_cast<int>((p.v - lowV_) / kColumnMm);
+      const auto block = static_cast<std::size_t>((j / kBlock) * wide_ + i / kBlock);
+      Point& column = columns_[block * kBlock * kBlock +
+                               static_cast<std::size_t>((j % kBlock) * kBlock + i % kBlock)];
+      if (p.h > column.h)
+        column = p;
+      top_[block] = std::max(top_[block], p.h);
+    }
+  }
+
+  // Whether an obstacle is higher over the tip than the head allows at its distance.
+  bool meets(const Point& tip, const std::vector<double>& rise) const {
+    constexpr double kBlockMm = kBlock * kColumnMm;
+    const double reach = kStepMm * static_cast<double>(rise.size());
+    const auto first = [&](double x) { return std::max(0, static_cast<int>(x / kBlockMm)); };
+    const int i0 = first(tip.u - reach - lowU_), j0 = first(tip.v - reach - lowV_);
+    const int i1 =
+        std::min(wide_ - 1, static_cast<int>(std::floor((tip.u + reach - lowU_) / kBlockMm)));
+    const int j1 =
+        std::min(high_ - 1, static_cast<int>(std::floor((tip.v + reach - lowV_) / kBlockMm)));
+    for (int j = j0; j <= j1; ++j)
+      for (int i = i0; i <= i1; ++i) {
+        const auto block = static_cast<std::size_t>(j * wide_ + i);
+        const double over = top_[block] - tip.h;
+        if (over <= rise.front())
+          continue;
+        const double u = lowU_ + i * kBlockMm - tip.u, v = lowV_ + j * kBlockMm - tip.v;
+        const double du = std::max({u, -u - kBlockMm, 0.0}), dv = std::max({v, -v - kBlockMm, 0.0});
+        if (!inside(du * du + dv * dv, over, rise))
+          continue;
+        for (std::size_t c = block * kBlock * kBlock; c < (block + 1) * kBlock * kBlock; ++c) {
+          const Point& p = columns_[c];
+          if (p.h - tip.h > rise.front() &&
+              inside((p.u - tip.u) * (p.u - tip.u) + (p.v - tip.v) * (p.v - tip.v), p.h - tip.h,
+                     rise))
+            return true;
+        }
+      }
+    return false;
+  }
+
+private:
+  static constexpr double kNone = -1e300;
+
+  static bool inside(double squared, double over, const std::vector<double>& rise) {
+    const auto step = static_cast<std::size_t>(std::sqrt(squared) / kStepMm);
+    return step < rise.size() && over > rise[step];
+  }
+
+  double lowU_ = 1e300, lowV_ = 1e300;
+  int wide_ = 0, high_ = 0;    // in blocks
+  std::vector<Point> columns_; // block by block
+  std::vector<double> top_;    // of each block
 };
 
 } // namespace
 
-HeadReach::HeadReach(const process::HeadShape& head) {
+HeadReach::HeadReach(const process::HeadShape& head, double marginMm) {
+  constexpr double kTouching = 1e-3; // mm
   if (head.sections.empty())
     return;
-  double radius = 0.0;
-  std::size_t s = 0;
-  for (double z = 0.0; z < head.sections.back().zMm; z += kStepMm) {
-    while (s + 2 < head.sections.size() && head.sections[s + 1].zMm <= z)
-      ++s;
-    const auto &a = head.sections[s], &b = head.sections[std::min(s + 1, head.sections.size() - 1)];
-    const double rise = b.zMm - a.zMm;
-    radius = std::max(
-        radius, rise > 0.0 ? a.radiusMm + (b.radiusMm - a.radiusMm) * (z - a.zMm) / rise : 0.0);
-    const double reach = std::max(0.0, radius - kTouching);
-    squared_.push_back(reach * reach);
+  double widest = 0.0;
+  for (const process::HeadSection& s : head.sections)
+    widest = std::max(widest, s.radiusMm);
+  for (double r = 0.5 * kStepMm; r < widest + marginMm; r += kStepMm) {
+    // The lowest height at which the head is as wide as that.
+    const double wanted = std::max(0.0, r - marginMm);
+    double lowest = head.sections.front().zMm;
+    for (std::size_t s = 0; s < head.sections.size(); ++s) {
+      const process::HeadSection& b = head.sections[s];
+      if (b.radiusMm < wanted)
+        continue;
+      lowest = b.zMm;
+      if (s > 0 && head.sections[s - 1].radiusMm < wanted) {
+        const process::HeadSection& a = head.sections[s - 1];
+        lowest = a.zMm + (b.zMm - a.zMm) * (wanted - a.radiusMm) / (b.radiusMm - a.radiusMm);
+      }
+      break;
+    }
+    rise_.push_back(lowest + kTouching);
   }
 }
 
 bool HeadReach::blocked(const std::vector<Vector3d>& tips, const std::vector<Vector3d>& obstacles,
-                        const Vector3d& direction) const {
-  if (tips.empty() || squared_.empty())
+                        const Vector3d& direction, double lowestMm) const {
+  if (tips.empty() || rise_.empty())
     return false;
   double lowest = 1e300;
   for (const Vector3d& t : tips)
     lowest = std::min(lowest, direction.dot(t));
+  lowest = std::max(lowest, lowestMm) + rise_.front();
   const Vector3d across = direction.unitOrthogonal(), along = direction.cross(across);
-  std::vector<Flat> near;
+  std::vector<HeightMap::Point> near;
   for (const Vector3d& o : obstacles)
-    if (const double h = direction.dot(o); h > lowest + kTouching)
+    if (const double h = direction.dot(o); h > lowest)
       near.push_back({across.dot(o), along.dot(o), h});
   if (near.empty())
     return false;
-  const auto columnOf = [](const Flat& f) {
-    return std::pair{std::lround(f.u / kColumnMm), std::lround(f.v / kColumnMm)};
-  };
-  std::sort(near.begin(), near.end(), [&](const Flat& a, const Flat& b) {
-    const auto ca = columnOf(a), cb = columnOf(b);
-    return ca != cb ? ca < cb : a.h > b.h;
-  });
-  near.erase(std::unique(near.begin(), near.end(),
-                         [&](const Flat& a, const Flat& b) { return columnOf(a) == columnOf(b); }),
-             near.end());
-  std::sort(near.begin(), near.end(), [](const Flat& a, const Flat& b) { return a.h > b.h; });
+  const HeightMap map(std::move(near));
   const double allowed = kBlockedShare * static_cast<double>(tips.size());
   // Strewn over the piece, so that what is blocked a lot is soon known to be.
   const std::size_t n = tips.size();
@@ -142,17 +226,9 @@ bool HeadReach::blocked(const std::vector<Vector3d>& tips, const std::vector<Vec
   std::size_t count = 0;
   for (std::size_t i = 0, at = 0; i < n; ++i, at = (at + stride) % n) {
     const Vector3d& t = tips[at];
-    const double u = across.dot(t), v = along.dot(t), h = direction.dot(t) + kTouching;
-    for (const Flat& o : near) {
-      if (o.h <= h)
-        break;
-      const auto z = static_cast<std::size_t>((o.h - h) / kStepMm);
-      if (z < squared_.size() && (o.u - u) * (o.u - u) + (o.v - v) * (o.v - v) < squared_[z]) {
-        if (static_cast<double>(++count) > allowed)
-          return true;
-        break;
-      }
-    }
+    if (map.meets({across.dot(t), along.dot(t), std::max(direction.dot(t), lowestMm)}, rise_) &&
+        static_cast<double>(++count) > allowed)
+      return true;
   }
   return false;
 }

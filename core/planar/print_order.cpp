@@ -70,12 +70,14 @@ std::vector<Piece> printOrder(std::vector<Piece> pieces, const PlanarOptions& op
     const Piece& piece = pieces[p];
     standsOnTag.push_back(piece.baseTag);
     holds.push_back(sectionsHeld(piece));
-    tips.push_back(surfaceSamples(piece.solid.mesh, spacingMm));
-    bodies.push_back(withPlate(tips.back(), piece, options, spacingMm));
+    bodies.push_back(surfaceSamples(piece.solid.mesh, spacingMm));
+    tips.push_back(tipsOf(bodies.back()));
+    bodies.back() = withPlate(std::move(bodies.back()), piece, options, spacingMm);
   }
   const HeadReach head(options.head);
   const PieceOrder found = orderOf(standsOnTag, holds, [&](std::size_t i, std::size_t j) {
-    return head.blocked(tips[i], bodies[j], pieces[i].base.normal);
+    return head.blocked(tips[i], bodies[j], pieces[i].base.normal,
+                        firstTipMm(pieces[i], options.rule));
   });
   blocked = found.blocked;
   std::vector<int> place(n, -1);
