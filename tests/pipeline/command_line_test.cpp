@@ -244,4 +244,51 @@ TEST_F(CommandLine, CancelLeavesTheFolderAsItWas) {
   EXPECT_GE(cancelled, 1);
 }
 
+nlohmann::json jsonOf(const fs::path& file) {
+  return nlohmann::json::parse(base::readFile(file));
+}
+
+TEST_F(CommandLine, TheTableOfAComparisonIsWhatTheReportsSay) {
+  const fs::path out = folder_ / "out";
+  const Ended ended =
+      run({"compare", smallBox(), "-o", out.string(), "--until", "layers", "--growths",
+           "reverse,greedy", "--platforms", "fit:0,fit:20", "--weight", "pieces=0"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("best: row 1"), std::string::npos) << ended.out;
+  const nlohmann::json compared = jsonOf(out / "compare.json");
+  ASSERT_EQ(compared["rows"].size(), 8u);
+  EXPECT_EQ(compared["rule"]["weights"]["pieces"], 0.0);
+  std::set<std::string> folders{"compare.json"};
+  for (const auto& row : compared["rows"]) {
+    const std::string folder = row["folder"];
+    folders.insert(folder);
+    const nlohmann::json report = jsonOf(out / folder / "report.json");
+    const nlohmann::json& d = report["decomposition"];
+    EXPECT_EQ(row["mode"], d["mode"]);
+    EXPECT_EQ(row["pieces"], d["pieces"]);
+    EXPECT_EQ(row["supportVolumeMm3"], d["supportVolumeMm3"]);
+    EXPECT_EQ(row["layers"], report["layers"]["count"]);
+    for (const char* figure : {"missedVoxels", "riskyAreaMm2"})
+      EXPECT_TRUE(row[figure].is_null() || row[figure] == d[figure]) << row << d;
+    EXPECT_TRUE(row["printTimeS"].is_null()) << "the road ended before";
+    for (const auto& picture : row["pictures"])
+      EXPECT_TRUE(fs::exists(out / picture.get<std::string>())) << picture;
+  }
+  EXPECT_EQ(names(out), folders);
+}
+
+TEST_F(CommandLine, AComparisonThatCannotBeginLeavesNothing) {
+  const std::string part = smallBox(), out = (folder_ / "out").string();
+  expectOneLine(run({"compare", part, "-o", out, "--modes", "curved,flatt"}), 2, {"flat"});
+  expectOneLine(run({"compare", part, "-o", out, "--growths", "gready"}), 2, {"greedy"});
+  expectOneLine(run({"compare", part, "-o", out, "--platforms", "fit:0,disk:9"}), 2, {"disc"});
+  expectOneLine(run({"compare", part, "-o", out, "--weight", "piece=1"}), 2, {"pieces"});
+  expectOneLine(run({"compare", (folder_ / "none.stl").string(), "-o", out}), 3, {"none.stl"});
+  const pid_t child = start({"compare", part, "-o", out});
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  ::kill(child, SIGINT);
+  EXPECT_EQ(finish(child).code, 5);
+  EXPECT_EQ(entries(), std::set<std::string>{"box.stl"});
+}
+
 } // namespace

@@ -89,10 +89,11 @@ TEST_P(PlatformMisses, GrowWithThePlatformAndStayBelowUniformSlicing) {
   for (const CompareRow& row : comparison.rows) {
     ASSERT_NE(row.state(), RowState::Failed) << row.error;
     const std::size_t count = row.report.decomposition.missedVoxels;
-    if (row.combination.mode == "flat")
+    if (row.combination.mode == "flat") {
       EXPECT_EQ(uniformMisses(row), static_cast<double>(GetParam().uniformMisses));
-    else
+    } else {
       missed[{row.combination.growth, row.combination.platform}] = count;
+    }
   }
   ASSERT_EQ(missed.size(), std::size(kSchemes) * std::size(kPlatforms));
   for (const char* scheme : kSchemes) {
@@ -101,8 +102,9 @@ TEST_P(PlatformMisses, GrowWithThePlatformAndStayBelowUniformSlicing) {
     EXPECT_LE(fit, wide) << scheme;
     EXPECT_LE(wide, widest) << scheme;
     EXPECT_LT(widest, GetParam().uniformMisses) << scheme;
-    if (*GetParam().exception)
+    if (*GetParam().exception) {
       EXPECT_EQ(fit, widest) << scheme << ": no exception any more: " << GetParam().exception;
+    }
   }
   if (!*GetParam().exception) {
     EXPECT_LT((missed[{"greedy", "fit:0"}]), (missed[{"greedy", "fit:20"}]));
