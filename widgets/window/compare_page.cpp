@@ -211,7 +211,7 @@ panels::CompareEntry ComparePage::entryOf(std::size_t index) const {
   if (!row.compared) {
     const bool running = comparing_.current() == index;
     entry.state = running ? panels::CompareState::Running : panels::CompareState::Waiting;
-    entry.verdict = running                ? tr("Being planned")
+    entry.verdict = running                ? tr("Planning")
                     : comparing_.running() ? tr("Waiting")
                                            : tr("Not planned");
     entry.figures.assign(pipeline::figures().size(), QString());
