@@ -42,9 +42,33 @@ double shareAbove(const std::array<double, 3>& h, double d) {
   return 1.0 - (d - h[0]) * (d - h[0]) / ((h[2] - h[0]) * (h[1] - h[0]));
 }
 
-// What each plane across the normal takes away, where it keeps to the constraints.
+// Sums over what lies above each of many parallel planes.
+class Above {
+public:
+  explicit Above(std::size_t planes) : partly_(planes, 0.0), wholly_(planes + 1, 0.0) {}
+
+  // Of what lies above all planes before `end`.
+  void addWhole(std::size_t end, double amount) { wholly_[end] += amount; }
+  void addPart(std::size_t plane, double amount) { partly_[plane] += amount; }
+
+  std::vector<double> sums() const {
+    std::vector<double> out = partly_;
+    double whole = 0.0;
+    for (std::size_t k = out.size(); k-- > 0;) {
+      whole += wholly_[k + 1];
+      out[k] += whole;
+    }
+    return out;
+  }
+
+private:
+  std::vector<double> partly_, wholly_;
+};
+
+// What each plane across the normal takes away, where it keeps to the constraints and the piece
+// keeps `leastStands` of what it stands on.
 void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, const RiskRule& rule,
-           const FineCutOptions& fine, std::vector<Candidate>& out) {
+           const FineCutOptions& fine, double leastStands, std::vector<Candidate>& out) {
   const geometry::TriangleMesh& mesh = piece.solid.mesh;
   std::vector<double> height(mesh.vertices.size());
   for (std::size_t v = 0; v < height.size(); ++v)
@@ -64,8 +88,7 @@ void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, c
     return std::min(count, static_cast<std::size_t>(
                                std::max(0.0, std::ceil((h - lowest) / fine.stepMm - 1.0))));
   };
-  std::vector<double> gain(count, 0.0);
-  std::vector<double> whole(count + 1, 0.0); // of faces over all planes up to this one
+  Above gain(count), stands(count);
   std::vector<std::uint8_t> forbidden(count, 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& c = mesh.triangles[t];
@@ -79,32 +102,37 @@ void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, c
                 forbidden.begin() + static_cast<std::ptrdiff_t>(end), 1);
     const double worth = (faces.risky[t] > 0.0 ? 1.0 : 0.0) -
                          (!faces.laid[t] && isRisky(faces.normal[t], normal, rule) ? 1.0 : 0.0);
-    if (worth == 0.0)
+    if (worth == 0.0 && !faces.stands[t])
       continue;
-    whole[begin] += worth * faces.area[t];
-    for (std::size_t k = begin; k < end; ++k)
-      gain[k] += worth * faces.area[t] * shareAbove(h, offsetOf(k));
+    const double stood = faces.stands[t] ? faces.area[t] : 0.0;
+    gain.addWhole(begin, worth * faces.area[t]);
+    stands.addWhole(begin, stood);
+    for (std::size_t k = begin; k < end; ++k) {
+      const double share = shareAbove(h, offsetOf(k));
+      gain.addPart(k, share * worth * faces.area[t]);
+      stands.addPart(k, share * stood);
+    }
   }
-  double above = 0.0;
-  for (std::size_t k = count; k-- > 0;) {
-    above += whole[k + 1];
-    gain[k] += above;
-    if (!forbidden[k] && gain[k] >= fine.leastMm2)
-      out.push_back({{normal, offsetOf(k)}, gain[k]});
-  }
+  const std::vector<double> gains = gain.sums(), goes = stands.sums();
+  for (std::size_t k = count; k-- > 0;)
+    if (!forbidden[k] && gains[k] >= fine.leastMm2 && faces.standsMm2 - goes[k] >= leastStands)
+      out.push_back({{normal, offsetOf(k)}, gains[k]});
 }
 
-void search(Queued& q, const std::vector<Vector3d>& normals, const RiskRule& rule,
+void search(Queued& q, const std::vector<Vector3d>& normals, const PlanarOptions& options,
             const FineCutOptions& fine, const base::RunContext& ctx) {
+  const RiskRule& rule = options.rule;
   if (q.searched)
     return;
   q.searched = true;
   const FaceTable faces = faceTable(q.piece, rule);
+  const double leastStands =
+      options.keptContact * (q.piece.baseTag == kPlate ? fine.footing.contactMm2 : faces.standsMm2);
   std::vector<std::vector<Candidate>> found(normals.size());
   base::parallelChunks(ctx, normals.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (!isRisky(normals[i], q.piece.base.normal, rule)) // else the section itself needs support
-        weigh(q.piece, faces, normals[i], rule, fine, found[i]);
+        weigh(q.piece, faces, normals[i], rule, fine, leastStands, found[i]);
   });
   for (const auto& of : found)
     q.candidates.insert(q.candidates.end(), of.begin(), of.end());
@@ -197,7 +225,7 @@ std::vector<Piece> fineCuts(std::vector<Piece> pieces, const PlanarOptions& opti
     const std::size_t looked = std::min(fine.pieces, queue.size());
     std::size_t best = looked;
     for (std::size_t i = 0; i < looked; ++i) {
-      search(queue[i], normals, options.rule, fine, ctx.quiet());
+      search(queue[i], normals, options, fine, ctx.quiet());
       if (!queue[i].candidates.empty() &&
           (best == looked ||
            queue[i].candidates.back().gainMm2 > queue[best].candidates.back().gainMm2))
