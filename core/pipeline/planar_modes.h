@@ -12,7 +12,8 @@ namespace voluta::pipeline {
 Mode planarMode();
 Mode flatMode();
 
-// overhangAngle, pieceMaterials, cutPlanes, adaptiveLayers, cuspMm, layerPlanes.
+// overhangAngle, pieceMaterials, cutPlanes, adaptiveLayers, cuspMm, layerPlanes, and those of
+// pieceSearchParameters.
 base::ParameterTable planarModeParameters();
 
 // When faces of pieces need support, as `choices` have it. Throws as chosenProcess().

@@ -91,6 +91,18 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters",
                       "Mode planar: a JSON file, or its text, with a point and a normal for each "
                       "plane that cuts the part, in turn. Empty: they are searched for."),
+    QT_TRANSLATE_NOOP("Parameters", "scheme"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Mode planar: beam keeps several partial results and asks of the head's true "
+                      "shape; greedy is the published scheme, by the part's skeleton."),
+    QT_TRANSLATE_NOOP("Parameters", "thicknesses"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Scheme greedy: how many thicknesses the part's branches are told apart by. "
+                      "0: as many as stand apart."),
+    QT_TRANSLATE_NOOP("Parameters", "root"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Scheme greedy: x,y,z (mm) of a place on what is printed first; it must "
+                      "stand on the plate. Empty: what stands on it with most area."),
     QT_TRANSLATE_NOOP("Parameters", "adaptive layers"),
     QT_TRANSLATE_NOOP("Parameters",
                       "Modes planar and flat: thinner layers where the surface leans, within the "
