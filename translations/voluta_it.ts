@@ -461,6 +461,30 @@
         <source>Mode planar: a JSON file, or its text, with a point and a normal for each plane that cuts the part, in turn. Empty: they are searched for.</source>
         <translation>Modo planar: un file JSON, o il suo testo, con un punto e una normale per ogni piano che taglia il pezzo, uno dopo l&apos;altro. Vuoto: i piani vengono cercati.</translation>
     </message>
+    <message>
+        <source>scheme</source>
+        <translation>schema</translation>
+    </message>
+    <message>
+        <source>Mode planar: beam keeps several partial results and asks of the head&apos;s true shape; greedy is the published scheme, by the part&apos;s skeleton.</source>
+        <translation>Modo planar: beam tiene più risultati parziali e tiene conto della vera forma della testa; greedy è lo schema pubblicato, secondo lo scheletro della parte.</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>spessori</translation>
+    </message>
+    <message>
+        <source>Scheme greedy: how many thicknesses the part&apos;s branches are told apart by. 0: as many as stand apart.</source>
+        <translation>Schema greedy: quanti spessori distinguono i rami della parte. 0: quanti risultano distinti.</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>radice</translation>
+    </message>
+    <message>
+        <source>Scheme greedy: x,y,z (mm) of a place on what is printed first; it must stand on the plate. Empty: what stands on it with most area.</source>
+        <translation>Schema greedy: x,y,z (mm) di un punto su ciò che si stampa per primo; deve poggiare sul piatto. Vuoto: ciò che vi poggia con più area.</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
@@ -742,6 +766,10 @@
     <message>
         <source>ending layers on the surface</source>
         <translation>strati terminati sulla superficie</translation>
+    </message>
+    <message>
+        <source>skeleton</source>
+        <translation>scheletro</translation>
     </message>
 </context>
 <context>
