@@ -467,7 +467,7 @@
     </message>
     <message>
         <source>Mode planar: beam keeps several partial results and asks of the head&apos;s true shape; greedy is the published scheme, by the part&apos;s skeleton.</source>
-        <translation>Modo planar: beam tiene più risultati parziali e tiene conto della vera forma della testa; greedy è lo schema pubblicato, secondo lo scheletro della parte.</translation>
+        <translation>Modo planar: beam tiene più risultati parziali e tiene conto della vera forma della testa; greedy è lo schema pubblicato, secondo lo scheletro del pezzo.</translation>
     </message>
     <message>
         <source>thicknesses</source>
@@ -475,7 +475,7 @@
     </message>
     <message>
         <source>Scheme greedy: how many thicknesses the part&apos;s branches are told apart by. 0: as many as stand apart.</source>
-        <translation>Schema greedy: quanti spessori distinguono i rami della parte. 0: quanti risultano distinti.</translation>
+        <translation>Schema greedy: quanti spessori distinguono i rami del pezzo. 0: quanti risultano distinti.</translation>
     </message>
     <message>
         <source>root</source>
