@@ -2,6 +2,77 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="it_IT" sourcelanguage="en">
 <context>
+    <name>Compare</name>
+    <message>
+        <source>Missed
+voxels</source>
+        <translation>Voxel
+persi</translation>
+    </message>
+    <message>
+        <source>Risky
+mm²</source>
+        <translation>Rischio
+mm²</translation>
+    </message>
+    <message>
+        <source>Supports
+mm³</source>
+        <translation>Supporti
+mm³</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Pezzi</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Strati</translation>
+    </message>
+    <message>
+        <source>Print
+time</source>
+        <translation>Tempo
+stampa</translation>
+    </message>
+    <message>
+        <source>Reach
+%</source>
+        <translation>Raggio
+%</translation>
+    </message>
+    <message>
+        <source>Colli-
+sions</source>
+        <translation>Colli-
+sioni</translation>
+    </message>
+    <message>
+        <source>Missed voxels</source>
+        <translation>Voxel persi</translation>
+    </message>
+    <message>
+        <source>Risky area</source>
+        <translation>Area a rischio</translation>
+    </message>
+    <message>
+        <source>Supports</source>
+        <translation>Supporti</translation>
+    </message>
+    <message>
+        <source>Print time</source>
+        <translation>Tempo di stampa</translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation>Fuori portata</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>Collisioni</translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
     <message>
         <source>Curved layers</source>
@@ -918,6 +989,112 @@
     </message>
 </context>
 <context>
+    <name>voluta::panels::ComparePanel</name>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Apri prima un pezzo.</translation>
+    </message>
+    <message>
+        <source>Tick what to compare.</source>
+        <translation>Spunta ciò che va confrontato.</translation>
+    </message>
+    <message>
+        <source>Plans to be made: %1</source>
+        <translation>Piani da fare: %1</translation>
+    </message>
+    <message>
+        <source>Ways of building</source>
+        <translation>Modi di costruire</translation>
+    </message>
+    <message>
+        <source>Growth of curved layers</source>
+        <translation>Crescita degli strati curvi</translation>
+    </message>
+    <message>
+        <source>Platforms</source>
+        <translation>Piattaforme</translation>
+    </message>
+    <message>
+        <source>Delete takes the selected one out of the list</source>
+        <translation>Canc toglie dall&apos;elenco quella selezionata</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Aggiungi</translation>
+    </message>
+    <message>
+        <source>Compare with this platform too</source>
+        <translation>Confronta anche con questa piattaforma</translation>
+    </message>
+    <message>
+        <source>Plan as far as</source>
+        <translation>Pianifica fino a</translation>
+    </message>
+    <message>
+        <source>checked programs</source>
+        <translation>programmi verificati</translation>
+    </message>
+    <message>
+        <source>missed voxels and pieces</source>
+        <translation>voxel persi e pezzi</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Confronta</translation>
+    </message>
+    <message>
+        <source>Plans them one after the other, in the background</source>
+        <translation>Li pianifica uno dopo l&apos;altro, in secondo piano</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Stop; rows that are done stay</source>
+        <translation>Ferma; le righe già fatte restano</translation>
+    </message>
+    <message>
+        <source>What counts</source>
+        <translation>Che cosa conta</translation>
+    </message>
+    <message>
+        <source>What nothing blocks comes first. Then the least score is best: each figure&apos;s share of the largest, times its weight.</source>
+        <translation>Prima viene ciò che nulla blocca. Poi vince il punteggio minore: di ogni valore la quota del massimo, per il suo peso.</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Ripristina</translation>
+    </message>
+    <message>
+        <source>The weights as they were at first</source>
+        <translation>I pesi com&apos;erano all&apos;inizio</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::CompareTable</name>
+    <message>
+        <source>Best</source>
+        <translation>Migliore</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In uso</translation>
+    </message>
+    <message>
+        <source>Place by the rule, and the score below it: less is better</source>
+        <translation>Posto secondo la regola e, sotto, il punteggio: meno è meglio</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Posto</translation>
+    </message>
+    <message>
+        <source>Way of building</source>
+        <translation>Modo di costruire</translation>
+    </message>
+</context>
+<context>
     <name>voluta::panels::ExportPanel</name>
     <message>
         <source>Replay of %1</source>
@@ -1600,6 +1777,75 @@
     </message>
 </context>
 <context>
+    <name>voluta::window::ComparePage</name>
+    <message>
+        <source>way of building</source>
+        <translation>modo di costruire</translation>
+    </message>
+    <message>
+        <source>Planning</source>
+        <translation>In corso</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>In attesa</translation>
+    </message>
+    <message>
+        <source>Not planned</source>
+        <translation>Non pianificato</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Superato</translation>
+    </message>
+    <message>
+        <source>Nothing blocks</source>
+        <translation>Nulla blocca</translation>
+    </message>
+    <message>
+        <source>Blocked: %1</source>
+        <translation>Bloccato: %1</translation>
+    </message>
+    <message>
+        <source>Cannot be planned</source>
+        <translation>Non pianificabile</translation>
+    </message>
+    <message>
+        <source>Planned in %1</source>
+        <translation>Pianificato in %1</translation>
+    </message>
+    <message>
+        <source>Out of date: the part or its settings have changed since.</source>
+        <translation>Superato: il pezzo o le impostazioni sono cambiati.</translation>
+    </message>
+    <message>
+        <source>Best: %1.</source>
+        <translation>Migliore: %1.</translation>
+    </message>
+    <message>
+        <source>As good: %1.</source>
+        <translation>Altrettanto buoni: %1.</translation>
+    </message>
+    <message>
+        <source>None is best: something blocks each of them.</source>
+        <translation>Nessuno è il migliore: qualcosa li blocca tutti.</translation>
+    </message>
+    <message>
+        <source>Which way of building suits this part?
+Tick what to compare at the right, then press Compare.</source>
+        <translation>Quale modo di costruire conviene a questo pezzo?
+Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
+    </message>
+    <message>
+        <source>Adopt this way</source>
+        <translation>Adotta questo modo</translation>
+    </message>
+    <message>
+        <source>Build the part as the selected row does; undo takes it back</source>
+        <translation>Costruisce il pezzo come la riga selezionata; si può annullare</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::FlowBar</name>
     <message>
         <source>Prepare</source>
@@ -1636,6 +1882,10 @@
     <message>
         <source>blocked: see the findings</source>
         <translation>bloccato: vedi le segnalazioni</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Confronta</translation>
     </message>
 </context>
 <context>
@@ -2291,6 +2541,22 @@
     <message>
         <source>pick root</source>
         <translation>scelta della radice</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Confronta</translation>
+    </message>
+    <message>
+        <source>Nothing can be compared</source>
+        <translation>Non c&apos;è nulla da confrontare</translation>
+    </message>
+    <message>
+        <source>Compared. Select a row to adopt it.</source>
+        <translation>Confronto fatto. Seleziona una riga per adottarla.</translation>
+    </message>
+    <message>
+        <source>Adopted: %1. Press Plan.</source>
+        <translation>Adottato: %1. Premi Pianifica.</translation>
     </message>
 </context>
 <context>

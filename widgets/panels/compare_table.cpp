@@ -18,7 +18,9 @@ namespace {
 enum Column { Place, Way, FirstFigure };
 enum Role { EntryRole = Qt::UserRole };
 constexpr int kPictureWidth = 88, kPictureHeight = 66, kMargin = 6, kGap = 8, kLineGap = 3;
-constexpr int kLeastText = 92; // of the column that says which way it is
+constexpr int kLeastText = 92;  // of the column that says which way it is
+constexpr int kAmpleText = 120; // more than that goes to the figures
+constexpr int kMostSpare = 28;
 
 forms::Icon iconOf(CompareState state) {
   switch (state) {
@@ -264,21 +266,30 @@ int CompareTable::selectedRow() const {
   return rows.isEmpty() ? -1 : rows.first().row();
 }
 
-// Figures are as wide as they need; the way of building has the rest.
+// Figures are as wide as they need and a little more where there is room; the way of building has
+// the rest.
 void CompareTable::layColumns() {
   QHeaderView* head = horizontalHeader();
   head->setSectionResizeMode(QHeaderView::Fixed);
+  const int columns = model_->columnCount(), figures = columns - FirstFigure;
+  std::vector<int> widths(static_cast<std::size_t>(columns), 0);
   int left = viewport()->width();
-  for (int column = 0; column < model_->columnCount(); ++column) {
-    if (column == Way)
-      continue;
-    int wide = std::max(head->sectionSizeHint(column), sizeHintForColumn(column));
+  for (int column = 0; column < columns; ++column) {
+    int& wide = widths[static_cast<std::size_t>(column)];
+    if (column != Way)
+      wide = std::max(head->sectionSizeHint(column), sizeHintForColumn(column));
     if (column == Place)
       wide = std::max(wide, fontMetrics().horizontalAdvance(tr("In use")) + 2 * kMargin);
-    head->resizeSection(column, wide);
     left -= wide;
   }
-  head->resizeSection(Way, std::max(left, kPictureWidth + kGap + 2 * kMargin + kLeastText));
+  const int least = kPictureWidth + kGap + 2 * kMargin + kLeastText;
+  const int spare =
+      figures > 0 ? std::clamp((left - least - kAmpleText) / figures, 0, kMostSpare) : 0;
+  for (int column = 0; column < columns; ++column)
+    if (column != Way)
+      head->resizeSection(column, widths[static_cast<std::size_t>(column)] +
+                                      (column >= FirstFigure ? spare : 0));
+  head->resizeSection(Way, std::max(left - spare * figures, least));
 }
 
 void CompareTable::resizeEvent(QResizeEvent* event) {
