@@ -14,9 +14,7 @@ struct MotionOptions {
   double rungTurnRad = 0.35; // and the turn of the nozzle after which there is one sooner
   double maxStepRad = 0.25;  // largest joint step between waypoints
   double deviationMm = 0.02; // of the nozzle from its straight way between targets
-  // Head: more than programs are judged by and less than directions are chosen by, so that what is
-  // planned passes.
-  collision::Margins printing{2.0, 2.0, 0.025};
+  collision::Margins printing{2.0, 2.0, 0.0};
   collision::Margins travelling{2.0, 2.0, 0.6}; // head: beyond the eroded one
   double liftMm = 2.0;                          // before a transfer
   double hopMm = 3.0;                           // transfers no longer than this lift less

@@ -21,6 +21,9 @@ using Eigen::Vector3d;
 using plan::ToolPlan;
 
 constexpr std::size_t kGrain = 512;
+// From what is printed already, where a direction keeps it: programs are judged by the head as it
+// is, and ways between waypoints come nearer.
+constexpr double kMarginMm = 0.05;
 
 double angleBetween(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -67,18 +70,21 @@ private:
   Vector3d tipAt(std::size_t i, const Vector3d& d) const {
     return middle_[i] + 0.5 * plan_.heightMm[i] * d;
   }
-  bool clears(const collision::GrowingPart& part, std::size_t i, const Vector3d& d) const {
-    return head_.clears(part, tipAt(i, d), d, i);
+  bool clears(const collision::GrowingPart& part, std::size_t i, const Vector3d& d,
+              double marginMm = 0.0) const {
+    return head_.clears(part, tipAt(i, d), d, i, marginMm);
   }
 
-  std::optional<Vector3d> firstClear(const collision::GrowingPart& part, std::size_t i) const {
+  std::optional<Vector3d> firstClear(const collision::GrowingPart& part, std::size_t i,
+                                     double marginMm) const {
     const Vector3d &t = plan_.direction[i], &c = clear_[i];
-    if (clears(part, i, t))
+    if (clears(part, i, t, marginMm))
       return t;
     const double angle = angleBetween(t, c);
     const int n = std::max(1, static_cast<int>(std::ceil(angle / base::degreesToRadians(7.5))));
     for (int k = 1; k <= n; ++k)
-      if (const Vector3d d = between(t, c, static_cast<double>(k) / n); clears(part, i, d))
+      if (const Vector3d d = between(t, c, static_cast<double>(k) / n);
+          clears(part, i, d, marginMm))
         return d;
     // Rings about the clear direction, then about the layer's own.
     for (const double tilt : {12.0, 24.0, 36.0, 48.0})
@@ -89,7 +95,7 @@ private:
           const Vector3d side = Eigen::AngleAxisd(2 * base::kPi * k / 12, *axis) * u;
           const Vector3d d = std::cos(base::degreesToRadians(tilt)) * *axis +
                              std::sin(base::degreesToRadians(tilt)) * side;
-          if ((!best || d.dot(t) > best->dot(t)) && clears(part, i, d))
+          if ((!best || d.dot(t) > best->dot(t)) && clears(part, i, d, marginMm))
             best = d;
         }
         if (best)
@@ -104,7 +110,10 @@ private:
       for (std::size_t i = b; i < e; ++i) {
         if (i % 64 == 0 && ctx_.cancelled())
           return;
-        direction_[i] = firstClear(part, i).value_or(clear_[i]);
+        std::optional<Vector3d> clear = firstClear(part, i, kMarginMm);
+        if (!clear)
+          clear = firstClear(part, i, 0.0);
+        direction_[i] = clear.value_or(clear_[i]);
       }
     });
     ctx_.checkpoint();
@@ -146,7 +155,7 @@ private:
       for (std::size_t i = b; i < e; ++i) {
         if (i % 64 == 0 && ctx_.cancelled())
           return;
-        if (moved[i] && !clears(part, i, direction_[i]) && clears(part, i, before[i]))
+        if (moved[i] && !clears(part, i, direction_[i], kMarginMm) && clears(part, i, before[i]))
           direction_[i] = before[i];
       }
     });

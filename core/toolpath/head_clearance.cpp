@@ -12,9 +12,6 @@ using Eigen::Vector3d;
 
 constexpr int kAround = 32;      // points on a section's rim
 constexpr double kRimStep = 2.0; // mm along the platform's edge
-// Beyond what the grid can tell, mm: programs are judged by the head on a grid as fine, and ways
-// between waypoints come nearer.
-constexpr double kMargin = 0.05;
 
 bool inside(const std::vector<Vector2d>& polygon, const Vector2d& p) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -44,7 +41,7 @@ HeadClearance::HeadClearance(const process::Process& process, std::vector<Vector
 }
 
 bool HeadClearance::clears(const collision::GrowingPart& part, const Vector3d& tip,
-                           const Vector3d& direction, std::size_t before) const {
+                           const Vector3d& direction, std::size_t before, double marginMm) const {
   if (!clearsPlatform(tip, direction))
     return false;
   Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
@@ -52,7 +49,7 @@ bool HeadClearance::clears(const collision::GrowingPart& part, const Vector3d& t
       Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), -direction).toRotationMatrix();
   work_T_tool.translation() = tip;
   return std::ranges::none_of(shapes_, [&](const robot::Shape& shape) {
-    return part.touches(shape, work_T_tool, kMargin - 0.5 * part.grid().pitch, before);
+    return part.touches(shape, work_T_tool, marginMm - 0.5 * part.grid().pitch, before);
   });
 }
 

@@ -16,11 +16,11 @@ public:
   // work frame, solid below z = 0; empty: none.
   HeadClearance(const process::Process& process, std::vector<Eigen::Vector2d> platform);
 
-  // Is the head clear of the plate and of all that is filled before waypoint `before`, with the tip
-  // at `tip` and the nozzle coming from `direction` (unit)? By a little more than the part's grid
-  // can tell: half its pitch. Work frame, mm.
+  // Is the head clear of the plate, and by marginMm of all that is filled before waypoint `before`,
+  // with the tip at `tip` and the nozzle coming from `direction` (unit)? What lies in it by less
+  // than half a cell of the part's grid does not count, as in CellCollision. Work frame, mm.
   bool clears(const collision::GrowingPart& part, const Eigen::Vector3d& tip,
-              const Eigen::Vector3d& direction, std::size_t before) const;
+              const Eigen::Vector3d& direction, std::size_t before, double marginMm = 0.0) const;
 
 private:
   bool clearsPlatform(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction) const;
