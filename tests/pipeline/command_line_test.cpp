@@ -285,7 +285,8 @@ TEST_F(CommandLine, AComparisonThatCannotBeginLeavesNothing) {
   expectOneLine(run({"compare", part, "-o", out, "--weight", "piece=1"}), 2, {"pieces"});
   expectOneLine(run({"compare", (folder_ / "none.stl").string(), "-o", out}), 3, {"none.stl"});
   const pid_t child = start({"compare", part, "-o", out});
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  while (entries().size() < 2) // it has begun when its folder out of sight is there
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   ::kill(child, SIGINT);
   EXPECT_EQ(finish(child).code, 5);
   EXPECT_EQ(entries(), std::set<std::string>{"box.stl"});
