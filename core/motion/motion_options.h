@@ -14,7 +14,9 @@ struct MotionOptions {
   double rungTurnRad = 0.35; // and the turn of the nozzle after which there is one sooner
   double maxStepRad = 0.25;  // largest joint step between waypoints
   double deviationMm = 0.02; // of the nozzle from its straight way between targets
-  collision::Margins printing{2.0, 2.0, 0.0};
+  // Head: directions have kept more where they could; what the grid leaves in doubt is the
+  // replay's to judge.
+  collision::Margins printing{2.0, 2.0, -0.1};
   collision::Margins travelling{2.0, 2.0, 0.6}; // head: beyond the eroded one
   double liftMm = 2.0;                          // before a transfer
   double hopMm = 3.0;                           // transfers no longer than this lift less
