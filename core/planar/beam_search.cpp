@@ -103,6 +103,45 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
   return out;
 }
 
+constexpr std::size_t kTriedOnThePart = 2; // results of a search
+
+// Pieces in print order and what they are worth.
+struct Tried {
+  std::vector<Piece> pieces;
+  std::size_t blocked = 0;
+  double riskyMm2 = 0.0;
+
+  bool good(double goal) const { return blocked == 0 && riskyMm2 <= goal; }
+  bool betterThan(const Tried& other, double goal) const {
+    if (blocked != other.blocked)
+      return blocked < other.blocked;
+    if (riskyMm2 <= goal && other.riskyMm2 <= goal)
+      return pieces.size() < other.pieces.size();
+    return riskyMm2 < other.riskyMm2;
+  }
+};
+
+Tried judged(std::vector<Piece> pieces, const PlanarOptions& options) {
+  Tried tried;
+  tried.pieces = printOrder(std::move(pieces), options, kReachSpacingMm, tried.blocked);
+  for (const Piece& piece : tried.pieces)
+    tried.riskyMm2 += riskyArea(piece, options.rule);
+  return tried;
+}
+
+// The options, then those that let go of more of what the part stands on, where not all of it must
+// stay.
+std::vector<PlanarOptions> relaxed(const PlanarOptions& options) {
+  constexpr double kLess = 0.4;
+  std::vector<PlanarOptions> steps{options};
+  if (options.keptContact < 1.0 || options.keptHull < 1.0) {
+    steps.push_back(options);
+    steps.back().keptContact *= options.keptContact < 1.0 ? kLess : 1.0;
+    steps.back().keptHull *= options.keptHull < 1.0 ? kLess : 1.0;
+  }
+  return steps;
+}
+
 } // namespace
 
 PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const PlanarOptions& options,
@@ -119,66 +158,64 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   const double coarseBefore = riskyArea(coarse, options.rule);
   const Footing coarseFooting = footingOf(coarse, options.rule);
   const bool asIs = part.triangles.size() <= options.searchTriangles;
-  const base::RunContext searching = ctx.sub(0.0, 0.8);
-  const std::vector<SearchResult> found =
-      CutSearch({std::move(coarse)}, options, coarseBefore, coarseFooting,
-                asIs ? kHeadMarginMm : kCoarseHeadMarginMm, searching)
-          .run();
-  out.seconds.search = watch.seconds();
-  // The best that the head can build of the part as it is.
-  const double least = 5e-4 * out.riskyBeforeMm2;
-  std::size_t fewest = 0;
-  for (const SearchResult& result : found) {
-    ctx.checkpoint();
-    Pieces made =
-        asIs ? Pieces{result.pieces, true} : onThePart(whole, result.steps, options, least);
-    if (!made.stand)
-      continue;
-    std::size_t blocked = 0;
-    std::vector<Piece> ordered =
-        printOrder(std::move(made.pieces), options, kReachSpacingMm, blocked);
-    if (!out.pieces.empty() && blocked >= fewest)
-      continue;
-    fewest = blocked;
-    out.pieces = std::move(ordered);
-    out.blockedPieces = blocked;
-    if (blocked == 0)
-      break;
-  }
-  if (out.pieces.empty())
-    out.pieces = printOrder({whole}, options, kReachSpacingMm, out.blockedPieces);
-  const auto measure = [&] {
-    out.riskyMm2 = out.sectionMm2 = 0.0;
-    for (const Piece& piece : out.pieces) {
-      out.riskyMm2 += riskyArea(piece, options.rule);
-      out.sectionMm2 += piece.baseTag == kPlate ? 0.0 : baseArea(piece, options.rule);
-    }
-  };
-  measure();
   const double goal = options.target * out.riskyBeforeMm2;
-  const auto take = [&](SearchResult result) {
-    std::size_t blocked = 0;
-    std::vector<Piece> ordered =
-        printOrder(std::move(result.pieces), options, kReachSpacingMm, blocked);
-    if (blocked > out.blockedPieces)
-      return false;
-    out.pieces = std::move(ordered);
-    out.blockedPieces = blocked;
-    measure();
-    return true;
-  };
-  const base::RunContext mending = ctx.sub(0.8, 1.0);
-  PlanarOptions last = options;
-  last.beam = 2;
-  // What the coarse mesh did not show.
-  if (out.riskyMm2 > goal && !asIs)
-    for (SearchResult& result :
-         CutSearch(out.pieces, last, out.riskyBeforeMm2, footing, kHeadMarginMm, mending).run())
-      if (take(std::move(result)))
+  const double least = 5e-4 * out.riskyBeforeMm2;
+  Tried best = judged({whole}, options);
+  // First with what the first piece should keep of its foot, then with less.
+  double share = 0.0;
+  for (const PlanarOptions& step : relaxed(options)) {
+    if (best.good(goal))
+      break;
+    const base::RunContext searching = ctx.sub(share, share + 0.4);
+    share += 0.4;
+    searching.report(0.0, "pieces");
+    const std::vector<SearchResult> found =
+        CutSearch({coarse}, step, coarseBefore, coarseFooting,
+                  asIs ? kHeadMarginMm : kCoarseHeadMarginMm, searching)
+            .run();
+    // The best that the head can build of the part as it is.
+    std::size_t tries = 0;
+    for (const SearchResult& result : found) {
+      if (tries++ == kTriedOnThePart)
         break;
-  if (out.riskyMm2 > goal || out.blockedPieces > 0)
-    take(CutSearch(out.pieces, last, out.riskyBeforeMm2, footing, kHeadMarginMm, mending)
-             .bettered());
+      ctx.checkpoint();
+      Pieces made =
+          asIs ? Pieces{result.pieces, true} : onThePart(whole, result.steps, step, least);
+      if (!made.stand)
+        continue;
+      Tried tried = judged(std::move(made.pieces), options);
+      const bool free = tried.blocked == 0;
+      if (tried.betterThan(best, goal))
+        best = std::move(tried);
+      if (free)
+        break;
+    }
+  }
+  out.seconds.search = watch.seconds();
+  const base::RunContext mending = ctx.sub(0.8, 1.0);
+  mending.report(0.0, "pieces");
+  PlanarOptions last = relaxed(options).back();
+  last.beam = 2;
+  const auto again = [&] {
+    return CutSearch(best.pieces, last, out.riskyBeforeMm2, footing, kHeadMarginMm, mending);
+  };
+  // What the coarse mesh did not show.
+  if (!best.good(goal) && !asIs)
+    for (SearchResult& result : again().run()) {
+      Tried tried = judged(std::move(result.pieces), options);
+      if (!tried.betterThan(best, goal))
+        continue;
+      best = std::move(tried);
+      break;
+    }
+  if (!best.good(goal))
+    if (Tried tried = judged(again().bettered().pieces, options); tried.betterThan(best, goal))
+      best = std::move(tried);
+  out.pieces = std::move(best.pieces);
+  out.blockedPieces = best.blocked;
+  out.riskyMm2 = best.riskyMm2;
+  for (const Piece& piece : out.pieces)
+    out.sectionMm2 += piece.baseTag == kPlate ? 0.0 : baseArea(piece, options.rule);
   out.seconds.cut = watch.seconds() - out.seconds.search;
   ctx.report(1.0, "pieces");
   return out;

@@ -96,9 +96,11 @@ bool CutSearch::movePlanes(State& state) {
 }
 
 bool CutSearch::cutAnew(State& state) {
-  constexpr std::size_t kWidth = 3;
+  constexpr std::size_t kWidth = 2, kTries = 24, kPairs = 6;
   for (const auto& [lower, upper] : pairsOf(state)) {
     ctx_.checkpoint();
+    if (anew_.size() == kPairs)
+      return false;
     if (lower->risky + upper->risky < least_ || !anew_.insert({lower->id, upper->id}).second)
       continue;
     auto joined = merged(lower->piece, upper->piece);
@@ -109,7 +111,7 @@ bool CutSearch::cutAnew(State& state) {
     start.nodes.push_back(node(std::move(*joined)));
     const int first = ids_++;
     start.nodes.back()->id = first;
-    State best = bestFrom(std::move(start), kWidth, first).front();
+    State best = bestFrom(std::move(start), kWidth, kTries, first).front();
     if (!gains(best, state))
       continue;
     state = std::move(best);

@@ -28,6 +28,7 @@ constexpr double kBaseGoes = 0.4, kBaseWorth = 0.02; // of a piece's base: share
 constexpr double kBlockedCost =
     0.02; // of the risky area before, for a piece the head does not reach
 constexpr std::size_t kResults = 4;
+constexpr std::size_t kTries = 40; // of cuts at a level, for each partial result
 
 } // namespace
 
@@ -223,33 +224,62 @@ void CutSearch::weigh(State& state) {
   }
 }
 
-void CutSearch::weighHead(State& state) {
-  state.blocked = blockedIn(state);
-  state.cost += kBlockedCost * before_ * static_cast<double>(state.blocked);
-}
-
-bool CutSearch::inTheWay(const Node& of, const Node& what) {
-  const auto [at, fresh] = ways_.try_emplace({of.id, what.id}, false);
-  if (fresh)
-    at->second = head_.blocked(of.tips, what.body, of.piece.base.normal,
-                               firstTipMm(of.piece, options_.rule));
-  return at->second;
-}
-
-std::size_t CutSearch::blockedIn(const State& state) {
+void CutSearch::weighHead(std::vector<State>& states) {
   if (head_.empty())
-    return 0;
+    return;
+  askHead(states);
+  for (State& state : states) {
+    state.blocked = orderIn(state, [&](const Node& of, const Node& what) {
+                      return ways_.at({of.id, what.id});
+                    }).blocked;
+    state.cost += kBlockedCost * before_ * static_cast<double>(state.blocked);
+  }
+}
+
+void CutSearch::weighHead(State& state) {
+  std::vector<State> one{std::move(state)};
+  weighHead(one);
+  state = std::move(one.front());
+}
+
+bool CutSearch::inTheWay(const Node& of, const Node& what) const {
+  return head_.blocked(of.tips, what.body, of.piece.base.normal,
+                       firstTipMm(of.piece, options_.rule));
+}
+
+// Works out what the states ask of the head and is not known yet.
+void CutSearch::askHead(const std::vector<State>& states) {
+  struct Way {
+    const Node *of = nullptr, *what = nullptr;
+    char blocked = 0;
+  };
+  std::vector<Way> ways;
+  for (const State& state : states)
+    orderIn(state, [&](const Node& of, const Node& what) {
+      if (ways_.try_emplace({of.id, what.id}, false).second)
+        ways.push_back({&of, &what, 0});
+      return false;
+    });
+  base::parallelChunks(ctx_, ways.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      ways[i].blocked = inTheWay(*ways[i].of, *ways[i].what);
+  });
+  for (const Way& way : ways)
+    ways_[{way.of->id, way.what->id}] = way.blocked != 0;
+}
+
+PieceOrder
+CutSearch::orderIn(const State& state,
+                   const std::function<bool(const Node& of, const Node& what)>& blocked) {
   std::vector<std::int32_t> standsOnTag;
   std::vector<std::vector<std::int32_t>> holds;
   for (const NodePtr& n : state.nodes) {
     standsOnTag.push_back(n->piece.baseTag);
     holds.push_back(n->holds);
   }
-  return orderOf(standsOnTag, holds,
-                 [&](std::size_t i, std::size_t j) {
-                   return inTheWay(*state.nodes[i], *state.nodes[j]);
-                 })
-      .blocked;
+  return orderOf(standsOnTag, holds, [&](std::size_t i, std::size_t j) {
+    return blocked(*state.nodes[i], *state.nodes[j]);
+  });
 }
 
 // The first that are not alike: the same cuts in another order give about the same risk.
@@ -285,7 +315,8 @@ bool CutSearch::better(const State& a, const State& b) const {
   return a.cost < b.cost - 1e-9;
 }
 
-std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width, int firstId) {
+std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width, std::size_t tries,
+                                                  int firstId) {
   constexpr std::size_t kBatch = 8;
   weigh(start);
   weighHead(start);
@@ -295,20 +326,22 @@ std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width
   for (int level = 0; level < options_.mostCuts && best.front().risky > goal; ++level) {
     const std::vector<Option> options = optionsOf(beam, firstId);
     std::vector<State> next;
-    for (std::size_t at = 0; at < options.size() && next.size() < 2 * width && at < 100 * width;
+    for (std::size_t at = 0; at < options.size() && next.size() < 2 * width && at < tries;
          at += kBatch) {
       const std::size_t end = std::min(at + kBatch, options.size());
       tryCuts(options, at, end);
+      std::vector<State> made;
       for (std::size_t i = at; i < end; ++i)
         if (const auto& cutting = options[i].node->cuttings[options[i].candidate]) {
-          State made = after(options[i], *cutting);
-          weigh(made);
-          if (made.risky >= options[i].state->risky - 0.5 * least_)
-            continue;
-          weighHead(made);
-          if (made.blocked <= blockedBefore)
-            next.push_back(std::move(made));
+          made.push_back(after(options[i], *cutting));
+          weigh(made.back());
+          if (made.back().risky >= options[i].state->risky - 0.5 * least_)
+            made.pop_back();
         }
+      weighHead(made);
+      for (State& state : made)
+        if (state.blocked <= blockedBefore)
+          next.push_back(std::move(state));
     }
     if (next.empty())
       break;
@@ -337,7 +370,7 @@ std::vector<SearchResult> CutSearch::run() {
   State start;
   start.nodes = start_;
   std::vector<SearchResult> out;
-  for (const State& state : bestFrom(std::move(start), options_.beam, 0))
+  for (const State& state : bestFrom(std::move(start), options_.beam, kTries * options_.beam, 0))
     out.push_back(resultOf(state));
   return out;
 }

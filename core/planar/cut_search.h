@@ -7,8 +7,10 @@
 #include "planar/head_reach.h"
 #include "planar/piece_cut.h"
 #include "planar/plate.h"
+#include "planar/print_order.h"
 
 #include <Eigen/Core>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -75,13 +77,18 @@ private:
   std::vector<Option> optionsOf(const std::vector<State>& beam, int firstId);
   void tryCuts(const std::vector<Option>& options, std::size_t begin, std::size_t end);
   State after(const Option& option, const Cutting& cutting);
-  bool inTheWay(const Node& of, const Node& what);
-  std::size_t blockedIn(const State& state);
+  bool inTheWay(const Node& of, const Node& what) const;
+  void askHead(const std::vector<State>& states);
+  static PieceOrder orderIn(const State& state,
+                            const std::function<bool(const Node& of, const Node& what)>& blocked);
   std::vector<State> kept(std::vector<State> states, std::size_t most) const;
   bool better(const State& a, const State& b) const;
   void weigh(State& state);
+  void weighHead(std::vector<State>& states);
   void weighHead(State& state);
-  std::vector<State> bestFrom(State start, std::size_t width, int firstId);
+  // Beam search of that width over the pieces numbered firstId and up; so many cuts are tried at a
+  // level.
+  std::vector<State> bestFrom(State start, std::size_t width, std::size_t tries, int firstId);
   static SearchResult resultOf(const State& state);
   std::vector<std::pair<NodePtr, NodePtr>> pairsOf(const State& state);
   bool gains(const State& a, const State& b) const;

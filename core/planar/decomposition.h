@@ -33,7 +33,8 @@ struct PlanarOptions {
   process::HeadShape head; // must clear what is printed earlier; empty: not asked
   PlanarPlatform platform;
   double leastVolumeMm3 = 10.0; // pieces smaller than that are not worth a cut
-  // The first piece keeps these shares of what the part stands on and of the hull of that, mm2/mm2.
+  // The first piece keeps these shares of what the part stands on and of the hull of that, mm2/mm2;
+  // where the target is not reached so, 0.4 of these shares (but 1 stays 1).
   double keptContact = 0.35, keptHull = 0.05;
   // What all of either is worth, in shares of the risky area before.
   double contactWorth = 0.1, hullWorth = 0.05;

@@ -20,10 +20,23 @@ PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
       if (i != j && standsOnTag[i] >= 0 &&
           std::binary_search(holds[j].begin(), holds[j].end(), standsOnTag[i]))
         out.under[i].push_back(static_cast<int>(j));
+  // What stands on a piece, over whatever lies between, comes after it anyway.
+  std::vector<std::vector<bool>> over(n, std::vector<bool>(n, false));
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<int> todo = out.under[i];
+    while (!todo.empty()) {
+      const auto j = static_cast<std::size_t>(todo.back());
+      todo.pop_back();
+      if (over[i][j])
+        continue;
+      over[i][j] = true;
+      todo.insert(todo.end(), out.under[j].begin(), out.under[j].end());
+    }
+  }
   std::vector<std::vector<std::size_t>> waits(n); // for these to be printed first, for their sake
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
-      if (i != j && inTheWay(i, j))
+      if (i != j && !over[j][i] && inTheWay(i, j))
         waits[j].push_back(i);
   std::vector<bool> done(n, false);
   const auto standing = [&](std::size_t i) {
