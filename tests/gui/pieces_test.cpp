@@ -10,11 +10,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <cmath>
+#include <iostream>
 
 namespace voluta::test {
 namespace {
@@ -250,6 +252,38 @@ TEST_F(PiecesTest, WithoutAPreviewADraggedCutIsMeasuredAndWaitsForPlan) {
   EXPECT_TRUE(total->text().contains("192")) << total->text().toStdString();
 }
 
+TEST_F(PiecesTest, ARootIsPickedOnThePartWhereTheSchemeAsksForOne) {
+  planTee();
+  window().livePreview().setEnabled(false);
+  EXPECT_FALSE(find<QPushButton>("pickRoot")->isVisible());
+  document().setParameter("planarScheme", "greedy");
+  EXPECT_FALSE(find<QPushButton>("pickRoot")->isVisible()) << "the cuts are the user's";
+  QTest::mouseClick(find<QPushButton>("pieceCuts"), Qt::LeftButton);
+  EXPECT_TRUE(ownCuts().empty());
+  auto* pick = find<QPushButton>("pickRoot");
+  ASSERT_TRUE(pick->isVisible());
+  window().viewport().viewFrom({0, -1, 0});
+  picture();
+  QTest::mouseClick(pick, Qt::LeftButton);
+  EXPECT_EQ(window().viewport().tool(), viewer::Tool::PickPoint);
+  QTest::mouseClick(&window().viewport(), Qt::LeftButton, {}, onScreen({0, -4, 6}));
+  EXPECT_EQ(window().viewport().tool(), viewer::Tool::None);
+  EXPECT_FALSE(pick->isChecked());
+  const QStringList root =
+      QString::fromStdString(document().choices().parameters.at("pieceRoot")).split(',');
+  ASSERT_EQ(root.size(), 3);
+  EXPECT_NEAR(root[0].toDouble(), 0.0, 0.5);
+  EXPECT_NEAR(root[1].toDouble(), -4.0, 0.01);
+  EXPECT_NEAR(root[2].toDouble(), 6.0, 0.5);
+  clickMenu("editMenu", "undo");
+  EXPECT_EQ(document().choices().parameters.count("pieceRoot"), 0u);
+  // A key gives it up.
+  QTest::mouseClick(pick, Qt::LeftButton);
+  window().viewport().setFocus();
+  QTest::keyClick(&window().viewport(), Qt::Key_Escape);
+  EXPECT_FALSE(pick->isChecked());
+}
+
 TEST_F(PiecesTest, AProjectOfPiecesOpensWithoutVoxels) {
   planTee();
   pipeline::writeJob(path("tee.voluta").toStdString(), document().snapshot());
@@ -275,6 +309,41 @@ TEST_F(PiecesTest, AProjectOfPiecesOpensWithoutVoxels) {
   EXPECT_EQ(window().viewport().tool(), viewer::Tool::None);
   QTest::mouseClick(find<QToolButton>("subject0"), Qt::LeftButton);
   EXPECT_TRUE(view().layers) << "what the plan has come to";
+}
+
+// Not a test of time: how long the window's thread is kept, for the record.
+TEST_F(PiecesTest, StretchesOfALargePart) {
+  openPart(writePart("ball.stl", sphere({0, 0, 20}, 20, 120)));
+  choose("planar");
+  document().setParameter("cutPlanes",
+                          R"([{"point": [0, 0, 26], "normal": [0, 0, 1]},
+                              {"point": [10, 0, 14], "normal": [1, 0, -0.4]},
+                              {"point": [-10, 0, 14], "normal": [-1, 0, -0.4]}])");
+  clickMenu("runMenu", "planLayers");
+  ASSERT_TRUE(planned(Stage::Layers));
+  choosePage(Page::Layers);
+  application().resetWatch();
+  QTest::mouseClick(find<QToolButton>("subject4"), Qt::LeftButton);
+  window().viewport().viewFrom({0, -1, 0});
+  picture();
+  for (int piece = 0; piece < 3; ++piece)
+    clickRow(row(piece));
+  auto* explode = find<QSlider>("explode");
+  explode->setFocus();
+  for (const auto key : {Qt::Key_End, Qt::Key_Home})
+    QTest::keyClick(explode, key);
+  const auto& pieces = window().presenter().pieces();
+  const int chosen = pieces.pieceOf(0);
+  QTest::mouseClick(&window().viewport(), Qt::LeftButton, {}, onScreen({0, -8, 36}));
+  ASSERT_EQ(panel().selected(), chosen);
+  const QPoint centre = onScreen(pieces.cuts()[0].point);
+  drag(centre + QPoint(0, -80), centre + QPoint(0, -95));
+  ASSERT_TRUE(cutAnew());
+  EXPECT_EQ(pieces.count(), 4);
+  RecordProperty("longestStretchMs", std::to_string(application().longestMs()));
+  std::cout << "longest stretch of the window's thread, frames apart: " << application().longestMs()
+            << " ms (" << application().longestWhat().toStdString() << "); longest frame "
+            << application().longestFrameMs() << " ms\n";
 }
 
 TEST_F(PiecesTest, OtherModesKnowNoPieces) {

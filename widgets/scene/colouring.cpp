@@ -101,9 +101,8 @@ Colour supportColour() {
 
 Colour pieceColour(int index) {
   static constexpr Colour kColours[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45},
-                                        {0.94, 0.89, 0.26}, {0.53, 0.80, 0.93}, {0.20, 0.13, 0.53},
-                                        {0.42, 0.25, 0.06}, {0.95, 0.88, 0.71}, {0.36, 0.36, 0.39},
-                                        {0.70, 0.67, 0.88}};
+                                        {0.94, 0.89, 0.26}, {0.53, 0.80, 0.93}, {0.36, 0.27, 0.72},
+                                        {0.42, 0.25, 0.06}, {0.95, 0.88, 0.71}, {0.70, 0.67, 0.88}};
   constexpr double kDarker = 0.62;
   const auto i = static_cast<std::size_t>(index);
   Colour colour = kColours[i % std::size(kColours)];

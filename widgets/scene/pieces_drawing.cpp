@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kBeyondSection = 0.08; // of its size, but
 constexpr double kLeastBeyondMm = 1.5, kMostBeyondMm = 5.0;
+constexpr double kOverSectionMm = 0.15; // so that the plane does not flicker through it
 
 // The triangles of a surface that are `wanted`, on the same points.
 vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface, const std::vector<bool>& wanted) {
@@ -55,7 +56,7 @@ void drawBase(const planar::Piece& piece, PieceShape& shape) {
   low.array() -= beyond;
   high.array() += beyond;
   const auto at = [&](double u, double v) -> Eigen::Vector3d {
-    return u * across + v * along + piece.base.offsetMm * piece.base.normal;
+    return u * across + v * along + (piece.base.offsetMm + kOverSectionMm) * piece.base.normal;
   };
   const Eigen::Vector3d corners[] = {at(low.x(), low.y()), at(high.x(), low.y()),
                                      at(high.x(), high.y()), at(low.x(), high.y())};

@@ -2,11 +2,10 @@
 #include "window/main_window.h"
 
 #include "panels/pieces_panel.h"
-#include "pipeline/choices.h"
+#include "pipeline/piece_search.h"
 #include "pipeline/planar_modes.h"
 #include "planar/given_cuts.h"
 
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,7 +17,9 @@ using pipeline::Stage;
 namespace {
 constexpr const char* kCuts = "cutPlanes";
 constexpr const char* kRoot = "pieceRoot";
-constexpr double kExplodeShare = 0.4; // of the part's diagonal, at the slider's end
+constexpr const char* kScheme = "planarScheme";
+// Of the part's diagonal, at the slider's end: between two pieces, and from the first to the last.
+constexpr double kExplodeShare = 0.4, kExplodeAllShare = 1.0;
 
 QColor colourOf(const scene::Colour& c) {
   return QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]),
@@ -65,7 +66,6 @@ void MainWindow::connectPieces() {
       selectPiece(-1);
     setTool(on ? viewer::Tool::PickPoint : viewer::Tool::None);
   });
-  piecesPanel_->setRootOffered(pipeline::allParameters().find(kRoot) != nullptr);
 }
 
 bool MainWindow::piecesShown() const {
@@ -74,7 +74,11 @@ bool MainWindow::piecesShown() const {
 
 double MainWindow::explodeMm() const {
   const Eigen::AlignedBox3d& box = presenter_->partBox();
-  return box.isEmpty() ? 0.0 : piecesPanel_->explodeShare() * kExplodeShare * box.diagonal().norm();
+  if (box.isEmpty())
+    return 0.0;
+  const double share =
+      std::min(kExplodeShare, kExplodeAllShare / std::max(1, presenter_->pieces().storeys() - 1));
+  return piecesPanel_->explodeShare() * share * box.diagonal().norm();
 }
 
 // The list follows what is drawn; the piece that was chosen is so by its cut.
@@ -113,6 +117,9 @@ void MainWindow::showCuts() {
       // The run that meets it says what is wrong with it.
     }
   piecesPanel_->setOwnCuts(!text.empty());
+  // The scheme that asks for a root, where it is asked at all.
+  piecesPanel_->setRootOffered(text.empty() &&
+                               chosenText(document_.choices(), kScheme) == "greedy");
   if (document_.upToDate(Stage::Decompose)) {
     presenter_->pieces().dropEstimate();
     piecesPanel_->clearEstimate();
@@ -189,9 +196,7 @@ void MainWindow::setCuts(const QString& text, const QString& editName) {
 
 void MainWindow::pickRoot(const Eigen::Vector3d& point) {
   pipeline::Choices choices = document_.choices();
-  const auto number = [](double v) { return QString::number(v, 'f', 2); };
-  choices.parameters[kRoot] =
-      QStringList{number(point.x()), number(point.y()), number(point.z())}.join(',').toStdString();
+  choices.parameters[kRoot] = pipeline::pieceRootText(point);
   document_.setChoices(choices, tr("pick root"));
 }
 

@@ -24,6 +24,14 @@ struct Estimated {
   QString problem;
   std::shared_ptr<const geometry::TriangleMesh> coarse;
 };
+int storeysOf(const std::vector<planar::Piece>& pieces) {
+  std::vector<int> level;
+  for (const planar::Piece& piece : pieces) // one comes after the one it stands on
+    level.push_back(piece.parent >= 0 && piece.parent < static_cast<int>(level.size())
+                        ? level[static_cast<std::size_t>(piece.parent)] + 1
+                        : 1);
+  return level.empty() ? 0 : *std::max_element(level.begin(), level.end());
+}
 } // namespace
 
 PiecesPresenter::PiecesPresenter(viewer::Viewport& viewport, QObject* parent)
@@ -42,6 +50,7 @@ void PiecesPresenter::setPieces(std::shared_ptr<const planar::PlanarDecompositio
     drawing_.reset();
     cuts_.clear();
     pieceOfCut_.clear();
+    storeys_ = 0;
     viewport_.scene().setPieces(nullptr);
     viewport_.requestFrame();
     emit drawn();
@@ -57,6 +66,7 @@ void PiecesPresenter::setPieces(std::shared_ptr<const planar::PlanarDecompositio
         drawing_ = std::move(made.drawing);
         cuts_ = std::move(made.cuts);
         pieceOfCut_ = std::move(made.pieceOfCut);
+        storeys_ = storeysOf(pieces_->pieces);
         viewport_.scene().setPieces(drawing_);
         viewport_.requestFrame();
         emit drawn();

@@ -29,6 +29,8 @@ public:
                  const pipeline::Choices& choices);
   // Of the drawing on show; 0: none.
   int count() const { return drawing_ ? scene::pieceCount(*drawing_) : 0; }
+  // How many pieces stand on each other at most; 0: none are on show.
+  int storeys() const { return storeys_; }
   // Of the pieces on show, as cutsOf() has them.
   const std::vector<planar::GivenCut>& cuts() const { return cuts_; }
   int cutOf(int piece) const; // -1: none, it stands on the plate
@@ -67,6 +69,7 @@ private:
   std::shared_ptr<const scene::PiecesDrawing> drawing_;
   std::vector<planar::GivenCut> cuts_;
   std::vector<std::size_t> pieceOfCut_;
+  int storeys_ = 0;
   Coarse coarse_;
   std::optional<Wanted> wanted_; // the next to be estimated
 };
