@@ -4,6 +4,8 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
+#include "planar/head_reach.h"
+#include "planar/plate.h"
 #include "process/process.h"
 #include "support/shapes.h"
 
@@ -283,6 +285,40 @@ TEST(RiskRule, AConeIsSafeUpToTheOverhangAngle) {
           << half << " " << alpha;
     }
   }
+}
+
+// A head from the side at what lies far below the plate's rim: only what carries the plate is in
+// its way.
+TEST(Platform, WhatCarriesThePlateKeepsTheHeadAway) {
+  PlanarOptions options = withHead();
+  const Piece piece = wholePart(test::box({-5, -5, 0}, {5, 5, 20}), options.rule);
+  const HeadReach head(options.head);
+  const std::vector<Vector3d> tips{{20, 0, -40}};
+  const auto blocked = [&](const Vector3d& direction) {
+    return head.blocked(tips, withPlate({}, piece, options, 1.0), direction, -1e300);
+  };
+  EXPECT_FALSE(blocked(-Vector3d::UnitX()));
+  options.platform.stem = {{-92, -5, 14, 14}};
+  EXPECT_TRUE(blocked(-Vector3d::UnitX()));
+  EXPECT_FALSE(blocked(Vector3d::UnitX()));
+}
+
+TEST(Platform, ThePlateIsTheGivenOneOrMadeForThePiece) {
+  PlanarOptions options = withHead();
+  const Piece piece = wholePart(test::box({-5, -4, 0}, {5, 4, 20}), options.rule);
+  const auto reach = [&](const Vector2d& way) {
+    double most = -1e300;
+    for (const Vector2d& p : plateOf({piece}, options))
+      most = std::max(most, way.dot(p));
+    return most;
+  };
+  EXPECT_NEAR(reach({1, 0}), 5.0, 1e-9);
+  EXPECT_NEAR(reach({0, -1}), 4.0, 1e-9);
+  options.platform.marginMm = 3.0;
+  EXPECT_GE(reach({1, 0}), 8.0 - 1e-9);
+  EXPECT_LE(reach({1, 0}), 8.1);
+  options.platform.polygon = {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+  EXPECT_NEAR(reach({1, 0}), 20.0, 1e-9);
 }
 
 TEST(Beam, AnOpenMeshIsRefused) {
