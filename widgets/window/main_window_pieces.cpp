@@ -54,7 +54,11 @@ void MainWindow::connectPieces() {
           });
   connect(piecesPanel_, &panels::PiecesPanel::selectionChanged, this, &MainWindow::selectPiece);
   connect(piecesPanel_, &panels::PiecesPanel::viewChanged, this, &MainWindow::showView);
-  connect(piecesPanel_, &panels::PiecesPanel::dragging, viewport_, &viewer::Viewport::setDragging);
+  connect(piecesPanel_, &panels::PiecesPanel::dragging, this, [this](bool on) {
+    viewport_->setDragging(on);
+    if (!on) // what was moved out of the picture is in it again
+      viewport_->frameAll();
+  });
   connect(piecesPanel_, &panels::PiecesPanel::keepCutsRequested, this, [this] {
     setCuts(QString::fromStdString(planar::givenCutsText(presenter_->pieces().cuts())),
             tr("keep cuts"));
