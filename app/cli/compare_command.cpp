@@ -42,17 +42,19 @@ private:
   void draw(const pipeline::PlanResult& result, pipeline::RowFiles& files) {
     for (const std::string& name : pictures::pictureNames()) {
       const pipeline::Job& job = result.job;
-      const bool there = name == "part"     ? !job.decomposition && !job.layers
-                         : name == "voxels" ? job.decomposition != nullptr
-                         : name == "pieces" ? job.pieces && job.pieces->pieces.size() > 1
-                         : name == "layers" ? job.layers != nullptr
-                                            : false;
+      const bool there =
+          name == "part" ? !job.decomposition && !job.layers
+          : name == "voxels"
+              ? job.decomposition && (!job.layers || job.decomposition->missedVoxels > 0)
+          : name == "pieces" ? job.pieces && job.pieces->pieces.size() > 1
+          : name == "layers" ? job.layers != nullptr
+                             : false;
       if (!there)
         continue;
       pictures::PictureOptions look;
       look.show = name;
-      look.width = 960;
-      look.height = 720;
+      look.width = 800;
+      look.height = 600;
       look.colour = job.pieces && job.pieces->pieces.size() > 1 ? "group" : "layer";
       const std::string file = files.folder + "/" + name + ".png";
       try {
