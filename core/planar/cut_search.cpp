@@ -28,7 +28,9 @@ constexpr double kBaseGoes = 0.4, kBaseWorth = 0.02; // of a piece's base: share
 constexpr double kBlockedCost =
     0.02; // of the risky area before, for a piece the head does not reach
 constexpr std::size_t kResults = 4;
-constexpr std::size_t kTries = 40; // of cuts at a level, for each partial result
+constexpr std::size_t kAskedAtOnce = 16; // candidates
+constexpr std::size_t kBehindTried = 6;  // candidates that something is in the way of
+constexpr std::size_t kTries = 40;       // of cuts at a level, for each partial result
 
 } // namespace
 
@@ -46,6 +48,11 @@ CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, do
   }
   const std::vector<Vector3d> flat = flatDirections(all, kFlatShare, 24, options.lowestZ);
   normals_.insert(normals_.begin(), flat.begin(), flat.end());
+  for (const StemFrustum& frustum : options.platform.stem) {
+    const auto points = frustumSamples(frustum.lowMm, frustum.highMm, frustum.lowRadiusMm,
+                                       frustum.highRadiusMm, kReachSpacingMm);
+    carrier_.insert(carrier_.end(), points.begin(), points.end());
+  }
   for (Piece& piece : pieces) {
     start_.push_back(node(std::move(piece)));
     start_.back()->id = ids_++;
@@ -93,7 +100,26 @@ bool CutSearch::keepsFoot(const Node& n, const Plane& plane) const {
                                           options_.keptHull * footing_.hullMm2 - 1e-9;
 }
 
-// Of many candidates the best that are not alike.
+// Whether the head comes past what is left below the plane, plate and carrier included, to lay what
+// lies above it: all of that, which may be more than the candidate takes off.
+bool CutSearch::wayIsFree(const Node& n, const CutCandidate& c) const {
+  if (head_.empty())
+    return true;
+  std::vector<Vector3d> tips, obstacles;
+  for (const Vector3d& p : n.tips)
+    if (c.plane.heightOf(p) > 0.0)
+      tips.push_back(p);
+  for (const Vector3d& p : n.body)
+    if (c.plane.heightOf(p) <= 0.0 || p.z() <= 0.0)
+      obstacles.push_back(p);
+  if (n.piece.baseTag != kPlate)
+    obstacles.insert(obstacles.end(), carrier_.begin(), carrier_.end());
+  return !head_.blocked(tips, obstacles, c.plane.normal,
+                        c.plane.offsetMm + 2.0 * options_.rule.contactMm);
+}
+
+// Of many candidates the best that are not alike, those first that the head can lay as the piece
+// is.
 void CutSearch::findCandidates(Node& n) {
   if (n.searched)
     return;
@@ -104,20 +130,32 @@ void CutSearch::findCandidates(Node& n) {
   options.leastMm2 = least_;
   options.mayGoMm2 = mayGo(n);
   options.footPrice = footPrice(n);
-  for (const CutCandidate& c :
-       cutCandidates(n.piece, n.faces, options_.rule, normals_, options, ctx_)) {
-    const bool alike =
-        std::any_of(n.candidates.begin(), n.candidates.end(), [&](const CutCandidate& o) {
-          return o.plane.normal.dot(c.plane.normal) > kAlike &&
-                 std::abs(o.plane.heightOf(c.topMm) - c.plane.heightOf(c.topMm)) < kAlikeMm &&
-                 std::abs(o.plane.heightOf(o.topMm) - c.plane.heightOf(o.topMm)) < kAlikeMm;
-        });
-    if (alike || !keepsFoot(n, c.plane))
-      continue;
-    n.candidates.push_back(c);
-    if (n.candidates.size() == kCutsTried)
-      break;
+  std::vector<CutCandidate> found =
+      cutCandidates(n.piece, n.faces, options_.rule, normals_, options, ctx_);
+  const auto alike = [](const CutCandidate& o, const CutCandidate& c) {
+    return o.plane.normal.dot(c.plane.normal) > kAlike &&
+           std::abs(o.plane.heightOf(c.topMm) - c.plane.heightOf(c.topMm)) < kAlikeMm &&
+           std::abs(o.plane.heightOf(o.topMm) - c.plane.heightOf(o.topMm)) < kAlikeMm;
+  };
+  std::vector<CutCandidate> behind; // in whose way something is
+  for (std::size_t from = 0; from < found.size() && n.candidates.size() < kCutsTried;
+       from += kAskedAtOnce) {
+    std::vector<char> free(std::min(kAskedAtOnce, found.size() - from), 0);
+    base::parallelChunks(ctx_, free.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        free[i] = wayIsFree(n, found[from + i]);
+    });
+    for (std::size_t i = 0; i < free.size() && n.candidates.size() < kCutsTried; ++i) {
+      const CutCandidate& c = found[from + i];
+      std::vector<CutCandidate>& to = free[i] != 0 ? n.candidates : behind;
+      if ((free[i] == 0 && to.size() >= kBehindTried) ||
+          std::any_of(to.begin(), to.end(), [&](const CutCandidate& o) { return alike(o, c); }) ||
+          !keepsFoot(n, c.plane))
+        continue;
+      to.push_back(c);
+    }
   }
+  n.candidates.insert(n.candidates.end(), behind.begin(), behind.end());
   n.cuttings.resize(n.candidates.size());
   n.tried.assign(n.candidates.size(), false);
 }

@@ -72,6 +72,7 @@ private:
   double mayGo(const Node& node) const;
   double footPrice(const Node& node) const; // risky area that a mm2 of contact is worth
   bool keepsFoot(const Node& node, const Plane& plane) const;
+  bool wayIsFree(const Node& node, const CutCandidate& candidate) const;
   void findCandidates(Node& node);
   // Of pieces numbered firstId and up.
   std::vector<Option> optionsOf(const std::vector<State>& beam, int firstId);
@@ -100,6 +101,7 @@ private:
   HeadReach head_;
   std::vector<Eigen::Vector3d> normals_;
   std::vector<NodePtr> start_;
+  std::vector<Eigen::Vector3d> carrier_; // points of what carries the plate
   double before_ = 0.0, least_ = 0.0;
   Footing footing_;
   int ids_ = 0;
