@@ -13,7 +13,7 @@ namespace voluta::planar {
 inline constexpr double kBlockedShare = 0.002;
 // By so much the head is taken wider, as obstacles are samples; and by so much where what is found
 // is to hold on a finer mesh too.
-inline constexpr double kHeadMarginMm = 0.2, kCoarseHeadMarginMm = 0.6;
+inline constexpr double kHeadMarginMm = 0.2, kCoarseHeadMarginMm = 0.25;
 // Between points of obstacles: what looks through between them is smaller than a bead.
 inline constexpr double kReachSpacingMm = 1.0;
 
