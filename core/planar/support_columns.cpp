@@ -14,16 +14,19 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kUnits = 1e4;      // of the polygons' integers, a mm
+constexpr double kCleanMm = 0.02;   // details that columns may lose at each step
+constexpr double kArcMm = 0.05;     // of round corners
 constexpr double kNarrowest = 0.5;  // of a bead: what reaches out by less hangs on by itself
 constexpr double kFooting = 0.5;    // share of a column's section that stands on something
 constexpr double kUnderBase = 0.25; // of the first layer: how deep under a base it is asked for
 
-Path simplifiedLoop(Path loop) {
-  ClipperLib::CleanPolygon(loop, 0.002 * kUnits);
-  return loop;
+Paths cleaned(Paths paths) {
+  ClipperLib::CleanPolygons(paths, kCleanMm * kUnits);
+  std::erase_if(paths, [](const Path& path) { return path.size() < 3; });
+  return paths;
 }
 
-// The loops of a section, as they run.
+// The loops of a section.
 Paths pathsOf(const Section& section, const PlaneFrame& frame) {
   std::vector<std::vector<int>> next(section.points.size());
   for (const auto& [a, b] : section.edges)
@@ -40,12 +43,10 @@ Paths pathsOf(const Section& section, const PlaneFrame& frame) {
         next[at].pop_back();
         at = static_cast<std::size_t>(to);
       }
-      loop = simplifiedLoop(std::move(loop));
-      if (loop.size() > 2)
-        loops.push_back(std::move(loop));
+      loops.push_back(std::move(loop));
     }
   ClipperLib::SimplifyPolygons(loops, ClipperLib::pftEvenOdd);
-  return loops;
+  return cleaned(std::move(loops));
 }
 
 Paths combined(const Paths& a, const Paths& b, ClipperLib::ClipType how) {
@@ -54,7 +55,7 @@ Paths combined(const Paths& a, const Paths& b, ClipperLib::ClipType how) {
   clipper.AddPaths(b, ClipperLib::ptClip, true);
   Paths out;
   clipper.Execute(how, out, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return out;
+  return cleaned(std::move(out));
 }
 Paths united(const Paths& a, const Paths& b) {
   return combined(a, b, ClipperLib::ctUnion);
@@ -69,11 +70,11 @@ Paths shared(const Paths& a, const Paths& b) {
 Paths grown(const Paths& a, double byMm) {
   if (a.empty())
     return a;
-  ClipperLib::ClipperOffset offset(2.0, 0.01 * kUnits);
+  ClipperLib::ClipperOffset offset(2.0, kArcMm * kUnits);
   offset.AddPaths(a, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
   Paths out;
   offset.Execute(out, byMm * kUnits);
-  return out;
+  return cleaned(std::move(out));
 }
 // Less what is narrower than twice `byMm`.
 Paths opened(const Paths& a, double byMm) {
@@ -89,7 +90,7 @@ double areaMm2(const Paths& paths) {
 
 // Outlines with their holes, each by itself.
 std::vector<Paths> components(const Paths& paths) {
-  ClipperLib::Clipper clipper;
+  ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
   clipper.AddPaths(paths, ClipperLib::ptSubject, true);
   ClipperLib::PolyTree tree;
   clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
