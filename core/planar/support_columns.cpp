@@ -106,6 +106,16 @@ std::vector<Paths> components(const Paths& paths) {
   return out;
 }
 
+// Without components that are narrower than twice `byMm` all over. Others keep their shape:
+// rounding corners at every level would eat a column up.
+Paths wideEnough(const Paths& a, double byMm) {
+  Paths out;
+  for (const Paths& one : components(a))
+    if (!grown(one, -byMm).empty())
+      out.insert(out.end(), one.begin(), one.end());
+  return out;
+}
+
 Section sectionOf(const Paths& paths, const Plane& plane, const PlaneFrame& frame) {
   Section out;
   out.plane = plane;
@@ -189,7 +199,7 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
     const Paths carried = united(shared(grown(hanging[k], half), levels.own(k)), columns[k]);
     const Paths taken =
         grown(united(standing[k - 1], levels.later(levels.middle(k - 1))), options.gapMm);
-    columns[k - 1] = opened(without(carried, taken), 0.9 * half);
+    columns[k - 1] = wideEnough(without(carried, taken), 0.9 * half);
     any = true;
   }
   if (!any)
