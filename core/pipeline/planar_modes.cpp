@@ -104,6 +104,19 @@ std::string planarKey(const ModeChoices& in) {
          (cuts.empty() ? pieceSearchKey(in.values) : planesKey("cuts", cuts));
 }
 
+// Motion says which waypoints.
+plan::Finding blockedPieces(const planar::PlanarDecomposition& d) {
+  plan::Finding f;
+  f.stage = "decompose";
+  f.kind = "blockedPieces";
+  f.count = d.blockedPieces;
+  f.reason = fmt::format("{} of {} pieces: something printed before is in the head's way",
+                         d.blockedPieces, d.pieces.size());
+  f.remedy = "give other cuts (cutPlanes), turn the part, or use curved mode";
+  f.blocking = false;
+  return f;
+}
+
 std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& input,
                                                       const base::RunContext& ctx) {
   const base::Stopwatch watch;
@@ -124,6 +137,11 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
     throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate", {},
                       "drop it to the plate");
   tellPieces(*pieces, in, *stage);
+  const plan::Findings left = planar::overhangFindings(
+      pieces->pieces, options.rule, "add supports (supports=auto), cut there, or use curved mode");
+  stage->findings.insert(stage->findings.end(), left.begin(), left.end());
+  if (pieces->blockedPieces > 0)
+    stage->findings.push_back(blockedPieces(*pieces));
   stage->pieces = pieces;
   stage->timings.decompose = watch.seconds();
   return stage;

@@ -5,10 +5,13 @@
 #include "pipeline/road.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace voluta::pipeline {
 
 namespace {
+
+constexpr double kRoomMm = 20.0;
 
 // None where the value is what it is already, or no stage knows the parameter.
 std::optional<Cure> withParameter(const Choices& choices, const std::string& key,
@@ -30,6 +33,20 @@ std::optional<Cure> withParameter(const Choices& choices, const std::string& key
 
 std::optional<Cure> addSupports(const plan::Finding&, const Choices& choices) {
   return withParameter(choices, "supports", "auto");
+}
+
+std::optional<Cure> turnLeastRisky(const plan::Finding&, const Choices& choices) {
+  return withParameter(choices, "orient", "leastRisky");
+}
+
+// Room for supports beside the part.
+std::optional<Cure> widenPlatform(const plan::Finding&, const Choices& choices) {
+  const std::optional<double> margin = fitMargin(choices.platform);
+  if (!margin || *margin >= kRoomMm)
+    return std::nullopt;
+  Cure cure{choices, {}};
+  cure.choices.platform = fmt::format("fit:{:g}", kRoomMm);
+  return cure;
 }
 
 std::optional<Cure> turnPart(const plan::Finding&, const Choices& choices) {
@@ -68,8 +85,13 @@ const std::vector<Remedy>& remedies() {
       {"shrinkPlatform", "Shrink platform", {"shadowedVoxels", "missedVoxels"}, shrinkPlatform},
       {"addSupports",
        "Add supports",
-       {"shadowedVoxels", "unreachedVoxels", "missedVoxels"},
+       {"shadowedVoxels", "unreachedVoxels", "missedVoxels", "overhang", "beginsInAir"},
        addSupports},
+      {"widenPlatform", "Widen the platform", {"unheldOverhang"}, widenPlatform},
+      {"turnLeastRisky",
+       "Turn the part",
+       {"overhang", "beginsInAir", "uniformMisses", "unheldOverhang"},
+       turnLeastRisky},
       {"turnPart",
        "Turn the part",
        {"shadowedVoxels", "unreachedVoxels", "missedVoxels"},

@@ -44,20 +44,21 @@ std::vector<Place> riskyPlaces(const Piece& piece, const RiskRule& rule) {
   return places;
 }
 
-plan::Finding overhang(std::size_t count, std::string reason) {
+plan::Finding overhang(std::size_t count, std::string reason, const std::string& remedy) {
   plan::Finding f;
   f.stage = "decompose";
   f.kind = "overhang";
   f.count = count;
   f.reason = std::move(reason);
-  f.remedy = "turn the part (orient=leastRisky), or use planar or curved mode";
+  f.remedy = remedy;
   f.blocking = false;
   return f;
 }
 
 } // namespace
 
-plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule) {
+plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule,
+                                const std::string& remedy) {
   std::vector<Place> places;
   for (const Piece& piece : pieces) {
     const std::vector<Place> more = riskyPlaces(piece, rule);
@@ -69,8 +70,10 @@ plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule
   plan::Findings findings;
   for (std::size_t i = 0; i < std::min(kTold, places.size()); ++i) {
     findings.push_back(
-        overhang(1, fmt::format("{:.3g} mm2 lean over by more than {:g} degrees", places[i].areaMm2,
-                                base::radiansToDegrees(rule.overhangRad))));
+        overhang(1,
+                 fmt::format("{:.3g} mm2 lean over by more than {:g} degrees", places[i].areaMm2,
+                             base::radiansToDegrees(rule.overhangRad)),
+                 remedy));
     findings.back().where = places[i].centre;
   }
   if (places.size() > kTold) {
@@ -80,7 +83,8 @@ plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule
     findings.push_back(
         overhang(places.size() - kTold,
                  fmt::format("{} smaller places lean over too far, {:.3g} mm2 together",
-                             places.size() - kTold, rest)));
+                             places.size() - kTold, rest),
+                 remedy));
   }
   return findings;
 }
@@ -94,7 +98,9 @@ PlanarDecomposition flatDecomposition(const geometry::TriangleMesh& part, const 
   whole.solid = tagged(part);
   out.pieces.push_back(std::move(whole));
   out.riskyBeforeMm2 = out.riskyMm2 = riskyArea(out.pieces.front(), rule);
-  out.findings = overhangFindings(out.pieces, rule);
+  out.findings = overhangFindings(
+      out.pieces, rule,
+      "turn the part (orient=leastRisky), add supports, or use planar or curved mode");
   return out;
 }
 

@@ -4,6 +4,8 @@
 #include "geometry/triangle_mesh.h"
 #include "planar/decomposition.h"
 
+#include <string>
+
 namespace voluta::planar {
 
 // The part as one piece on the plate, with the area that needs support as a finding that does not
@@ -12,7 +14,8 @@ namespace voluta::planar {
 PlanarDecomposition flatDecomposition(const geometry::TriangleMesh& part, const RiskRule& rule);
 
 // Where faces that need support hang together: one finding ("overhang") for each of the five
-// largest places, one for the rest. None of them blocks.
-plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule);
+// largest places, one for the rest, with what would help. None of them blocks.
+plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule,
+                                const std::string& remedy);
 
 } // namespace voluta::planar

@@ -88,6 +88,22 @@ TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
   EXPECT_EQ(turned.job.report.decomposition.missedVoxels, 0u);
 }
 
+TEST(FlatMode, SupportsCarryWhatHangsAndCountApart) {
+  PlanRequest flat = request("flat", Stage::Replay);
+  flat.loaded = tee();
+  flat.choices.platform = "fit:15";
+  flat.choices.formats = {"urscript"};
+  setParameters(flat.choices, {"supports=auto"});
+  const PlanResult result = planPart(flat, context());
+  const Report& r = result.job.report;
+  // Two columns of 12 x 8 x 12 less the gap to the leg.
+  EXPECT_NEAR(r.decomposition.supportVolumeMm3, 2 * 11.7 * 8 * 12, 60.0);
+  EXPECT_NEAR(r.layers.areaMm2 * r.layers.thicknessMeanMm, 8 * 8 * 12 + 32 * 8 * 8, 1e-3);
+  EXPECT_EQ(r.replay.collisions, 0u);
+  EXPECT_LT(r.replay.unsupportedFraction, 0.005);
+  EXPECT_NEAR(r.replay.massRatio, 1.0, 0.03);
+}
+
 TEST(FlatMode, LayersLieWhereTheUserSays) {
   const test::TemporaryFolder folder;
   base::writeFile(folder / "planes.json",
