@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kReachShare = 1.25;     // as layers::checkSupport's other users
 constexpr double kOnSomething = 0.02;    // share of its area with which a patch does not hang
-constexpr double kBeadsToDrop = 2.0;     // across: islands smaller than that go
+constexpr double kBeadsToDrop = 4.0;     // across: islands smaller than that go
 constexpr double kBlockingShare = 0.005; // of the volume not laid
 
 std::size_t at(int i) {
