@@ -7,19 +7,31 @@
 namespace voluta::geometry {
 
 std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh) {
-  std::vector<HalfEdge> edges;
-  edges.reserve(3 * mesh.triangles.size());
+  const auto sideOf = [&](std::size_t t, int side) {
+    const int from = mesh.triangles[t][static_cast<std::size_t>(side)];
+    const int to = mesh.triangles[t][static_cast<std::size_t>((side + 1) % 3)];
+    return HalfEdge{std::min(from, to), std::max(from, to), static_cast<int>(t), side, from < to};
+  };
+  // By the low vertex first, counted; few share one.
+  std::vector<std::size_t> begin(mesh.vertices.size() + 1, 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int side = 0; side < 3; ++side)
+      ++begin[static_cast<std::size_t>(sideOf(t, side).low) + 1];
+  for (std::size_t v = 1; v < begin.size(); ++v)
+    begin[v] += begin[v - 1];
+  std::vector<HalfEdge> edges(3 * mesh.triangles.size());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int side = 0; side < 3; ++side) {
-      const int from = mesh.triangles[t][static_cast<std::size_t>(side)];
-      const int to = mesh.triangles[t][static_cast<std::size_t>((side + 1) % 3)];
-      edges.push_back(
-          {std::min(from, to), std::max(from, to), static_cast<int>(t), side, from < to});
+      const HalfEdge edge = sideOf(t, side);
+      edges[next[static_cast<std::size_t>(edge.low)]++] = edge;
     }
-  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-    return std::tie(a.low, a.high, a.triangle, a.side) <
-           std::tie(b.low, b.high, b.triangle, b.side);
-  });
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v)
+    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+              edges.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
+              [](const HalfEdge& a, const HalfEdge& b) {
+                return std::tie(a.high, a.triangle, a.side) < std::tie(b.high, b.triangle, b.side);
+              });
   return edges;
 }
 

@@ -77,6 +77,44 @@ struct Above {
   double bestGain = -1.0, bestAfter = 0.0, bestOffset = 0.0;
 };
 
+struct Entry {
+  double low;
+  int face;
+};
+
+// Highest first; in steps of 2^-32 of their range, within a step by face (radix sort: there are as
+// many of these as normals). Precondition: in order of faces.
+void sortFalling(std::vector<Entry>& entries) {
+  constexpr int kBits = 11;
+  constexpr std::size_t kBuckets = 1U << kBits;
+  if (entries.empty())
+    return;
+  const auto [least, most] = std::minmax_element(
+      entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.low < b.low; });
+  const double high = most->low;
+  const double scale = 4294967295.0 / std::max(1e-9, high - least->low);
+  struct Keyed {
+    std::uint32_t key;
+    Entry entry;
+  };
+  std::vector<Keyed> from, to(entries.size());
+  from.reserve(entries.size());
+  for (const Entry& e : entries)
+    from.push_back({static_cast<std::uint32_t>((high - e.low) * scale), e});
+  for (int shift = 0; shift < 32; shift += kBits) {
+    std::vector<std::size_t> at(kBuckets + 1, 0);
+    for (const Keyed& k : from)
+      ++at[((k.key >> shift) & (kBuckets - 1)) + 1];
+    for (std::size_t b = 1; b < at.size(); ++b)
+      at[b] += at[b - 1];
+    for (const Keyed& k : from)
+      to[at[(k.key >> shift) & (kBuckets - 1)]++] = k;
+    from.swap(to);
+  }
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    entries[i] = from[i].entry;
+}
+
 void sweep(const geometry::TriangleMesh& mesh, const FaceTable& f, const Vector3d& normal,
            const RiskRule& rule, const CandidateOptions& options, std::vector<CutCandidate>& out) {
   constexpr double kLevel = 1e-6; // mm: corners so near in height are at one offset
@@ -84,11 +122,8 @@ void sweep(const geometry::TriangleMesh& mesh, const FaceTable& f, const Vector3
   std::vector<double> height(mesh.vertices.size());
   for (std::size_t v = 0; v < height.size(); ++v)
     height[v] = normal.dot(mesh.vertices[v]);
-  struct Entry {
-    double low;
-    int face;
-  };
-  std::vector<Entry> order(n); // a face is above a plane when its lowest corner is
+  // A face is above a plane when its lowest corner is.
+  std::vector<Entry> order(n);
   double lowest = 1e300;
   for (std::size_t t = 0; t < n; ++t) {
     const auto& c = mesh.triangles[t];
@@ -98,9 +133,8 @@ void sweep(const geometry::TriangleMesh& mesh, const FaceTable& f, const Vector3
     order[t] = {low, static_cast<int>(t)};
     lowest = std::min(lowest, low);
   }
-  std::sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) {
-    return a.low != b.low ? a.low > b.low : a.face < b.face;
-  });
+  sortFalling(order);
+  const double leans = -std::sin(rule.overhangRad); // risky below this cosine
   geometry::UnionFind sets(n);
   std::vector<Above> part(n);
   std::vector<std::uint8_t> above(n, 0);
@@ -132,7 +166,7 @@ void sweep(const geometry::TriangleMesh& mesh, const FaceTable& f, const Vector3
       above[t] = 1;
       Above& own = part[t];
       own.before = f.risky[t];
-      own.after = !f.laid[t] && isRisky(f.normal[t], normal, rule) ? f.area[t] : 0.0;
+      own.after = !f.laid[t] && f.normal[t].dot(normal) < leans ? f.area[t] : 0.0;
       own.stands = f.stands[t] ? f.area[t] : 0.0;
       own.top = static_cast<int>(t);
       for (const int w : f.neighbour[t]) {

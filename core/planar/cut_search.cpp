@@ -26,7 +26,8 @@ constexpr double kPieceCost = 0.002;                 // of the risky area before
 constexpr double kLeastGain = 0.0005;                // of the risky area before, for a cut
 constexpr double kBaseGoes = 0.4, kBaseWorth = 0.02; // of a piece's base: share that may go, price
 constexpr double kBlockedCost =
-    0.02; // of the risky area before, for a piece the head does not reach
+    0.02;                    // of the risky area before, for a piece the head does not reach
+constexpr int kCarrier = -1; // in place of a piece's number
 constexpr std::size_t kResults = 4;
 constexpr std::size_t kAskedAtOnce = 16; // candidates
 constexpr std::size_t kBehindTried = 6;  // candidates that something is in the way of
@@ -36,7 +37,7 @@ constexpr std::size_t kTries = 40;       // of cuts at a level, for each partial
 
 CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, double riskyBeforeMm2,
                      const Footing& footing, double headMarginMm, const base::RunContext& ctx)
-    : options_(options), ctx_(ctx), head_(options.head, headMarginMm),
+    : options_(options), bare_(options), ctx_(ctx), head_(options.head, headMarginMm),
       normals_(evenDirections(options.normals, options.lowestZ)), before_(riskyBeforeMm2),
       least_(kLeastGain * riskyBeforeMm2), footing_(footing) {
   constexpr double kFlatShare = 0.004;
@@ -48,6 +49,7 @@ CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, do
   }
   const std::vector<Vector3d> flat = flatDirections(all, kFlatShare, 24, options.lowestZ);
   normals_.insert(normals_.begin(), flat.begin(), flat.end());
+  bare_.platform.stem.clear();
   for (const StemFrustum& frustum : options.platform.stem) {
     const auto points = frustumSamples(frustum.lowMm, frustum.highMm, frustum.lowRadiusMm,
                                        frustum.highRadiusMm, kReachSpacingMm);
@@ -77,7 +79,17 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
   if (!head_.empty()) {
     made->body = surfaceSamples(made->piece.solid.mesh, kReachSpacingMm);
     made->tips = tipsOf(made->body);
-    made->body = withPlate(std::move(made->body), made->piece, options_, kReachSpacingMm);
+    made->body = withPlate(std::move(made->body), made->piece, bare_, kReachSpacingMm);
+    made->lowestTip = 1e300;
+    for (const Vector3d& p : made->tips)
+      made->lowestTip = std::min(made->lowestTip, made->piece.base.normal.dot(p));
+    made->lowestTip = std::max(made->lowestTip, firstTipMm(made->piece, options_.rule));
+    made->under = carrier_;
+    for (const Vector3d& p : made->body) {
+      made->bodyBox.extend(p);
+      if (p.z() <= 0.0)
+        made->under.push_back(p);
+    }
   }
   return made;
 }
@@ -100,20 +112,20 @@ bool CutSearch::keepsFoot(const Node& n, const Plane& plane) const {
                                           options_.keptHull * footing_.hullMm2 - 1e-9;
 }
 
-// Whether the head comes past what is left below the plane, plate and carrier included, to lay what
-// lies above it: all of that, which may be more than the candidate takes off.
+// Whether the head comes past plate and carrier to lay what lies above the plane: all of that,
+// which may be more than the candidate takes off. What is left of the piece lies below.
 bool CutSearch::wayIsFree(const Node& n, const CutCandidate& c) const {
   if (head_.empty())
     return true;
   std::vector<Vector3d> tips, obstacles;
+  for (const Vector3d& p : n.under)
+    if (c.plane.heightOf(p) > 0.0)
+      obstacles.push_back(p);
+  if (obstacles.empty())
+    return true;
   for (const Vector3d& p : n.tips)
     if (c.plane.heightOf(p) > 0.0)
       tips.push_back(p);
-  for (const Vector3d& p : n.body)
-    if (c.plane.heightOf(p) <= 0.0 || p.z() <= 0.0)
-      obstacles.push_back(p);
-  if (n.piece.baseTag != kPlate)
-    obstacles.insert(obstacles.end(), carrier_.begin(), carrier_.end());
   return !head_.blocked(tips, obstacles, c.plane.normal,
                         c.plane.offsetMm + 2.0 * options_.rule.contactMm);
 }
@@ -137,22 +149,25 @@ void CutSearch::findCandidates(Node& n) {
            std::abs(o.plane.heightOf(c.topMm) - c.plane.heightOf(c.topMm)) < kAlikeMm &&
            std::abs(o.plane.heightOf(o.topMm) - c.plane.heightOf(o.topMm)) < kAlikeMm;
   };
+  const auto isNew = [&](const CutCandidate& c, const std::vector<CutCandidate>& among) {
+    return std::none_of(among.begin(), among.end(),
+                        [&](const CutCandidate& o) { return alike(o, c); });
+  };
   std::vector<CutCandidate> behind; // in whose way something is
-  for (std::size_t from = 0; from < found.size() && n.candidates.size() < kCutsTried;
-       from += kAskedAtOnce) {
-    std::vector<char> free(std::min(kAskedAtOnce, found.size() - from), 0);
+  for (std::size_t at = 0; at < found.size() && n.candidates.size() < kCutsTried;) {
+    std::vector<CutCandidate> asked;
+    for (; at < found.size() && asked.size() < kAskedAtOnce; ++at)
+      if (isNew(found[at], n.candidates) && keepsFoot(n, found[at].plane))
+        asked.push_back(found[at]);
+    std::vector<char> free(asked.size(), 0);
     base::parallelChunks(ctx_, free.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        free[i] = wayIsFree(n, found[from + i]);
+        free[i] = wayIsFree(n, asked[i]);
     });
     for (std::size_t i = 0; i < free.size() && n.candidates.size() < kCutsTried; ++i) {
-      const CutCandidate& c = found[from + i];
       std::vector<CutCandidate>& to = free[i] != 0 ? n.candidates : behind;
-      if ((free[i] == 0 && to.size() >= kBehindTried) ||
-          std::any_of(to.begin(), to.end(), [&](const CutCandidate& o) { return alike(o, c); }) ||
-          !keepsFoot(n, c.plane))
-        continue;
-      to.push_back(c);
+      if ((free[i] != 0 || to.size() < kBehindTried) && isNew(asked[i], to))
+        to.push_back(asked[i]);
     }
   }
   n.candidates.insert(n.candidates.end(), behind.begin(), behind.end());
@@ -268,7 +283,8 @@ void CutSearch::weighHead(std::vector<State>& states) {
   askHead(states);
   for (State& state : states) {
     state.blocked = orderIn(state, [&](const Node& of, const Node& what) {
-                      return ways_.at({of.id, what.id});
+                      return ways_.at({of.id, what.id}) ||
+                             (what.piece.baseTag == kPlate && ways_.at({of.id, kCarrier}));
                     }).blocked;
     state.cost += kBlockedCost * before_ * static_cast<double>(state.blocked);
   }
@@ -281,14 +297,22 @@ void CutSearch::weighHead(State& state) {
 }
 
 bool CutSearch::inTheWay(const Node& of, const Node& what) const {
-  return head_.blocked(of.tips, what.body, of.piece.base.normal,
+  const Vector3d& up = of.piece.base.normal;
+  const Eigen::AlignedBox3d& box = what.bodyBox;
+  const double highest = up.dot(box.center()) + 0.5 * up.cwiseAbs().dot(box.sizes());
+  return highest > of.lowestTip &&
+         head_.blocked(of.tips, what.body, up, firstTipMm(of.piece, options_.rule));
+}
+
+bool CutSearch::carrierInTheWay(const Node& of) const {
+  return head_.blocked(of.tips, carrier_, of.piece.base.normal,
                        firstTipMm(of.piece, options_.rule));
 }
 
 // Works out what the states ask of the head and is not known yet.
 void CutSearch::askHead(const std::vector<State>& states) {
   struct Way {
-    const Node *of = nullptr, *what = nullptr;
+    const Node *of = nullptr, *what = nullptr; // nullptr: the carrier
     char blocked = 0;
   };
   std::vector<Way> ways;
@@ -296,14 +320,17 @@ void CutSearch::askHead(const std::vector<State>& states) {
     orderIn(state, [&](const Node& of, const Node& what) {
       if (ways_.try_emplace({of.id, what.id}, false).second)
         ways.push_back({&of, &what, 0});
+      if (what.piece.baseTag == kPlate && ways_.try_emplace({of.id, kCarrier}, false).second)
+        ways.push_back({&of, nullptr, 0});
       return false;
     });
   base::parallelChunks(ctx_, ways.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      ways[i].blocked = inTheWay(*ways[i].of, *ways[i].what);
+      ways[i].blocked =
+          ways[i].what ? inTheWay(*ways[i].of, *ways[i].what) : carrierInTheWay(*ways[i].of);
   });
   for (const Way& way : ways)
-    ways_[{way.of->id, way.what->id}] = way.blocked != 0;
+    ways_[{way.of->id, way.what ? way.what->id : kCarrier}] = way.blocked != 0;
 }
 
 PieceOrder

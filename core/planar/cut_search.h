@@ -79,6 +79,7 @@ private:
   void tryCuts(const std::vector<Option>& options, std::size_t begin, std::size_t end);
   State after(const Option& option, const Cutting& cutting);
   bool inTheWay(const Node& of, const Node& what) const;
+  bool carrierInTheWay(const Node& of) const;
   void askHead(const std::vector<State>& states);
   static PieceOrder orderIn(const State& state,
                             const std::function<bool(const Node& of, const Node& what)>& blocked);
@@ -97,6 +98,7 @@ private:
   bool cutAnew(State& state);
 
   const PlanarOptions& options_;
+  PlanarOptions bare_; // without what carries the plate, which is asked apart
   const base::RunContext& ctx_;
   HeadReach head_;
   std::vector<Eigen::Vector3d> normals_;
@@ -106,7 +108,7 @@ private:
   Footing footing_;
   int ids_ = 0;
   std::int32_t tags_ = 0;
-  std::map<std::pair<int, int>, bool> ways_;   // known answers of inTheWay
+  std::map<std::pair<int, int>, bool> ways_; // known answers of inTheWay; second -1: of the carrier
   std::set<std::pair<int, int>> moved_, anew_; // pairs of pieces tried before, lower and upper
 };
 

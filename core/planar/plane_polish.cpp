@@ -23,6 +23,7 @@ PlaneWorth planeWorth(const Piece& piece, const FaceTable& faces, const RiskRule
   };
   if (!reaches(static_cast<std::size_t>(top)))
     return out;
+  const double leans = -std::sin(rule.overhangRad); // risky below this cosine
   std::vector<std::uint8_t> seen(faces.area.size(), 0);
   std::vector<int> todo{top};
   seen[static_cast<std::size_t>(top)] = 1;
@@ -56,7 +57,7 @@ PlaneWorth planeWorth(const Piece& piece, const FaceTable& faces, const RiskRule
       out.footMm2 += area;
     if (faces.risky[t] > 0.0)
       out.gainMm2 += area;
-    if (!faces.laid[t] && isRisky(faces.normal[t], plane.normal, rule))
+    if (!faces.laid[t] && faces.normal[t].dot(plane.normal) < leans)
       out.gainMm2 -= area;
     for (std::size_t k = 0; k < 3; ++k) {
       const int w = faces.neighbour[t][k];

@@ -1,6 +1,7 @@
 // pieces_report [--scheme greedy|beam] [--clusters N] [--angle DEG] [--threads N] [--beam N]
-// [--triangles N] [--no-head] [--stl DIR] [--brief] STL... What planar decomposition makes of real
-// parts, and what a checker that knows nothing of the planner says of it: a row each.
+// [--triangles N] [--no-head] [--stem] [--stl DIR] [--brief] STL... What planar decomposition makes
+// of real parts, and what a checker that knows nothing of the planner says of it: a row each.
+// --stem: the plate is carried as the bundled UR5 cell carries it.
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
 #include "planar/beam_search.h"
@@ -62,6 +63,8 @@ int main(int argc, char** argv) try {
       options.normals = std::stoi(next());
     else if (a == "--no-head")
       options.head.sections.clear();
+    else if (a == "--stem")
+      options.platform.stem = {{-100.0, -92.0, 32.0, 32.0}, {-92.0, -5.0, 14.0, 14.0}};
     else if (a == "--brief")
       brief = true;
     else if (a == "--stl")
