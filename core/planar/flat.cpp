@@ -24,12 +24,7 @@ struct Place {
 
 // Risky faces that hang together by edges.
 std::vector<Place> riskyPlaces(const Piece& piece, const RiskRule& rule) {
-  const geometry::TriangleMesh& mesh = piece.solid.mesh;
-  const std::vector<std::uint8_t> stands = standsOn(piece, rule);
-  std::vector<bool> risky(stands.size());
-  for (std::size_t t = 0; t < stands.size(); ++t)
-    risky[t] = !stands[t] && isRisky(geometry::triangleNormal(mesh, t), piece.base.normal, rule);
-  const geometry::TriangleMesh faces = geometry::subMesh(mesh, risky);
+  const geometry::TriangleMesh faces = geometry::subMesh(piece.solid.mesh, riskyFaces(piece, rule));
   const geometry::Components parts = geometry::components(faces);
   std::vector<Place> places(static_cast<std::size_t>(parts.count));
   for (std::size_t t = 0; t < faces.triangles.size(); ++t) {

@@ -36,13 +36,20 @@ std::vector<std::uint8_t> standsOn(const Piece& piece, const RiskRule& rule) {
   return stands;
 }
 
-double riskyArea(const Piece& piece, const RiskRule& rule) {
+std::vector<bool> riskyFaces(const Piece& piece, const RiskRule& rule) {
   const std::vector<std::uint8_t> stands = standsOn(piece, rule);
+  std::vector<bool> risky(stands.size());
+  for (std::size_t t = 0; t < risky.size(); ++t)
+    risky[t] = !stands[t] && piece.solid.tag[t] != kLaid &&
+               isRisky(geometry::triangleNormal(piece.solid.mesh, t), piece.base.normal, rule);
+  return risky;
+}
+
+double riskyArea(const Piece& piece, const RiskRule& rule) {
+  const std::vector<bool> risky = riskyFaces(piece, rule);
   double sum = 0.0;
-  for (std::size_t t = 0; t < stands.size(); ++t)
-    if (!stands[t] && piece.solid.tag[t] != kLaid &&
-        isRisky(geometry::triangleNormal(piece.solid.mesh, t), piece.base.normal, rule))
-      sum += geometry::triangleArea(piece.solid.mesh, t);
+  for (std::size_t t = 0; t < risky.size(); ++t)
+    sum += risky[t] ? geometry::triangleArea(piece.solid.mesh, t) : 0.0;
   return sum;
 }
 

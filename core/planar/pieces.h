@@ -39,9 +39,11 @@ Piece wholePart(const geometry::TriangleMesh& part, const RiskRule& rule);
 // n . d + sin(alpha) < 0: a face of outward unit normal n, printed along unit d, needs support.
 bool isRisky(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction, const RiskRule& rule);
 
-// Area of the faces that need support where the piece is printed along its base's normal, but for
-// what it stands on: its base section and what is kLaid, and on the plate the faces that lie no
-// higher than contactMm (whole: see wholePart). mm2.
+// Whether each triangle needs support where the piece is printed along its base's normal; none of
+// what it stands on does: its base section and what is kLaid, and on the plate the faces that lie
+// no higher than contactMm (whole: see wholePart).
+std::vector<bool> riskyFaces(const Piece& piece, const RiskRule& rule);
+// Their area, mm2.
 double riskyArea(const Piece& piece, const RiskRule& rule);
 
 // Whether each triangle is what the piece stands on.

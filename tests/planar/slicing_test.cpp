@@ -397,6 +397,19 @@ TEST(Flat, APartWithARoofHasItsOverhangTold) {
   EXPECT_THROW(flatDecomposition(open, {}), base::Error);
 }
 
+TEST(Flat, WhatLiesOnLaidMaterialIsNoOverhang) {
+  // A gallows whose arm lies on something laid before: its underside hangs over nothing.
+  Piece piece = pieceOf(gallows());
+  ASSERT_NEAR(riskyArea(piece, {}), 100.0, 1e-9);
+  EXPECT_EQ(overhangFindings({piece}, {}, "cut there").size(), 1u);
+  for (std::size_t t = 0; t < piece.solid.tag.size(); ++t)
+    if (geometry::triangleNormal(piece.solid.mesh, t).z() < -0.9 &&
+        piece.solid.mesh.corner(t, 0).z() > 1.0)
+      piece.solid.tag[t] = kLaid;
+  EXPECT_EQ(riskyArea(piece, {}), 0.0);
+  EXPECT_TRUE(overhangFindings({piece}, {}, "cut there").empty());
+}
+
 TEST(UniformMisses, ARoofIsMissedButForItsFirstSteps) {
   // Boge 6.3, on a T: a leg 4 wide and 8 high, a bar 20 wide and 3 high.
   voxel::SolidVoxels t;
