@@ -17,6 +17,7 @@
 #include "planar/user_planes.h"
 
 #include <fmt/format.h>
+#include <optional>
 
 namespace voluta::pipeline {
 
@@ -117,6 +118,33 @@ plan::Finding blockedPieces(const planar::PlanarDecomposition& d) {
   return f;
 }
 
+// What holds all pieces to the plate may be much less than what the part stands on.
+std::optional<plan::Finding> smallFoot(const geometry::TriangleMesh& part,
+                                       const std::vector<planar::Piece>& pieces,
+                                       const planar::RiskRule& rule) {
+  constexpr double kLeastShare = 0.5;
+  const double whole = planar::baseArea(planar::wholePart(part, rule), rule);
+  double left = 0.0;
+  std::optional<plan::Finding> f;
+  for (const planar::Piece& piece : pieces)
+    if (piece.baseTag == planar::kPlate) {
+      if (!f)
+        f.emplace().where = geometry::bounds(piece.solid.mesh).center();
+      left += planar::baseArea(piece, rule);
+    }
+  if (!f || left >= kLeastShare * whole)
+    return std::nullopt;
+  f->stage = "decompose";
+  f->kind = "smallFoot";
+  f->count = 1;
+  f->reason = fmt::format("all pieces are held to the plate by {:.3g} mm2, of {:.3g} that the part "
+                          "stands on uncut",
+                          left, whole);
+  f->remedy = "lay the part on a larger face, or give other cuts (cutPlanes)";
+  f->blocking = false;
+  return f;
+}
+
 std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& input,
                                                       const base::RunContext& ctx) {
   const base::Stopwatch watch;
@@ -140,6 +168,8 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
   const plan::Findings left = planar::overhangFindings(
       pieces->pieces, options.rule, "add supports (supports=auto), cut there, or use curved mode");
   stage->findings.insert(stage->findings.end(), left.begin(), left.end());
+  if (const auto foot = smallFoot(*input.placed.part, pieces->pieces, options.rule))
+    stage->findings.push_back(*foot);
   if (pieces->blockedPieces > 0)
     stage->findings.push_back(blockedPieces(*pieces));
   stage->pieces = pieces;
