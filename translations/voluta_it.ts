@@ -198,6 +198,18 @@ sioni</translation>
         <source>Flat layers</source>
         <translation>Strati piani</translation>
     </message>
+    <message>
+        <source>Widen the platform</source>
+        <translation>Allarga la base</translation>
+    </message>
+    <message>
+        <source>By 20 mm all round, so that supports have something to stand on</source>
+        <translation>Di 20 mm tutt&apos;intorno, perché i supporti abbiano su che poggiare</translation>
+    </message>
+    <message>
+        <source>Searches the way to lie in which least area needs support</source>
+        <translation>Cerca la posizione in cui meno area richiede supporti</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -555,6 +567,14 @@ sioni</translation>
     <message>
         <source>Scheme greedy: x,y,z (mm) of a place on what is printed first; it must stand on the plate. Empty: what stands on it with most area.</source>
         <translation>Schema greedy: x,y,z (mm) di un punto su ciò che si stampa per primo; deve poggiare sul piatto. Vuoto: ciò che vi poggia con più area.</translation>
+    </message>
+    <message>
+        <source>beam</source>
+        <translation>a fascio</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>greedy</translation>
     </message>
 </context>
 <context>

@@ -121,7 +121,8 @@ TEST(Architecture, ModulesIncludeOnlyWhatTheDesignAllows) {
 }
 
 // Headers that cost seconds to compile stay in sources, or in headers that only sources of the same
-// module include.
+// module include; the way from a mesh to CGAL's and back is for sources of any module that needs
+// it.
 TEST(Architecture, HeavyHeadersStayPrivate) {
   const std::regex heavy(R"(^(CGAL|fcl|ompl|nlohmann|CLI)/)");
   const auto all = includesBelow(kCore);
@@ -134,8 +135,9 @@ TEST(Architecture, HeavyHeadersStayPrivate) {
     if (heavyHeaders.count(include.target)) {
       EXPECT_EQ(include.file.extension(), ".cpp")
           << include.file << " passes on " << include.target;
-      EXPECT_EQ(*fs::relative(include.file, kCore).begin(), *fs::path(include.target).begin())
-          << include.file;
+      if (include.target != "geometry/cgal_mesh.h")
+        EXPECT_EQ(*fs::relative(include.file, kCore).begin(), *fs::path(include.target).begin())
+            << include.file;
     }
 }
 

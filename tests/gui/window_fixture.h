@@ -32,7 +32,7 @@ protected:
   QString writePart(const QString& name, const geometry::TriangleMesh& mesh) const;
 
   // Waits while events are served; false when it didn't come true in time.
-  static bool waitFor(const std::function<bool()>& condition, int ms = 60000);
+  static bool waitFor(const std::function<bool()>& condition, int ms = 180000);
   // All stages of the present choices are done and drawn.
   bool planned(pipeline::Stage stage);
   // Opens a part and waits until it lies on the plate.

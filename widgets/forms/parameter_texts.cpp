@@ -118,6 +118,8 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters", "Beads laid along the edge of each layer before it is filled."),
     QT_TRANSLATE_NOOP("Parameters", "infill"),
     QT_TRANSLATE_NOOP("Parameters", "How the inside of each layer is filled."),
+    QT_TRANSLATE_NOOP("Parameters", "beam"),
+    QT_TRANSLATE_NOOP("Parameters", "greedy"),
     QT_TRANSLATE_NOOP("Parameters", "zigzag"),
     QT_TRANSLATE_NOOP("Parameters", "concentric"),
     QT_TRANSLATE_NOOP("Parameters", "infill density"),
