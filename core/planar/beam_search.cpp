@@ -64,13 +64,16 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
     const Plane plane = polished(piece, faces, options.rule, step.plane, top, polish);
     const CutRules rules{options.rule, leastGainMm2, options.leastVolumeMm3, polish.mayGoMm2};
     auto cut = cutPiece(piece, plane, tag, rules);
-    // Where the finer shape does not allow that plane, one near by.
+    // Where that plane does not take off what the search's did, which further steps cut on, the
+    // search's own or one near by.
     CutRules any = rules;
     any.leastGainMm2 = 0.0;
     any.mayGoMm2 = std::max(polish.mayGoMm2, 0.5 * faces.standsMm2);
     for (const double shift : {0.0, 0.4, -0.4, 0.8, -0.8, 1.6, -1.6})
-      if (!cut)
-        cut = cutPiece(piece, {step.plane.normal, step.plane.offsetMm + shift}, tag, any);
+      if (!cut || cut->above.size() != step.above.size())
+        if (auto near = cutPiece(piece, {step.plane.normal, step.plane.offsetMm + shift}, tag, any);
+            near && (!cut || near->above.size() == step.above.size()))
+          cut = std::move(near);
     tag += kTagsPerCut;
     if (!cut) {
       pieces[step.below] = std::move(at->second);
@@ -129,17 +132,27 @@ Tried judged(std::vector<Piece> pieces, const PlanarOptions& options) {
   return tried;
 }
 
-// The options, then those that let go of more of what the part stands on, where not all of it must
-// stay.
-std::vector<PlanarOptions> relaxed(const PlanarOptions& options) {
+// Lets go of more of what the part stands on, where not all of it must stay.
+PlanarOptions relaxed(const PlanarOptions& options) {
   constexpr double kLess = 0.4;
-  std::vector<PlanarOptions> steps{options};
-  if (options.keptContact < 1.0 || options.keptHull < 1.0) {
-    steps.push_back(options);
-    steps.back().keptContact *= options.keptContact < 1.0 ? kLess : 1.0;
-    steps.back().keptHull *= options.keptHull < 1.0 ? kLess : 1.0;
+  PlanarOptions less = options;
+  less.keptContact *= options.keptContact < 1.0 ? kLess : 1.0;
+  less.keptHull *= options.keptHull < 1.0 ? kLess : 1.0;
+  return less;
+}
+
+// What is searched with, one after the other until the target is reached: the options; those that
+// keep less of the foot; and planes that face up only (RoboFDM, constraint II): cuts that face down
+// gain much at first and may leave pieces in the way of what would gain more.
+std::vector<PlanarOptions> searches(const PlanarOptions& options) {
+  std::vector<PlanarOptions> out{options};
+  if (options.keptContact < 1.0 || options.keptHull < 1.0)
+    out.push_back(relaxed(options));
+  if (options.lowestZ < 0.0) {
+    out.push_back(relaxed(options));
+    out.back().lowestZ = 0.0;
   }
-  return steps;
+  return out;
 }
 
 } // namespace
@@ -161,13 +174,14 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   const double goal = options.target * out.riskyBeforeMm2;
   const double least = 5e-4 * out.riskyBeforeMm2;
   Tried best = judged({whole}, options);
-  // First with what the first piece should keep of its foot, then with less.
   double share = 0.0;
-  for (const PlanarOptions& step : relaxed(options)) {
+  const std::vector<PlanarOptions> steps = searches(options);
+  for (const PlanarOptions& step : steps) {
     if (best.good(goal))
       break;
-    const base::RunContext searching = ctx.sub(share, share + 0.4);
-    share += 0.4;
+    const double next = share + 0.8 / static_cast<double>(steps.size());
+    const base::RunContext searching = ctx.sub(share, next);
+    share = next;
     searching.report(0.0, "pieces");
     const std::vector<SearchResult> found =
         CutSearch({coarse}, step, coarseBefore, coarseFooting,
@@ -194,7 +208,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   out.seconds.search = watch.seconds();
   const base::RunContext mending = ctx.sub(0.8, 1.0);
   mending.report(0.0, "pieces");
-  PlanarOptions last = relaxed(options).back();
+  PlanarOptions last = relaxed(options);
   last.beam = 2;
   const auto again = [&] {
     return CutSearch(best.pieces, last, out.riskyBeforeMm2, footing, kHeadMarginMm, mending);
