@@ -862,6 +862,10 @@ sioni</translation>
         <source>skeleton</source>
         <translation>scheletro</translation>
     </message>
+    <message>
+        <source>cutting</source>
+        <translation>taglio</translation>
+    </message>
 </context>
 <context>
     <name>voluta::document::Document</name>

@@ -26,6 +26,7 @@ namespace {
     QT_TRANSLATE_NOOP("Stages", "trimming layers on the part"),
     QT_TRANSLATE_NOOP("Stages", "ending layers on the surface"),
     QT_TRANSLATE_NOOP("Stages", "pieces"),
+    QT_TRANSLATE_NOOP("Stages", "cutting"),
     QT_TRANSLATE_NOOP("Stages", "skeleton"),
     QT_TRANSLATE_NOOP("Stages", "slicing"),
     QT_TRANSLATE_NOOP("Stages", "checking layers"),
