@@ -206,20 +206,15 @@ ExitCode compareCommand(const CompareCommandOptions& options) {
       },
       options.threads, progressSink(options.progress), [&] { staged.discard(); });
   endProgress(options.progress);
-  if (std::holds_alternative<base::Cancelled>(outcome)) {
-    fmt::print(stderr, "cancelled; {} is as it was\n", options.folder.string());
+  const auto done = settled(std::move(outcome), staged, options.folder);
+  if (!done)
     return kCancelled;
-  }
-  if (const auto* error = std::get_if<base::Error>(&outcome))
-    throw *error;
-  staged.commit();
-  const Done& done = std::get<Done>(outcome);
-  const pipeline::Ranking ranking = pipeline::rank(done.comparison.rows, options.weights);
-  sayTable(done.comparison, ranking);
-  sayVerdict(done.comparison, ranking, options.weights);
-  if (!done.pictureTrouble.empty())
-    fmt::print(stderr, "no pictures: {}\n", done.pictureTrouble);
-  return exitCodeOf(done.comparison.rows);
+  const pipeline::Ranking ranking = pipeline::rank(done->comparison.rows, options.weights);
+  sayTable(done->comparison, ranking);
+  sayVerdict(done->comparison, ranking, options.weights);
+  if (!done->pictureTrouble.empty())
+    fmt::print(stderr, "no pictures: {}\n", done->pictureTrouble);
+  return exitCodeOf(done->comparison.rows);
 }
 
 } // namespace voluta::cli

@@ -54,17 +54,12 @@ ExitCode planCommand(const PlanOptions& options) {
       },
       options.threads, progressSink(options.progress), [&] { staged.discard(); });
   endProgress(options.progress);
-  if (std::holds_alternative<base::Cancelled>(outcome)) {
-    fmt::print(stderr, "cancelled; {} is as it was\n", options.folder.string());
+  const auto report = settled(std::move(outcome), staged, options.folder);
+  if (!report)
     return kCancelled;
-  }
-  if (const auto* error = std::get_if<base::Error>(&outcome))
-    throw *error;
-  staged.commit();
-  const auto& report = std::get<pipeline::Report>(outcome);
-  sayResult(report);
-  sayFindings(report.findings);
-  return pipeline::nothingBlocks(report) ? kDone : kNotAll;
+  sayResult(*report);
+  sayFindings(report->findings);
+  return pipeline::nothingBlocks(*report) ? kDone : kNotAll;
 }
 
 } // namespace voluta::cli

@@ -1,12 +1,16 @@
 // Work on a thread of its own while this one waits for it or for Ctrl-C.
 #pragma once
 
+#include "base/files.h"
 #include "base/outcome.h"
 #include "base/run_context.h"
 
+#include <filesystem>
+#include <fmt/format.h>
 #include <functional>
 #include <future>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -47,6 +51,21 @@ auto runInterruptibly(F work, int threads, base::ProgressSink sink,
   if (token.cancelled())
     outcome = base::Cancelled{};
   return outcome;
+}
+
+// What a run that fills a folder came to: the folder is there now. Nothing where the run was
+// cancelled: one line says so. Throws Error with which the run ended.
+template <typename T>
+std::optional<T> settled(base::Outcome<T> outcome, base::StagedFolder& staged,
+                         const std::filesystem::path& folder) {
+  if (std::holds_alternative<base::Cancelled>(outcome)) {
+    fmt::print(stderr, "cancelled; {} is as it was\n", folder.string());
+    return std::nullopt;
+  }
+  if (const auto* error = std::get_if<base::Error>(&outcome))
+    throw *error;
+  staged.commit();
+  return std::get<T>(std::move(outcome));
 }
 
 } // namespace voluta::cli

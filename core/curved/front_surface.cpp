@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "curved/convex_hull.h"
-#include "curved/platform.h"
 #include "curved/voxel_graph.h"
+#include "geometry/convex_polygon.h"
 
 #include <cmath>
 
@@ -31,7 +31,7 @@ Corners sliceCorners(const Decomposition& d, std::int32_t rank, int k) {
     if (high > low)
       ends.emplace_back(high, j);
   }
-  return ends.size() < 3 ? ends : convexPolygon(std::move(ends), 0.0);
+  return ends.size() < 3 ? ends : geometry::convexPolygon(std::move(ends));
 }
 
 } // namespace

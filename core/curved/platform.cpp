@@ -9,22 +9,6 @@
 
 namespace voluta::curved {
 
-std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points, double marginMm) {
-  base::require(marginMm >= 0.0, "convexPolygon: margin >= 0");
-  std::vector<Eigen::Vector2d> polygon = geometry::convexPolygon(std::move(points));
-  if (marginMm == 0.0)
-    return polygon;
-  // Sum with a 16-gon about the disc of the margin.
-  std::vector<Eigen::Vector2d> widened;
-  const double radius = marginMm / std::cos(base::kPi / 16.0);
-  for (const Eigen::Vector2d& p : polygon)
-    for (int i = 0; i < 16; ++i) {
-      const double a = base::kPi * (2 * i + 1) / 16.0;
-      widened.emplace_back(p + radius * Eigen::Vector2d(std::cos(a), std::sin(a)));
-    }
-  return geometry::convexPolygon(std::move(widened));
-}
-
 std::vector<Eigen::Vector2d> platformFit(const voxel::SolidVoxels& voxels, double marginMm) {
   const voxel::VoxelGrid& grid = voxels.grid;
   const int k = voxels.plateLayer();
@@ -47,7 +31,7 @@ std::vector<Eigen::Vector2d> platformFit(const voxel::SolidVoxels& voxels, doubl
   if (corners.empty())
     throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate", {},
                       "drop it to the plate");
-  return convexPolygon(std::move(corners), marginMm);
+  return geometry::convexPolygon(std::move(corners), marginMm);
 }
 
 std::vector<Eigen::Vector2d> platformDisc(double diameterMm, const Eigen::Vector2d& centre) {

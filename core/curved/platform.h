@@ -8,9 +8,6 @@
 
 namespace voluta::curved {
 
-// Convex hull of the points, widened by marginMm >= 0. Counter-clockwise, mm.
-std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points, double marginMm);
-
 // Convex hull, widened by marginMm >= 0, of the cells that stand on the plate (z = 0).
 // Counter-clockwise, mm. Throws Error{UnusableInput} when no cell stands on the plate.
 std::vector<Eigen::Vector2d> platformFit(const voxel::SolidVoxels& voxels, double marginMm);

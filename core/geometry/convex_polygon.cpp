@@ -1,10 +1,16 @@
 #include "geometry/convex_polygon.h"
 
+#include "base/error.h"
+#include "base/units.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace voluta::geometry {
 
-std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points) {
+namespace {
+
+std::vector<Eigen::Vector2d> hullOf(std::vector<Eigen::Vector2d> points) {
   if (points.empty())
     return points;
   std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
@@ -26,6 +32,24 @@ std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points) 
   chain(points.begin(), points.end(), 0);
   chain(points.rbegin(), points.rend(), out.size());
   return out;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points, double marginMm) {
+  base::require(marginMm >= 0.0, "convexPolygon: margin >= 0");
+  std::vector<Eigen::Vector2d> polygon = hullOf(std::move(points));
+  if (marginMm == 0.0)
+    return polygon;
+  // Sum with a 16-gon about the disc of the margin.
+  std::vector<Eigen::Vector2d> widened;
+  const double radius = marginMm / std::cos(base::kPi / 16.0);
+  for (const Eigen::Vector2d& p : polygon)
+    for (int i = 0; i < 16; ++i) {
+      const double a = base::kPi * (2 * i + 1) / 16.0;
+      widened.emplace_back(p + radius * Eigen::Vector2d(std::cos(a), std::sin(a)));
+    }
+  return hullOf(std::move(widened));
 }
 
 } // namespace voluta::geometry

@@ -5,6 +5,7 @@
 #include "curved/decompose.h"
 #include "curved/forward_growth.h"
 #include "curved/platform.h"
+#include "geometry/convex_polygon.h"
 #include "motion/motion_options.h"
 #include "pipeline/modes.h"
 #include "pipeline/planar_modes.h"
@@ -172,12 +173,9 @@ void checkPlatform(const std::string& platform) {
 std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
                                              const voxel::SolidVoxels& voxels,
                                              const std::vector<Eigen::Vector2d>& own) {
-  const Platform p = parsedPlatform(platform);
-  if (p.kind == "disc")
-    return curved::platformDisc(p.width);
-  if (p.kind == "rect")
-    return curved::platformRect(p.width, p.depth);
-  return own.empty() ? curved::platformFit(voxels, p.width) : curved::convexPolygon(own, p.width);
+  const std::optional<double> margin = fitMargin(platform);
+  return margin && own.empty() ? curved::platformFit(voxels, *margin)
+                               : platformAround(platform, own);
 }
 
 std::optional<double> fitMargin(const std::string& platform) {
@@ -195,11 +193,15 @@ std::vector<Eigen::Vector2d> platformAround(const std::string& platform,
   if (standing.empty())
     throw Error(ErrorCode::UnusableInput, "the part does not touch the plate", {},
                 "drop it to the plate");
-  return curved::convexPolygon(std::move(standing), p.width);
+  return geometry::convexPolygon(std::move(standing), p.width);
 }
 
 double unitMm(const LoadedPart& loaded, const Choices& choices) {
   return loaded.cells ? parameterValues(choices).number("voxelMm") : 1.0;
+}
+
+robot::Cell cellOnAnyPlatform(const Choices& choices, const process::Process& process) {
+  return robot::loadCell(choices.cell, process, curved::platformDisc(80.0));
 }
 
 double parsedScale(const std::string& scale) {

@@ -50,6 +50,10 @@ std::vector<Eigen::Vector2d> platformAround(const std::string& platform,
 // a voxel object, else 1. Throws Error{Usage}: the parameters.
 double unitMm(const LoadedPart& loaded, const Choices& choices);
 
+// The chosen cell with a platform of some size, for what does not depend on the platform. Reads its
+// file. Throws Error{Usage, UnreadableFile, UnusableInput}.
+robot::Cell cellOnAnyPlatform(const Choices& choices, const process::Process& process);
+
 // A number > 0, or "fit" (returns 0). Throws Error{Usage}.
 double parsedScale(const std::string& scale);
 

@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "curved/platform.h"
+#include "geometry/convex_polygon.h"
 #include "geometry/diagnosis.h"
 #include "geometry/measures.h"
 #include "geometry/placement.h"
@@ -68,7 +69,7 @@ void placeCells(const LoadedPart& loaded, double pitch, const geometry::Placemen
     for (int c = 0; c < 4; ++c)
       corners.push_back(
           (origin + pitch * (turn * Eigen::Vector3d(i + c % 2, j + c / 2, 0.0))).head<2>());
-  stage.platform = curved::convexPolygon(std::move(corners), 0.0);
+  stage.platform = geometry::convexPolygon(std::move(corners));
 }
 } // namespace
 
@@ -79,11 +80,9 @@ std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choic
   const double unit = unitMm(loaded, choices);
   const double wanted = parsedScale(choices.scale);
   const auto place = [&](const geometry::Placement& how) {
-    stage->scale =
-        wanted > 0.0
-            ? wanted
-            : fittingScale(*loaded.mesh, unit, how,
-                           robot::loadCell(choices.cell, process, curved::platformDisc(80.0)));
+    stage->scale = wanted > 0.0
+                       ? wanted
+                       : fittingScale(*loaded.mesh, unit, how, cellOnAnyPlatform(choices, process));
     stage->part = std::make_shared<geometry::TriangleMesh>(
         geometry::place(*loaded.mesh, stage->scale * unit, how));
   };

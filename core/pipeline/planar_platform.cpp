@@ -1,6 +1,5 @@
 #include "pipeline/planar_platform.h"
 
-#include "curved/platform.h"
 #include "pipeline/choices.h"
 #include "robot/cell.h"
 
@@ -13,8 +12,7 @@ namespace {
 
 // Thickness of the plate and the frusta about z that carry it.
 planar::PlanarPlatform carrierOf(const Choices& choices, const process::Process& process) {
-  const robot::Cell cell =
-      robot::loadCell(choices.cell, process, curved::platformDisc(80.0)); // whatever its polygon
+  const robot::Cell cell = cellOnAnyPlatform(choices, process);
   planar::PlanarPlatform out;
   for (const robot::Body& body : cell.bodies()) {
     if (body.role != robot::BodyRole::Platform)

@@ -76,9 +76,7 @@ std::string next(const std::string& before, Stage stage, const std::string& own)
 
 StageKeys keysOf(const LoadedPart& loaded, const Choices& choices,
                  const base::ParameterValues& values, const process::Process& process) {
-  const robot::Cell cell =
-      robot::loadCell(choices.cell, process, curved::platformDisc(80.0)); // the platform is no part
-                                                                          // of the cell's text
+  const robot::Cell cell = cellOnAnyPlatform(choices, process); // the platform has its own text
   const Mode& mode = findMode(choices.mode);
   const ModeChoices in{choices, values, process};
   const std::string cellKey = cellText(cell);

@@ -37,8 +37,9 @@ constexpr std::size_t kTries = 40;       // of cuts at a level, for each partial
 
 CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, double riskyBeforeMm2,
                      const Footing& footing, double headMarginMm, const base::RunContext& ctx)
-    : options_(options), bare_(options), ctx_(ctx), head_(options.head, headMarginMm),
-      normals_(evenDirections(options.normals, options.lowestZ)), before_(riskyBeforeMm2),
+    : options_(options), ctx_(ctx), head_(options.head, headMarginMm),
+      normals_(evenDirections(options.normals, options.lowestZ)),
+      carrier_(carrierSamples(options.platform, kReachSpacingMm)), before_(riskyBeforeMm2),
       least_(kLeastGain * riskyBeforeMm2), footing_(footing) {
   constexpr double kFlatShare = 0.004;
   geometry::TriangleMesh all;
@@ -49,12 +50,6 @@ CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, do
   }
   const std::vector<Vector3d> flat = flatDirections(all, kFlatShare, 24, options.lowestZ);
   normals_.insert(normals_.begin(), flat.begin(), flat.end());
-  bare_.platform.stem.clear();
-  for (const StemFrustum& frustum : options.platform.stem) {
-    const auto points = frustumSamples(frustum.lowMm, frustum.highMm, frustum.lowRadiusMm,
-                                       frustum.highRadiusMm, kReachSpacingMm);
-    carrier_.insert(carrier_.end(), points.begin(), points.end());
-  }
   for (Piece& piece : pieces) {
     start_.push_back(node(std::move(piece)));
     start_.back()->id = ids_++;
@@ -79,7 +74,11 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
   if (!head_.empty()) {
     made->body = surfaceSamples(made->piece.solid.mesh, kReachSpacingMm);
     made->tips = tipsOf(made->body);
-    made->body = withPlate(std::move(made->body), made->piece, bare_, kReachSpacingMm);
+    if (made->piece.baseTag == kPlate) { // what carries the plate is asked apart
+      const auto plate = plateSamples(plateUnder(made->piece, options_),
+                                      options_.platform.thicknessMm, kReachSpacingMm);
+      made->body.insert(made->body.end(), plate.begin(), plate.end());
+    }
     made->lowestTip = 1e300;
     for (const Vector3d& p : made->tips)
       made->lowestTip = std::min(made->lowestTip, made->piece.base.normal.dot(p));

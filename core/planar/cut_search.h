@@ -98,7 +98,6 @@ private:
   bool cutAnew(State& state);
 
   const PlanarOptions& options_;
-  PlanarOptions bare_; // without what carries the plate, which is asked apart
   const base::RunContext& ctx_;
   HeadReach head_;
   std::vector<Eigen::Vector3d> normals_;

@@ -4,8 +4,7 @@
 #include "geometry/measures.h"
 #include "planar/head_reach.h"
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 namespace voluta::planar {
 
@@ -33,19 +32,7 @@ std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions&
   for (std::size_t t = 0; t < stands.size(); ++t)
     for (int k = 0; stands[t] && k < 3; ++k)
       points.push_back(piece.solid.mesh.corner(t, k).head<2>());
-  points = geometry::convexPolygon(std::move(points));
-  if (platform.marginMm <= 0.0)
-    return points;
-  // Sum with a polygon about the disc of the margin.
-  constexpr int kSides = 16;
-  const double radius = platform.marginMm / std::cos(std::numbers::pi / kSides);
-  std::vector<Eigen::Vector2d> wider;
-  for (const Eigen::Vector2d& p : points)
-    for (int i = 0; i < kSides; ++i) {
-      const double turn = std::numbers::pi * (2 * i + 1) / kSides;
-      wider.emplace_back(p + radius * Eigen::Vector2d(std::cos(turn), std::sin(turn)));
-    }
-  return geometry::convexPolygon(std::move(wider));
+  return geometry::convexPolygon(std::move(points), std::max(0.0, platform.marginMm));
 }
 
 std::vector<Eigen::Vector2d> plateOf(const std::vector<Piece>& pieces,
@@ -56,17 +43,24 @@ std::vector<Eigen::Vector2d> plateOf(const std::vector<Piece>& pieces,
   return options.platform.polygon;
 }
 
+std::vector<Eigen::Vector3d> carrierSamples(const PlanarPlatform& platform, double spacingMm) {
+  std::vector<Eigen::Vector3d> points;
+  for (const StemFrustum& frustum : platform.stem) {
+    const auto more = frustumSamples(frustum.lowMm, frustum.highMm, frustum.lowRadiusMm,
+                                     frustum.highRadiusMm, spacingMm);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return points;
+}
+
 std::vector<Eigen::Vector3d> withPlate(std::vector<Eigen::Vector3d> points, const Piece& piece,
                                        const PlanarOptions& options, double spacingMm) {
   if (piece.baseTag != kPlate)
     return points;
-  const auto add = [&](const std::vector<Eigen::Vector3d>& more) {
+  for (const auto& more :
+       {plateSamples(plateUnder(piece, options), options.platform.thicknessMm, spacingMm),
+        carrierSamples(options.platform, spacingMm)})
     points.insert(points.end(), more.begin(), more.end());
-  };
-  add(plateSamples(plateUnder(piece, options), options.platform.thicknessMm, spacingMm));
-  for (const StemFrustum& frustum : options.platform.stem)
-    add(frustumSamples(frustum.lowMm, frustum.highMm, frustum.lowRadiusMm, frustum.highRadiusMm,
-                       spacingMm));
   return points;
 }
 

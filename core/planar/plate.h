@@ -12,6 +12,9 @@ namespace voluta::planar {
 // the piece; of a piece that does not stand on the plate that of the options.
 std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions& options);
 
+// Points all over what carries the plate, `spacingMm` apart.
+std::vector<Eigen::Vector3d> carrierSamples(const PlanarPlatform& platform, double spacingMm);
+
 // Points of a piece that stands on the plate and points of that plate and what carries it,
 // `spacingMm` apart; of another piece its own.
 std::vector<Eigen::Vector3d> withPlate(std::vector<Eigen::Vector3d> points, const Piece& piece,

@@ -4,7 +4,9 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
+#include "planar/hand_parts.h"
 #include "planar/head_reach.h"
+#include "planar/plan_checker.h"
 #include "planar/plate.h"
 #include "process/process.h"
 #include "support/shapes.h"
@@ -41,33 +43,6 @@ TriangleMesh prism(const std::vector<Vector2d>& outline,
     m.triangles.push_back({t[0], t[2], t[1]});
     m.triangles.push_back({n + t[0], n + t[1], n + t[2]});
   }
-  if (geometry::volume(m) < 0.0)
-    for (auto& t : m.triangles)
-      std::swap(t[1], t[2]);
-  return m;
-}
-
-// A body of revolution about z from its profile of (r, z), r = 0 at both ends.
-TriangleMesh revolved(const std::vector<Vector2d>& profile, int around) {
-  TriangleMesh m;
-  std::vector<int> ring;
-  for (const Vector2d& p : profile) {
-    ring.push_back(static_cast<int>(m.vertices.size()));
-    for (int j = 0; j < (p.x() > 0.0 ? around : 1); ++j) {
-      const double a = 2.0 * std::numbers::pi * j / around;
-      m.vertices.emplace_back(p.x() * std::cos(a), p.x() * std::sin(a), p.y());
-    }
-  }
-  for (std::size_t i = 0; i + 1 < profile.size(); ++i)
-    for (int j = 0; j < around; ++j) {
-      const auto at = [&](std::size_t k, int step) {
-        return ring[k] + (profile[k].x() > 0.0 ? (j + step) % around : 0);
-      };
-      if (profile[i].x() > 0.0)
-        m.triangles.push_back({at(i, 0), at(i, 1), at(i + 1, 0)});
-      if (profile[i + 1].x() > 0.0)
-        m.triangles.push_back({at(i, 1), at(i + 1, 1), at(i + 1, 0)});
-    }
   if (geometry::volume(m) < 0.0)
     for (auto& t : m.triangles)
       std::swap(t[1], t[2]);
@@ -160,17 +135,6 @@ std::vector<Vector3d> spread(const TriangleMesh& m, double spacing) {
   return out;
 }
 
-double headRadius(const process::HeadShape& head, double z) {
-  double radius = 0.0;
-  for (std::size_t s = 0; s + 1 < head.sections.size(); ++s) {
-    const auto &a = head.sections[s], &b = head.sections[s + 1];
-    if (z >= a.zMm && z <= b.zMm && b.zMm > a.zMm)
-      radius =
-          std::max(radius, a.radiusMm + (b.radiusMm - a.radiusMm) * (z - a.zMm) / (b.zMm - a.zMm));
-  }
-  return radius;
-}
-
 // What must hold of pieces, whatever found them.
 void check(const TriangleMesh& part, const PlanarDecomposition& d, const PlanarOptions& options,
            double spacing) {
@@ -209,7 +173,7 @@ void check(const TriangleMesh& part, const PlanarDecomposition& d, const PlanarO
         for (const Vector3d& o : spread(d.pieces[j].solid.mesh, spacing)) {
           const double z = piece.base.normal.dot(o - tip);
           const double r = (o - tip - z * piece.base.normal).norm();
-          if (z > 0.01 && r < headRadius(options.head, z) - 0.01) {
+          if (z > 0.01 && r < test::headRadius(options.head, z) - 0.01) {
             meets = true;
             break;
           }
@@ -275,7 +239,7 @@ TEST(RiskRule, AConeIsSafeUpToTheOverhangAngle) {
   for (int half = 10; half <= 80; half += 5) {
     const double height = 20.0, radius = height * std::tan(half * kDegree);
     Piece cone;
-    cone.solid = tagged(revolved({{0, 0}, {radius, height}, {0, height}}, 720));
+    cone.solid = tagged(test::turned({{0, 0}, {radius, height}, {0, height}}, 720));
     ASSERT_TRUE(isClosed(cone.solid.mesh));
     for (const int alpha : {32, 47, 62}) {
       RiskRule rule;

@@ -136,17 +136,6 @@ std::vector<Vector3d> strewn(const TriangleMesh& m, double spacing) {
   return out;
 }
 
-double headRadius(const process::HeadShape& head, double z) {
-  double radius = 0.0;
-  for (std::size_t s = 0; s + 1 < head.sections.size(); ++s) {
-    const auto &a = head.sections[s], &b = head.sections[s + 1];
-    if (z >= a.zMm && z <= b.zMm && b.zMm > a.zMm)
-      radius =
-          std::max(radius, a.radiusMm + (b.radiusMm - a.radiusMm) * (z - a.zMm) / (b.zMm - a.zMm));
-  }
-  return radius;
-}
-
 // Points on top of a convex polygon on z = 0.
 std::vector<Vector3d> plateTop(const std::vector<Vector2d>& polygon, double spacing) {
   TriangleMesh fan;
@@ -199,6 +188,17 @@ std::string line(const char* what, std::size_t piece, double amount) {
 }
 
 } // namespace
+
+double headRadius(const process::HeadShape& head, double zMm) {
+  double radius = 0.0;
+  for (std::size_t s = 0; s + 1 < head.sections.size(); ++s) {
+    const auto &a = head.sections[s], &b = head.sections[s + 1];
+    if (zMm >= a.zMm && zMm <= b.zMm && b.zMm > a.zMm)
+      radius = std::max(radius,
+                        a.radiusMm + (b.radiusMm - a.radiusMm) * (zMm - a.zMm) / (b.zMm - a.zMm));
+  }
+  return radius;
+}
 
 PlanVerdict checkPlan(const TriangleMesh& part, const std::vector<planar::Piece>& pieces,
                       const PlanCheck& check) {

@@ -35,4 +35,7 @@ struct PlanVerdict {
 PlanVerdict checkPlan(const geometry::TriangleMesh& part, const std::vector<planar::Piece>& pieces,
                       const PlanCheck& check);
 
+// The head's radius at a height over its tip; 0 where it is not.
+double headRadius(const process::HeadShape& head, double zMm);
+
 } // namespace voluta::test

@@ -102,8 +102,8 @@ void MainWindow::showStates() {
   flow_->setState(Page::Simulate, pageState(document_, {Stage::Motion}));
   flow_->setState(Page::Export, pageState(document_, {Stage::Replay}));
   showCompareState();
-  const bool busy = planning_.running() || opening_.running() || live_.running() ||
-                    comparing_.running();
+  const bool busy =
+      planning_.running() || opening_.running() || live_.running() || comparing_.running();
   cancel_->setEnabled(busy);
   plan_->setEnabled(static_cast<bool>(document_.source()));
   if (QAction* layers = findChild<QAction*>("planLayers"))
