@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace voluta::planar {
 
@@ -19,30 +20,47 @@ constexpr double kLeastMm2 = 1.0; // smaller places are no more than a bead
 
 struct Place {
   double areaMm2 = 0.0;
-  Vector3d centre = Vector3d::Zero();
+  Vector3d at = Vector3d::Zero(); // on the faces: their middle may lie in the air
 };
+
+Vector3d middleOf(const geometry::TriangleMesh& mesh, std::size_t t) {
+  return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+}
 
 // Risky faces that hang together by edges.
 std::vector<Place> riskyPlaces(const Piece& piece, const RiskRule& rule) {
   const geometry::TriangleMesh faces = geometry::subMesh(piece.solid.mesh, riskyFaces(piece, rule));
   const geometry::Components parts = geometry::components(faces);
-  std::vector<Place> places(static_cast<std::size_t>(parts.count));
+  const auto count = static_cast<std::size_t>(parts.count);
+  std::vector<Place> places(count);
+  std::vector<Vector3d> centre(count, Vector3d::Zero());
   for (std::size_t t = 0; t < faces.triangles.size(); ++t) {
-    Place& place = places[static_cast<std::size_t>(parts.ofTriangle[t])];
+    const auto place = static_cast<std::size_t>(parts.ofTriangle[t]);
     const double area = geometry::triangleArea(faces, t);
-    place.areaMm2 += area;
-    place.centre += area / 3.0 * (faces.corner(t, 0) + faces.corner(t, 1) + faces.corner(t, 2));
+    places[place].areaMm2 += area;
+    centre[place] += area * middleOf(faces, t);
   }
-  for (Place& place : places)
-    if (place.areaMm2 > 0.0)
-      place.centre /= place.areaMm2;
+  for (std::size_t i = 0; i < count; ++i)
+    if (places[i].areaMm2 > 0.0)
+      centre[i] /= places[i].areaMm2;
+  std::vector<double> nearest(count, std::numeric_limits<double>::infinity());
+  for (std::size_t t = 0; t < faces.triangles.size(); ++t) {
+    const auto place = static_cast<std::size_t>(parts.ofTriangle[t]);
+    const Vector3d middle = middleOf(faces, t);
+    if (const double d = (middle - centre[place]).squaredNorm(); d < nearest[place]) {
+      nearest[place] = d;
+      places[place].at = middle;
+    }
+  }
   return places;
 }
 
-plan::Finding overhang(std::size_t count, std::string reason, const std::string& remedy) {
+plan::Finding overhang(std::size_t count, const Vector3d& at, std::string reason,
+                       const std::string& remedy) {
   plan::Finding f;
   f.stage = "decompose";
   f.kind = "overhang";
+  f.where = at;
   f.count = count;
   f.reason = std::move(reason);
   f.remedy = remedy;
@@ -63,23 +81,21 @@ plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.areaMm2 > b.areaMm2; });
   plan::Findings findings;
-  for (std::size_t i = 0; i < std::min(kTold, places.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kTold, places.size()); ++i)
     findings.push_back(
-        overhang(1,
+        overhang(1, places[i].at,
                  fmt::format("{:.3g} mm2 lean over by more than {:g} degrees", places[i].areaMm2,
                              base::radiansToDegrees(rule.overhangRad)),
                  remedy));
-    findings.back().where = places[i].centre;
-  }
   if (places.size() > kTold) {
     double rest = 0.0;
     for (std::size_t i = kTold; i < places.size(); ++i)
       rest += places[i].areaMm2;
-    findings.push_back(
-        overhang(places.size() - kTold,
-                 fmt::format("{} smaller places lean over too far, {:.3g} mm2 together",
-                             places.size() - kTold, rest),
-                 remedy));
+    findings.push_back(overhang(places.size() - kTold, places[kTold].at,
+                                fmt::format("{} smaller places lean over too far, {:.3g} mm2 "
+                                            "together; this is the largest of them",
+                                            places.size() - kTold, rest),
+                                remedy));
   }
   return findings;
 }

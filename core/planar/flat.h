@@ -14,7 +14,8 @@ namespace voluta::planar {
 PlanarDecomposition flatDecomposition(const geometry::TriangleMesh& part, const RiskRule& rule);
 
 // Where faces that need support hang together: one finding ("overhang") for each of the five
-// largest places, one for the rest, with what would help. None of them blocks.
+// largest places, one for the rest (at the largest of them), with what would help. Where: on the
+// faces, near their middle. None of them blocks.
 plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule,
                                 const std::string& remedy);
 

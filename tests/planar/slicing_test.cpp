@@ -410,6 +410,30 @@ TEST(Flat, WhatLiesOnLaidMaterialIsNoOverhang) {
   EXPECT_TRUE(overhangFindings({piece}, {}, "cut there").empty());
 }
 
+TEST(Flat, OverhangsArePlacedOnTheFacesThemselves) {
+  // The middle of a ring's underside is in the air.
+  const Piece ring = pieceOf(torus(20.0, 4.0, 10.0, 48, 24));
+  const plan::Findings one = overhangFindings({ring}, {}, "cut there");
+  ASSERT_EQ(one.size(), 1u);
+  ASSERT_TRUE(one[0].where);
+  EXPECT_NEAR(one[0].where->head<2>().norm(), 20.0, 4.0);
+  EXPECT_LT(one[0].where->z(), 10.0);
+
+  // Seven shelves on a post, each longer than the one below: five are told one by one, and the two
+  // lowest together, at the larger of them.
+  std::vector<Eigen::Vector2d> profile{{0, 0}, {4, 0}};
+  for (int k = 0; k < 7; ++k)
+    for (const auto& [x, z] : {std::pair(4.0, 6.0), {8.0 + k, 6.0}, {8.0 + k, 8.0}, {4.0, 8.0}})
+      profile.emplace_back(x, z + 6.0 * k);
+  profile.emplace_back(0, 46);
+  const plan::Findings many = overhangFindings({pieceOf(prism(profile, 10.0))}, {}, "cut there");
+  ASSERT_EQ(many.size(), 6u);
+  EXPECT_EQ(many[5].count, 2u);
+  ASSERT_TRUE(many[5].where);
+  EXPECT_NEAR(many[5].where->z(), 12.0, 1e-9);
+  EXPECT_GT(many[5].where->x(), 4.0);
+}
+
 TEST(UniformMisses, ARoofIsMissedButForItsFirstSteps) {
   // Boge 6.3, on a T: a leg 4 wide and 8 high, a bar 20 wide and 3 high.
   voxel::SolidVoxels t;
