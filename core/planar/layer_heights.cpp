@@ -10,14 +10,16 @@ namespace voluta::planar {
 
 namespace {
 
-constexpr double kFlat = 0.999;     // cosine: about 2.5 degrees
-constexpr double kSameMm = 1e-3;    // heights that are one
-constexpr double kStretched = 1.25; // share of its height to which a last layer may be stretched
-constexpr double kTopShare = 0.02;  // of the piece's volume^(2/3), for a flat top to count
+constexpr double kFlat = 0.999;      // cosine: about 2.5 degrees
+constexpr double kSameMm = 1e-3;     // heights that are one
+constexpr double kStretched = 1.25;  // share of its height to which a last layer may be stretched
+constexpr double kShelfMm = 0.03;    // heights of one flat face
+constexpr double kShelfShare = 0.02; // of the piece's volume^(2/3), for a flat face to count
 
 // A facet as slicing sees it: between which heights, how steep.
 struct Slope {
   double low, high, cosine; // |n . d|
+  double areaMm2;
 };
 
 std::vector<Slope> slopesOf(const Piece& piece) {
@@ -28,7 +30,8 @@ std::vector<Slope> slopesOf(const Piece& piece) {
                  b = piece.base.heightOf(mesh.corner(t, 1)),
                  c = piece.base.heightOf(mesh.corner(t, 2));
     slopes.push_back({std::min({a, b, c}), std::max({a, b, c}),
-                      std::abs(geometry::triangleNormal(mesh, t).dot(piece.base.normal))});
+                      std::abs(geometry::triangleNormal(mesh, t).dot(piece.base.normal)),
+                      geometry::triangleArea(mesh, t)});
   }
   std::sort(slopes.begin(), slopes.end(),
             [](const Slope& a, const Slope& b) { return a.low < b.low; });
@@ -44,14 +47,45 @@ double topOf(const Piece& piece) {
   return top;
 }
 
-bool endsFlat(const Piece& piece, double top) {
-  const geometry::TriangleMesh& mesh = piece.solid.mesh;
-  double flat = 0.0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (geometry::triangleNormal(mesh, t).dot(piece.base.normal) > kFlat &&
-        piece.base.heightOf(mesh.corner(t, 0)) > top - kSameMm)
-      flat += geometry::triangleArea(mesh, t);
-  return flat > kTopShare * std::pow(std::abs(geometry::volume(mesh)), 2.0 / 3.0);
+// Heights, rising, of the flat faces that count and that layers can all end on; the top is one of
+// them where it is flat.
+std::vector<double> shelvesOf(const Piece& piece, double top, double leastMm) {
+  struct Face {
+    double height, areaMm2;
+  };
+  std::vector<Face> faces;
+  for (const Slope& slope : slopesOf(piece))
+    if (slope.cosine > kFlat && slope.high - slope.low < kShelfMm)
+      faces.push_back({0.5 * (slope.low + slope.high), slope.areaMm2});
+  std::ranges::sort(faces, {}, &Face::height);
+  const double counts =
+      kShelfShare * std::pow(std::abs(geometry::volume(piece.solid.mesh)), 2.0 / 3.0);
+  std::vector<Face> shelves;
+  for (std::size_t from = 0, to = 0; from < faces.size(); from = to) {
+    double area = 0.0;
+    for (; to < faces.size() && faces[to].height <= faces[from].height + kShelfMm; ++to)
+      area += faces[to].areaMm2;
+    if (area <= counts)
+      continue;
+    // Fillets at its rim do not move a shelf: the median.
+    std::size_t middle = from;
+    for (double below = faces[from].areaMm2; below < 0.5 * area; below += faces[middle].areaMm2)
+      ++middle;
+    shelves.push_back({faces[middle].height, area});
+  }
+  std::vector<double> taken;
+  if (!shelves.empty() && shelves.back().height > top - kShelfMm)
+    taken.push_back(top);
+  std::ranges::stable_sort(shelves, std::ranges::greater(), &Face::areaMm2);
+  for (const Face& shelf : shelves) {
+    const auto near = [&](double height) {
+      return std::abs(shelf.height - height) < leastMm - kSameMm;
+    };
+    if (!near(0.0) && !near(top) && std::ranges::none_of(taken, near))
+      taken.push_back(shelf.height);
+  }
+  std::ranges::sort(taken);
+  return taken;
 }
 
 // Boundaries of `count` layers of one height between two heights, the first left out.
@@ -106,10 +140,9 @@ std::vector<double> layerBounds(const Piece& piece, const HeightOptions& o) {
     appendEven(bounds, top, evenCount(top, o));
     return bounds;
   }
-  if (!o.adaptive && endsFlat(piece, top)) {
-    appendEven(bounds, top, evenCount(top, o));
-    return bounds;
-  }
+  if (!o.adaptive)
+    for (const double shelf : shelvesOf(piece, top, o.minMm))
+      appendEven(bounds, shelf, evenCount(shelf - bounds.back(), o));
   const std::vector<Slope> slopes = o.adaptive ? slopesOf(piece) : std::vector<Slope>{};
   while (top - bounds.back() > kSameMm) {
     const double z = bounds.back(), left = top - z;

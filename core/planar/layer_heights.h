@@ -14,9 +14,11 @@ struct HeightOptions {
 };
 
 // Heights over the piece's base of the boundaries between its layers, rising from 0 to its top.
-// All layers are as high as wanted; where the piece ends in a flat top, by as much less or more as
-// makes a whole number of them; elsewhere the last one is what is left, shared with the one before
-// where it would be lower than the least height. Adaptive: as high as the surface allows, h |n . d|
+// All layers are as high as wanted; up to each flat face across the base's normal (shelf, ceiling,
+// top) that counts, 2 % of the piece's volume^(2/3), by as much less or more as makes a whole
+// number of them; over the last one the last layer is what is left, shared with the one before
+// where it would be lower than the least height. Faces nearer than that to a larger one are passed
+// over. Adaptive: as high as the surface allows, h |n . d|
 // <= cusp for the normal n of every facet beside the layer and the build direction d (Dolenc,
 // Makela 1994); what is all but flat asks for a boundary at its height instead. Within the limits,
 // but for a piece that is lower than the least height: it is one layer.

@@ -206,6 +206,39 @@ TEST(LayerBounds, AFlatTopGetsAWholeNumberOfLayers) {
   }
 }
 
+TEST(LayerBounds, ShelvesAndCeilingsLieBetweenLayers) {
+  // A step at 5.2, a ceiling at 8.9, the top at 12.3.
+  const TriangleMesh step = prism(
+      {{0, 0}, {30, 0}, {30, 5.2}, {12, 5.2}, {12, 8.9}, {20, 8.9}, {20, 12.3}, {0, 12.3}}, 20.0);
+  const std::vector<double> bounds = layerBounds(pieceOf(step), {});
+  for (const double level : {5.2, 8.9, 12.3})
+    EXPECT_TRUE(std::any_of(bounds.begin(), bounds.end(), [&](double z) {
+      return std::abs(z - level) < 1e-9;
+    })) << level;
+  for (std::size_t k = 1; k < bounds.size(); ++k) {
+    EXPECT_LE(bounds[k] - bounds[k - 1], 1.0 + 1e-9);
+    EXPECT_GE(bounds[k] - bounds[k - 1], 0.4 - 1e-9);
+  }
+  // All of the part is laid, which sections across steps miss.
+  const SliceResult sliced = slicePieces({pieceOf(step)}, {}, {});
+  EXPECT_NEAR(volumeOf(sliced), 20.0 * (30.0 * 5.2 + 12.0 * 3.7 + 20.0 * 3.4), 1e-3);
+}
+
+TEST(LayerBounds, OfShelvesCloserThanALayerTheLargerCounts) {
+  const TriangleMesh steps = prism(
+      {{0, 0}, {30, 0}, {30, 5.2}, {24, 5.2}, {24, 5.45}, {10, 5.45}, {10, 9.1}, {0, 9.1}}, 20.0);
+  const std::vector<double> bounds = layerBounds(pieceOf(steps), {});
+  const auto nearest = [&](double level) {
+    double least = 1e9;
+    for (const double z : bounds)
+      least = std::min(least, std::abs(z - level));
+    return least;
+  };
+  EXPECT_LT(nearest(5.45), 1e-9);
+  EXPECT_GT(nearest(5.2), 0.2);
+  EXPECT_LT(nearest(9.1), 1e-9);
+}
+
 TEST(LayerBounds, ElsewhereTheLastLayerIsWhatIsLeft) {
   for (const double height : {10.0, 10.1, 10.3, 10.5, 10.7}) {
     const std::vector<double> bounds = layerBounds(pieceOf(cone(8.0, height, 32)), {});
