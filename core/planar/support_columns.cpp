@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <polyclipping/clipper.hpp>
 #include <vector>
 
@@ -116,6 +117,24 @@ Paths wideEnough(const Paths& a, double byMm) {
   return out;
 }
 
+// Without what is no layer: it is too small for a bead (layers::makePatches) and carries nothing.
+Paths laid(const Paths& a, double beadWidthMm) {
+  Paths out;
+  for (const Paths& one : components(a))
+    if (areaMm2(one) >= 0.25 * std::numbers::pi * beadWidthMm * beadWidthMm &&
+        !grown(one, -0.25 * beadWidthMm).empty())
+      out.insert(out.end(), one.begin(), one.end());
+  return out;
+}
+
+// With a margin round components that are narrower than twice `byMm` all over.
+Paths widened(const Paths& a, double byMm) {
+  Paths out;
+  for (const Paths& one : components(a))
+    out = united(out, grown(one, -byMm).empty() ? grown(one, byMm) : one);
+  return out;
+}
+
 Section sectionOf(const Paths& paths, const Plane& plane, const PlaneFrame& frame) {
   Section out;
   out.plane = plane;
@@ -135,11 +154,11 @@ Section sectionOf(const Paths& paths, const Plane& plane, const PlaneFrame& fram
 class Levels {
 public:
   Levels(const std::vector<Piece>& pieces, std::size_t piece, const std::vector<Sections>& sections,
-         const std::vector<double>& bounds)
+         const std::vector<double>& bounds, double beadWidthMm)
       : sections_(sections), piece_(piece), base_(pieces[piece].base),
         frame_(frameOf(pieces[piece].base.normal)), bounds_(bounds) {
     for (std::size_t k = 0; k < count(); ++k)
-      own_.push_back(at(piece, middle(k)));
+      own_.push_back(laid(at(piece, middle(k)), beadWidthMm));
   }
 
   std::size_t count() const { return bounds_.size() - 1; }
@@ -179,7 +198,7 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
                               const std::vector<Sections>& sections,
                               const std::vector<double>& bounds, const ColumnOptions& options,
                               const base::RunContext& ctx) {
-  const Levels levels(pieces, piece, sections, bounds);
+  const Levels levels(pieces, piece, sections, bounds, options.beadWidthMm);
   const std::size_t n = levels.count();
   SupportColumns out;
   out.sections.resize(n);
@@ -196,7 +215,9 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
       continue;
     standing[k - 1] = united(levels.own(k - 1), levels.earlier(levels.middle(k - 1)));
     hanging[k] = opened(without(hanging[k], grown(standing[k - 1], reach)), kNarrowest * half);
-    const Paths carried = united(shared(grown(hanging[k], half), levels.own(k)), columns[k]);
+    // A tip is narrower than the column that carries it.
+    const Paths heads = widened(shared(grown(hanging[k], half), levels.own(k)), half);
+    const Paths carried = united(heads, columns[k]);
     const Paths taken =
         grown(united(standing[k - 1], levels.later(levels.middle(k - 1))), options.gapMm);
     columns[k - 1] = wideEnough(without(carried, taken), 0.9 * half);

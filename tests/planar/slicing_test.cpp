@@ -377,6 +377,27 @@ TEST(Supports, ColumnsStandOnThePlateUnderAnArm) {
   EXPECT_TRUE(supportsOf(slicePieces(pieces, {}, {})).empty());
 }
 
+TEST(Supports, ATipThatHangsStandsOnAColumn) {
+  // An arm with a point under it, steeper than any overhang: its first sections are too narrow for
+  // a bead, and those that follow reach out over them by little.
+  const TriangleMesh fang = prism(
+      {{0, 0}, {10, 0}, {10, 16}, {18, 16}, {20, 8}, {22, 16}, {30, 16}, {30, 20}, {0, 20}}, 10.0);
+  const SliceResult sliced = slicePieces({pieceOf(fang)}, supported(35), {});
+  double lowest = 20.0;
+  for (const layers::Patch* patch : supportsOf(sliced)) {
+    const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
+    if (box.min().z() < 7.0) {
+      EXPECT_GT(box.sizes().x(), 1.2);
+      lowest = std::min(lowest, box.min().z());
+    }
+  }
+  EXPECT_LT(lowest, 0.5);
+  EXPECT_EQ(sliced.unsupportedPatches, 0u);
+  EXPECT_LT(sliced.sliverVolumeMm3, 10.0 * 0.8 * (0.2 + 0.6) + 0.1); // the point itself
+  for (const plan::Finding& f : sliced.findings)
+    EXPECT_FALSE(f.blocking) << f.reason;
+}
+
 TEST(Supports, WithoutAFootingTheyAreToldAndLeftOut) {
   const SliceResult sliced = slicePieces({pieceOf(gallows())}, supported(12), {});
   EXPECT_TRUE(supportsOf(sliced).empty());
