@@ -152,11 +152,11 @@ sioni</translation>
     </message>
     <message>
         <source>Drop to plate</source>
-        <translation>Appoggia sul piano</translation>
+        <translation>Appoggia sul piatto</translation>
     </message>
     <message>
         <source>Lowest point on the plate</source>
-        <translation>Punto più basso sul piano</translation>
+        <translation>Punto più basso sul piatto</translation>
     </message>
     <message>
         <source>Shrink platform</source>
@@ -207,8 +207,107 @@ sioni</translation>
         <translation>Di 20 mm tutt&apos;intorno, perché i supporti abbiano su che poggiare</translation>
     </message>
     <message>
+        <source>Adapt the layers</source>
+        <translation>Adatta gli strati</translation>
+    </message>
+    <message>
+        <source>Lower ones where the surface leans: steps leave less of it empty</source>
+        <translation>Più bassi dove la superficie è inclinata: i gradini ne lasciano vuota di meno</translation>
+    </message>
+    <message>
         <source>Searches the way to lie in which least area needs support</source>
         <translation>Cerca la posizione in cui meno area richiede supporti</translation>
+    </message>
+    <message>
+        <source>Adapt the layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower ones where the surface leans: steps leave less of it empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Findings</name>
+    <message>
+        <source>%1 mm2 lean over by more than %2 degrees</source>
+        <translation>%1 mm2 sporgono di oltre %2 gradi</translation>
+    </message>
+    <message>
+        <source>%1 smaller places lean over too far, %2 mm2 together; this is the largest of them</source>
+        <translation>%1 punti più piccoli sporgono troppo, %2 mm2 in tutto; questo è il più grande</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pieces: something printed before is in the head&apos;s way</source>
+        <translation>%1 pezzi su %2: qualcosa di già stampato ostacola la testa</translation>
+    </message>
+    <message>
+        <source>all pieces are held to the plate by %1 mm2, of %2 that the part stands on uncut</source>
+        <translation>tutti i pezzi sono tenuti al piatto da %1 mm2, dei %2 su cui il pezzo poggia senza tagli</translation>
+    </message>
+    <message>
+        <source>%1 of %2 voxels have nothing printed under them</source>
+        <translation>%1 voxel su %2 non hanno nulla di stampato sotto</translation>
+    </message>
+    <message>
+        <source>%1 mm2 hang where a support has nothing to stand on</source>
+        <translation>%1 mm2 sporgono dove un supporto non ha su che poggiare</translation>
+    </message>
+    <message>
+        <source>%1 pieces of layers are too small for a bead or would begin in the air, %2 mm3 of %3: they are not laid</source>
+        <translation>%1 tratti di strato sono troppo piccoli per un cordone o inizierebbero in aria, %2 mm3 su %3: non vengono depositati</translation>
+    </message>
+    <message>
+        <source>%1 pieces of layers have nothing under them</source>
+        <translation>%1 tratti di strato non hanno nulla sotto</translation>
+    </message>
+    <message>
+        <source>planes of layers miss the part: %1</source>
+        <translation>piani di strato che non toccano il pezzo: %1</translation>
+    </message>
+    <message>
+        <source>pieces of layers are narrower than half a bead and stay empty</source>
+        <translation>alcuni tratti di strato sono più stretti di mezzo cordone e restano vuoti</translation>
+    </message>
+    <message>
+        <source>the print head would cut into material printed before, whatever way it leans</source>
+        <translation>la testa di stampa urterebbe materiale già stampato, comunque si inclini</translation>
+    </message>
+    <message>
+        <source>turn the part (orient=leastRisky), add supports, or use planar or curved mode</source>
+        <translation>gira il pezzo (orient=leastRisky), aggiungi supporti, o usa pezzi piani o strati curvi</translation>
+    </message>
+    <message>
+        <source>turn the part (orient=leastRisky), or use planar or curved mode</source>
+        <translation>gira il pezzo (orient=leastRisky), o usa pezzi piani o strati curvi</translation>
+    </message>
+    <message>
+        <source>add supports (supports=auto), cut there, or use curved mode</source>
+        <translation>aggiungi supporti (supports=auto), taglia lì, o usa strati curvi</translation>
+    </message>
+    <message>
+        <source>give other cuts (cutPlanes), turn the part, or use curved mode</source>
+        <translation>indica altri tagli (cutPlanes), gira il pezzo, o usa strati curvi</translation>
+    </message>
+    <message>
+        <source>lay the part on a larger face, or give other cuts (cutPlanes)</source>
+        <translation>appoggia il pezzo su una faccia più grande, o indica altri tagli (cutPlanes)</translation>
+    </message>
+    <message>
+        <source>use a larger platform (fit:MARGIN), or turn the part</source>
+        <translation>usa una piattaforma più grande (fit:MARGIN), o gira il pezzo</translation>
+    </message>
+    <message>
+        <source>use a finer nozzle, or print the part larger</source>
+        <translation>usa un ugello più fine, o stampa il pezzo più grande</translation>
+    </message>
+    <message>
+        <source>use a slimmer head, turn the part, or print it larger</source>
+        <translation>usa una testa più snella, gira il pezzo, o stampalo più grande</translation>
+    </message>
+    <message>
+        <source>move them, or leave them out</source>
+        <translation>spostali, o toglili</translation>
     </message>
 </context>
 <context>
@@ -1446,10 +1545,6 @@ sioni</translation>
         <translation>Piani di base</translation>
     </message>
     <message>
-        <source>Select a piece and drag the handles on its base plane to move or tilt the cut.</source>
-        <translation>Seleziona un pezzo e trascina le maniglie sul suo piano di base per spostare o inclinare il taglio.</translation>
-    </message>
-    <message>
         <source>Search anew</source>
         <translation>Cerca di nuovo</translation>
     </message>
@@ -1472,6 +1567,30 @@ sioni</translation>
     <message>
         <source>Then click the part where the first piece is to be</source>
         <translation>Poi fai clic sul pezzo dove dev&apos;essere la prima parte</translation>
+    </message>
+    <message>
+        <source>Click a piece to see where it is cut off, and to move that cut.</source>
+        <translation>Fai clic su un pezzo per vedere dove è tagliato e per spostare quel taglio.</translation>
+    </message>
+    <message>
+        <source>Drag the arrow to move the cut, a ring to tilt it. Esc lets go of it.</source>
+        <translation>Trascina la freccia per spostare il taglio, un anello per inclinarlo. Esc lo lascia.</translation>
+    </message>
+    <message>
+        <source>This piece stands on the plate: it has no cut of its own to move.</source>
+        <translation>Questo pezzo poggia sul piatto: non ha un taglio proprio da spostare.</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Numeri</translation>
+    </message>
+    <message>
+        <source>In the picture, in print order</source>
+        <translation>Nell&apos;immagine, in ordine di stampa</translation>
+    </message>
+    <message>
+        <source>Shows where each piece is cut off</source>
+        <translation>Mostra dove ogni pezzo è tagliato</translation>
     </message>
 </context>
 <context>
@@ -2581,6 +2700,14 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Adopted: %1. Press Plan.</source>
         <translation>Adottato: %1. Premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>&amp;Legenda</translation>
+    </message>
+    <message>
+        <source>What the colours of the picture say</source>
+        <translation>Che cosa dicono i colori dell&apos;immagine</translation>
     </message>
 </context>
 <context>

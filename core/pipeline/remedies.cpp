@@ -49,6 +49,13 @@ std::optional<Cure> widenPlatform(const plan::Finding&, const Choices& choices) 
   return cure;
 }
 
+// The parameter is for layers that are planes.
+std::optional<Cure> adaptLayers(const plan::Finding&, const Choices& choices) {
+  if (choices.mode != "planar" && choices.mode != "flat")
+    return std::nullopt;
+  return withParameter(choices, "adaptiveLayers", "true");
+}
+
 std::optional<Cure> turnPart(const plan::Finding&, const Choices& choices) {
   return withParameter(choices, "orient", "fewestMissed");
 }
@@ -88,6 +95,7 @@ const std::vector<Remedy>& remedies() {
        {"shadowedVoxels", "unreachedVoxels", "missedVoxels", "overhang", "beginsInAir"},
        addSupports},
       {"widenPlatform", "Widen the platform", {"unheldOverhang"}, widenPlatform},
+      {"adaptLayers", "Adapt the layers", {"uncovered"}, adaptLayers},
       {"turnLeastRisky",
        "Turn the part",
        {"overhang", "beginsInAir", "uniformMisses", "unheldOverhang"},

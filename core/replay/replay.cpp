@@ -162,7 +162,7 @@ private:
       add("uncovered", {},
           text(100.0 * (1.0 - out_.coveredFraction), 2) +
               " % of the part is in no bead; most of it round the place given",
-          "thinner walls or another infill there", coverage.worstGap);
+          "use lower layers or a finer nozzle, or print the part larger", coverage.worstGap);
     if (out_.overfillFraction > limits_.overfillMax)
       add("overfill", pieces_.empty() ? TextPlace{} : place(pieces_[worstPiece].motion),
           text(100.0 * coverage.outsideMm3 / volume, 2) +

@@ -32,6 +32,8 @@ Case caseOf(const Remedy& remedy, std::string_view kind) {
     one.choices.platform = "disc:80";
   if (remedy.id == "dropToPlate")
     one.choices.placement.liftMm = 4.0;
+  if (remedy.id == "adaptLayers")
+    one.choices.mode = "flat";
   if (remedy.id == "narrowVoxels") {
     const auto thin = test::box({0, 0, 0}, {20, 0.5, 10});
     one.finding = thinWallFindings(thin, 0.8, {}).at(0);
@@ -69,8 +71,8 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
         continue;
       EXPECT_NO_THROW(checkChoices(cure->choices)) << remedy.id;
       const StageKeys before = keysOf(one.choices), after = keysOf(cure->choices);
-      EXPECT_NE(before[indexOf(Stage::Decompose)], after[indexOf(Stage::Decompose)])
-          << remedy.id << " changes nothing of what is decomposed";
+      EXPECT_NE(before[indexOf(Stage::Layers)], after[indexOf(Stage::Layers)])
+          << remedy.id << " changes nothing of what is decomposed and sliced";
       EXPECT_EQ(remedy.label.find("%1") != std::string_view::npos,
                 remedy.id == "narrowVoxels" && !cure->value.empty())
           << remedy.id;
@@ -100,6 +102,9 @@ TEST(Remedies, AreOfferedForTheirKindsOnly) {
   EXPECT_FALSE(idsFor("shadowedVoxels").contains("dropToPlate"));
   EXPECT_FALSE(idsFor("unreachedVoxels").contains("shrinkPlatform"));
   EXPECT_TRUE(idsFor("unreachedVoxels").contains("dropToPlate"));
+  EXPECT_TRUE(idsFor("uncovered").empty()) << "curved layers follow the field";
+  choices.mode = "planar";
+  EXPECT_EQ(idsFor("uncovered"), (std::set<std::string_view>{"adaptLayers"}));
   EXPECT_EQ(idsFor(kStopped), (std::set<std::string_view>{"dropToPlate"}));
 }
 

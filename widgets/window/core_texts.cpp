@@ -49,6 +49,8 @@ constexpr RemedyHelp kRemedies[] = {
      QT_TRANSLATE_NOOP("Core", "Thin columns that break off, as few as can be")},
     {"widenPlatform", QT_TRANSLATE_NOOP("Core", "Widen the platform"),
      QT_TRANSLATE_NOOP("Core", "By 20 mm all round, so that supports have something to stand on")},
+    {"adaptLayers", QT_TRANSLATE_NOOP("Core", "Adapt the layers"),
+     QT_TRANSLATE_NOOP("Core", "Lower ones where the surface leans: steps leave less of it empty")},
     {"turnLeastRisky", QT_TRANSLATE_NOOP("Core", "Turn the part"),
      QT_TRANSLATE_NOOP("Core", "Searches the way to lie in which least area needs support")},
     {"turnPart", QT_TRANSLATE_NOOP("Core", "Turn the part"),
