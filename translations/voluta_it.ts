@@ -218,14 +218,6 @@ sioni</translation>
         <source>Searches the way to lie in which least area needs support</source>
         <translation>Cerca la posizione in cui meno area richiede supporti</translation>
     </message>
-    <message>
-        <source>Adapt the layers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lower ones where the surface leans: steps leave less of it empty</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>Findings</name>
