@@ -18,10 +18,14 @@ public:
   // To be connected to VtkView::framePainted.
   void addFrame(double ms) { framesMs_ += ms; }
   void resetWatch() {
-    longestMs_ = longestFrameMs_ = 0.0;
+    longestMs_ = longestWorkMs_ = longestFrameMs_ = 0.0;
     longestWhat_.clear();
+    longestWork_.clear();
   }
   double longestMs() const { return longestMs_; }
+  // The most that the thread itself has worked at a stretch, those that paint a frame left out.
+  double longestWorkMs() const { return longestWorkMs_; }
+  QString longestWork() const { return longestWork_; }
   QString longestWhat() const { return longestWhat_; }
   // With everything: the viewport, the panels, putting them together.
   double longestFrameMs() const { return longestFrameMs_; }
@@ -34,8 +38,8 @@ private:
     bool opensLoop = false;
   };
   std::vector<Delivery> under_;
-  double framesMs_ = 0.0, longestFrameMs_ = 0.0, longestMs_ = 0.0;
-  QString longestWhat_;
+  double framesMs_ = 0.0, longestFrameMs_ = 0.0, longestMs_ = 0.0, longestWorkMs_ = 0.0;
+  QString longestWhat_, longestWork_;
 };
 
 } // namespace voluta::test

@@ -1,6 +1,8 @@
 // Pieces as they are drawn and met: colours, what needs support, moved apart.
 #include "planar/given_cuts.h"
+#include "scene/label_places.h"
 #include "scene/offscreen_target.h"
+#include "scene/piece_labels.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -88,6 +90,10 @@ TEST(Pieces, LegendNamesThemAndWhatNeedsSupport) {
   scene::ViewState view;
   view.pieces = true;
   scene.setView(view);
+  EXPECT_TRUE(scene.legend().entries.empty()) << "the picture has the numbers";
+  EXPECT_EQ(scene.legend().marks.size(), 1u);
+  view.pieceNumbers = false;
+  scene.setView(view);
   const scene::Legend legend = scene.legend();
   EXPECT_EQ(legend.title, "Piece");
   ASSERT_EQ(legend.entries.size(), 2u);
@@ -118,6 +124,121 @@ TEST(Pieces, WhatNeedsSupportHasItsColour) {
   };
   EXPECT_GT(from(scene::StandardView::Bottom), 3000u);
   EXPECT_EQ(from(scene::StandardView::Top), 0u);
+}
+
+// What is seen from the front with 2 pixels a mm, x to the right and z up.
+scene::LabelView fromTheFront() {
+  scene::LabelView view;
+  view.width = 400;
+  view.height = 300;
+  view.clip_T_world << 2.0 / 200, 0, 0, 0, 0, 0, 2.0 / 150, 0, 0, 0.01, 0, 0, 0, 0, 0, 1;
+  return view;
+}
+
+TEST(LabelPlaces, AreInTheMiddleOfWhatIsSeenOfABody) {
+  const auto wall = test::box({-60, 10, -40}, {60, 20, 40});
+  const auto before = test::box({-60, 0, -40}, {20, 5, 40});
+  scene::LabelView view = fromTheFront();
+  auto places = scene::labelPlaces({{&wall}}, view);
+  ASSERT_TRUE(places[0]);
+  EXPECT_NEAR(places[0]->y(), 10.0, 1e-3) << "on the side that is seen";
+  EXPECT_NEAR(places[0]->z(), 0.0, 4.0);
+  EXPECT_LT(std::abs(places[0]->x()), 24.0);
+
+  places = scene::labelPlaces({{&wall}, {&before}}, view);
+  ASSERT_TRUE(places[0] && places[1]);
+  EXPECT_NEAR(places[0]->x(), 40.0, 4.0) << "the rest is hidden";
+  EXPECT_NEAR(places[1]->y(), 0.0, 1e-3);
+
+  // It is behind all of it; glass lets it through.
+  const auto behind = test::box({-50, 30, -30}, {-10, 40, 30});
+  places = scene::labelPlaces({{&wall}, {&behind}}, view);
+  EXPECT_FALSE(places[1]);
+  places = scene::labelPlaces({{&wall}, {&behind, Eigen::Isometry3d::Identity(), true}}, view);
+  ASSERT_TRUE(places[1]);
+  EXPECT_NEAR(places[1]->y(), 30.0, 1e-3);
+  EXPECT_NEAR(places[1]->x(), -30.0, 12.0);
+}
+
+TEST(LabelPlaces, AreOfTheBodyWhereverItIsMoved) {
+  const auto ball = test::sphere({0, 0, 0}, 20);
+  const Eigen::Isometry3d aside(Eigen::Translation3d(50, 0, 30));
+  const auto places = scene::labelPlaces({{&ball, aside}}, fromTheFront());
+  ASSERT_TRUE(places[0]);
+  EXPECT_LT((*places[0] - Vector3d(0, -20, 0)).norm(), 3.0) << places[0]->transpose();
+}
+
+TEST(LabelPlaces, AreLeftOutWhereThereIsNoRoom) {
+  const auto chip = test::box({0, 0, 0}, {3, 5, 3});
+  scene::LabelView view = fromTheFront();
+  view.leastRadius = 8.0;
+  EXPECT_FALSE(scene::labelPlaces({{&chip}}, view)[0]);
+
+  const auto large = test::box({-20, 0, -20}, {0, 5, 20}),
+             small = test::box({0, 0, -5}, {10, 5, 5});
+  view.leastRadius = 0.0;
+  auto places = scene::labelPlaces({{&small}, {&large}}, view);
+  EXPECT_TRUE(places[0] && places[1]);
+  view.apart = 80.0;
+  places = scene::labelPlaces({{&small}, {&large}}, view);
+  EXPECT_FALSE(places[0]) << "the label of what shows more stays";
+  EXPECT_TRUE(places[1]);
+  // A section takes what is above it.
+  view.apart = 0.0;
+  view.shown = [](const Vector3d& p) { return p.z() < 0.0; };
+  places = scene::labelPlaces({{&large}}, view);
+  ASSERT_TRUE(places[0]);
+  EXPECT_LT(places[0]->z(), -5.0);
+}
+
+TEST(Framing, KeepsClearOfWhatLiesOverThePicture) {
+  scene::Scene scene(scene::lightTheme());
+  scene.setPieces(scene::drawPieces(ball(false), {}));
+  scene::ViewState view;
+  view.part = false;
+  view.pieces = true;
+  scene.setView(view);
+  scene::OffscreenTarget target;
+  scene::OffscreenTarget::Session session(target, scene, 300, 200);
+  const auto heightMm = [&](std::vector<Eigen::AlignedBox2d> covered) {
+    scene.setCovered(std::move(covered));
+    scene.standardView(scene::StandardView::Front);
+    return scene::pictureHeightMm(scene.renderer(), Vector3d(0, 0, 20));
+  };
+  const double free = heightMm({});
+  // The box fills the height: from x = 55 to 245.
+  EXPECT_EQ(heightMm({{Eigen::Vector2d(0, 120), Eigen::Vector2d(40, 200)}}), free);
+  const double beside = heightMm({{Eigen::Vector2d(0, 120), Eigen::Vector2d(80, 200)}});
+  EXPECT_GT(beside, 1.1 * free);
+  // Never far off: what covers all is lived with.
+  EXPECT_LT(heightMm({{Eigen::Vector2d(0, 0), Eigen::Vector2d(300, 200)}}), 1.5 * free);
+}
+
+TEST(PieceNumbers, AreDrawnWhereTheViewAsksForThem) {
+  scene::Scene scene(scene::lightTheme());
+  auto pieces = ball(true);
+  pieces[1].parent = 0;
+  scene.setPieces(scene::drawPieces(pieces, {}));
+  scene::ViewState view;
+  view.part = view.axes = false;
+  view.pieces = true;
+  scene::OffscreenTarget target;
+  const auto picture = [&] {
+    scene.setView(view);
+    return target.imageOf(
+        scene, 320, 200, [&] { scene.standardView(scene::StandardView::Front); }, 1);
+  };
+  // Dark ink on the pieces' colours.
+  const auto ink = [](const scene::Image& image) {
+    std::size_t count = 0;
+    for (std::size_t p = 0; p + 2 < image.rgb.size(); p += 3)
+      count += std::max({image.rgb[p], image.rgb[p + 1], image.rgb[p + 2]}) < 80;
+    return count;
+  };
+  const std::size_t with = ink(picture());
+  view.pieceNumbers = false;
+  const std::size_t without = ink(picture());
+  EXPECT_GT(with, without + 60) << "two discs with a number each";
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace voluta::panels {
 
@@ -74,10 +75,15 @@ void PiecesPanel::build() {
   explode_->setRange(0, kExplodeSteps);
   grid->addWidget(explodeLabel_, 0, 0);
   grid->addWidget(explode_, 0, 1);
+  numbers_ = new QCheckBox(this);
+  numbers_->setObjectName("pieceNumbers");
+  numbers_->setChecked(true);
   planes_ = new QCheckBox(this);
   planes_->setObjectName("basePlanes");
   hint_ = new QLabel(this);
+  hint_->setObjectName("pieceHint");
   hint_->setWordWrap(true);
+  hint_->setForegroundRole(QPalette::PlaceholderText);
   cuts_ = new QPushButton(this);
   cuts_->setObjectName("pieceCuts");
   root_ = new QPushButton(this);
@@ -91,7 +97,11 @@ void PiecesPanel::build() {
   column->addWidget(tree_);
   column->addWidget(total_);
   column->addLayout(grid);
-  column->addWidget(planes_);
+  auto* boxes = new QHBoxLayout;
+  boxes->addWidget(numbers_);
+  boxes->addWidget(planes_);
+  boxes->addStretch(1);
+  column->addLayout(boxes);
   column->addWidget(hint_);
   column->addLayout(buttons);
   connect(tree_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
@@ -103,7 +113,8 @@ void PiecesPanel::build() {
   connect(explode_, &QSlider::valueChanged, this, &PiecesPanel::viewChanged);
   connect(explode_, &QSlider::sliderPressed, this, [this] { emit dragging(true); });
   connect(explode_, &QSlider::sliderReleased, this, [this] { emit dragging(false); });
-  connect(planes_, &QCheckBox::toggled, this, &PiecesPanel::viewChanged);
+  for (QCheckBox* box : {numbers_, planes_})
+    connect(box, &QCheckBox::toggled, this, &PiecesPanel::viewChanged);
   connect(cuts_, &QPushButton::clicked, this, [this] {
     if (own_)
       emit searchRequested();
@@ -171,6 +182,20 @@ void PiecesPanel::setOwnCuts(bool own) {
   retranslate();
 }
 
+void PiecesPanel::setHandles(bool there) {
+  handles_ = there;
+  showHint();
+}
+
+void PiecesPanel::showHint() {
+  if (selected_ < 0)
+    hint_->setText(tr("Click a piece to see where it is cut off, and to move that cut."));
+  else if (handles_)
+    hint_->setText(tr("Drag the arrow to move the cut, a ring to tilt it. Esc lets go of it."));
+  else
+    hint_->setText(tr("This piece stands on the plate: it has no cut of its own to move."));
+}
+
 void PiecesPanel::setEstimate(const CutEstimate& estimate) {
   estimate_ = estimate;
   estimated_ = true;
@@ -191,12 +216,20 @@ void PiecesPanel::setPickingRoot(bool picking) {
   root_->setChecked(picking);
 }
 
+void PiecesPanel::setExplodeShare(double share) {
+  explode_->setValue(static_cast<int>(std::lround(share * kExplodeSteps)));
+}
+
 double PiecesPanel::explodeShare() const {
   return static_cast<double>(explode_->value()) / kExplodeSteps;
 }
 
 bool PiecesPanel::basePlanes() const {
   return planes_->isChecked();
+}
+
+bool PiecesPanel::numbers() const {
+  return numbers_->isChecked();
 }
 
 void PiecesPanel::showTotal() {
@@ -224,12 +257,11 @@ void PiecesPanel::retranslate() {
       kRisky, tr("Area that needs support where the piece is printed off its base"));
   explodeLabel_->setText(tr("Apart"));
   explode_->setToolTip(tr("Moves each piece off the one it stands on"));
+  numbers_->setText(tr("Numbers"));
+  numbers_->setToolTip(tr("In the picture, in print order"));
   planes_->setText(tr("Base planes"));
-  hint_->setText(
-      tr("Select a piece and drag the handles on its base plane to move or tilt the cut."));
-  QPalette muted = palette();
-  muted.setColor(QPalette::WindowText, forms::mutedColour(palette()));
-  hint_->setPalette(muted);
+  planes_->setToolTip(tr("Shows where each piece is cut off"));
+  showHint();
   cuts_->setText(own_ ? tr("Search anew") : tr("Keep these cuts"));
   cuts_->setToolTip(own_ ? tr("Gives up your cuts and lets the search decide")
                          : tr("Makes the cuts that were found your own, so that they stay"));

@@ -43,6 +43,8 @@ public:
   int selected() const { return selected_; }
   // The cuts are the user's, not the search's.
   void setOwnCuts(bool own);
+  // The selected piece's base plane has handles: what to do with them is said.
+  void setHandles(bool there);
   // In place of the pieces' own area; none with a default one.
   void setEstimate(const CutEstimate& estimate);
   void clearEstimate();
@@ -51,11 +53,13 @@ public:
   void setPickingRoot(bool picking);
 
   double explodeShare() const; // 0 to 1
+  void setExplodeShare(double share);
   bool basePlanes() const;
+  bool numbers() const;
 
 signals:
   void selectionChanged(int piece);
-  void viewChanged(); // explodeShare, basePlanes
+  void viewChanged(); // explodeShare, basePlanes, numbers
   void dragging(bool on);
   void keepCutsRequested();
   void searchRequested();
@@ -69,17 +73,18 @@ private:
   void fill();
   void retranslate();
   void showTotal();
+  void showHint();
 
   std::vector<PieceRow> rows_;
   std::vector<QTreeWidgetItem*> items_;
   double before_ = 0.0;
   CutEstimate estimate_;
-  bool estimated_ = false, own_ = false, filling_ = false;
+  bool estimated_ = false, own_ = false, filling_ = false, handles_ = false;
   int selected_ = -1;
   QTreeWidget* tree_;
   QLabel *total_, *explodeLabel_, *hint_;
   QSlider* explode_;
-  QCheckBox* planes_;
+  QCheckBox *numbers_, *planes_;
   QPushButton *cuts_, *root_;
 };
 

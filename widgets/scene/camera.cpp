@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
@@ -14,6 +15,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kMargin = 1.06;
+constexpr double kMostAway = 1.5, kAwayStep = 1.04; // to keep clear of what covers the picture
 
 double halfViewAngle(vtkCamera* camera) {
   return camera->GetViewAngle() * base::kPi / 360.0;
@@ -25,24 +27,84 @@ void place(vtkCamera* camera, const Vector3d& target, const Vector3d& eye, doubl
   camera->SetParallelScale(halfHeight);
 }
 
-// Moves the camera so that the corners of the box just fit.
-void closeIn(vtkRenderer* renderer, const Eigen::AlignedBox3d& box) {
-  vtkCamera* camera = renderer->GetActiveCamera();
+double aspectOf(vtkRenderer* renderer) {
   const int* size = renderer->GetSize();
-  const double aspect = size[1] > 0 ? double(size[0]) / size[1] : 1.28;
+  return size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.28;
+}
+
+std::vector<Vector3d> cornersOf(const Eigen::AlignedBox3d& box) {
+  std::vector<Vector3d> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+  return corners;
+}
+
+// Where points are in the picture, pixels from the lower left corner.
+class Lens {
+public:
+  explicit Lens(vtkRenderer* renderer)
+      : camera_(renderer->GetActiveCamera()), size_(renderer->GetSize()[0], renderer->GetSize()[1]),
+        eye_(camera_->GetPosition()),
+        back_((eye_ - Vector3d(camera_->GetFocalPoint())).normalized()),
+        right_(Vector3d(camera_->GetViewUp()).cross(back_).normalized()), up_(back_.cross(right_)) {
+  }
+
+  Eigen::Vector2d operator()(const Vector3d& p) const {
+    const Vector3d v = p - eye_;
+    const double half = camera_->GetParallelProjection()
+                            ? camera_->GetParallelScale()
+                            : std::max(1e-6, -v.dot(back_)) * std::tan(halfViewAngle(camera_));
+    return 0.5 * (size_ + size_.y() / half * Eigen::Vector2d(v.dot(right_), v.dot(up_)));
+  }
+
+private:
+  vtkCamera* camera_;
+  Eigen::Vector2d size_;
+  Vector3d eye_, back_, right_, up_;
+};
+
+// Whether the hull of points meets a rectangle: no line parallel to one of the rectangle's sides,
+// or through two of the points, parts them.
+bool meets(const std::vector<Eigen::Vector2d>& points, const Eigen::AlignedBox2d& rectangle) {
+  std::vector<Eigen::Vector2d> normals{Eigen::Vector2d::UnitX(), Eigen::Vector2d::UnitY()};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      normals.emplace_back(points[i].y() - points[j].y(), points[j].x() - points[i].x());
+  for (const Eigen::Vector2d& normal : normals) {
+    double low = std::numeric_limits<double>::infinity(), high = -low, rLow = low, rHigh = high;
+    for (const Eigen::Vector2d& p : points) {
+      low = std::min(low, normal.dot(p));
+      high = std::max(high, normal.dot(p));
+    }
+    for (int k = 0; k < 4; ++k) {
+      const double at =
+          normal.dot(rectangle.corner(static_cast<Eigen::AlignedBox2d::CornerType>(k)));
+      rLow = std::min(rLow, at);
+      rHigh = std::max(rHigh, at);
+    }
+    if (high < rLow || rHigh < low)
+      return false;
+  }
+  return true;
+}
+
+// Moves the camera so that the corners of the box just fit, `away` times as far as that.
+void closeIn(vtkRenderer* renderer, const Eigen::AlignedBox3d& box, double away) {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double aspect = aspectOf(renderer);
   const Vector3d eye(camera->GetPosition()), centre = box.center();
   const Vector3d back = (eye - centre).normalized();
   const Vector3d right = Vector3d(camera->GetViewUp()).cross(back).normalized();
   const Vector3d up = back.cross(right);
   const double slope = std::tan(halfViewAngle(camera));
   double distance = 0.0, half = 0.0;
-  for (int i = 0; i < 8; ++i) {
-    const Vector3d v = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)) - centre;
+  for (const Vector3d& corner : cornersOf(box)) {
+    const Vector3d v = corner - centre;
     const double extent = std::max(std::abs(v.dot(right)) / aspect, std::abs(v.dot(up)));
     half = std::max(half, extent);
     distance = std::max(distance, v.dot(back) + extent / slope);
   }
-  place(camera, centre, centre + kMargin * distance * back, kMargin * half);
+  place(camera, centre, centre + away * kMargin * distance * back, away * kMargin * half);
 }
 
 } // namespace
@@ -79,14 +141,25 @@ void lookFrom(vtkRenderer* renderer, StandardView view) {
   camera->SetViewUp(up.data());
 }
 
-void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box) {
+void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
+              const std::vector<Eigen::AlignedBox2d>& covered) {
   if (box.isEmpty())
     return;
   const double bounds[6] = {box.min().x(), box.max().x(), box.min().y(),
                             box.max().y(), box.min().z(), box.max().z()};
   renderer->ResetCamera(bounds);
   // VTK frames the box's ball, which leaves a wide margin.
-  closeIn(renderer, box);
+  const std::vector<Vector3d> corners = cornersOf(box);
+  for (double away = 1.0; away < kMostAway; away *= kAwayStep) {
+    closeIn(renderer, box, away);
+    const Lens lens(renderer);
+    std::vector<Eigen::Vector2d> seen;
+    for (const Vector3d& corner : corners)
+      seen.push_back(lens(corner));
+    if (std::none_of(covered.begin(), covered.end(),
+                     [&](const Eigen::AlignedBox2d& one) { return meets(seen, one); }))
+      break;
+  }
   renderer->ResetCameraClippingRange();
 }
 

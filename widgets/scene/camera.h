@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <vector>
 
 class vtkRenderer;
 
@@ -12,9 +13,11 @@ enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric };
 
 // Turns the camera to look from there; how far away it stands is left to frameBox().
 void lookFrom(vtkRenderer* renderer, StandardView view);
-// Moves the camera along its view until the corners of the box just fit the picture. Nothing
-// happens with an empty box.
-void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box);
+// Moves the camera along its view until the corners of the box just fit the picture; where it would
+// lie under something that covers a corner of the picture (pixels from the lower left corner), it
+// is seen somewhat smaller, beside that. Nothing happens with an empty box.
+void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
+              const std::vector<Eigen::AlignedBox2d>& covered = {});
 // Moves the camera along its view so that a ball about `target` fills the picture's height.
 // radiusMm > 0.
 void lookAt(vtkRenderer* renderer, const Eigen::Vector3d& target, double radiusMm);

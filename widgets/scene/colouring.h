@@ -63,7 +63,7 @@ struct LegendEntry {
   std::string text() const { return note.empty() ? label : label + " (" + note + ")"; }
 };
 
-// Empty entries: nothing shown needs a legend.
+// Neither entries nor marks: nothing shown needs a legend. The title is that of the entries.
 struct Legend {
   std::string title, unit; // English; title is the label of the row of colourByTable()
   bool categorical = false;

@@ -114,11 +114,12 @@ void Overlay::placeTriad() {
 
 void Overlay::placeLegend() {
   const auto& entries = legend_.entries;
-  bar_->SetVisibility(!entries.empty());
+  const std::size_t rows = entries.size() + legend_.marks.size();
+  bar_->SetVisibility(rows > 0);
   title_->SetVisibility(!entries.empty());
   for (std::size_t i = 0; i < labels_.size(); ++i)
-    labels_[i]->SetVisibility(!entries.empty() && i < entries.size() + legend_.marks.size());
-  if (entries.empty())
+    labels_[i]->SetVisibility(i < rows);
+  if (rows == 0)
     return;
   const int* size = renderer_->GetSize();
   const double left = kLegendLeft * ratio_;
@@ -133,7 +134,7 @@ void Overlay::placeLegend() {
   place(title_, legend_.unit.empty() ? legend_.title : legend_.title + " (" + legend_.unit + ")",
         left, top);
   title_->GetTextProperty()->BoldOn();
-  const double below = top - kTitleRow * ratio_;
+  const double below = entries.empty() ? top : top - kTitleRow * ratio_;
   const double labelX = left + (kBarWidth + 8) * ratio_;
   MeshBuffers bar;
   const auto placeRow = [&](std::size_t label, const LegendEntry& entry, double y) {
@@ -142,7 +143,7 @@ void Overlay::placeLegend() {
     place(labels_[label], entry.text(), labelX, y);
   };
   double marksFrom = below - static_cast<double>(entries.size()) * kRow * ratio_;
-  if (legend_.categorical || entries.size() == 1) {
+  if (legend_.categorical || entries.size() <= 1) {
     for (std::size_t i = 0; i < entries.size(); ++i)
       placeRow(i, entries[i], below - static_cast<double>(i) * kRow * ratio_);
   } else {

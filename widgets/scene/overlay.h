@@ -20,7 +20,7 @@ public:
   void setTheme(const Theme& theme);
   void setPixelRatio(double ratio) { ratio_ = ratio; }
   void showTriad(bool show) { triadShown_ = show; }
-  // Empty entries: none.
+  // Neither entries nor marks: none.
   void setLegend(const Legend& legend);
   // Places all for the renderer's size and camera. Before every frame.
   void update();

@@ -107,11 +107,11 @@ std::vector<vtkActor*> PieceActors::actors() const {
   return actors;
 }
 
-Legend pieceLegend(const PiecesDrawing& drawing, const Theme& theme) {
+Legend pieceLegend(const PiecesDrawing& drawing, const Theme& theme, bool named) {
   Legend legend;
   legend.title = "Piece";
   legend.categorical = true;
-  for (std::size_t i = 0; i < drawing.pieces.size(); ++i)
+  for (std::size_t i = 0; named && i < drawing.pieces.size(); ++i)
     legend.entries.push_back({static_cast<double>(i), std::to_string(i + 1),
                               pieceColour(static_cast<int>(i)),
                               drawing.pieces[i].parent < 0 ? "on the plate" : ""});

@@ -36,7 +36,7 @@ private:
   std::vector<One> pieces_;
 };
 
-// What the colours of pieces say.
-Legend pieceLegend(const PiecesDrawing& drawing, const Theme& theme);
+// What the colours of pieces say; `named`: each by its number, which the picture does not show.
+Legend pieceLegend(const PiecesDrawing& drawing, const Theme& theme, bool named);
 
 } // namespace voluta::scene

@@ -8,6 +8,7 @@
 #include "scene/overlay.h"
 #include "scene/pick.h"
 #include "scene/piece_actors.h"
+#include "scene/piece_labels.h"
 #include "scene/shape_mesh.h"
 #include "scene/visible_beads.h"
 #include "scene/voxel_actors.h"
@@ -31,7 +32,7 @@ namespace {
 
 constexpr double kLineBeadScale = 0.22; // beads as thin lines
 constexpr double kMarkerShare = 0.012;  // of the picture's height
-constexpr double kFrontOpacity = 0.28;
+constexpr double kFrontOpacity = 0.28, kPlateFromBelow = 0.25;
 
 // What the colours of a range actor were made for.
 struct ColourState {
@@ -83,10 +84,12 @@ struct Scene::Impl {
   // Each drawing keeps its buffers: changing between them uploads nothing.
   std::unique_ptr<VoxelActors> byLayer, bySteps;
   std::unique_ptr<PieceActors> pieceActors;
+  std::unique_ptr<PieceLabels> pieceLabels;
   RangeActor slabs, beads, travels, marker, markerHalo;
   std::vector<vtkSmartPointer<vtkActor>> bodies;
 
   ColourState slabColours, beadColours;
+  std::vector<Eigen::AlignedBox2d> covered;
   Eigen::Isometry3d world_T_work = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> world_T_frame; // of the cell
 
@@ -120,6 +123,7 @@ struct Scene::Impl {
     markerHalo = RangeActor::halo(renderer);
     markerHalo.setData(unitSphere());
     markerHalo.mapper->setStretches(everything(markerHalo.mapper->GetInput()));
+    pieceLabels = std::make_unique<PieceLabels>(renderer);
     overlay = std::make_unique<Overlay>(renderer);
     applyTheme();
     beforeFrame->SetClientData(this);
@@ -146,6 +150,7 @@ struct Scene::Impl {
     byLayer->setTheme(theme);
     bySteps->setTheme(theme);
     pieceActors->setTheme(theme);
+    pieceLabels->setTheme(theme);
     showPieces();
     setColour(frontSurface, theme.front);
     setColour(frontEdges, theme.front);
@@ -250,6 +255,13 @@ struct Scene::Impl {
       bySteps->prepare();
     else
       bySteps->hide();
+  }
+
+  // From below the plate is glass: what stands on it is looked at through it.
+  void showPlateFromBelow() {
+    const Eigen::Vector3d eye =
+        world_T_work.inverse() * Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition());
+    plate->GetProperty()->SetOpacity(eye.z() < 0.0 ? kPlateFromBelow : 1.0);
   }
 
   bool seenFromAbove() const {
@@ -364,7 +376,7 @@ struct Scene::Impl {
       return legend;
     }
     if (shows(view.pieces, pieces.get()))
-      return pieceLegend(*pieces, theme);
+      return pieceLegend(*pieces, theme, !view.pieceNumbers);
     if (shows(view.layers, layers.get()))
       return legendOf(layers->values, shownColouring(layers->values, view.colourBy));
     if (shows(view.paths, paths.get()) && !view.materialColour)
@@ -381,8 +393,10 @@ struct Scene::Impl {
         actor->SetScale(actor == marker.actor ? radius : 2.0 * radius);
       }
     }
-    overlay->update();
+    showPlateFromBelow();
     renderer->ResetCameraClippingRange();
+    pieceLabels->update(view, world_T_work);
+    overlay->update();
   }
 
   // What the camera should see: in the world.
@@ -482,6 +496,7 @@ void Scene::setLayers(std::shared_ptr<const LayersDrawing> layers) {
 
 void Scene::setPieces(std::shared_ptr<const PiecesDrawing> pieces) {
   impl_->pieceActors->setDrawing(pieces.get());
+  impl_->pieceLabels->setDrawing(pieces.get());
   impl_->pieces = std::move(pieces);
   impl_->applyView();
 }
@@ -519,14 +534,19 @@ const ViewState& Scene::view() const {
 
 void Scene::setPixelRatio(double ratio) {
   impl_->overlay->setPixelRatio(ratio);
+  impl_->pieceLabels->setPixelRatio(ratio);
 }
 
 Legend Scene::legend() const {
   return impl_->legend();
 }
 
+void Scene::setCovered(std::vector<Eigen::AlignedBox2d> covered) {
+  impl_->covered = std::move(covered);
+}
+
 void Scene::frameAll() {
-  frameBox(impl_->renderer, impl_->visibleBox());
+  frameBox(impl_->renderer, impl_->visibleBox(), impl_->covered);
 }
 
 void Scene::standardView(StandardView view) {

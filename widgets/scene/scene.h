@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 class vtkRenderer;
 
@@ -62,6 +63,10 @@ public:
   const ViewState& view() const;
   // Pixels a point of text and an overlay's line take: the screen's device pixel ratio.
   void setPixelRatio(double ratio);
+
+  // Parts of the picture that something lies over, in pixels from the lower left corner: frameAll()
+  // keeps clear of them as far as it can.
+  void setCovered(std::vector<Eigen::AlignedBox2d> covered);
 
   // Of what is shown under the view: voxels before pieces before layers before paths, whichever is
   // visible.

@@ -54,6 +54,7 @@ struct ViewState {
   Eigen::Vector3d sectionOrigin = Eigen::Vector3d::Zero(), sectionNormal = Eigen::Vector3d::UnitX();
 
   double explodeMm = 0.0;           // pieces: how far each stands off the one it stands on
+  bool pieceNumbers = true;         // on the pieces, in print order
   bool basePlanes = false;          // of all pieces; the chosen one's is there anyway
   std::optional<std::size_t> piece; // stands out from the others
   std::optional<Eigen::Isometry3d> moved_T_base; // its base plane, while it is dragged

@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QStyleHints>
 #include <cmath>
+#include <utility>
+#include <vector>
 #include <vtkRenderer.h>
 
 namespace voluta::viewer {
@@ -159,6 +161,15 @@ void Viewport::moved() {
 }
 
 void Viewport::frameAll() {
+  std::vector<Eigen::AlignedBox2d> covered;
+  for (const QWidget* over :
+       {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(legend_)})
+    if (over && !over->isHidden()) {
+      const QRectF frame = QRectF(over->geometry()).adjusted(-kMargin, -kMargin, kMargin, kMargin);
+      const QPointF low = toDisplay(frame.bottomLeft()), high = toDisplay(frame.topRight());
+      covered.emplace_back(Eigen::Vector2d(low.x(), low.y()), Eigen::Vector2d(high.x(), high.y()));
+    }
+  scene_.setCovered(std::move(covered));
   scene_.frameAll();
   moved();
 }

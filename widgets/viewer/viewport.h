@@ -34,12 +34,13 @@ public:
   void setGizmoCentre(const Eigen::Vector3d& centre,
                       const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
 
+  // Beside what lies over the corners.
   void frameAll();
   void viewFrom(const Eigen::Vector3d& towardsEye);
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
   // Something other than the camera is being dragged: less detail, faster frames.
   void setDragging(bool on);
-  // A widget laid over the viewport, at its lower left corner above what is there already.
+  // A widget laid over the viewport, at its upper left corner.
   void setLegendWidget(QWidget* legend);
 
 signals:

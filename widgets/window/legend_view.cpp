@@ -26,9 +26,18 @@ LegendView::LegendView(QWidget* parent) : QWidget(parent) {
 
 void LegendView::setLegend(const scene::Legend& legend) {
   legend_ = legend;
-  setVisible(!legend_.entries.empty());
+  showWanted();
   resize(sizeHint());
   update();
+}
+
+void LegendView::setWanted(bool wanted) {
+  wanted_ = wanted;
+  showWanted();
+}
+
+void LegendView::showWanted() {
+  setVisible(wanted_ && (!legend_.entries.empty() || !legend_.marks.empty()));
 }
 
 QString LegendView::title() const {
@@ -47,13 +56,15 @@ int LegendView::rowHeight() const {
 }
 
 QSize LegendView::sizeHint() const {
-  int width = fontMetrics().horizontalAdvance(title());
+  const bool titled = !legend_.entries.empty();
+  int width = titled ? fontMetrics().horizontalAdvance(title()) : 0;
   for (const auto* list : {&legend_.entries, &legend_.marks})
     for (const scene::LegendEntry& entry : *list)
       width = std::max(width, kSwatch + kGap + fontMetrics().horizontalAdvance(labelOf(entry)));
-  const int rows = static_cast<int>(legend_.entries.size() + legend_.marks.size()) + 1;
-  return {width + 2 * kPadding,
-          rows * rowHeight() + 2 * kPadding + kGap / 2 + (legend_.marks.empty() ? 0 : kGap)};
+  int height = static_cast<int>(legend_.entries.size() + legend_.marks.size()) * rowHeight();
+  if (titled)
+    height += rowHeight() + kGap / 2 + (legend_.marks.empty() ? 0 : kGap);
+  return {width + 2 * kPadding, height + 2 * kPadding};
 }
 
 void LegendView::paintEvent(QPaintEvent*) {
@@ -65,10 +76,14 @@ void LegendView::paintEvent(QPaintEvent*) {
   painter.setPen(palette().mid().color());
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
   const int row = rowHeight();
-  painter.setPen(palette().windowText().color());
-  painter.drawText(QRect(kPadding, kPadding, width() - 2 * kPadding, row),
-                   Qt::AlignLeft | Qt::AlignVCenter, title());
-  const int top = kPadding + row + 4, count = static_cast<int>(legend_.entries.size());
+  const int count = static_cast<int>(legend_.entries.size());
+  int top = kPadding;
+  if (count > 0) {
+    painter.setPen(palette().windowText().color());
+    painter.drawText(QRect(kPadding, top, width() - 2 * kPadding, row),
+                     Qt::AlignLeft | Qt::AlignVCenter, title());
+    top += row + kGap / 2;
+  }
   // The greatest value of a scale is at the top, where the eye expects it.
   const auto entryAt = [&](int i) -> const scene::LegendEntry& {
     return legend_.entries[static_cast<std::size_t>(legend_.categorical ? i : count - 1 - i)];
@@ -93,7 +108,7 @@ void LegendView::paintEvent(QPaintEvent*) {
   };
   for (int i = 0; i < count; ++i)
     paintRow(entryAt(i), top + i * row, legend_.categorical || count == 1);
-  int y = top + count * row + kGap;
+  int y = count > 0 ? top + count * row + kGap : top;
   for (const scene::LegendEntry& mark : legend_.marks) {
     paintRow(mark, y, true);
     y += row;

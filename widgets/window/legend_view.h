@@ -12,8 +12,10 @@ class LegendView : public QWidget {
 
 public:
   explicit LegendView(QWidget* parent = nullptr);
-  // Hidden while there are no entries.
+  // Hidden while it has neither entries nor marks.
   void setLegend(const scene::Legend& legend);
+  // Hidden where the user does not want it.
+  void setWanted(bool wanted);
   QSize sizeHint() const override;
 
 protected:
@@ -24,8 +26,10 @@ private:
   QString title() const;
   QString labelOf(const scene::LegendEntry& entry) const;
   int rowHeight() const;
+  void showWanted();
 
   scene::Legend legend_;
+  bool wanted_ = true;
 };
 
 } // namespace voluta::window

@@ -163,6 +163,9 @@ private:
   std::optional<Eigen::Isometry3d> movedBase() const;
   void setCuts(const QString& text, const QString& editName); // empty: the search's
   void pickRoot(const Eigen::Vector3d& point);
+  // Flies to the face that the finding is about, to a side that it is seen from; false: there are
+  // no pieces, or it is not about them.
+  bool lookAtPieces(const plan::Finding& finding);
   // main_window_compare.cpp
   void buildCompare();
   void showCompareState();

@@ -6,6 +6,7 @@
 #include "window/compare_page.h"
 #include "window/icons.h"
 #include "window/language.h"
+#include "window/legend_view.h"
 #include "window/main_window.h"
 #include "window/shortcuts_dialog.h"
 
@@ -162,6 +163,16 @@ void MainWindow::buildMenus() {
             options_->setChoices(choices);
             showView();
           });
+  QAction* legend =
+      command(view, "toggleLegend", QT_TR_NOOP("&Legend"),
+              QT_TR_NOOP("What the colours of the picture say"), QKeySequence("L"), {}, [] {});
+  legend->setCheckable(true);
+  legend->setChecked(QSettings().value("view/legend", true).toBool());
+  legend_->setWanted(legend->isChecked());
+  connect(legend, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue("view/legend", on);
+    legend_->setWanted(on);
+  });
   view->addSeparator();
   QAction* dark = command(
       view, "dark", QT_TR_NOOP("&Dark"), QT_TR_NOOP("Light text on dark ground"), {}, {}, [this] {

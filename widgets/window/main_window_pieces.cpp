@@ -1,6 +1,7 @@
 // Pieces of planar mode on the Layers page: chosen in tree or viewport, their cuts dragged.
 #include "window/main_window.h"
 
+#include "geometry/measures.h"
 #include "panels/pieces_panel.h"
 #include "pipeline/piece_search.h"
 #include "pipeline/planar_modes.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace voluta::window {
@@ -18,6 +20,8 @@ namespace {
 constexpr const char* kCuts = "cutPlanes";
 constexpr const char* kRoot = "pieceRoot";
 constexpr const char* kScheme = "planarScheme";
+constexpr double kFaceRadiusMm = 20.0; // of the part around a face that is looked at
+constexpr double kLeastFacing = 0.3;   // cosine between a face and the eye that it is seen well by
 // Of the part's diagonal, at the slider's end: between two pieces, and from the first to the last.
 constexpr double kExplodeShare = 0.4, kExplodeAllShare = 1.0;
 
@@ -38,6 +42,24 @@ planar::GivenCut moved(const planar::GivenCut& cut, const viewer::GizmoChange& c
   out.plane.normal = (change.turn * cut.plane.normal).normalized();
   out.plane.offsetMm = out.plane.normal.dot(out.point);
   return out;
+}
+
+// Outward, of the face whose middle is nearest.
+Eigen::Vector3d faceNormal(const std::vector<planar::Piece>& pieces, const Eigen::Vector3d& place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  for (const planar::Piece& piece : pieces) {
+    const geometry::TriangleMesh& mesh = piece.solid.mesh;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Eigen::Vector3d middle =
+          (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+      if (const double d = (middle - place).squaredNorm(); d < nearest) {
+        nearest = d;
+        normal = geometry::triangleNormal(mesh, t);
+      }
+    }
+  }
+  return normal;
 }
 
 bool same(const planar::GivenCut& a, const planar::GivenCut& b) {
@@ -157,7 +179,9 @@ void MainWindow::showCutHandles() {
   if (viewport_->tool() != viewer::Tool::None && viewport_->tool() != viewer::Tool::CutPlane)
     return;
   const auto cut = static_cast<std::size_t>(chosenCut_);
-  if (!piecesShown() || chosenCut_ < 0 || cut >= cuts_.size()) {
+  const bool there = piecesShown() && chosenCut_ >= 0 && cut < cuts_.size();
+  piecesPanel_->setHandles(there);
+  if (!there) {
     if (std::exchange(cutHandles_, false)) {
       viewport_->setTool(viewer::Tool::None);
       if (!presenter_->partBox().isEmpty())
@@ -202,6 +226,29 @@ void MainWindow::pickRoot(const Eigen::Vector3d& point) {
   pipeline::Choices choices = document_.choices();
   choices.parameters[kRoot] = pipeline::pieceRootText(point);
   document_.setChoices(choices, tr("pick root"));
+}
+
+bool MainWindow::lookAtPieces(const plan::Finding& finding) {
+  const auto result = document_.result(Stage::Decompose);
+  if (finding.stage != "decompose" || !finding.where || !presenter_->hasPieces() || !result ||
+      !result->job.pieces)
+    return false;
+  ViewChoices choices = options_->choices();
+  choices.subject = LayerSubject::Pieces;
+  options_->setChoices(choices);
+  piecesPanel_->setExplodeShare(0.0); // the place is on the part
+  selectPiece(-1);
+  const Eigen::Vector3d normal = faceNormal(result->job.pieces->pieces, *finding.where);
+  const Eigen::Vector3d eye = scene::towardsEye(viewport_->scene().renderer()).normalized();
+  if (normal.dot(eye) < kLeastFacing) {
+    // About from where the user looks, as far as that side goes.
+    Eigen::Vector3d level(eye.x(), eye.y(), 0.0);
+    if (level.norm() < 1e-3 || level.normalized().dot(normal) < -0.5)
+      level = Eigen::Vector3d(normal.x(), normal.y(), 0.0);
+    viewport_->viewFrom(level.norm() > 1e-3 ? (normal + 1.5 * level.normalized()).eval() : normal);
+  }
+  viewport_->lookAt(*finding.where, kFaceRadiusMm);
+  return true;
 }
 
 } // namespace voluta::window

@@ -31,6 +31,7 @@ scene::ViewState MainWindow::viewState() const {
   const ViewChoices& chosen = options_->choices();
   v.platform = shows(SceneItem::Platform);
   v.marker = marker_;
+  v.pieceNumbers = piecesPanel_->numbers();
   v.colourBy = chosen.colourBy;
   v.beads = chosen.beads;
   v.sectionOn = chosen.section && !presenter_->partBox().isEmpty();
@@ -144,7 +145,7 @@ void MainWindow::goTo(const plan::Finding& finding) {
   } else {
     setPage(Page::Layers);
   }
-  if (lookAtMissed(finding))
+  if (lookAtMissed(finding) || lookAtPieces(finding))
     return;
   if (finding.where && page() == Page::Layers)
     if (const auto plan = document_.result(Stage::Toolpath);
