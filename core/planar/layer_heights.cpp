@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFlat = 0.999;      // cosine: about 2.5 degrees
 constexpr double kSameMm = 1e-3;     // heights that are one
+constexpr double kRounding = 1e-9;   // of heights and numbers of layers
 constexpr double kStretched = 1.25;  // share of its height to which a last layer may be stretched
 constexpr double kShelfMm = 0.03;    // heights of one flat face
 constexpr double kShelfShare = 0.02; // of the piece's volume^(2/3), for a flat face to count
@@ -79,7 +80,7 @@ std::vector<double> shelvesOf(const Piece& piece, double top, double leastMm) {
   std::ranges::stable_sort(shelves, std::ranges::greater(), &Face::areaMm2);
   for (const Face& shelf : shelves) {
     const auto near = [&](double height) {
-      return std::abs(shelf.height - height) < leastMm - kSameMm;
+      return std::abs(shelf.height - height) < leastMm - kRounding;
     };
     if (!near(0.0) && !near(top) && std::ranges::none_of(taken, near))
       taken.push_back(shelf.height);
@@ -100,8 +101,8 @@ void appendEven(std::vector<double>& bounds, double to, int count) {
 // does, the fewest that are not too high.
 int evenCount(double height, const HeightOptions& o) {
   const int count = std::max(1, static_cast<int>(std::lround(height / o.wantedMm)));
-  const int most = std::max(1, static_cast<int>(std::floor(height / o.minMm + kSameMm)));
-  const int least = std::max(1, static_cast<int>(std::ceil(height / o.maxMm - kSameMm)));
+  const int most = std::max(1, static_cast<int>(std::floor(height / o.minMm + kRounding)));
+  const int least = std::max(1, static_cast<int>(std::ceil(height / o.maxMm - kRounding)));
   return std::max(least, std::min(count, most));
 }
 

@@ -192,7 +192,7 @@ TEST(RegionMesh, CrossingEdgesGiveNothing) {
 }
 
 TEST(LayerBounds, AFlatTopGetsAWholeNumberOfLayers) {
-  for (const double height : {8.0, 8.3, 7.7, 1.2, 1.7, 0.3}) {
+  for (const double height : {8.0, 8.3, 7.7, 1.2, 1.7, 0.3, 1.0005, 2.0007}) {
     const std::vector<double> bounds =
         layerBounds(pieceOf(test::box({0, 0, 0}, {20, 20, height})), {});
     EXPECT_EQ(bounds.front(), 0.0);
