@@ -9,6 +9,9 @@
 #include <vtkCellArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper2D.h>
@@ -87,6 +90,25 @@ private:
   vtkNew<vtkUnsignedCharArray> colours_;
 };
 
+// VTK tests the depth of what lies over the picture too, and all of it has the same: what is drawn
+// first would hide the rest. Discs leave no depth, so that the numbers lie on them.
+class DepthlessActor : public vtkActor2D {
+public:
+  vtkTypeMacro(DepthlessActor, vtkActor2D);
+  static DepthlessActor* New() { VTK_STANDARD_NEW_BODY(DepthlessActor); }
+
+  int RenderOverlay(vtkViewport* viewport) override {
+    vtkOpenGLState* state =
+        static_cast<vtkOpenGLRenderWindow*>(viewport->GetVTKWindow())->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable kept(state, kDepthTest);
+    state->vtkglDisable(kDepthTest);
+    return vtkActor2D::RenderOverlay(viewport);
+  }
+
+private:
+  static constexpr unsigned int kDepthTest = 0x0B71; // GL_DEPTH_TEST
+};
+
 Eigen::Matrix4d clipFromWorld(vtkRenderer* renderer) {
   const int* size = renderer->GetSize();
   const double aspect = size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;
@@ -102,9 +124,8 @@ Eigen::Matrix4d clipFromWorld(vtkRenderer* renderer) {
 } // namespace
 
 PieceLabels::PieceLabels(vtkRenderer* renderer)
-    : renderer_(renderer), theme_(lightTheme()), discs_(vtkSmartPointer<vtkActor2D>::New()) {
+    : renderer_(renderer), theme_(lightTheme()), discs_(vtkSmartPointer<DepthlessActor>::New()) {
   discs_->SetMapper(vtkSmartPointer<vtkPolyDataMapper2D>::New());
-  discs_->SetLayerNumber(1);
   renderer_->AddActor2D(discs_);
 }
 
@@ -133,7 +154,6 @@ void PieceLabels::update(const ViewState& view, const Eigen::Isometry3d& world_T
 void PieceLabels::addNumber() {
   auto number = vtkSmartPointer<vtkTextActor>::New();
   number->SetInput(std::to_string(numbers_.size() + 1).c_str());
-  number->SetLayerNumber(2);
   vtkTextProperty* look = number->GetTextProperty();
   look->SetFontFamilyToArial();
   look->BoldOn();
