@@ -38,7 +38,7 @@ stampa</translation>
     <message>
         <source>Reach
 %</source>
-        <translation>Raggio
+        <translation>Portata
 %</translation>
     </message>
     <message>
@@ -1092,7 +1092,7 @@ sioni</translation>
     </message>
     <message>
         <source>Contact area, margin</source>
-        <translation>Area di appoggio, margine</translation>
+        <translation>Area di contatto, margine</translation>
     </message>
     <message>
         <source>Disc, diameter</source>
@@ -1175,7 +1175,7 @@ sioni</translation>
     </message>
     <message>
         <source>What nothing blocks comes first. Then the least score is best: each figure&apos;s share of the largest, times its weight.</source>
-        <translation>Prima viene ciò che nulla blocca. Poi vince il punteggio minore: di ogni valore la quota del massimo, per il suo peso.</translation>
+        <translation>Prima viene ciò che niente blocca. Poi vince il punteggio minore: di ogni valore la quota del massimo, per il suo peso.</translation>
     </message>
     <message>
         <source>Reset</source>

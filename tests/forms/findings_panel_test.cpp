@@ -1,5 +1,8 @@
+#include "panels/finding_texts.h"
 #include "panels/findings_model.h"
 #include "panels/findings_panel.h"
+#include "planar/flat.h"
+#include "support/shapes.h"
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -32,6 +35,51 @@ QPoint middleOf(QListView* list, int row) {
   return list->visualRect(list->model()->index(row, 0)).center();
 }
 } // namespace
+
+// Puts "~" before what it translates, and swaps the first two numbers.
+class SomeLanguage : public QTranslator {
+public:
+  QString translate(const char* context, const char* text, const char*, int) const override {
+    if (QLatin1String(context) != QLatin1String("Findings"))
+      return {};
+    QString out = QStringLiteral("~") + QString::fromUtf8(text);
+    return out.replace("%1", "%3").replace("%2", "%1").replace("%3", "%2");
+  }
+  bool isEmpty() const override { return false; }
+};
+
+TEST(FindingTexts, AreasAndVolumesHaveTheirSign) {
+  EXPECT_EQ(panels::findingText("4.5 mm2 of 10 mm2 hold 3 mm3, 2 mm23 and 7 mm"),
+            QString::fromUtf8("4.5 mm² of 10 mm² hold 3 mm³, 2 mm23 and 7 mm"));
+}
+
+TEST(FindingTexts, SentencesAreTranslatedAroundTheirNumbers) {
+  const std::string english = "7.03 mm2 lean over by more than 45 degrees";
+  EXPECT_EQ(panels::findingText(english),
+            QString::fromUtf8("7.03 mm² lean over by more than 45 degrees"));
+  SomeLanguage language;
+  const QLocale before;
+  QCoreApplication::installTranslator(&language);
+  QLocale::setDefault(QLocale(QLocale::Italian));
+  EXPECT_EQ(panels::findingText(english),
+            QString::fromUtf8("~45 mm² lean over by more than 7,03 degrees"));
+  EXPECT_EQ(panels::findingText("nobody knows 1.5 of this"), "nobody knows 1.5 of this");
+  QCoreApplication::removeTranslator(&language);
+  QLocale::setDefault(before);
+}
+
+// What core tells today is known: a sentence that is changed there is changed here too.
+TEST(FindingTexts, KnowWhatFlatModeTells) {
+  geometry::TriangleMesh plate = test::box({-10, -10, 10}, {10, 10, 12});
+  SomeLanguage language;
+  const plan::Findings told = planar::flatDecomposition(plate, {}).findings;
+  ASSERT_FALSE(told.empty());
+  QCoreApplication::installTranslator(&language);
+  for (const plan::Finding& f : told)
+    for (const std::string& text : {f.reason, f.remedy})
+      EXPECT_TRUE(panels::findingText(text).startsWith('~')) << text;
+  QCoreApplication::removeTranslator(&language);
+}
 
 TEST(FindingsModel, BlockingFirstThenByStage) {
   panels::FindingsModel model;

@@ -1,5 +1,7 @@
 #include "panels/findings_model.h"
 
+#include "panels/finding_texts.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
@@ -76,12 +78,12 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   const plan::Finding& f = finding(index.row());
   switch (role) {
   case Qt::DisplayRole:
-    return QString::fromStdString(f.reason);
+    return findingText(f.reason);
   case Qt::ToolTipRole:
-    return QString::fromStdString(f.remedy.empty() ? f.reason : f.reason + "\n" + f.remedy);
+    return f.remedy.empty() ? findingText(f.reason)
+                            : findingText(f.reason) + QLatin1Char('\n') + findingText(f.remedy);
   case Qt::AccessibleTextRole:
-    return (f.blocking ? tr("Blocked: %1") : tr("Worth knowing: %1"))
-        .arg(QString::fromStdString(f.reason));
+    return (f.blocking ? tr("Blocked: %1") : tr("Worth knowing: %1")).arg(findingText(f.reason));
   case DetailRole:
     return detail(f);
   case BlockingRole:

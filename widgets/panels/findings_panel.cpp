@@ -2,6 +2,7 @@
 
 #include "forms/colours.h"
 #include "forms/icons.h"
+#include "panels/finding_texts.h"
 #include "panels/findings_model.h"
 
 #include <QEvent>
@@ -184,9 +185,9 @@ void FindingsPanel::showCurrent() {
   if (!current.isValid())
     return;
   const plan::Finding& finding = model_->finding(current.row());
-  reason_->setText(QString::fromStdString(finding.reason));
+  reason_->setText(findingText(finding.reason));
   where_->setText(FindingsModel::detail(finding));
-  remedy_->setText(tr("What would help: %1").arg(QString::fromStdString(finding.remedy)));
+  remedy_->setText(tr("What would help: %1").arg(findingText(finding.remedy)));
   remedy_->setVisible(!finding.remedy.empty());
   show_->setEnabled(finding.where || finding.whenS);
   showRemedies(finding);
