@@ -10,6 +10,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTest>
+#include <iostream>
 
 namespace voluta::test {
 namespace {
@@ -109,6 +110,46 @@ TEST_F(CompareTest, WeightsRankAtOnce) {
   EXPECT_EQ(state(), PageState::OutOfDate);
   document().undoStack()->undo();
   EXPECT_NE(state(), PageState::OutOfDate);
+}
+
+TEST_F(CompareTest, WhatBlocksTheSelectedRowIsSaid) {
+  openPart(writePart("thin.stl", box({-10, -0.2, 0}, {10, 0.2, 8}))); // no bead fits into it
+  choosePage(Page::Compare);
+  for (const char* mode : {"compareMode_curved", "compareMode_planar"})
+    tick(mode);
+  press("runCompare");
+  ASSERT_TRUE(waitFor([&] { return !comparing().running(); }, 120000));
+  ASSERT_EQ(table().entries().size(), 1u);
+  ASSERT_NE(table().entries()[0].state, CompareState::Clear);
+  auto* verdict = find<QLabel>("compareVerdict");
+  EXPECT_FALSE(verdict->text().contains("Flat layers: ")) << verdict->text().toStdString();
+  select(0);
+  EXPECT_TRUE(verdict->text().contains("Flat layers: ")) << verdict->text().toStdString();
+}
+
+// Not a test of time: how long edits keep the window's thread while rows are there, for the record.
+TEST_F(CompareTest, StretchesWhileRowsAreThere) {
+  openBox();
+  quick();
+  for (const char* growth : {"compareGrowth_greedy", "compareGrowth_incremental"})
+    tick(growth);
+  press("runCompare");
+  ASSERT_TRUE(waitFor([&] { return !comparing().running(); }, 120000));
+  ASSERT_EQ(table().entries().size(), 5u);
+  select(2);
+  application().resetWatch();
+  document().setParameter("overhangAngle", "30");
+  for (const char* button : {"undo", "redo", "undo"}) {
+    clickToolBar(button);
+    ASSERT_TRUE(waitFor([&] { return !window().planning().running(); }));
+  }
+  EXPECT_EQ(table().selectedRow(), 2) << "edits leave the selection alone";
+  choosePage(Page::Prepare);
+  choosePage(Page::Compare);
+  std::cout << "longest stretch of the window's thread, frames apart: " << application().longestMs()
+            << " ms (" << application().longestWhat().toStdString() << "), worked "
+            << application().longestWorkMs() << " ms (" << application().longestWork().toStdString()
+            << ")\n";
 }
 
 TEST_F(CompareTest, CancelKeepsWhatIsDone) {

@@ -12,6 +12,9 @@ constexpr std::size_t kKeptResults = 3; // as many as the cache of plans keeps
 
 Comparing::Comparing(Document& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&runner_, &jobs::JobRunner::progressed, this, &Comparing::progressed);
+  const auto ask = [this] { upToDate_.reset(); };
+  connect(&document_, &Document::choicesChanged, this, ask);
+  connect(&document_, &Document::sourceChanged, this, ask);
 }
 
 Comparing::~Comparing() = default;
@@ -32,6 +35,12 @@ std::string Comparing::keyOf(const pipeline::PlanRequest& request) const {
 }
 
 bool Comparing::upToDate() const {
+  if (!upToDate_)
+    upToDate_ = sameAsPlanned();
+  return *upToDate_;
+}
+
+bool Comparing::sameAsPlanned() const {
   if (!document_.source())
     return false;
   const auto key =
@@ -51,12 +60,14 @@ void Comparing::run(const ComparedWays& ways) {
   rows_.clear();
   current_.reset();
   key_.clear();
+  upToDate_.reset();
   rankAgain();
   emit rowsChanged();
   const auto begun = base::outcomeOf([&] {
     for (const pipeline::Combination& way : pipeline::combinations(options))
       rows_.push_back({way, {}, {}, {}});
     key_ = keyOf(options.plan);
+    upToDate_.reset();
     return rows_.size();
   });
   if (const auto* error = std::get_if<base::Error>(&begun)) {

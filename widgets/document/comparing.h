@@ -74,6 +74,7 @@ signals:
 
 private:
   std::string keyOf(const pipeline::PlanRequest& request) const;
+  bool sameAsPlanned() const;
   void take(std::size_t row, const pipeline::CompareRow& compared, const QImage& picture,
             std::shared_ptr<const pipeline::PlanResult> result);
   void rankAgain();
@@ -87,6 +88,8 @@ private:
   pipeline::Ranking ranking_;
   pipeline::Stage until_ = pipeline::Stage::Replay;
   std::string key_;
+  mutable std::optional<bool>
+      upToDate_; // until the next edit: asked far more often than it changes
 };
 
 } // namespace voluta::document

@@ -1,5 +1,6 @@
 #include "panels/compare_table.h"
 
+#include "base/error.h"
 #include "forms/colours.h"
 #include "forms/icons.h"
 
@@ -208,6 +209,10 @@ public:
     entries_[static_cast<std::size_t>(row)] = entry;
     emit dataChanged(index(row, 0), index(row, columnCount() - 1));
   }
+  void updateEntries(std::vector<CompareEntry> entries) {
+    entries_ = std::move(entries);
+    emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+  }
   const std::vector<CompareEntry>& entries() const { return entries_; }
 
 private:
@@ -258,6 +263,14 @@ const std::vector<CompareEntry>& CompareTable::entries() const {
 
 void CompareTable::setEntry(int row, const CompareEntry& entry) {
   model_->setEntry(row, entry);
+  layColumns();
+}
+
+void CompareTable::updateEntries(std::vector<CompareEntry> entries) {
+  base::require(entries.size() == this->entries().size(), "CompareTable: the same rows");
+  if (entries.empty())
+    return;
+  model_->updateEntries(std::move(entries));
   layColumns();
 }
 

@@ -36,6 +36,8 @@ public:
   void setEntries(std::vector<CompareEntry> entries);
   const std::vector<CompareEntry>& entries() const;
   void setEntry(int row, const CompareEntry& entry);
+  // The same rows with other contents: what is selected stays so.
+  void updateEntries(std::vector<CompareEntry> entries);
   // -1: none.
   int selectedRow() const;
 

@@ -1,5 +1,7 @@
 #include "window/compare_page.h"
 
+#include "panels/finding_texts.h"
+#include "panels/findings_model.h"
 #include "pictures/job_picture.h"
 #include "pipeline/modes.h"
 #include "window/core_texts.h"
@@ -109,6 +111,16 @@ QString wayText(const pipeline::Combination& way) {
     parts << growthTexts(way.growth).label;
   parts << platformText(way.platform);
   return parts.join(QStringLiteral(", "));
+}
+// What blocks a row; empty: nothing does.
+QString whyText(const pipeline::CompareRow& row) {
+  if (!row.error.empty())
+    return QString::fromStdString(row.error);
+  for (const plan::Finding& f : row.report.findings)
+    if (f.blocking)
+      return QStringLiteral("%1: %2").arg(panels::stageText(f.stage),
+                                          panels::findingText(f.reason));
+  return {};
 }
 } // namespace
 
@@ -235,8 +247,8 @@ panels::CompareEntry ComparePage::entryOf(std::size_t index) const {
     entry.verdict = tr("Cannot be planned");
     break;
   }
-  if (const std::string reason = compared.reason(); !reason.empty())
-    entry.tip += QStringLiteral("\n") + QString::fromStdString(reason);
+  if (const QString why = whyText(compared); !why.isEmpty())
+    entry.tip += QStringLiteral("\n") + why;
   entry.tip += QStringLiteral("\n") + tr("Planned in %1").arg(durationText(compared.seconds));
   entry.picture = row.picture;
   entry.score = ranking.score[index];
@@ -247,11 +259,15 @@ panels::CompareEntry ComparePage::entryOf(std::size_t index) const {
   return entry;
 }
 
-void ComparePage::showAll() {
-  std::vector<panels::CompareEntry> entries;
+std::vector<panels::CompareEntry> ComparePage::entries() const {
+  std::vector<panels::CompareEntry> all;
   for (std::size_t i = 0; i < comparing_.rows().size(); ++i)
-    entries.push_back(entryOf(i));
-  table_->setEntries(std::move(entries));
+    all.push_back(entryOf(i));
+  return all;
+}
+
+void ComparePage::showAll() {
+  table_->setEntries(entries());
   shown_->setCurrentIndex(comparing_.rows().empty() ? 0 : 1);
   showState();
 }
@@ -264,8 +280,7 @@ void ComparePage::showRow(int row) {
 
 void ComparePage::showRanking() {
   if (table_->entries().size() == comparing_.rows().size())
-    for (std::size_t i = 0; i < comparing_.rows().size(); ++i)
-      table_->setEntry(static_cast<int>(i), entryOf(i));
+    table_->updateEntries(entries());
   showState();
 }
 
@@ -281,8 +296,13 @@ void ComparePage::showState() {
       text += QStringLiteral(" ") + tr("As good: %1.").arg(ranking.tied.size());
   } else if (!ranking.order.empty() && !comparing_.running())
     text = tr("None is best: something blocks each of them.");
-  verdict_->setText(text);
   const int selected = table_->selectedRow();
+  if (selected >= 0 && selected < static_cast<int>(rows.size()))
+    if (const auto& row = rows[static_cast<std::size_t>(selected)]; row.compared)
+      if (const QString why = whyText(*row.compared); !why.isEmpty())
+        text += QStringLiteral("\n") +
+                QStringLiteral("%1: %2").arg(modeLabel(row.combination.mode), why);
+  verdict_->setText(text);
   adopt_->setEnabled(selected >= 0);
   panel_->setState(document_.source() && document_.sourceReady(), comparing_.running());
 }

@@ -37,6 +37,7 @@ protected:
 private:
   document::ComparedWays ways() const;
   panels::CompareEntry entryOf(std::size_t row) const;
+  std::vector<panels::CompareEntry> entries() const;
   void run();
   void adopt(int row);
   void showAll();
