@@ -25,8 +25,10 @@
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QLocale>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -41,6 +43,26 @@ constexpr int kLayoutVersion = 1;
 scene::Theme sceneTheme(Appearance appearance) {
   return appearance == Appearance::Dark ? scene::darkTheme() : scene::lightTheme();
 }
+
+// Where it scrolls up and down only it is as wide as its content has to be: nothing is cut off.
+class PageArea : public QScrollArea {
+public:
+  using QScrollArea::QScrollArea;
+
+  QSize minimumSizeHint() const override {
+    QSize least = QScrollArea::minimumSizeHint();
+    if (widget() && horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff)
+      least.setWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    return least;
+  }
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest)
+      updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
 
 forms::ChoiceItem item(std::string_view id, std::string_view label = {}) {
   const QString name = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
@@ -121,7 +143,7 @@ void MainWindow::buildCentre() {
 }
 
 QScrollArea* MainWindow::scrolled(QWidget* content) {
-  auto* area = new QScrollArea(this);
+  auto* area = new PageArea(this);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -242,6 +264,7 @@ void MainWindow::showLists() {
 }
 
 void MainWindow::retranslate() {
+  setLocale(QLocale()); // of the language: widgets keep the one that they were made with
   showLists();
   partDock_->setWindowTitle(tr("Part and cell"));
   findingsDock_->setWindowTitle(tr("Findings"));

@@ -186,12 +186,15 @@ void Presenter::gatherFacts() {
   const auto paths = document_.result(Stage::Toolpath);
   const auto plan = paths ? paths->job.toolPlan : nullptr;
   const auto clock = clock_ && clock_->toolPlan() == plan ? clock_ : nullptr;
+  // Layers of pieces that lean in all directions do not add up to a height.
+  const bool stacked = !result->job.pieces || result->job.pieces->pieces.size() < 2;
   inBackground(
       *runners_[Facts],
-      [stack, plan, clock, heights = heightLimits(*result->process)] {
+      [stack, plan, clock, stacked, heights = heightLimits(*result->process)] {
         auto facts = std::make_shared<LayerFacts>();
         facts->measures = layerMeasures(*stack, plan.get(), clock.get());
-        facts->topsMm = layerTopsMm(facts->measures);
+        if (stacked)
+          facts->topsMm = layerTopsMm(facts->measures);
         facts->spacing = layerSpacing(*stack, heights);
         return std::shared_ptr<const LayerFacts>(facts);
       },

@@ -125,7 +125,8 @@ SpacingView::SpacingView(QWidget* parent)
   setObjectName("layerSpacing");
   chart_->setObjectName("spacingChart");
   words_->setObjectName("spacingWords");
-  words_->setWordWrap(true);
+  for (QLabel* label : {title_, words_})
+    label->setWordWrap(true);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 4, 8, 6);
