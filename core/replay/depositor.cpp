@@ -29,15 +29,26 @@ double fraction(double x) {
   return x - static_cast<double>(static_cast<int>(x));
 }
 
+// Does a bead go on from one piece into the other, with a bend that is not sharp?
+bool goesOn(const BeadPiece& from, const BeadPiece& to) {
+  constexpr double kSharp = 0.5; // cosine: 60 degrees
+  constexpr double kSameMm = 1e-6;
+  const Eigen::Vector3d a = from.to - from.from, b = to.to - to.from;
+  const double lengths = a.norm() * b.norm();
+  return from.run == to.run && lengths > 1e-12 && (from.to - to.from).norm() < kSameMm &&
+         a.dot(b) > kSharp * lengths;
+}
+
 // Scratch of one thread for the cells round a piece.
 class FootprintMaker {
 public:
   FootprintMaker(const voxel::VoxelGrid& grid, const DepositOptions& options)
       : grid_(grid), options_(options) {}
 
-  // Appends the piece's shares in cell order; returns the bead's volume that fell outside the grid,
-  // in cell volumes.
-  double make(const BeadPiece& piece, std::vector<Share>& out) {
+  // `before`, `after`: the pieces that it goes on from and into, if any. Appends the piece's shares
+  // in cell order; returns the bead's volume that fell outside the grid, in cell volumes.
+  double make(const BeadPiece& piece, const BeadPiece* before, const BeadPiece* after,
+              std::vector<Share>& out) {
     const Eigen::Vector3d along = piece.to - piece.from;
     const double length = along.norm();
     const BeadSection section = sectionOf(piece, options_.widthMaxMm);
@@ -53,18 +64,14 @@ public:
     const int nw = std::max(6, static_cast<int>(std::ceil((1 + 2 * kMargin) * w / step)));
     const int nh = std::max(4, static_cast<int>(std::ceil(h / step)));
 
-    const auto sideOf = [&](const Eigen::Vector3d& direction) -> Eigen::Vector3d {
-      const Eigen::Vector3d side = direction.cross(along);
-      const double n = side.norm();
-      return n > 1e-9 * length ? Eigen::Vector3d(side / n) : direction.unitOrthogonal();
-    };
-    const Eigen::Vector3d side0 = sideOf(piece.fromDirection), side1 = sideOf(piece.toDirection);
+    const Eigen::Vector3d side0 = sideAt(piece.fromDirection, before ? *before : piece, piece),
+                          side1 = sideAt(piece.toDirection, piece, after ? *after : piece);
     box(piece, side0, side1, w);
 
     // Rows are shifted against each other by fractions of a golden-ratio kind, so that no row of
     // samples runs in step with the cells.
     constexpr double kR1 = 0.7548776662466927, kR2 = 0.5698402909980532;
-    std::size_t inBead = 0;
+    double inBead = 0.0;
     for (int a = 0; a < nl; ++a)
       for (int c = 0; c < nh; ++c)
         for (int b = 0; b < nw; ++b) {
@@ -78,25 +85,28 @@ public:
           const Eigen::Vector3d p =
               piece.from + u * along + x * (side0 + u * (side1 - side0)) -
               below * (piece.fromDirection + u * (piece.toDirection - piece.fromDirection));
+          // On a bend the outside is longer than the inside.
+          const double share =
+              std::max(0.0, 1.0 + x * (side1 - side0).dot(along) / (length * length));
           Tally& t = tally(p);
-          ++t.margin;
+          t.margin += share;
           if (std::abs(x) <= 0.5 * w)
-            ++t.rectangle;
+            t.rectangle += share;
           if (std::abs(x) <= reach) {
-            ++t.bead;
-            ++inBead;
+            t.bead += share;
+            inBead += share;
           }
         }
-    const double perSample = inBead == 0 ? 0.0 : bead / static_cast<double>(inBead);
+    const double perSample = inBead == 0.0 ? 0.0 : bead / inBead;
     const double geometric =
         length * (1 + 2 * kMargin) * w * h / cellVolume / (static_cast<double>(nl) * nw * nh);
-    double outside = inBead == 0 ? bead : 0.0;
+    double outside = inBead == 0.0 ? bead : 0.0;
     std::size_t at = 0;
     for (int k = 0; k < size_.z(); ++k)
       for (int j = 0; j < size_.y(); ++j)
         for (int i = 0; i < size_.x(); ++i, ++at) {
           const Tally& t = tallies_[at];
-          if (t.margin == 0)
+          if (t.margin == 0.0)
             continue;
           const Eigen::Vector3i c = low_ + Eigen::Vector3i(i, j, k);
           if (!grid_.contains(c.x(), c.y(), c.z())) {
@@ -113,8 +123,20 @@ public:
 
 private:
   struct Tally {
-    std::uint32_t bead, rectangle, margin;
+    double bead, rectangle, margin; // samples, by the length they stand for
   };
+
+  // Across the joint of two pieces, a miter: on a bend both end there. Of one piece: across it.
+  static Eigen::Vector3d sideAt(const Eigen::Vector3d& direction, const BeadPiece& before,
+                                const BeadPiece& after) {
+    const auto across = [&](const BeadPiece& piece) -> Eigen::Vector3d {
+      const Eigen::Vector3d along = piece.to - piece.from, side = direction.cross(along);
+      const double n = side.norm();
+      return n > 1e-9 * along.norm() ? Eigen::Vector3d(side / n) : direction.unitOrthogonal();
+    };
+    const Eigen::Vector3d first = across(before), second = across(after);
+    return (first + second) / (1.0 + std::max(0.0, first.dot(second)));
+  }
 
   void box(const BeadPiece& piece, const Eigen::Vector3d& side0, const Eigen::Vector3d& side1,
            double width) {
@@ -140,7 +162,7 @@ private:
     perPitch_ = 1.0 / grid_.pitch;
     tallies_.assign(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) *
                         static_cast<std::size_t>(size_.z()),
-                    Tally{0, 0, 0});
+                    Tally{0.0, 0.0, 0.0});
   }
   Tally& tally(const Eigen::Vector3d& p) {
     const Eigen::Array3d cells = (p - corner_).array() * perPitch_;
@@ -263,7 +285,12 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
       chunk.outside.clear();
       FootprintMaker maker(grid, options);
       for (std::size_t p = begin; p < end; ++p) {
-        chunk.outside.push_back(maker.make(pieces[first + p], chunk.shares));
+        const std::size_t i = first + p;
+        const BeadPiece* before =
+            i > 0 && goesOn(pieces[i - 1], pieces[i]) ? &pieces[i - 1] : nullptr;
+        const BeadPiece* after =
+            i + 1 < pieces.size() && goesOn(pieces[i], pieces[i + 1]) ? &pieces[i + 1] : nullptr;
+        chunk.outside.push_back(maker.make(pieces[i], before, after, chunk.shares));
         chunk.end.push_back(chunk.shares.size());
       }
     });

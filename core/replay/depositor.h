@@ -2,7 +2,9 @@
 //
 // Model: material of a piece of bead first takes the stadium section (Castelli 2.1.1) that hangs
 // below the nozzle's tip against the build direction: height h, and the width that its volume per
-// length gives. What earlier beads leave no room for is displaced, in proportion to the room,
+// length gives. Pieces that go on in one another end at a common miter, so that bends leave no
+// wedges open; from 60 degrees on each ends square. What earlier beads leave no room for is
+// displaced, in proportion to the room,
 //   1. within the w x h rectangle round the section (the gaps at the round ends: it is this flow
 //      that makes beads at a distance of w - (1 - pi/4) h tile without gaps),
 //   2. then within a rectangle wider by a quarter of w to either side,

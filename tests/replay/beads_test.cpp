@@ -75,6 +75,32 @@ TEST(Depositor, AStraightWallHasItsHandCalculatedVolume) {
   EXPECT_LT(outside * std::pow(kPitch, 3), 0.002 * byHand);
 }
 
+TEST(Depositor, ANarrowBendLeavesNoWedgesOpen) {
+  const double radius = 2.0;
+  std::vector<Vector3d> ring;
+  for (int k = 0; k <= 24; ++k)
+    ring.emplace_back(radius * std::cos(k * pi / 12), radius * std::sin(k * pi / 12), 0.8);
+  std::vector<BeadPiece> pieces;
+  addBead(pieces, ring, 1.2, 0.8);
+  const BeadGrid beads = lay(pieces, {-4, -4, 0}, {4, 4, 1.2});
+  // Well inside the ring, all round, on the inside of the bend as on its outside.
+  for (const double off : {-0.25, 0.25}) {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t c = 0; c < beads.fill.size(); ++c) {
+      const Eigen::Vector3i i = beads.grid.cell(c);
+      const Vector3d p = beads.grid.centre(i.x(), i.y(), i.z());
+      if (std::abs(p.head<2>().norm() - radius - off) < 0.1 && std::abs(p.z() - 0.45) < 0.1) {
+        sum += static_cast<double>(beads.fill[c]);
+        ++count;
+      }
+    }
+    EXPECT_GT(count, 10);
+    EXPECT_GT(sum / count, 0.97) << off;
+  }
+  EXPECT_NEAR(filled(beads) + beads.excessMm3, beads.laidMm3, 1e-3);
+}
+
 TEST(Depositor, ACylinderOfTwentyRings) {
   std::vector<BeadPiece> pieces;
   const double radius = 15.0;
