@@ -32,37 +32,30 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTabWidget>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace voluta::window {
 
 namespace {
 constexpr int kPanelWidth = 340, kTreeWidth = 300;
 constexpr int kLayoutVersion = 1;
+constexpr const char* kPageArea = "pageArea";
+constexpr int kMostPanelShare = 3; // of the window's width: a third
 
 scene::Theme sceneTheme(Appearance appearance) {
   return appearance == Appearance::Dark ? scene::darkTheme() : scene::lightTheme();
 }
 
-// Where it scrolls up and down only it is as wide as its content has to be: nothing is cut off.
-class PageArea : public QScrollArea {
-public:
-  using QScrollArea::QScrollArea;
-
-  QSize minimumSizeHint() const override {
-    QSize least = QScrollArea::minimumSizeHint();
-    if (widget() && horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff)
-      least.setWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
-    return least;
-  }
-
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    if (watched == widget() && event->type() == QEvent::LayoutRequest)
-      updateGeometry();
-    return QScrollArea::eventFilter(watched, event);
-  }
-};
+// What the pages have to have for nothing to be cut off, the bar that scrolls them included.
+int neededWidth(const QStackedWidget& pages) {
+  int needed = 0;
+  for (const QScrollArea* area : pages.findChildren<QScrollArea*>(kPageArea))
+    needed = std::max(needed, area->widget()->minimumSizeHint().width() +
+                                  area->verticalScrollBar()->sizeHint().width());
+  return needed;
+}
 
 forms::ChoiceItem item(std::string_view id, std::string_view label = {}) {
   const QString name = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
@@ -143,10 +136,10 @@ void MainWindow::buildCentre() {
 }
 
 QScrollArea* MainWindow::scrolled(QWidget* content) {
-  auto* area = new PageArea(this);
+  auto* area = new QScrollArea(this);
+  area->setObjectName(kPageArea);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setWidget(content);
   return area;
 }
@@ -197,8 +190,7 @@ void MainWindow::buildPages() {
   pages_->addWidget(prepareTabs_);
   pages_->addWidget(scrolled(layerPage));
   QScrollArea* plots = scrolled(plots_);
-  plots->setHorizontalScrollBarPolicy(
-      Qt::ScrollBarAsNeeded); // nothing is cut off where it is tight
+  plots->setObjectName("plotsArea"); // may be tight: it is scrolled
   pages_->addWidget(plots);
   pages_->addWidget(scrolled(export_));
   buildCompare();
@@ -284,6 +276,12 @@ void MainWindow::retranslate() {
   showChoices();
   showExport();
   showView();
+  // Longer words get room, where there is some; the layouts know of them only later.
+  QTimer::singleShot(0, this, [this] {
+    if (const int wide = std::min(neededWidth(*pages_), width() / kMostPanelShare);
+        wide > pageDock_->width())
+      resizeDocks({pageDock_}, {wide}, Qt::Horizontal);
+  });
 }
 
 void MainWindow::changeEvent(QEvent* event) {
