@@ -112,7 +112,7 @@ sioni</translation>
     </message>
     <message>
         <source>Peeling, turned round</source>
-        <translation>Sbucciatura a rovescio</translation>
+        <translation>Sbucciatura inversa</translation>
     </message>
     <message>
         <source>Takes voxels off from outside while the rest keeps its support; printed in the opposite order</source>
@@ -120,7 +120,7 @@ sioni</translation>
     </message>
     <message>
         <source>Guided by peeling</source>
-        <translation>Guidata dalla sbucciatura</translation>
+        <translation>Guidata</translation>
     </message>
     <message>
         <source>Grows from the platform, held back by the peeling field</source>
