@@ -20,8 +20,10 @@ double threadMs() {
 
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   const int loop = QThread::currentThread()->loopLevel();
-  if (!under_.empty() && under_.back().loop == loop)
-    return QApplication::notify(receiver, event); // part of the one being timed
+  if (!under_.empty() && under_.back().loop == loop) { // part of the one being timed
+    under_.back().paints = under_.back().paints || event->type() == QEvent::Paint;
+    return QApplication::notify(receiver, event);
+  }
   for (Delivery& outer : under_)
     outer.opensLoop = true;
   // The receiver may be gone afterwards.
@@ -38,7 +40,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   const double workedBefore = threadMs();
   const bool taken = QApplication::notify(receiver, event);
   const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  if (frame) {
+  if (frame || (under_.back().paints && !under_.back().opensLoop)) {
     longestFrameMs_ = std::max(longestFrameMs_, ms);
   } else if (const double apart = ms - (framesMs_ - framesBefore);
              !under_.back().opensLoop && apart > longestMs_) {

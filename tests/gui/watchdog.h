@@ -36,6 +36,9 @@ private:
   struct Delivery {
     int loop;
     bool opensLoop = false;
+    // A button that is pressed paints itself there and then, and the whole window is put together
+    // anew, viewport included: a frame.
+    bool paints = false;
   };
   std::vector<Delivery> under_;
   double framesMs_ = 0.0, longestFrameMs_ = 0.0, longestMs_ = 0.0, longestWorkMs_ = 0.0;
