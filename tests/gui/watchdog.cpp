@@ -40,15 +40,17 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   const double workedBefore = threadMs();
   const bool taken = QApplication::notify(receiver, event);
   const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  if (frame || (under_.back().paints && !under_.back().opensLoop)) {
+  const double worked = threadMs() - workedBefore;
+  const double beside = ms - (framesMs_ - framesBefore);
+  // Of one that paints, what it has not spent waiting for the picture.
+  const double apart = under_.back().paints ? std::min(beside, worked) : beside;
+  if (frame) {
     longestFrameMs_ = std::max(longestFrameMs_, ms);
-  } else if (const double apart = ms - (framesMs_ - framesBefore);
-             !under_.back().opensLoop && apart > longestMs_) {
+  } else if (!under_.back().opensLoop && apart > longestMs_) {
     longestMs_ = apart;
     longestWhat_ = what;
   }
-  if (const double worked = threadMs() - workedBefore;
-      framesMs_ == framesBefore && !under_.back().opensLoop && !frame && worked > longestWorkMs_) {
+  if (framesMs_ == framesBefore && !under_.back().opensLoop && !frame && worked > longestWorkMs_) {
     longestWorkMs_ = worked;
     longestWork_ = what;
   }

@@ -37,7 +37,7 @@ private:
     int loop;
     bool opensLoop = false;
     // A button that is pressed paints itself there and then, and the whole window is put together
-    // anew, viewport included: a frame.
+    // anew, viewport included: waiting for that is a frame's.
     bool paints = false;
   };
   std::vector<Delivery> under_;
