@@ -38,8 +38,8 @@ stampa</translation>
     <message>
         <source>Reach
 %</source>
-        <translation>Portata
-%</translation>
+        <translation>Porta-
+ta %</translation>
     </message>
     <message>
         <source>Colli-
