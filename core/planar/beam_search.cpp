@@ -7,11 +7,13 @@
 #include "planar/cut_search.h"
 #include "planar/face_table.h"
 #include "planar/head_reach.h"
+#include "planar/piece_cut.h"
 #include "planar/plane_polish.h"
 #include "planar/plate.h"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace voluta::planar {
 
@@ -39,8 +41,9 @@ struct Pieces {
   bool stand = true;
 };
 
-// The steps of a search, done on the part itself, each plane polished anew. A step that the part's
-// finer shape does not allow is left out, and so are those that build on it.
+// The steps of a search, done on the part itself; where a plane does not take off what it did in
+// the search, which further steps cut on, it is polished anew. A step that the part's finer shape
+// does not allow is left out, and so are those that build on it.
 Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const PlanarOptions& options,
                  double leastGainMm2) {
   std::map<int, Piece> pieces; // by the search's numbers
@@ -53,27 +56,29 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
     if (at == pieces.end())
       continue;
     const Piece& piece = at->second;
-    const FaceTable faces = faceTable(piece, options.rule);
-    PolishOptions polish;
-    polish.shiftMm = options.stepMm;
-    // The search has weighed what may go; here only what the finer shape adds may go besides.
-    const int top = faceAt(piece.solid.mesh, step.topMm);
-    const PlaneWorth planned = planeWorth(piece, faces, options.rule, step.plane, top, 1e300);
-    polish.mayGoMm2 = std::min(planned.footMm2 + 0.02 * faces.standsMm2, 0.9 * faces.standsMm2);
-    polish.footPrice = 1e-3;
-    const Plane plane = polished(piece, faces, options.rule, step.plane, top, polish);
-    const CutRules rules{options.rule, leastGainMm2, options.leastVolumeMm3, polish.mayGoMm2};
-    auto cut = cutPiece(piece, plane, tag, rules);
-    // Where that plane does not take off what the search's did, which further steps cut on, the
-    // search's own or one near by.
-    CutRules any = rules;
-    any.leastGainMm2 = 0.0;
-    any.mayGoMm2 = std::max(polish.mayGoMm2, 0.5 * faces.standsMm2);
-    for (const double shift : {0.0, 0.4, -0.4, 0.8, -0.8, 1.6, -1.6})
-      if (!cut || cut->above.size() != step.above.size())
-        if (auto near = cutPiece(piece, {step.plane.normal, step.plane.offsetMm + shift}, tag, any);
-            near && (!cut || near->above.size() == step.above.size()))
-          cut = std::move(near);
+    auto cut = cutOffAt(piece, step.plane, tag, step.sectionMiddles, options.rule);
+    if (!step.clears && (!cut || cut->above.size() != step.above.size())) {
+      const FaceTable faces = faceTable(piece, options.rule);
+      PolishOptions polish;
+      polish.shiftMm = options.stepMm;
+      // The search has weighed what may go; here only what the finer shape adds may go besides.
+      const int top = faceAt(piece.solid.mesh, step.topMm);
+      const PlaneWorth planned = planeWorth(piece, faces, options.rule, step.plane, top, 1e300);
+      polish.mayGoMm2 = std::min(planned.footMm2 + 0.02 * faces.standsMm2, 0.9 * faces.standsMm2);
+      polish.footPrice = 1e-3;
+      const Plane plane = polished(piece, faces, options.rule, step.plane, top, polish);
+      const CutRules rules{options.rule, leastGainMm2, options.leastVolumeMm3, polish.mayGoMm2};
+      cut = cutPiece(piece, plane, tag, rules);
+      CutRules any = rules;
+      any.leastGainMm2 = 0.0;
+      any.mayGoMm2 = std::max(polish.mayGoMm2, 0.5 * faces.standsMm2);
+      for (const double shift : {0.0, 0.4, -0.4, 0.8, -0.8, 1.6, -1.6})
+        if (!cut || cut->above.size() != step.above.size())
+          if (auto near =
+                  cutPiece(piece, {step.plane.normal, step.plane.offsetMm + shift}, tag, any);
+              near && (!cut || near->above.size() == step.above.size()))
+            cut = std::move(near);
+    }
     tag += kTagsPerCut;
     if (!cut) {
       pieces[step.below] = std::move(at->second);
@@ -106,6 +111,7 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
   return out;
 }
 
+constexpr double kAbout = 1.25;            // of the target: a further search is not worth its time
 constexpr std::size_t kTriedOnThePart = 2; // results of a search
 
 // Pieces in print order and what they are worth.
@@ -141,13 +147,17 @@ PlanarOptions relaxed(const PlanarOptions& options) {
   return less;
 }
 
-// What is searched with, one after the other until the target is reached: the options; those that
-// keep less of the foot; and planes that face up only (RoboFDM, constraint II): cuts that face down
-// gain much at first and may leave pieces in the way of what would gain more.
-std::vector<PlanarOptions> searches(const PlanarOptions& options) {
+// What is searched with, one after the other until the target is about reached: the options; less
+// of the foot kept, and a finer mesh; and planes that face up only (RoboFDM, constraint II): cuts
+// that face down gain much at first and may leave pieces in the way of what would gain more.
+std::vector<PlanarOptions> searches(const PlanarOptions& options, std::size_t triangles) {
+  constexpr double kFiner = 1.75;
   std::vector<PlanarOptions> out{options};
-  if (options.keptContact < 1.0 || options.keptHull < 1.0)
+  if (options.keptContact < 1.0 || options.keptHull < 1.0 || triangles > options.searchTriangles) {
     out.push_back(relaxed(options));
+    out.back().searchTriangles =
+        static_cast<std::size_t>(kFiner * static_cast<double>(options.searchTriangles));
+  }
   if (options.lowestZ < 0.0) {
     out.push_back(relaxed(options));
     out.back().lowestZ = 0.0;
@@ -167,64 +177,60 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   const Piece whole = wholePart(part, options.rule);
   out.riskyBeforeMm2 = riskyArea(whole, options.rule);
   const Footing footing = footingOf(whole, options.rule);
-  Piece coarse = wholePart(geometry::simplified(part, options.searchTriangles), options.rule);
-  const double coarseBefore = riskyArea(coarse, options.rule);
-  const Footing coarseFooting = footingOf(coarse, options.rule);
-  const bool asIs = part.triangles.size() <= options.searchTriangles;
   const double goal = options.target * out.riskyBeforeMm2;
   const double least = 5e-4 * out.riskyBeforeMm2;
   Tried best = judged({whole}, options);
   double share = 0.0;
-  const std::vector<PlanarOptions> steps = searches(options);
+  const std::vector<PlanarOptions> steps = searches(options, part.triangles.size());
   for (const PlanarOptions& step : steps) {
-    if (best.good(goal))
+    if (best.good(kAbout * goal))
       break;
-    const double next = share + 0.8 / static_cast<double>(steps.size());
+    const double next = share + 1.0 / static_cast<double>(steps.size());
     const base::RunContext searching = ctx.sub(share, next);
     share = next;
     searching.report(0.0, "pieces");
+    const Piece coarse = wholePart(geometry::simplified(part, step.searchTriangles), options.rule);
+    const double coarseBefore = riskyArea(coarse, options.rule);
+    const bool asIs = part.triangles.size() <= step.searchTriangles;
     const std::vector<SearchResult> found =
-        CutSearch({coarse}, step, coarseBefore, coarseFooting,
+        CutSearch({coarse}, step, coarseBefore, footingOf(coarse, options.rule),
                   asIs ? kHeadMarginMm : kCoarseHeadMarginMm, searching)
             .run();
     // The best that the head can build of the part as it is.
-    std::size_t tries = 0;
-    for (const SearchResult& result : found) {
-      if (tries++ == kTriedOnThePart)
-        break;
+    std::optional<Tried> here;
+    for (std::size_t i = 0; i < std::min(found.size(), kTriedOnThePart); ++i) {
       ctx.checkpoint();
       Pieces made =
-          asIs ? Pieces{result.pieces, true} : onThePart(whole, result.steps, step, least);
+          asIs ? Pieces{found[i].pieces, true} : onThePart(whole, found[i].steps, step, least);
       if (!made.stand)
         continue;
       Tried tried = judged(std::move(made.pieces), options);
-      const bool free = tried.blocked == 0;
-      if (tried.betterThan(best, goal))
-        best = std::move(tried);
-      if (free)
+      if (!here || tried.betterThan(*here, goal))
+        here = std::move(tried);
+      if (here->blocked == 0)
         break;
     }
+    if (!here)
+      continue;
+    out.seconds.search = watch.seconds();
+    // What the coarse mesh did not show.
+    PlanarOptions last = step;
+    last.beam = 2;
+    const auto again = [&] {
+      return CutSearch(here->pieces, last, out.riskyBeforeMm2, footing, kHeadMarginMm, searching);
+    };
+    const auto take = [&](std::vector<Piece> pieces) {
+      Tried tried = judged(std::move(pieces), options);
+      if (tried.betterThan(*here, goal))
+        here = std::move(tried);
+    };
+    if (!here->good(goal) && !asIs)
+      take(again().run().front().pieces);
+    if (!here->good(goal))
+      take(again().bettered().pieces);
+    if (here->betterThan(best, goal))
+      best = std::move(*here);
   }
-  out.seconds.search = watch.seconds();
-  const base::RunContext mending = ctx.sub(0.8, 1.0);
-  mending.report(0.0, "pieces");
-  PlanarOptions last = relaxed(options);
-  last.beam = 2;
-  const auto again = [&] {
-    return CutSearch(best.pieces, last, out.riskyBeforeMm2, footing, kHeadMarginMm, mending);
-  };
-  // What the coarse mesh did not show.
-  if (!best.good(goal) && !asIs)
-    for (SearchResult& result : again().run()) {
-      Tried tried = judged(std::move(result.pieces), options);
-      if (!tried.betterThan(best, goal))
-        continue;
-      best = std::move(tried);
-      break;
-    }
-  if (!best.good(goal))
-    if (Tried tried = judged(again().bettered().pieces, options); tried.betterThan(best, goal))
-      best = std::move(tried);
   out.pieces = std::move(best.pieces);
   out.blockedPieces = best.blocked;
   out.riskyMm2 = best.riskyMm2;

@@ -11,9 +11,11 @@ namespace voluta::planar {
 // helps: several partial results are kept side by side, best first but no two alike (beam-guided
 // cutting: Wu, Dai, Fang, Liu, Wang, General support-effective decomposition for multi-directional
 // 3D printing, 2019). A piece is cut by a plane into what stays on its base and what hangs together
-// above the plane and gains by the plane's normal as its direction. Where that does not reach the
-// target, it is tried again with less of the foot kept and with planes that face up only, and the
-// best is taken. Cuts through sections of other cuts are not made (RoboFDM, constraint I); that
+// above the plane and gains by the plane's normal as its direction. What would then be hidden from
+// the head by another piece may still be cut off where a cut of that piece, which itself gains
+// nothing, lets what hides it be printed later. Where all that does not reach the target, it is
+// tried again with less of the foot kept and with planes that face up only, and the best is taken.
+// Cuts through sections of other cuts are not made (RoboFDM, constraint I); that
 // base planes face up (constraint II) is given up for the real test: the head, as it is, reaches
 // all of a piece past what is printed before it. `part` is closed, faces outward and stands on z =
 // 0. Same result for any number of threads. Throws Error{UnusableInput} where the part is not

@@ -29,9 +29,10 @@ constexpr double kBlockedCost =
     0.02;                    // of the risky area before, for a piece the head does not reach
 constexpr int kCarrier = -1; // in place of a piece's number
 constexpr std::size_t kResults = 4;
+constexpr int kWideLevels = 8; // then the beam is half as wide: what is cut late counts little
 constexpr std::size_t kAskedAtOnce = 16; // candidates
 constexpr std::size_t kBehindTried = 6;  // candidates that something is in the way of
-constexpr std::size_t kTries = 40;       // of cuts at a level, for each partial result
+constexpr std::size_t kTries = 240;      // of cuts at a level
 
 } // namespace
 
@@ -255,15 +256,18 @@ void CutSearch::tryCuts(const std::vector<Option>& options, std::size_t begin, s
   }
 }
 
-CutSearch::State CutSearch::after(const Option& option, const Cutting& cutting) {
+void CutSearch::replace(State& state, const NodePtr& cut, std::shared_ptr<const Cutting> cutting) {
+  std::erase(state.nodes, cut);
+  state.nodes.push_back(cutting->below);
+  state.nodes.insert(state.nodes.end(), cutting->above.begin(), cutting->above.end());
+  state.cuts.push_back(std::move(cutting));
+}
+
+CutSearch::State CutSearch::after(const Option& option) {
   State made;
+  made.nodes = option.state->nodes;
   made.cuts = option.state->cuts;
-  made.cuts.push_back(option.node->cuttings[option.candidate]);
-  for (const NodePtr& n : option.state->nodes)
-    if (n != option.node)
-      made.nodes.push_back(n);
-  made.nodes.push_back(cutting.below);
-  made.nodes.insert(made.nodes.end(), cutting.above.begin(), cutting.above.end());
+  replace(made, option.node, option.node->cuttings[option.candidate]);
   return made;
 }
 
@@ -281,12 +285,16 @@ void CutSearch::weighHead(std::vector<State>& states) {
     return;
   askHead(states);
   for (State& state : states) {
-    state.blocked = orderIn(state, [&](const Node& of, const Node& what) {
-                      return ways_.at({of.id, what.id}) ||
-                             (what.piece.baseTag == kPlate && ways_.at({of.id, kCarrier}));
-                    }).blocked;
+    state.blocked = orderKnown(state).blocked;
     state.cost += kBlockedCost * before_ * static_cast<double>(state.blocked);
   }
+}
+
+PieceOrder CutSearch::orderKnown(const State& state) const {
+  return orderIn(state, [&](const Node& of, const Node& what) {
+    return ways_.at({of.id, what.id}) ||
+           (what.piece.baseTag == kPlate && ways_.at({of.id, kCarrier}));
+  });
 }
 
 void CutSearch::weighHead(State& state) {
@@ -384,28 +392,39 @@ std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width
   constexpr std::size_t kBatch = 8;
   weigh(start);
   weighHead(start);
+  if (start.blocked > 0)
+    if (State free = start; clearWays(free, start.blocked - 1))
+      start = std::move(free);
   const std::size_t blockedBefore = start.blocked;
   std::vector<State> beam{start}, best{start};
   const double goal = options_.target * before_;
   for (int level = 0; level < options_.mostCuts && best.front().risky > goal; ++level) {
+    if (level == kWideLevels)
+      width = (width + 1) / 2;
     const std::vector<Option> options = optionsOf(beam, firstId);
-    std::vector<State> next;
+    std::vector<State> next, hidden; // the head does not reach all of the latter
     for (std::size_t at = 0; at < options.size() && next.size() < 2 * width && at < tries;
          at += kBatch) {
       const std::size_t end = std::min(at + kBatch, options.size());
       tryCuts(options, at, end);
       std::vector<State> made;
       for (std::size_t i = at; i < end; ++i)
-        if (const auto& cutting = options[i].node->cuttings[options[i].candidate]) {
-          made.push_back(after(options[i], *cutting));
+        if (options[i].node->cuttings[options[i].candidate]) {
+          made.push_back(after(options[i]));
           weigh(made.back());
           if (made.back().risky >= options[i].state->risky - 0.5 * least_)
             made.pop_back();
         }
       weighHead(made);
       for (State& state : made)
-        if (state.blocked <= blockedBefore)
-          next.push_back(std::move(state));
+        (state.blocked <= blockedBefore ? next : hidden).push_back(std::move(state));
+    }
+    std::stable_sort(hidden.begin(), hidden.end(),
+                     [](const State& a, const State& b) { return a.cost < b.cost; });
+    for (State& state : kept(std::move(hidden), width)) {
+      const double asItWas = state.risky;
+      if (clearWays(state, blockedBefore) && state.risky <= asItWas + 0.5 * least_)
+        next.push_back(std::move(state));
     }
     if (next.empty())
       break;
@@ -434,7 +453,7 @@ std::vector<SearchResult> CutSearch::run() {
   State start;
   start.nodes = start_;
   std::vector<SearchResult> out;
-  for (const State& state : bestFrom(std::move(start), options_.beam, kTries * options_.beam, 0))
+  for (const State& state : bestFrom(std::move(start), options_.beam, kTries, 0))
     out.push_back(resultOf(state));
   return out;
 }

@@ -29,6 +29,7 @@ struct CutStep {
   int below = 0;
   std::vector<int> above;
   std::vector<Eigen::Vector3d> sectionMiddles; // of each above
+  bool clears = false; // gains nothing itself: what is cut off is printed after what it would hide
 };
 
 struct SearchResult {
@@ -77,10 +78,16 @@ private:
   // Of pieces numbered firstId and up.
   std::vector<Option> optionsOf(const std::vector<State>& beam, int firstId);
   void tryCuts(const std::vector<Option>& options, std::size_t begin, std::size_t end);
-  State after(const Option& option, const Cutting& cutting);
+  State after(const Option& option);
+  static void replace(State& state, const NodePtr& cut, std::shared_ptr<const Cutting> cutting);
   bool inTheWay(const Node& of, const Node& what) const;
   bool carrierInTheWay(const Node& of) const;
   void askHead(const std::vector<State>& states);
+  PieceOrder orderKnown(const State& state) const;
+  // Where pieces are in others' way: these are cut too, so that the head reaches all but so many.
+  bool clearWays(State& state, std::size_t mostBlocked);
+  // A cut of `what` that leaves nothing of it in the way of `of`; none: nullptr.
+  std::shared_ptr<Cutting> clearing(const Node& of, Node& what);
   static PieceOrder orderIn(const State& state,
                             const std::function<bool(const Node& of, const Node& what)>& blocked);
   std::vector<State> kept(std::vector<State> states, std::size_t most) const;
@@ -108,6 +115,7 @@ private:
   int ids_ = 0;
   std::int32_t tags_ = 0;
   std::map<std::pair<int, int>, bool> ways_; // known answers of inTheWay; second -1: of the carrier
+  std::map<std::pair<int, int>, std::shared_ptr<Cutting>> clearings_; // tried: of, what
   std::set<std::pair<int, int>> moved_, anew_; // pairs of pieces tried before, lower and upper
 };
 

@@ -44,7 +44,7 @@ struct PlanarOptions {
   int normals = 200;                  // of cutting planes, over the directions asked for
   double lowestZ = -0.71;             // z of the least of them (constraint II: 0)
   double stepMm = 2.0;                // between offsets of planes
-  std::size_t searchTriangles = 7000; // of the mesh that is searched
+  std::size_t searchTriangles = 4000; // of the mesh that is searched
   int mostCuts = 40;
 };
 

@@ -233,4 +233,22 @@ bool HeadReach::blocked(const std::vector<Vector3d>& tips, const std::vector<Vec
   return false;
 }
 
+std::vector<Vector3d> HeadReach::inside(const std::vector<Vector3d>& tips,
+                                        const std::vector<Vector3d>& obstacles,
+                                        const Vector3d& direction, double lowestMm) const {
+  if (tips.empty() || rise_.empty())
+    return {};
+  // Head down: of each column of tips the lowest counts, and an obstacle is a tip.
+  const Vector3d across = direction.unitOrthogonal(), along = direction.cross(across);
+  std::vector<HeightMap::Point> down;
+  for (const Vector3d& t : tips)
+    down.push_back({across.dot(t), along.dot(t), -std::max(direction.dot(t), lowestMm)});
+  const HeightMap map(std::move(down));
+  std::vector<Vector3d> out;
+  for (const Vector3d& o : obstacles)
+    if (map.meets({across.dot(o), along.dot(o), -direction.dot(o)}, rise_))
+      out.push_back(o);
+  return out;
+}
+
 } // namespace voluta::planar

@@ -52,6 +52,11 @@ public:
                const std::vector<Eigen::Vector3d>& obstacles, const Eigen::Vector3d& direction,
                double lowestMm) const;
 
+  // Those of the obstacles that are inside the head at any of the tips. As blocked.
+  std::vector<Eigen::Vector3d> inside(const std::vector<Eigen::Vector3d>& tips,
+                                      const std::vector<Eigen::Vector3d>& obstacles,
+                                      const Eigen::Vector3d& direction, double lowestMm) const;
+
 private:
   // By steps of radius: obstacles so far off the axis are in the way when they are higher over the
   // tip than this. mm.

@@ -77,6 +77,24 @@ std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::in
   }
 }
 
+std::optional<PieceCut> cutOffAt(const Piece& piece, const Plane& plane, std::int32_t tag,
+                                 const std::vector<Vector3d>& sectionMiddles,
+                                 const RiskRule& rule) {
+  constexpr double kNearMm = 3.0;
+  const auto wanted = [&](const TaggedMesh& solid) {
+    const Vector3d middle = sectionMiddle(solid, tag);
+    return std::any_of(sectionMiddles.begin(), sectionMiddles.end(),
+                       [&](const Vector3d& m) { return (m - middle).norm() <= kNearMm; });
+  };
+  try {
+    return splitPiece(piece, plane, tag, wanted, rule);
+  } catch (const base::Error& e) {
+    if (e.code() != base::ErrorCode::UnusableInput)
+      throw;
+    return std::nullopt;
+  }
+}
+
 std::optional<PieceCut> splitPiece(const Piece& piece, const Plane& plane, std::int32_t tag,
                                    const Wanted& wanted, const RiskRule& rule) {
   PlaneCut sides = cutByPlane(piece.solid, plane, tag, wanted);

@@ -66,8 +66,10 @@ PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
   std::vector<bool> blocked(n, false);
   for (std::size_t j = 0; j < n; ++j)
     for (const std::size_t i : waits[j])
-      if (place[j] < place[i])
+      if (place[j] < place[i]) {
         blocked[i] = true;
+        out.late.emplace_back(i, j);
+      }
   out.blocked = static_cast<std::size_t>(std::count(blocked.begin(), blocked.end(), true)) +
                 (n - out.order.size());
   return out;

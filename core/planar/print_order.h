@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace voluta::planar {
@@ -12,6 +13,7 @@ struct PieceOrder {
   std::vector<std::size_t> order;      // of indices
   std::vector<std::vector<int>> under; // of each piece those it stands on, by index
   std::size_t blocked = 0;             // pieces that come after what keeps the head off them
+  std::vector<std::pair<std::size_t, std::size_t>> late; // those, and what comes before them
 };
 
 // `standsOnTag[i]`: the tag that piece i stands on; `holds[i]`: the tags of its other sections,
