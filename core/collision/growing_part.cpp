@@ -70,7 +70,7 @@ void lower(std::uint32_t& cell, std::uint32_t value) {
 
 double growingPitch(const plan::ToolPlan& plan, const process::Process& process) {
   constexpr double kCells = 1 << 27;
-  const double finest = 0.25 * process.beadWidthMm;
+  const double finest = std::min(0.25 * process.beadWidthMm, 0.5 * process.layerHeightMm);
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : plan.position)
     box.extend(p);

@@ -20,8 +20,9 @@ struct Process;
 
 namespace voluta::collision {
 
-// Pitch of a grid for the growing part, mm: a quarter of the process's bead width, as fine as
-// programs are judged on, but coarser where the plan's box would hold more than 2^27 such cells.
+// Pitch of a grid for the growing part, mm: a quarter of the process's bead width or half its layer
+// height, whichever is less, as fine as programs are judged on, but coarser where the plan's box
+// would hold more than 2^27 such cells.
 double growingPitch(const plan::ToolPlan& plan, const process::Process& process);
 
 class GrowingPart {

@@ -121,10 +121,17 @@ private:
       take(piece.to);
     low = (low - Vector3d::Constant(margin)).cwiseMax(mostLow);
     high = (high + Vector3d::Constant(margin)).cwiseMin(mostHigh);
-    const voxel::VoxelGrid grid = gridOver(low, high, 0.25 * in_.process.beadWidthMm, kMaxCells);
+    // What lies beneath a bead is looked for in a quarter of its height: cells of more than half a
+    // height would hide it.
+    const double ofWidth = 0.25 * in_.process.beadWidthMm;
+    const double ofHeight = 0.5 * in_.process.layerHeightMm;
+    const voxel::VoxelGrid grid = gridOver(low, high, std::min(ofWidth, ofHeight), kMaxCells);
     out_.pitchMm = grid.pitch;
     DepositOptions depositOptions;
     depositOptions.widthMaxMm = 3.0 * in_.process.beadWidthMaxMm;
+    // Sections of thin beads have more cells, and may have fewer samples in each.
+    if (ofHeight < 0.99 * ofWidth)
+      depositOptions.samplesPerCell = 3;
     beads_ = depositBeads(grid, pieces_, depositOptions, ctx_.sub(0.2, 0.5));
     for (const BeadPiece& piece : pieces_)
       (piece.ofPart ? out_.depositedMm3 : out_.supportMm3) += static_cast<double>(piece.volumeMm3);

@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "collision/random_shapes.h"
 #include "collision/shape_distance.h"
+#include "process/process.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -160,6 +161,18 @@ TEST(GrowingPart, SameForAnyNumberOfThreads) {
   ASSERT_EQ(one.grid().cellCount(), two.grid().cellCount());
   for (std::size_t c = 0; c < one.grid().cellCount(); ++c)
     ASSERT_EQ(one.filledAt(c), two.filledAt(c));
+}
+
+TEST(GrowingPart, ThinLayersGetFinerCells) {
+  plan::ToolPlan plan;
+  addPath(plan, {{0, 0, 0.8}, {10, 0, 0.8}}, Vector3d::UnitZ());
+  process::Process p; // 0.8 x 1.2 mm
+  EXPECT_EQ(collision::growingPitch(plan, p), 0.25 * p.beadWidthMm);
+  p.layerHeightMm = 0.25;
+  EXPECT_EQ(collision::growingPitch(plan, p), 0.125);
+  // A part too large for cells so fine has coarser ones.
+  addPath(plan, {{0, 0, 0.8}, {400, 400, 400}}, Vector3d::UnitZ());
+  EXPECT_GT(collision::growingPitch(plan, p), 0.7);
 }
 
 TEST(GrowingPart, Cancel) {

@@ -328,6 +328,58 @@ TEST(Replay, APrintInMidAirIsUnsupported) {
   EXPECT_GE(v.coveredFraction, 0.97);
 }
 
+// Layers much lower than beads are wide: cells by the width alone would hide what is beneath.
+class ThinLayers : public ::testing::TestWithParam<double> {
+protected:
+  static constexpr double kSide = 16.0, kTall = 3.0;
+  static process::Process thinProcess() {
+    test::usesSourceTreeResources();
+    process::Process p = process::loadProcess("fdm-0.35");
+    p.layerHeightMm = GetParam();
+    return p;
+  }
+  // `lift`: of the topmost layer, mm.
+  static test::Scene boxOf(const process::Process& p, double lift) {
+    robot::Cell cell = robot::loadCell("ur5-fixed", p, test::squarePlatform(kSide));
+    const int layers = static_cast<int>(std::lround(kTall / p.layerHeightMm));
+    const int lines =
+        static_cast<int>(std::lround(kSide / process::hatchOf(p.beadWidthMm, p.layerHeightMm)));
+    plan::ToolPlan plan = test::boxPlan(kSide, lines, layers, p);
+    for (const plan::ToolPath& path : plan.paths)
+      if (path.layer == layers - 1)
+        for (std::size_t w = path.first; w < path.first + path.count; ++w)
+          plan.position[w].z() += lift;
+    const double half = 0.5 * kSide;
+    geometry::TriangleMesh part =
+        test::box({-half, -half, 0}, {half, half, layers * p.layerHeightMm});
+    plan::Trajectory trajectory = test::walk(plan, cell, p);
+    return {p, std::move(cell), std::move(part), std::move(plan), std::move(trajectory)};
+  }
+};
+
+TEST_P(ThinLayers, ASolidBoxPasses) {
+  const process::Process p = thinProcess();
+  const Verification v = replayPlan(boxOf(p, 0.0));
+  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_LT(v.unsupportedFraction, 0.001);
+  EXPECT_LE(v.pitchMm, 0.5 * p.layerHeightMm);
+}
+
+TEST_P(ThinLayers, ALayerThatFloatsIsFound) {
+  const process::Process p = thinProcess();
+  const Verification v = replayPlan(boxOf(p, p.layerHeightMm));
+  EXPECT_FALSE(v.passed);
+  EXPECT_TRUE(hasKind(v, "unsupported")) << told(v);
+  EXPECT_NEAR(v.unsupportedFraction, p.layerHeightMm / kTall, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Heights, ThinLayers, ::testing::Values(0.25, 0.2));
+
+TEST(Replay, TheUsualProcessKeepsItsCells) {
+  test::Scene s = test::boxScene(1);
+  EXPECT_EQ(replayPlan(s).pitchMm, 0.25 * s.process.beadWidthMm);
+}
+
 TEST(Replay, CancelsAndRefusesBrokenInput) {
   const test::Scene& s = scene();
   const plan::Program program =

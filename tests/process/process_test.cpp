@@ -1,0 +1,83 @@
+// What every file in resources/processes has to keep, and the published figures of the fine one.
+#include "process/process.h"
+
+#include "base/error.h"
+#include "process/bead_model.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <gtest/gtest.h>
+
+namespace voluta::process {
+namespace {
+
+class Processes : public ::testing::Test {
+protected:
+  void SetUp() override { setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1); }
+};
+
+TEST_F(Processes, everyOneKeepsItsContract) {
+  const std::vector<std::string> ids = processIds();
+  ASSERT_GE(ids.size(), 2u);
+  for (const std::string& id : ids) {
+    SCOPED_TRACE(id);
+    const Process p = loadProcess(id);
+    EXPECT_EQ(p.id, id);
+    EXPECT_FALSE(p.label.empty());
+    EXPECT_GT(p.nozzleDiameterMm, 0.0);
+    EXPECT_LE(0.05, p.layerHeightMinMm);
+    EXPECT_LE(p.layerHeightMinMm, p.layerHeightMm);
+    EXPECT_LE(p.layerHeightMm, p.layerHeightMaxMm);
+    EXPECT_LE(p.beadWidthMinMm, p.beadWidthMm);
+    EXPECT_LE(p.beadWidthMm, p.beadWidthMaxMm);
+    // A bead is squeezed by the nozzle: no higher than it is wide, nor than the nozzle.
+    EXPECT_LE(p.layerHeightMaxMm, p.beadWidthMinMm);
+    EXPECT_LE(p.layerHeightMaxMm, p.nozzleDiameterMm);
+    EXPECT_GE(p.beadWidthMinMm, p.nozzleDiameterMm);
+    EXPECT_GT(p.stepMm, 0.0);
+    EXPECT_GT(p.accelerationMmPerS2, 0.0);
+    EXPECT_GE(p.travelSpeedMmPerS, p.speedMmPerS);
+    EXPECT_GE(p.primeS, 0.0);
+    EXPECT_GT(p.densityGPerCm3, 0.0);
+    // The thickest bead at the usual speed is within what the extruder gives.
+    EXPECT_GE(p.maxFlowMm3PerS, p.speedMmPerS * beadArea(p.beadWidthMaxMm, p.layerHeightMaxMm));
+    // Contact is less than a usual layer deep, or a head in the layer below would be none.
+    EXPECT_GT(p.contactToleranceMm, 0.0);
+    EXPECT_LT(p.contactToleranceMm, p.layerHeightMm);
+    const std::vector<HeadSection>& head = p.head.sections;
+    ASSERT_GE(head.size(), 2u);
+    EXPECT_GE(2.0 * head.front().radiusMm, p.nozzleDiameterMm);
+    const HeadShape eroded = erodedHead(p.head, p.contactToleranceMm);
+    for (std::size_t i = 0; i < head.size(); ++i) {
+      EXPECT_DOUBLE_EQ(eroded.sections[i].zMm, head[i].zMm + p.contactToleranceMm);
+      EXPECT_GE(eroded.sections[i].radiusMm, 0.0);
+      EXPECT_LE(eroded.sections[i].radiusMm, head[i].radiusMm);
+    }
+  }
+}
+
+// Castelli table 5.1: nozzle 0.35, beads twice as wide, first layer 0.25, layers 0.2 mm.
+TEST_F(Processes, theFineNozzlePrintsThePublishedBeads) {
+  const Process p = loadProcess("fdm-0.35");
+  EXPECT_EQ(p.nozzleDiameterMm, 0.35);
+  EXPECT_EQ(p.beadWidthMm, 2.0 * p.nozzleDiameterMm);
+  EXPECT_EQ(p.layerHeightMm, 0.25);
+  EXPECT_LE(p.layerHeightMinMm, 0.2);
+  EXPECT_NEAR(beadArea(p.beadWidthMm, 0.2), 0.131415927, 1e-9);
+  EXPECT_NEAR(hatchOf(p.beadWidthMm, 0.2), 0.657079633, 1e-9);
+  EXPECT_NEAR(beadArea(p.beadWidthMm, 0.25), 0.161587385, 1e-9);
+  EXPECT_NEAR(hatchOf(p.beadWidthMm, 0.25), 0.646349541, 1e-9);
+}
+
+TEST_F(Processes, anUnknownIdNamesTheNearest) {
+  try {
+    loadProcess("fdm-0.53");
+    FAIL();
+  } catch (const base::Error& e) {
+    EXPECT_EQ(e.code(), base::ErrorCode::Usage);
+    EXPECT_NE(std::string(e.what()).find("fdm-0.35"), std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace voluta::process
