@@ -38,6 +38,7 @@ LevelSurface surfaceOf(const Patch& p) {
   s.direction = p.direction;
   s.clearDirection = p.clearDirection;
   s.innerRim = p.innerRim;
+  s.chart = p.chart;
   return s;
 }
 
@@ -260,6 +261,8 @@ private:
     s_.clearDirection.pop_back();
     if (!s_.innerRim.empty())
       s_.innerRim.pop_back();
+    if (!s_.chart.empty())
+      s_.chart.at.pop_back();
     inwards_.pop_back();
     over_.pop_back();
   }
@@ -357,6 +360,7 @@ void followTop(LayerStack& stack, const PartBoundary& part, const TopOptions& op
     patch.direction = std::move(surface.direction);
     patch.clearDirection = std::move(surface.clearDirection);
     patch.innerRim = std::move(surface.innerRim);
+    patch.chart = std::move(surface.chart);
   }
 }
 

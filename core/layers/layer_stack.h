@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
+#include "layers/chart.h"
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -27,6 +28,7 @@ struct Patch {
   // Per vertex, 1 on a seam: a boundary inside the part where another patch takes over. Empty:
   // nowhere.
   std::vector<std::uint8_t> innerRim;
+  Chart chart{}; // empty where the mode gives none
 };
 
 // Patches in print order: a patch comes after what supports it.

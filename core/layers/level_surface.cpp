@@ -29,6 +29,8 @@ int appendBlend(LevelSurface& s, int a, int b, double t) {
   s.clearDirection.push_back(c);
   if (!s.innerRim.empty())
     s.innerRim.push_back(s.innerRim[ia] & s.innerRim[ib]);
+  if (!s.chart.empty())
+    s.chart.at.push_back(s.chart.blend(a, b, t));
   return static_cast<int>(s.surface.vertices.size()) - 1;
 }
 
@@ -51,6 +53,8 @@ int appendBlend(LevelSurface& s, const std::array<int, 3>& corners, const Eigen:
   s.clearDirection.push_back(c);
   if (!s.innerRim.empty())
     s.innerRim.push_back(0);
+  if (!s.chart.empty())
+    s.chart.at.push_back(s.chart.blend(corners, weights));
   return static_cast<int>(s.surface.vertices.size()) - 1;
 }
 
@@ -111,6 +115,8 @@ void dropUnusedVertices(LevelSurface& s) {
     s.clearDirection[kept] = s.clearDirection[v];
     if (!s.innerRim.empty())
       s.innerRim[kept] = s.innerRim[v];
+    if (!s.chart.empty())
+      s.chart.at[kept] = s.chart.at[v];
     ++kept;
   }
   s.surface.vertices.resize(kept);
@@ -119,6 +125,8 @@ void dropUnusedVertices(LevelSurface& s) {
   s.clearDirection.resize(kept);
   if (!s.innerRim.empty())
     s.innerRim.resize(kept);
+  if (!s.chart.empty())
+    s.chart.at.resize(kept);
   for (auto& t : s.surface.triangles)
     for (int& v : t)
       v = index[static_cast<std::size_t>(v)];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
+#include "layers/chart.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -19,6 +20,7 @@ struct LevelSurface {
   std::vector<Eigen::Vector3d> clearDirection; // unit
   // 1: on a rim where the level ends inside the part because another takes over. Empty: nowhere.
   std::vector<std::uint8_t> innerRim;
+  Chart chart;
   int level = 0;
 };
 

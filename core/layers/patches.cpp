@@ -115,6 +115,7 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
   for (const std::vector<std::size_t>& piece : trianglesOf) {
     Patch patch;
     patch.layer = s.level;
+    patch.chart.periodMm = s.chart.periodMm;
     std::vector<int> used;
     double area = 0.0;
     for (std::size_t t : piece) {
@@ -136,6 +137,8 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
       patch.thicknessMm.push_back(s.thicknessMm[at(v)]);
       if (!s.innerRim.empty())
         patch.innerRim.push_back(s.innerRim[at(v)]);
+      if (!s.chart.empty())
+        patch.chart.at.push_back(s.chart.at[at(v)]);
       patch.direction.push_back(s.direction[at(v)]);
       patch.clearDirection.push_back(s.clearDirection[at(v)]);
     }

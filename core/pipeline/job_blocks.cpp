@@ -13,6 +13,9 @@ using Json = nlohmann::ordered_json;
 // Columns of the rows of patches, tool-paths, pieces and their base planes.
 constexpr std::size_t kPatchColumns = 4, kPathColumns = 7, kPieceColumns = 4, kPlaneColumns = 4;
 
+// In the column of periods: a patch without a chart.
+constexpr double kNoChart = -1.0;
+
 [[noreturn]] void contradiction(const char* what) {
   throw base::Error(base::ErrorCode::UnreadableFile,
                     std::string("the job file contradicts itself: ") + what, {},
@@ -292,6 +295,15 @@ void addLayers(BlockWriter& out, const layers::LayerStack& stack) {
       rims.insert(rims.end(), patch.surface.vertices.size(), 0);
   }
   out.addOwned("layers.innerRim", rims);
+  if (std::ranges::all_of(stack.patches, [](const Patch& p) { return p.chart.empty(); }))
+    return;
+  column(
+      "layers.chart", sizeof(Eigen::Vector2d),
+      [](const Patch& p) -> const auto& { return p.chart.at; });
+  std::vector<double> periods;
+  for (const Patch& patch : stack.patches)
+    periods.push_back(patch.chart.empty() ? kNoChart : patch.chart.periodMm);
+  out.addOwned("layers.chartPeriod", periods);
 }
 
 layers::LayerStack getLayers(const BlockReader& in) {
@@ -307,6 +319,10 @@ layers::LayerStack getLayers(const BlockReader& in) {
   const bool hasRims = in.has("layers.innerRim");
   Portions innerRim(hasRims ? in.get<std::uint8_t>("layers.innerRim")
                             : std::vector<std::uint8_t>{});
+  const bool hasCharts = in.has("layers.chart");
+  Portions chart(hasCharts ? in.get<Eigen::Vector2d>("layers.chart")
+                           : std::vector<Eigen::Vector2d>{});
+  Portions chartPeriod(hasCharts ? in.get<double>("layers.chartPeriod") : std::vector<double>{});
   layers::LayerStack stack;
   stack.layerCount = static_cast<int>(rows[0]);
   for (std::size_t i = 1; i < rows.size(); i += kPatchColumns) {
@@ -318,6 +334,8 @@ layers::LayerStack getLayers(const BlockReader& in) {
     patch.clearDirection = clearDirection.next(rows[i]);
     if (hasRims)
       patch.innerRim = innerRim.next(rows[i]);
+    if (const double period = hasCharts ? chartPeriod.next(1).front() : kNoChart; period >= 0.0)
+      patch.chart = {chart.next(rows[i]), period};
     patch.layer = static_cast<int>(rows[i + 2]);
     patch.group = static_cast<int>(rows[i + 3]);
     stack.patches.push_back(std::move(patch));
@@ -396,7 +414,7 @@ bool isConsistent(const Job& job) {
     return false;
   if (job.layers)
     for (const layers::Patch& patch : job.layers->patches)
-      if (!soundMesh(patch.surface))
+      if (!soundMesh(patch.surface) || !allFinite(patch.chart.at))
         return false;
   if (job.toolPlan && !soundToolPlan(*job.toolPlan))
     return false;

@@ -65,6 +65,8 @@ private:
       s_.thicknessMm.push_back((s_.thicknessMm[at(a)] + s_.thicknessMm[at(b)]) / 2.0);
       if (!s_.seam.empty())
         s_.seam.push_back(s_.seam[at(a)] & s_.seam[at(b)]);
+      if (!s_.chart.empty())
+        s_.chart.at.push_back(s_.chart.blend(a, b, 0.5));
     }
     return it->second;
   }
@@ -115,7 +117,8 @@ PatchSurface PatchSurface::refine(const layers::Patch& patch, double edgeMm) {
   const std::size_t n = patch.surface.vertices.size();
   base::require(patch.thicknessMm.size() == n && patch.direction.size() == n &&
                     patch.clearDirection.size() == n &&
-                    (patch.innerRim.empty() || patch.innerRim.size() == n),
+                    (patch.innerRim.empty() || patch.innerRim.size() == n) &&
+                    (patch.chart.empty() || patch.chart.at.size() == n),
                 "a patch has one thickness and two directions a vertex");
   base::require(edgeMm > 0, "edge length is positive");
   PatchSurface s;
@@ -124,6 +127,7 @@ PatchSurface PatchSurface::refine(const layers::Patch& patch, double edgeMm) {
   s.direction = patch.direction;
   s.clearDirection = patch.clearDirection;
   s.seam = patch.innerRim;
+  s.chart = patch.chart;
   s.triangles = patch.surface.triangles;
   EdgeSplitter splitter(s, edgeMm);
   while (splitter.pass()) {
@@ -141,6 +145,7 @@ PatchSurface PatchSurface::refinedAt(std::vector<char> marks, double edgeMm) con
   s.direction = direction;
   s.clearDirection = clearDirection;
   s.seam = seam;
+  s.chart = chart;
   s.triangles = triangles;
   EdgeSplitter splitter(s, edgeMm, std::move(marks));
   while (splitter.pass()) {

@@ -28,6 +28,7 @@ struct PatchSurface {
   std::vector<double> thicknessMm;       // per vertex
   std::vector<Eigen::Vector3d> direction, clearDirection; // per vertex, unit
   std::vector<std::uint8_t> seam; // per vertex, layers::Patch::innerRim; empty: nowhere
+  layers::Chart chart;            // layers::Patch::chart; empty: none
   std::vector<std::array<int, 3>> triangles;
   std::vector<double> triangleArea;            // mm2
   std::vector<Eigen::Vector3d> triangleNormal; // unit, zero where degenerate

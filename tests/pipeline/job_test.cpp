@@ -122,6 +122,8 @@ TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
     EXPECT_EQ(p.direction, q.direction);
     EXPECT_EQ(p.clearDirection, q.clearDirection);
     EXPECT_EQ(p.innerRim, q.innerRim);
+    EXPECT_EQ(p.chart.at, q.chart.at);
+    EXPECT_EQ(p.chart.periodMm, q.chart.periodMm);
     EXPECT_EQ(p.group, q.group);
   }
   EXPECT_EQ(back.layers->layerCount, 2);

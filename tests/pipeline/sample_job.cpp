@@ -78,6 +78,8 @@ std::shared_ptr<const layers::LayerStack> sampleLayers() {
     if (i == 1) { // patches of different sizes
       p.surface.vertices.emplace_back(1, 1, 1.4);
       p.surface.triangles.push_back({1, 3, 2});
+      p.chart.at = {{0, 0}, {1, 0}, {0, 1}, {6, -2}};
+      p.chart.periodMm = 12.5;
     }
     p.thicknessMm.assign(p.surface.vertices.size(), 0.7 + i);
     p.direction.assign(p.surface.vertices.size(), Eigen::Vector3d::UnitZ());

@@ -1,0 +1,38 @@
+// Coordinates in which a layer lies flat: what winds around an axis is straight there.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace voluta::layers {
+
+// Per vertex (u, v), mm: u around, v along (Castelli, appendix A). A vertex's u stands for all that
+// differ by whole periods; over an edge it changes by less than half of one.
+struct Chart {
+  std::vector<Eigen::Vector2d> at; // empty: the surface has no chart
+  double periodMm = 0.0;           // > 0; 0: u comes back to itself nowhere
+
+  bool empty() const { return at.empty(); }
+
+  // From vertex a to b, the short way round.
+  Eigen::Vector2d between(int a, int b) const {
+    Eigen::Vector2d d = of(b) - of(a);
+    if (periodMm > 0.0)
+      d.x() = std::remainder(d.x(), periodMm);
+    return d;
+  }
+  // (1 - t) a + t b.
+  Eigen::Vector2d blend(int a, int b, double t) const { return of(a) + t * between(a, b); }
+  // Weights sum to 1.
+  Eigen::Vector2d blend(const std::array<int, 3>& corners, const Eigen::Vector3d& weights) const {
+    return of(corners[0]) + weights[1] * between(corners[0], corners[1]) +
+           weights[2] * between(corners[0], corners[2]);
+  }
+
+private:
+  const Eigen::Vector2d& of(int vertex) const { return at[static_cast<std::size_t>(vertex)]; }
+};
+
+} // namespace voluta::layers
