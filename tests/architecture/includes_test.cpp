@@ -23,6 +23,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"curved", {"geometry", "voxel", "process", "layers", "plan"}},
     {"support", {"geometry", "voxel", "process", "layers", "plan", "curved"}},
     {"planar", {"geometry", "voxel", "process", "layers", "plan"}},
+    {"substrate", {"geometry", "voxel", "process", "layers", "plan"}},
     {"placement", {"geometry", "voxel", "process", "layers", "plan", "curved"}},
     {"robot", {"geometry", "process"}},
     {"collision", {"geometry", "process", "voxel", "robot", "plan"}},
@@ -32,7 +33,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"program", {"geometry", "process", "robot", "plan"}},
     {"replay", {"geometry", "process", "voxel", "robot", "plan", "program"}},
     {"pipeline",
-     {"geometry", "process", "voxel", "plan", "layers", "curved", "planar", "support", "placement",
+     {"geometry", "process", "voxel", "plan", "layers", "curved", "planar", "substrate", "support", "placement",
       "robot", "collision", "toolpath", "motion", "program", "replay"}},
 };
 

@@ -1,0 +1,73 @@
+#include "substrate/flatten.h"
+
+#include "base/error.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace voluta::substrate {
+
+std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
+                                                double topThicknessMm, double sideThicknessMm,
+                                                double sideAngle, int layers) {
+  base::require(!start.isPlane() && start.radiusMm > 0.0, "a circle to start from");
+  base::require(topThicknessMm > 0.0 && sideThicknessMm > 0.0 && layers >= 0,
+                "positive thicknesses and number of layers");
+  base::require(sideAngle > 0.0 && std::cos(sideAngle) > 0.0, "an angle to the side of the top");
+  std::vector<FlatteningCircle> circles{start};
+  const double h1 = topThicknessMm, h2 = sideThicknessMm;
+  for (int k = 0; k < layers; ++k) {
+    const double r = circles.back().radiusMm;
+    const double over = h2 * h2 + 2.0 * r * (h2 - h1) - h1 * h1;
+    const double under = 2.0 * (r + h1) - 2.0 * (r + h2) * std::sin(sideAngle);
+    const double radius = r + h1 + over / under;
+    if (under <= 0.0 || radius <= 0.0)
+      throw base::Error(
+          base::ErrorCode::UnusableInput,
+          fmt::format("layers that are {:.3g} mm thick at the top and {:.3g} mm at the sides end "
+                      "after layer {}: no circle goes through both",
+                      h1, h2, k),
+          "flattening", "make the two thicknesses more alike, or use fewer layers");
+    circles.push_back({circles.back().topMm + h1, radius});
+  }
+  return circles;
+}
+
+std::vector<FlatteningCircle> flatteningToPlane(const FlatteningCircle& start, double halfChordMm,
+                                                double topThicknessMm, int layers) {
+  base::require(!start.isPlane() && start.radiusMm > 0.0, "a circle to start from");
+  base::require(topThicknessMm > 0.0 && layers >= 1 && halfChordMm > 0.0,
+                "a positive thickness, width and number of layers");
+  const double r = start.radiusMm, b = halfChordMm;
+  if (b > r)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      fmt::format("the feature is {:.3g} mm wide, wider than the cylinder of "
+                                  "{:.3g} mm that it stands on",
+                                  2.0 * b, 2.0 * r),
+                      "flattening", "make the feature narrower");
+  // Without the difference of two near numbers that r - sqrt(r^2 - b^2) is.
+  const double height = b * b / (r + std::sqrt(r * r - b * b));
+  std::vector<FlatteningCircle> circles{start};
+  for (int k = 1; k <= layers; ++k) {
+    const double s = height * (layers - k) / layers;
+    circles.push_back(
+        {start.topMm + k * topThicknessMm,
+         k == layers ? std::numeric_limits<double>::infinity() : (b * b + s * s) / (2.0 * s)});
+  }
+  return circles;
+}
+
+double thicknessAt(const FlatteningCircle& from, const FlatteningCircle& to, double alpha) {
+  base::require(!from.isPlane(), "a circle to start from");
+  const double r = from.radiusMm, sine = std::sin(alpha);
+  if (to.isPlane())
+    return sine > 0.0 ? (to.topMm - from.centreMm()) / sine - r
+                      : std::numeric_limits<double>::quiet_NaN();
+  const double down = from.centreMm() - to.centreMm();
+  // h^2 + 2 k1 h + k2 = 0, the greater root; k2 as a product of what is nearly equal.
+  const double k1 = r + down * sine;
+  const double k2 = (r - to.radiusMm) * (r + to.radiusMm) + down * down + 2.0 * r * down * sine;
+  return -k1 + std::sqrt(k1 * k1 - k2);
+}
+
+} // namespace voluta::substrate

@@ -1,0 +1,77 @@
+#include "substrate/rod_axis.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace voluta::substrate {
+
+namespace {
+
+constexpr double kClear = 1.5;
+
+} // namespace
+
+AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double area = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double a = geometry::triangleArea(mesh, t);
+    const Eigen::Vector3d n = geometry::triangleNormal(mesh, t);
+    spread += a * n * n.transpose();
+    centre += a / 3.0 * (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2));
+    area += a;
+  }
+  if (!(area > 0.0))
+    throw base::Error(base::ErrorCode::UnusableInput, "the part has no surface", "axis");
+  centre /= area;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
+  AxisFit fit;
+  fit.sharpness = values[0] > 0.0 ? values[1] / values[0] : std::numeric_limits<double>::infinity();
+  if (!(fit.sharpness >= kClear) || values[1] <= 0.0)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      "the part has no clear axis: its sides face along every direction alike",
+                      "axis", "turn the part onto the rod by hand");
+  fit.direction = solver.eigenvectors().col(0).normalized();
+  Eigen::Index largest = 0;
+  fit.direction.cwiseAbs().maxCoeff(&largest);
+  if (fit.direction[largest] < 0.0)
+    fit.direction = -fit.direction;
+
+  // n . (a x (q - p)) = t . (q - p) with t = n x a.
+  Eigen::Matrix3d left = fit.direction * fit.direction.transpose() * area;
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Eigen::Vector3d side = geometry::triangleNormal(mesh, t).cross(fit.direction);
+    const Eigen::Vector3d q =
+        (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0 - centre;
+    const Eigen::Matrix3d weighted = geometry::triangleArea(mesh, t) * side * side.transpose();
+    left += weighted;
+    right += weighted * q;
+  }
+  fit.point = centre + left.colPivHouseholderQr().solve(right);
+  return fit;
+}
+
+geometry::Placement placementOnAxis(const geometry::TriangleMesh& mesh, double scale,
+                                    const AxisFit& axis) {
+  geometry::Placement placement;
+  placement.rotation = Eigen::Quaterniond::FromTwoVectors(axis.direction, Eigen::Vector3d::UnitX());
+  Eigen::AlignedBox3d box;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      box.extend(scale * (placement.rotation * mesh.corner(t, k)));
+  const Eigen::Vector3d on = scale * (placement.rotation * axis.point);
+  placement.centreMm = {0.0, box.center().y() - on.y()};
+  placement.liftMm = box.min().z() - on.z();
+  return placement;
+}
+
+} // namespace voluta::substrate

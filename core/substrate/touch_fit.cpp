@@ -1,0 +1,81 @@
+#include "substrate/touch_fit.h"
+
+#include "base/error.h"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+namespace voluta::substrate {
+
+namespace {
+
+// Of the shorter to the longer extent of points: less is a line.
+constexpr double kLine = 1e-7;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw base::Error(base::ErrorCode::UnusableInput, what, "touched points",
+                    "touch points farther apart around the cylinder");
+}
+
+} // namespace
+
+CircleFit circleThrough(const std::vector<Eigen::Vector2d>& points) {
+  if (points.size() < 3)
+    refuse(fmt::format("{} points do not make a circle: it takes three", points.size()));
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixX2d centred(n, 2);
+  for (Eigen::Index i = 0; i < n; ++i)
+    centred.row(i) = points[static_cast<std::size_t>(i)];
+  if (!centred.allFinite())
+    refuse("a point is not a number");
+  const Eigen::Vector2d mean = centred.colwise().mean();
+  centred.rowwise() -= mean.transpose();
+  const Eigen::Vector2d extent = Eigen::JacobiSVD<Eigen::MatrixX2d>(centred).singularValues();
+  if (extent[1] <= kLine * extent[0])
+    refuse("the points lie on a line");
+  // In units of their extent, so that the three columns are alike.
+  const double unit = extent[0];
+  centred /= unit;
+  Eigen::MatrixX3d rows(n, 3);
+  rows << centred, Eigen::VectorXd::Ones(n);
+  const Eigen::VectorXd right = -centred.rowwise().squaredNorm();
+  const Eigen::Vector3d abc = rows.colPivHouseholderQr().solve(right);
+  CircleFit fit;
+  const Eigen::Vector2d centre = -0.5 * abc.head<2>();
+  fit.centre = mean + unit * centre;
+  fit.radiusMm = unit * std::sqrt(centre.squaredNorm() - abc[2]);
+  double squares = 0.0;
+  for (const Eigen::Vector2d& p : points)
+    squares += std::pow((p - fit.centre).norm() - fit.radiusMm, 2);
+  fit.rmsMm = std::sqrt(squares / static_cast<double>(n));
+  return fit;
+}
+
+CylinderFit cylinderPose(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& axis) {
+  const Eigen::Vector3d x = axis.normalized();
+  const Eigen::Vector3d across = Eigen::Vector3d::UnitZ().cross(x);
+  base::require(axis.allFinite() && across.norm() > 1e-6, "an axis that does not stand upright");
+  Eigen::Matrix3d rotation;
+  rotation.col(0) = x;
+  rotation.col(1) = across.normalized();
+  rotation.col(2) = x.cross(rotation.col(1));
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points)
+    mean += p / static_cast<double>(points.size());
+  std::vector<Eigen::Vector2d> seen;
+  for (const Eigen::Vector3d& p : points)
+    seen.push_back((rotation.transpose() * (p - mean)).tail<2>());
+  const CircleFit circle = circleThrough(seen);
+  CylinderFit fit;
+  fit.base_T_cylinder.linear() = rotation;
+  fit.base_T_cylinder.translation() =
+      mean + circle.centre.x() * rotation.col(1) + circle.centre.y() * rotation.col(2);
+  fit.radiusMm = circle.radiusMm;
+  fit.rmsMm = circle.rmsMm;
+  return fit;
+}
+
+} // namespace voluta::substrate
