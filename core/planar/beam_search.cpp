@@ -147,20 +147,20 @@ PlanarOptions relaxed(const PlanarOptions& options) {
   return less;
 }
 
-// What is searched with, one after the other until the target is about reached: the options; less
-// of the foot kept, and a finer mesh; and planes that face up only (RoboFDM, constraint II): cuts
-// that face down gain much at first and may leave pieces in the way of what would gain more.
+// What is searched with, one after the other until the target is about reached: the options; planes
+// that face up only (RoboFDM, constraint II), and less of the foot kept: cuts that face down gain
+// much at first and may leave pieces in the way of what would gain more; and a finer mesh.
 std::vector<PlanarOptions> searches(const PlanarOptions& options, std::size_t triangles) {
   constexpr double kFiner = 1.75;
   std::vector<PlanarOptions> out{options};
+  if (options.lowestZ < 0.0) {
+    out.push_back(relaxed(options));
+    out.back().lowestZ = 0.0;
+  }
   if (options.keptContact < 1.0 || options.keptHull < 1.0 || triangles > options.searchTriangles) {
     out.push_back(relaxed(options));
     out.back().searchTriangles =
         static_cast<std::size_t>(kFiner * static_cast<double>(options.searchTriangles));
-  }
-  if (options.lowestZ < 0.0) {
-    out.push_back(relaxed(options));
-    out.back().lowestZ = 0.0;
   }
   return out;
 }

@@ -14,8 +14,8 @@ namespace voluta::planar {
 // above the plane and gains by the plane's normal as its direction. What would then be hidden from
 // the head by another piece may still be cut off where a cut of that piece, which itself gains
 // nothing, lets what hides it be printed later. Where all that does not reach the target, it is
-// tried again with less of the foot kept and with planes that face up only, and the best is taken.
-// Cuts through sections of other cuts are not made (RoboFDM, constraint I); that
+// tried again with planes that face up only, on a finer mesh and with less of the foot kept, and
+// the best is taken. Cuts through sections of other cuts are not made (RoboFDM, constraint I); that
 // base planes face up (constraint II) is given up for the real test: the head, as it is, reaches
 // all of a piece past what is printed before it. `part` is closed, faces outward and stands on z =
 // 0. Same result for any number of threads. Throws Error{UnusableInput} where the part is not
