@@ -20,9 +20,10 @@ constexpr double kNearMm = 3.0;
 } // namespace
 
 IslandsTaken absorbIslands(LayerStack& stack, const IslandOptions& options,
-                           const AbsorbOptions& absorb, const base::RunContext& ctx) {
+                           const AbsorbOptions& absorb, const base::RunContext& ctx,
+                           const Ground& ground) {
   IslandsTaken result;
-  result.support = checkSupport(stack, options.supportReach, ctx);
+  result.support = checkSupport(stack, options.supportReach, ctx, {}, ground);
   bool isChanged = false;
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Eigen::AlignedBox3d> gone;
@@ -61,7 +62,8 @@ IslandsTaken absorbIslands(LayerStack& stack, const IslandOptions& options,
     }
     if (which.empty())
       break;
-    const std::vector<SupportCheck> again = checkSupport(stack, options.supportReach, ctx, which);
+    const std::vector<SupportCheck> again =
+        checkSupport(stack, options.supportReach, ctx, which, ground);
     for (std::size_t n = 0; n < which.size(); ++n)
       result.support[which[n]] = again[n];
   }

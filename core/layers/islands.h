@@ -28,6 +28,7 @@ struct IslandsTaken {
 // Support patches neither go nor take anything. Order is kept, layers are numbered anew.
 // Precondition: print order. Throws Cancelled.
 IslandsTaken absorbIslands(LayerStack& stack, const IslandOptions& options,
-                           const AbsorbOptions& absorb, const base::RunContext& ctx);
+                           const AbsorbOptions& absorb, const base::RunContext& ctx,
+                           const Ground& ground = {});
 
 } // namespace voluta::layers

@@ -41,7 +41,7 @@ double reachOf(double mostThicknessMm, double reachShare) {
 }
 
 SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery& query,
-                       double mostThicknessMm, double reachShare) {
+                       double mostThicknessMm, double reachShare, const Ground& ground) {
   const Patch& patch = stack.patches[p];
   const std::size_t n = patch.surface.triangles.size();
   const std::size_t step = std::max<std::size_t>(1, n / kMostSamples);
@@ -60,7 +60,7 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
         (patch.surface.corner(t, 0) + patch.surface.corner(t, 1) + patch.surface.corner(t, 2)) / 3;
     const double half = halfThickness(patch, t);
     whole += area;
-    if (centre.z() <= 2.0 * reachShare * half) {
+    if (ground.over(centre) <= 2.0 * reachShare * half) {
       supported += area;
       ++met[-1];
       continue;
@@ -189,7 +189,8 @@ std::vector<BoundaryCheck> checkBoundaries(const LayerStack& stack, const geomet
 
 std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShare,
                                        const base::RunContext& ctx,
-                                       const std::vector<std::size_t>& which) {
+                                       const std::vector<std::size_t>& which,
+                                       const Ground& ground) {
   std::vector<SupportCheck> checks(which.empty() ? stack.patches.size() : which.size());
   const double most = mostThickness(stack);
   std::vector<Eigen::AlignedBox3d> around;
@@ -198,7 +199,7 @@ std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShar
   const StackQuery query(stack.patches, around, reachOf(most, reachShare), ctx);
   base::parallelChunks(ctx, checks.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
-      checks[n] = supportOf(stack, which.empty() ? n : which[n], query, most, reachShare);
+      checks[n] = supportOf(stack, which.empty() ? n : which[n], query, most, reachShare, ground);
   });
   return checks;
 }

@@ -3,6 +3,7 @@
 
 #include "base/run_context.h"
 #include "geometry/mesh_query.h"
+#include "layers/ground.h"
 #include "layers/layer_stack.h"
 
 #include <limits>
@@ -36,17 +37,18 @@ struct BoundaryCheck {
 std::vector<BoundaryCheck> checkBoundaries(const LayerStack& stack, const geometry::MeshQuery& part,
                                            double toleranceMm, const base::RunContext& ctx);
 
-// What is under a patch: the plate z = 0, or an earlier patch. At sampled triangles the foot (half
+// What is under a patch: the ground, or an earlier patch. At sampled triangles the foot (half
 // a thickness against direction) is within reachShare of the two half thicknesses, and half of them
 // lower at least.
 struct SupportCheck {
   double supportedFraction = 1.0; // of the area
-  int lower = -1;                 // index of a patch under it (the one met most often), -1: plate
+  int lower = -1;                 // index of a patch under it (the one met most often), -1: ground
   Eigen::Vector3d unsupportedAt = Eigen::Vector3d::Zero(); // a place without support, if any
 };
 // Of `which` patches (ascending); empty stands for all.
 std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShare,
                                        const base::RunContext& ctx,
-                                       const std::vector<std::size_t>& which = {});
+                                       const std::vector<std::size_t>& which = {},
+                                       const Ground& ground = {});
 
 } // namespace voluta::layers
