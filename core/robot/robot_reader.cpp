@@ -2,8 +2,10 @@
 // marked optional; an unknown key is an error.
 //   id, label, maker      texts; id as the file's name
 //   controller            id of the program format its controller reads, e.g. "urscript"
-//   family                kinematic family: "ur"
-//   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH
+//   family                kinematic family: "ur" | "opw" (ortho-parallel with a spherical wrist)
+//   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH;
+//                         opw: {a1, a2, b, c1, c2, c3, c4, offsetsDeg}, offsetsDeg a list: what the
+//                         controller calls each joint where the arm stands upright
 //   limits                a list with an object for each joint:
 //                         {minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2}
 //   links                 a list of bodies {name, frame, shapes}; frame 0 is the base, n link n, in
@@ -12,6 +14,7 @@
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
 #include "robot/json_node.h"
+#include "robot/opw_kinematics.h"
 #include "robot/robot_model.h"
 #include "robot/shape_reader.h"
 #include "robot/ur_kinematics.h"
@@ -36,13 +39,26 @@ std::shared_ptr<const Kinematics> urFamily(const JsonNode& g) {
   return std::make_shared<UrKinematics>(geometry);
 }
 
+std::shared_ptr<const Kinematics> opwFamily(const JsonNode& g) {
+  g.allowOnly({"a1", "a2", "b", "c1", "c2", "c3", "c4", "offsetsDeg"});
+  OpwGeometry geometry{
+      g.at("a1").number(),   g.at("a2").number(),   g.at("b").number(),  g.at("c1").number(),
+      g.at("c2").positive(), g.at("c3").positive(), g.at("c4").number(), {}};
+  const std::vector<JsonNode> offsets = g.at("offsetsDeg").items();
+  if (offsets.size() != geometry.offsets.size())
+    g.at("offsetsDeg").fail(fmt::format("must hold 6 joints, holds {}", offsets.size()));
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    geometry.offsets[i] = base::degreesToRadians(offsets[i].number());
+  return std::make_shared<OpwKinematics>(geometry);
+}
+
 // A new family is a row here and a file beside ur_kinematics.cpp.
 struct Family {
   const char* id;
   std::function<std::shared_ptr<const Kinematics>(const JsonNode&)> make;
 };
 const std::vector<Family>& families() {
-  static const std::vector<Family> table = {{"ur", urFamily}};
+  static const std::vector<Family> table = {{"ur", urFamily}, {"opw", opwFamily}};
   return table;
 }
 

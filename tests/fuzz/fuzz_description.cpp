@@ -24,17 +24,19 @@ void read(const char* name, const std::string& text, void (*readIt)(const std::f
 std::vector<std::string> fuzz::seeds() {
   ::setenv("VOLUTA_RESOURCES", kResources.c_str(), 1);
   return {base::readFile(kResources / "robots" / "ur5.json"),
+          base::readFile(kResources / "robots" / "irb1200.json"),
           base::readFile(kResources / "cells" / "ur5-fixed.json"),
           base::readFile(kResources / "processes" / "fdm-1.0.json")};
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text = fuzz::textOf(data, size);
-  read("ur5.json", text, [](const std::filesystem::path& file) {
-    const robot::RobotModel robot = robot::readRobot(file);
-    fuzz::expect(robot.dof() > 0 && robot.limits.size() == static_cast<std::size_t>(robot.dof()),
-                 "every joint has its limits");
-  });
+  for (const char* name : {"ur5.json", "irb1200.json"})
+    read(name, text, [](const std::filesystem::path& file) {
+      const robot::RobotModel robot = robot::readRobot(file);
+      fuzz::expect(robot.dof() > 0 && robot.limits.size() == static_cast<std::size_t>(robot.dof()),
+                   "every joint has its limits");
+    });
   read("ur5-fixed.json", text, [](const std::filesystem::path& file) {
     const robot::Cell cell =
         robot::Cell::read(file, process::loadProcess("fdm-1.0"), {{-9, -9}, {9, -9}, {0, 9}});

@@ -80,6 +80,22 @@ TEST_F(Files, robotMistakesNameFileAndKey) {
   EXPECT_THAT(complaint(ur5, [](json& j) { j["lable"] = "x"; }), HasSubstr("'lable'"));
 }
 
+TEST_F(Files, orthoParallelMistakesNameFileAndKey) {
+  const std::string irb = "robots/irb1200.json";
+  EXPECT_EQ(complaint(irb, [](json&) {}), "");
+  EXPECT_THAT(complaint(irb, [](json& j) { j["geometryMm"].erase("b"); }),
+              HasSubstr("'geometryMm.b' is missing"));
+  EXPECT_THAT(complaint(irb, [](json& j) { j["geometryMm"]["c3"] = 0; }),
+              HasSubstr("'geometryMm.c3'"));
+  EXPECT_THAT(complaint(irb, [](json& j) { j["geometryMm"]["c2"] = -350; }),
+              HasSubstr("'geometryMm.c2'"));
+  EXPECT_THAT(complaint(irb, [](json& j) { j["geometryMm"]["d4"] = 1; }), HasSubstr("d4"));
+  EXPECT_THAT(complaint(irb, [](json& j) { j["geometryMm"]["offsetsDeg"].erase(0); }),
+              HasSubstr("'geometryMm.offsetsDeg' must hold 6 joints, holds 5"));
+  EXPECT_THAT(complaint(irb, [](json& j) { j["geometryMm"]["offsetsDeg"][2] = "down"; }),
+              HasSubstr("'geometryMm.offsetsDeg[2]'"));
+}
+
 TEST_F(Files, cellMistakesNameFileAndKey) {
   const std::string cell = "cells/ur5-fixed.json";
   EXPECT_EQ(complaint(cell, [](json&) {}), "");
@@ -111,7 +127,7 @@ TEST_F(Files, linksThatNeverMeetKeepTheirAxesApart) {
   for (const std::string& id : robotIds()) {
     const RobotModel robot = loadRobot(id);
     std::mt19937_64 random(5);
-    std::uniform_real_distribution<double> angle(-base::kPi, base::kPi);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
     std::vector<Eigen::Isometry3d> poses;
     for (const auto& [a, b] : robot.neverMeet) {
       const Body &first = robot.links[static_cast<std::size_t>(a)],
@@ -125,8 +141,10 @@ TEST_F(Files, linksThatNeverMeetKeepTheirAxesApart) {
       double least = 1e9;
       for (int n = 0; n < 20000; ++n) {
         JointVector q(robot.dof());
-        for (int i = 0; i < robot.dof(); ++i)
-          q[i] = angle(random);
+        for (int i = 0; i < robot.dof(); ++i) {
+          const JointLimits& limit = robot.limits[static_cast<std::size_t>(i)];
+          q[i] = limit.min + unit(random) * (limit.max - limit.min);
+        }
         robot.kinematics->linkPoses(q, poses);
         least = std::min(least, test::sampledDistance(
                                     samples, poses[static_cast<std::size_t>(first.frame)], axis,
