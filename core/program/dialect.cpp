@@ -4,6 +4,7 @@
 #include "base/nearest_name.h"
 #include "program/gcode_extended.h"
 #include "program/joint_table.h"
+#include "program/rapid.h"
 #include "program/text.h"
 #include "program/urscript.h"
 
@@ -27,6 +28,14 @@ const std::vector<Dialect>& dialects() {
        .write = writeExtendedGcode,
        .read = readExtendedGcode,
        .looksLike = looksLikeExtendedGcode},
+      {.id = "rapid",
+       .label = "RAPID (ABB)",
+       .extension = "mod",
+       .controller = "rapid",
+       .needsJoints = false,
+       .write = writeRapid,
+       .read = readRapid,
+       .looksLike = looksLikeRapid},
       {.id = "csv",
        .label = "Joint table (CSV)",
        .extension = "csv",

@@ -10,7 +10,7 @@
 //                  another maker's robot. The first point is always a movej, at kStartRadPerS.
 // The extruder is on while standard digital output 0 is, with a flow of (standard analogue output
 // 0, in 0..1) x process.maxFlowMm3PerS. Where a motion asks for more than the full flow, it is
-// slowed so that its volume stays right. Blends (program/blend.h) only between Print motions.
+// slowed so that its volume stays right. Blends (program/tcp_motions.h) only between Print motions.
 // Prime: once, at the first point, before anything moves on; the extruder runs for process.primeS.
 #pragma once
 
@@ -20,9 +20,6 @@
 
 namespace voluta::program {
 
-// How far from its corner on the part the nozzle may pass, mm. Beads that turn on the spot are what
-// it costs: at 0.02 a part of slender struts loses 0.3 % of its cover.
-inline constexpr double kBlendToleranceMm = 0.002;
 inline constexpr double kStartRadPerS = 0.5;
 
 plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& ctx);

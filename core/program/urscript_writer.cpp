@@ -1,9 +1,9 @@
 #include "base/error.h"
 #include "base/units.h"
-#include "program/blend.h"
 #include "program/dialect.h"
 #include "program/motion_targets.h"
 #include "program/rotation_vector.h"
+#include "program/tcp_motions.h"
 #include "program/text.h"
 #include "program/urscript.h"
 
@@ -18,20 +18,14 @@ constexpr int kPoseDecimals = 7;
 constexpr int kTcpDecimals = 9;
 constexpr int kSpeedDecimals = 7;
 constexpr int kBlendDecimals = 6;
-// Below these the TCP's path says too little of the motion's time.
-constexpr double kLeastTcpMm = 0.05, kLeastTcpShare = 0.1;
-constexpr double kLeastSpeedMPerS = 2e-4;
-// blendRadiusMm takes the nozzle's path on the part as straight near the corner; a plate that turns
-// while it moves bends it, in hard random motions by up to 5 % of the tolerance.
-constexpr double kFirstOrderShare = 0.85;
 constexpr double kMaxAccelerationMPerS2 = 10.0;
-constexpr double kStartRadPerS2 = 1.4;          // the controller's own default
-constexpr double kPlateKg = 0.5, kHeadKg = 1.0; // assumed; the program says so
+constexpr double kStartRadPerS2 = 1.4; // the controller's own default
 
 class UrscriptWriter {
 public:
   UrscriptWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), paths_(input.toolPlan) {
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
+        paths_(input.toolPlan) {
     program_.format = "urscript";
     program_.foreign = isForeign(findDialect("urscript"), input.cell);
   }
@@ -66,7 +60,6 @@ private:
     appendFixed(out_, value, decimals, true);
   }
 
-  // Lengths are taken between the targets as written, so that rounding doesn't become speed.
   void roundTargets() {
     rotation_.resize(targets_.size());
     Eigen::Vector3d previous = Eigen::Vector3d::Zero();
@@ -77,19 +70,8 @@ private:
         targets_[i].tcpMm[k] = roundedTo(targets_[i].tcpMm[k] / 1000.0, kPoseDecimals) * 1000.0;
     }
   }
-  double tcpMm(std::size_t i) const { return (targets_[i].tcpMm - targets_[i - 1].tcpMm).norm(); }
-  double tipMm(std::size_t i) const { return (targets_[i].tipMm - targets_[i - 1].tipMm).norm(); }
-
-  // Time of motion i: the plan's, or what the extruder needs at its full flow.
-  double seconds(std::size_t i) const {
-    double s = motionSeconds(in_.trajectory, i);
-    if (isPrint(in_.trajectory, i))
-      s = std::max(s, motionVolumeMm3(in_.trajectory, i) / in_.process.maxFlowMm3PerS);
-    return s;
-  }
   double tcpSpeed(std::size_t i) const { // m/s; 0 where it has no meaning
-    const double s = i == 0 ? 0.0 : seconds(i);
-    return s > 0.0 ? tcpMm(i) / 1000.0 / s : 0.0;
+    return motions_.speedMmPerS(i) / 1000.0;
   }
 
   void pose(const Eigen::Vector3d& mm, const Eigen::Vector3d& rotation, int decimals) {
@@ -123,10 +105,7 @@ private:
     pose(tcp.translation(), rotationVector(Eigen::Quaterniond(tcp.linear())), kTcpDecimals);
     line(")");
     const bool plate = cell.nozzleMount() == robot::Mount::World;
-    const double kg =
-        plate ? kPlateKg + in_.trajectory.extrudedMm3.back() * 1e-6 * in_.process.densityGPerCm3
-              : kHeadKg;
-    number("  set_payload(", kg, 3);
+    number("  set_payload(", assumedLoadKg(in_), 3);
     out_ += ",[";
     for (int k = 0; k < 3; ++k)
       number(k ? "," : "", tcp.translation()[k] / 1000.0, 4);
@@ -197,7 +176,7 @@ private:
     if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
       line(joined({"  # ", path}));
     if (isPrint(t, i)) {
-      const double s = seconds(i);
+      const double s = motions_.seconds(i);
       flow(s > 0.0 ? motionVolumeMm3(t, i) / s : 0.0);
       extruder(true);
     } else {
@@ -241,11 +220,7 @@ private:
   }
 
   void straightMotion(std::size_t i) {
-    const plan::Trajectory& t = in_.trajectory;
-    const double s = seconds(i), tcp = tcpMm(i);
-    const double speed = tcpSpeed(i);
-    const bool timed = s > 0.0 && (tcp < kLeastTcpMm || tcp < kLeastTcpShare * tipMm(i) ||
-                                   speed < kLeastSpeedMPerS);
+    const double s = motions_.seconds(i), speed = tcpSpeed(i);
     // Enough to reach this speed from the last motion's within half of this one.
     double acceleration = in_.process.accelerationMmPerS2 / 1000.0;
     if (s > 0.0)
@@ -255,25 +230,19 @@ private:
     out_ += "  movel(";
     pose(targets_[i].tcpMm, rotation_[i], kPoseDecimals);
     number(",a=", acceleration, 2);
-    if (timed)
+    if (motions_.needsTime(i))
       number(",t=", s, 6);
     else
       number(",v=", speed > 0.0 ? speed : in_.process.travelSpeedMmPerS / 1000.0, kSpeedDecimals);
-    if (isPrint(t, i) && i + 1 < t.pointCount() && isPrint(t, i + 1)) {
-      const double r = blendRadiusMm({tcp, targets_[i].tipMm - targets_[i - 1].tipMm},
-                                     {tcpMm(i + 1), targets_[i + 1].tipMm - targets_[i].tipMm},
-                                     kFirstOrderShare * kBlendToleranceMm);
-      // Rounded down: it must not grow past what was allowed.
-      const double metres = std::floor(r * 1e3) / 1e6;
-      if (metres > 0.0)
-        number(",r=", metres, kBlendDecimals);
-    }
+    if (const double r = motions_.blendMm(i); r > 0.0)
+      number(",r=", r / 1000.0, kBlendDecimals);
     line(")");
   }
 
   const ProgramInput& in_;
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
+  TcpMotions motions_;
   std::vector<Eigen::Vector3d> rotation_;
   PathNames paths_;
   plan::Program program_;

@@ -56,7 +56,7 @@ protected:
     const std::size_t first = line.find_first_not_of(' ');
     if (line == "# end" || line == "; end")
       return false;
-    if (line[first] == '#' || line[first] == ';')
+    if (line[first] == '#' || line[first] == ';' || line[first] == '!')
       return true;                                                          // comments
     for (const char* word : {"set_payload", "sleep(",                       // not motion
                              "G21", "G90", "M82", "G28", "M104 S2", "M109", // the default, or heat
@@ -67,7 +67,7 @@ protected:
     if (line.find("; prime") != std::string::npos)
       return true;
     for (std::size_t k = i; k-- > 0 && i - k <= 4;)
-      if (lines[k].find("# prime") != std::string::npos)
+      if (lines[k].find(" prime") != std::string::npos)
         return true;
     return false;
   }
@@ -96,14 +96,18 @@ TEST_F(Damage, noDigitChangesUnnoticed) {
     const plan::ReadProgram whole = readProgram(d.id, program.files, process_);
     const auto lines = linesOf(program.files[0].text);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (idle(lines, i) || lines[i].find("mov") == std::string::npos)
+      if (idle(lines, i) ||
+          (lines[i].find("mov") == std::string::npos && lines[i].find("Move") == std::string::npos))
         continue;
       auto changed = lines;
       std::string& line = changed[i];
-      const std::size_t from = line.find('[');
-      std::size_t at = from + random() % (line.size() - from);
-      while (line[at] < '0' || line[at] > '9' || line.find(",a=") <= at)
-        at = from + random() % (line.size() - from);
+      // The target: in RAPID what stands before the configuration.
+      const std::size_t from = line.find('['), second = line.find("],[");
+      const std::size_t end =
+          std::min({line.size(), line.find(",a="), line.find("],[", second + 1)});
+      std::size_t at = from + random() % (end - from);
+      while (line[at] < '0' || line[at] > '9')
+        at = from + random() % (end - from);
       line[at] = line[at] == '9' ? '1' : static_cast<char>(line[at] + 1);
       const auto damaged = readProgram(d.id, {{"damaged", textOf(changed)}}, process_);
       EXPECT_TRUE(seen(whole, damaged)) << line;

@@ -4,6 +4,9 @@
 
 #include "program/dialect.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace voluta::program {
 namespace {
 
@@ -66,8 +69,9 @@ part_1()
 }
 
 TEST_F(Golden, extendedGcode) {
-  EXPECT_EQ(text("gcode-extended"),
-            R"(; Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX nY nZ in the work frame
+  EXPECT_EQ(
+      text("gcode-extended"),
+      R"(; Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX nY nZ in the work frame
 ; cell bench, robot ur5, process fdm-1.0 (PLA)
 ; FOREIGN: not the language of the cell's controller
 ; filament diameter 1.75 mm
@@ -92,6 +96,53 @@ M104 S0
 M84
 ; end
 )");
+}
+
+// CR LF and the list of modules apart.
+TEST_F(Golden, rapid) {
+  const std::string whole = text("rapid");
+  std::string lines;
+  std::remove_copy(whole.begin(), whole.end(), std::back_inserter(lines), '\r');
+  EXPECT_EQ(lines, R"(MODULE print_part_1
+  ! Robot program for printing, RAPID
+  ! FOREIGN: not the language of the cell's controller; Cartesian targets only
+  ! cell bench, robot ur5, process fdm-1.0 (PLA)
+  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in the robot's base
+  ! extruder on: doExtruder; flow: aoFlow, 1 = 40 mm3/s
+  ! 6 motions, 1.6 mm3, 4.2 s
+  ! load assumed: 0.5 kg of plate, and the part
+  PERS tooldata tPlate:=[TRUE,[[0,0,100],[1,0,0,0]],[0.5,[0,0,100],[1,0,0,0],0,0,0]];
+  PERS wobjdata wPrint:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PROC main()
+    ConfL\Off;
+    ConfJ\Off;
+    SetDO doExtruder,0;
+    SetAO aoFlow,0;
+    MoveJ [[-817.25,-291.45,-5.491],[0.70710678,0.70710678,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[100,500,5000,1000],fine,tPlate\WObj:=wPrint;
+    ! prime
+    SetAO aoFlow,0.4113;
+    SetDO doExtruder,1;
+    WaitTime 0.2;
+    SetDO doExtruder,0;
+    ! print
+    MoveJ [[-817.25,-291.45,-5.491],[0.5,0.5,-0.5,0.5],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[100,500,5000,1000]\T:=2,fine,tPlate\WObj:=wPrint;
+    ! layer 7, wall, path 0
+    MoveL [[-814.2947,-299.6078,-5.491],[0.49749376,0.50249374,-0.49749376,0.50249374],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[86.7661,500,5000,1000],fine,tPlate\WObj:=wPrint;
+    SetAO aoFlow,0.4;
+    SetDO doExtruder,1;
+    MoveL [[-813.9947,-300.4219,-5.491],[0.49724245,0.50274242,-0.49724245,0.50274242],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[17.3523,500,5000,1000],[FALSE,0.39,0.39,0.39,1,1,1],tPlate\WObj:=wPrint;
+    MoveL [[-813.6938,-301.2358,-5.491],[0.49699102,0.50299098,-0.49699102,0.50299098],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[17.3548,500,5000,1000],fine,tPlate\WObj:=wPrint;
+    SetDO doExtruder,0;
+    MoveJ [[-817.25,-291.45,-5.491],[0.70710678,0.70710678,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[100,500,5000,1000]\T:=2,fine,tPlate\WObj:=wPrint;
+    ! end
+    SetDO doExtruder,0;
+    SetAO aoFlow,0;
+  ENDPROC
+ENDMODULE
+)");
+  EXPECT_EQ(writeProgram("rapid", input()).files.at(1).text,
+            "<?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>\r\n<Program>\r\n"
+            "\t<Module>part_1.mod</Module>\r\n</Program>\r\n");
 }
 
 TEST_F(Golden, jointTable) {

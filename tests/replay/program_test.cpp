@@ -143,6 +143,8 @@ TEST_P(EachDialect, AMovedWaypoint) {
     std::string& l = text.lines[line - 1];
     if (GetParam() == "urscript")
       change(l, "movel(p[", [](double x) { return x + 0.002; });
+    else if (GetParam() == "rapid")
+      change(l, "MoveL [[", [](double x) { return x + 2.0; });
     else if (GetParam() == "csv") // 2 mm at a lever of some 600 mm
       changeField(l, 1, [](double x) { return x + 0.25; });
     else
@@ -183,6 +185,11 @@ TEST_P(EachDialect, OneSpeedTimesTen) {
         change(l, ",v=", tenfold);
       else
         change(l, ",t=", [](double x) { return x / 10; });
+    } else if (GetParam() == "rapid") {
+      if (l.find("\\T:=") == std::string::npos)
+        change(l, "]],[", tenfold);
+      else
+        change(l, "\\T:=", [](double x) { return x / 10; });
     } else if (GetParam() == "csv") {
       const double dt = scene().trajectory.timeS[point] - scene().trajectory.timeS[point - 1];
       changeField(l, 0, [&](double x) { return x - 0.9 * dt; });
@@ -195,10 +202,12 @@ TEST_P(EachDialect, OneSpeedTimesTen) {
 
 TEST_P(EachDialect, TheExtruderLeftOnOverATravel) {
   damageFivePlaces([&](Text& text, std::size_t line, std::size_t) {
-    if (GetParam() == "urscript") {
+    if (GetParam() == "urscript" || GetParam() == "rapid") {
+      const bool urscript = GetParam() == "urscript";
+      const char* off = urscript ? "digital_out(0,False)" : "SetDO doExtruder,0;";
       for (std::size_t l = line; l < text.lines.size(); ++l)
-        if (text.lines[l].find("digital_out(0,False)") != std::string::npos) {
-          text.lines[l] = "  set_standard_digital_out(0,True)";
+        if (text.lines[l].find(off) != std::string::npos) {
+          text.lines[l] = urscript ? "  set_standard_digital_out(0,True)" : "SetDO doExtruder,1;\r";
           return l + 1;
         }
       return std::size_t{0};
@@ -248,7 +257,8 @@ TEST_P(EachDialect, ThreadsDoNotMatter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Replay, EachDialect,
-                         ::testing::Values("urscript", "gcode-extended", "csv"), [](const auto& i) {
+                         ::testing::Values("urscript", "gcode-extended", "rapid", "csv"),
+                         [](const auto& i) {
                            return std::regex_replace(i.param, std::regex("-"), "_");
                          });
 

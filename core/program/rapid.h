@@ -1,0 +1,45 @@
+// RAPID for ABB controllers (references: robots.md; ABB, Technical reference manual, RAPID
+// Instructions, Functions and Data types).
+//
+// Written: a module with the tool, the work object and `main`; CR LF ends every line. mm, degrees,
+// seconds. Per point one line:
+//   Print, Linear  MoveL [[x,y,z],[q1,q2,q3,q4],[cf1,cf4,cf6,cfx],[9E9,...]],[v,...],zone: pose of
+//                  the TCP in the work object; between two poses the controller moves the TCP
+//                  straight and turns it the shortest way. v = TCP path / time; where the TCP
+//                  hardly moves although the nozzle does on the part, \T:= rules over v.
+//   Joint          MoveAbsJ [[q1...q6],[9E9,...]] with \T:=; MoveJ to a pose in a program for
+//                  another maker's robot. The first point is reached at kStartMmPerS.
+// Moving nozzle: TCP = the nozzle's tip, work object = the work frame. Nozzle in the world: TCP =
+// the plate's centre, as in URScript, work object = Base. Nothing is written for external axes
+// (9E9); configurations are not supervised (ConfL\Off, ConfJ\Off), cf1..cf6 are the plan's.
+// The extruder is on while the digital output doExtruder is, with a flow of aoFlow (0..1) x
+// process.maxFlowMm3PerS; more than the full flow slows the motion. Zones: TcpMotions::blendMm in
+// position, turn and external axes alike. Prime: as in URScript.
+// A program of more than kMotionsPerModule points gets modules of about that many, each cut where
+// the extruder is off (or, where it never is, at a stop); the first one then loads and runs them in
+// turn. The .pgf, the controller's list of what to load, is the last file.
+#pragma once
+
+#include "base/run_context.h"
+#include "plan/program.h"
+#include "program/program_input.h"
+
+namespace voluta::program {
+
+inline constexpr std::size_t kMotionsPerModule = 5000;
+
+plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx);
+
+// Understood: a module's declarations (tooldata, wobjdata, speeddata, zonedata, robtarget,
+// jointtarget as literals or by name, before their use), one procedure, MoveL, MoveJ, MoveAbsJ,
+// SetDO, SetAO, WaitTime, ConfL\Off, ConfJ\Off, AccSet, TPErase, TPWrite, Load, UnLoad and the call
+// of what was loaded; statements over any lines, comments, letters of either case, v5..v7000,
+// z0..z200. Everything else is a defect, and so are line ends other than CR LF, external axes, a
+// quaternion off its length and a tool or work object that does not fit the other. Where turning
+// takes longer than the way (v_ori), the motion's time is that. `complete`: every module was ended
+// and run, the extruder's outputs off behind its last motion.
+plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
+                            const process::Process& process, const base::RunContext& ctx);
+bool looksLikeRapid(std::string_view text);
+
+} // namespace voluta::program

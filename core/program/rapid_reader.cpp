@@ -1,0 +1,722 @@
+#include "base/units.h"
+#include "program/rapid.h"
+#include "program/text.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace voluta::program {
+
+namespace {
+constexpr double kUnused = 9e9; // an external axis that is none
+constexpr double kMostMm = 1e5, kMostDegrees = 6000.0, kMostSeconds = 1e5;
+constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
+constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+enum class TokenKind { End, Name, Number, Text, Mark };
+
+struct Token {
+  TokenKind kind = TokenKind::End;
+  std::string_view text; // of Text: without its quotes
+  double number = 0.0;
+  std::size_t line = 1;
+  const char* begin = nullptr;
+};
+
+// Words, numbers, strings and single marks of a module; comments and blanks fall out.
+class Tokens {
+public:
+  explicit Tokens(std::string_view text) : rest_(text) {}
+
+  Token next() {
+    blanks();
+    Token token;
+    token.line = line_;
+    token.begin = rest_.data();
+    if (rest_.empty())
+      return token;
+    const std::string_view before = rest_;
+    if (isLetter(rest_.front())) {
+      token.kind = TokenKind::Name;
+      while (!rest_.empty() && (isLetter(rest_.front()) || isDigit(rest_.front())))
+        rest_.remove_prefix(1);
+      token.text = before.substr(0, before.size() - rest_.size());
+    } else if (rest_.front() == '"' && quoted(token)) {
+      token.kind = TokenKind::Text;
+    } else if (takeNumber(rest_, token.number)) {
+      token.kind = TokenKind::Number;
+    } else {
+      token.kind = TokenKind::Mark;
+      token.text = rest_.substr(0, 1);
+      rest_.remove_prefix(1);
+    }
+    return token;
+  }
+
+private:
+  static bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  }
+  static bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+  void blanks() {
+    bool comment = false;
+    while (!rest_.empty()) {
+      const char c = rest_.front();
+      if (c == '\n') {
+        ++line_;
+        comment = false;
+      } else if (c == '!') {
+        comment = true;
+      } else if (!comment && c != ' ' && c != '\t' && c != '\r') {
+        return;
+      }
+      rest_.remove_prefix(1);
+    }
+  }
+  bool quoted(Token& token) {
+    const std::size_t end = rest_.find_first_of("\"\n", 1);
+    if (end == std::string_view::npos || rest_[end] == '\n')
+      return false;
+    token.text = rest_.substr(1, end - 1);
+    rest_.remove_prefix(end + 1);
+    return true;
+  }
+
+  std::string_view rest_;
+  std::size_t line_ = 1;
+};
+
+// A literal as its numbers in order and its shape: n number, b truth, s string ("" is 0, else 1).
+struct Data {
+  std::string shape;
+  std::vector<double> numbers;
+};
+
+const std::map<std::string, std::string_view, std::less<>>& shapes() {
+  static const std::map<std::string, std::string_view, std::less<>> table = {
+      {"speeddata", "[nnnn]"},
+      {"zonedata", "[bnnnnnn]"},
+      {"robtarget", "[[nnn][nnnn][nnnn][nnnnnn]]"},
+      {"jointtarget", "[[nnnnnn][nnnnnn]]"},
+      {"tooldata", "[b[[nnn][nnnn]][n[nnn][nnnn]nnn]]"},
+      {"wobjdata", "[bbs[[nnn][nnnn]][[nnn][nnnn]]]"},
+  };
+  return table;
+}
+
+// What every controller declares by itself: v5..v7000, fine, z0..z200, tool0, wobj0. `name` in
+// small letters.
+std::optional<Data> predeclared(std::string_view type, std::string_view name) {
+  const auto named = [&](char letter, auto& sizes) -> double {
+    double value = 0.0;
+    const bool known = name.size() > 1 && name.front() == letter &&
+                       parseNumber(name.substr(1), value) &&
+                       std::find(std::begin(sizes), std::end(sizes), value) != std::end(sizes);
+    return known ? value : -1.0;
+  };
+  static constexpr double kSpeeds[] = {5,    10,   20,   30,   40,   50,   60,  80,   100,
+                                       150,  200,  300,  400,  500,  600,  800, 1000, 1500,
+                                       2000, 2500, 3000, 4000, 5000, 6000, 7000};
+  static constexpr double kZones[] = {0, 1, 5, 10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200};
+  if (type == "speeddata") {
+    if (const double v = named('v', kSpeeds); v > 0.0)
+      return Data{"[nnnn]", {v, 500, 5000, 1000}};
+  } else if (type == "zonedata") {
+    if (name == "fine")
+      return Data{"[bnnnnnn]", {1, 0, 0, 0, 0, 0, 0}};
+    if (const double z = named('z', kZones); z >= 0.0) {
+      const double tcp = z > 0.0 ? z : 0.3, turn = z > 1.0 ? 1.5 * z : tcp;
+      return Data{"[bnnnnnn]", {0, tcp, turn, turn, 0.1 * turn, turn, 0.1 * turn}};
+    }
+  } else if (type == "tooldata" && name == "tool0") {
+    return Data{"", {1, 0, 0, 0, 1, 0, 0, 0}};
+  } else if (type == "wobjdata" && name == "wobj0") {
+    return Data{"", {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}};
+  }
+  return std::nullopt;
+}
+
+class RapidReader {
+public:
+  RapidReader(const process::Process& process, const base::RunContext& ctx)
+      : process_(process), ctx_(ctx), defects_(out_.defects) {
+    out_.format = "rapid";
+  }
+
+  plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    bool complete = true;
+    for (file_ = 0; file_ < files.size(); ++file_) {
+      ctx_.checkpoint();
+      const plan::ProgramFile& file = files[file_];
+      line_ = 1;
+      complete = linesEnd(file.text) && complete;
+      if (isList(file.text))
+        complete = readList(file.text, files) && complete;
+      else
+        complete = readModule(file) && complete;
+    }
+    file_ = files.empty() ? 0 : files.size() - 1;
+    if (modules_ == 0 || modules_ - 1 < calls_.size()) {
+      defect(modules_ == 0
+                 ? "there is no module"
+                 : joined({"the module with ", calls_[modules_ - 1].procedure, " is not here"}));
+      complete = false;
+    }
+    out_.complete = complete;
+    return std::move(out_);
+  }
+
+private:
+  struct Call {
+    std::string procedure, file;
+  };
+  struct Declared {
+    std::string type;
+    Data data;
+  };
+
+  void defect(std::string reason) { defects_.add(file_, line_, std::move(reason)); }
+
+  // Every line ends with CR LF; the first that doesn't is told. false: the last one has no end.
+  bool linesEnd(std::string_view text) {
+    bool told = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const bool lf = text[i] == '\n', cr = text[i] == '\r';
+      const bool pair =
+          lf ? i > 0 && text[i - 1] == '\r' : !cr || (i + 1 < text.size() && text[i + 1] == '\n');
+      if (!pair && !told)
+        defect("a line does not end with CR LF");
+      told = told || !pair;
+      line_ += lf ? 1 : 0;
+    }
+    const bool ended = !text.empty() && text.back() == '\n';
+    if (!ended)
+      defect("the last line has no end: the file was cut short");
+    return ended;
+  }
+
+  // ---- the list of modules (.pgf)
+
+  static bool isList(std::string_view text) { return text.starts_with("<?xml"); }
+
+  bool readList(std::string_view text, const std::vector<plan::ProgramFile>& files) {
+    LineReader lines(text);
+    std::string_view line;
+    bool open = false, closed = false;
+    while (lines.next(line)) {
+      line_ = lines.number();
+      line = trimmed(line);
+      constexpr std::string_view kBegin = "<Module>", kEnd = "</Module>";
+      if (line_ == 1 || line.empty())
+        continue;
+      if (line == "<Program>" && !open) {
+        open = true;
+      } else if (line == "</Program>" && open && !closed) {
+        closed = true;
+      } else if (open && !closed && line.starts_with(kBegin) && line.ends_with(kEnd)) {
+        line.remove_prefix(kBegin.size());
+        line.remove_suffix(std::min(line.size(), kEnd.size()));
+        if (std::none_of(files.begin(), files.end(),
+                         [&](const auto& f) { return f.name.ends_with(line); }))
+          defect(joined({"the module ", line.substr(0, 60), " is not here"}));
+      } else {
+        defect(joined({"not understood: '", line.substr(0, 60), "'"}));
+      }
+    }
+    if (!closed)
+      defect("the list of modules has no end");
+    return closed;
+  }
+
+  // ---- structure
+
+  void advance() { token_ = tokens_.next(); }
+  bool isMark(char c) const { return token_.kind == TokenKind::Mark && token_.text.front() == c; }
+  bool takeMark(char c) {
+    if (!isMark(c))
+      return false;
+    advance();
+    return true;
+  }
+  bool isWord(std::string_view word) const {
+    return token_.kind == TokenKind::Name && lower(token_.text) == word;
+  }
+  bool takeWord(std::string_view word) {
+    if (!isWord(word))
+      return false;
+    advance();
+    return true;
+  }
+  bool takeName(std::string& name) {
+    if (token_.kind != TokenKind::Name)
+      return false;
+    name = lower(token_.text);
+    advance();
+    return true;
+  }
+  bool takeText(std::string& text) {
+    if (token_.kind != TokenKind::Text)
+      return false;
+    text = token_.text;
+    advance();
+    return true;
+  }
+  bool takeNumberToken(double& value) {
+    if (token_.kind != TokenKind::Number)
+      return false;
+    value = token_.number;
+    advance();
+    return true;
+  }
+  bool takeAssign() { return takeMark(':') && takeMark('='); }
+
+  bool readModule(const plan::ProgramFile& file) {
+    tokens_ = Tokens(file.text);
+    textEnd_ = file.text.data() + file.text.size();
+    advance();
+    on_.reset();
+    flow_.reset();
+    off_ = zero_ = procedure_ = procedureEnded_ = false;
+    std::string name;
+    line_ = token_.line;
+    bool runs = false, ended = false;
+    if (!takeWord("module") || !takeName(name))
+      defect("a module begins with MODULE and its name");
+    if (!attributes())
+      defect("not a module's attributes");
+    while (!ended && token_.kind != TokenKind::End) {
+      line_ = token_.line;
+      if (takeWord("endmodule"))
+        ended = true;
+      else if (takeWord("proc"))
+        runs = procedure(file.name) || runs;
+      else if (isWord("pers") || isWord("const") || isWord("var") || isWord("local"))
+        whole([&] { return declaration(); });
+      else if (takeWord("endproc"))
+        defect("ENDPROC closes no procedure");
+      else
+        whole([&] { return fail("a statement outside the procedure"); });
+    }
+    line_ = token_.line;
+    if (ended && token_.kind != TokenKind::End)
+      defect("text behind ENDMODULE");
+    if (!ended)
+      defect("ENDMODULE is missing: the file was cut short");
+    if (!procedure_)
+      defect("the module has no procedure");
+    if (!off_ || !zero_)
+      defect("the extruder is not set off behind the last motion");
+    if (!loaded_.empty())
+      defect(joined({"'", loaded_, "' is not unloaded"}));
+    ++modules_;
+    return ended && procedureEnded_ && runs && off_ && zero_ && loaded_.empty();
+  }
+
+  // (NOSTEPIN, VIEWONLY) and the like, behind a module's name.
+  bool attributes() {
+    if (!takeMark('('))
+      return true;
+    std::string name;
+    do {
+      if (!takeName(name))
+        return false;
+    } while (takeMark(','));
+    return takeMark(')');
+  }
+
+  // Behind PROC. Is it the one that runs now?
+  bool procedure(std::string_view file) {
+    std::string name;
+    bool runs = takeName(name) && takeMark('(') && takeMark(')');
+    if (!runs)
+      defect("not the head of a procedure");
+    if (procedure_)
+      defect("a second procedure; only one is read");
+    if (runs && modules_ == 0 && name != "main") {
+      defect("the first module has no procedure main");
+      runs = false;
+    }
+    if (runs && modules_ > 0 &&
+        (modules_ - 1 >= calls_.size() || calls_[modules_ - 1].procedure != name ||
+         !file.ends_with(calls_[modules_ - 1].file))) {
+      defect("this module is not the one that main runs next");
+      runs = false;
+    }
+    procedure_ = true;
+    while (token_.kind != TokenKind::End && !isWord("endmodule")) {
+      line_ = token_.line;
+      if (takeWord("endproc")) {
+        procedureEnded_ = true;
+        return runs;
+      }
+      if (++statements_ % 4096 == 0)
+        ctx_.checkpoint();
+      whole([&] { return statement(); });
+    }
+    procedureEnded_ = false;
+    line_ = token_.line;
+    defect("the procedure has no ENDPROC");
+    return runs;
+  }
+
+  bool fail(std::string reason) {
+    reason_ = std::move(reason);
+    return false;
+  }
+  bool takeEnd() {
+    closed_ = takeMark(';');
+    return closed_;
+  }
+
+  // Runs the parser of one statement; where it fails, says why and goes on behind the semicolon.
+  template <typename Parse> void whole(Parse parse) {
+    const char* begin = token_.begin;
+    reason_.clear();
+    closed_ = false;
+    if (parse())
+      return;
+    if (reason_.empty()) {
+      const std::string_view code(begin, static_cast<std::size_t>(textEnd_ - begin));
+      reason_ =
+          joined({"not understood: '",
+                  code.substr(0, std::min<std::size_t>(60, code.find_first_of("\r\n"))), "'"});
+    }
+    defect(std::move(reason_));
+    while (!closed_ && token_.kind != TokenKind::End && !isWord("endproc") &&
+           !isWord("endmodule")) {
+      closed_ = isMark(';');
+      advance();
+    }
+  }
+
+  // ---- values
+
+  bool literal(Data& data, std::size_t depth = 0) {
+    if (data.numbers.size() >= kMostNumbers || depth > kMostDepth)
+      return false;
+    if (takeMark('[')) {
+      data.shape += '[';
+      do {
+        if (!literal(data, depth + 1))
+          return false;
+      } while (takeMark(','));
+      data.shape += ']';
+      return takeMark(']');
+    }
+    double value = 0.0;
+    if (takeNumberToken(value)) {
+      data.shape += 'n';
+    } else if (token_.kind == TokenKind::Text) {
+      value = token_.text.empty() ? 0.0 : 1.0;
+      data.shape += 's';
+      advance();
+    } else if (isWord("true") || isWord("false")) {
+      value = isWord("true") ? 1.0 : 0.0;
+      data.shape += 'b';
+      advance();
+    } else {
+      return false;
+    }
+    data.numbers.push_back(value);
+    return true;
+  }
+
+  // A literal or a name of this type.
+  bool value(std::string_view type, Data& data) {
+    if (std::string name; takeName(name)) {
+      if (const auto known = declared_.find(name); known != declared_.end()) {
+        data = known->second.data;
+        return known->second.type == type ||
+               fail(joined({"'", name.substr(0, 40), "' is no ", type}));
+      }
+      if (auto given = predeclared(type, name)) {
+        data = std::move(*given);
+        return true;
+      }
+      return fail(joined({"'", name.substr(0, 40), "' is not declared as ", type}));
+    }
+    data = {};
+    return literal(data) && (data.shape == shapes().find(type)->second ||
+                             fail(joined({"a ", type, " has other parts"})));
+  }
+
+  bool declaration() {
+    takeWord("local");
+    if (!takeWord("pers") && !takeWord("const") && !takeWord("var"))
+      return false;
+    std::string type, name;
+    if (!takeName(type) || !takeName(name))
+      return false;
+    if (shapes().find(type) == shapes().end())
+      return fail(joined({"data of the type ", type.substr(0, 40), " is not known to the reader"}));
+    Data data;
+    if (!takeAssign() || !value(type, data) || !takeEnd())
+      return false;
+    // Both say whether the robot holds it; what it holds must be the tool.
+    if (type == "tooldata" && data.numbers[0] != 1.0)
+      return fail("a tool that the robot does not hold is not read");
+    if (type == "wobjdata" &&
+        (data.numbers[0] != 0.0 || data.numbers[1] != 1.0 || data.numbers[2] != 0.0))
+      return fail("a work object that moves is not read");
+    return declared_.try_emplace(std::move(name), Declared{type, std::move(data)}).second ||
+           fail("a name is declared twice");
+  }
+
+  // Position and turn from numbers[at].
+  bool poseOf(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose) {
+    const Eigen::Vector3d mm(numbers[at], numbers[at + 1], numbers[at + 2]);
+    const Eigen::Quaterniond turn(numbers[at + 3], numbers[at + 4], numbers[at + 5],
+                                  numbers[at + 6]);
+    if (!(mm.cwiseAbs().maxCoeff() <= kMostMm))
+      return fail("a position far outside any robot's reach");
+    if (!(std::abs(turn.norm() - 1.0) <= kTurnTolerance))
+      return fail("a quaternion whose length is not 1");
+    pose = Eigen::Isometry3d::Identity();
+    pose.linear() = turn.normalized().toRotationMatrix();
+    pose.translation() = mm;
+    return true;
+  }
+
+  // ---- statements
+
+  bool statement() {
+    if (isMark('%'))
+      return call();
+    std::string word;
+    if (!takeName(word))
+      return false;
+    if (word == "movel" || word == "movej" || word == "moveabsj")
+      return motion(word);
+    if (word == "setdo")
+      return output("doextruder", [&](double v) { return digital(v); });
+    if (word == "setao")
+      return output("aoflow", [&](double v) { return analogue(v); });
+    if (word == "confl" || word == "confj")
+      return supervision(word == "confl" ? linearOff_ : jointOff_);
+    if (word == "load" || word == "unload")
+      return load(word == "load");
+    double number = 0.0;
+    std::string text;
+    if (word == "waittime")
+      return takeNumberToken(number) && takeEnd() &&
+             (number >= 0.0 || fail("WaitTime needs its seconds"));
+    if (word == "accset")
+      return takeNumberToken(number) && takeMark(',') && takeNumberToken(number) && takeEnd();
+    if (word == "tperase")
+      return takeEnd();
+    if (word == "tpwrite")
+      return takeText(text) && takeEnd();
+    return fail(joined({"'", word.substr(0, 40), "' is not known to the reader"}));
+  }
+
+  template <typename Take> bool output(std::string_view signal, Take take) {
+    std::string name;
+    double value = 0.0;
+    if (!takeName(name) || !takeMark(',') || !takeNumberToken(value) || !takeEnd())
+      return false;
+    return name != signal || take(value);
+  }
+  bool digital(double value) {
+    if (value != 0.0 && value != 1.0)
+      return fail("a digital output is 0 or 1");
+    on_ = value == 1.0;
+    off_ = !*on_;
+    return true;
+  }
+  bool analogue(double value) {
+    if (!(value >= 0.0 && value <= 1.0))
+      return fail("an analogue output outside 0..1");
+    flow_ = value;
+    zero_ = value == 0.0;
+    return true;
+  }
+
+  bool supervision(bool& off) {
+    std::string state;
+    if (!takeMark('\\') || !takeName(state) || !takeEnd())
+      return false;
+    off = state == "off";
+    return off || state == "on";
+  }
+
+  // Load\Dynamic,"HOME:"\File:="part_1.mod"; its procedure is then called by %"name"%.
+  bool load(bool loads) {
+    std::string folder, file;
+    if (loads && takeMark('\\') && (!takeWord("dynamic") || !takeMark(',')))
+      return false;
+    if (!takeText(folder) || !takeMark('\\') || !takeWord("file") || !takeAssign() ||
+        !takeText(file) || !takeEnd())
+      return false;
+    if (loads && !loaded_.empty())
+      return fail(joined({"'", loaded_, "' is not unloaded"}));
+    if (!loads && (loaded_ != file || !called_))
+      return fail("what is unloaded was not loaded and run");
+    loaded_ = loads ? file : "";
+    called_ = false;
+    return !file.empty();
+  }
+  bool call() {
+    std::string name;
+    if (!takeMark('%') || !takeText(name) || !takeMark('%') || !takeEnd())
+      return false;
+    if (loaded_.empty() || called_ || modules_ > 0)
+      return fail("a call of what was not loaded");
+    called_ = true;
+    calls_.push_back({lower(name), loaded_});
+    return true;
+  }
+
+  bool motion(const std::string& word) {
+    const bool absolute = word == "moveabsj";
+    plan::ProgramMotion m;
+    m.file = file_;
+    m.line = line_;
+    m.jointInterpolated = word != "movel";
+    Data target, speed, zone, tool;
+    Data object = *predeclared("wobjdata", "wobj0");
+    if (!value(absolute ? "jointtarget" : "robtarget", target))
+      return false;
+    if (absolute && takeMark('\\') && !takeWord("noeoffs"))
+      return false;
+    if (!takeMark(',') || !value("speeddata", speed))
+      return false;
+    const bool timed = takeMark('\\');
+    if (timed && (!takeWord("t") || !takeAssign() || !takeNumberToken(m.durationS)))
+      return false;
+    if (!takeMark(',') || !value("zonedata", zone) || !takeMark(',') || !value("tooldata", tool))
+      return false;
+    if (takeMark('\\') && (!takeWord("wobj") || !takeAssign() || !value("wobjdata", object)))
+      return false;
+    if (!takeEnd())
+      return false;
+    if (std::any_of(target.numbers.end() - 6, target.numbers.end(),
+                    [](double external) { return external != kUnused; }))
+      return fail("external axes are not read");
+    if (!targetOf(m, target.numbers, tool.numbers, object.numbers) || !zoneOf(m, zone.numbers) ||
+        !speedOf(m, speed.numbers, timed))
+      return false;
+    if (!absolute && !(m.jointInterpolated ? jointOff_ : linearOff_))
+      defect("the arm's configuration is supervised: ConfL\\Off, ConfJ\\Off");
+    if (!on_ || !flow_)
+      defect("the extruder's outputs are not set before this motion");
+    on_ = on_.value_or(false);
+    flow_ = flow_.value_or(0.0);
+    m.extruding = *on_;
+    m.flowMm3PerS = *on_ ? *flow_ * process_.maxFlowMm3PerS : 0.0;
+    off_ = zero_ = false;
+    last_ = absolute ? std::nullopt : std::optional(m.base_T_tcp);
+    out_.motions.push_back(std::move(m));
+    return true;
+  }
+
+  bool targetOf(plan::ProgramMotion& m, const std::vector<double>& target,
+                const std::vector<double>& tool, const std::vector<double>& object) {
+    Eigen::Isometry3d tcp, user, frame, pose;
+    if (!poseOf(tool, 1, tcp) || !poseOf(object, 3, user) || !poseOf(object, 10, frame))
+      return false;
+    if (target.size() == 12) {
+      m.target = plan::TargetKind::Joints;
+      for (std::size_t k = 0; k < 6; ++k) {
+        if (!(std::abs(target[k]) <= kMostDegrees))
+          return fail("a joint value far outside any limit");
+        m.joints.push_back(base::degreesToRadians(target[k]));
+      }
+    } else {
+      if (!poseOf(target, 0, pose))
+        return false;
+      for (std::size_t k = 7; k < 11; ++k)
+        if (!(std::abs(target[k]) <= 100.0 && target[k] == std::floor(target[k])))
+          return fail("a configuration is whole quarters of a turn");
+      m.target = plan::TargetKind::FlangePose;
+      m.base_T_tcp = user * frame * pose;
+    }
+    if (toolSet_ && !tcp.isApprox(out_.flange_T_tcp, 1e-9))
+      return fail("a second, different tool");
+    out_.flange_T_tcp = tcp;
+    toolSet_ = true;
+    return true;
+  }
+
+  bool zoneOf(plan::ProgramMotion& m, const std::vector<double>& zone) {
+    for (std::size_t k = 1; k < 7; ++k)
+      if (!(zone[k] >= 0.0 && zone[k] <= kMostMm))
+        return fail("a zone is no sensible number");
+    if (zone[0] == 1.0)
+      return true;
+    if (zone[2] < zone[1] || zone[3] < zone[1])
+      return fail("a zone of the turn or the external axes inside the TCP's");
+    m.blendMm = zone[1];
+    return true;
+  }
+
+  bool speedOf(plan::ProgramMotion& m, const std::vector<double>& speed, bool timed) {
+    for (const double v : speed)
+      if (!(v > 0.0 && v <= kMostMm))
+        return fail("a speed is no sensible number");
+    if (timed)
+      return (m.durationS > 0.0 && m.durationS <= kMostSeconds) ||
+             fail("a time is no sensible number");
+    m.speedMmPerS = speed[0];
+    if (m.jointInterpolated || !last_)
+      return true;
+    const double way = (m.base_T_tcp.translation() - last_->translation()).norm() / speed[0];
+    const double turn =
+        base::radiansToDegrees(Eigen::Quaterniond(m.base_T_tcp.linear())
+                                   .angularDistance(Eigen::Quaterniond(last_->linear())));
+    if (turn / speed[1] > way + 1e-9) {
+      m.durationS = turn / speed[1];
+      m.speedMmPerS = 0.0;
+    }
+    return true;
+  }
+
+  const process::Process& process_;
+  const base::RunContext& ctx_;
+  plan::ReadProgram out_;
+  Defects defects_;
+  std::size_t file_ = 0, line_ = 0, modules_ = 0, statements_ = 0;
+  Tokens tokens_{{}};
+  Token token_;
+  const char* textEnd_ = nullptr;
+  std::string reason_;
+  bool closed_ = false; // the statement's semicolon was taken
+  std::map<std::string, Declared, std::less<>> declared_;
+  std::vector<Call> calls_; // by main, in order
+  std::string loaded_;      // file
+  bool called_ = false;     // what is loaded
+  bool procedure_ = false, procedureEnded_ = false, linearOff_ = false, jointOff_ = false;
+  bool toolSet_ = false;
+  std::optional<Eigen::Isometry3d> last_; // base_T_tcp of the last motion, where it is known
+  std::optional<bool> on_;
+  std::optional<double> flow_;      // 0..1
+  bool off_ = false, zero_ = false; // the outputs, since the last motion
+};
+
+} // namespace
+
+plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
+                            const process::Process& process, const base::RunContext& ctx) {
+  return RapidReader(process, ctx).read(files);
+}
+
+bool looksLikeRapid(std::string_view text) {
+  const std::string_view head = text.substr(0, 16384);
+  if (head.starts_with("<?xml"))
+    return head.find("<Program>") != std::string_view::npos;
+  return lower(Tokens(head).next().text) == "module";
+}
+
+} // namespace voluta::program

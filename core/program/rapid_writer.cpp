@@ -1,0 +1,345 @@
+#include "base/units.h"
+#include "program/dialect.h"
+#include "program/motion_targets.h"
+#include "program/rapid.h"
+#include "program/tcp_motions.h"
+#include "program/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace voluta::program {
+
+namespace {
+constexpr std::string_view kNewLine = "\r\n";
+// 1e-8 of a quaternion moves a point of the part 300 mm off by 0.000006 mm.
+constexpr int kPositionDecimals = 4, kTurnDecimals = 8, kFrameDecimals = 6, kFrameTurnDecimals = 9;
+constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZoneDecimals = 3;
+constexpr double kStartMmPerS = 100.0;
+// Of the controller's own v10..v7000.
+constexpr double kTurnDegPerS = 500.0;
+// A module without a place where the extruder is off is cut at this many motions.
+constexpr std::size_t kMostMotions = kMotionsPerModule + kMotionsPerModule / 10;
+constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
+
+// No name of the controller's own language and data begins like this.
+std::string moduleName(const std::string& name, std::size_t part) {
+  std::string id = joined({"print_", name.substr(0, 20)});
+  if (part > 0)
+    id += joined({"_", std::to_string(part)});
+  return id;
+}
+
+class RapidWriter {
+public:
+  RapidWriter(const ProgramInput& input, const base::RunContext& ctx)
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
+        paths_(input.toolPlan), name_(identifierOf(input.name)),
+        tool_(heldPlate() ? "tPlate" : "tNozzle") {
+    program_.format = "rapid";
+    program_.foreign = isForeign(findDialect("rapid"), input.cell);
+  }
+
+  plan::Program write() {
+    placeInWorkObject();
+    findCuts();
+    const bool oneModule = cuts_.size() == 2;
+    beginMain();
+    if (!oneModule) {
+      for (std::size_t part = 1; part < cuts_.size(); ++part)
+        callModule(part);
+      outputsOff();
+      endModule(0);
+    }
+    for (std::size_t part = 1; part < cuts_.size(); ++part) {
+      if (!oneModule)
+        beginModule(part);
+      for (std::size_t i = cuts_[part - 1]; i < cuts_[part]; ++i) {
+        if (i % 4096 == 0)
+          ctx_.report(static_cast<double>(i) / static_cast<double>(targets_.size()), "rapid");
+        motion(i, i + 1 == cuts_[part]);
+        if (i == 0)
+          prime();
+      }
+      line("    ! end");
+      outputsOff();
+      endModule(oneModule ? 0 : part);
+    }
+    listOfModules();
+    return std::move(program_);
+  }
+
+private:
+  bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
+
+  void line(std::string_view text) {
+    out_ += text;
+    out_ += kNewLine;
+  }
+  void number(double value, int decimals, bool trim = true) {
+    appendFixed(out_, value, decimals, trim);
+  }
+  void position(const Eigen::Vector3d& mm, int decimals) {
+    for (int k = 0; k < 3; ++k) {
+      out_ += k ? ',' : '[';
+      number(mm[k], decimals);
+    }
+    out_ += ']';
+  }
+  void turn(const Eigen::Quaterniond& q, int decimals) {
+    const double sign = q.w() < 0.0 ? -1.0 : 1.0;
+    const std::array<double, 4> parts = {q.w(), q.x(), q.y(), q.z()};
+    for (std::size_t k = 0; k < 4; ++k) {
+      out_ += k ? ',' : '[';
+      number(sign * parts[k], decimals);
+    }
+    out_ += ']';
+  }
+  void frame(const Eigen::Isometry3d& pose) {
+    out_ += '[';
+    position(pose.translation(), kFrameDecimals);
+    out_ += ',';
+    turn(Eigen::Quaterniond(pose.linear()), kFrameTurnDecimals);
+    out_ += ']';
+  }
+
+  Eigen::Isometry3d workObject() const {
+    return heldPlate() ? Eigen::Isometry3d::Identity() : in_.cell.base_T_fixed();
+  }
+  void placeInWorkObject() {
+    const Eigen::Isometry3d object_T_base = workObject().inverse();
+    const Eigen::Quaterniond turn(object_T_base.linear());
+    for (MotionTarget& target : targets_) {
+      target.tcpMm = object_T_base * target.tcpMm;
+      target.tcpTurn = (turn * target.tcpTurn).normalized();
+      for (int k = 0; k < 3; ++k)
+        target.tcpMm[k] = roundedTo(target.tcpMm[k], kPositionDecimals);
+    }
+  }
+
+  // cuts_[k - 1] .. cuts_[k] are the points of module k.
+  void findCuts() {
+    cuts_ = {0};
+    for (std::size_t i = 1; i < targets_.size(); ++i) {
+      const std::size_t count = i - cuts_.back();
+      if (count >= kMostMotions || (count >= kMotionsPerModule && !isPrint(in_.trajectory, i)))
+        cuts_.push_back(i);
+    }
+    cuts_.push_back(targets_.size());
+  }
+
+  std::string fileName(std::size_t part) const {
+    return part == 0 ? name_ + ".mod" : joined({name_, "_", std::to_string(part), ".mod"});
+  }
+
+  void beginMain() {
+    line(joined({"MODULE ", moduleName(name_, 0)}));
+    about();
+    declareTool();
+    out_ += "  PERS wobjdata wPrint:=[FALSE,TRUE,\"\",";
+    frame(workObject());
+    out_ += ",[[0,0,0],[1,0,0,0]]];";
+    out_ += kNewLine;
+    line("  PROC main()");
+    line("    ConfL\\Off;");
+    line("    ConfJ\\Off;");
+    outputsOff();
+  }
+  void beginModule(std::size_t part) {
+    line(joined({"MODULE ", moduleName(name_, part)}));
+    line(joined({"  PROC ", procedureName(part), "()"}));
+    outputsOff();
+  }
+  static std::string procedureName(std::size_t part) {
+    return joined({"runPart", std::to_string(part)});
+  }
+  void endModule(std::size_t part) {
+    line("  ENDPROC");
+    line("ENDMODULE");
+    program_.files.push_back({fileName(part), std::move(out_)});
+    out_.clear();
+  }
+  void callModule(std::size_t part) {
+    const std::string file = joined({"\"HOME:\"\\File:=\"", fileName(part), "\";"});
+    line(joined({"    Load\\Dynamic,", file}));
+    line(joined({"    %\"", procedureName(part), "\"%;"}));
+    line(joined({"    UnLoad ", file}));
+  }
+  void listOfModules() {
+    line("<?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>");
+    line("<Program>");
+    line(joined({"\t<Module>", fileName(0), "</Module>"}));
+    line("</Program>");
+    program_.files.push_back({name_ + ".pgf", std::move(out_)});
+  }
+
+  void about() {
+    const robot::Cell& cell = in_.cell;
+    const process::Process& p = in_.process;
+    line("  ! Robot program for printing, RAPID");
+    if (program_.foreign)
+      line("  ! FOREIGN: not the language of the cell's controller; Cartesian targets only");
+    line(joined({"  ! cell ", cell.id(), ", robot ", cell.robot().id, ", process ", p.id, " (",
+                 p.material, ")"}));
+    line(heldPlate() ? "  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in "
+                       "the robot's base"
+                     : "  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's "
+                       "work object");
+    out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
+    number(p.maxFlowMm3PerS, 3);
+    line(" mm3/s");
+    out_ += joined({"  ! ", std::to_string(targets_.size()), " motions, "});
+    number(in_.trajectory.extrudedMm3.back(), 1);
+    out_ += " mm3, ";
+    number(in_.trajectory.timeS.back(), 1);
+    line(" s");
+    if (cuts_.size() > 2)
+      line("  ! the modules that it loads are to be put into HOME:");
+  }
+
+  void declareTool() {
+    const Eigen::Isometry3d& tcp = in_.cell.flange_T_moved();
+    line(heldPlate() ? "  ! load assumed: 0.5 kg of plate, and the part"
+                     : "  ! load assumed: 1 kg of head");
+    out_ += joined({"  PERS tooldata ", tool_, ":=[TRUE,"});
+    frame(tcp);
+    out_ += ",[";
+    number(assumedLoadKg(in_), 3);
+    out_ += ',';
+    position(tcp.translation(), 1);
+    out_ += ",[1,0,0,0],0,0,0]];";
+    out_ += kNewLine;
+  }
+
+  void outputsOff() {
+    on_ = false;
+    flowText_.clear();
+    line("    SetDO doExtruder,0;");
+    line("    SetAO aoFlow,0;");
+  }
+  void flow(double mm3PerS) {
+    const double share = std::clamp(mm3PerS / in_.process.maxFlowMm3PerS, 0.0, 1.0);
+    std::string text;
+    appendFixed(text, share, decimalsFor(share, 4), true);
+    if (text != flowText_) {
+      line(joined({"    SetAO aoFlow,", text, ";"}));
+      flowText_ = std::move(text);
+    }
+  }
+  void extruder(bool on) {
+    if (on != on_)
+      line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
+    on_ = on;
+  }
+  void prime() {
+    if (!(in_.process.primeS > 0.0) || in_.trajectory.extrudedMm3.back() <= 0.0)
+      return;
+    line("    ! prime");
+    flow(primeFlowMm3PerS(in_.process));
+    extruder(true);
+    out_ += "    WaitTime ";
+    number(in_.process.primeS, 3);
+    line(";");
+    extruder(false);
+    line("    ! print");
+  }
+
+  void motion(std::size_t i, bool lastOfModule) {
+    const plan::Trajectory& t = in_.trajectory;
+    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
+      line(joined({"    ! ", path}));
+    if (isPrint(t, i)) {
+      const double s = motions_.seconds(i);
+      flow(s > 0.0 ? motionVolumeMm3(t, i) / s : 0.0);
+      extruder(true);
+    } else {
+      extruder(false);
+    }
+    const bool joint = i == 0 || t.move[i] == plan::MoveKind::Joint;
+    if (joint && !program_.foreign) {
+      out_ += "    MoveAbsJ [";
+      for (int k = 0; k < t.dof; ++k) {
+        out_ += k ? ',' : '[';
+        number(base::radiansToDegrees(t.at(i)[k]), kDegreeDecimals);
+      }
+      out_ += joined({"],", kNoExternals, "]\\NoEOffs"});
+    } else {
+      out_ += joint ? "    MoveJ [" : "    MoveL [";
+      position(targets_[i].tcpMm, kPositionDecimals);
+      out_ += ',';
+      turn(targets_[i].tcpTurn, kTurnDecimals);
+      configuration(i);
+      out_ += joined({kNoExternals, "]"});
+    }
+    speed(i, joint);
+    zone(joint || lastOfModule ? 0.0 : motions_.blendMm(i));
+    line(joined({",", tool_, "\\WObj:=wPrint;"}));
+  }
+
+  // Quarters of a turn of axes 1, 4 and 6; another maker's axes say nothing here.
+  void configuration(std::size_t i) {
+    out_ += ",[";
+    for (const int axis : {0, 3, 5}) {
+      const bool known = !program_.foreign && axis < in_.trajectory.dof;
+      const double quarters =
+          known ? std::floor(in_.trajectory.at(i)[axis] / (0.5 * base::kPi)) : 0.0;
+      number(quarters, 0);
+      out_ += ',';
+    }
+    out_ += "0],";
+  }
+
+  void speed(std::size_t i, bool joint) {
+    const double s = joint ? motionSeconds(in_.trajectory, i) : motions_.seconds(i);
+    const bool timed = s > 0.0 && (joint || motions_.needsTime(i));
+    double mmPerS = i == 0 ? kStartMmPerS : in_.process.travelSpeedMmPerS;
+    double degPerS = kTurnDegPerS;
+    if (s > 0.0 && !timed) {
+      mmPerS = motions_.speedMmPerS(i);
+      // The turn must not be what the motion waits for.
+      const double turnRad = targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn);
+      degPerS = std::max(degPerS, std::ceil(1.05 * base::radiansToDegrees(turnRad) / s));
+    }
+    out_ += ",[";
+    number(mmPerS, kSpeedDecimals);
+    out_ += ',';
+    number(degPerS, 0);
+    out_ += ",5000,1000]";
+    if (timed) {
+      out_ += "\\T:=";
+      number(s, kSecondDecimals);
+    }
+  }
+
+  void zone(double radiusMm) {
+    if (!(radiusMm > 0.0)) {
+      out_ += ",fine";
+      return;
+    }
+    out_ += ",[FALSE";
+    for (int k = 0; k < 3; ++k) {
+      out_ += ',';
+      number(radiusMm, kZoneDecimals);
+    }
+    out_ += ",1,1,1]";
+  }
+
+  const ProgramInput& in_;
+  const base::RunContext& ctx_;
+  std::vector<MotionTarget> targets_;
+  TcpMotions motions_;
+  PathNames paths_;
+  plan::Program program_;
+  std::string name_, tool_, out_, flowText_;
+  std::vector<std::size_t> cuts_;
+  bool on_ = false;
+};
+
+} // namespace
+
+plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx) {
+  return RapidWriter(input, ctx).write();
+}
+
+} // namespace voluta::program

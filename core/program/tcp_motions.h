@@ -1,0 +1,48 @@
+// Times, speeds and blends of a trajectory's motions for controllers that move the TCP in straight
+// lines (URScript, RAPID).
+#pragma once
+
+#include "program/motion_targets.h"
+#include "program/program_input.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace voluta::program {
+
+// How far from its corner on the part the nozzle may pass, mm. Beads that turn on the spot are what
+// it costs: at 0.02 a part of slender struts loses 0.3 % of its cover.
+inline constexpr double kBlendToleranceMm = 0.002;
+
+// What the moved tool is assumed to weigh: a plate with the whole part, or a head. kg.
+double assumedLoadKg(const ProgramInput& input);
+
+// `targets`: one a point, their tcpMm as the program writes them, so that rounding doesn't become
+// speed; in any fixed frame. The caller keeps both alive. Points are indices >= 0; motion i ends at
+// point i.
+class TcpMotions {
+public:
+  TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets)
+      : in_(input), targets_(targets) {}
+
+  // The plan's time, or what the extruder needs at its full flow. 0 at point 0.
+  double seconds(std::size_t i) const;
+  // Length of the TCP's line. Precondition: i > 0.
+  double tcpMm(std::size_t i) const;
+  // 0 where it has no meaning.
+  double speedMmPerS(std::size_t i) const;
+  // Does the TCP move too little (a plate that turns about its own origin) for a speed to say how
+  // long the motion takes? Precondition: i > 0.
+  bool needsTime(std::size_t i) const;
+  // Radius of the blend at the end of a straight motion, rounded down to 0.001 mm: program/blend.h,
+  // only between two Print motions. 0: none. Precondition: i > 0.
+  double blendMm(std::size_t i) const;
+
+private:
+  double tipMm(std::size_t i) const;
+
+  const ProgramInput& in_;
+  const std::vector<MotionTarget>& targets_;
+};
+
+} // namespace voluta::program

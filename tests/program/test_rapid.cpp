@@ -1,0 +1,325 @@
+// RAPID: its bytes, its modules, what people write and what the reader must not swallow.
+#include "program_fixture.h"
+
+#include "base/units.h"
+#include "program/dialect.h"
+#include "program/rapid.h"
+
+namespace voluta::program {
+namespace {
+
+// A cell whose nozzle moves over a plate in the world.
+constexpr const char* kMovingNozzle = R"({
+  "id": "bench", "label": "bench", "robot": "ur5",
+  "nozzle": {"mount": "flange", "pose": {"xyzMm": [0, 30, 120], "rpyDeg": [0, 20, 0]}},
+  "platform": {"mount": "world", "pose": {"xyzMm": [-400, 150, 10], "rpyDeg": [0, 0, 30]},
+               "thicknessMm": 5},
+  "obstacles": [], "homeDeg": [0, 0, 0, 0, 0, 0], "neverMeet": [], "externalAxes": []
+})";
+
+std::string crLf(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    result += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  return result;
+}
+
+// A whole module around the given body, whose first line is line 8.
+std::string module(const std::string& body) {
+  return crLf("MODULE m\n"
+              "PERS tooldata t1:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,80],[1,0,0,0],0,0,0]];\n"
+              "PERS wobjdata w1:=[FALSE,TRUE,\"\",[[400,0,0],[1,0,0,0]],[[0,0,10],[1,0,0,0]]];\n"
+              "PROC main()\n"
+              "ConfL\\Off; ConfJ\\Off;\n"
+              "SetDO doExtruder,0;\n"
+              "SetAO aoFlow,0;\n" +
+              body +
+              "SetDO doExtruder,0;\n"
+              "SetAO aoFlow,0;\n"
+              "ENDPROC\nENDMODULE\n");
+}
+
+plan::ReadProgram read(std::vector<plan::ProgramFile> files) {
+  process::Process process;
+  process.maxFlowMm3PerS = 40.0;
+  return readProgram("rapid", files, process);
+}
+plan::ReadProgram read(std::string text) {
+  return read({{"m.mod", std::move(text)}});
+}
+
+void expectSound(const plan::ReadProgram& program) {
+  EXPECT_TRUE(program.complete);
+  for (const plan::ProgramDefect& d : program.defects)
+    ADD_FAILURE() << d.file << ":" << d.line << ": " << d.reason;
+}
+
+void expectDefect(const plan::ReadProgram& program, std::size_t line, const std::string& part) {
+  for (const plan::ProgramDefect& d : program.defects)
+    if (d.line == line && d.reason.find(part) != std::string::npos)
+      return;
+  ADD_FAILURE() << "no defect '" << part << "' in line " << line;
+  for (const plan::ProgramDefect& d : program.defects)
+    ADD_FAILURE() << "found: " << d.line << ": " << d.reason;
+}
+
+constexpr const char* kMove =
+    "MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1\\WObj:=w1;\n";
+
+TEST(RapidReader, takesHandWrittenVariations) {
+  const auto program = read(
+      crLf("! a program; with a semicolon\n"
+           "module Hand (NOSTEPIN)\n"
+           "  LOCAL CONST robtarget pA:=[[1,2,3],[0.5,0.5,0.5,0.5],[0,-1,0,1],\n"
+           "     [9E9,9E+09,9E9,9E9,9E9,9E9]]; ! over two lines\n"
+           "  const jointtarget jHome:=[[0,90,-90,0,45,180],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+           "  VAR speeddata vSlow:=[12.5,500,5000,1000];\n"
+           "  CONST zonedata zFine:=[FALSE,0.4,0.5,0.5,1,1,1];\n"
+           "  PERS tooldata tNozzle:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,80],[1,0,0,0],0,0,0]];\n"
+           "  PROC Main()\n"
+           "    ConfL\\Off; CONFJ \\ off ;\n"
+           "    TPWrite \"it begins! now;\";\n"
+           "    SetDO doExtruder,0; SetAO aoFlow,0; SetDO doFan,1;\n"
+           "    MoveAbsJ jHome\\NoEOffs,v50,fine,tNozzle;\n"
+           "    MoveJ pA,v7000,z10,tNozzle\\WObj:=wobj0;\n"
+           "    SetAO aoFlow , .25 ; SetDO doExtruder , 1 ;\n"
+           "    MoveL\n      PA,\n      vSlow,zFine,TNOZZLE;\n"
+           "    MoveL [[1,2,4],[.5,.5,.5,.5],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v5\\T:=0.5,z0,"
+           "tNozzle\\WObj:=wobj0;\n"
+           "    MoveL [[1,2,4],[0.5,0.5,0.5,-0.5],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v5,fine,"
+           "tNozzle;\n"
+           "    WaitTime 1;\n"
+           "    SetAO aoFlow,0; SetDO doExtruder,0;\n"
+           "  ENDPROC\n"
+           "ENDMODULE\n"));
+  expectSound(program);
+  ASSERT_EQ(program.motions.size(), 5u);
+  const auto& m = program.motions;
+  EXPECT_NEAR(program.flange_T_tcp.translation().z(), 100.0, 1e-12);
+  EXPECT_EQ(m[0].target, plan::TargetKind::Joints);
+  EXPECT_EQ(m[0].line, 13u);
+  EXPECT_NEAR(m[0].joints[5], base::kPi, 1e-12);
+  EXPECT_TRUE(m[0].jointInterpolated && m[1].jointInterpolated && !m[2].jointInterpolated);
+  EXPECT_EQ(m[1].target, plan::TargetKind::FlangePose);
+  EXPECT_EQ(m[1].blendMm, 10.0);
+  EXPECT_EQ(m[1].base_T_tcp.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(m[2].line, 16u);
+  EXPECT_EQ(m[2].speedMmPerS, 12.5);
+  EXPECT_EQ(m[2].blendMm, 0.4);
+  EXPECT_TRUE(m[2].extruding && !m[1].extruding);
+  EXPECT_EQ(m[2].flowMm3PerS, 10.0);
+  EXPECT_EQ(m[3].durationS, 0.5);
+  EXPECT_EQ(m[3].blendMm, 0.3);
+  // A third of a turn on the spot at 500 degrees a second.
+  EXPECT_NEAR(m[4].durationS, 120.0 / 500.0, 1e-9);
+}
+
+TEST(RapidReader, placesTargetsInTheirWorkObject) {
+  const auto program = read(module(kMove));
+  expectSound(program);
+  ASSERT_EQ(program.motions.size(), 1u);
+  EXPECT_EQ(program.motions[0].base_T_tcp.translation(), Eigen::Vector3d(401, 2, 13));
+}
+
+TEST(RapidReader, namesWhatItCannotTake) {
+  const std::string pose = "[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+  const struct {
+    std::string line;
+    const char* part;
+  } cases[] = {
+      {"MoveL [[1,2,3],[1,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "other parts"},
+      {"MoveL [[1,2,3],[1,0.1,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "length"},
+      {"MoveL [[1,2,3],[1,0,0,0],[0,0.5,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "quarters"},
+      {"MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "external"},
+      {"MoveL [[1,2,4E9],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "reach"},
+      {"MoveL " + pose + ",v101,fine,t1;", "not declared"},
+      {"MoveL " + pose + ",[0,500,5000,1000],fine,t1;", "speed"},
+      {"MoveL " + pose + ",v100\\T:=0,fine,t1;", "time"},
+      {"MoveL " + pose + ",v100\\V:=3,fine,t1;", "not understood"},
+      {"MoveL " + pose + ",v100,z3,t1;", "not declared"},
+      {"MoveL " + pose + ",v100,[FALSE,1,0.5,1,1,1,1],t1;", "inside"},
+      {"MoveL " + pose + ",v100,fine,t2;", "not declared"},
+      {"MoveL " + pose + ",v100,fine,w1;", "is no tooldata"},
+      {"MoveL " + pose + ",v100,fine,tool0;", "different tool"},
+      {"MoveL " + pose + ",v100,fine,t1\\WObj:=w2;", "not declared"},
+      {"MoveL Offs(p1,0,0,1),v100,fine,t1;", "not declared"},
+      {"MoveL " + pose + ",v100,fine;", "not understood"},
+      {"MoveC " + pose + "," + pose + ",v100,fine,t1;", "not known"},
+      {"MoveAbsJ [[0,0,0,0,0,1E5],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "limit"},
+      {"SetDO doExtruder,2;", "0 or 1"},
+      {"SetAO aoFlow,1.5;", "0..1"},
+      {"VelSet 50,500;", "not known"},
+      {"WaitTime -1;", "seconds"},
+      {"IF TRUE THEN", "not known"},
+      {"x:=3;", "not known"},
+      {"%\"other\"%;", "not loaded"},
+      {"UnLoad \"HOME:\"\\File:=\"a.mod\";", "not loaded"},
+      {"$;", "not understood"},
+      {"PERS speeddata vA:=[1,1,1,1];", "not known"},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.line);
+    const auto program =
+        read(module(kMove + c.line + (c.line.back() == ';' ? "\n" : ";\n") + kMove));
+    expectDefect(program, 9, c.part);
+    EXPECT_EQ(program.motions.size(), 2u);
+  }
+}
+
+TEST(RapidReader, namesWhatAModuleLacks) {
+  const std::string whole = module(kMove);
+  expectSound(read(whole));
+  const auto without = [&](const std::string& piece) {
+    std::string text = whole;
+    text.erase(text.find(piece), piece.size());
+    return read(text);
+  };
+  expectDefect(without("MODULE m"), 2, "begins with MODULE");
+  expectDefect(without("PROC main()"), 5, "outside the procedure");
+  expectDefect(without("ConfL\\Off; "), 8, "configuration");
+  expectDefect(without("ENDPROC"), 12, "no ENDPROC");
+  expectDefect(without("\r\nENDMODULE"), 12, "ENDMODULE is missing");
+  expectDefect(without("PERS tooldata"), 8, "'t1' is not declared");
+  EXPECT_FALSE(without("\r\nENDMODULE").complete);
+  EXPECT_FALSE(without("ENDPROC").complete);
+  EXPECT_FALSE(read("").complete);
+  EXPECT_FALSE(read(std::vector<plan::ProgramFile>{}).complete);
+}
+
+TEST(RapidReader, wantsCrLfEverywhere) {
+  std::string text = module(kMove);
+  const std::size_t third = text.find("PROC") - 2;
+  text.erase(third, 1);
+  const auto program = read(text);
+  expectDefect(program, 3, "CR LF");
+  EXPECT_EQ(program.defects.size(), 1u);
+  expectDefect(read(module(kMove).substr(0, module(kMove).size() - 2)), 12, "no end");
+}
+
+TEST(RapidReader, turnsNoFasterThanItsSpeedSays) {
+  const std::string turned =
+      "MoveL [[1,2,4],[0,0,0,1],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[1,10,5000,1000],fine,"
+      "t1\\WObj:=w1;\n";
+  const auto program = read(module(kMove + turned));
+  expectSound(program);
+  EXPECT_NEAR(program.motions[1].durationS, 18.0, 1e-9); // half a turn; the way takes 1 s
+}
+
+class Rapid : public test::Programs {
+protected:
+  void useMovingNozzle() {
+    const test::TemporaryFolder folder;
+    base::writeFile(folder / "bench.json", kMovingNozzle);
+    cell_.emplace(robot::Cell::read(folder / "bench.json", process_,
+                                    {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
+  }
+  // The tip and the nozzle's pose in the work frame against the plan's.
+  void expectTargets(const plan::ReadProgram& back) const {
+    ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+    for (std::size_t i = 0; i < back.motions.size(); ++i) {
+      const Eigen::Isometry3d planned =
+          cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(trajectory_.at(i), trajectory_.dof));
+      const Eigen::Isometry3d tool =
+          cell_->work_T_toolOfFlange(back.motions[i].base_T_tcp * back.flange_T_tcp.inverse());
+      ASSERT_LE((tool.translation() - planned.translation()).norm(), 1e-3) << "point " << i;
+      ASSERT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);
+    }
+  }
+};
+
+TEST_F(Rapid, everyLineOfEveryFileEndsWithCrLf) {
+  appendRandom(3, 6000);
+  for (const plan::ProgramFile& file : writeProgram("rapid", input()).files) {
+    ASSERT_TRUE(file.text.ends_with("\r\n")) << file.name;
+    for (std::size_t i = 0; i < file.text.size(); ++i) {
+      ASSERT_EQ(file.text[i] == '\r', i + 1 < file.text.size() && file.text[i + 1] == '\n');
+      ASSERT_TRUE(file.text[i] != '\n' || file.text[i - 1] == '\r');
+    }
+  }
+}
+
+TEST_F(Rapid, targetsOfAMovingNozzleStandInThePlatesWorkObject) {
+  useMovingNozzle();
+  appendRandom(8, 1500);
+  const plan::Program program = writeProgram("rapid", input());
+  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  expectSound(back);
+  expectTargets(back);
+  // A target's numbers are the tip in the work frame.
+  const Eigen::Vector3d tip =
+      cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(trajectory_.at(0), 6)).translation();
+  const std::string& text = program.files[0].text;
+  const std::size_t at = text.find("MoveJ [[") + 8;
+  EXPECT_NEAR(std::stod(text.substr(at)), tip.x(), 1e-4);
+}
+
+TEST_F(Rapid, isCutIntoModulesThatComeBackInOrder) {
+  appendRandom(9, 12100);
+  const plan::Program program = writeProgram("rapid", input());
+  ASSERT_EQ(program.files.size(), 5u); // main, three parts, the list
+  EXPECT_EQ(program.files[0].name, "part_1.mod");
+  EXPECT_EQ(program.files[3].name, "part_1_3.mod");
+  EXPECT_EQ(program.files[4].name, "part_1.pgf");
+  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  expectSound(back);
+  expectTargets(back);
+  for (std::size_t i = 1; i < back.motions.size(); ++i)
+    if (back.motions[i].file != back.motions[i - 1].file) {
+      EXPECT_FALSE(back.motions[i].extruding);
+      EXPECT_EQ(back.motions[i - 1].blendMm, 0.0);
+    }
+  std::vector<plan::ProgramFile> files = program.files;
+  std::swap(files[1], files[2]);
+  EXPECT_FALSE(read(files).complete);
+  files = program.files;
+  files.erase(files.begin() + 3);
+  EXPECT_FALSE(read(files).complete);
+  EXPECT_FALSE(read({program.files[1]}).complete);
+  // Each of main's lines counts.
+  const std::string& main = program.files[0].text;
+  for (const char* lost :
+       {"    Load\\Dynamic,\"HOME:\"\\File:=\"part_1_2.mod\";\r\n", "    %\"runPart2\"%;\r\n",
+        "    UnLoad \"HOME:\"\\File:=\"part_1_2.mod\";\r\n"}) {
+    files = program.files;
+    const std::size_t at = main.find(lost);
+    ASSERT_NE(at, std::string::npos) << lost;
+    files[0].text.erase(at, std::string_view(lost).size());
+    const plan::ReadProgram damaged = read(files);
+    EXPECT_FALSE(damaged.defects.empty()) << lost;
+  }
+}
+
+TEST_F(Rapid, aPathWithoutEndIsCutAtAStop) {
+  append(plan::MoveKind::Joint, {0.1, -1.9, 1.7, -1.2, -1.4, 0.3}, 0, 0);
+  for (int i = 1; i <= 12000; ++i)
+    append(plan::MoveKind::Print, {0.1 + 1e-4 * i, -1.9, 1.7, -1.2, -1.4, 0.3}, 0.05, 0.5);
+  const plan::Program program = writeProgram("rapid", input());
+  ASSERT_EQ(program.files.size(), 5u);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  expectSound(back);
+  expectTargets(back);
+  std::size_t stops = 0;
+  for (std::size_t i = 1; i + 1 < back.motions.size(); ++i) {
+    EXPECT_TRUE(back.motions[i].extruding);
+    stops += back.motions[i].blendMm == 0.0;
+  }
+  EXPECT_EQ(stops, 2u);
+}
+
+TEST_F(Rapid, namesKeepClearOfTheLanguage) {
+  appendRandom(2, 50);
+  for (const char* name :
+       {"test", "main", "z10", "MODULE", "a-very-long-name-of-a-part-with-a-tail"}) {
+    ProgramInput in = input();
+    in.name = name;
+    const plan::Program program = writeProgram("rapid", in);
+    expectSound(readProgram("rapid", program.files, process_));
+    const std::string& text = program.files[0].text;
+    const std::string module = text.substr(7, text.find('\r') - 7);
+    EXPECT_TRUE(module.starts_with("print_"));
+    EXPECT_LE(module.size(), 32u);
+  }
+}
+
+} // namespace
+} // namespace voluta::program
