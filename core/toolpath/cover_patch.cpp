@@ -14,6 +14,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 
 namespace voluta::toolpath {
 
@@ -193,7 +195,8 @@ PatchSurface refineAtRidges(const PatchSurface& s, const process::Process& proce
 }
 
 Centrelines centrelines(const PatchSurface& s, const process::Process& process,
-                        const ToolpathOptions& o, int layer, const base::RunContext& ctx) {
+                        const ToolpathOptions& o, const InfillKind& kind, int layer,
+                        const base::RunContext& ctx) {
   const std::size_t n = s.position.size();
   const std::vector<double> boundaryMm = distanceToSegments(s, boundarySegments(s), 1e9);
   std::vector<double> hatchMm(n), depth(n);
@@ -213,9 +216,14 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   for (int i = 0; i < o.walls; ++i)
     lines.add(wallAt(s, depth, hatchMm, i + 0.5), PathKind::Wall, i);
   ctx.checkpoint();
-  const InfillRegion region{s,    depth, hatchMm, static_cast<double>(o.walls), o.infillDensity,
-                            layer};
-  lines.add(infillKind(o.infill).fill(region), PathKind::Infill, 0);
+  const InfillRegion region{s,
+                            depth,
+                            hatchMm,
+                            static_cast<double>(o.walls),
+                            o.infillDensity,
+                            layer,
+                            o.windingAngleDeg * std::numbers::pi / 180.0};
+  lines.add(kind.fill(region), PathKind::Infill, 0);
   ctx.checkpoint();
   if (o.infillDensity >= 1.0)
     lines.add(gapSpines(s, lines.curves, boundaryMm, hatchMm), PathKind::GapFill, 0);
@@ -228,6 +236,12 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
                       const ToolpathOptions& o, const base::RunContext& ctx) {
   base::require(o.infillDensity > 0 && o.infillDensity <= 1, "infill density is in (0, 1]");
   base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
+  const InfillKind& kind = infillKind(o.infill);
+  if (kind.isWound && patch.chart.empty())
+    throw base::Error(base::ErrorCode::Usage,
+                      "infill '" + o.infill + "' winds around an axis, and layer " +
+                          std::to_string(patch.layer) + " has none",
+                      "infill", "use infill zigzag or concentric, or mode lathe");
   PatchCover cover;
   if (patch.surface.empty())
     return cover;
@@ -235,7 +249,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   cover.areaMm2 = s.areaMm2;
   cover.volumeMm3 = s.volumeMm3;
   cover.simple = oneLoop(s);
-  Centrelines lines = centrelines(s, process, o, patch.layer, ctx);
+  Centrelines lines = centrelines(s, process, o, kind, patch.layer, ctx);
   if (lines.curves.empty())
     return cover;
 
@@ -253,7 +267,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     ctx.checkpoint();
     const Cells cells = shareOut(s, lines.curves, kReach, false);
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
-      moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
+      if (!kind.isWound || lines.kind[k] != PathKind::Infill)
+        moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
   }
   // Corners become arcs: straight beads that meet at an angle leave a wedge open at its outside.
   ResampleOptions fine = dense, final;

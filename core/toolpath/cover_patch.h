@@ -47,7 +47,7 @@ struct PatchCover {
 //    their volume is the patch's, as far as the bead's limits of width allow (Castelli 2.1.1:
 //    section = w h - (1 - pi/4) h2).
 // Preconditions: per-vertex arrays match, thickness > 0, options in range. Throws Cancelled,
-// Error{Usage} for an unknown infill.
+// Error{Usage} for an unknown infill, or one that winds where the patch has no chart.
 PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
                       const ToolpathOptions& options, const base::RunContext& ctx);
 

@@ -9,9 +9,13 @@
 namespace voluta::toolpath {
 
 namespace {
-constexpr std::array<InfillKind, 2> kKinds{{
+constexpr std::array<InfillKind, 6> kKinds{{
     {"zigzag", zigzagInfill},
     {"concentric", concentricInfill},
+    {"woven", wovenInfill, true},
+    {"around", aroundInfill, true},
+    {"along", alongInfill, true},
+    {"helical", helicalInfill, true},
 }};
 } // namespace
 

@@ -15,14 +15,17 @@ struct InfillRegion {
   const std::vector<double>& depth;   // per vertex: distance from the boundary, in hatches
   const std::vector<double>& hatchMm; // per vertex: distance of neighbouring beads
   double from = 0.0;
-  double density = 1.0; // (0, 1]
-  int layer = 0;        // direction alternates with it
+  double density = 1.0;    // (0, 1]
+  int layer = 0;           // direction alternates with it
+  double windingRad = 0.0; // of helical lines from the way around, [0, pi/2]
 };
 
 struct InfillKind {
   std::string_view id;
   // Centrelines, in an order fit for printing, open or closed, none outside the region.
   std::vector<SurfaceCurve> (*fill)(const InfillRegion&);
+  // Lines wind around an axis: for surfaces with a chart, on which they are even as they are.
+  bool isWound = false;
 };
 // All kinds; the first is the default.
 std::span<const InfillKind> infillKinds();
@@ -34,5 +37,16 @@ const InfillKind& infillKind(std::string_view id);
 std::vector<SurfaceCurve> zigzagInfill(const InfillRegion& region);
 // Curves at equal distances from the boundary.
 std::vector<SurfaceCurve> concentricInfill(const InfillRegion& region);
+
+// Lines that are straight in the surface's chart (Castelli 5.3.1, appendix A). Where the region
+// goes all the way around, their number around is whole, so that they run on over the chart's seam;
+// elsewhere they are joined end to end. Precondition: the surface has a chart.
+// One helix a region; between straight ends its first and last turn narrow down to the ends.
+std::vector<SurfaceCurve> aroundInfill(const InfillRegion& region);
+std::vector<SurfaceCurve> alongInfill(const InfillRegion& region);
+// At windingRad, to one side and to the other in turns of layers.
+std::vector<SurfaceCurve> helicalInfill(const InfillRegion& region);
+// Around and along in turns of layers.
+std::vector<SurfaceCurve> wovenInfill(const InfillRegion& region);
 
 } // namespace voluta::toolpath

@@ -15,6 +15,9 @@ base::ParameterTable toolpathParameters() {
                             "How the inside of each layer is filled.", true),
       base::numberParameter("infillDensity", "", 1.0, 0.05, 1.0, "Tool-paths", "infill density",
                             "Share of the inside that is filled; 1 is solid.", true),
+      base::numberParameter("windingAngle", "deg", ToolpathOptions{}.windingAngleDeg, 0.0, 90.0,
+                            "Tool-paths", "winding angle",
+                            "Of helical infill: 0 winds around the axis, 90 runs along it."),
   });
 }
 
@@ -23,6 +26,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.walls = static_cast<int>(values.integer("walls"));
   o.infill = values.text("infill");
   o.infillDensity = values.number("infillDensity");
+  o.windingAngleDeg = values.number("windingAngle");
   return o;
 }
 

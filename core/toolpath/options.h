@@ -13,6 +13,7 @@ struct ToolpathOptions {
   int walls = 2;                 // beads along the boundary of each patch
   std::string infill = "zigzag"; // id in infillKinds()
   double infillDensity = 1.0;    // share of the interior that is filled, (0, 1]
+  double windingAngleDeg = 45.0; // of helical infill: 0 around the axis, 90 along it
   double stepMm = 1.0;           // longest distance of waypoints
   double edgeMm = 0.5;           // patches are refined to edges of this length for planning
   double turnLimitDeg = 5.0;     // steps in which the direction turns more are subdivided
@@ -22,7 +23,7 @@ struct ToolpathOptions {
   double platformThicknessMm = 8.0;
 };
 
-// Keys walls, infill, infillDensity.
+// Keys walls, infill, infillDensity, windingAngle.
 base::ParameterTable toolpathParameters();
 // Precondition: the table holds the keys above. The other fields keep their defaults: stepMm is
 // the process's.

@@ -48,6 +48,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"walls", {"3", 3}},
     {"infill", {"concentric", 3}},
     {"infillDensity", {"0.5", 3}},
+    {"windingAngle", {"30", 3}},
     {"bodyClearanceMm", {"3", 4}},
     {"partClearanceMm", {"3", 4}},
     {"liftMm", {"3", 4}},
