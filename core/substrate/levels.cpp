@@ -59,6 +59,7 @@ LevelSurface cylinderLevel(double radiusMm, double thicknessMm, double x0, doubl
   base::require(radiusMm > 0.0 && thicknessMm > 0.0 && x0 < x1 && edgeMm > 0.0,
                 "a cylinder of positive lengths");
   LevelSurface s;
+  s.chart.periodMm = 2.0 * base::kPi * radiusMm;
   const int around = steps(2.0 * base::kPi, angularStep(radiusMm, edgeMm));
   const int along = steps(x1 - x0, edgeMm);
   for (int j = 0; j <= along; ++j)
@@ -67,6 +68,7 @@ LevelSurface cylinderLevel(double radiusMm, double thicknessMm, double x0, doubl
       const Vector3d direction(0.0, std::cos(angle), std::sin(angle));
       const double x = x0 + (x1 - x0) * j / along;
       append(s, Vector3d(x, 0.0, 0.0) + radiusMm * direction, direction, thicknessMm);
+      s.chart.at.emplace_back(radiusMm * angle, x);
     }
   const auto at = [around](int j, int i) { return j * around + i % around; };
   for (int j = 0; j < along; ++j)

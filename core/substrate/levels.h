@@ -14,7 +14,8 @@ namespace voluta::substrate {
 // what lies under it, edges about edgeMm and short enough for chords to stay within 0.002 mm.
 // Level::level is left 0. Precondition of all: positive lengths.
 
-// About the x axis, closed around without a seam, over [x0, x1].
+// About the x axis, closed around without a seam, over [x0, x1]; its chart is the cylinder unrolled
+// (u = radius * angle from y to z, v = x).
 layers::LevelSurface cylinderLevel(double radiusMm, double thicknessMm, double x0, double x1,
                                    double edgeMm);
 

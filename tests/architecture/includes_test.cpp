@@ -33,8 +33,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"program", {"geometry", "process", "robot", "plan"}},
     {"replay", {"geometry", "process", "voxel", "robot", "plan", "program"}},
     {"pipeline",
-     {"geometry", "process", "voxel", "plan", "layers", "curved", "planar", "substrate", "support", "placement",
-      "robot", "collision", "toolpath", "motion", "program", "replay"}},
+     {"geometry", "process", "voxel", "plan", "layers", "curved", "planar", "substrate", "support",
+      "placement", "robot", "collision", "toolpath", "motion", "program", "replay"}},
 };
 
 struct Include {

@@ -71,11 +71,19 @@ TEST(Levels, CylinderIsClosedAroundWithoutASeam) {
     EXPECT_LT(farthest(s, off), 1e-12 * r);
     EXPECT_LT(farthestMiddle(s, off), 0.0021);
     EXPECT_NEAR(geometry::area(s.surface) / (2 * base::kPi * r * 50), 1.0, 1e-3);
-    for (std::size_t v = 0; v < s.direction.size(); ++v)
+    ASSERT_EQ(s.chart.at.size(), s.surface.vertices.size());
+    EXPECT_NEAR(s.chart.periodMm, 2 * base::kPi * r, 1e-12);
+    for (std::size_t v = 0; v < s.direction.size(); ++v) {
+      const double angle = s.chart.at[v].x() / r;
+      EXPECT_LT((r * Vector3d(0, std::cos(angle), std::sin(angle)) +
+                 s.chart.at[v].y() * Vector3d::UnitX() - s.surface.vertices[v])
+                    .norm(),
+                1e-9);
       EXPECT_LT(
           (r * s.direction[v] - Vector3d(0, s.surface.vertices[v].y(), s.surface.vertices[v].z()))
               .norm(),
           1e-9);
+    }
   }
 }
 

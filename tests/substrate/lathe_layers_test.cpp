@@ -1,0 +1,210 @@
+// Layers around rods against the volumes and areas of the solids that parts stand for.
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/diagnosis.h"
+#include "geometry/measures.h"
+#include "layers/layer_checks.h"
+#include "substrate/lathe_layers.h"
+#include "support/lathe_parts.h"
+#include "support/shapes.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+
+namespace voluta {
+namespace {
+
+using geometry::RodShape;
+using geometry::TriangleMesh;
+using substrate::LatheLayers;
+using substrate::LatheOptions;
+
+const RodShape kRod = geometry::straightRod(5, 200);
+
+// Sum of triangle areas times mean thickness: apart from layerStatistics.
+double volumeOf(const layers::LayerStack& stack) {
+  double sum = 0.0;
+  for (const layers::Patch& p : stack.patches)
+    for (std::size_t t = 0; t < p.surface.triangles.size(); ++t) {
+      const Eigen::Vector3d a = p.surface.corner(t, 1) - p.surface.corner(t, 0),
+                            b = p.surface.corner(t, 2) - p.surface.corner(t, 0);
+      double thickness = 0.0;
+      for (int v : p.surface.triangles[t])
+        thickness += p.thicknessMm[static_cast<std::size_t>(v)] / 3.0;
+      sum += 0.5 * a.cross(b).norm() * thickness;
+    }
+  return sum;
+}
+
+LatheLayers laid(const TriangleMesh& part, const RodShape& rod, double volumeMm3,
+                 const LatheOptions& options = {}) {
+  const TriangleMesh left = substrate::partAroundRod(part, rod);
+  EXPECT_TRUE(geometry::diagnose(left).watertight);
+  LatheLayers made = substrate::latheLayers(left, rod, options, {});
+  EXPECT_NEAR(volumeOf(made.stack) / volumeMm3, 1.0, 1e-3);
+  const geometry::MeshQuery query(left);
+  for (const auto& check : layers::checkBoundaries(made.stack, query, 1e-3, {})) {
+    EXPECT_LE(check.farthestMm, 1e-3);
+    EXPECT_EQ(check.onSurface, 1.0);
+    EXPECT_TRUE(check.simple);
+  }
+  for (const auto& check :
+       layers::checkSupport(made.stack, 1.25, {}, {}, substrate::rodGround(rod)))
+    EXPECT_GT(check.supportedFraction, 0.95);
+  EXPECT_GE(made.statistics.withinLimitsFraction, 0.999);
+  EXPECT_EQ(made.unsupportedPatches, 0u);
+  EXPECT_EQ(made.slivers, 0u);
+  int last = 0;
+  for (const layers::Patch& p : made.stack.patches) {
+    EXPECT_GE(p.layer, last);
+    last = p.layer;
+  }
+  return made;
+}
+
+double revolvedOnRod(const std::vector<Eigen::Vector2d>& section) {
+  return test::revolvedVolume(test::onRod(section, 2.5));
+}
+
+TEST(LatheLayers, Tube) {
+  const auto made =
+      laid(test::revolved(test::tubeSection(), 256), kRod, revolvedOnRod(test::tubeSection()));
+  EXPECT_EQ(made.stack.layerCount, 10);
+  EXPECT_EQ(made.stack.patches.size(), 10u);
+  EXPECT_NEAR(made.outerMm.front(), 2.75, 1e-6);
+  EXPECT_NEAR(made.outerMm.back(), 5.0, 1e-6);
+  EXPECT_EQ(made.riskyAreaMm2, 0.0);
+  EXPECT_TRUE(made.findings.empty());
+}
+
+TEST(LatheLayers, FirstLayerOfItsOwnHeight) {
+  LatheOptions options;
+  options.firstLayerMm = 0.3;
+  options.layerHeightMm = 0.2;
+  const auto made = laid(test::revolved(test::tubeSection(), 256), kRod,
+                         revolvedOnRod(test::tubeSection()), options);
+  EXPECT_EQ(made.stack.layerCount, 12);
+  EXPECT_NEAR(made.outerMm.front(), 2.8, 1e-6);
+  EXPECT_NEAR(made.outerMm[1], 3.0, 1e-6);
+}
+
+TEST(LatheLayers, ShouldersAreLaidFromTheRodOutwards) {
+  const auto made = laid(test::revolved(test::shoulderSection(), 256), kRod,
+                         revolvedOnRod(test::shoulderSection()));
+  EXPECT_EQ(made.stack.layerCount, 10);
+  // 1.5 mm at the seats are six layers of the whole length, the others lie between them.
+  for (const layers::Patch& p : made.stack.patches)
+    EXPECT_NEAR(geometry::bounds(p.surface).sizes().x(), p.layer < 6 ? 50.0 : 30.0, 1e-3);
+}
+
+TEST(LatheLayers, ShouldersBetweenLevels) {
+  const std::vector<Eigen::Vector2d> section = {{-25, 2.4}, {-25, 3.6}, {-10, 3.6}, {-10, 4.1},
+                                                {10, 4.1},  {10, 3.6},  {25, 3.6},  {25, 2.4}};
+  laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
+}
+
+TEST(LatheLayers, TwoCollarsGrowTogether) {
+  const std::vector<Eigen::Vector2d> section = {{-25, 2.4}, {-25, 4}, {-15, 4}, {-15, 3},
+                                                {15, 3},    {15, 4},  {25, 4},  {25, 2.4}};
+  const auto made = laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
+  EXPECT_EQ(made.stack.layerCount, 6);
+  EXPECT_EQ(made.stack.patches.size(), 2u + 2u * 4u);
+}
+
+TEST(LatheLayers, TaperedEnds) {
+  laid(test::revolved(test::taperedSection(), 256), kRod, revolvedOnRod(test::taperedSection()));
+}
+
+TEST(LatheLayers, HalfTurnSector) {
+  const auto made = laid(test::halfTube(4.8, 10, 50), kRod, 0.5 * base::kPi * (25 - 6.25) * 50);
+  EXPECT_EQ(made.stack.layerCount, 10);
+}
+
+TEST(LatheLayers, HexagonalRod) {
+  const RodShape hex = geometry::straightRod(5, 200, 6);
+  const auto made =
+      laid(test::hexagonalTube(4.8, 10, 50), hex, test::hexagonalTubeVolume(5, 10, 50));
+  EXPECT_GE(made.stack.layerCount, 10);
+}
+
+TEST(LatheLayers, ThatFollowAHexagonalRod) {
+  const RodShape hex = geometry::straightRod(5, 200, 6);
+  LatheOptions options;
+  options.followsRod = true;
+  laid(test::hexagonalTube(4.8, 10, 20), hex, test::hexagonalTubeVolume(5, 10, 20), options);
+}
+
+TEST(LatheLayers, SteppedRod) {
+  const RodShape rod{{{-60, 2.5}, {0, 2.5}, {0, 3.5}, {60, 3.5}}, 0};
+  laid(test::revolved(test::tubeSection(), 256), rod, base::kPi * 25 * (2 * 25 - 6.25 - 12.25));
+}
+
+TEST(LatheLayers, OverhangIsToldWithItsPlace) {
+  // A rim that reaches out 3 mm on both sides of a stem, its undersides at radius 4.
+  const std::vector<Eigen::Vector2d> section = {{-3, 2.4}, {-3, 4}, {-6, 4}, {-6, 5},
+                                                {6, 5},    {6, 4},  {3, 4},  {3, 2.4}};
+  const TriangleMesh part = substrate::partAroundRod(test::revolved(section, 256), kRod);
+  const auto made = substrate::latheLayers(part, kRod, {}, {});
+  EXPECT_NEAR(made.riskyAreaMm2 / (2 * 2 * base::kPi * 4 * 3), 1.0, 1e-3);
+  ASSERT_EQ(made.findings.size(), 1u);
+  EXPECT_EQ(made.findings[0].kind, "overhang");
+  EXPECT_FALSE(made.findings[0].blocking);
+  EXPECT_NEAR(made.findings[0].where->tail<2>().norm(), 4.0, 0.01);
+  EXPECT_GT(std::abs(made.findings[0].where->x()), 3.0);
+  // Cones of 40 degrees under it are steep enough, of 50 they are not.
+  for (const bool risky : {false, true}) {
+    const double reach = 1.5 * std::tan(base::degreesToRadians(risky ? 50 : 40));
+    const std::vector<Eigen::Vector2d> cone = {{-3, 2.4},       {-3, 2.5},      {-3 - reach, 4},
+                                               {-3 - reach, 5}, {3 + reach, 5}, {3 + reach, 4},
+                                               {3, 2.5},        {3, 2.4}};
+    const auto cones = substrate::latheLayers(
+        substrate::partAroundRod(test::revolved(cone, 256), kRod), kRod, {}, {});
+    EXPECT_EQ(cones.riskyAreaMm2 > 0.0, risky);
+  }
+}
+
+void expectRefusal(const TriangleMesh& part, const RodShape& rod, const std::string& what) {
+  try {
+    substrate::latheLayers(substrate::partAroundRod(part, rod), rod, {}, {});
+    ADD_FAILURE() << what;
+  } catch (const base::Error& e) {
+    EXPECT_EQ(e.code(), base::ErrorCode::UnusableInput);
+    EXPECT_NE(std::string(e.what()).find(what), std::string::npos) << e.what();
+    EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
+    EXPECT_FALSE(e.remedy().empty());
+  }
+}
+
+TEST(LatheLayers, BadInputIsToldInOneLine) {
+  const TriangleMesh tube = test::revolved(test::tubeSection(), 128);
+  expectRefusal(tube, geometry::straightRod(12, 200), "the rod is thicker than the part");
+  expectRefusal(tube, geometry::straightRod(10, 200), "the rod is thicker than the part");
+  expectRefusal(tube, geometry::straightRod(9.9, 200), "out over the rod, less than a layer");
+  expectRefusal(tube, geometry::straightRod(5, 40), "beyond an end of the rod");
+  TriangleMesh beside = tube;
+  for (auto& p : beside.vertices)
+    p.y() += 12;
+  expectRefusal(beside, kRod, "the part misses the rod");
+  expectRefusal(test::revolved({{-25, 4}, {-25, 5}, {25, 5}, {25, 4}}, 128), kRod,
+                "the part misses the rod");
+  TriangleMesh open = tube;
+  open.triangles.resize(open.triangles.size() - 2);
+  expectRefusal(open, kRod, "not closed");
+  expectRefusal(tube, RodShape{{{0, 1}}, 0}, "two points at least");
+}
+
+TEST(LatheLayers, SameForAnyNumberOfThreads) {
+  const TriangleMesh part =
+      substrate::partAroundRod(test::revolved(test::taperedSection(), 96), kRod);
+  const auto one = substrate::latheLayers(part, kRod, {}, {});
+  const auto four = substrate::latheLayers(part, kRod, {}, base::RunContext({}, 4));
+  ASSERT_EQ(one.stack.patches.size(), four.stack.patches.size());
+  for (std::size_t p = 0; p < one.stack.patches.size(); ++p) {
+    EXPECT_EQ(one.stack.patches[p].surface.triangles, four.stack.patches[p].surface.triangles);
+    EXPECT_EQ(one.stack.patches[p].thicknessMm, four.stack.patches[p].thicknessMm);
+  }
+}
+
+} // namespace
+} // namespace voluta
