@@ -667,6 +667,30 @@ sioni</translation>
         <source>greedy</source>
         <translation>greedy</translation>
     </message>
+    <message>
+        <source>woven</source>
+        <translation>intrecciato</translation>
+    </message>
+    <message>
+        <source>around</source>
+        <translation>attorno all&apos;asse</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>lungo l&apos;asse</translation>
+    </message>
+    <message>
+        <source>helical</source>
+        <translation>elicoidale</translation>
+    </message>
+    <message>
+        <source>winding angle</source>
+        <translation>angolo avvolgimento</translation>
+    </message>
+    <message>
+        <source>Of helical infill: 0 winds around the axis, 90 runs along it.</source>
+        <translation>Del riempimento elicoidale: 0 si avvolge attorno all&apos;asse, 90 corre lungo l&apos;asse.</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
