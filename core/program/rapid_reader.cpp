@@ -1,5 +1,6 @@
 #include "base/units.h"
 #include "program/rapid.h"
+#include "program/rapid_tokens.h"
 #include "program/text.h"
 
 #include <Eigen/Geometry>
@@ -16,88 +17,6 @@ constexpr double kUnused = 9e9; // an external axis that is none
 constexpr double kMostMm = 1e5, kMostDegrees = 6000.0, kMostSeconds = 1e5;
 constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
 constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
-enum class TokenKind { End, Name, Number, Text, Mark };
-
-struct Token {
-  TokenKind kind = TokenKind::End;
-  std::string_view text; // of Text: without its quotes
-  double number = 0.0;
-  std::size_t line = 1;
-  const char* begin = nullptr;
-};
-
-// Words, numbers, strings and single marks of a module; comments and blanks fall out.
-class Tokens {
-public:
-  explicit Tokens(std::string_view text) : rest_(text) {}
-
-  Token next() {
-    blanks();
-    Token token;
-    token.line = line_;
-    token.begin = rest_.data();
-    if (rest_.empty())
-      return token;
-    const std::string_view before = rest_;
-    if (isLetter(rest_.front())) {
-      token.kind = TokenKind::Name;
-      while (!rest_.empty() && (isLetter(rest_.front()) || isDigit(rest_.front())))
-        rest_.remove_prefix(1);
-      token.text = before.substr(0, before.size() - rest_.size());
-    } else if (rest_.front() == '"' && quoted(token)) {
-      token.kind = TokenKind::Text;
-    } else if (takeNumber(rest_, token.number)) {
-      token.kind = TokenKind::Number;
-    } else {
-      token.kind = TokenKind::Mark;
-      token.text = rest_.substr(0, 1);
-      rest_.remove_prefix(1);
-    }
-    return token;
-  }
-
-private:
-  static bool isLetter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  }
-  static bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-  void blanks() {
-    bool comment = false;
-    while (!rest_.empty()) {
-      const char c = rest_.front();
-      if (c == '\n') {
-        ++line_;
-        comment = false;
-      } else if (c == '!') {
-        comment = true;
-      } else if (!comment && c != ' ' && c != '\t' && c != '\r') {
-        return;
-      }
-      rest_.remove_prefix(1);
-    }
-  }
-  bool quoted(Token& token) {
-    const std::size_t end = rest_.find_first_of("\"\n", 1);
-    if (end == std::string_view::npos || rest_[end] == '\n')
-      return false;
-    token.text = rest_.substr(1, end - 1);
-    rest_.remove_prefix(end + 1);
-    return true;
-  }
-
-  std::string_view rest_;
-  std::size_t line_ = 1;
-};
 
 // A literal as its numbers in order and its shape: n number, b truth, s string ("" is 0, else 1).
 struct Data {
@@ -244,7 +163,9 @@ private:
   // ---- structure
 
   void advance() { token_ = tokens_.next(); }
-  bool isMark(char c) const { return token_.kind == TokenKind::Mark && token_.text.front() == c; }
+  bool isMark(char c) const {
+    return token_.kind == RapidTokenKind::Mark && token_.text.front() == c;
+  }
   bool takeMark(char c) {
     if (!isMark(c))
       return false;
@@ -252,7 +173,7 @@ private:
     return true;
   }
   bool isWord(std::string_view word) const {
-    return token_.kind == TokenKind::Name && lower(token_.text) == word;
+    return token_.kind == RapidTokenKind::Name && sameWord(token_.text, word);
   }
   bool takeWord(std::string_view word) {
     if (!isWord(word))
@@ -261,21 +182,21 @@ private:
     return true;
   }
   bool takeName(std::string& name) {
-    if (token_.kind != TokenKind::Name)
+    if (token_.kind != RapidTokenKind::Name)
       return false;
-    name = lower(token_.text);
+    name = inSmallLetters(token_.text);
     advance();
     return true;
   }
   bool takeText(std::string& text) {
-    if (token_.kind != TokenKind::Text)
+    if (token_.kind != RapidTokenKind::Text)
       return false;
     text = token_.text;
     advance();
     return true;
   }
   bool takeNumberToken(double& value) {
-    if (token_.kind != TokenKind::Number)
+    if (token_.kind != RapidTokenKind::Number)
       return false;
     value = token_.number;
     advance();
@@ -284,7 +205,7 @@ private:
   bool takeAssign() { return takeMark(':') && takeMark('='); }
 
   bool readModule(const plan::ProgramFile& file) {
-    tokens_ = Tokens(file.text);
+    tokens_ = RapidTokens(file.text);
     textEnd_ = file.text.data() + file.text.size();
     advance();
     on_.reset();
@@ -297,7 +218,7 @@ private:
       defect("a module begins with MODULE and its name");
     if (!attributes())
       defect("not a module's attributes");
-    while (!ended && token_.kind != TokenKind::End) {
+    while (!ended && token_.kind != RapidTokenKind::End) {
       line_ = token_.line;
       if (takeWord("endmodule"))
         ended = true;
@@ -311,7 +232,7 @@ private:
         whole([&] { return fail("a statement outside the procedure"); });
     }
     line_ = token_.line;
-    if (ended && token_.kind != TokenKind::End)
+    if (ended && token_.kind != RapidTokenKind::End)
       defect("text behind ENDMODULE");
     if (!ended)
       defect("ENDMODULE is missing: the file was cut short");
@@ -356,7 +277,7 @@ private:
       runs = false;
     }
     procedure_ = true;
-    while (token_.kind != TokenKind::End && !isWord("endmodule")) {
+    while (token_.kind != RapidTokenKind::End && !isWord("endmodule")) {
       line_ = token_.line;
       if (takeWord("endproc")) {
         procedureEnded_ = true;
@@ -395,7 +316,7 @@ private:
                   code.substr(0, std::min<std::size_t>(60, code.find_first_of("\r\n"))), "'"});
     }
     defect(std::move(reason_));
-    while (!closed_ && token_.kind != TokenKind::End && !isWord("endproc") &&
+    while (!closed_ && token_.kind != RapidTokenKind::End && !isWord("endproc") &&
            !isWord("endmodule")) {
       closed_ = isMark(';');
       advance();
@@ -419,7 +340,7 @@ private:
     double value = 0.0;
     if (takeNumberToken(value)) {
       data.shape += 'n';
-    } else if (token_.kind == TokenKind::Text) {
+    } else if (token_.kind == RapidTokenKind::Text) {
       value = token_.text.empty() ? 0.0 : 1.0;
       data.shape += 's';
       advance();
@@ -575,7 +496,7 @@ private:
     if (loaded_.empty() || called_ || modules_ > 0)
       return fail("a call of what was not loaded");
     called_ = true;
-    calls_.push_back({lower(name), loaded_});
+    calls_.push_back({inSmallLetters(name), loaded_});
     return true;
   }
 
@@ -688,8 +609,8 @@ private:
   plan::ReadProgram out_;
   Defects defects_;
   std::size_t file_ = 0, line_ = 0, modules_ = 0, statements_ = 0;
-  Tokens tokens_{{}};
-  Token token_;
+  RapidTokens tokens_{{}};
+  RapidToken token_;
   const char* textEnd_ = nullptr;
   std::string reason_;
   bool closed_ = false; // the statement's semicolon was taken
@@ -716,7 +637,7 @@ bool looksLikeRapid(std::string_view text) {
   const std::string_view head = text.substr(0, 16384);
   if (head.starts_with("<?xml"))
     return head.find("<Program>") != std::string_view::npos;
-  return lower(Tokens(head).next().text) == "module";
+  return sameWord(RapidTokens(head).next().text, "module");
 }
 
 } // namespace voluta::program

@@ -207,9 +207,11 @@ TEST(RapidReader, turnsNoFasterThanItsSpeedSays) {
 
 class Rapid : public test::Programs {
 protected:
-  void useMovingNozzle() {
+  void useMovingNozzle(const std::string& robot = "ur5") {
     const test::TemporaryFolder folder;
-    base::writeFile(folder / "bench.json", kMovingNozzle);
+    std::string cell = kMovingNozzle;
+    cell.replace(cell.find("ur5"), 3, robot);
+    base::writeFile(folder / "bench.json", cell);
     cell_.emplace(robot::Cell::read(folder / "bench.json", process_,
                                     {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
   }
@@ -251,6 +253,31 @@ TEST_F(Rapid, targetsOfAMovingNozzleStandInThePlatesWorkObject) {
   const std::string& text = program.files[0].text;
   const std::size_t at = text.find("MoveJ [[") + 8;
   EXPECT_NEAR(std::stod(text.substr(at)), tip.x(), 1e-4);
+}
+
+TEST_F(Rapid, itsOwnRobotGetsJointsTimesAndConfigurations) {
+  useMovingNozzle("irb1200");
+  const double d = base::kPi / 180.0;
+  append(plan::MoveKind::Joint, {0, 10 * d, 20 * d, 0, 60 * d, 0}, 0.0, 0.0);
+  append(plan::MoveKind::Joint, {-100 * d, 15 * d, 25 * d, 95 * d, 50 * d, -185 * d}, 2.5, 0.0);
+  append(plan::MoveKind::Linear, {-100.1 * d, 15 * d, 25 * d, 95 * d, 50 * d, -185 * d}, 0.1, 0.0);
+  const plan::Program program = writeProgram("rapid", input());
+  EXPECT_FALSE(program.foreign);
+  const std::string& text = program.files[0].text;
+  EXPECT_EQ(text.find("FOREIGN"), std::string::npos);
+  EXPECT_NE(text.find("MoveAbsJ [[-100,15,25,95,50,-185],[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,"
+                      "[100,500,5000,1000]\\T:=2.5,fine,tNozzle\\WObj:=wPrint;\r\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(",[-2,1,-3,0],"), std::string::npos) << text; // quarters of axes 1, 4, 6
+  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  expectSound(back);
+  ASSERT_EQ(back.motions.size(), 3u);
+  EXPECT_TRUE(back.motions[0].jointInterpolated && back.motions[1].jointInterpolated);
+  EXPECT_EQ(back.motions[1].durationS, 2.5);
+  for (std::size_t k = 0; k < 6; ++k)
+    EXPECT_NEAR(back.motions[1].joints[k], trajectory_.at(1)[k], 1e-8);
+  EXPECT_EQ(back.motions[2].target, plan::TargetKind::FlangePose);
 }
 
 TEST_F(Rapid, isCutIntoModulesThatComeBackInOrder) {
