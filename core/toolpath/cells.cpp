@@ -7,7 +7,7 @@
 namespace voluta::toolpath {
 
 Cells shareOut(const PatchSurface& s, const std::vector<SurfaceCurve>& curves, double reachMm,
-               bool fine) {
+               int halvings) {
   Cells cells;
   cells.share.resize(curves.size());
   std::vector<SegmentGrid::Segment> segments;
@@ -45,23 +45,43 @@ Cells shareOut(const PatchSurface& s, const std::vector<SurfaceCurve>& curves, d
     if (length > 1e-9)
       share.lateralMm[i] += area * normal.cross(along / length).dot(p - hit.point);
   };
-  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(s.triangles[t][k]); };
-    const Eigen::Vector3d &a = s.position[corner(0)], &b = s.position[corner(1)],
-                          &c = s.position[corner(2)];
-    const double ha = s.thicknessMm[corner(0)], hb = s.thicknessMm[corner(1)],
-                 hc = s.thicknessMm[corner(2)];
-    const double area = s.triangleArea[t];
-    const Eigen::Vector3d middle = (a + b + c) / 3;
-    const double height = (ha + hb + hc) / 3;
-    if (!fine) {
-      sample(middle, s.triangleNormal[t], area, height);
-      continue;
+  struct Corner {
+    Eigen::Vector3d position;
+    double thicknessMm;
+  };
+  const auto between = [](const Corner& a, const Corner& b) {
+    return Corner{0.5 * (a.position + b.position), 0.5 * (a.thicknessMm + b.thicknessMm)};
+  };
+  const auto sampleIn = [&](const auto& self, const Corner& a, const Corner& b, const Corner& c,
+                            const Eigen::Vector3d& normal, double area, int halved) -> void {
+    if (halved > 1) {
+      const Corner ab = between(a, b), bc = between(b, c), ca = between(c, a);
+      self(self, ab, bc, ca, normal, area / 4, halved - 1);
+      self(self, a, ab, ca, normal, area / 4, halved - 1);
+      self(self, ab, b, bc, normal, area / 4, halved - 1);
+      self(self, ca, bc, c, normal, area / 4, halved - 1);
+      return;
     }
-    sample(middle, s.triangleNormal[t], area / 4, height);
-    sample((4 * a + b + c) / 6, s.triangleNormal[t], area / 4, (4 * ha + hb + hc) / 6);
-    sample((a + 4 * b + c) / 6, s.triangleNormal[t], area / 4, (ha + 4 * hb + hc) / 6);
-    sample((a + b + 4 * c) / 6, s.triangleNormal[t], area / 4, (ha + hb + 4 * hc) / 6);
+    const auto weighted = [&](double wa, double wb, double wc) {
+      const double sum = wa + wb + wc;
+      sample((wa * a.position + wb * b.position + wc * c.position) / sum, normal,
+             halved > 0 ? area / 4 : area,
+             (wa * a.thicknessMm + wb * b.thicknessMm + wc * c.thicknessMm) / sum);
+    };
+    weighted(1, 1, 1);
+    if (halved > 0) {
+      weighted(4, 1, 1);
+      weighted(1, 4, 1);
+      weighted(1, 1, 4);
+    }
+  };
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const auto corner = [&](std::size_t k) {
+      const auto v = static_cast<std::size_t>(s.triangles[t][k]);
+      return Corner{s.position[v], s.thicknessMm[v]};
+    };
+    sampleIn(sampleIn, corner(0), corner(1), corner(2), s.triangleNormal[t], s.triangleArea[t],
+             halvings);
   }
   for (CellShare& share : cells.share)
     for (std::size_t i = 0; i < share.areaMm2.size(); ++i)

@@ -20,8 +20,8 @@ struct Cells {
   double orphanMm2 = 0.0;       // further than the reach from any curve
 };
 
-// Samples: the centres of the surface's triangles, or of four parts of each when `fine`.
+// Samples: the centres of the surface's triangles, their sides halved `halvings` times.
 Cells shareOut(const PatchSurface& surface, const std::vector<SurfaceCurve>& curves, double reachMm,
-               bool fine);
+               int halvings);
 
 } // namespace voluta::toolpath

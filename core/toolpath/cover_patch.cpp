@@ -28,6 +28,8 @@ constexpr double kPlanStep = 0.5; // mm between points while centrelines move
 constexpr int kRelaxations = 2;
 constexpr double kArcStep = 0.2; // mm; with the passes, right angles become arcs of about 0.4 mm
 constexpr int kArcPasses = 4;
+// Of triangles, for shares of lines as even as a winding's: coarse samples beat with them.
+constexpr int kFineHalvings = 2;
 
 struct Centrelines {
   std::vector<SurfaceCurve> curves;
@@ -265,7 +267,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   for (int i = 0; solid && i < kRelaxations; ++i) {
     ctx.checkpoint();
-    const Cells cells = shareOut(s, lines.curves, kReach, false);
+    const Cells cells = shareOut(s, lines.curves, kReach, 0);
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.isWound || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
@@ -280,7 +282,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();
-  Cells cells = shareOut(s, lines.curves, kReach, true);
+  Cells cells = shareOut(s, lines.curves, kReach, kind.isWound ? kFineHalvings : 1);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)

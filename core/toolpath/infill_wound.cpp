@@ -110,11 +110,15 @@ public:
     if (angle > 0)
       winding.perU = -winding.perU;
     const auto count = static_cast<long>(starts);
-    LineCover lines(r_, depth_);
-    for (const SurfaceCurve& c : periodicIsolines(s_, winding)) {
+    std::vector<SurfaceCurve> curves = periodicIsolines(s_, winding);
+    const auto levelOf = [&](const SurfaceCurve& c) {
       const long line = std::lround(winding.at(chartAt(s_, c.points.front())) - 0.5);
-      lines.add(c, static_cast<int>((line % count + count) % count));
-    }
+      return static_cast<int>((line % count + count) % count);
+    };
+    std::ranges::stable_sort(curves, {}, levelOf);
+    LineCover lines(r_, depth_);
+    for (const SurfaceCurve& c : curves)
+      lines.add(c, levelOf(c));
     return lines.joined(spacing);
   }
 

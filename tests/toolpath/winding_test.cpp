@@ -285,7 +285,18 @@ TEST(WoundInfill, AlongIsEvenAndWovenTakesTurns) {
     for (std::size_t i = 1; i < angles.size(); ++i)
       EXPECT_NEAR((angles[i] - angles[i - 1]) * n / (2 * kPi), 1.0, 0.02);
   };
-  spacingsAt(infillOf(cover(patch, "along")));
+  const auto along = cover(patch, "along");
+  spacingsAt(infillOf(along));
+  EXPECT_EQ(infillOf(along).size(), 1u); // lines are joined at their ends, all around
+  // Away from the ends, beads are as wide as their spacing asks for.
+  double narrowest = 1.0, widest = 0.0;
+  for (const toolpath::Bead& b : along.beads)
+    for (const toolpath::BeadPoint& p : b.points)
+      if (b.kind == plan::PathKind::Infill && std::abs(p.middle.x()) < 20.0) {
+        narrowest = std::min(narrowest, p.widthMm);
+        widest = std::max(widest, p.widthMm);
+      }
+  EXPECT_LT(widest / narrowest, 1.08);
   const auto around = infillOf(cover(patch, "woven"));
   ASSERT_EQ(around.size(), 1u);
   EXPECT_GT(std::abs(courseOf(around[0]).turns), 70.0);
