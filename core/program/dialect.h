@@ -32,6 +32,9 @@ struct Dialect {
                             const base::RunContext&) = nullptr;
   // Does the beginning of a text look like this dialect?
   bool (*looksLike)(std::string_view text) = nullptr;
+  // Names of the files, next to it, that a file of a program goes on in; nullptr: a dialect whose
+  // files stand alone.
+  std::vector<std::string> (*goesOnIn)(std::string_view text) = nullptr;
 };
 
 inline constexpr std::size_t kMaxDefects = 1000;

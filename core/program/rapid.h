@@ -24,6 +24,11 @@
 #include "plan/program.h"
 #include "program/program_input.h"
 
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace voluta::program {
 
 inline constexpr std::size_t kMotionsPerModule = 5000;
@@ -41,5 +46,7 @@ plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx)
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx);
 bool looksLikeRapid(std::string_view text);
+// The modules that a list (.pgf) names, or that a module loads.
+std::vector<std::string> filesOfRapid(std::string_view text);
 
 } // namespace voluta::program

@@ -1,5 +1,6 @@
 #include "base/units.h"
 #include "program/rapid.h"
+#include "program/rapid_data.h"
 #include "program/rapid_tokens.h"
 #include "program/text.h"
 
@@ -18,54 +19,18 @@ constexpr double kMostMm = 1e5, kMostDegrees = 6000.0, kMostSeconds = 1e5;
 constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
 constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
 
-// A literal as its numbers in order and its shape: n number, b truth, s string ("" is 0, else 1).
-struct Data {
-  std::string shape;
-  std::vector<double> numbers;
-};
-
-const std::map<std::string, std::string_view, std::less<>>& shapes() {
-  static const std::map<std::string, std::string_view, std::less<>> table = {
-      {"speeddata", "[nnnn]"},
-      {"zonedata", "[bnnnnnn]"},
-      {"robtarget", "[[nnn][nnnn][nnnn][nnnnnn]]"},
-      {"jointtarget", "[[nnnnnn][nnnnnn]]"},
-      {"tooldata", "[b[[nnn][nnnn]][n[nnn][nnnn]nnn]]"},
-      {"wobjdata", "[bbs[[nnn][nnnn]][[nnn][nnnn]]]"},
-  };
-  return table;
+bool isList(std::string_view text) {
+  return text.starts_with("<?xml");
 }
 
-// What every controller declares by itself: v5..v7000, fine, z0..z200, tool0, wobj0. `name` in
-// small letters.
-std::optional<Data> predeclared(std::string_view type, std::string_view name) {
-  const auto named = [&](char letter, auto& sizes) -> double {
-    double value = 0.0;
-    const bool known = name.size() > 1 && name.front() == letter &&
-                       parseNumber(name.substr(1), value) &&
-                       std::find(std::begin(sizes), std::end(sizes), value) != std::end(sizes);
-    return known ? value : -1.0;
-  };
-  static constexpr double kSpeeds[] = {5,    10,   20,   30,   40,   50,   60,  80,   100,
-                                       150,  200,  300,  400,  500,  600,  800, 1000, 1500,
-                                       2000, 2500, 3000, 4000, 5000, 6000, 7000};
-  static constexpr double kZones[] = {0, 1, 5, 10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200};
-  if (type == "speeddata") {
-    if (const double v = named('v', kSpeeds); v > 0.0)
-      return Data{"[nnnn]", {v, 500, 5000, 1000}};
-  } else if (type == "zonedata") {
-    if (name == "fine")
-      return Data{"[bnnnnnn]", {1, 0, 0, 0, 0, 0, 0}};
-    if (const double z = named('z', kZones); z >= 0.0) {
-      const double tcp = z > 0.0 ? z : 0.3, turn = z > 1.0 ? 1.5 * z : tcp;
-      return Data{"[bnnnnnn]", {0, tcp, turn, turn, 0.1 * turn, turn, 0.1 * turn}};
-    }
-  } else if (type == "tooldata" && name == "tool0") {
-    return Data{"", {1, 0, 0, 0, 1, 0, 0, 0}};
-  } else if (type == "wobjdata" && name == "wobj0") {
-    return Data{"", {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}};
-  }
-  return std::nullopt;
+// A trimmed line of a list that names a module becomes the name.
+bool takeListed(std::string_view& line) {
+  constexpr std::string_view kBegin = "<Module>", kEnd = "</Module>";
+  if (!line.starts_with(kBegin) || !line.ends_with(kEnd))
+    return false;
+  line.remove_prefix(kBegin.size());
+  line.remove_suffix(kEnd.size());
+  return true;
 }
 
 class RapidReader {
@@ -104,7 +69,7 @@ private:
   };
   struct Declared {
     std::string type;
-    Data data;
+    RapidData data;
   };
 
   void defect(std::string reason) { defects_.add(file_, line_, std::move(reason)); }
@@ -129,8 +94,6 @@ private:
 
   // ---- the list of modules (.pgf)
 
-  static bool isList(std::string_view text) { return text.starts_with("<?xml"); }
-
   bool readList(std::string_view text, const std::vector<plan::ProgramFile>& files) {
     LineReader lines(text);
     std::string_view line;
@@ -138,19 +101,16 @@ private:
     while (lines.next(line)) {
       line_ = lines.number();
       line = trimmed(line);
-      constexpr std::string_view kBegin = "<Module>", kEnd = "</Module>";
       if (line_ == 1 || line.empty())
         continue;
       if (line == "<Program>" && !open) {
         open = true;
       } else if (line == "</Program>" && open && !closed) {
         closed = true;
-      } else if (open && !closed && line.starts_with(kBegin) && line.ends_with(kEnd)) {
-        line.remove_prefix(kBegin.size());
-        line.remove_suffix(std::min(line.size(), kEnd.size()));
+      } else if (std::string_view name = line; open && !closed && takeListed(name)) {
         if (std::none_of(files.begin(), files.end(),
-                         [&](const auto& f) { return f.name.ends_with(line); }))
-          defect(joined({"the module ", line.substr(0, 60), " is not here"}));
+                         [&](const auto& f) { return f.name.ends_with(name); }))
+          defect(joined({"the module ", name.substr(0, 60), " is not here"}));
       } else {
         defect(joined({"not understood: '", line.substr(0, 60), "'"}));
       }
@@ -325,7 +285,7 @@ private:
 
   // ---- values
 
-  bool literal(Data& data, std::size_t depth = 0) {
+  bool literal(RapidData& data, std::size_t depth = 0) {
     if (data.numbers.size() >= kMostNumbers || depth > kMostDepth)
       return false;
     if (takeMark('[')) {
@@ -356,22 +316,22 @@ private:
   }
 
   // A literal or a name of this type.
-  bool value(std::string_view type, Data& data) {
+  bool value(std::string_view type, RapidData& data) {
     if (std::string name; takeName(name)) {
       if (const auto known = declared_.find(name); known != declared_.end()) {
         data = known->second.data;
         return known->second.type == type ||
                fail(joined({"'", name.substr(0, 40), "' is no ", type}));
       }
-      if (auto given = predeclared(type, name)) {
+      if (auto given = predeclaredRapid(type, name)) {
         data = std::move(*given);
         return true;
       }
       return fail(joined({"'", name.substr(0, 40), "' is not declared as ", type}));
     }
     data = {};
-    return literal(data) && (data.shape == shapes().find(type)->second ||
-                             fail(joined({"a ", type, " has other parts"})));
+    return literal(data) &&
+           (data.shape == rapidShape(type) || fail(joined({"a ", type, " has other parts"})));
   }
 
   bool declaration() {
@@ -381,9 +341,9 @@ private:
     std::string type, name;
     if (!takeName(type) || !takeName(name))
       return false;
-    if (shapes().find(type) == shapes().end())
+    if (rapidShape(type).empty())
       return fail(joined({"data of the type ", type.substr(0, 40), " is not known to the reader"}));
-    Data data;
+    RapidData data;
     if (!takeAssign() || !value(type, data) || !takeEnd())
       return false;
     // Both say whether the robot holds it; what it holds must be the tool.
@@ -506,8 +466,8 @@ private:
     m.file = file_;
     m.line = line_;
     m.jointInterpolated = word != "movel";
-    Data target, speed, zone, tool;
-    Data object = *predeclared("wobjdata", "wobj0");
+    RapidData target, speed, zone, tool;
+    RapidData object = *predeclaredRapid("wobjdata", "wobj0");
     if (!value(absolute ? "jointtarget" : "robtarget", target))
       return false;
     if (absolute && takeMark('\\') && !takeWord("noeoffs"))
@@ -638,6 +598,29 @@ bool looksLikeRapid(std::string_view text) {
   if (head.starts_with("<?xml"))
     return head.find("<Program>") != std::string_view::npos;
   return sameWord(RapidTokens(head).next().text, "module");
+}
+
+std::vector<std::string> filesOfRapid(std::string_view text) {
+  std::vector<std::string> names;
+  if (isList(text)) {
+    LineReader lines(text);
+    for (std::string_view line; lines.next(line);)
+      if (line = trimmed(line); takeListed(line))
+        names.emplace_back(line);
+    return names;
+  }
+  RapidTokens tokens(text);
+  for (RapidToken token = tokens.next(); token.kind != RapidTokenKind::End; token = tokens.next()) {
+    if (token.kind != RapidTokenKind::Name || !sameWord(token.text, "load"))
+      continue;
+    std::string_view last; // string of the statement: behind the folder stands the file
+    for (token = tokens.next(); token.kind != RapidTokenKind::End && token.text != ";";
+         token = tokens.next())
+      if (token.kind == RapidTokenKind::Text)
+        last = token.text;
+    names.emplace_back(last);
+  }
+  return names;
 }
 
 } // namespace voluta::program

@@ -1,0 +1,25 @@
+// The data types of RAPID that a program for printing declares or names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::program {
+
+// A literal as its numbers in order and its shape: n number, b truth (0 or 1), s string ("" is 0,
+// else 1), within the literal's brackets.
+struct RapidData {
+  std::string shape;
+  std::vector<double> numbers;
+};
+
+// The shape of a type's literals; empty: a type that is not known. `type` in small letters.
+std::string_view rapidShape(std::string_view type);
+
+// What every controller declares by itself: v5..v7000, fine, z0..z200, tool0, wobj0. `type` and
+// `name` in small letters.
+std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_view name);
+
+} // namespace voluta::program
