@@ -6,20 +6,40 @@
 #include "program/dialect.h"
 #include "robot/cell.h"
 
+#include <algorithm>
+
 namespace voluta::pipeline {
+
+namespace {
+// `program` and the files beside it that it goes on in, each once.
+std::vector<plan::ProgramFile> filesOf(const std::filesystem::path& program,
+                                       const program::Dialect& dialect, std::string text) {
+  std::vector<plan::ProgramFile> files{{program.filename().string(), std::move(text)}};
+  if (!dialect.goesOnIn)
+    return files;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (const std::string& name : dialect.goesOnIn(files[i].text)) {
+      const bool known = std::any_of(files.begin(), files.end(),
+                                     [&](const plan::ProgramFile& f) { return f.name == name; });
+      if (!known && !name.empty() && name == std::filesystem::path(name).filename())
+        files.push_back({name, base::readFile(program.parent_path() / name)});
+    }
+  return files;
+}
+} // namespace
 
 VerifyResult verifyProgram(const std::filesystem::path& program, const std::filesystem::path& job,
                            const base::RunContext& ctx) {
-  const std::vector<plan::ProgramFile> files{
-      {program.filename().string(), base::readFile(program)}};
+  std::string text = base::readFile(program);
   const Job planned = readJob(job);
   if (!planned.part || !planned.toolPlan || !planned.trajectory)
     throw base::Error(base::ErrorCode::UnusableInput, "the job holds no motion to verify against",
                       job.string(), "plan it without --until");
-  const program::Dialect* dialect = program::detectDialect(files[0].name, files[0].text);
+  const program::Dialect* dialect = program::detectDialect(program.filename().string(), text);
   if (!dialect)
     throw base::Error(base::ErrorCode::UnusableInput, "not a program in any known format",
                       program.string(), "see: list formats");
+  const std::vector<plan::ProgramFile> files = filesOf(program, *dialect, std::move(text));
   const process::Process process = chosenProcess(planned.choices, parameterValues(planned.choices));
   const robot::Cell cell = robot::loadCell(planned.choices.cell, process, planned.platform);
   const ProgramStageInput in{*planned.part, *planned.toolPlan, *planned.trajectory,
