@@ -3,6 +3,7 @@
 #include "pipeline/road.h"
 
 #include "base/error.h"
+#include "base/files.h"
 #include "geometry/measures.h"
 #include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
@@ -106,6 +107,21 @@ TEST_F(PlannedBox, AnotherFormatOnlyWritesThatFormat) {
   ASSERT_EQ(second.checked.size(), 2u);
   EXPECT_EQ(second.checked[0], first_->checked[2]);
   EXPECT_EQ(second.checked[1], first_->checked[0]);
+}
+
+TEST_F(PlannedBox, AProgramIsVerifiedWithAllItsFiles) {
+  PlanRequest request = boxRequest();
+  request.choices.formats = {"rapid"};
+  const PlanResult planned = planPart(request, context(), cache_);
+  const test::TemporaryFolder folder;
+  writeJob(folder / "job.voluta", planned.job);
+  for (const plan::ProgramFile& file : planned.checked.at(0)->program.files)
+    base::writeFile(folder / file.name, file.text);
+  const std::string list = planned.checked[0]->program.files.back().name;
+  ASSERT_TRUE(list.ends_with(".pgf"));
+  EXPECT_TRUE(verifyProgram(folder / list, folder / "job.voluta", context()).replay.passed);
+  std::filesystem::remove(folder / planned.checked[0]->program.files.front().name);
+  EXPECT_THROW(verifyProgram(folder / list, folder / "job.voluta", context()), base::Error);
 }
 
 TEST_F(PlannedBox, ACancelledPlanKeepsWhatIsDone) {
