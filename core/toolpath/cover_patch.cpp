@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "process/bead_model.h"
+#include "toolpath/bead_scale.h"
 #include "toolpath/cells.h"
 #include "toolpath/coverage.h"
 #include "toolpath/curve_tools.h"
@@ -23,10 +24,12 @@ namespace {
 using Eigen::Vector3d;
 using plan::PathKind;
 
-constexpr double kReach = 1.8;    // mm: further from a centreline, nothing is laid
+// mm, of beads of the usual width: further from a centreline, nothing is laid.
+constexpr double kReach = 1.8;
 constexpr double kPlanStep = 0.5; // mm between points while centrelines move
 constexpr int kRelaxations = 2;
-constexpr double kArcStep = 0.2; // mm; with the passes, right angles become arcs of about 0.4 mm
+// mm, of beads of the usual width; with the passes, right angles become arcs of about 0.4 mm.
+constexpr double kArcStep = 0.2;
 constexpr int kArcPasses = 4;
 // Of triangles, for shares of lines as even as a winding's: coarse samples beat with them.
 constexpr int kFineHalvings = 2;
@@ -200,6 +203,7 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                         const ToolpathOptions& o, const InfillKind& kind, int layer,
                         const base::RunContext& ctx) {
   const std::size_t n = s.position.size();
+  const double beadScale = beadScaleOf(process);
   const std::vector<double> boundaryMm = distanceToSegments(s, boundarySegments(s), 1e9);
   std::vector<double> hatchMm(n), depth(n);
   for (std::size_t v = 0; v < n; ++v) {
@@ -216,7 +220,7 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   }
   Centrelines lines;
   for (int i = 0; i < o.walls; ++i)
-    lines.add(wallAt(s, depth, hatchMm, i + 0.5), PathKind::Wall, i);
+    lines.add(wallAt(s, depth, hatchMm, beadScale, i + 0.5), PathKind::Wall, i);
   ctx.checkpoint();
   const InfillRegion region{s,
                             depth,
@@ -224,11 +228,12 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                             static_cast<double>(o.walls),
                             o.infillDensity,
                             layer,
-                            o.windingAngleDeg * std::numbers::pi / 180.0};
+                            o.windingAngleDeg * std::numbers::pi / 180.0,
+                            beadScale};
   lines.add(kind.fill(region), PathKind::Infill, 0);
   ctx.checkpoint();
   if (o.infillDensity >= 1.0)
-    lines.add(gapSpines(s, lines.curves, boundaryMm, hatchMm), PathKind::GapFill, 0);
+    lines.add(gapSpines(s, lines.curves, boundaryMm, hatchMm, beadScale), PathKind::GapFill, 0);
   ctx.checkpoint();
   return lines;
 }
@@ -256,6 +261,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     return cover;
 
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  const double beadScale = beadScaleOf(process);
   const bool solid = o.infillDensity >= 1.0;
   ResampleOptions dense;
   dense.stepMm = kPlanStep;
@@ -267,14 +273,14 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   for (int i = 0; solid && i < kRelaxations; ++i) {
     ctx.checkpoint();
-    const Cells cells = shareOut(s, lines.curves, kReach, 0);
+    const Cells cells = shareOut(s, lines.curves, kReach * beadScale, 0);
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.isWound || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
   }
   // Corners become arcs: straight beads that meet at an angle leave a wedge open at its outside.
   ResampleOptions fine = dense, final;
-  fine.stepMm = kArcStep;
+  fine.stepMm = kArcStep * beadScale;
   final.stepMm = o.stepMm;
   for (SurfaceCurve& c : lines.curves) {
     Resampled r = resample(s, c, fine);
@@ -282,7 +288,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();
-  Cells cells = shareOut(s, lines.curves, kReach, kind.isWound ? kFineHalvings : 1);
+  Cells cells = shareOut(s, lines.curves, kReach * beadScale, kind.isWound ? kFineHalvings : 1);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)

@@ -19,8 +19,9 @@ std::size_t at(int i) {
 
 constexpr double kEdge = 0.18;       // hatches: the spine ends this far from the gap's end
 constexpr double kWorthwhile = 0.28; // hatches: half width of the least gap that gets a bead
-constexpr double kReach = 2.5;       // mm
 constexpr int kRounds = 8;           // branches of branches
+// mm, of beads of the usual width; the least spines of a wide gap and of a narrow one.
+constexpr double kReach = 2.5, kStep = 0.4, kShortestWide = 0.5, kShortestNarrow = 1.2;
 
 // Shortest ways from one vertex within a region, lengths weighted by the vertices' cost.
 class Ways {
@@ -82,11 +83,12 @@ private:
 
 std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<SurfaceCurve>& curves,
                                     const std::vector<double>& boundaryMm,
-                                    const std::vector<double>& hatchMm) {
+                                    const std::vector<double>& hatchMm, double beadScale) {
   const std::size_t n = s.position.size();
   // Half the gap's width to be had at a vertex, in hatches.
   std::vector<double> room(n);
-  const std::vector<double> toCurve = distanceToSegments(s, segmentsOf(s, curves), kReach);
+  const std::vector<double> toCurve =
+      distanceToSegments(s, segmentsOf(s, curves), kReach * beadScale);
   for (std::size_t v = 0; v < n; ++v)
     room[v] = std::min(boundaryMm[v], toCurve[v] - 0.5 * hatchMm[v]) / hatchMm[v];
 
@@ -117,11 +119,11 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<Sur
       SurfaceCurve c;
       for (const int v : ways.wayTo(b))
         c.points.push_back({s.position[at(v)], *s.ringBegin(v)});
-      const double shortest = half > 0.4 ? 0.5 : 1.2;
+      const double shortest = beadScale * (half > 0.4 ? kShortestWide : kShortestNarrow);
       if (c.points.size() < 2 || lengthOf(c) < shortest)
         continue;
       ResampleOptions o;
-      o.stepMm = 0.4;
+      o.stepMm = kStep * beadScale;
       o.chordMm = INFINITY;
       o.cornerRad = 10.0; // a way along edges is all corners
       Resampled even = resample(s, c, o);
@@ -131,7 +133,8 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<Sur
     if (fresh.empty())
       break;
     // A spine's bead takes the gap around it as far as a bead may be wide.
-    const std::vector<double> toSpine = distanceToSegments(s, segmentsOf(s, fresh), kReach);
+    const std::vector<double> toSpine =
+        distanceToSegments(s, segmentsOf(s, fresh), kReach * beadScale);
     for (std::size_t v = 0; v < n; ++v)
       room[v] = std::min(room[v], (toSpine[v] - 0.8 * hatchMm[v]) / hatchMm[v]);
     for (SurfaceCurve& c : fresh)

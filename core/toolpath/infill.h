@@ -18,6 +18,7 @@ struct InfillRegion {
   double density = 1.0;    // (0, 1]
   int layer = 0;           // direction alternates with it
   double windingRad = 0.0; // of helical lines from the way around, [0, pi/2]
+  double beadScale = 1.0;  // bead_scale.h
 };
 
 struct InfillKind {

@@ -10,7 +10,7 @@ std::vector<SurfaceCurve> concentricInfill(const InfillRegion& r) {
   const double deepest = *std::ranges::max_element(r.depth);
   const double spacing = 1.0 / r.density;
   for (double level = r.from + 0.5 * spacing; level < deepest; level += spacing)
-    for (SurfaceCurve& c : wallAt(r.surface, r.depth, r.hatchMm, level))
+    for (SurfaceCurve& c : wallAt(r.surface, r.depth, r.hatchMm, r.beadScale, level))
       curves.push_back(std::move(c));
   return curves;
 }

@@ -11,8 +11,10 @@ namespace voluta::toolpath {
 // further in; where it doesn't, two such curves from opposite sides would nearly meet, and one bead
 // on the middle line does better (gap_fill.h). That is the morphological opening of the offset
 // region: corners are rounded by 0.4 hatch, and narrow parts fall away without open ends.
-// depth: per vertex, distance from the boundary in hatches; hatchMm per vertex.
+// depth: per vertex, distance from the boundary in hatches; hatchMm per vertex. beadScale as in
+// bead_scale.h.
 std::vector<SurfaceCurve> wallAt(const PatchSurface& surface, const std::vector<double>& depth,
-                                 const std::vector<double>& hatchMm, double level);
+                                 const std::vector<double>& hatchMm, double beadScale,
+                                 double level);
 
 } // namespace voluta::toolpath
