@@ -127,6 +127,7 @@ class Levels {
 public:
   Levels(const geometry::RodShape& rod, const Eigen::AlignedBox3d& box, const LatheOptions& options)
       : box_(box), edge_(kEdgeShare * options.beadWidthMm) {
+    inside_ = [over = rodGround(rod)](const Vector3d& p) { return over.over(p) < 0.0; };
     if (options.followsRod)
       rod_ = std::make_shared<geometry::MeshQuery>(geometry::meshOf(rod, kRodChordMm));
     box_.min().array() -= 2.0 * edge_;
@@ -134,24 +135,30 @@ public:
   }
   layers::LevelSurface between(double inner, double outer, const base::RunContext& ctx) const {
     const double middle = 0.5 * (inner + outer), thickness = outer - inner;
-    return rod_ ? offsetLevel(*rod_, middle, thickness, box_, edge_, ctx)
+    return rod_ ? offsetLevel(*rod_, middle, thickness, box_, edge_, ctx, inside_)
                 : cylinderLevel(middle, thickness, box_.min().x(), box_.max().x(), edge_);
   }
   double farthest(const geometry::TriangleMesh& part) const {
     double most = 0.0;
     for (const Vector3d& p : part.vertices)
-      most = std::max(most, rod_ ? rod_->signedDistance(p) : p.tail<2>().norm());
+      most = std::max(most, !rod_        ? p.tail<2>().norm()
+                            : inside_(p) ? 0.0
+                                         : rod_->closest(p).distance);
     return most;
   }
   layers::Ground ground(const geometry::RodShape& rod) const {
     if (!rod_)
       return rodGround(rod);
-    return {[query = rod_](const Vector3d& p) { return query->signedDistance(p); }};
+    return {[query = rod_, isInside = inside_](const Vector3d& p) {
+      const double far = query->closest(p).distance;
+      return isInside(p) ? -far : far;
+    }};
   }
 
 private:
   Eigen::AlignedBox3d box_;
   double edge_;
+  InsideTest inside_;
   std::shared_ptr<const geometry::MeshQuery> rod_;
 };
 

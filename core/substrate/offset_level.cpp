@@ -33,9 +33,10 @@ constexpr std::array<std::array<int, 4>, 6> kTetrahedra = {
 
 class Marcher {
 public:
-  Marcher(const geometry::MeshQuery& ground, double distanceMm, const Eigen::AlignedBox3d& box,
-          double pitch)
-      : ground_(ground), distance_(distanceMm), low_(box.min()), pitch_(pitch) {
+  Marcher(const geometry::MeshQuery& ground, const InsideTest& isInside, double distanceMm,
+          const Eigen::AlignedBox3d& box, double pitch)
+      : ground_(ground), isInside_(isInside), distance_(distanceMm), low_(box.min()),
+        pitch_(pitch) {
     for (int k = 0; k < 3; ++k)
       size_[k] = std::max(1, static_cast<int>(std::ceil(box.sizes()[k] / pitch)));
   }
@@ -68,6 +69,14 @@ private:
   }
   Vector3d point(const Vector3i& at) const { return low_ + pitch_ * at.cast<double>(); }
 
+  // Nearer than the level the side does not matter: either is below it.
+  double signedDistance(const Vector3d& p) const {
+    const double far = ground_.closest(p).distance;
+    if (far < distance_)
+      return far;
+    return (isInside_ ? isInside_(p) : ground_.inside(p)) ? -far : far;
+  }
+
   std::vector<double> sampled(const Vector3i& first) const {
     const Vector3d middle = point(first) + Vector3d::Constant(0.5 * kBlock * pitch_);
     const double reach = 0.5 * std::sqrt(3.0) * kBlock * pitch_;
@@ -79,7 +88,7 @@ private:
     for (int z = 0; z <= kBlock; ++z)
       for (int y = 0; y <= kBlock; ++y)
         for (int x = 0; x <= kBlock; ++x)
-          values.push_back(ground_.signedDistance(point(first + Vector3i(x, y, z))) - distance_);
+          values.push_back(signedDistance(point(first + Vector3i(x, y, z))) - distance_);
     return values;
   }
 
@@ -106,7 +115,7 @@ private:
     for (int round = 0; round < kMostRounds; ++round) {
       const double t = low + (high - low) * atLow / (atLow - atHigh);
       p = (1.0 - t) * a + t * b;
-      const double value = ground_.signedDistance(p) - distance_;
+      const double value = signedDistance(p) - distance_;
       if (std::abs(value) <= kOnLevelMm)
         break;
       if ((value < 0.0) == (atHigh < 0.0)) {
@@ -190,6 +199,7 @@ private:
   };
 
   const geometry::MeshQuery& ground_;
+  const InsideTest& isInside_;
   double distance_;
   Vector3d low_;
   double pitch_;
@@ -203,11 +213,11 @@ private:
 
 layers::LevelSurface offsetLevel(const geometry::MeshQuery& ground, double distanceMm,
                                  double thicknessMm, const Eigen::AlignedBox3d& box, double edgeMm,
-                                 const base::RunContext& ctx) {
+                                 const base::RunContext& ctx, const InsideTest& isInside) {
   base::require(distanceMm > 0.0 && thicknessMm > 0.0 && edgeMm > 0.0 && !box.isEmpty(),
                 "an offset of positive lengths and a box");
   layers::LevelSurface s;
-  s.surface = Marcher(ground, distanceMm, box, edgeMm).run(ctx);
+  s.surface = Marcher(ground, isInside, distanceMm, box, edgeMm).run(ctx);
   const std::size_t n = s.surface.vertices.size();
   s.thicknessMm.assign(n, thicknessMm);
   s.direction.resize(n);
