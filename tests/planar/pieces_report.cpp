@@ -2,6 +2,7 @@
 // [--triangles N] [--no-head] [--stem] [--stl DIR] [--brief] STL... What planar decomposition makes
 // of real parts, and what a checker that knows nothing of the planner says of it: a row each.
 // --stem: the plate is carried as the bundled UR5 cell carries it.
+#include "base/stopwatch.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_reader.h"
 #include "planar/beam_search.h"
@@ -79,24 +80,27 @@ int main(int argc, char** argv) try {
     const Eigen::Vector3d shift(-box.center().x(), -box.center().y(), -box.min().z());
     for (auto& v : part.vertices)
       v += shift;
+    const base::Stopwatch watch;
     const std::clock_t begin = std::clock();
     const planar::PlanarDecomposition d = greedyScheme
                                               ? planar::greedyDecompose(part, options, greedy, ctx)
                                               : planar::beamDecompose(part, options, ctx);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    const double clock = watch.seconds();
     test::PlanCheck check;
     check.overhangRad = options.rule.overhangRad;
     check.contactMm = options.rule.contactMm;
     check.head = options.head;
     check.plate = planar::plateOf(d.pieces, options);
     const test::PlanVerdict verdict = test::checkPlan(part, d.pieces, check);
-    std::printf("%s: %zu triangles, risky %.1f -> %.2f mm2 (%.2f %%), %zu pieces, blocked %zu, "
-                "sections %.0f mm2, %.1f s of processors; checked: risky %.2f mm2, blocked %zu, "
-                "%s\n",
-                file.substr(file.find_last_of('/') + 1).c_str(), part.triangles.size(),
-                d.riskyBeforeMm2, d.riskyMm2, 100.0 * d.riskyMm2 / std::max(1e-9, d.riskyBeforeMm2),
-                d.pieces.size(), d.blockedPieces, d.sectionMm2, seconds, verdict.riskyMm2,
-                verdict.blockedPieces, verdict.faults.empty() ? "valid" : "NOT VALID");
+    std::printf(
+        "%s: %zu triangles, risky %.1f -> %.2f mm2 (%.2f %%), %zu pieces, blocked %zu, "
+        "sections %.0f mm2, %.1f s (%.1f s of processors); checked: risky %.2f mm2, blocked %zu, "
+        "%s\n",
+        file.substr(file.find_last_of('/') + 1).c_str(), part.triangles.size(), d.riskyBeforeMm2,
+        d.riskyMm2, 100.0 * d.riskyMm2 / std::max(1e-9, d.riskyBeforeMm2), d.pieces.size(),
+        d.blockedPieces, d.sectionMm2, clock, seconds, verdict.riskyMm2, verdict.blockedPieces,
+        verdict.faults.empty() ? "valid" : "NOT VALID");
     for (const std::string& fault : verdict.faults)
       std::printf("  ! %s\n", fault.c_str());
     for (std::size_t p = 0; p < d.pieces.size(); ++p) {

@@ -17,7 +17,8 @@ namespace {
 constexpr double kBesideMm = 0.02;  // points beside a face
 constexpr double kSliverMm = 0.1;   // faces less high than that are not asked what is beside them
 constexpr double kCrossesMm = 0.02; // sections that pass less far through one another touch
-constexpr double kTouchesMm = 0.05; // the head may be so deep in what is printed
+constexpr double kSamplesMayHit = 5.0; // at least, of a piece's
+constexpr double kTouchesMm = 0.05;    // the head may be so deep in what is printed
 
 Vector3d middleOf(const TriangleMesh& m, std::size_t t) {
   return (m.corner(t, 0) + m.corner(t, 1) + m.corner(t, 2)) / 3.0;
@@ -277,10 +278,19 @@ PlanVerdict checkPlan(const TriangleMesh& part, const std::vector<planar::Piece>
       out.faults.push_back(line("overlaps others, mm2", i, shared));
     if (check.head.sections.empty())
       continue;
-    const std::vector<Vector3d> tips = strewn(mesh, check.spacingMm);
+    // Of a small piece so many that one of them is less than what may be hit.
+    double area = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      area += 0.5 * crossOf(mesh, t).norm();
+    const double fine = std::sqrt(area * check.mayHitShare / kSamplesMayHit);
+    std::vector<Vector3d> tips = strewn(mesh, std::min(check.spacingMm, fine));
+    // Nearer to its base than where it lays the first layer the nozzle's tip never comes.
+    for (Vector3d& tip : tips)
+      tip += std::max(0.0, pieces[i].base.offsetMm + 2.0 * check.contactMm - up.dot(tip)) * up;
     const auto hit = static_cast<double>(hits(tips, printed, up, check.head));
     out.blockedPieces += hit > check.mayHitShare * static_cast<double>(tips.size());
-    printed.insert(printed.end(), tips.begin(), tips.end());
+    const std::vector<Vector3d> laid = strewn(mesh, check.spacingMm);
+    printed.insert(printed.end(), laid.begin(), laid.end());
   }
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::size_t j = 0; j < pieces.size(); ++j)

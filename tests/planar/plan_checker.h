@@ -14,8 +14,9 @@ namespace voluta::test {
 
 struct PlanCheck {
   double overhangRad = 0.7853981633974483;
-  double contactMm = 0.4;  // what lies so low on a piece that stands on the plate lies on it
-  process::HeadShape head; // empty: reach is not asked
+  // Half the first layer: what lies so low on a piece that stands on the plate lies on it.
+  double contactMm = 0.4;
+  process::HeadShape head;            // empty: reach is not asked
   std::vector<Eigen::Vector2d> plate; // convex, its top on z = 0; empty: the head meets pieces only
   double spacingMm = 2.0;             // between samples of surfaces
   double mayHitShare = 0.01;          // of a piece's samples
