@@ -981,6 +981,14 @@ sioni</translation>
         <source>cutting</source>
         <translation>taglio</translation>
     </message>
+    <message>
+        <source>cutting layers around the rod</source>
+        <translation>taglio degli strati attorno alla barra</translation>
+    </message>
+    <message>
+        <source>ordering layers</source>
+        <translation>ordinamento degli strati</translation>
+    </message>
 </context>
 <context>
     <name>voluta::document::Document</name>

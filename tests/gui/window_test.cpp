@@ -175,7 +175,7 @@ TEST_F(WindowTest, SlidersChooseLayersAndMoves) {
 
 TEST_F(WindowTest, AFindingTakesCameraSlidersAndRobotThere) {
   // Beads are round and edges are not: too little of so small a box is covered.
-  openPart(writePart("small.stl", smallBox()));
+  openPart(writePart("small.stl", smallBox(5.0)));
   clickToolBar("plan");
   ASSERT_TRUE(planned(Stage::Replay));
   auto* panel = find<panels::FindingsPanel>("findings");
@@ -188,7 +188,7 @@ TEST_F(WindowTest, AFindingTakesCameraSlidersAndRobotThere) {
 }
 
 TEST_F(WindowTest, RefusedProgramsAreWrittenOnlyOnTheUsersWord) {
-  openPart(writePart("small.stl", smallBox()));
+  openPart(writePart("small.stl", smallBox(5.0)));
   clickToolBar("plan");
   ASSERT_TRUE(planned(Stage::Replay));
   ASSERT_FALSE(document().result(Stage::Replay)->job.report.replay.passed);

@@ -25,6 +25,8 @@ namespace {
     QT_TRANSLATE_NOOP("Stages", "cutting layers from the field"),
     QT_TRANSLATE_NOOP("Stages", "trimming layers on the part"),
     QT_TRANSLATE_NOOP("Stages", "ending layers on the surface"),
+    QT_TRANSLATE_NOOP("Stages", "cutting layers around the rod"),
+    QT_TRANSLATE_NOOP("Stages", "ordering layers"),
     QT_TRANSLATE_NOOP("Stages", "pieces"),
     QT_TRANSLATE_NOOP("Stages", "cutting"),
     QT_TRANSLATE_NOOP("Stages", "skeleton"),
