@@ -10,6 +10,7 @@
 #include "layers/clean_surface.h"
 #include "layers/follow_top.h"
 #include "layers/islands.h"
+#include "layers/layer_findings.h"
 #include "layers/order.h"
 #include "layers/part_boundary.h"
 #include "layers/patches.h"
@@ -26,11 +27,6 @@ namespace {
 
 // Share of the pitch below which an edge of a raw level is taken out, before and after trimming.
 constexpr double kShortRaw = 0.3, kShortTrimmed = 0.2;
-// A foot this much further than the two half thicknesses still lies on what is below.
-constexpr double kSupportReach = 1.25;
-constexpr double kSupportedShare = 0.02;
-// A patch in the air that is no wider than so many beads is not laid where it can't be merged.
-constexpr double kBeadsToDrop = 4.0;
 // A place is laid in other than whole levels where it has the volume of a patch so many beads wide.
 constexpr double kBeadsToChange = 2.0;
 // Half of so many voxels may lie outside the part: fewer leave a seam with one side only.
@@ -123,29 +119,25 @@ void tellDropped(LayersResult& result, const std::vector<layers::DroppedPiece>& 
   }
   if (largest == nullptr)
     return;
-  plan::Finding f;
-  f.stage = "layers";
-  f.kind = "droppedPieces";
-  f.where = largest->centre;
-  f.count = dropped.size();
-  f.reason =
+  result.findings.push_back(layers::layerFinding(
+      "droppedPieces", largest->centre, dropped.size(),
       fmt::format("{} pieces of layers are too small for a bead or would begin in the air and are "
                   "not laid ({:.1f} mm3 in all, the largest {:.1f} mm3)",
-                  dropped.size(), result.droppedVolumeMm3, largest->volumeMm3);
-  f.remedy = "a narrower bead or a lower layer height follows finer detail; support carries "
-             "what begins in the air";
-  f.blocking = false;
-  result.findings.push_back(std::move(f));
+                  dropped.size(), result.droppedVolumeMm3, largest->volumeMm3),
+      "a narrower bead or a lower layer height follows finer detail; support carries "
+      "what begins in the air",
+      false));
 }
 
-void tellUnsupported(LayersResult& result, const std::vector<layers::SupportCheck>& support) {
+void tellUnsupported(LayersResult& result, const std::vector<layers::SupportCheck>& support,
+                     const layers::IslandOptions& islands) {
   const layers::SupportCheck* first = nullptr;
   double area = 0.0, loose = 0.0, whole = 0.0;
   for (std::size_t p = 0; p < support.size(); ++p) {
     const double patch = geometry::area(result.stack.patches[p].surface);
     whole += patch;
     loose += (1.0 - support[p].supportedFraction) * patch;
-    if (support[p].supportedFraction >= kSupportedShare)
+    if (support[p].supportedFraction >= islands.supportedShare)
       continue;
     ++result.unsupportedPatches;
     area += patch;
@@ -155,17 +147,12 @@ void tellUnsupported(LayersResult& result, const std::vector<layers::SupportChec
   result.unsupportedFraction = whole > 0.0 ? loose / whole : 0.0;
   if (first == nullptr)
     return;
-  plan::Finding f;
-  f.stage = "layers";
-  f.kind = "unsupportedPatches";
-  f.where = first->unsupportedAt;
-  f.count = result.unsupportedPatches;
-  f.reason = fmt::format("{} patches ({:.1f} mm2) begin in the air: neither the plate nor an "
-                         "earlier layer is under them",
-                         f.count, area);
-  f.remedy = "turn the part, enlarge the platform or add supports";
-  f.blocking = false;
-  result.findings.push_back(std::move(f));
+  result.findings.push_back(layers::layerFinding(
+      "unsupportedPatches", first->unsupportedAt, result.unsupportedPatches,
+      fmt::format("{} patches ({:.1f} mm2) begin in the air: neither the plate nor an "
+                  "earlier layer is under them",
+                  result.unsupportedPatches, area),
+      "turn the part, enlarge the platform or add supports", false));
 }
 
 } // namespace
@@ -230,10 +217,7 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
     result.stack.patches.push_back(std::move(support.patch));
   }
   layers::orderForPrinting(result.stack);
-  layers::IslandOptions islands;
-  islands.supportReach = kSupportReach;
-  islands.supportedShare = kSupportedShare;
-  islands.dropMm2 = std::pow(kBeadsToDrop * o.beadWidthMm, 2);
+  const layers::IslandOptions islands = layers::islandOptions(o.beadWidthMm);
   layers::IslandsTaken found = layers::absorbIslands(result.stack, islands, absorb, ctx);
   layers::Absorbed& taken = found.absorbed;
   std::move(taken.dropped.begin(), taken.dropped.end(), std::back_inserter(absorbed.dropped));
@@ -246,7 +230,7 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   result.volumeMm3 = result.statistics.volumeMm3();
   tellDropped(result, absorbed.dropped);
-  tellUnsupported(result, found.support);
+  tellUnsupported(result, found.support, islands);
   result.seconds.trim = trimClock.seconds();
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -18,6 +19,13 @@ constexpr int kRounds = 6;
 constexpr double kNearMm = 3.0;
 
 } // namespace
+
+IslandOptions islandOptions(double beadWidthMm) {
+  constexpr double kBeadsToDrop = 4.0;
+  IslandOptions options;
+  options.dropMm2 = std::pow(kBeadsToDrop * beadWidthMm, 2);
+  return options;
+}
 
 IslandsTaken absorbIslands(LayerStack& stack, const IslandOptions& options,
                            const AbsorbOptions& absorb, const base::RunContext& ctx,

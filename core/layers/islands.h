@@ -11,11 +11,14 @@
 namespace voluta::layers {
 
 struct IslandOptions {
-  double supportReach = 1.25;   // as checkSupport
+  double supportReach = 1.25; // as checkSupport: a foot so much further still lies on what is below
   double supportedShare = 0.02; // with less of its area on something a patch is an island
   double leastMerged = 0.5;     // share of its volume that has to find room, for it to go
   double dropMm2 = 20.0;        // smaller ones go in any case
 };
+
+// For beads so wide: islands smaller than four of them across go in any case.
+IslandOptions islandOptions(double beadWidthMm);
 
 struct IslandsTaken {
   Absorbed absorbed;

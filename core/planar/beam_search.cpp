@@ -182,6 +182,8 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   Tried best = judged({whole}, options);
   double share = 0.0;
   const std::vector<PlanarOptions> steps = searches(options, part.triangles.size());
+  Piece coarse;
+  std::size_t coarseTriangles = 0; // asked of it
   for (const PlanarOptions& step : steps) {
     if (best.good(kAbout * goal))
       break;
@@ -189,13 +191,18 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
     const base::RunContext searching = ctx.sub(share, next);
     share = next;
     searching.report(0.0, "pieces");
-    const Piece coarse = wholePart(geometry::simplified(part, step.searchTriangles), options.rule);
+    if (step.searchTriangles != coarseTriangles) {
+      coarseTriangles = step.searchTriangles;
+      coarse = wholePart(geometry::simplified(part, coarseTriangles), options.rule);
+    }
     const double coarseBefore = riskyArea(coarse, options.rule);
     const bool asIs = part.triangles.size() <= step.searchTriangles;
+    const double began = watch.seconds();
     const std::vector<SearchResult> found =
         CutSearch({coarse}, step, coarseBefore, footingOf(coarse, options.rule),
                   asIs ? kHeadMarginMm : kCoarseHeadMarginMm, searching)
             .run();
+    out.seconds.search += watch.seconds() - began;
     // The best that the head can build of the part as it is.
     std::optional<Tried> here;
     for (std::size_t i = 0; i < std::min(found.size(), kTriedOnThePart); ++i) {
@@ -212,7 +219,6 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
     }
     if (!here)
       continue;
-    out.seconds.search = watch.seconds();
     // What the coarse mesh did not show.
     PlanarOptions last = step;
     last.beam = 2;

@@ -136,11 +136,7 @@ SearchResult CutSearch::bettered() {
   constexpr int kMoves = 60;
   State state;
   state.nodes = start_;
-  weigh(state);
-  weighHead(state);
-  if (state.blocked > 0)
-    if (State free = state; clearWays(free, state.blocked - 1))
-      state = std::move(free);
+  weighStart(state);
   const double goal = options_.target * before_;
   for (int move = 0; move < kMoves && (state.risky > goal || state.blocked > 0); ++move)
     if (!movePlanes(state) && !cutAnew(state))

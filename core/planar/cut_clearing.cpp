@@ -1,4 +1,3 @@
-#include "base/error.h"
 #include "base/parallel.h"
 #include "geometry/measures.h"
 #include "planar/cut_search_state.h"
@@ -91,13 +90,7 @@ std::shared_ptr<CutSearch::Cutting> CutSearch::clearing(const Node& of, Node& wh
         return false;
       return !head_.inside(of.tips, surfaceSamples(solid.mesh, kReachSpacingMm), up, first).empty();
     };
-    std::optional<PieceCut> cut;
-    try {
-      cut = splitPiece(what.piece, plane, tags_, wanted, options_.rule);
-    } catch (const base::Error& e) {
-      if (e.code() != base::ErrorCode::UnusableInput)
-        throw;
-    }
+    auto cut = splitIfItCloses(what.piece, plane, tags_, wanted, options_.rule);
     if (!cut)
       continue;
     tags_ += kTagsPerCut;

@@ -303,6 +303,14 @@ void CutSearch::weighHead(State& state) {
   state = std::move(one.front());
 }
 
+void CutSearch::weighStart(State& state) {
+  weigh(state);
+  weighHead(state);
+  if (state.blocked > 0)
+    if (State free = state; clearWays(free, state.blocked - 1))
+      state = std::move(free);
+}
+
 bool CutSearch::inTheWay(const Node& of, const Node& what) const {
   const Vector3d& up = of.piece.base.normal;
   const Eigen::AlignedBox3d& box = what.bodyBox;
@@ -390,11 +398,7 @@ bool CutSearch::better(const State& a, const State& b) const {
 std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width, std::size_t tries,
                                                   int firstId) {
   constexpr std::size_t kBatch = 8;
-  weigh(start);
-  weighHead(start);
-  if (start.blocked > 0)
-    if (State free = start; clearWays(free, start.blocked - 1))
-      start = std::move(free);
+  weighStart(start);
   const std::size_t blockedBefore = start.blocked;
   std::vector<State> beam{start}, best{start};
   const double goal = options_.target * before_;

@@ -95,6 +95,8 @@ private:
   void weigh(State& state);
   void weighHead(std::vector<State>& states);
   void weighHead(State& state);
+  // Both; where pieces are hidden from the head, so many fewer as can be cleared.
+  void weighStart(State& state);
   // Beam search of that width over the pieces numbered firstId and up; so many cuts are tried at a
   // level.
   std::vector<State> bestFrom(State start, std::size_t width, std::size_t tries, int firstId);

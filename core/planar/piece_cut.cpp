@@ -68,13 +68,7 @@ std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::in
     goes += stood;
     return true;
   };
-  try {
-    return splitPiece(piece, plane, tag, wanted, rules.rule);
-  } catch (const base::Error& e) {
-    if (e.code() != base::ErrorCode::UnusableInput)
-      throw;
-    return std::nullopt;
-  }
+  return splitIfItCloses(piece, plane, tag, wanted, rules.rule);
 }
 
 std::optional<PieceCut> cutOffAt(const Piece& piece, const Plane& plane, std::int32_t tag,
@@ -86,6 +80,11 @@ std::optional<PieceCut> cutOffAt(const Piece& piece, const Plane& plane, std::in
     return std::any_of(sectionMiddles.begin(), sectionMiddles.end(),
                        [&](const Vector3d& m) { return (m - middle).norm() <= kNearMm; });
   };
+  return splitIfItCloses(piece, plane, tag, wanted, rule);
+}
+
+std::optional<PieceCut> splitIfItCloses(const Piece& piece, const Plane& plane, std::int32_t tag,
+                                        const Wanted& wanted, const RiskRule& rule) {
   try {
     return splitPiece(piece, plane, tag, wanted, rule);
   } catch (const base::Error& e) {

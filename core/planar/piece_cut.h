@@ -35,8 +35,12 @@ std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::in
 std::optional<PieceCut> splitPiece(const Piece& piece, const Plane& plane, std::int32_t tag,
                                    const Wanted& wanted, const RiskRule& rule);
 
+// The same, but nothing where no plane near by can be closed.
+std::optional<PieceCut> splitIfItCloses(const Piece& piece, const Plane& plane, std::int32_t tag,
+                                        const Wanted& wanted, const RiskRule& rule);
+
 // Cuts off the solids above the plane whose sections have their middles within 3 mm of those given.
-// Otherwise as splitPiece, but nothing where no plane near by can be closed.
+// Otherwise as splitIfItCloses.
 std::optional<PieceCut> cutOffAt(const Piece& piece, const Plane& plane, std::int32_t tag,
                                  const std::vector<Eigen::Vector3d>& sectionMiddles,
                                  const RiskRule& rule);

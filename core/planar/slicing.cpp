@@ -5,6 +5,7 @@
 #include "geometry/measures.h"
 #include "layers/clean_surface.h"
 #include "layers/islands.h"
+#include "layers/layer_findings.h"
 #include "layers/order.h"
 #include "layers/patches.h"
 #include "planar/nudged.h"
@@ -24,9 +25,6 @@ using layers::Patch;
 
 namespace {
 
-constexpr double kReachShare = 1.25;     // as layers::checkSupport's other users
-constexpr double kOnSomething = 0.02;    // share of its area with which a patch does not hang
-constexpr double kBeadsToDrop = 4.0;     // across: islands smaller than that go
 constexpr double kBlockingShare = 0.005; // of the volume not laid
 
 std::size_t at(int i) {
@@ -72,19 +70,6 @@ double volumeOf(const Patch& patch) {
   return sum;
 }
 
-plan::Finding finding(const char* kind, const Vector3d& where, std::size_t count,
-                      std::string reason, std::string remedy, bool blocking) {
-  plan::Finding f;
-  f.stage = "layers";
-  f.kind = kind;
-  f.where = where;
-  f.count = count;
-  f.reason = std::move(reason);
-  f.remedy = std::move(remedy);
-  f.blocking = blocking;
-  return f;
-}
-
 // One layer to be made.
 struct Level {
   std::size_t piece;
@@ -124,10 +109,10 @@ void addColumns(SliceResult& result, const std::vector<Piece>& pieces,
     }
   }
   if (unheld > 0.0)
-    result.findings.push_back(
-        finding("unheldOverhang", unheldAt, 1,
-                fmt::format("{:.3g} mm2 hang where a support has nothing to stand on", unheld),
-                "use a larger platform (fit:MARGIN), or turn the part", false));
+    result.findings.push_back(layers::layerFinding(
+        "unheldOverhang", unheldAt, 1,
+        fmt::format("{:.3g} mm2 hang where a support has nothing to stand on", unheld),
+        "use a larger platform (fit:MARGIN), or turn the part", false));
 }
 
 } // namespace
@@ -144,10 +129,7 @@ void finishStack(SliceResult& result, const std::vector<Patch>& crumbs, const Sl
   layers::LayerStack& stack = result.stack;
   const layers::AbsorbOptions absorb{options.heights.maxMm, options.beadWidthMm};
   layers::Absorbed absorbed = layers::absorbCrumbs(stack.patches, crumbs, absorb);
-  layers::IslandOptions islands;
-  islands.supportReach = kReachShare;
-  islands.supportedShare = kOnSomething;
-  islands.dropMm2 = std::pow(kBeadsToDrop * options.beadWidthMm, 2);
+  const layers::IslandOptions islands = layers::islandOptions(options.beadWidthMm);
   layers::IslandsTaken taken = layers::absorbIslands(stack, islands, absorb, ctx);
   std::move(taken.absorbed.dropped.begin(), taken.absorbed.dropped.end(),
             std::back_inserter(absorbed.dropped));
@@ -159,35 +141,20 @@ void finishStack(SliceResult& result, const std::vector<Patch>& crumbs, const Sl
   double laid = 0.0;
   for (const double volume : result.volumeOfPiece)
     laid += volume;
-  const layers::DroppedPiece* largest = nullptr;
-  for (const layers::DroppedPiece& piece : absorbed.dropped) {
-    ++result.slivers;
-    result.sliverVolumeMm3 += piece.volumeMm3;
-    if (!largest || piece.volumeMm3 > largest->volumeMm3)
-      largest = &piece;
-  }
-  if (largest)
-    result.findings.push_back(finding(
-        "slivers", largest->centre, result.slivers,
-        fmt::format("{} pieces of layers are too small for a bead or would begin in the air, "
-                    "{:.3g} mm3 of {:.3g}: they are not laid",
-                    result.slivers, result.sliverVolumeMm3, laid + result.sliverVolumeMm3),
-        "use a finer nozzle, or print the part larger",
-        result.sliverVolumeMm3 > kBlockingShare * (laid + result.sliverVolumeMm3)));
+  const layers::NotLaid slivers = layers::notLaid(absorbed.dropped);
+  result.slivers = slivers.pieces;
+  result.sliverVolumeMm3 = slivers.volumeMm3;
+  if (auto finding = layers::sliversFinding(slivers, laid, kBlockingShare))
+    result.findings.push_back(std::move(*finding));
 
   result.statistics =
       layers::layerStatistics(stack, {options.heights.minMm, options.heights.maxMm});
-  std::optional<Vector3d> inAir;
-  for (const layers::SupportCheck& support : taken.support)
-    if (support.supportedFraction < kOnSomething) {
-      ++result.unsupportedPatches;
-      if (!inAir)
-        inAir = support.unsupportedAt;
-    }
-  if (inAir)
-    result.findings.push_back(finding(
-        "beginsInAir", *inAir, result.unsupportedPatches,
-        fmt::format("{} pieces of layers have nothing under them", result.unsupportedPatches),
+  const layers::InAir inAir = layers::patchesInAir(taken.support, islands);
+  result.unsupportedPatches = inAir.patches;
+  if (inAir.patches > 0)
+    result.findings.push_back(layers::layerFinding(
+        "beginsInAir", inAir.firstAt, inAir.patches,
+        fmt::format("{} pieces of layers have nothing under them", inAir.patches),
         "turn the part (orient=leastRisky), or use planar or curved mode", true));
 }
 

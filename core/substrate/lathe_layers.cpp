@@ -11,6 +11,7 @@
 #include "layers/clean_surface.h"
 #include "layers/follow_top.h"
 #include "layers/islands.h"
+#include "layers/layer_findings.h"
 #include "layers/order.h"
 #include "layers/part_boundary.h"
 #include "layers/patches.h"
@@ -32,11 +33,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRodChordMm = 1e-3;
-constexpr double kHardlyOverMm = 1e-2; // over the rod: what facets of either leave
-constexpr double kEdgeShare = 0.4;     // of a bead's width: edges of levels
-constexpr double kFineShare = 0.17;    // of a bead's width: where last layers end on the surface
-constexpr double kSupportReach = 1.25, kOnSomething = 0.02;
-constexpr double kBeadsToDrop = 4.0;
+constexpr double kHardlyOverMm = 1e-2;  // over the rod: what facets of either leave
+constexpr double kEdgeShare = 0.4;      // of a bead's width: edges of levels
+constexpr double kFineShare = 0.17;     // of a bead's width: where last layers end on the surface
 constexpr double kBlockingShare = 0.01; // of the volume that is not laid
 // Of a layer's height: a middle this near to the rod is the first layer's.
 constexpr double kOnRod = 0.75;
@@ -61,19 +60,6 @@ std::vector<double> levelBounds(double from, double to, const LatheOptions& o) {
   for (int k = 1; k <= count; ++k)
     bounds.push_back(from + room * k / count);
   return bounds;
-}
-
-plan::Finding finding(const char* kind, const Vector3d& where, std::size_t count,
-                      std::string reason, const char* remedy, bool blocking) {
-  plan::Finding f;
-  f.stage = "layers";
-  f.kind = kind;
-  f.where = where;
-  f.count = count;
-  f.reason = std::move(reason);
-  f.remedy = remedy;
-  f.blocking = blocking;
-  return f;
 }
 
 // Facets that face the axis more than they may, sampled so finely that the way outwards hardly
@@ -112,7 +98,7 @@ void findOverhang(const geometry::TriangleMesh& part, const layers::Ground& grou
       }
   }
   if (result.riskyAreaMm2 > 0.0)
-    result.findings.push_back(finding(
+    result.findings.push_back(layers::layerFinding(
         "overhang", at, 1,
         fmt::format(
             "{:.3g} mm2 of the part lean out along the rod by more than {:.3g} degrees over "
@@ -188,40 +174,21 @@ void followRod(std::vector<layers::Patch>& patches, const std::vector<double>& b
 }
 
 void tellDropped(const std::vector<layers::DroppedPiece>& dropped, LatheLayers& result) {
-  const layers::DroppedPiece* largest = nullptr;
-  for (const layers::DroppedPiece& piece : dropped) {
-    ++result.slivers;
-    result.sliverVolumeMm3 += piece.volumeMm3;
-    if (!largest || piece.volumeMm3 > largest->volumeMm3)
-      largest = &piece;
-  }
-  if (!largest)
-    return;
-  const double whole = result.statistics.volumeMm3() + result.sliverVolumeMm3;
-  result.findings.push_back(
-      finding("slivers", largest->centre, result.slivers,
-              fmt::format("{} pieces of layers are too small for a bead or would begin in the air, "
-                          "{:.3g} mm3 of {:.3g}: they are not laid",
-                          result.slivers, result.sliverVolumeMm3, whole),
-              "use a finer nozzle, or print the part larger",
-              result.sliverVolumeMm3 > kBlockingShare * whole));
+  const layers::NotLaid slivers = layers::notLaid(dropped);
+  result.slivers = slivers.pieces;
+  result.sliverVolumeMm3 = slivers.volumeMm3;
+  if (auto finding = layers::sliversFinding(slivers, result.statistics.volumeMm3(), kBlockingShare))
+    result.findings.push_back(std::move(*finding));
 }
 
-void tellUnsupported(const std::vector<layers::SupportCheck>& support, LatheLayers& result) {
-  const layers::SupportCheck* first = nullptr;
-  for (const layers::SupportCheck& check : support)
-    if (check.supportedFraction < kOnSomething) {
-      ++result.unsupportedPatches;
-      if (!first)
-        first = &check;
-    }
-  if (first)
-    result.findings.push_back(
-        finding("beginsInAir", first->unsupportedAt, result.unsupportedPatches,
-                fmt::format("{} pieces of layers have neither the rod nor an earlier layer under "
-                            "them",
-                            result.unsupportedPatches),
-                "turn the part on the rod, or use a thicker rod", true));
+void tellUnsupported(const layers::InAir& inAir, LatheLayers& result) {
+  result.unsupportedPatches = inAir.patches;
+  if (inAir.patches > 0)
+    result.findings.push_back(layers::layerFinding(
+        "beginsInAir", inAir.firstAt, inAir.patches,
+        fmt::format("{} pieces of layers have neither the rod nor an earlier layer under them",
+                    inAir.patches),
+        "turn the part on the rod, or use a thicker rod", true));
 }
 
 } // namespace
@@ -316,10 +283,7 @@ LatheLayers latheLayers(const geometry::TriangleMesh& part, const geometry::RodS
   const layers::AbsorbOptions absorb{o.heightMaxMm, o.beadWidthMm};
   layers::Absorbed absorbed = layers::absorbCrumbs(result.stack.patches, crumbs, absorb);
   layers::orderForPrinting(result.stack);
-  layers::IslandOptions islands;
-  islands.supportReach = kSupportReach;
-  islands.supportedShare = kOnSomething;
-  islands.dropMm2 = std::pow(kBeadsToDrop * o.beadWidthMm, 2);
+  const layers::IslandOptions islands = layers::islandOptions(o.beadWidthMm);
   layers::IslandsTaken taken = layers::absorbIslands(result.stack, islands, absorb, ctx, ground);
   result.mergedPieces = absorbed.merged + taken.absorbed.merged;
   std::move(taken.absorbed.dropped.begin(), taken.absorbed.dropped.end(),
@@ -329,7 +293,7 @@ LatheLayers latheLayers(const geometry::TriangleMesh& part, const geometry::RodS
                     {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   tellDropped(absorbed.dropped, result);
-  tellUnsupported(taken.support, result);
+  tellUnsupported(layers::patchesInAir(taken.support, islands), result);
   findOverhang(part, ground, o, 0.5 * (bounds[1] - bounds[0]), result);
   return result;
 }

@@ -26,48 +26,24 @@ using geometry::TriangleMesh;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// A polygon of x and z pushed along y.
-TriangleMesh prism(const std::vector<Vector2d>& outline,
-                   const std::vector<std::array<int, 3>>& triangles, double y0, double y1) {
-  TriangleMesh m;
-  const int n = static_cast<int>(outline.size());
-  for (const double y : {y0, y1})
-    for (const Vector2d& p : outline)
-      m.vertices.emplace_back(p.x(), y, p.y());
-  for (int i = 0; i < n; ++i) {
-    const int j = (i + 1) % n;
-    m.triangles.push_back({i, j, n + j});
-    m.triangles.push_back({i, n + j, n + i});
-  }
-  for (const auto& t : triangles) {
-    m.triangles.push_back({t[0], t[2], t[1]});
-    m.triangles.push_back({n + t[0], n + t[1], n + t[2]});
-  }
-  if (geometry::volume(m) < 0.0)
-    for (auto& t : m.triangles)
-      std::swap(t[1], t[2]);
-  return m;
-}
-
 TriangleMesh tee() {
-  return prism({{-4, 0}, {4, 0}, {4, 20}, {20, 20}, {20, 28}, {-20, 28}, {-20, 20}, {-4, 20}},
-               {{0, 1, 2}, {0, 2, 7}, {2, 3, 4}, {2, 4, 7}, {7, 4, 5}, {7, 5, 6}}, -4, 4);
+  return test::extruded(
+      {{-4, 0}, {4, 0}, {4, 20}, {20, 20}, {20, 28}, {-20, 28}, {-20, 20}, {-4, 20}}, -4, 4);
 }
 
 // Arms that lean out by 60 degrees from upright.
 TriangleMesh wye() {
   const double reach = 24.0, rise = reach / std::sqrt(3.0);
-  return prism({{-4, 0},
-                {4, 0},
-                {4, 16},
-                {4 + reach, 16 + rise},
-                {4 + reach, 24 + rise},
-                {0, 24 - 4 / std::sqrt(3.0)},
-                {-4 - reach, 24 + rise},
-                {-4 - reach, 16 + rise},
-                {-4, 16}},
-               {{0, 1, 2}, {0, 2, 8}, {2, 3, 4}, {2, 4, 5}, {8, 2, 5}, {8, 5, 6}, {8, 6, 7}}, -4,
-               4);
+  return test::extruded({{-4, 0},
+                         {4, 0},
+                         {4, 16},
+                         {4 + reach, 16 + rise},
+                         {4 + reach, 24 + rise},
+                         {0, 24 - 4 / std::sqrt(3.0)},
+                         {-4 - reach, 24 + rise},
+                         {-4 - reach, 16 + rise},
+                         {-4, 16}},
+                        -4, 4);
 }
 
 // A square cap on a square stem.
@@ -96,8 +72,8 @@ TriangleMesh mushroom() {
 
 // A post, an arm to the side of it and a square drop that hangs from the arm.
 TriangleMesh hanging() {
-  return prism({{0, 0}, {10, 0}, {10, 40}, {30, 40}, {30, 20}, {40, 20}, {40, 50}, {0, 50}},
-               {{0, 1, 2}, {0, 2, 7}, {7, 2, 3}, {7, 3, 6}, {3, 4, 5}, {3, 5, 6}}, -5, 5);
+  return test::extruded(
+      {{0, 0}, {10, 0}, {10, 40}, {30, 40}, {30, 20}, {40, 20}, {40, 50}, {0, 50}}, -5, 5);
 }
 
 PlanarOptions withHead() {

@@ -1,8 +1,8 @@
 // Parts whose best pieces can be worked out by hand. mm, standing on z = 0.
 #pragma once
 
-#include "geometry/measures.h"
 #include "geometry/triangle_mesh.h"
+#include "support/shapes.h"
 
 #include <Eigen/Core>
 #include <cmath>
@@ -12,13 +12,6 @@
 #include <vector>
 
 namespace voluta::test {
-
-inline geometry::TriangleMesh facingOutward(geometry::TriangleMesh mesh) {
-  if (geometry::volume(mesh) < 0.0)
-    for (auto& t : mesh.triangles)
-      std::swap(t[1], t[2]);
-  return mesh;
-}
 
 // A counter-clockwise polygon of x and z pushed along y; its ends by cutting off ears.
 inline geometry::TriangleMesh extruded(const std::vector<Eigen::Vector2d>& outline, double y0,

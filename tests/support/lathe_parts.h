@@ -14,14 +14,6 @@
 
 namespace voluta::test {
 
-// Faces outward, whichever way it was put together.
-inline geometry::TriangleMesh outward(geometry::TriangleMesh mesh) {
-  if (geometry::volume(mesh) < 0.0)
-    for (auto& t : mesh.triangles)
-      std::swap(t[1], t[2]);
-  return mesh;
-}
-
 // A closed polygon of (x, radius), turned about the x axis, whole.
 inline geometry::TriangleMesh revolved(const std::vector<Eigen::Vector2d>& section, int sides) {
   geometry::TriangleMesh m;
@@ -38,7 +30,7 @@ inline geometry::TriangleMesh revolved(const std::vector<Eigen::Vector2d>& secti
       m.triangles.push_back({a, b, c});
       m.triangles.push_back({a, c, d});
     }
-  return outward(std::move(m));
+  return facingOutward(std::move(m));
 }
 // Of the solid that it stands for, by Pappus.
 inline double revolvedVolume(const std::vector<Eigen::Vector2d>& section) {
@@ -67,7 +59,7 @@ inline geometry::TriangleMesh drawnOut(const std::vector<Eigen::Vector3d>& corne
     m.triangles.push_back({0, k + 1, k});
     m.triangles.push_back({n, n + k, n + k + 1});
   }
-  return outward(std::move(m));
+  return facingOutward(std::move(m));
 }
 
 // A tube or part of one: strips between an inner and an outer outline (y, z) of as many points,
@@ -97,7 +89,7 @@ inline geometry::TriangleMesh shell(const std::vector<Eigen::Vector2d>& inner,
       m.triangles.push_back({at, first ? at + 2 : at + 1, first ? at + 1 : at + 2});
       m.triangles.push_back({at, first ? at + 3 : at + 2, first ? at + 2 : at + 3});
     }
-  return outward(std::move(m));
+  return facingOutward(std::move(m));
 }
 
 inline std::vector<Eigen::Vector2d> arc(double radius, double from, double to, int points) {

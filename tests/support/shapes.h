@@ -1,6 +1,7 @@
 // Closed meshes with known measures. mm.
 #pragma once
 
+#include "geometry/measures.h"
 #include "geometry/triangle_mesh.h"
 
 #include <cmath>
@@ -17,6 +18,14 @@ inline geometry::TriangleMesh box(const Eigen::Vector3d& low, const Eigen::Vecto
   m.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                  {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return m;
+}
+
+// Whichever way it was put together.
+inline geometry::TriangleMesh facingOutward(geometry::TriangleMesh mesh) {
+  if (geometry::volume(mesh) < 0.0)
+    for (auto& t : mesh.triangles)
+      std::swap(t[1], t[2]);
+  return mesh;
 }
 
 // Adds the triangles of `other` to `mesh`, turned inside out where asked.

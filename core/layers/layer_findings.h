@@ -1,0 +1,39 @@
+// What is told of layers of any mode.
+#pragma once
+
+#include "layers/absorb.h"
+#include "layers/islands.h"
+#include "plan/finding.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voluta::layers {
+
+// Of stage "layers".
+plan::Finding layerFinding(const char* kind, const Eigen::Vector3d& where, std::size_t count,
+                           std::string reason, std::string remedy, bool blocking);
+
+// Pieces of layers that are not laid.
+struct NotLaid {
+  std::size_t pieces = 0;
+  double volumeMm3 = 0.0;
+  Eigen::Vector3d largestAt = Eigen::Vector3d::Zero();
+};
+NotLaid notLaid(const std::vector<DroppedPiece>& dropped);
+
+// "slivers", where there are any: blocking from that share of the whole volume on.
+std::optional<plan::Finding> sliversFinding(const NotLaid& slivers, double laidMm3,
+                                            double blockingShare);
+
+// Patches that are on nothing (IslandOptions::supportedShare).
+struct InAir {
+  std::size_t patches = 0;
+  Eigen::Vector3d firstAt = Eigen::Vector3d::Zero();
+};
+InAir patchesInAir(const std::vector<SupportCheck>& support, const IslandOptions& options);
+
+} // namespace voluta::layers
