@@ -1,6 +1,8 @@
 #include "base/units.h"
+#include "program/extruder_outputs.h"
 #include "program/rapid.h"
 #include "program/rapid_data.h"
+#include "program/rapid_files.h"
 #include "program/rapid_tokens.h"
 #include "program/text.h"
 
@@ -19,20 +21,6 @@ constexpr double kMostMm = 1e5, kMostDegrees = 6000.0, kMostSeconds = 1e5;
 constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
 constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
 
-bool isList(std::string_view text) {
-  return text.starts_with("<?xml");
-}
-
-// A trimmed line of a list that names a module becomes the name.
-bool takeListed(std::string_view& line) {
-  constexpr std::string_view kBegin = "<Module>", kEnd = "</Module>";
-  if (!line.starts_with(kBegin) || !line.ends_with(kEnd))
-    return false;
-  line.remove_prefix(kBegin.size());
-  line.remove_suffix(kEnd.size());
-  return true;
-}
-
 class RapidReader {
 public:
   RapidReader(const process::Process& process, const base::RunContext& ctx)
@@ -47,7 +35,7 @@ public:
       const plan::ProgramFile& file = files[file_];
       line_ = 1;
       complete = linesEnd(file.text) && complete;
-      if (isList(file.text))
+      if (isModuleList(file.text))
         complete = readList(file.text, files) && complete;
       else
         complete = readModule(file) && complete;
@@ -107,7 +95,7 @@ private:
         open = true;
       } else if (line == "</Program>" && open && !closed) {
         closed = true;
-      } else if (std::string_view name = line; open && !closed && takeListed(name)) {
+      } else if (std::string_view name = line; open && !closed && takeModule(name)) {
         if (std::none_of(files.begin(), files.end(),
                          [&](const auto& f) { return f.name.ends_with(name); }))
           defect(joined({"the module ", name.substr(0, 60), " is not here"}));
@@ -168,9 +156,8 @@ private:
     tokens_ = RapidTokens(file.text);
     textEnd_ = file.text.data() + file.text.size();
     advance();
-    on_.reset();
-    flow_.reset();
-    off_ = zero_ = procedure_ = procedureEnded_ = false;
+    outputs_.begin();
+    procedure_ = procedureEnded_ = false;
     std::string name;
     line_ = token_.line;
     bool runs = false, ended = false;
@@ -198,12 +185,12 @@ private:
       defect("ENDMODULE is missing: the file was cut short");
     if (!procedure_)
       defect("the module has no procedure");
-    if (!off_ || !zero_)
+    if (!outputs_.ended())
       defect("the extruder is not set off behind the last motion");
     if (!loaded_.empty())
       defect(joined({"'", loaded_, "' is not unloaded"}));
     ++modules_;
-    return ended && procedureEnded_ && runs && off_ && zero_ && loaded_.empty();
+    return ended && procedureEnded_ && runs && outputs_.ended() && loaded_.empty();
   }
 
   // (NOSTEPIN, VIEWONLY) and the like, behind a module's name.
@@ -413,15 +400,13 @@ private:
   bool digital(double value) {
     if (value != 0.0 && value != 1.0)
       return fail("a digital output is 0 or 1");
-    on_ = value == 1.0;
-    off_ = !*on_;
+    outputs_.turn(value == 1.0);
     return true;
   }
   bool analogue(double value) {
     if (!(value >= 0.0 && value <= 1.0))
       return fail("an analogue output outside 0..1");
-    flow_ = value;
-    zero_ = value == 0.0;
+    outputs_.flow(value);
     return true;
   }
 
@@ -491,13 +476,8 @@ private:
       return false;
     if (!absolute && !(m.jointInterpolated ? jointOff_ : linearOff_))
       defect("the arm's configuration is supervised: ConfL\\Off, ConfJ\\Off");
-    if (!on_ || !flow_)
+    if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
       defect("the extruder's outputs are not set before this motion");
-    on_ = on_.value_or(false);
-    flow_ = flow_.value_or(0.0);
-    m.extruding = *on_;
-    m.flowMm3PerS = *on_ ? *flow_ * process_.maxFlowMm3PerS : 0.0;
-    off_ = zero_ = false;
     last_ = absolute ? std::nullopt : std::optional(m.base_T_tcp);
     out_.motions.push_back(std::move(m));
     return true;
@@ -581,9 +561,7 @@ private:
   bool procedure_ = false, procedureEnded_ = false, linearOff_ = false, jointOff_ = false;
   bool toolSet_ = false;
   std::optional<Eigen::Isometry3d> last_; // base_T_tcp of the last motion, where it is known
-  std::optional<bool> on_;
-  std::optional<double> flow_;      // 0..1
-  bool off_ = false, zero_ = false; // the outputs, since the last motion
+  ReadOutputs outputs_;
 };
 
 } // namespace
@@ -591,36 +569,6 @@ private:
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx) {
   return RapidReader(process, ctx).read(files);
-}
-
-bool looksLikeRapid(std::string_view text) {
-  const std::string_view head = text.substr(0, 16384);
-  if (head.starts_with("<?xml"))
-    return head.find("<Program>") != std::string_view::npos;
-  return sameWord(RapidTokens(head).next().text, "module");
-}
-
-std::vector<std::string> filesOfRapid(std::string_view text) {
-  std::vector<std::string> names;
-  if (isList(text)) {
-    LineReader lines(text);
-    for (std::string_view line; lines.next(line);)
-      if (line = trimmed(line); takeListed(line))
-        names.emplace_back(line);
-    return names;
-  }
-  RapidTokens tokens(text);
-  for (RapidToken token = tokens.next(); token.kind != RapidTokenKind::End; token = tokens.next()) {
-    if (token.kind != RapidTokenKind::Name || !sameWord(token.text, "load"))
-      continue;
-    std::string_view last; // string of the statement: behind the folder stands the file
-    for (token = tokens.next(); token.kind != RapidTokenKind::End && token.text != ";";
-         token = tokens.next())
-      if (token.kind == RapidTokenKind::Text)
-        last = token.text;
-    names.emplace_back(last);
-  }
-  return names;
 }
 
 } // namespace voluta::program

@@ -1,5 +1,6 @@
 #include "base/units.h"
 #include "program/dialect.h"
+#include "program/extruder_outputs.h"
 #include "program/motion_targets.h"
 #include "program/rapid.h"
 #include "program/tcp_motions.h"
@@ -213,24 +214,17 @@ private:
   }
 
   void outputsOff() {
-    on_ = false;
-    flowText_.clear();
+    outputs_.off();
     line("    SetDO doExtruder,0;");
     line("    SetAO aoFlow,0;");
   }
   void flow(double mm3PerS) {
-    const double share = std::clamp(mm3PerS / in_.process.maxFlowMm3PerS, 0.0, 1.0);
-    std::string text;
-    appendFixed(text, share, decimalsFor(share, 4), true);
-    if (text != flowText_) {
-      line(joined({"    SetAO aoFlow,", text, ";"}));
-      flowText_ = std::move(text);
-    }
+    if (const auto share = outputs_.flow(mm3PerS))
+      line(joined({"    SetAO aoFlow,", *share, ";"}));
   }
   void extruder(bool on) {
-    if (on != on_)
+    if (outputs_.turn(on))
       line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
-    on_ = on;
   }
   void prime() {
     if (!(in_.process.primeS > 0.0) || in_.trajectory.extrudedMm3.back() <= 0.0)
@@ -250,8 +244,7 @@ private:
     if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
       line(joined({"    ! ", path}));
     if (isPrint(t, i)) {
-      const double s = motions_.seconds(i);
-      flow(s > 0.0 ? motionVolumeMm3(t, i) / s : 0.0);
+      flow(motions_.flowMm3PerS(i));
       extruder(true);
     } else {
       extruder(false);
@@ -331,9 +324,9 @@ private:
   TcpMotions motions_;
   PathNames paths_;
   plan::Program program_;
-  std::string name_, tool_, out_, flowText_;
+  std::string name_, tool_, out_;
   std::vector<std::size_t> cuts_;
-  bool on_ = false;
+  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
 };
 
 } // namespace

@@ -30,6 +30,11 @@ double TcpMotions::seconds(std::size_t i) const {
   return s;
 }
 
+double TcpMotions::flowMm3PerS(std::size_t i) const {
+  const double s = seconds(i);
+  return s > 0.0 ? motionVolumeMm3(in_.trajectory, i) / s : 0.0;
+}
+
 double TcpMotions::tcpMm(std::size_t i) const {
   return (targets_[i].tcpMm - targets_[i - 1].tcpMm).norm();
 }

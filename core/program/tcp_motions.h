@@ -27,6 +27,8 @@ public:
 
   // The plan's time, or what the extruder needs at its full flow. 0 at point 0.
   double seconds(std::size_t i) const;
+  // What the extruder gives in that time. 0 where there is none.
+  double flowMm3PerS(std::size_t i) const;
   // Length of the TCP's line. Precondition: i > 0.
   double tcpMm(std::size_t i) const;
   // 0 where it has no meaning.

@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "program/extruder_outputs.h"
 #include "program/rotation_vector.h"
 #include "program/text.h"
 #include "program/urscript.h"
@@ -191,9 +192,7 @@ private:
     defined_ = {};
     inside_ = called_ = false;
     tcpSet_ = false;
-    on_.reset();
-    flow_.reset();
-    ended_ = false;
+    outputs_.begin();
     LineReader lines(text);
     std::string_view line;
     while (lines.next(line)) {
@@ -208,9 +207,9 @@ private:
       defect(joined({"the function '", defined_, "' has no end"}));
     else if (!called_)
       defect(defined_.empty() ? "no function is defined" : "the function is never called");
-    if (!ended_)
+    if (!outputs_.ended())
       defect("the extruder is not set off behind the last motion");
-    return called_ && ended_;
+    return called_ && outputs_.ended();
   }
 
   void statement(std::string_view code) {
@@ -374,13 +373,8 @@ private:
     if (!(*t > 0.0))
       (m.jointInterpolated ? m.jointSpeedRadPerS : m.speedMmPerS) =
           m.jointInterpolated ? *v : *v * 1000.0;
-    if (!on_ || !flow_)
+    if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
       defect("the extruder's outputs are not set before this motion");
-    on_ = on_.value_or(false);
-    flow_ = flow_.value_or(0.0);
-    m.extruding = *on_;
-    m.flowMm3PerS = *on_ ? *flow_ * process_.maxFlowMm3PerS : 0.0;
-    offSaid_ = zeroSaid_ = ended_ = false;
     out_.motions.push_back(std::move(m));
   }
 
@@ -401,9 +395,7 @@ private:
     double value = 0.0;
     if (!outputOf(call, ValueKind::Boolean, channel, value) || channel != 0)
       return;
-    on_ = value > 0.0;
-    offSaid_ = value == 0.0;
-    ended_ = offSaid_ && zeroSaid_;
+    outputs_.turn(value > 0.0);
   }
   void analogOut(const Call& call) {
     int channel = 0;
@@ -414,9 +406,7 @@ private:
       defect("an analogue output outside 0..1");
       return;
     }
-    flow_ = value;
-    zeroSaid_ = value == 0.0;
-    ended_ = offSaid_ && zeroSaid_;
+    outputs_.flow(value);
   }
   void setTcp(const Call& call) {
     Eigen::Isometry3d tcp;
@@ -444,9 +434,7 @@ private:
   std::string_view defined_;
   bool inside_ = false, closed_ = false, called_ = false;
   bool tcpSet_ = false, everSet_ = false;
-  std::optional<bool> on_;
-  std::optional<double> flow_;                              // 0..1
-  bool offSaid_ = false, zeroSaid_ = false, ended_ = false; // since the last motion
+  ReadOutputs outputs_;
 };
 
 } // namespace

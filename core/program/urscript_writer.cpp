@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "program/dialect.h"
+#include "program/extruder_outputs.h"
 #include "program/motion_targets.h"
 #include "program/rotation_vector.h"
 #include "program/tcp_motions.h"
@@ -94,8 +95,7 @@ private:
     out_.clear();
     out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 64u << 20));
     lines_ = 0;
-    on_ = false;
-    flowText_.clear();
+    outputs_.off();
     line(joined({"def ", name_, "():"}));
     if (part == 1)
       about();
@@ -145,18 +145,12 @@ private:
   }
 
   void flow(double mm3PerS) {
-    const double share = std::clamp(mm3PerS / in_.process.maxFlowMm3PerS, 0.0, 1.0);
-    std::string text;
-    appendFixed(text, share, decimalsFor(share, 4), true);
-    if (text != flowText_) {
-      line(joined({"  set_standard_analog_out(0,", text, ")"}));
-      flowText_ = std::move(text);
-    }
+    if (const auto share = outputs_.flow(mm3PerS))
+      line(joined({"  set_standard_analog_out(0,", *share, ")"}));
   }
   void extruder(bool on) {
-    if (on != on_)
+    if (outputs_.turn(on))
       line(on ? "  set_standard_digital_out(0,True)" : "  set_standard_digital_out(0,False)");
-    on_ = on;
   }
 
   void prime() {
@@ -176,8 +170,7 @@ private:
     if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
       line(joined({"  # ", path}));
     if (isPrint(t, i)) {
-      const double s = motions_.seconds(i);
-      flow(s > 0.0 ? motionVolumeMm3(t, i) / s : 0.0);
+      flow(motions_.flowMm3PerS(i));
       extruder(true);
     } else {
       extruder(false);
@@ -246,9 +239,9 @@ private:
   std::vector<Eigen::Vector3d> rotation_;
   PathNames paths_;
   plan::Program program_;
-  std::string out_, name_, flowText_;
+  std::string out_, name_;
   std::size_t lines_ = 0;
-  bool on_ = false;
+  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
 };
 
 } // namespace

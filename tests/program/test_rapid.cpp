@@ -1,4 +1,5 @@
 // RAPID: its bytes, its modules, what people write and what the reader must not swallow.
+#include "program_defects.h"
 #include "program_fixture.h"
 
 #include "base/units.h"
@@ -7,6 +8,8 @@
 
 namespace voluta::program {
 namespace {
+
+using test::expectDefect;
 
 // A cell whose nozzle moves over a plate in the world.
 constexpr const char* kMovingNozzle = R"({
@@ -52,15 +55,6 @@ void expectSound(const plan::ReadProgram& program) {
   EXPECT_TRUE(program.complete);
   for (const plan::ProgramDefect& d : program.defects)
     ADD_FAILURE() << d.file << ":" << d.line << ": " << d.reason;
-}
-
-void expectDefect(const plan::ReadProgram& program, std::size_t line, const std::string& part) {
-  for (const plan::ProgramDefect& d : program.defects)
-    if (d.line == line && d.reason.find(part) != std::string::npos)
-      return;
-  ADD_FAILURE() << "no defect '" << part << "' in line " << line;
-  for (const plan::ProgramDefect& d : program.defects)
-    ADD_FAILURE() << "found: " << d.line << ": " << d.reason;
 }
 
 constexpr const char* kMove =

@@ -1,6 +1,7 @@
 // Programs as people write them, and what the readers must not swallow.
 #include "process/process.h"
 #include "program/dialect.h"
+#include "program_defects.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -8,6 +9,8 @@
 
 namespace voluta::program {
 namespace {
+
+using test::expectDefect;
 
 plan::ReadProgram read(std::string_view format, std::string text) {
   process::Process process;
@@ -20,15 +23,6 @@ std::string script(const std::string& body) {
   return "def f():\n set_tcp(p[0,0,0.1,0,0,0])\n set_standard_digital_out(0,False)\n"
          " set_standard_analog_out(0,0)\n" +
          body + "set_standard_digital_out(0,False)\nset_standard_analog_out(0,0)\nend\nf()\n";
-}
-
-void expectDefect(const plan::ReadProgram& program, std::size_t line, const std::string& part) {
-  for (const plan::ProgramDefect& d : program.defects)
-    if (d.line == line && d.reason.find(part) != std::string::npos)
-      return;
-  ADD_FAILURE() << "no defect '" << part << "' in line " << line;
-  for (const plan::ProgramDefect& d : program.defects)
-    ADD_FAILURE() << "found: " << d.line << ": " << d.reason;
 }
 
 TEST(UrscriptReader, takesHandWrittenVariations) {

@@ -1,4 +1,5 @@
 // Check values, round trips and branches of the ortho-parallel family's closed-form inverse.
+#include "joints_in_degrees.h"
 #include "resource_fixture.h"
 
 #include "base/units.h"
@@ -14,14 +15,7 @@ namespace {
 using base::kPi;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-
-JointVector joints(std::initializer_list<double> deg) {
-  JointVector q(static_cast<Eigen::Index>(deg.size()));
-  Eigen::Index i = 0;
-  for (double d : deg)
-    q[i++] = base::degreesToRadians(d);
-  return q;
-}
+using test::joints;
 
 // The published check values give the IRB 2400's third joint as its URDF does.
 const OpwGeometry kIrb1200{0, -42, 0, 399.1, 350, 351, 82, {0, 0, -kPi / 2, 0, 0, 0}};

@@ -1,4 +1,5 @@
 // Check values, round trips and completeness of the UR family's closed-form inverse.
+#include "joints_in_degrees.h"
 #include "resource_fixture.h"
 
 #include "base/units.h"
@@ -12,14 +13,7 @@ namespace voluta::robot {
 namespace {
 
 using base::kPi;
-
-JointVector joints(std::initializer_list<double> deg) {
-  JointVector q(static_cast<Eigen::Index>(deg.size()));
-  Eigen::Index i = 0;
-  for (double d : deg)
-    q[i++] = base::degreesToRadians(d);
-  return q;
-}
+using test::joints;
 
 // Standard DH, independent of the chain in the family's file.
 Eigen::Isometry3d dhFlange(const UrGeometry& g, const JointVector& q) {

@@ -1,0 +1,48 @@
+// The extruder as controllers with outputs know it: a digital one, on while it runs, and an
+// analogue one, its flow as a share of the process's full flow.
+#pragma once
+
+#include "plan/program.h"
+
+#include <optional>
+#include <string>
+
+namespace voluta::program {
+
+// What a writer last said, so that it says only what changes.
+class WrittenOutputs {
+public:
+  explicit WrittenOutputs(double fullFlowMm3PerS) : full_(fullFlowMm3PerS) {}
+
+  // The extruder is off; the next flow is written whatever it is.
+  void off();
+  // The share, 0..1, as it is to be written; nothing where it stands as it is.
+  std::optional<std::string> flow(double mm3PerS);
+  // Whether the digital output is to be written.
+  bool turn(bool on);
+
+private:
+  double full_;
+  bool on_ = false;
+  std::string flowText_;
+};
+
+// What a reader has been told.
+class ReadOutputs {
+public:
+  // A file begins: nothing is known.
+  void begin() { *this = {}; }
+  void turn(bool on);
+  void flow(double share); // 0..1
+  // Sets what the motion extrudes; false where an output was never set, which counts as off.
+  bool moveWith(plan::ProgramMotion& motion, double fullFlowMm3PerS);
+  // Both were set off since the last motion.
+  bool ended() const { return offSaid_ && zeroSaid_; }
+
+private:
+  std::optional<bool> on_;
+  std::optional<double> flow_;
+  bool offSaid_ = false, zeroSaid_ = false;
+};
+
+} // namespace voluta::program
