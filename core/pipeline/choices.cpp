@@ -5,10 +5,10 @@
 #include "curved/decompose.h"
 #include "curved/forward_growth.h"
 #include "curved/platform.h"
-#include "geometry/convex_polygon.h"
 #include "motion/motion_options.h"
 #include "pipeline/modes.h"
 #include "pipeline/planar_modes.h"
+#include "pipeline/platform_choice.h"
 #include "pipeline/road.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
@@ -20,6 +20,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace voluta::pipeline {
 
@@ -37,38 +38,6 @@ void checkName(const std::string& what, const std::string& name,
   if (std::find(known.begin(), known.end(), name) == known.end())
     throw Error(ErrorCode::Usage, fmt::format("unknown {} '{}'", what, name), {},
                 fmt::format("did you mean {}?", base::nearestName(name, known)));
-}
-
-struct Platform {
-  std::string kind;
-  double width = 0.0, depth = 0.0; // disc: diameter in width; fit: margin in width
-};
-
-Platform parsedPlatform(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  Platform p;
-  p.kind = text.substr(0, colon);
-  checkName("platform", p.kind, {"fit", "disc", "rect"});
-  const std::string size = colon == std::string::npos ? "" : text.substr(colon + 1);
-  const auto wrong = [&](const char* form) {
-    return Error(ErrorCode::Usage, fmt::format("platform '{}' has no usable size", text), {},
-                 fmt::format("write {}, in mm", form));
-  };
-  constexpr double kLargest = 5000.0;
-  const auto within = [](double v) { return v > 0.0 && v <= kLargest; };
-  if (p.kind == "fit") {
-    if (!size.empty() && (!parseNumber(size, p.width) || p.width < 0.0 || p.width > kLargest))
-      throw wrong("fit or fit:MARGIN");
-  } else if (p.kind == "disc") {
-    if (!parseNumber(size, p.width) || !within(p.width))
-      throw wrong("disc:DIAMETER");
-  } else {
-    const std::size_t times = size.find('x');
-    if (times == std::string::npos || !parseNumber(size.substr(0, times), p.width) ||
-        !parseNumber(size.substr(times + 1), p.depth) || !within(p.width) || !within(p.depth))
-      throw wrong("rect:WIDTHxDEPTH");
-  }
-  return p;
 }
 } // namespace
 
@@ -166,42 +135,27 @@ process::Process chosenProcess(const Choices& choices, const base::ParameterValu
   return p;
 }
 
-void checkPlatform(const std::string& platform) {
-  parsedPlatform(platform);
-}
-
-std::vector<Eigen::Vector2d> platformPolygon(const std::string& platform,
-                                             const voxel::SolidVoxels& voxels,
-                                             const std::vector<Eigen::Vector2d>& own) {
-  const std::optional<double> margin = fitMargin(platform);
-  return margin && own.empty() ? curved::platformFit(voxels, *margin)
-                               : platformAround(platform, own);
-}
-
-std::optional<double> fitMargin(const std::string& platform) {
-  const Platform p = parsedPlatform(platform);
-  return p.kind == "fit" ? std::optional(p.width) : std::nullopt;
-}
-
-std::vector<Eigen::Vector2d> platformAround(const std::string& platform,
-                                            std::vector<Eigen::Vector2d> standing) {
-  const Platform p = parsedPlatform(platform);
-  if (p.kind == "disc")
-    return curved::platformDisc(p.width);
-  if (p.kind == "rect")
-    return curved::platformRect(p.width, p.depth);
-  if (standing.empty())
-    throw Error(ErrorCode::UnusableInput, "the part does not touch the plate", {},
-                "drop it to the plate");
-  return geometry::convexPolygon(std::move(standing), p.width);
-}
-
 double unitMm(const LoadedPart& loaded, const Choices& choices) {
   return loaded.cells ? parameterValues(choices).number("voxelMm") : 1.0;
 }
 
 robot::Cell cellOnAnyPlatform(const Choices& choices, const process::Process& process) {
-  return robot::loadCell(choices.cell, process, curved::platformDisc(80.0));
+  robot::Cell cell = robot::loadCell(choices.cell, process, curved::platformDisc(80.0));
+  const bool winds = findMode(choices.mode).aroundRod;
+  if (winds == cell.rod().has_value())
+    return cell;
+  std::vector<std::string_view> modesThere;
+  for (const Mode& mode : modes())
+    if (mode.aroundRod == !winds)
+      modesThere.emplace_back(mode.id);
+  throw Error(ErrorCode::Usage,
+              winds ? fmt::format("mode {} prints around a rod, and cell {} holds none",
+                                  choices.mode, choices.cell)
+                    : fmt::format("cell {} holds a rod, and mode {} prints on a plate",
+                                  choices.cell, choices.mode),
+              {},
+              winds ? std::string("give --cell lathe")
+                    : fmt::format("give --mode {}, or another cell", fmt::join(modesThere, ", ")));
 }
 
 double parsedScale(const std::string& scale) {
@@ -226,7 +180,17 @@ void checkChoices(const Choices& choices) {
   checkName("process", choices.process, process::processIds());
   for (const std::string& format : choices.formats)
     checkName("format", format, formatIds);
-  checkPlatform(choices.platform);
+  const PlatformKind kind = platformChoice(choices.platform).kind;
+  const std::vector<PlatformKind>& taken = findMode(choices.mode).platforms;
+  if (std::find(taken.begin(), taken.end(), kind) == taken.end()) {
+    std::vector<std::string_view> words;
+    for (const PlatformKind one : taken)
+      words.push_back(kPlatformWords[static_cast<std::size_t>(one)]);
+    throw Error(ErrorCode::Usage,
+                fmt::format("mode {} does not print on platform {}", choices.mode,
+                            kPlatformWords[static_cast<std::size_t>(kind)]),
+                {}, fmt::format("give --platform {}", fmt::join(words, ", ")));
+  }
   parsedScale(choices.scale);
   const geometry::Placement& place = choices.placement;
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||

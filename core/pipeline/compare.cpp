@@ -5,6 +5,7 @@
 #include "curved/grow.h"
 #include "pipeline/choices.h"
 #include "pipeline/modes.h"
+#include "pipeline/platform_choice.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -37,19 +38,32 @@ PlanRequest withPart(PlanRequest request, const base::RunContext& ctx) {
   return request;
 }
 
+// What the same cell can print.
+bool isLike(const Mode& a, const Mode& b) {
+  return a.aroundRod == b.aroundRod;
+}
+
+bool takesAll(const Mode& mode, const std::vector<std::string>& platforms) {
+  return std::all_of(platforms.begin(), platforms.end(), [&](const std::string& platform) {
+    const PlatformKind kind = platformChoice(platform).kind;
+    return std::find(mode.platforms.begin(), mode.platforms.end(), kind) != mode.platforms.end();
+  });
+}
+
 } // namespace
 
 std::vector<Combination> combinations(const CompareOptions& options) {
   const Choices& given = options.plan.choices;
-  std::vector<std::string> modeIds = options.modes;
-  if (modeIds.empty())
-    for (const Mode& mode : modes())
-      modeIds.emplace_back(mode.id);
   const auto orOwn = [](const std::vector<std::string>& list, const std::string& own) {
     return list.empty() ? std::vector<std::string>{own} : list;
   };
   const std::vector<std::string> growths = orOwn(options.growths, given.growth),
                                  platforms = orOwn(options.platforms, given.platform);
+  std::vector<std::string> modeIds = options.modes;
+  if (modeIds.empty())
+    for (const Mode& mode : modes())
+      if (isLike(mode, findMode(given.mode)) && takesAll(mode, platforms))
+        modeIds.emplace_back(mode.id);
   const base::ParameterValues values = parameterValues(given);
   const process::Process process = chosenProcess(given, values);
 

@@ -6,6 +6,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/curved_supports.h"
 #include "pipeline/part_voxels.h"
+#include "pipeline/platform_choice.h"
 
 #include <fmt/format.h>
 
@@ -50,7 +51,7 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
   growth.headForLosses = in.values.text("frontShape") == "nozzle";
   growth.rounds = static_cast<int>(in.values.integer("fieldRounds"));
   const support::Supports supports =
-      supportsOf(solid, stage->platform, growth, in.values, ctx.sub(0.07, 0.2));
+      supportsOf(solid, stage->platform.polygon, growth, in.values, ctx.sub(0.07, 0.2));
   curved::DecompositionWatch watch;
   if (input.onPreview)
     watch = [&](const curved::Decomposition& soFar) {
@@ -59,7 +60,7 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
       input.onPreview(copy);
     };
   const auto decomposition = std::make_shared<curved::Decomposition>(
-      curved::decompose(supports.solid, stage->platform, growth, ctx.sub(0.2, 1.0), watch));
+      curved::decompose(supports.solid, stage->platform.polygon, growth, ctx.sub(0.2, 1.0), watch));
   markSupports(supports, *decomposition);
   const curved::Decomposition& d = *decomposition;
   DecompositionReport& r = stage->report;

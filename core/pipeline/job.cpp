@@ -17,7 +17,8 @@ Job upTo(Job job, std::optional<Stage> last) {
     job.report.model = {};
   }
   if (!keeps(Stage::Decompose)) {
-    job.platform.clear();
+    job.platform = {};
+    job.lessPlatform = nullptr;
     job.decomposition = nullptr;
     job.pieces = nullptr;
     job.report.decomposition = {};

@@ -3,6 +3,7 @@
 
 #include "curved/decomposition.h"
 #include "geometry/placement.h"
+#include "geometry/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "pipeline/load_stage.h"
@@ -60,13 +61,17 @@ struct Job {
 
   double scale = 1.0;                                 // what `scale` came to
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
-  std::vector<Eigen::Vector2d> platform;              // polygon material starts on, work frame
+  geometry::PlatformSolid platform;                   // what material starts on, work frame
+  // What of the part is to be printed where the platform takes some of it; null: all of it.
+  std::shared_ptr<const geometry::TriangleMesh> lessPlatform;
   std::shared_ptr<const curved::Decomposition> decomposition; // also null in modes without voxels
   std::shared_ptr<const planar::PlanarDecomposition> pieces;  // also null in modes without pieces
   std::shared_ptr<const layers::LayerStack> layers;
   std::shared_ptr<const plan::ToolPlan> toolPlan;
   std::shared_ptr<const plan::Trajectory> trajectory; // also null when nothing is left to print
 
+  // What is to be printed. Precondition: part.
+  const geometry::TriangleMesh& printed() const { return lessPlatform ? *lessPlatform : *part; }
   // Keys of what is there, to be compared with stageKeys() of what is wanted.
   StageKeys keys() const;
 };

@@ -123,6 +123,10 @@ void addMesh(BlockWriter& out, const std::string& name, const geometry::Triangle
   out.add(name + ".triangles", mesh.triangles);
 }
 
+bool hasMesh(const BlockReader& in, const std::string& name) {
+  return in.has(name + ".vertices");
+}
+
 geometry::TriangleMesh getMesh(const BlockReader& in, const std::string& name) {
   geometry::TriangleMesh mesh;
   mesh.vertices = in.get<Eigen::Vector3d>(name + ".vertices");
@@ -405,8 +409,30 @@ plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
   return t;
 }
 
+void addPlatform(BlockWriter& out, const geometry::PlatformSolid& platform) {
+  out.add("platform", platform.polygon);
+  if (platform.rod) {
+    out.add("platform.rod", platform.rod->profile);
+    out.addText("platform.rodSides", std::to_string(platform.rod->sides));
+  }
+  if (platform.mesh)
+    addMesh(out, "platform.mesh", *platform.mesh);
+}
+
+geometry::PlatformSolid getPlatform(const BlockReader& in) {
+  geometry::PlatformSolid platform(in.get<Eigen::Vector2d>("platform"));
+  if (in.has("platform.rod")) {
+    platform.rod = {in.get<Eigen::Vector2d>("platform.rod"),
+                    Json::parse(in.text("platform.rodSides")).get<int>()};
+    geometry::checkRod(*platform.rod);
+  }
+  if (hasMesh(in, "platform.mesh"))
+    platform.mesh = std::make_shared<geometry::TriangleMesh>(getMesh(in, "platform.mesh"));
+  return platform;
+}
+
 bool isConsistent(const Job& job) {
-  if (!allFinite(job.platform))
+  if (!allFinite(job.platform.polygon))
     return false;
   if (job.decomposition && !soundDecomposition(*job.decomposition))
     return false;

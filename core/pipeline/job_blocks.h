@@ -17,6 +17,7 @@ namespace voluta::pipeline {
 
 // What is added has to outlive the writer. Getters throw Error{UnreadableFile}.
 void addMesh(BlockWriter& out, const std::string& name, const geometry::TriangleMesh& mesh);
+bool hasMesh(const BlockReader& in, const std::string& name);
 // Also where its corners are not there or not finite: a part is looked at while it is read.
 geometry::TriangleMesh getMesh(const BlockReader& in, const std::string& name);
 
@@ -36,6 +37,10 @@ plan::ToolPlan getToolPlan(const BlockReader& in);
 
 void addTrajectory(BlockWriter& out, const plan::Trajectory& trajectory);
 plan::Trajectory getTrajectory(const BlockReader& in, int dof);
+
+void addPlatform(BlockWriter& out, const geometry::PlatformSolid& platform);
+// Throws Error{UnusableInput} for a rod that is none.
+geometry::PlatformSolid getPlatform(const BlockReader& in);
 
 // Do indices lie in their arrays, are arrays of one length, are coordinates finite, is there what
 // `reached` says?

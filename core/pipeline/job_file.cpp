@@ -276,7 +276,9 @@ Job readFrame(const Frame& frame, const std::string& where) {
   const auto holds = [&](const char* key) { return header.at(key).get<bool>(); };
   if (frame.format == 1 || holds("placed"))
     job.part = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "part"));
-  job.platform = blocks.get<Eigen::Vector2d>("platform");
+  job.platform = getPlatform(blocks);
+  if (hasMesh(blocks, "lessPlatform"))
+    job.lessPlatform = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "lessPlatform"));
   if (holds("planned"))
     job.toolPlan = std::make_shared<plan::ToolPlan>(getToolPlan(blocks));
   if (const int dof = header.at("dof").get<int>(); dof > 0)
@@ -308,7 +310,9 @@ std::string jobBytes(const Job& job) {
   addLoaded(blocks, *job.loaded);
   if (job.part)
     addMesh(blocks, "part", *job.part);
-  blocks.add("platform", job.platform);
+  addPlatform(blocks, job.platform);
+  if (job.lessPlatform)
+    addMesh(blocks, "lessPlatform", *job.lessPlatform);
   if (job.decomposition)
     addDecomposition(blocks, *job.decomposition);
   if (job.pieces)

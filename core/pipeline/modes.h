@@ -5,10 +5,12 @@
 #include "base/parameters.h"
 #include "base/run_context.h"
 #include "curved/decomposition.h"
+#include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_checks.h"
 #include "pipeline/job.h"
 #include "pipeline/part_voxels.h"
+#include "pipeline/platform_choice.h"
 #include "pipeline/stages.h"
 #include "process/process.h"
 
@@ -44,10 +46,16 @@ struct Mode {
   std::string (*layersKey)(const ModeChoices&);
   std::shared_ptr<const DecomposeStage> (*decompose)(const DecomposeInput&,
                                                      const base::RunContext&);
-  // `part` is placed.
+  // `part` is placed, less what the platform takes of it.
   std::shared_ptr<const LayersStage> (*layers)(const DecomposeStage&,
                                                const geometry::TriangleMesh& part,
                                                const ModeChoices&, const base::RunContext&);
+  std::vector<PlatformKind> platforms = {PlatformKind::Fit, PlatformKind::Disc, PlatformKind::Rect};
+  bool aroundRod = false; // does it need a cell with a rod
+  // Where a part lies that nobody has placed, for geometry::place with this scale; null: as
+  // geometry::Placement's defaults. Decided by the mode, the platform and the mesh alone.
+  geometry::Placement (*place)(const geometry::TriangleMesh&, double scale,
+                               const ModeChoices&) = nullptr;
 };
 
 const std::vector<Mode>& modes();

@@ -8,7 +8,7 @@
 namespace voluta::pipeline {
 
 std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
-                                                   const std::vector<Eigen::Vector2d>& platform,
+                                                   const geometry::PlatformSolid& platform,
                                                    const process::Process& process,
                                                    const base::ParameterValues& values,
                                                    const base::RunContext& ctx) {
@@ -37,11 +37,10 @@ std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& lay
   return stage;
 }
 
-std::shared_ptr<const MotionStage> motionStage(const plan::ToolPlan& toolPlan,
-                                               const robot::Cell& cell,
-                                               const process::Process& process,
-                                               const base::ParameterValues& values, int seed,
-                                               const base::RunContext& ctx) {
+std::shared_ptr<const MotionStage>
+motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid&, const robot::Cell& cell,
+            const process::Process& process, const base::ParameterValues& values, int seed,
+            const base::RunContext& ctx) {
   auto stage = std::make_shared<MotionStage>();
   MotionReport& r = stage->report;
   r.robot = cell.robot().id;

@@ -5,6 +5,7 @@
 #include "geometry/measures.h"
 #include "geometry/placement.h"
 #include "pipeline/choices.h"
+#include "pipeline/modes.h"
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
 #include "robot/cell.h"
@@ -71,6 +72,11 @@ void placeCells(const LoadedPart& loaded, double pitch, const geometry::Placemen
           (origin + pitch * (turn * Eigen::Vector3d(i + c % 2, j + c / 2, 0.0))).head<2>());
   stage.platform = geometry::convexPolygon(std::move(corners));
 }
+
+bool isUntouched(const geometry::Placement& p) {
+  return p.rotation.coeffs() == Eigen::Quaterniond::Identity().coeffs() &&
+         p.centreMm == Eigen::Vector2d::Zero() && p.liftMm == 0.0;
+}
 } // namespace
 
 std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choices& choices,
@@ -86,9 +92,13 @@ std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choic
     stage->part = std::make_shared<geometry::TriangleMesh>(
         geometry::place(*loaded.mesh, stage->scale * unit, how));
   };
-  place(choices.placement);
-  geometry::Placement placement = choices.placement;
   const base::ParameterValues values = parameterValues(choices);
+  geometry::Placement placement = choices.placement;
+  if (const Mode& mode = findMode(choices.mode); mode.place && isUntouched(placement)) {
+    stage->scale = wanted > 0.0 ? wanted : 1.0;
+    placement = mode.place(*loaded.mesh, stage->scale * unit, {choices, values, process});
+  }
+  place(placement);
   if (values.text("orient") != "none") {
     TurnedPart turned = turnedPart(*stage->part, choices, values,
                                    loaded.cells ? stage->scale * unit : values.number("voxelMm"),

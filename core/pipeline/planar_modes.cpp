@@ -9,6 +9,7 @@
 #include "pipeline/content_hash.h"
 #include "pipeline/piece_search.h"
 #include "pipeline/planar_platform.h"
+#include "pipeline/platform_choice.h"
 #include "planar/beam_search.h"
 #include "planar/flat.h"
 #include "planar/given_cuts.h"
@@ -161,7 +162,7 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
                                              planar::readGivenCuts(planesText(cuts), "cutPlanes"),
                                              options, in.process.beadWidthMm, ctx));
   stage->platform = planar::plateOf(pieces->pieces, options);
-  if (stage->platform.size() < 3)
+  if (stage->platform.polygon.size() < 3)
     throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate", {},
                       "drop it to the plate");
   tellPieces(*pieces, in, *stage);
@@ -249,8 +250,8 @@ std::shared_ptr<const LayersStage> planarLayers(const DecomposeStage& decomposed
                                                 const geometry::TriangleMesh&,
                                                 const ModeChoices& in,
                                                 const base::RunContext& ctx) {
-  return layersFrom(
-      planar::slicePieces(decomposed.pieces->pieces, sliceOptions(in, decomposed.platform), ctx));
+  return layersFrom(planar::slicePieces(decomposed.pieces->pieces,
+                                        sliceOptions(in, decomposed.platform.polygon), ctx));
 }
 
 std::shared_ptr<const LayersStage> flatLayers(const DecomposeStage& decomposed,
@@ -261,7 +262,7 @@ std::shared_ptr<const LayersStage> flatLayers(const DecomposeStage& decomposed,
     return planarLayers(decomposed, part, in, ctx);
   return layersFrom(planar::sliceByPlanes(part,
                                           planar::readUserPlanes(planesText(planes), "layerPlanes"),
-                                          sliceOptions(in, decomposed.platform), ctx));
+                                          sliceOptions(in, decomposed.platform.polygon), ctx));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "pipeline/planar_platform.h"
 
 #include "pipeline/choices.h"
+#include "pipeline/platform_choice.h"
 #include "robot/cell.h"
 
 #include <algorithm>

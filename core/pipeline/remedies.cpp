@@ -1,4 +1,5 @@
 #include "pipeline/remedies.h"
+#include "pipeline/platform_choice.h"
 
 #include "base/parameters.h"
 #include "pipeline/choices.h"

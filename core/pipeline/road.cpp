@@ -114,6 +114,7 @@ private:
       return findMode(choices_.mode).decompose(in, ctx_.sub(0.03, 0.22));
     });
     job().platform = decomposed_->platform;
+    job().lessPlatform = decomposed_->lessPlatform;
     job().decomposition = decomposed_->decomposition;
     job().pieces = decomposed_->pieces;
     report().decomposition = decomposed_->report;
@@ -125,7 +126,7 @@ private:
   bool layers() {
     const auto stage = taken<LayersStage>([&] {
       return findMode(choices_.mode)
-          .layers(*decomposed_, *job().part, modeChoices(), ctx_.sub(0.22, 0.3));
+          .layers(*decomposed_, job().printed(), modeChoices(), ctx_.sub(0.22, 0.3));
     });
     job().layers = stage->layers;
     report().layers = stage->report;
@@ -145,8 +146,8 @@ private:
 
   bool motion() {
     const auto stage = taken<MotionStage>([&] {
-      return motionStage(*job().toolPlan, *result_.cell, *process_, values_, choices_.seed,
-                         ctx_.sub(0.5, 0.8));
+      return motionStage(*job().toolPlan, job().platform, *result_.cell, *process_, values_,
+                         choices_.seed, ctx_.sub(0.5, 0.8));
     });
     job().trajectory = stage->trajectory;
     report().motion = stage->report;
@@ -155,9 +156,13 @@ private:
 
   void programs() {
     const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
-    const ProgramStageInput in{
-        *job().part,   *job().toolPlan, *job().trajectory,
-        *result_.cell, *process_,       std::filesystem::path(loaded_->name).stem().string()};
+    const ProgramStageInput in{job().printed(),
+                               job().platform,
+                               *job().toolPlan,
+                               *job().trajectory,
+                               *result_.cell,
+                               *process_,
+                               std::filesystem::path(loaded_->name).stem().string()};
     plan::Findings findings;
     Timings timings;
     for (std::size_t i = 0; i < formats.size(); ++i) {
@@ -233,7 +238,7 @@ PlanResult resultOf(Job job) {
   PlanResult result;
   const base::ParameterValues values = parameterValues(job.choices);
   result.process = std::make_shared<process::Process>(chosenProcess(job.choices, values));
-  if (job.platform.size() >= 3)
+  if (job.platform.known())
     result.cell = std::make_shared<robot::Cell>(
         robot::loadCell(job.choices.cell, *result.process, job.platform));
   result.debug = values.boolean("output.debug");

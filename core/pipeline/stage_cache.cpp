@@ -71,6 +71,7 @@ void seedCache(StageCache& cache, const Job& job) {
   seed(load, job.report.model, nullptr);
   auto decompose = std::make_shared<DecomposeStage>();
   decompose->platform = job.platform;
+  decompose->lessPlatform = job.lessPlatform;
   decompose->decomposition = job.decomposition;
   decompose->pieces = job.pieces;
   seed(decompose, job.report.decomposition, &decompose->findings);

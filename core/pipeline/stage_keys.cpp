@@ -56,6 +56,8 @@ std::string loadText(const LoadedPart& loaded, const Choices& c,
   if (loaded.cells)
     text += fmt::format("cells of {} mm\n", unitMm(loaded, c));
   text += turnText(c, values);
+  if (findMode(c.mode).place)
+    text += fmt::format("placed by mode {}\nplatform {}\n", c.mode, c.platform);
   const double scale = parsedScale(c.scale);
   if (scale > 0.0)
     return text + fmt::format("scale {}\n", scale);

@@ -1,4 +1,5 @@
 #include "pipeline/turned_part.h"
+#include "pipeline/platform_choice.h"
 
 #include "base/stopwatch.h"
 #include "base/units.h"

@@ -42,8 +42,9 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
   const std::vector<plan::ProgramFile> files = filesOf(program, *dialect, std::move(text));
   const process::Process process = chosenProcess(planned.choices, parameterValues(planned.choices));
   const robot::Cell cell = robot::loadCell(planned.choices.cell, process, planned.platform);
-  const ProgramStageInput in{*planned.part, *planned.toolPlan, *planned.trajectory,
-                             cell,          process,           planned.partName};
+  const ProgramStageInput in{
+      planned.printed(), planned.platform, *planned.toolPlan, *planned.trajectory, cell,
+      process,           planned.partName};
   const replay::Verification verdict = replayText(std::string(dialect->id), files, in, ctx).verdict;
   return {std::string(dialect->id), replayReport(verdict), verdict.findings};
 }

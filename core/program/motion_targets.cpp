@@ -47,7 +47,7 @@ std::vector<MotionTarget> motionTargets(const ProgramInput& input, const base::R
       const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof);
       const Eigen::Isometry3d flange = cell.robot().kinematics->flange(q);
       const Eigen::Isometry3d tcp = flange * cell.flange_T_moved();
-      const Eigen::Isometry3d tool = cell.work_T_toolOfFlange(flange);
+      const Eigen::Isometry3d tool = cell.work_T_toolOfFlange(flange, q);
       targets[i] = {Eigen::Quaterniond(tcp.linear()), tcp.translation(), tool.translation(),
                     -tool.linear().col(2)};
     }

@@ -112,12 +112,12 @@ private:
       return;
     }
     const Isometry3d work_T_tool =
-        inWork_ ? poseOf(t) : cell_->work_T_toolOfFlange(poseOf(t) * tcp_T_flange_);
+        inWork_ ? poseOf(t) : cell_->work_T_toolOfFlange(poseOf(t) * tcp_T_flange_, cell_->home());
     tip = work_T_tool.translation();
     direction = -work_T_tool.linear().col(2);
   }
   Isometry3d flangeOf(const Target& t) const {
-    return inWork_ ? cell_->base_T_flange(poseOf(t)) : poseOf(t) * tcp_T_flange_;
+    return inWork_ ? cell_->base_T_flange(poseOf(t), cell_->home()) : poseOf(t) * tcp_T_flange_;
   }
 
   void findTargets() {

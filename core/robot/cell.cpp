@@ -13,33 +13,51 @@ const Eigen::Isometry3d& Cell::base_T_fixed() const {
 }
 
 Eigen::Isometry3d Cell::work_T_tool(const JointVector& q) const {
-  return work_T_toolOfFlange(robot_.kinematics->flange(q));
+  return work_T_toolOfFlange(robot_.kinematics->flange(q), q);
+}
+
+double Cell::turnOf(const JointVector& q) const {
+  return externalAxes_.empty() ? 0.0 : q[armDof()];
+}
+
+Eigen::Isometry3d Cell::base_T_work(const JointVector& q) const {
+  if (nozzleMount_ == Mount::World)
+    return robot_.kinematics->flange(q) * flange_T_moved_;
+  if (externalAxes_.empty())
+    return base_T_fixed_;
+  return base_T_fixed_ * Eigen::AngleAxisd(turnOf(q), Eigen::Vector3d::UnitX());
 }
 
 // RoboFDM eq. 2.3. With the plate on the flange: base_T_flange flange_T_work work_T_tool =
 // base_T_tool; with the nozzle on it: base_T_work work_T_tool = base_T_flange flange_T_tool.
-Eigen::Isometry3d Cell::base_T_flange(const Eigen::Isometry3d& work_T_tool) const {
+Eigen::Isometry3d Cell::base_T_flange(const Eigen::Isometry3d& work_T_tool,
+                                      const JointVector& q) const {
   if (nozzleMount_ == Mount::World)
     return base_T_fixed_ * (flange_T_moved_ * work_T_tool).inverse();
-  return base_T_fixed_ * work_T_tool * flange_T_moved_.inverse();
+  return base_T_work(q) * work_T_tool * flange_T_moved_.inverse();
 }
 
-Eigen::Isometry3d Cell::work_T_toolOfFlange(const Eigen::Isometry3d& base_T_flange) const {
+Eigen::Isometry3d Cell::work_T_toolOfFlange(const Eigen::Isometry3d& base_T_flange,
+                                            const JointVector& q) const {
   if (nozzleMount_ == Mount::World)
     return (base_T_flange * flange_T_moved_).inverse() * base_T_fixed_;
-  return base_T_fixed_.inverse() * base_T_flange * flange_T_moved_;
+  return base_T_work(q).inverse() * base_T_flange * flange_T_moved_;
 }
 
 void Cell::inverse(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
                    std::vector<JointVector>& solutions) const {
-  inverseNear(robot_, base_T_flange(work_T_tool), near, solutions);
+  inverseNear(robot_, base_T_flange(work_T_tool, near), near, solutions);
+  for (JointVector& q : solutions) {
+    q.conservativeResize(dof());
+    q.tail(dof() - armDof()) = near.tail(dof() - armDof());
+  }
 }
 
 void Cell::framePoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_frame) const {
   robot_.kinematics->linkPoses(q, base_T_frame);
   const Eigen::Isometry3d moved = base_T_frame.back() * flange_T_moved_;
   const bool plateMoves = nozzleMount_ == Mount::World;
-  base_T_frame.push_back(plateMoves ? moved : base_T_fixed_);
+  base_T_frame.push_back(plateMoves ? moved : base_T_work(q));
   base_T_frame.push_back(plateMoves ? base_T_fixed_ : moved);
 }
 
@@ -48,8 +66,8 @@ std::vector<std::string> cellIds() {
 }
 
 Cell loadCell(const std::string& id, const process::Process& process,
-              std::vector<Eigen::Vector2d> platformPolygon) {
-  return Cell::read(base::dataFile("cells", id, "cell"), process, std::move(platformPolygon));
+              geometry::PlatformSolid platform) {
+  return Cell::read(base::dataFile("cells", id, "cell"), process, std::move(platform));
 }
 
 } // namespace voluta::robot

@@ -2,16 +2,19 @@
 // frame (DESIGN §3). Planners know only work_T_tool; whether the nozzle or the plate moves is the
 // cell's own affair (RoboFDM eq. 2.3: T_E^B = T_N^B T_O^N (T_O^P)^-1 (T_P^E)^-1).
 //
-// Work frame: origin at the centre of the platform's top, z out of it.
+// Work frame: origin at the centre of the platform's top, z out of it; of a rod: origin on its axis
+// in the middle of its free length, x along it, and the frame turns with it.
 // Tool frame: origin at the nozzle's tip, z in the direction of extrusion (out of the nozzle, into
 // the part): the build direction d of a waypoint is -z.
 #pragma once
 
+#include "geometry/platform_solid.h"
 #include "process/process.h"
 #include "robot/robot_model.h"
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,45 +23,69 @@ namespace voluta::robot {
 
 enum class Mount { World, Flange };
 
+// An axis of the cell beside the robot's own: what it turns is the work frame, about its x.
+struct ExternalAxis {
+  std::string name;
+  JointLimits limits;
+  double stepRad = 0.0; // it stands at whole multiples of this; 0: anywhere
+  bool runsOn = false;  // turns without end: limits.min and max are then those of its counter
+};
+
+// The rod that a cell holds at both ends, its axis on the work frame's x.
+struct CellRod {
+  double diameterMm = 0.0, lengthMm = 0.0; // free between its bearings, its middle at x = 0
+  double printableRadiusMm = 0.0;
+};
+
 class Cell {
 public:
   // The file's keys are described in robot/cell_reader.cpp.
   // Throws Error{UnreadableFile, UnusableInput} naming file and key. The head's solid comes from
-  // the process; the platform is a prism of `platformPolygon` (convex, work frame, counter-
-  // clockwise) on the cell's own stem.
+  // the process. A cell without a rod has the platform's plate on its own stem; a cell with one has
+  // the platform's rod, or its own where the platform has none. Throws Error{UnusableInput} where
+  // the platform is a rod and the cell has none, or one that is shorter or has no room for it. The
+  // platform's mesh is no body of the cell: it is the first of the growing part.
   static Cell read(const std::filesystem::path& file, const process::Process& process,
-                   std::vector<Eigen::Vector2d> platformPolygon);
+                   geometry::PlatformSolid platform);
 
   const std::string& id() const { return id_; }
   const std::string& label() const { return label_; }
   const std::string& note() const { return note_; } // how it was laid out, for who sets it up
   const RobotModel& robot() const { return robot_; }
-  int dof() const { return robot_.dof(); } // plus external axes, once a cell has some
+  int dof() const { return static_cast<int>(limits_.size()); } // the robot's and external axes
+  int armDof() const { return robot_.dof(); }
+  // In a joint vector they follow the robot's own.
+  const std::vector<ExternalAxis>& externalAxes() const { return externalAxes_; }
+  const std::optional<CellRod>& rod() const { return rod_; }
   Mount nozzleMount() const { return nozzleMount_; }
 
   // What a program needs to say where things are.
   const Eigen::Isometry3d& flange_T_moved() const; // work frame (plate on the flange) or tool frame
-  const Eigen::Isometry3d& base_T_fixed() const;   // tool frame (fixed nozzle) or work frame
+  // Tool frame (fixed nozzle) or work frame with the external axes at zero.
+  const Eigen::Isometry3d& base_T_fixed() const;
 
   // Forward: pose of the nozzle in the work frame.
   Eigen::Isometry3d work_T_tool(const JointVector& q) const;
-  // The flange pose that brings the nozzle to work_T_tool.
-  Eigen::Isometry3d base_T_flange(const Eigen::Isometry3d& work_T_tool) const;
+  Eigen::Isometry3d base_T_work(const JointVector& q) const;
+  // The flange pose that brings the nozzle to work_T_tool. Of q only the external axes are read.
+  Eigen::Isometry3d base_T_flange(const Eigen::Isometry3d& work_T_tool, const JointVector& q) const;
   // The inverse of base_T_flange.
-  Eigen::Isometry3d work_T_toolOfFlange(const Eigen::Isometry3d& base_T_flange) const;
-  // All branches inside the joint limits, each joint as near to `near` as whole turns allow.
-  // Replaces what `solutions` held; a vector used again allocates nothing.
+  Eigen::Isometry3d work_T_toolOfFlange(const Eigen::Isometry3d& base_T_flange,
+                                        const JointVector& q) const;
+  // All branches inside the joint limits, each joint as near to `near` as whole turns allow;
+  // external axes stay where `near` has them. Replaces what `solutions` held; a vector used again
+  // allocates nothing.
   void inverse(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
                std::vector<JointVector>& solutions) const;
 
-  const std::vector<JointLimits>& limits() const { return robot_.limits; }
+  const std::vector<JointLimits>& limits() const { return limits_; } // dof() of them
   const JointVector& home() const { return home_; }
 
-  // Bodies and their frames. Frame indices: 0 robot base (= world), 1..dof links, dof + 1 flange,
-  // dof + 2 work frame, dof + 3 tool frame.
+  // Bodies and their frames. Frame indices, n the robot's own joints: 0 robot base (= world), 1..n
+  // links, n + 1 flange, n + 2 work frame, n + 3 tool frame.
   const std::vector<Body>& bodies() const { return bodies_; }
-  int workFrame() const { return dof() + 2; }
-  int toolFrame() const { return dof() + 3; }
+  int workFrame() const { return armDof() + 2; }
+  int toolFrame() const { return armDof() + 3; }
   void framePoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_frame) const;
   // Pairs of bodies that may collide and are to be checked: all but those fixed to each other,
   // neighbours along the arm, and pairs that the cell's file lists as never meeting.
@@ -68,12 +95,16 @@ public:
 
 private:
   Cell() = default;
+  double turnOf(const JointVector& q) const; // of the work frame about its x, rad
 
   std::string id_, label_, note_;
   RobotModel robot_;
   Mount nozzleMount_ = Mount::World;
   Eigen::Isometry3d flange_T_moved_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d base_T_fixed_ = Eigen::Isometry3d::Identity();
+  std::vector<ExternalAxis> externalAxes_; // at most one
+  std::vector<JointLimits> limits_;
+  std::optional<CellRod> rod_;
   JointVector home_;
   std::vector<Body> bodies_;
   std::vector<std::pair<int, int>> checkedPairs_;
@@ -83,7 +114,7 @@ private:
 std::vector<std::string> cellIds();
 // Throws Error{Usage} for an unknown id, naming the nearest.
 Cell loadCell(const std::string& id, const process::Process& process,
-              std::vector<Eigen::Vector2d> platformPolygon);
+              geometry::PlatformSolid platform);
 
 // The largest radius R such that for every point of a ball of radius R standing on the platform
 // (centre at height R above it) the nozzle can be brought there, upright and tilted up to

@@ -10,16 +10,22 @@
 //                         from the process.
 //   platform              {mount: the other one, pose, thicknessMm, stem}: pose is flange_T_work or
 //                         base_T_work; the plate is the job's polygon, thicknessMm thick below
-//                         z = 0; stem, optional, is what carries it, shapes in the work frame
+//                         z = 0; stem, optional, is what carries it, shapes in the work frame.
+//                         Or {mount: "world", pose, rod}: rod is {diameterMm, lengthMm,
+//                         printableRadiusMm}, along x of the work frame, lengthMm free between its
+//                         bearings, which are obstacles
 //   obstacles             list of {name, shapes}, in the robot's base frame; may be empty
-//   homeDeg               list: the joints at rest, with the plate clear of the nozzle
+//   homeDeg               list: the robot's joints at rest, with the plate clear of the nozzle;
+//                         external axes rest at 0
 //   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
-//   the
-//                         cell's own are named "holder", "head" and "platform"
-//   externalAxes          a list, empty for now: positioners and rods
+//                         the cell's own are named "holder", "head" and "platform"
+//   externalAxes          a list, empty or of one for a cell with a rod: {name, minDeg, maxDeg,
+//                         velocityDegPerS, accelerationDegPerS2, stepDeg, end}: it turns the rod
+//                         about x; stepDeg 0: it stands anywhere; end is "unwinds" or "runsOn"
 #include "robot/cell.h"
 
 #include "robot/json_node.h"
+#include "robot/limits_reader.h"
 #include "robot/shape_reader.h"
 
 #include "base/error.h"
@@ -65,6 +71,69 @@ Body headBody(const process::HeadShape& head, int toolFrame) {
   return body;
 }
 
+CellRod readRod(const JsonNode& node) {
+  node.allowOnly({"diameterMm", "lengthMm", "printableRadiusMm"});
+  const CellRod rod{node.at("diameterMm").positive(), node.at("lengthMm").positive(),
+                    node.at("printableRadiusMm").positive()};
+  if (rod.printableRadiusMm <= 0.5 * rod.diameterMm)
+    node.at("printableRadiusMm").fail("must be more than the rod's radius");
+  return rod;
+}
+
+ExternalAxis readAxis(const JsonNode& node) {
+  node.allowOnly(
+      {"name", "minDeg", "maxDeg", "velocityDegPerS", "accelerationDegPerS2", "stepDeg", "end"});
+  ExternalAxis axis;
+  axis.name = node.at("name").text();
+  axis.limits = readJointLimits(node);
+  if (axis.limits.min > 0.0 || axis.limits.max < 0.0)
+    node.fail("must have 0, where it rests, within its limits");
+  axis.stepRad = base::degreesToRadians(node.at("stepDeg").number());
+  if (axis.stepRad < 0.0)
+    node.at("stepDeg").fail("must not be negative");
+  const std::string end = node.at("end").text();
+  if (end != "unwinds" && end != "runsOn")
+    node.at("end").fail(fmt::format("must be unwinds or runsOn, is '{}'", end));
+  axis.runsOn = end == "runsOn";
+  return axis;
+}
+
+// The rod that is in the cell: the job's where it has one.
+geometry::RodShape rodOf(const CellRod& own, const std::optional<geometry::RodShape>& wanted,
+                         const std::string& cell) {
+  constexpr double kSlackMm = 1e-9;
+  if (!wanted)
+    return geometry::straightRod(own.diameterMm, own.lengthMm);
+  geometry::checkRod(*wanted);
+  const double reach =
+      std::max(-wanted->profile.front().x(), wanted->profile.back().x()) - kSlackMm;
+  const auto refuse = [&](const std::string& what, const char* remedy) {
+    return base::Error(base::ErrorCode::UnusableInput, what, fmt::format("cell {}", cell), remedy);
+  };
+  if (reach > 0.5 * own.lengthMm)
+    throw refuse(fmt::format("the rod reaches {:g} mm from its middle, the cell has room for {:g}",
+                             reach, 0.5 * own.lengthMm),
+                 "take a shorter rod");
+  for (const Eigen::Vector2d& at : wanted->profile)
+    if (at.y() > own.printableRadiusMm)
+      throw refuse(fmt::format("the rod's radius is {:g} mm, the cell prints up to {:g}", at.y(),
+                               own.printableRadiusMm),
+                   "take a thinner rod");
+  return *wanted;
+}
+
+// Round about its corners where it is a prism. No frustum where the radius steps.
+Body rodBody(const geometry::RodShape& rod, int workFrame) {
+  Body body{"platform", BodyRole::Platform, workFrame, {}};
+  for (std::size_t i = 1; i < rod.profile.size(); ++i) {
+    const Eigen::Vector2d &a = rod.profile[i - 1], &b = rod.profile[i];
+    if (b.x() - a.x() > kStepMm)
+      body.shapes.push_back(
+          Frustum{Eigen::Vector3d(a.x(), 0, 0), Eigen::Vector3d(b.x(), 0, 0), a.y(), b.y()});
+  }
+  return body;
+}
+
 void requireConvex(const std::vector<Eigen::Vector2d>& polygon) {
   base::require(polygon.size() >= 3, "a platform's polygon has three corners or more");
   const std::size_t n = polygon.size();
@@ -80,8 +149,10 @@ void requireConvex(const std::vector<Eigen::Vector2d>& polygon) {
 }
 
 // Bodies with the same number never move relative to each other. Frames: base, links, flange,
-// work, tool.
-int rigidGroup(int frame, int dof, bool plateMoves) {
+// work, tool. `dof`: of the arm.
+int rigidGroup(int frame, int dof, bool plateMoves, bool rodTurns) {
+  if (rodTurns && frame == dof + 2)
+    return dof + 1;
   if (frame == dof + 1 || frame == (plateMoves ? dof + 2 : dof + 3))
     return dof; // on the last link
   if (frame > dof)
@@ -92,8 +163,7 @@ int rigidGroup(int frame, int dof, bool plateMoves) {
 } // namespace
 
 Cell Cell::read(const std::filesystem::path& file, const process::Process& process,
-                std::vector<Eigen::Vector2d> platformPolygon) {
-  requireConvex(platformPolygon);
+                geometry::PlatformSolid solid) {
   const JsonNode top = JsonNode::readFile(file);
   top.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
                  "neverMeet", "externalAxes"});
@@ -106,16 +176,34 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   if (top.has("note"))
     cell.note_ = top.at("note").text();
   cell.robot_ = readRobotOf(top.at("robot"));
-  if (!top.at("externalAxes").items().empty())
-    top.at("externalAxes").fail("must be empty: external axes are not supported yet");
+  cell.limits_ = cell.robot_.limits;
+  for (const JsonNode& axis : top.at("externalAxes").items()) {
+    cell.externalAxes_.push_back(readAxis(axis));
+    cell.limits_.push_back(cell.externalAxes_.back().limits);
+  }
 
   const JsonNode nozzle = top.at("nozzle"), platform = top.at("platform");
   nozzle.allowOnly({"mount", "pose", "holder"});
-  platform.allowOnly({"mount", "pose", "thicknessMm", "stem"});
+  if (platform.has("rod")) {
+    platform.allowOnly({"mount", "pose", "rod"});
+    cell.rod_ = readRod(platform.at("rod"));
+  } else {
+    platform.allowOnly({"mount", "pose", "thicknessMm", "stem"});
+  }
+  if (cell.externalAxes_.size() != (cell.rod_ ? 1U : 0U))
+    top.at("externalAxes")
+        .fail(cell.rod_ ? "must hold one axis, which turns the rod"
+                        : "must be empty: this cell has no rod");
+  if (solid.rod && !cell.rod_)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      fmt::format("cell {} holds no rod to print on", cell.id_), {},
+                      "take a cell with a rod: --cell lathe");
   cell.nozzleMount_ = readMount(nozzle.at("mount"));
   if (readMount(platform.at("mount")) == cell.nozzleMount_)
     platform.at("mount").fail("must not be the nozzle's: one of them moves, the other is fixed");
   const bool plateMoves = cell.nozzleMount_ == Mount::World;
+  if (plateMoves && cell.rod_)
+    platform.at("mount").fail("must be world: a rod is held at both ends");
   cell.flange_T_moved_ = (plateMoves ? platform : nozzle).at("pose").pose();
   cell.base_T_fixed_ = (plateMoves ? nozzle : platform).at("pose").pose();
 
@@ -124,13 +212,18 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   if (nozzle.has("holder"))
     cell.bodies_.push_back(
         {"holder", BodyRole::Holder, cell.toolFrame(), readShapes(nozzle.at("holder"))});
-  Body plate{"platform", BodyRole::Platform, cell.workFrame(), {}};
-  plate.shapes.push_back(
-      Prism{std::move(platformPolygon), -platform.at("thicknessMm").positive(), 0.0});
-  if (platform.has("stem"))
-    for (Shape& shape : readShapes(platform.at("stem")))
-      plate.shapes.push_back(std::move(shape));
-  cell.bodies_.push_back(std::move(plate));
+  if (cell.rod_) {
+    cell.bodies_.push_back(rodBody(rodOf(*cell.rod_, solid.rod, cell.id_), cell.workFrame()));
+  } else {
+    requireConvex(solid.polygon);
+    Body plate{"platform", BodyRole::Platform, cell.workFrame(), {}};
+    plate.shapes.push_back(
+        Prism{std::move(solid.polygon), -platform.at("thicknessMm").positive(), 0.0});
+    if (platform.has("stem"))
+      for (Shape& shape : readShapes(platform.at("stem")))
+        plate.shapes.push_back(std::move(shape));
+    cell.bodies_.push_back(std::move(plate));
+  }
   for (const JsonNode& obstacle : top.at("obstacles").items()) {
     obstacle.allowOnly({"name", "shapes"});
     const std::string name = obstacle.at("name").text();
@@ -141,9 +234,10 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   }
 
   const std::vector<JsonNode> home = top.at("homeDeg").items();
-  if (static_cast<int>(home.size()) != cell.dof())
-    top.at("homeDeg").fail(fmt::format("must hold {} joints, holds {}", cell.dof(), home.size()));
-  cell.home_.resize(cell.dof());
+  if (static_cast<int>(home.size()) != cell.armDof())
+    top.at("homeDeg").fail(
+        fmt::format("must hold {} joints, holds {}", cell.armDof(), home.size()));
+  cell.home_ = JointVector::Zero(cell.dof());
   for (std::size_t i = 0; i < home.size(); ++i) {
     const double q = base::degreesToRadians(home[i].number());
     if (q < cell.robot_.limits[i].min || q > cell.robot_.limits[i].max)
@@ -156,7 +250,8 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
     for (const auto& pair : readBodyPairs(top.at("neverMeet"), cell.bodies_))
       never.push_back(pair);
   const auto groupOf = [&](int body) {
-    return rigidGroup(cell.bodies_[static_cast<std::size_t>(body)].frame, cell.dof(), plateMoves);
+    return rigidGroup(cell.bodies_[static_cast<std::size_t>(body)].frame, cell.armDof(), plateMoves,
+                      cell.rod_.has_value());
   };
   const auto isLink = [&](int body) {
     return cell.bodies_[static_cast<std::size_t>(body)].role == BodyRole::Link;
@@ -171,7 +266,8 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
         continue;
       cell.checkedPairs_.emplace_back(a, b);
     }
-  const int partGroup = rigidGroup(cell.workFrame(), cell.dof(), plateMoves);
+  const int partGroup =
+      rigidGroup(cell.workFrame(), cell.armDof(), plateMoves, cell.rod_.has_value());
   for (int a = 0; a < count; ++a)
     if (groupOf(a) != partGroup)
       cell.bodiesAgainstPart_.push_back(a);

@@ -14,6 +14,7 @@
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
 #include "robot/json_node.h"
+#include "robot/limits_reader.h"
 #include "robot/opw_kinematics.h"
 #include "robot/robot_model.h"
 #include "robot/shape_reader.h"
@@ -74,13 +75,7 @@ std::vector<JointLimits> readLimits(const JsonNode& list, int dof) {
   std::vector<JointLimits> limits;
   for (const JsonNode& joint : list.items()) {
     joint.allowOnly({"minDeg", "maxDeg", "velocityDegPerS", "accelerationDegPerS2"});
-    JointLimits l{base::degreesToRadians(joint.at("minDeg").number()),
-                  base::degreesToRadians(joint.at("maxDeg").number()),
-                  base::degreesToRadians(joint.at("velocityDegPerS").positive()),
-                  base::degreesToRadians(joint.at("accelerationDegPerS2").positive())};
-    if (l.min >= l.max)
-      joint.fail("has minDeg not below maxDeg");
-    limits.push_back(l);
+    limits.push_back(readJointLimits(joint));
   }
   if (static_cast<int>(limits.size()) != dof)
     list.fail(fmt::format("must hold {} joints, holds {}", dof, limits.size()));

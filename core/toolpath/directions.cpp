@@ -43,7 +43,7 @@ public:
   Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear,
            const process::Process& process, const ToolpathOptions& o, const base::RunContext& ctx)
       : plan_(plan), clear_(clear), process_(process), o_(o), ctx_(ctx),
-        head_(process, o.platform) {
+        head_(process, o.platform.polygon) {
     middle_.resize(plan.waypointCount());
     for (std::size_t i = 0; i < middle_.size(); ++i)
       middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];

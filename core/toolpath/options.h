@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/parameters.h"
+#include "geometry/platform_solid.h"
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -18,8 +18,8 @@ struct ToolpathOptions {
   double edgeMm = 0.5;           // patches are refined to edges of this length for planning
   double turnLimitDeg = 5.0;     // steps in which the direction turns more are subdivided
   double smoothBeyondDeg = 10.0; // Dai 3.5.2
-  // Convex, counter-clockwise, work frame: the plate, solid below z = 0. Empty: no plate.
-  std::vector<Eigen::Vector2d> platform;
+  // What the head has to keep clear of beside the part, work frame; none: nothing.
+  geometry::PlatformSolid platform;
   double platformThicknessMm = 8.0;
 };
 

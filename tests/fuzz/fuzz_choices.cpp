@@ -2,6 +2,7 @@
 #include "fuzz_target.h"
 
 #include "pipeline/choices.h"
+#include "pipeline/platform_choice.h"
 #include "pipeline/road.h"
 
 #include <cmath>
@@ -26,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::expect(base::parseParameter(spec, base::formatParameter(taken)) == taken,
                    "a value comes back from its text");
     });
-  fuzz::takenOrRefused([&] { pipeline::checkPlatform(text); });
+  fuzz::takenOrRefused([&] { pipeline::platformChoice(text); });
   fuzz::takenOrRefused(
       [&] { fuzz::expect(std::isfinite(pipeline::parsedScale(text)), "a scale is a number"); });
   fuzz::takenOrRefused([&] {

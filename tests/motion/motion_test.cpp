@@ -93,7 +93,7 @@ void expectSound(const Planned& p) {
                           .slerp(0.5, Eigen::Quaterniond(b.linear()))
                           .toRotationMatrix();
       const Vector3d tip =
-          p.cell.work_T_toolOfFlange(half * p.cell.flange_T_moved().inverse()).translation();
+          p.cell.work_T_toolOfFlange(half * p.cell.flange_T_moved().inverse(), q(i)).translation();
       const Vector3d middle = 0.5 * (p.cell.work_T_tool(q(i - 1)).translation() +
                                      p.cell.work_T_tool(q(i)).translation());
       EXPECT_LT((tip - middle).norm(), 0.03);

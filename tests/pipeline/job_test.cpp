@@ -47,7 +47,7 @@ TEST_F(JobFile, ComesBackAsItWas) {
   EXPECT_EQ(back.choices.formats, job.choices.formats);
   EXPECT_EQ(back.part->vertices, job.part->vertices);
   EXPECT_EQ(back.part->triangles, job.part->triangles);
-  EXPECT_EQ(back.platform, job.platform);
+  EXPECT_EQ(back.platform.polygon, job.platform.polygon);
   EXPECT_EQ(back.toolPlan->position, job.toolPlan->position);
   EXPECT_EQ(back.toolPlan->heightMm, job.toolPlan->heightMm);
   EXPECT_EQ(back.toolPlan->paths[0].layer, 4);

@@ -159,7 +159,7 @@ Job sampleJob() {
 std::string formatOneBytes(const Job& job) {
   pipeline::BlockWriter blocks;
   addMesh(blocks, "part", *job.part);
-  blocks.add("platform", job.platform);
+  blocks.add("platform", job.platform.polygon);
   addToolPlan(blocks, *job.toolPlan);
   addTrajectory(blocks, *job.trajectory);
   nlohmann::ordered_json table = nlohmann::ordered_json::array();

@@ -35,7 +35,7 @@ protected:
             Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof));
       else
         flange = m.base_T_tcp * program.flange_T_tcp.inverse();
-      const Eigen::Isometry3d tool = cell_->work_T_toolOfFlange(flange);
+      const Eigen::Isometry3d tool = cell_->work_T_toolOfFlange(flange, cell_->home());
       tip = tool.translation();
       direction = -tool.linear().col(2);
       EXPECT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);
@@ -243,7 +243,7 @@ TEST_F(Dialects, urscriptBlendsStayNearTheCornerOnThePart) {
     tcp.linear() = q.toRotationMatrix();
     tcp.translation() = p;
     return Eigen::Vector3d(
-        cell_->work_T_toolOfFlange(tcp * back.flange_T_tcp.inverse()).translation());
+        cell_->work_T_toolOfFlange(tcp * back.flange_T_tcp.inverse(), cell_->home()).translation());
   };
   double worst = 0.0;
   for (std::size_t i = 1; i + 1 < back.motions.size(); ++i) {

@@ -215,8 +215,8 @@ protected:
     for (std::size_t i = 0; i < back.motions.size(); ++i) {
       const Eigen::Isometry3d planned =
           cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(trajectory_.at(i), trajectory_.dof));
-      const Eigen::Isometry3d tool =
-          cell_->work_T_toolOfFlange(back.motions[i].base_T_tcp * back.flange_T_tcp.inverse());
+      const Eigen::Isometry3d tool = cell_->work_T_toolOfFlange(
+          back.motions[i].base_T_tcp * back.flange_T_tcp.inverse(), cell_->home());
       ASSERT_LE((tool.translation() - planned.translation()).norm(), 1e-3) << "point " << i;
       ASSERT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);
     }

@@ -50,13 +50,13 @@ TEST_F(Cells, everyCellKeepsItsContract) {
       }
       const Eigen::Isometry3d work_T_tool = cell.work_T_tool(q);
       cell.framePoses(q, frames);
-      ASSERT_EQ(static_cast<int>(frames.size()), cell.dof() + 4);
+      ASSERT_EQ(static_cast<int>(frames.size()), cell.armDof() + 4);
       const auto at = [&](int f) { return frames[static_cast<std::size_t>(f)]; };
       EXPECT_TRUE(
           (at(cell.workFrame()).inverse() * at(cell.toolFrame())).isApprox(work_T_tool, 1e-12));
-      const Eigen::Isometry3d flange = cell.base_T_flange(work_T_tool);
-      EXPECT_TRUE(flange.isApprox(at(cell.dof() + 1), 1e-12));
-      EXPECT_TRUE(cell.work_T_toolOfFlange(flange).isApprox(work_T_tool, 1e-12));
+      const Eigen::Isometry3d flange = cell.base_T_flange(work_T_tool, q);
+      EXPECT_TRUE(flange.isApprox(at(cell.armDof() + 1), 1e-12));
+      EXPECT_TRUE(cell.work_T_toolOfFlange(flange, q).isApprox(work_T_tool, 1e-12));
       cell.inverse(work_T_tool, q, solutions);
       double nearest = 1e9;
       for (const JointVector& s : solutions) {

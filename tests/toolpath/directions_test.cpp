@@ -136,7 +136,7 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
   EXPECT_GE(lowest, -1e-9);
 
   // And there was something to lean away from.
-  const toolpath::HeadClearance clearance(process, o.platform);
+  const toolpath::HeadClearance clearance(process, o.platform.polygon);
   std::vector<toolpath::PatchCover> covers;
   for (const layers::Patch& patch : stack.patches)
     covers.push_back(toolpath::coverPatch(patch, process, o, base::RunContext{}));

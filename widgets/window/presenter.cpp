@@ -2,6 +2,7 @@
 
 #include "geometry/measures.h"
 #include "pipeline/choices.h"
+#include "pipeline/platform_choice.h"
 #include "voxel/solid_voxels.h"
 #include "window/background.h"
 #include "window/layer_measures.h"
@@ -234,7 +235,7 @@ void Presenter::show(Stage stage) {
   } else if (stage == Stage::Decompose) {
     plateDrawn_ = {job.choices.platform, pipeline::parameterValues(job.choices).number("voxelMm"),
                    job.part};
-    drawPlate(job.platform);
+    drawPlate(job.platform.polygon);
     if (result->cell && drawn_[CellBodies] != result->cell) {
       drawn_[CellBodies] = result->cell;
       inBackground(
