@@ -207,7 +207,7 @@ std::optional<Contact> CellCollision::bodiesAndPart(const Frames& base_T_frame,
 bool CellCollision::headTouchesPart(const Isometry3d& work_T_tool, const GrowingPart& part,
                                     std::size_t before, double marginMm) const {
   return std::any_of(erodedHeadShapes_.begin(), erodedHeadShapes_.end(), [&](const auto& shape) {
-    return part.touches(shape, work_T_tool, marginMm - 0.5 * part.grid().pitch, before);
+    return part.headTouches(shape, work_T_tool, marginMm, before);
   });
 }
 

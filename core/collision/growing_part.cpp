@@ -4,11 +4,11 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "collision/bead_solid.h"
-#include "collision/shape_distance.h"
+#include "geometry/measures.h"
 #include "process/process.h"
+#include "voxel/column_parity.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -21,7 +21,11 @@ using Eigen::Vector3i;
 namespace {
 
 constexpr std::size_t kMostCells = std::size_t{1} << 29;
-constexpr std::size_t kSegmentsAChunk = 1024, kRowsAChunk = 256;
+constexpr std::size_t kSegmentsAChunk = 1024;
+// Of the ground, which is there before waypoint 0; beads fill cells from 1 on.
+constexpr std::uint32_t kFromTheStart = 0;
+constexpr double kMostGroundCells = 1 << 25;
+constexpr double kRodChordMm = 0.01;
 
 // First waypoint of every segment (not the gaps between paths).
 std::vector<std::uint32_t> segmentsOf(const plan::ToolPlan& plan) {
@@ -66,6 +70,43 @@ void lower(std::uint32_t& cell, std::uint32_t value) {
   }
 }
 
+// What of the platform is no plate: its cells are filled from the start.
+FillTimes groundOf(const geometry::PlatformSolid& platform, double pitch,
+                   const base::RunContext& ctx) {
+  std::vector<geometry::TriangleMesh> solids;
+  if (platform.mesh)
+    solids.push_back(*platform.mesh);
+  if (platform.rod)
+    solids.push_back(geometry::meshOf(*platform.rod, kRodChordMm));
+  Eigen::AlignedBox3d box;
+  for (const geometry::TriangleMesh& solid : solids)
+    box.extend(geometry::bounds(solid));
+  if (box.isEmpty())
+    return {};
+  voxel::VoxelGrid grid;
+  grid.pitch = std::max(pitch, std::cbrt(box.volume() / kMostGroundCells));
+  grid.origin = (box.min() / grid.pitch).array().floor().matrix() * grid.pitch;
+  grid.size = ((box.max() - grid.origin) / grid.pitch).array().ceil().cast<int>().max(1);
+  std::vector<std::uint8_t> inside(grid.cellCount(), 0);
+  for (const geometry::TriangleMesh& solid : solids) {
+    const geometry::TriangleMesh caps = voxel::capsOf(solid);
+    if (caps.triangles.empty())
+      voxel::fillClosed(solid, grid, inside, ctx);
+    else
+      voxel::fillOpen(solid, caps, grid, inside, ctx);
+  }
+  std::vector<std::uint32_t> filledAt(inside.size());
+  std::transform(inside.begin(), inside.end(), filledAt.begin(),
+                 [](std::uint8_t in) { return in != 0 ? kFromTheStart : FillTimes::kNever; });
+  return {grid, std::move(filledAt), ctx};
+}
+
+// Of what is filled before waypoint `before`: the ground is there before the first.
+std::uint32_t momentOf(std::size_t before) {
+  return static_cast<std::uint32_t>(
+      std::clamp<std::size_t>(before, kFromTheStart + 1, GrowingPart::kNeverFilled));
+}
+
 } // namespace
 
 double growingPitch(const plan::ToolPlan& plan, const process::Process& process) {
@@ -80,7 +121,9 @@ double growingPitch(const plan::ToolPlan& plan, const process::Process& process)
   return std::max(finest, std::cbrt(sides.prod() / kCells));
 }
 
-GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base::RunContext& ctx) {
+GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base::RunContext& ctx,
+                         const geometry::PlatformSolid& platform)
+    : ground_(groundOf(platform, pitchMm, ctx)) {
   base::require(pitchMm > 0.0, "pitch > 0");
   base::require(plan.direction.size() == plan.waypointCount() &&
                     plan.widthMm.size() == plan.waypointCount() &&
@@ -88,189 +131,42 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
                 "plan arrays of one length");
   base::require(plan.waypointCount() < kNeverFilled, "fewer than 2^32 - 1 waypoints");
   const std::vector<std::uint32_t> segments = segmentsOf(plan);
-  grid_ = gridAround(plan, segments, pitchMm);
-  filledAt_.assign(grid_.cellCount(), kNeverFilled);
-  if (segments.empty())
-    return;
-
+  const voxel::VoxelGrid grid = gridAround(plan, segments, pitchMm);
+  std::vector<std::uint32_t> filledAt(grid.cellCount(), kNeverFilled);
   base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t s = b; s < e; ++s) {
       const BeadSolid bead(plan, segments[s]);
-      const Vector3i low = grid_.cellOf(bead.low()).cwiseMax(0);
-      const Vector3i high = grid_.cellOf(bead.high()).cwiseMin(grid_.size - Vector3i::Ones());
+      const Vector3i low = grid.cellOf(bead.low()).cwiseMax(0);
+      const Vector3i high = grid.cellOf(bead.high()).cwiseMin(grid.size - Vector3i::Ones());
       for (int k = low.z(); k <= high.z(); ++k)
         for (int j = low.y(); j <= high.y(); ++j)
           for (int i = low.x(); i <= high.x(); ++i)
-            if (bead.contains(grid_.centre(i, j, k)))
-              lower(filledAt_[grid_.index(i, j, k)], segments[s] + 1);
+            if (bead.contains(grid.centre(i, j, k)))
+              lower(filledAt[grid.index(i, j, k)], segments[s] + 1);
     }
   });
-
-  const std::vector<std::uint32_t>* below = &filledAt_;
-  Vector3i belowSize = grid_.size;
-  while (belowSize.maxCoeff() > 1) {
-    Level level;
-    level.size = (belowSize.array() + 1) / 2;
-    level.least.assign(static_cast<std::size_t>(level.size.x()) *
-                           static_cast<std::size_t>(level.size.y()) *
-                           static_cast<std::size_t>(level.size.z()),
-                       kNeverFilled);
-    const auto nx = static_cast<std::size_t>(level.size.x());
-    const auto ny = static_cast<std::size_t>(level.size.y());
-    const auto mx = static_cast<std::size_t>(belowSize.x());
-    const auto my = static_cast<std::size_t>(belowSize.y());
-    const auto mz = static_cast<std::size_t>(belowSize.z());
-    base::parallelChunks(ctx, ny * static_cast<std::size_t>(level.size.z()), kRowsAChunk,
-                         [&](std::size_t b, std::size_t e) {
-                           for (std::size_t row = b; row < e; ++row) {
-                             const std::size_t j = row % ny, k = row / ny;
-                             std::uint32_t* out = level.least.data() + row * nx;
-                             for (std::size_t z = 2 * k; z < std::min(mz, 2 * k + 2); ++z)
-                               for (std::size_t y = 2 * j; y < std::min(my, 2 * j + 2); ++y) {
-                                 const std::uint32_t* in = below->data() + mx * (y + my * z);
-                                 for (std::size_t x = 0; x < mx; ++x)
-                                   out[x / 2] = std::min(out[x / 2], in[x]);
-                               }
-                           }
-                         });
-    pyramid_.push_back(std::move(level));
-    below = &pyramid_.back().least;
-    belowSize = pyramid_.back().size;
-  }
-}
-
-namespace {
-
-// Walks the octree of blocks with something filled in time, nearest first. `signedDistance` is
-// that of a solid; a block's cell centres lie within `radius` of its middle.
-template <typename LeastAt, typename Distance> class Descent {
-public:
-  Descent(const voxel::VoxelGrid& grid, const LeastAt& leastAt, const Distance& signedDistance,
-          std::uint32_t before)
-      : grid_(grid), leastAt_(leastAt), signedDistance_(signedDistance), before_(before) {}
-
-  // Is a filled cell's centre at a signed distance <= margin?
-  bool touches(int level, const Vector3i& block, double margin) const {
-    const double d = signedDistance_(middle(level, block));
-    const double radius = radiusOf(level);
-    if (d - radius > margin)
-      return false;
-    if (level == 0 || d + radius <= margin)
-      return true;
-    for (int c = 0; c < 8; ++c) {
-      const Vector3i child = 2 * block + Vector3i(c & 1, c >> 1 & 1, c >> 2);
-      if (leastAt_(level - 1, child) < before_ && touches(level - 1, child, margin))
-        return true;
-    }
-    return false;
-  }
-
-  // Lowers `best` to the least signed distance of a filled cell's centre in the block.
-  void nearest(int level, const Vector3i& block, double d, double& best) const {
-    if (level == 0) {
-      best = std::min(best, d);
-      return;
-    }
-    struct Child {
-      double distance;
-      Vector3i block;
-    };
-    std::array<Child, 8> children;
-    std::size_t count = 0;
-    const double radius = radiusOf(level - 1);
-    for (int c = 0; c < 8; ++c) {
-      const Vector3i child = 2 * block + Vector3i(c & 1, c >> 1 & 1, c >> 2);
-      if (leastAt_(level - 1, child) >= before_)
-        continue;
-      const double distance = signedDistance_(middle(level - 1, child));
-      if (distance - radius >= best)
-        continue;
-      std::size_t place = count++;
-      for (; place > 0 && children[place - 1].distance > distance; --place)
-        children[place] = children[place - 1];
-      children[place] = {distance, child};
-    }
-    for (std::size_t c = 0; c < count; ++c)
-      if (children[c].distance - radius < best && best > 0.0)
-        nearest(level - 1, children[c].block, children[c].distance, best);
-  }
-
-  Vector3d middle(int level, const Vector3i& block) const {
-    const double cells = static_cast<double>(1 << level);
-    return grid_.origin + grid_.pitch * cells * (block.cast<double>() + Vector3d::Constant(0.5));
-  }
-
-private:
-  double radiusOf(int level) const {
-    constexpr double halfDiagonal = 0.8660254037844387; // sqrt(3) / 2
-    return level == 0 ? 0.0 : halfDiagonal * grid_.pitch * static_cast<double>((1 << level) - 1);
-  }
-
-  const voxel::VoxelGrid& grid_;
-  const LeastAt& leastAt_;
-  const Distance& signedDistance_;
-  std::uint32_t before_;
-};
-
-std::uint32_t clampTime(std::size_t before) {
-  return static_cast<std::uint32_t>(std::min<std::size_t>(before, GrowingPart::kNeverFilled));
-}
-
-} // namespace
-
-std::uint32_t GrowingPart::leastAt(int level, const Vector3i& block) const {
-  const auto at = [&](const Vector3i& size, const std::vector<std::uint32_t>& least) {
-    if (block.x() >= size.x() || block.y() >= size.y() || block.z() >= size.z())
-      return kNeverFilled;
-    return least[static_cast<std::size_t>(block.x()) +
-                 static_cast<std::size_t>(size.x()) *
-                     (static_cast<std::size_t>(block.y()) +
-                      static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(block.z()))];
-  };
-  if (level == 0)
-    return at(grid_.size, filledAt_);
-  const Level& l = pyramid_[static_cast<std::size_t>(level) - 1];
-  return at(l.size, l.least);
+  beads_ = FillTimes(grid, std::move(filledAt), ctx);
 }
 
 bool GrowingPart::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                           double marginMm, std::size_t before) const {
-  if (filledAt_.empty())
-    return false;
-  const auto leastFilled = [this](int level, const Vector3i& b) { return leastAt(level, b); };
-  const int top = static_cast<int>(pyramid_.size());
-  const std::uint32_t time = clampTime(before);
-  if (leastAt(top, Vector3i::Zero()) >= time)
-    return false;
-  const PlacedShape placed = place(shape, work_T_shape);
-  return std::visit(
-      [&](const auto& s) {
-        const auto distance = [&s](const Vector3d& p) { return s.signedDistance(p); };
-        return Descent(grid_, leastFilled, distance, time).touches(top, Vector3i::Zero(), marginMm);
-      },
-      placed);
+  const std::uint32_t moment = momentOf(before);
+  return beads_.touches(shape, work_T_shape, marginMm, moment) ||
+         ground_.touches(shape, work_T_shape, marginMm, moment);
+}
+
+bool GrowingPart::headTouches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
+                              double marginMm, std::size_t before) const {
+  const std::uint32_t moment = momentOf(before);
+  return beads_.touches(shape, work_T_shape, marginMm - 0.5 * beads_.grid().pitch, moment) ||
+         ground_.touches(shape, work_T_shape, marginMm - 0.5 * ground_.grid().pitch, moment);
 }
 
 double GrowingPart::distance(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                              double capMm, std::size_t before) const {
-  if (filledAt_.empty())
-    return capMm;
-  const auto leastFilled = [this](int level, const Vector3i& b) { return leastAt(level, b); };
-  const int top = static_cast<int>(pyramid_.size());
-  const std::uint32_t time = clampTime(before);
-  if (leastAt(top, Vector3i::Zero()) >= time)
-    return capMm;
-  const PlacedShape placed = place(shape, work_T_shape);
-  double best = capMm;
-  std::visit(
-      [&](const auto& s) {
-        const auto signedDistanceTo = [&s](const Vector3d& p) { return s.signedDistance(p); };
-        const Descent descent(grid_, leastFilled, signedDistanceTo, time);
-        descent.nearest(top, Vector3i::Zero(),
-                        signedDistanceTo(descent.middle(top, Vector3i::Zero())), best);
-      },
-      placed);
-  return std::max(0.0, best);
+  const std::uint32_t moment = momentOf(before);
+  return ground_.distance(shape, work_T_shape, beads_.distance(shape, work_T_shape, capMm, moment),
+                          moment);
 }
 
 } // namespace voluta::collision

@@ -38,7 +38,7 @@ std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& lay
 }
 
 std::shared_ptr<const MotionStage>
-motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid&, const robot::Cell& cell,
+motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid& platform, const robot::Cell& cell,
             const process::Process& process, const base::ParameterValues& values, int seed,
             const base::RunContext& ctx) {
   auto stage = std::make_shared<MotionStage>();
@@ -55,7 +55,7 @@ motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid&, cons
   motion::MotionOptions options = motion::motionOptions(values);
   options.seed = static_cast<std::uint64_t>(seed);
   const collision::GrowingPart growing(toolPlan, collision::growingPitch(toolPlan, process),
-                                       ctx.sub(0.0, 0.05));
+                                       ctx.sub(0.0, 0.05), platform);
   const double deposited = depositing.seconds();
   motion::MotionResult planned =
       motion::planMotion(toolPlan, cell, process, growing, options, ctx.sub(0.05, 1.0));

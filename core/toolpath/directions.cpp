@@ -51,7 +51,8 @@ public:
 
   OrientResult run() {
     {
-      const collision::GrowingPart part(plan_, collision::growingPitch(plan_, process_), ctx_);
+      const collision::GrowingPart part(plan_, collision::growingPitch(plan_, process_), ctx_,
+                                        o_.platform);
       ctx_.report(0.2, "directions");
       choose(part);
       ctx_.report(0.5, "directions");
@@ -207,7 +208,7 @@ private:
       for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
         r.maxTurnDeg = std::max(
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
-    const collision::GrowingPart part(p, collision::growingPitch(p, process_), ctx_);
+    const collision::GrowingPart part(p, collision::growingPitch(p, process_), ctx_, o_.platform);
     ctx_.report(0.8, "directions");
     std::vector<char> gouge(p.waypointCount(), 0);
     base::parallelChunks(ctx_, gouge.size(), kGrain, [&](std::size_t b, std::size_t e) {

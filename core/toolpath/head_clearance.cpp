@@ -49,7 +49,7 @@ bool HeadClearance::clears(const collision::GrowingPart& part, const Vector3d& t
       Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), -direction).toRotationMatrix();
   work_T_tool.translation() = tip;
   return std::ranges::none_of(shapes_, [&](const robot::Shape& shape) {
-    return part.touches(shape, work_T_tool, marginMm - 0.5 * part.grid().pitch, before);
+    return part.headTouches(shape, work_T_tool, marginMm, before);
   });
 }
 

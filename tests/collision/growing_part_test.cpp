@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "collision/random_shapes.h"
 #include "collision/shape_distance.h"
+#include "geometry/rod_shape.h"
 #include "process/process.h"
 
 #include <cmath>
@@ -209,4 +210,30 @@ TEST(GrowingPart, LargePartTimes) {
   std::cout << "deposit of 200k waypoints: " << deposit
             << " s on one thread; head against part: " << queries.seconds() / 20000 * 1e6
             << " us\n";
+}
+
+TEST(GrowingPart, RodAndBodyAreThereFromTheStart) {
+  geometry::PlatformSolid platform;
+  platform.rod = geometry::straightRod(5.0, 40.0);
+  plan::ToolPlan plan;
+  addPath(plan, {{-5, 0, 2.75}, {5, 0, 2.75}}, Vector3d::UnitZ(), 0.7f, 0.25f);
+  const GrowingPart part(plan, 0.125, {}, platform);
+  const robot::Shape pin = robot::Capsule{Vector3d::Zero(), Vector3d(0, 0, 1), 0.5};
+  const auto at = [](double x, double z) {
+    Isometry3d pose = Isometry3d::Identity();
+    pose.translation() = Vector3d(x, 0, z);
+    return pose;
+  };
+  // Beyond the bead, on the rod's surface at z = 2.5.
+  EXPECT_TRUE(part.touches(pin, at(15, 2.8), 0.0, 0));
+  EXPECT_FALSE(part.touches(pin, at(15, 3.2), 0.0, 0));
+  EXPECT_FALSE(part.touches(pin, at(25, 0.0), 0.0, 0)) << "beyond the rod's end";
+  EXPECT_NEAR(part.distance(pin, at(15, 4.0), 10.0, 0), 1.0, 0.125);
+  // On the bead: not before it is laid.
+  EXPECT_FALSE(part.touches(pin, at(0, 3.1), 0.0, 1));
+  EXPECT_TRUE(part.touches(pin, at(0, 3.1), 0.0, 2));
+  // A head whose foot is flush with the ground is no gouge; deeper than half a cell is.
+  const robot::Shape foot = robot::Frustum{Vector3d(0, 0, 0), Vector3d(0, 0, 5), 0.4, 0.4};
+  EXPECT_FALSE(part.headTouches(foot, at(15, 2.46), 0.0, 0));
+  EXPECT_TRUE(part.headTouches(foot, at(15, 2.25), 0.0, 0));
 }

@@ -303,7 +303,7 @@ TEST_F(JobFile, ContradictionsAreRefused) {
     part->source = part->mesh = mesh;
     job.loaded = part;
   });
-  refused("a platform nowhere", [](Job& job) { job.platform[1].y() = INFINITY; });
+  refused("a platform nowhere", [](Job& job) { job.platform.polygon[1].y() = INFINITY; });
   refused("a waypoint nowhere", [](Job& job) {
     plan::ToolPlan p = *job.toolPlan;
     p.position[2].z() = NAN;

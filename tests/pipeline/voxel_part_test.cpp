@@ -109,14 +109,14 @@ TEST(VoxelPart, StandsOnItsOwnPlatform) {
   EXPECT_NEAR((box.max() - Eigen::Vector3d(0.8, 0.4, 2.4)).norm(), 0.0, 1e-9);
 
   const PlanResult fit = planPart(requestFor(ell(), Stage::Decompose), {});
-  expectBox(fit.job.platform, -1.6, -0.4, 2.4, 0.4);
+  expectBox(fit.job.platform.polygon, -1.6, -0.4, 2.4, 0.4);
   PlanRequest wide = requestFor(ell(), Stage::Decompose);
   wide.choices.platform = "fit:1";
-  const Eigen::AlignedBox2d widened = boxOf(planPart(wide, {}).job.platform);
+  const Eigen::AlignedBox2d widened = boxOf(planPart(wide, {}).job.platform.polygon);
   EXPECT_LE(widened.min().x(), -2.6 + 1e-9);
   EXPECT_GE(widened.max().y(), 1.4 - 1e-9);
   wide.choices.platform = "rect:10x4";
-  expectBox(planPart(wide, {}).job.platform, -5, -2, 5, 2);
+  expectBox(planPart(wide, {}).job.platform.polygon, -5, -2, 5, 2);
 }
 
 TEST(VoxelPart, ScaleAndVoxelWidthBothWidenTheCells) {
@@ -212,7 +212,7 @@ TEST(VoxelPart, ProjectsKeepItsCells) {
   again.choices.growth = "greedy"; // made anew: from the object's cells, not from its surface
   const PlanResult other = planPart(again, {}, &reopened);
   EXPECT_EQ(other.job.report.decomposition.voxels, 4u);
-  expectBox(other.job.platform, -1.6, -0.4, 2.4, 0.4);
+  expectBox(other.job.platform.polygon, -1.6, -0.4, 2.4, 0.4);
 }
 
 TEST(VoxelPart, IsToldFromMeshesByEndingOrContent) {

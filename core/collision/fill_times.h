@@ -1,0 +1,54 @@
+// A grid of moments at which cells are filled, and how far shapes are from what is filled in time.
+#pragma once
+
+#include "robot/body.h"
+#include "voxel/voxel_grid.h"
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::collision {
+
+class FillTimes {
+public:
+  static constexpr std::uint32_t kNever = 0xffffffffu;
+
+  FillTimes() = default;
+  // filledAt: of each cell, kNever where it stays empty. Throws Cancelled.
+  FillTimes(const voxel::VoxelGrid& grid, std::vector<std::uint32_t> filledAt,
+            const base::RunContext& ctx);
+
+  const voxel::VoxelGrid& grid() const { return grid_; }
+  std::uint32_t filledAt(std::size_t cell) const { return filledAt_[cell]; }
+
+  // Does the shape, placed by work_T_shape and grown by `marginMm` (negative shrinks), hold the
+  // centre of a cell filled at a moment < `before`? Exact for cell centres; the pyramid of least
+  // moments only prunes.
+  bool touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape, double marginMm,
+               std::uint32_t before) const;
+
+  // Distance from the shape to the nearest centre of a cell filled before `before`, capped at
+  // `capMm`; 0 when inside. mm.
+  double distance(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape, double capMm,
+                  std::uint32_t before) const;
+
+private:
+  // Least moment in a block of the pyramid (level 0: a cell); kNever outside the grid.
+  std::uint32_t leastAt(int level, const Eigen::Vector3i& block) const;
+
+  voxel::VoxelGrid grid_;
+  std::vector<std::uint32_t> filledAt_;
+  struct Level {
+    Eigen::Vector3i size;
+    std::vector<std::uint32_t> least; // of a block of 2^level cells
+  };
+  std::vector<Level> pyramid_;
+};
+
+} // namespace voluta::collision
