@@ -24,9 +24,11 @@ Cells shareOut(const PatchSurface& s, const std::vector<SurfaceCurve>& curves, d
     }
   }
   const SegmentGrid grid(std::move(segments), reachMm);
+  int last = -1;
   const auto sample = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& normal, double area,
                           double thickness) {
-    const SegmentGrid::Hit hit = grid.nearest(p);
+    const SegmentGrid::Hit hit = grid.nearest(p, last);
+    last = hit.segment;
     if (hit.segment < 0) {
       cells.orphanMm2 += area;
       return;

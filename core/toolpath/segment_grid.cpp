@@ -2,8 +2,12 @@
 
 namespace voluta::toolpath {
 
+namespace {
+constexpr double kReachCells = 1.8; // cells that the reach of fine beads spans
+} // namespace
+
 SegmentGrid::SegmentGrid(std::vector<Segment> segments, double reachMm)
-    : segments_(std::move(segments)), reach_(reachMm) {
+    : segments_(std::move(segments)), reach_(reachMm), cell_(std::min(1.0, reachMm / kReachCells)) {
   if (segments_.empty()) {
     start_.assign(1, 0);
     return;
@@ -58,11 +62,19 @@ std::pair<double, double> SegmentGrid::measure(int segment, const Eigen::Vector3
   return {t, (s.a + t * ab - p).norm()};
 }
 
-SegmentGrid::Hit SegmentGrid::nearest(const Eigen::Vector3d& p) const {
+SegmentGrid::Hit SegmentGrid::nearest(const Eigen::Vector3d& p, int likely) const {
   Hit best;
   best.distanceMm = reach_;
   // Most points have a neighbour within half a cell: look there first.
-  for (double radius = std::min(0.6, reach_);; radius = std::min(2 * radius, reach_)) {
+  double first = std::min(0.6 * cell_, reach_);
+  if (likely >= 0)
+    if (const auto [t, d] = measure(likely, p); d < reach_) {
+      best.segment = likely;
+      best.t = t;
+      best.distanceMm = d;
+      first = std::min(first, d);
+    }
+  for (double radius = first;; radius = std::min(2 * radius, reach_)) {
     visit(p, radius, [&](int i) {
       const auto [t, d] = measure(i, p);
       if (d < best.distanceMm || (d == best.distanceMm && best.segment > i)) {

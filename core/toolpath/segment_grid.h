@@ -23,7 +23,8 @@ public:
   SegmentGrid(std::vector<Segment> segments, double reachMm);
 
   // The nearest segment within the reach, the first of equals; segment -1 when there is none.
-  Hit nearest(const Eigen::Vector3d& p) const;
+  // `likely`: one that may be near, such as the last point's; it saves time and decides nothing.
+  Hit nearest(const Eigen::Vector3d& p, int likely = -1) const;
   // Calls f(segment, t, distance) for every segment within `radiusMm` <= reach, each once or more.
   template <typename F> void forEachWithin(const Eigen::Vector3d& p, double radiusMm, F&& f) const {
     visit(p, radiusMm, [&](int i) {
@@ -52,7 +53,7 @@ private:
   std::pair<double, double> measure(int segment, const Eigen::Vector3d& p) const;
 
   std::vector<Segment> segments_;
-  double reach_, cell_ = 1.0;
+  double reach_, cell_;
   Eigen::Vector3d low_ = Eigen::Vector3d::Zero();
   Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
   std::vector<int> start_, entry_;
