@@ -14,16 +14,17 @@ struct ProgramFile {
 };
 
 struct Program {
-  std::string format;   // id in the dialect registry
-  bool foreign = false; // Cartesian, for a controller that is not the cell's own
+  std::string format;             // id in the dialect registry
+  bool foreign = false;           // Cartesian, for a controller that is not the cell's own
   std::vector<ProgramFile> files; // to be run in this order
 };
 
 // What a motion's target is given in.
 enum class TargetKind {
-  Joints,      // joint values, radians
-  FlangePose,  // base_T_tcp with the TCP that the program sets (flange_T_tcp)
-  ToolPoint    // nozzle tip and direction in the work frame (5 degrees of freedom)
+  Joints,     // joint values, radians, external axes behind the arm's
+  FlangePose, // base_T_tcp with the TCP that the program sets (flange_T_tcp)
+  WorkPose,   // work_T_tcp with that TCP, and the external axes that turn the work frame
+  ToolPoint   // nozzle tip and direction in the work frame (5 degrees of freedom)
 };
 
 // One motion of a program that was read back.
@@ -31,22 +32,23 @@ struct ProgramMotion {
   std::size_t file = 0; // index in Program::files
   std::size_t line = 0; // 1-based
   TargetKind target = TargetKind::Joints;
-  bool jointInterpolated = false;          // between targets: joints linear, else straight
-  std::vector<double> joints;              // Joints
-  Eigen::Isometry3d base_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();           // ToolPoint, mm
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();         // ToolPoint, unit
+  bool jointInterpolated = false; // between targets: joints linear, else straight
+  std::vector<double> joints;     // Joints
+  Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose: of Base; WorkPose
+  std::vector<double> externals;                                 // WorkPose, radians
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();            // ToolPoint, mm
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();          // ToolPoint, unit
   // Speed of what the target describes: the TCP in Base (FlangePose: with a plate on the flange
   // that is the work frame's origin, not the nozzle on the part), the nozzle's tip in the work
-  // frame (ToolPoint). 0: not given.
+  // frame (WorkPose, ToolPoint). 0: not given.
   double speedMmPerS = 0.0;
   double jointSpeedRadPerS = 0.0; // leading joint, joint-interpolated motions; 0: not given
-  double durationS = 0.0; // time of this motion where the text gives it (then it rules, not the
-                          // speeds); 0: not given
-  double blendMm = 0.0;        // radius of the blend at its end
-  bool extruding = false;      // is the extruder on during this motion
-  double flowMm3PerS = 0.0;    // flow while extruding, where the dialect gives a rate
-  double volumeMm3 = -1.0;     // material of this motion, where the dialect gives amounts; else -1
+  double durationS = 0.0;   // time of this motion where the text gives it (then it rules, not the
+                            // speeds); 0: not given
+  double blendMm = 0.0;     // radius of the blend at its end
+  bool extruding = false;   // is the extruder on during this motion
+  double flowMm3PerS = 0.0; // flow while extruding, where the dialect gives a rate
+  double volumeMm3 = -1.0;  // material of this motion, where the dialect gives amounts; else -1
 };
 
 // Something in the text that the reader could not make sense of, or that is missing at its end.

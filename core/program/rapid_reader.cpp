@@ -478,7 +478,7 @@ private:
       defect("the arm's configuration is supervised: ConfL\\Off, ConfJ\\Off");
     if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
       defect("the extruder's outputs are not set before this motion");
-    last_ = absolute ? std::nullopt : std::optional(m.base_T_tcp);
+    last_ = absolute ? std::nullopt : std::optional(m.frame_T_tcp);
     out_.motions.push_back(std::move(m));
     return true;
   }
@@ -502,7 +502,7 @@ private:
         if (!(std::abs(target[k]) <= 100.0 && target[k] == std::floor(target[k])))
           return fail("a configuration is whole quarters of a turn");
       m.target = plan::TargetKind::FlangePose;
-      m.base_T_tcp = user * frame * pose;
+      m.frame_T_tcp = user * frame * pose;
     }
     if (toolSet_ && !tcp.isApprox(out_.flange_T_tcp, 1e-9))
       return fail("a second, different tool");
@@ -533,9 +533,9 @@ private:
     m.speedMmPerS = speed[0];
     if (m.jointInterpolated || !last_)
       return true;
-    const double way = (m.base_T_tcp.translation() - last_->translation()).norm() / speed[0];
+    const double way = (m.frame_T_tcp.translation() - last_->translation()).norm() / speed[0];
     const double turn =
-        base::radiansToDegrees(Eigen::Quaterniond(m.base_T_tcp.linear())
+        base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
                                    .angularDistance(Eigen::Quaterniond(last_->linear())));
     if (turn / speed[1] > way + 1e-9) {
       m.durationS = turn / speed[1];
@@ -560,7 +560,7 @@ private:
   bool called_ = false;     // what is loaded
   bool procedure_ = false, procedureEnded_ = false, linearOff_ = false, jointOff_ = false;
   bool toolSet_ = false;
-  std::optional<Eigen::Isometry3d> last_; // base_T_tcp of the last motion, where it is known
+  std::optional<Eigen::Isometry3d> last_; // frame_T_tcp of the last motion, where it is known
   ReadOutputs outputs_;
 };
 

@@ -350,7 +350,7 @@ private:
                       target.list.begin() + static_cast<std::ptrdiff_t>(target.count));
     } else {
       m.target = plan::TargetKind::FlangePose;
-      if (!poseOf(target, m.base_T_tcp))
+      if (!poseOf(target, m.frame_T_tcp))
         return;
       if (!tcpSet_)
         defect("a pose before set_tcp: whose pose is it?");

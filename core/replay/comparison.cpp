@@ -191,17 +191,21 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
     const double volume = motionVolume(program, path, m);
     const bool extruding = program.motions[m].extruding;
     if (path.arm) {
-      double off = 0.0;
-      for (int k = 0; k < path.dof; ++k)
-        off = std::max(
-            off,
-            std::abs(
-                path.joints[m * static_cast<std::size_t>(path.dof) + static_cast<std::size_t>(k)] -
-                trajectory.at(j)[k]));
-      if (off > options.jointRad)
+      const auto off = [&](int first, int last) {
+        double most = 0.0;
+        for (int k = first; k < last; ++k)
+          most = std::max(most, std::abs(path.jointsAt(m)[k] - trajectory.at(j)[k]));
+        return most;
+      };
+      if (const double rad = off(0, path.armDof); rad > options.jointRad)
         report.atMotion("otherConfiguration", m,
                         "the arm stands otherwise than planned, a joint by " +
-                            text(off * 180.0 / M_PI, 1) + " degrees",
+                            text(rad * 180.0 / M_PI, 1) + " degrees",
+                        kWriteAgain);
+      if (const double rad = off(path.armDof, path.dof); rad > options.externalRad)
+        report.atMotion("externalAxisMoved", m,
+                        "the external axis stands " + text(rad * 180.0 / M_PI, 3) +
+                            " degrees off its plan",
                         kWriteAgain);
     }
     if (!print && extruding && (m > 0 || volume > options.leastMm3)) {

@@ -42,13 +42,15 @@ struct ComparisonOptions {
   double rateTolerance = 0.05; // of time and of material
   double leastS = 1e-3;        // differences of time below are rounding
   double leastMm3 = 0.005;     // differences of material below are rounding
-  double jointRad = 0.02;      // a joint further off is another configuration
+  double jointRad = 0.02;      // an arm's joint further off is another configuration
+  double externalRad = 2e-4; // an external axis further off stands elsewhere: the nozzle's path on
+                             // the part may be the same, the arm's is not
 };
 
 // Deviations of the alignment, defects of the reader and a missing end; and of motions that follow
 // each other as their points do: time (length by speed) and material that differ by more than 5 %,
-// the extruder on over a travel or off over a print, joints in another configuration. Differences
-// of one kind in consecutive motions are one finding, at the first of them.
+// the extruder on over a travel or off over a print, joints in another configuration, external axes
+// elsewhere. Differences of one kind in consecutive motions are one finding, at the first of them.
 std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const ExecutedPath& path,
                                          const PlannedNozzle& planned,
                                          const plan::Trajectory& trajectory,

@@ -18,7 +18,7 @@ using robot::JointVector;
 
 constexpr double kPrintSampleMm = 0.5, kTravelSampleMm = 1.0;
 constexpr double kArmStepMm = 2.0, kArmStepRad = base::degreesToRadians(2.0);
-constexpr double kArmStepJointRad = 0.03;
+constexpr double kArmStepJointRad = 0.03, kArmStepExternalRad = 0.1;
 constexpr double kSpeedSlack = 1.02;    // rounding of speeds in a program's text
 constexpr double kRangeSlackRad = 1e-4; // likewise of joints
 // A joint that turns further than this within one arm step has changed its branch.
@@ -58,15 +58,17 @@ public:
     path_.arm = cell_ != nullptr && n > 0;
     for (const plan::ProgramMotion& m : motions_)
       path_.arm = path_.arm && m.target != plan::TargetKind::ToolPoint;
-    inWork_ = path_.arm && std::all_of(motions_.begin(), motions_.end(), [](const auto& m) {
-                return m.target == plan::TargetKind::Joints;
-              });
+    externals_ = path_.arm ? cell_->dof() - cell_->armDof() : 0;
+    inWork_ = path_.arm && (externals_ > 0 || anyIs(plan::TargetKind::WorkPose) ||
+                            !anyIs(plan::TargetKind::FlangePose));
     path_.dof = cell_ != nullptr ? cell_->dof() : 0;
+    path_.armDof = path_.dof - externals_;
     path_.targetTip.resize(n);
     path_.targetDirection.resize(n);
     path_.commandedMm.assign(n, 0.0);
     path_.durationS.assign(n, 0.0);
     path_.startS.assign(n, 0.0);
+    findExternals();
     findTargets();
     findLengths();
     if (path_.arm)
@@ -82,21 +84,58 @@ public:
   }
 
 private:
+  bool anyIs(plan::TargetKind kind) const {
+    return std::any_of(motions_.begin(), motions_.end(),
+                       [&](const plan::ProgramMotion& m) { return m.target == kind; });
+  }
   bool isToolPoint(std::size_t m) const {
     return motions_[m].target == plan::TargetKind::ToolPoint;
   }
   bool isStraight(std::size_t m) const { return !motions_[m].jointInterpolated || !path_.arm; }
   JointVector jointsOf(std::size_t m) const {
-    return Eigen::Map<const Eigen::VectorXd>(
-        path_.joints.data() + m * static_cast<std::size_t>(path_.dof), path_.dof);
+    return Eigen::Map<const Eigen::VectorXd>(path_.jointsAt(m), path_.dof);
   }
 
-  // A target with more or fewer values than the cell has joints is another robot's: home stands in,
+  // A target with more or fewer values than the cell has axes is another cell's: home stands in,
   // and the motion is out of reach.
+  bool isOfThisCell(const plan::ProgramMotion& motion) const {
+    if (motion.target == plan::TargetKind::Joints)
+      return static_cast<int>(motion.joints.size()) == cell_->dof();
+    return motion.target != plan::TargetKind::WorkPose ||
+           static_cast<int>(motion.externals.size()) == externals_;
+  }
   JointVector jointTarget(const plan::ProgramMotion& motion) const {
-    if (static_cast<int>(motion.joints.size()) != cell_->dof())
+    if (!isOfThisCell(motion))
       return cell_->home();
     return Eigen::Map<const Eigen::VectorXd>(motion.joints.data(), cell_->dof());
+  }
+
+  void findExternals() {
+    if (externals_ == 0)
+      return;
+    const auto count = static_cast<std::size_t>(externals_);
+    std::vector<double> now(count, 0.0);
+    externalsAt_.reserve(motions_.size() * count);
+    for (const plan::ProgramMotion& motion : motions_) {
+      if (!isOfThisCell(motion))
+        std::fill(now.begin(), now.end(), 0.0);
+      else if (motion.target == plan::TargetKind::Joints)
+        now.assign(motion.joints.end() - externals_, motion.joints.end());
+      else if (motion.target == plan::TargetKind::WorkPose)
+        now = motion.externals;
+      externalsAt_.insert(externalsAt_.end(), now.begin(), now.end());
+    }
+  }
+  Eigen::Map<const Eigen::VectorXd> externalsAt(std::size_t m) const {
+    return {externalsAt_.data() + m * static_cast<std::size_t>(externals_), externals_};
+  }
+  // The cell's axes with the external ones where they are at motion m at s; the arm's as in q.
+  JointVector withExternals(std::size_t m, double s, JointVector q) const {
+    if (externals_ > 0)
+      q.tail(externals_) =
+          m == 0 ? JointVector(externalsAt(0))
+                 : JointVector(externalsAt(m - 1) + s * (externalsAt(m) - externalsAt(m - 1)));
+    return q;
   }
 
   static Isometry3d poseOf(const Target& t) {
@@ -116,8 +155,26 @@ private:
     tip = work_T_tool.translation();
     direction = -work_T_tool.linear().col(2);
   }
-  Isometry3d flangeOf(const Target& t) const {
-    return inWork_ ? cell_->base_T_flange(poseOf(t), cell_->home()) : poseOf(t) * tcp_T_flange_;
+  // `q`: the external axes.
+  Isometry3d flangeOf(const Target& t, const JointVector& q) const {
+    return inWork_ ? cell_->base_T_flange(poseOf(t), q) : poseOf(t) * tcp_T_flange_;
+  }
+
+  Isometry3d poseOfTarget(std::size_t m) const {
+    const plan::ProgramMotion& motion = motions_[m];
+    if (motion.target == plan::TargetKind::Joints) {
+      const JointVector q = jointTarget(motion);
+      return inWork_ ? cell_->work_T_tool(q)
+                     : cell_->robot().kinematics->flange(q) * program_.flange_T_tcp;
+    }
+    if (!isOfThisCell(motion))
+      return cell_->work_T_tool(cell_->home());
+    if (motion.target == plan::TargetKind::WorkPose)
+      return motion.frame_T_tcp * tcp_T_flange_ * cell_->flange_T_moved();
+    if (!inWork_)
+      return motion.frame_T_tcp;
+    return cell_->work_T_toolOfFlange(motion.frame_T_tcp * tcp_T_flange_,
+                                      withExternals(m, 1.0, cell_->home()));
   }
 
   void findTargets() {
@@ -131,12 +188,7 @@ private:
           t.direction = motion.direction;
         } else {
           base::require(cell_ != nullptr, "replay: a program for an arm needs a cell");
-          Isometry3d pose = motion.base_T_tcp;
-          if (motion.target == plan::TargetKind::Joints) {
-            const JointVector q = jointTarget(motion);
-            pose = inWork_ ? cell_->work_T_tool(q)
-                           : cell_->robot().kinematics->flange(q) * program_.flange_T_tcp;
-          }
+          const Isometry3d pose = poseOfTarget(m);
           t.position = pose.translation();
           t.turn = Quaterniond(pose.linear());
         }
@@ -200,8 +252,7 @@ private:
       JointVector target = q;
       if (motion.target == plan::TargetKind::Joints)
         target = jointTarget(motion);
-      if (motion.target == plan::TargetKind::Joints &&
-          static_cast<int>(motion.joints.size()) != path_.dof)
+      if (!isOfThisCell(motion))
         path_.violations.push_back({LimitKind::OutOfReach, m, -1, 0.0, 0.0});
       if (m == 0 || motion.jointInterpolated) {
         if (motion.target != plan::TargetKind::Joints)
@@ -218,10 +269,7 @@ private:
         }
         q = target;
       } else {
-        const double turn = targets_[m - 1].turn.angularDistance(targets_[m].turn);
-        const int steps =
-            std::max({1, static_cast<int>(std::ceil(path_.commandedMm[m] / kArmStepMm)),
-                      static_cast<int>(std::ceil(turn / kArmStepRad))});
+        const int steps = armSteps(m);
         for (int k = 1; k <= steps; ++k) {
           const double u = static_cast<double>(k) / steps;
           if (k == steps && motion.target == plan::TargetKind::Joints)
@@ -239,20 +287,37 @@ private:
     }
   }
 
-  // The joints that reach motion m at s, nearest to q; q stays where there are none.
+  int armSteps(std::size_t m) const {
+    const Target &a = targets_[m - 1], &b = targets_[m];
+    double turn = a.turn.angularDistance(b.turn), external = 0.0;
+    if (externals_ > 0) {
+      const JointVector from = withExternals(m, 0.0, cell_->home()),
+                        to = withExternals(m, 1.0, cell_->home());
+      external = (to - from).cwiseAbs().maxCoeff();
+      turn = Quaterniond(flangeOf(a, from).linear())
+                 .angularDistance(Quaterniond(flangeOf(b, to).linear()));
+    }
+    return static_cast<int>(
+        std::max({1.0, std::ceil(path_.commandedMm[m] / kArmStepMm), std::ceil(turn / kArmStepRad),
+                  std::ceil(external / kArmStepExternalRad)}));
+  }
+
+  // The joints that reach motion m at s, nearest to q; the arm's stay where there are none.
   bool follow(std::size_t m, double s, JointVector& q) {
     const Target t = m == 0 || motions_[m].jointInterpolated || s >= 1.0
                          ? targets_[m]
                          : between(targets_[m - 1], targets_[m], s);
-    solutions_.clear();
-    robot::inverseNear(cell_->robot(), flangeOf(t), q, solutions_);
+    q = withExternals(m, s, q);
+    robot::inverseNear(cell_->robot(), flangeOf(t, q), q, solutions_);
     if (solutions_.empty())
       return false;
-    const JointVector* best = &solutions_.front();
-    for (const JointVector& candidate : solutions_)
-      if ((candidate - q).squaredNorm() < (*best - q).squaredNorm())
-        best = &candidate;
-    q = JointVector(*best);
+    const int arm = cell_->armDof();
+    const auto away = [&](const JointVector& candidate) {
+      return (candidate - q.head(arm)).squaredNorm();
+    };
+    q.head(arm) = *std::min_element(
+        solutions_.begin(), solutions_.end(),
+        [&](const JointVector& a, const JointVector& b) { return away(a) < away(b); });
     return true;
   }
 
@@ -294,6 +359,11 @@ private:
     return time;
   }
 
+  double stepOf(std::size_t axis) const {
+    const auto arm = static_cast<std::size_t>(cell_->armDof());
+    return axis < arm ? 0.0 : cell_->externalAxes()[axis - arm].stepRad;
+  }
+
   void checkSpeeds() {
     const std::size_t dof = static_cast<std::size_t>(path_.dof);
     for (std::size_t a = 1; a < path_.armMotion.size(); ++a) {
@@ -308,11 +378,13 @@ private:
       LimitViolation worst{LimitKind::JointSpeed, m, -1, 0.0, 0.0};
       double excess = kSpeedSlack;
       for (std::size_t k = 0; k < dof; ++k) {
-        const double turn = std::abs(q1[k] - q0[k]), limit = cell_->limits()[k].velocity;
+        const double limit = cell_->limits()[k].velocity;
+        double turn = std::abs(q1[k] - q0[k]);
         if (turn > kJumpRad) {
           worst = {LimitKind::BranchJump, m, static_cast<int>(k), turn, kJumpRad};
           break;
         }
+        turn -= (path_.armFraction[a] - from) * stepOf(k);
         if (turn < 1e-6)
           continue;
         if (time <= 0.0) {
@@ -373,9 +445,9 @@ private:
     Vector3d last = path_.targetTip[m - 1], direction;
     double longest = 0.0;
     constexpr int kChords = 8;
-    const bool plain =
-        isToolPoint(m) || (isStraight(m) && path_.commandedMm[m] < 2.0 &&
-                           targets_[m - 1].turn.angularDistance(targets_[m].turn) < 0.02);
+    const bool plain = isToolPoint(m) || (isStraight(m) && externals_ > 0) ||
+                       (isStraight(m) && path_.commandedMm[m] < 2.0 &&
+                        targets_[m - 1].turn.angularDistance(targets_[m].turn) < 0.02);
     if (plain) {
       longest = (path_.targetTip[m] - last).norm() / kChords;
     } else {
@@ -398,6 +470,8 @@ private:
   const base::RunContext& ctx_;
   Isometry3d tcp_T_flange_;
   bool inWork_ = false; // targets are poses of the nozzle in the work frame, not of the TCP in Base
+  int externals_ = 0;   // axes
+  std::vector<double> externalsAt_; // at each motion's end
   std::vector<Target> targets_;
   std::vector<JointVector> solutions_;
   ExecutedPath path_;

@@ -3,14 +3,18 @@
 //
 // Interpolation assumed:
 // - straight motions move the TCP linearly in Base and turn it along the shortest rotation, both in
-//   proportion; ToolPoint motions move the tip linearly in the work frame and turn its direction
-//   along the great circle;
+//   proportion; where external axes turn the work frame, and in programs of joint values, they move
+//   the nozzle so in the work frame while the external axes turn in proportion; ToolPoint motions
+//   move the tip linearly in the work frame and turn its direction along the great circle;
 // - a blend of radius r at a target starts r before it and ends r after it (lengths of the TCP's
 //   path) and is the parabola whose control point is the target (quadratic Bezier): the corner is
 //   cut by r/2 sin(turn/2). Rotations follow by the same (de Casteljau) construction;
 // - joint motions turn all joints in proportion and stop at their target (no blends);
-// - a Cartesian target is reached with the joint solution nearest to where the arm is;
-// - durations are length / speed without ramps: joint motions max |dq| / joint speed.
+// - a Cartesian target is reached with the joint solution nearest to where the arm is; external
+//   axes stay where they are unless the target says otherwise;
+// - durations are length / speed without ramps: joint motions max |dq| / joint speed;
+// - an axis that stands at multiples of a step turns evenly between them: held against its limit is
+//   what it turns less one step.
 #pragma once
 
 #include "plan/program.h"
@@ -43,7 +47,7 @@ struct ExecutedPath {
   std::vector<Eigen::Vector3d> targetTip, targetDirection; // work frame, mm; unit, -tool z
   std::vector<double> commandedMm; // length the speed refers to: the TCP's in Base, or the tip's
   std::vector<double> durationS, startS;
-  int dof = 0;
+  int dof = 0, armDof = 0;    // all axes; those before the external ones
   std::vector<double> joints; // dof x motions at each motion's end; empty without an arm
 
   // The nozzle along motion m: samples [firstSample[m], firstSample[m + 1]), the start excluded,
@@ -51,8 +55,9 @@ struct ExecutedPath {
   std::vector<std::size_t> firstSample; // motions + 1
   std::vector<Eigen::Vector3d> tip, direction;
 
-  // Arm configurations at most 2 mm, 2 degrees of the flange and 0.03 rad of a joint (joint
-  // motions) apart.
+  // Arm configurations at most 2 mm, 2 degrees of the TCP and 0.03 rad of a joint (joint motions)
+  // apart. With external axes, straight motions: 2 mm, 2 degrees of the flange and 0.1 rad of those
+  // axes.
   std::vector<double> armJoints; // dof x samples
   std::vector<std::uint32_t> armMotion;
   std::vector<float> armFraction; // of its motion
@@ -60,10 +65,15 @@ struct ExecutedPath {
   std::vector<LimitViolation> violations; // in motion order
 
   std::size_t motionCount() const { return targetTip.size(); }
+  // Precondition: arm.
+  const double* jointsAt(std::size_t motion) const {
+    return joints.data() + motion * static_cast<std::size_t>(dof);
+  }
   double totalS() const { return startS.empty() ? 0.0 : startS.back() + durationS.back(); }
 };
 
-// Throws Cancelled. Joint targets with another number of values than cell.dof() are out of reach.
+// Throws Cancelled. Targets with another number of joints or external axes than the cell has are
+// out of reach.
 ExecutedPath executeProgram(const plan::ReadProgram& program, const robot::Cell& cell,
                             const base::RunContext& ctx);
 

@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const plan::ReadProgram read = program::readProgram(dialect.id, {{"input", text}}, process);
     fuzz::expect(read.defects.size() <= program::kMaxDefects, "defects are not listed without end");
     for (const plan::ProgramMotion& motion : read.motions)
-      fuzz::expect(motion.position.allFinite() && motion.base_T_tcp.matrix().allFinite(),
+      fuzz::expect(motion.position.allFinite() && motion.frame_T_tcp.matrix().allFinite(),
                    "motions lead to places");
   }
   return 0;

@@ -33,7 +33,7 @@ protected:
 
   static bool sameMotion(const plan::ProgramMotion& a, const plan::ProgramMotion& b) {
     return a.target == b.target && a.jointInterpolated == b.jointInterpolated &&
-           a.joints == b.joints && a.base_T_tcp.matrix() == b.base_T_tcp.matrix() &&
+           a.joints == b.joints && a.frame_T_tcp.matrix() == b.frame_T_tcp.matrix() &&
            a.position == b.position && a.direction == b.direction &&
            a.speedMmPerS == b.speedMmPerS && a.jointSpeedRadPerS == b.jointSpeedRadPerS &&
            a.durationS == b.durationS && a.blendMm == b.blendMm && a.extruding == b.extruding &&
@@ -158,7 +158,7 @@ TEST_F(Damage, noGarbageBringsAReaderDown) {
       for (const Dialect& reader : dialects()) {
         const auto read = readProgram(reader.id, {{"bad", bad}}, process_);
         for (const plan::ProgramMotion& m : read.motions) {
-          ASSERT_TRUE(m.base_T_tcp.matrix().allFinite() && m.position.allFinite() &&
+          ASSERT_TRUE(m.frame_T_tcp.matrix().allFinite() && m.position.allFinite() &&
                       m.direction.allFinite() && std::isfinite(m.speedMmPerS) &&
                       std::isfinite(m.volumeMm3) && std::isfinite(m.durationS));
           ASSERT_NEAR(m.direction.norm(), 1.0, 1e-9);

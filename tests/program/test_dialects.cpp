@@ -34,7 +34,7 @@ protected:
         flange = cell_->robot().kinematics->flange(
             Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof));
       else
-        flange = m.base_T_tcp * program.flange_T_tcp.inverse();
+        flange = m.frame_T_tcp * program.flange_T_tcp.inverse();
       const Eigen::Isometry3d tool = cell_->work_T_toolOfFlange(flange, cell_->home());
       tip = tool.translation();
       direction = -tool.linear().col(2);
@@ -53,8 +53,8 @@ protected:
       return (m.position - program.motions[i - 1].position).norm() / m.speedMmPerS;
     const plan::ProgramMotion& before = program.motions[i - 1];
     const Eigen::Isometry3d from =
-        before.target == plan::TargetKind::FlangePose ? before.base_T_tcp : tcpAt(i - 1);
-    return (m.base_T_tcp.translation() - from.translation()).norm() / m.speedMmPerS;
+        before.target == plan::TargetKind::FlangePose ? before.frame_T_tcp : tcpAt(i - 1);
+    return (m.frame_T_tcp.translation() - from.translation()).norm() / m.speedMmPerS;
   }
 };
 
@@ -225,7 +225,7 @@ TEST_F(Dialects, urscriptBlendsNeitherMeetNorLeaveAPath) {
     }
     blended += m.blendMm > 0.0;
     const double next =
-        (back.motions[i + 1].base_T_tcp.translation() - m.base_T_tcp.translation()).norm();
+        (back.motions[i + 1].frame_T_tcp.translation() - m.frame_T_tcp.translation()).norm();
     EXPECT_LT(m.blendMm + back.motions[i + 1].blendMm, next) << "point " << i;
   }
   EXPECT_GT(blended, 2500u);
@@ -250,8 +250,8 @@ TEST_F(Dialects, urscriptBlendsStayNearTheCornerOnThePart) {
     const double r = back.motions[i].blendMm;
     if (r == 0.0)
       continue;
-    const Eigen::Isometry3d poses[3] = {tcpAt(i - 1), back.motions[i].base_T_tcp,
-                                        back.motions[i + 1].base_T_tcp};
+    const Eigen::Isometry3d poses[3] = {tcpAt(i - 1), back.motions[i].frame_T_tcp,
+                                        back.motions[i + 1].frame_T_tcp};
     const Eigen::Vector3d c = poses[1].translation();
     const double f1 = r / (c - poses[0].translation()).norm();
     const double f2 = r / (poses[2].translation() - c).norm();

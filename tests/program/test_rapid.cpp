@@ -96,7 +96,7 @@ TEST(RapidReader, takesHandWrittenVariations) {
   EXPECT_TRUE(m[0].jointInterpolated && m[1].jointInterpolated && !m[2].jointInterpolated);
   EXPECT_EQ(m[1].target, plan::TargetKind::FlangePose);
   EXPECT_EQ(m[1].blendMm, 10.0);
-  EXPECT_EQ(m[1].base_T_tcp.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(m[1].frame_T_tcp.translation(), Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(m[2].line, 16u);
   EXPECT_EQ(m[2].speedMmPerS, 12.5);
   EXPECT_EQ(m[2].blendMm, 0.4);
@@ -112,7 +112,7 @@ TEST(RapidReader, placesTargetsInTheirWorkObject) {
   const auto program = read(module(kMove));
   expectSound(program);
   ASSERT_EQ(program.motions.size(), 1u);
-  EXPECT_EQ(program.motions[0].base_T_tcp.translation(), Eigen::Vector3d(401, 2, 13));
+  EXPECT_EQ(program.motions[0].frame_T_tcp.translation(), Eigen::Vector3d(401, 2, 13));
 }
 
 TEST(RapidReader, namesWhatItCannotTake) {
@@ -216,7 +216,7 @@ protected:
       const Eigen::Isometry3d planned =
           cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(trajectory_.at(i), trajectory_.dof));
       const Eigen::Isometry3d tool = cell_->work_T_toolOfFlange(
-          back.motions[i].base_T_tcp * back.flange_T_tcp.inverse(), cell_->home());
+          back.motions[i].frame_T_tcp * back.flange_T_tcp.inverse(), cell_->home());
       ASSERT_LE((tool.translation() - planned.translation()).norm(), 1e-3) << "point " << i;
       ASSERT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);
     }

@@ -59,7 +59,7 @@ TEST(UrscriptReader, takesHandWrittenVariations) {
   EXPECT_FALSE(m[1].jointInterpolated || m[1].extruding);
   EXPECT_DOUBLE_EQ(m[1].speedMmPerS, 100.0);
   EXPECT_DOUBLE_EQ(m[1].blendMm, 2.0);
-  EXPECT_TRUE(m[1].base_T_tcp.translation().isApprox(Eigen::Vector3d(-400, 100, 300)));
+  EXPECT_TRUE(m[1].frame_T_tcp.translation().isApprox(Eigen::Vector3d(-400, 100, 300)));
   EXPECT_DOUBLE_EQ(m[2].speedMmPerS, 20.0);
   EXPECT_DOUBLE_EQ(m[2].blendMm, 1.0);
   EXPECT_TRUE(m[2].extruding);

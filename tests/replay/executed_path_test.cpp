@@ -82,7 +82,7 @@ TEST(ExecutedPath, AnArmFollowsPosesAsItFollowsJoints) {
       m.target = plan::TargetKind::FlangePose;
       const robot::JointVector q =
           Eigen::Map<const Eigen::VectorXd>(s.trajectory.at(j), s.trajectory.dof);
-      m.base_T_tcp = s.cell.robot().kinematics->flange(q) * byPose.flange_T_tcp;
+      m.frame_T_tcp = s.cell.robot().kinematics->flange(q) * byPose.flange_T_tcp;
     }
     byPose.motions.push_back(m);
   }
@@ -106,7 +106,7 @@ TEST(ExecutedPath, ATargetOutOfReachIsTold) {
   m.joints.assign(s.trajectory.at(0), s.trajectory.at(0) + s.trajectory.dof);
   program.motions.push_back(m);
   m.target = plan::TargetKind::FlangePose;
-  m.base_T_tcp = Eigen::Isometry3d(Eigen::Translation3d(3000, 0, 0));
+  m.frame_T_tcp = Eigen::Isometry3d(Eigen::Translation3d(3000, 0, 0));
   m.speedMmPerS = 20;
   program.motions.push_back(m);
   m.target = plan::TargetKind::Joints;
