@@ -69,7 +69,7 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
           const JointVector last = jointsAt(i - 1);
           const double step =
               trajectory.move[i] == plan::MoveKind::Joint ? kJointStep : kStraightStep;
-          const int pieces = static_cast<int>(std::ceil((q - last).cwiseAbs().maxCoeff() / step));
+          const int pieces = static_cast<int>(std::ceil(scene.span(last, q) / step));
           for (int k = 1; k < pieces && !contact; ++k) {
             scene.cell.framePoses(last + static_cast<double>(k) / pieces * (q - last), frames);
             // Where printing stops or starts the head is at work too until it has left.

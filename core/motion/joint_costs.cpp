@@ -19,10 +19,11 @@ constexpr double kBranchCost = 4.0; // a rad beyond it
 
 double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& limits) {
   double cost = 0.0;
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const auto& l = limits[static_cast<std::size_t>(j)];
+  for (std::size_t j = 0; j < limits.size(); ++j) {
+    const auto& l = limits[j];
     const double middle = 0.5 * (l.min + l.max), half = 0.5 * (l.max - l.min);
-    const double beyond = std::max(0.0, std::abs(q[j] - middle) / half - 0.8) / 0.2;
+    const double beyond =
+        std::max(0.0, std::abs(q[static_cast<Eigen::Index>(j)] - middle) / half - 0.8) / 0.2;
     cost += kLimitCost * beyond * beyond;
   }
   return cost;

@@ -7,11 +7,12 @@
 
 namespace voluta::motion {
 
-// Of being near a joint's limit, rising from four fifths of its range.
+// Of being near a joint's limit, rising from four fifths of its range; of the joints that have
+// limits here.
 double limitCost(const robot::JointVector& q, const std::vector<robot::JointLimits>& limits);
 
-// Of going from one path's end to the next one's start: turning a joint back by whole turns is done
-// quickly with the nozzle lifted, another branch is a long way through the cell.
+// Of the arm's going from one path's end to the next one's start: turning a joint back by whole
+// turns is done quickly with the nozzle lifted, another branch is a long way through the cell.
 double startCost(const robot::JointVector& from, const robot::JointVector& to);
 
 } // namespace voluta::motion

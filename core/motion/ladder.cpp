@@ -14,12 +14,13 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTurn = 2.0 * base::kPi;
 
-// L1 step from `from` to the representative of `to` nearest to it; infinite where a joint's step
-// is larger than maxStep or its limits are left.
+// L1 step of the joints that have limits here from `from` to the representative of `to` nearest to
+// it; infinite where a joint's step is larger than maxStep or its limits are left.
 double step(const robot::JointVector& from, const robot::JointVector& to,
             const std::vector<robot::JointLimits>& limits, double maxStep) {
   double sum = 0.0;
-  for (Eigen::Index j = 0; j < from.size(); ++j) {
+  const auto count = static_cast<Eigen::Index>(limits.size());
+  for (Eigen::Index j = 0; j < count; ++j) {
     double d = to[j] - from[j];
     if (std::abs(d) > maxStep) {
       d -= kTurn * std::round(d / kTurn);
@@ -36,8 +37,8 @@ double step(const robot::JointVector& from, const robot::JointVector& to,
 }
 
 robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVector to,
-                                double maxStep) {
-  for (Eigen::Index j = 0; j < from.size(); ++j) {
+                                std::size_t count, double maxStep) {
+  for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(count); ++j) {
     const double d = to[j] - from[j];
     if (std::abs(d) > maxStep)
       to[j] = from[j] + d - kTurn * std::round(d / kTurn);
@@ -79,6 +80,8 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
               ((rung[n].sample + k) % options.samples + options.samples) % options.samples;
           for (const int m : bySample[static_cast<std::size_t>(sample)]) {
             const auto from = static_cast<std::size_t>(m);
+            if (std::abs(rungs[r - 1][from].rod - rung[n].rod) > options.rodWindow)
+              continue;
             const double soFar = cost[r - 1][from] + rung[n].cost;
             if (soFar >= cost[r][n])
               continue;
@@ -92,7 +95,7 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
         }
         if (parent[r][n] >= 0)
           here[n] = nearestTurns(before[static_cast<std::size_t>(parent[r][n])], rung[n].q,
-                                 options.maxStepRad[r]);
+                                 limits.size(), options.maxStepRad[r]);
       }
       any = any || cost[r][n] < kInfinity;
     }
@@ -121,7 +124,7 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
   }
   for (std::size_t r = 0; r < way.reached; ++r) {
     const robot::JointVector& q = rungs[r][static_cast<std::size_t>(way.node[r])].q;
-    way.q[r] = r == 0 ? q : nearestTurns(way.q[r - 1], q, options.maxStepRad[r]);
+    way.q[r] = r == 0 ? q : nearestTurns(way.q[r - 1], q, limits.size(), options.maxStepRad[r]);
   }
   return way;
 }

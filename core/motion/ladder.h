@@ -11,6 +11,7 @@ namespace voluta::motion {
 struct LadderNode {
   robot::JointVector q;
   int sample = 0;       // which turn about the nozzle, 0 .. samples - 1 (circular)
+  int rod = 0;          // which angle of the rod, in steps from the upright one
   double cost = 0.0;    // of being here, added to the way's length
   bool blocked = false; // not to be used
 };
@@ -19,6 +20,7 @@ using Rung = std::vector<LadderNode>;
 struct LadderOptions {
   int samples = 24;               // turns about the nozzle in a full circle
   int window = 2;                 // neighbours differ by at most so many samples
+  int rodWindow = 1;              // and by at most so many of the rod's
   std::vector<double> maxStepRad; // per rung: largest joint step from the rung before
 };
 
@@ -35,7 +37,8 @@ struct LadderWay {
 // no node of a rung can be reached the way ends before it, at the cheapest node. Ties go to the
 // node that is met first, by sample.
 // Preconditions: startCost as long as rungs.front(), maxStepRad as rungs; all q of one length,
-// limits as long; samples in [0, options.samples).
+// limits no longer: joints behind those are where they have to be and cost nothing; samples in [0,
+// options.samples).
 LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>& startCost,
                       const std::vector<robot::JointLimits>& limits, const LadderOptions& options);
 

@@ -9,6 +9,7 @@
 #include "motion/nozzle_frame.h"
 #include "motion/path_planner.h"
 #include "motion/refusal_findings.h"
+#include "motion/rod_turn.h"
 #include "motion/timing.h"
 #include "motion/transfer.h"
 
@@ -39,14 +40,29 @@ std::vector<Surround> surroundsOf(const plan::ToolPlan& plan) {
 
 Station stationAt(const robot::Cell& cell, const robot::JointVector& q) {
   const Eigen::Isometry3d pose = cell.work_T_tool(q);
-  return {pose.translation(), Eigen::Quaterniond(pose.linear()), q};
+  return {pose.translation(), Eigen::Quaterniond(pose.linear()), q, rodAngle(cell, q)};
 }
 
-std::vector<TimedPoint> timedPoints(const std::vector<RunPoint>& points) {
+double radiusAboutRod(const plan::ToolPlan& plan) {
+  double radius = 0.0;
+  for (const Vector3d& p : plan.position)
+    radius = std::max(radius, p.tail<2>().norm());
+  return radius;
+}
+
+// Its steps are not the rod's acceleration: the motor takes them as they come on a smooth way.
+robot::JointVector withoutSteps(const robot::Cell& cell, const Station& station) {
+  robot::JointVector q = station.q;
+  if (!cell.externalAxes().empty())
+    q[cell.armDof()] = station.rodRad;
+  return q;
+}
+
+std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<RunPoint>& points) {
   std::vector<TimedPoint> timed;
   timed.reserve(points.size());
   for (const RunPoint& p : points)
-    timed.push_back({p.at.q, p.at.tip, p.speedMmPerS, false, false});
+    timed.push_back({withoutSteps(cell, p.at), p.at.tip, p.speedMmPerS, false, false});
   return timed;
 }
 
@@ -74,8 +90,9 @@ public:
                 const process::Process& process, const collision::GrowingPart& part,
                 const MotionOptions& options)
       : plan_(plan), cell_(cell), process_(process), options_(options),
-        collision_(cell, process), scene_{plan, cell, collision_, part, options}, planner_(scene_),
-        surrounds_(surroundsOf(plan)), home_(stationAt(cell, cell.home())) {}
+        collision_(cell, process), scene_{plan, cell,    collision_,
+                                          part, options, radiusAboutRod(plan)},
+        planner_(scene_), surrounds_(surroundsOf(plan)), home_(stationAt(cell, cell.home())) {}
 
   MotionResult plan(const base::RunContext& ctx) {
     result_.trajectory.dof = cell_.dof();
@@ -152,6 +169,9 @@ private:
     // Where no way leads on, the arm goes home with what is printed by then, and on from there.
     Sequence kept;
     std::optional<Transfer> parked; // the way home from the last kept run, once it was needed
+    const auto homeFrom = [&](const Run& run) {
+      return stationAt(cell_, homeAfter(cell_, run.points.back().at.q));
+    };
     for (std::size_t r = 0; r < runs.size(); ++r) {
       const RunPoint& first = runs[r].points.front();
       const Surround& surround = surrounds_[runs[r].path];
@@ -162,11 +182,12 @@ private:
       } else if (!parked) {
         way = std::move(found[r]); // from run r - 1, which is the last kept one
         if (!way)
-          parked = planner.leave(kept.runs.back().points.back().at, home_, first.next, surround,
-                                 seed, ctx);
+          parked = planner.leave(kept.runs.back().points.back().at, homeFrom(kept.runs.back()),
+                                 first.next, surround, seed, ctx);
       }
       if (!way && parked &&
-          (way = planner.approach(home_, first.at, first.next, surround, seed, ctx))) {
+          (way = planner.approach(homeFrom(kept.runs.back()), first.at, first.next, surround, seed,
+                                  ctx))) {
         way->points.insert(way->points.begin(), parked->points.begin(), parked->points.end());
         parked.reset();
       }
@@ -185,8 +206,8 @@ private:
     }
     if (!kept.runs.empty()) {
       if (!parked)
-        parked = planner.leave(kept.runs.back().points.back().at, home_, plan_.waypointCount(),
-                               surrounds_.back(), options_.seed, ctx);
+        parked = planner.leave(kept.runs.back().points.back().at, homeFrom(kept.runs.back()),
+                               plan_.waypointCount(), surrounds_.back(), options_.seed, ctx);
       if (parked)
         kept.ways.push_back(std::move(*parked));
       else
@@ -199,16 +220,17 @@ private:
     TimingLimits limits;
     limits.joints = cell_.limits();
     limits.accelerationMmPerS2 = process_.accelerationMmPerS2;
+    limits.arm = cell_.armDof();
     const std::size_t runs = sequence.runs.size(), ways = sequence.ways.size();
     std::vector<std::vector<double>> runTimes(runs), wayTimes(ways);
     std::vector<JerkMeasure> jerks(runs), jerksBefore(runs);
     base::parallelChunks(ctx, std::max(runs, ways), 4, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i) {
         if (i < runs) {
-          const auto points = timedPoints(sequence.runs[i].points);
+          const auto points = timedPoints(cell_, sequence.runs[i].points);
           runTimes[i] = timesOf(points, limits);
           jerks[i] = jerkOf(points, runTimes[i]);
-          const auto before = timedPoints(sequence.runs[i].ladder);
+          const auto before = timedPoints(cell_, sequence.runs[i].ladder);
           jerksBefore[i] = jerkOf(before, timesOf(before, limits));
         }
         if (i < ways) {

@@ -1,6 +1,7 @@
 #include "motion/motion_scene.h"
 
 #include "motion/nozzle_frame.h"
+#include "motion/rod_turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,10 @@ namespace voluta::motion {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using robot::JointVector;
+
+namespace {
+constexpr double kLeverMm = 100.0; // of an arm's joint: a small one, to be careful
+} // namespace
 
 double MotionScene::bend(const Vector3d& from, const Vector3d& to, double angle) const {
   if (cell.nozzleMount() == robot::Mount::Flange)
@@ -23,6 +28,12 @@ int MotionScene::divisions(const Vector3d& from, const Vector3d& to, double angl
   if (bends <= options.deviationMm)
     return 1;
   return static_cast<int>(std::ceil(std::sqrt(bends / options.deviationMm)));
+}
+
+double MotionScene::span(const JointVector& a, const JointVector& b) const {
+  const double arm = (b - a).head(cell.armDof()).cwiseAbs().maxCoeff();
+  const double rod = std::abs(rodAngle(cell, b) - rodAngle(cell, a));
+  return std::max(arm, rod * partRadiusMm / kLeverMm);
 }
 
 bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& tool,

@@ -26,6 +26,11 @@ struct MotionScene {
   double bend(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
   // Into how many steps such a move is to be divided.
   int divisions(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
+
+  // How far joints are apart for whoever looks between them, rad: the largest step of the arm's, or
+  // the rod's where that takes the part further than a joint would at an arm's lever.
+  double span(const robot::JointVector& a, const robot::JointVector& b) const;
+  double partRadiusMm = 0.0; // of all that is printed, about the rod
 };
 
 // The joints that bring the nozzle there, nearest to `near` (largest joint step); false when there

@@ -7,6 +7,7 @@
 #include "motion/even_turns.h"
 #include "motion/joint_costs.h"
 #include "motion/nozzle_frame.h"
+#include "motion/rod_turn.h"
 #include "process/bead_model.h"
 
 #include <algorithm>
@@ -28,6 +29,15 @@ constexpr int kTriesBeforeJudgingAll = 6;
 constexpr double kSmoothing = 200.0;                    // waves under about 24 waypoints go
 constexpr double kLiftStepMm = 2.0, kLiftFactor = 10.0; // of liftMm, from both ends of a run
 constexpr std::size_t kCheckChunk = 16, kRungChunk = 2, kJudgeChunk = 1;
+// On a rod the nozzle hardly moves in the base, however long the way: rungs come at least so often.
+constexpr std::size_t kRodRungWaypoints = 64;
+constexpr double kRodStep = 15.0 * base::kPi / 180.0; // of the rod's angle from the upright one
+constexpr double kRodCost = 0.3;                      // of a node a step from there
+constexpr std::size_t kWidenReach = 3;                // rungs to both sides
+
+Quaterniond rodTurn(double angle) {
+  return Quaterniond(std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0);
+}
 
 } // namespace
 
@@ -60,14 +70,29 @@ void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count, c
   }
 }
 
-void PathPlanner::carryTools(std::size_t first, std::size_t count, const Quaterniond& from) {
+std::size_t PathPlanner::carryTools(std::size_t first, std::size_t count, const Station& from) {
   tools_.resize(count);
   toolsFirst_ = first;
-  Quaterniond tool = from;
-  for (std::size_t i = 0; i < count; ++i) {
-    tool = carried(tool, scene_.plan.direction[first + i]);
-    tools_[i] = tool;
+  Quaterniond tool = from.tool;
+  if (scene_.cell.externalAxes().empty()) {
+    for (std::size_t i = 0; i < count; ++i) {
+      tool = carried(tool, scene_.plan.direction[first + i]);
+      tools_[i] = tool;
+    }
+    return count;
   }
+  // As it stands in the base: round a cone it comes back to itself there, in the work frame not.
+  rod_ = uprightAngles(scene_.plan, scene_.cell, first, count, from.rodRad);
+  tool = rodTurn(from.rodRad) * tool;
+  for (std::size_t i = 0; i < rod_.size(); ++i) {
+    tool = carried(tool, turnedByRod(scene_.plan.direction[first + i], rod_[i]));
+    tools_[i] = rodTurn(-rod_[i]) * tool;
+  }
+  return rod_.size();
+}
+
+Vector3d PathPlanner::inBase(const Vector3d& v, std::size_t waypoint) const {
+  return rod_.empty() ? v : turnedByRod(v, rodAt(waypoint));
 }
 
 std::vector<std::size_t> PathPlanner::rungWaypoints(std::size_t first, std::size_t count) const {
@@ -75,12 +100,13 @@ std::vector<std::size_t> PathPlanner::rungWaypoints(std::size_t first, std::size
   std::vector<std::size_t> rungs{first};
   double way = 0.0, turn = 0.0;
   for (std::size_t i = first + 1; i < first + count; ++i) {
-    const double step = (plan.position[i] - plan.position[i - 1]).norm();
-    const double angle =
-        std::acos(std::clamp(plan.direction[i].dot(plan.direction[i - 1]), -1.0, 1.0));
+    const double step = (inBase(plan.position[i], i) - inBase(plan.position[i - 1], i - 1)).norm();
+    const double angle = std::acos(std::clamp(
+        inBase(plan.direction[i], i).dot(inBase(plan.direction[i - 1], i - 1)), -1.0, 1.0));
     way += step;
     turn += angle;
-    const bool tooFar = way > scene_.options.rungMm || turn > scene_.options.rungTurnRad;
+    const bool tooFar = way > scene_.options.rungMm || turn > scene_.options.rungTurnRad ||
+                        (!rod_.empty() && i - rungs.back() > kRodRungWaypoints);
     if (tooFar && i - 1 > rungs.back()) {
       rungs.push_back(i - 1);
       way = step;
@@ -95,22 +121,57 @@ std::vector<std::size_t> PathPlanner::rungWaypoints(std::size_t first, std::size
 void PathPlanner::addNodes(Ladder& ladder, const std::vector<std::size_t>& rungs,
                            const Station& from, const base::RunContext& ctx) {
   const base::Stopwatch watch;
-  const int samples = scene_.options.samples;
   base::parallelChunks(ctx, rungs.size(), kRungChunk, [&](std::size_t b, std::size_t e) {
-    std::vector<JointVector> solutions;
-    for (std::size_t r = b; r < e; ++r) {
-      const std::size_t waypoint = ladder.places[rungs[r]].waypoint;
-      Rung& rung = ladder.rungs[rungs[r]];
-      for (int k = 0; k < samples; ++k) {
-        const Quaterniond tool =
-            turned(tools_[waypoint - toolsFirst_], kTurn * k / static_cast<double>(samples));
-        scene_.cell.inverse(toolPose(scene_.plan.position[waypoint], tool), from.q, solutions);
-        for (const JointVector& q : solutions)
-          rung.push_back({q, k, limitCost(q, scene_.cell.limits()), false});
-      }
-    }
+    for (std::size_t r = b; r < e; ++r)
+      addNodes(ladder.places[rungs[r]], ladder.rungs[rungs[r]], {0}, from);
   });
   times_.ik += watch.seconds();
+}
+
+void PathPlanner::addNodes(const Place& place, Rung& rung, const std::vector<int>& rodSteps,
+                           const Station& from) const {
+  const int samples = scene_.options.samples;
+  std::vector<JointVector> solutions;
+  for (const int rod : rodSteps) {
+    const JointVector near = withRod(scene_.cell, from.q, rodAt(place.waypoint) + kRodStep * rod);
+    for (int k = 0; k < samples; ++k) {
+      const Quaterniond tool =
+          turned(tools_[place.waypoint - toolsFirst_], kTurn * k / static_cast<double>(samples));
+      scene_.cell.inverse(toolPose(scene_.plan.position[place.waypoint], tool), near, solutions);
+      for (const JointVector& q : solutions)
+        rung.push_back({q, k, rod,
+                        limitCost(q, scene_.cell.robot().limits) + kRodCost * std::abs(rod),
+                        false});
+    }
+  }
+}
+
+bool PathPlanner::widen(Ladder& ladder, std::size_t rung, const Station& from,
+                        const base::RunContext& ctx) {
+  std::vector<std::size_t> todo;
+  if (!rod_.empty())
+    for (std::size_t r = rung < kWidenReach ? 0 : rung - kWidenReach;
+         r < std::min(rung + kWidenReach + 1, ladder.places.size()); ++r)
+      if (!ladder.places[r].widened)
+        todo.push_back(r);
+  const base::Stopwatch watch;
+  base::parallelChunks(ctx, todo.size(), kJudgeChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t t = b; t < e; ++t) {
+      Place& place = ladder.places[todo[t]];
+      Rung& nodes = ladder.rungs[todo[t]];
+      const std::size_t before = nodes.size();
+      addNodes(place, nodes, {-2, -1, 1, 2}, from);
+      for (std::size_t n = before; n < nodes.size(); ++n)
+        if (const auto contact = contactAt(nodes[n].q, place.waypoint)) {
+          nodes[n].blocked = true;
+          place.contacts.push_back(*contact);
+        }
+      place.widened = true;
+      place.lifted = false;
+    }
+  });
+  times_.collision += watch.seconds();
+  return !todo.empty();
 }
 
 std::optional<collision::Contact> PathPlanner::contactAt(const JointVector& q,
@@ -185,21 +246,24 @@ void PathPlanner::blockUnliftable(Ladder& ladder, std::size_t rung, std::size_t 
   times_.collision += watch.seconds();
 }
 
-// Turns about the nozzle at every waypoint from the ladder's: linear in the way between rungs.
-std::vector<double> PathPlanner::turnsOf(const Ladder& ladder, const LadderWay& way) const {
+// Turns about the nozzle and of the rod at every waypoint from the ladder's: linear in the way
+// between rungs.
+PathPlanner::Course PathPlanner::courseOf(const Ladder& ladder, const LadderWay& way) const {
   const plan::ToolPlan& plan = scene_.plan;
   const int samples = scene_.options.samples;
-  std::vector<double> turns;
-  double turn = 0.0;
+  Course course;
+  double turn = 0.0, rod = 0.0;
   int last = 0;
   for (std::size_t r = 0; r < way.reached; ++r) {
-    const int sample = ladder.rungs[r][static_cast<std::size_t>(way.node[r])].sample;
+    const LadderNode& node = ladder.rungs[r][static_cast<std::size_t>(way.node[r])];
+    const int sample = node.sample;
     int change = r == 0 ? sample : (sample - last + samples) % samples;
     if (change > samples / 2)
       change -= samples;
-    const double next = turn + kTurn * change / samples;
+    const double next = turn + kTurn * change / samples, nextRod = kRodStep * node.rod;
     if (r == 0) {
-      turns.push_back(next);
+      course.turn.push_back(next);
+      course.rod.push_back(nextRod);
     } else {
       const std::size_t b = ladder.places[r - 1].waypoint, e = ladder.places[r].waypoint;
       double length = 0.0;
@@ -210,34 +274,37 @@ std::vector<double> PathPlanner::turnsOf(const Ladder& ladder, const LadderWay& 
         gone += (plan.position[i] - plan.position[i - 1]).norm();
         const double t =
             length > 0.0 ? gone / length : static_cast<double>(i - b) / static_cast<double>(e - b);
-        turns.push_back(turn + t * (next - turn));
+        course.turn.push_back(turn + t * (next - turn));
+        course.rod.push_back(rod + t * (nextRod - rod));
       }
     }
     turn = next;
+    rod = nextRod;
     last = sample;
   }
-  return turns;
+  return course;
 }
 
-// The points of waypoints [first, first + turns.size()), divided where the nozzle would bend off
-// its way. False: at waypoint failedAt the joints cannot follow.
-bool PathPlanner::fill(std::size_t first, const std::vector<double>& turns,
-                       const JointVector& start, std::vector<RunPoint>& points,
-                       std::size_t& failedAt) const {
+// The points of waypoints [first, first + course.turn.size()), divided where the nozzle would bend
+// off its way. False: at waypoint failedAt the joints cannot follow.
+bool PathPlanner::fill(std::size_t first, const Course& course, const JointVector& start,
+                       std::vector<RunPoint>& points, std::size_t& failedAt) const {
   const plan::ToolPlan& plan = scene_.plan;
   points.clear();
   std::vector<JointVector> scratch;
   const auto toolAt = [&](std::size_t i) {
-    return turned(tools_[i - toolsFirst_], turns[i - first]);
+    return turned(tools_[i - toolsFirst_], course.turn[i - first]);
   };
+  const auto rodTo = [&](std::size_t i) { return rodAt(i) + course.rod[i - first]; };
   JointVector q;
   // The first solution may differ from the ladder's where turns were evened out.
   if (!solveNear(scene_.cell, plan.position[first], toolAt(first), start, kRungStep, scratch, q)) {
     failedAt = first;
     return false;
   }
-  points.push_back({{plan.position[first], toolAt(first), q}, first, first, 0.0, 0.0});
-  for (std::size_t i = first + 1; i < first + turns.size(); ++i) {
+  points.push_back(
+      {{plan.position[first], toolAt(first), q, rodTo(first)}, first, first, 0.0, 0.0});
+  for (std::size_t i = first + 1; i < first + course.turn.size(); ++i) {
     const Quaterniond from = toolAt(i - 1), to = toolAt(i);
     const Vector3d a = plan.position[i - 1], b = plan.position[i];
     const int n = scene_.divisions(a, b, angleBetween(from, to));
@@ -249,12 +316,13 @@ bool PathPlanner::fill(std::size_t first, const std::vector<double>& turns,
       const double t = static_cast<double>(k) / n;
       const Vector3d tip = k == n ? b : Vector3d(a + t * (b - a));
       const Quaterniond tool = k == n ? to : from.slerp(t, to);
-      const JointVector last = q;
+      const double rod = k == n ? rodTo(i) : rodTo(i - 1) + t * (rodTo(i) - rodTo(i - 1));
+      const JointVector last = withRod(scene_.cell, q, rod);
       if (!solveNear(scene_.cell, tip, tool, last, scene_.options.maxStepRad, scratch, q)) {
         failedAt = i;
         return false;
       }
-      points.push_back({{tip, tool, q},
+      points.push_back({{tip, tool, q, rod},
                         k == n ? i : plan::kNoWaypoint,
                         i,
                         volume,
@@ -284,13 +352,13 @@ LadderWay PathPlanner::bestWay(Ladder& ladder, const Station& from) const {
   const auto search = [&] {
     std::vector<double> startCosts;
     for (const LadderNode& node : ladder.rungs.front())
-      startCosts.push_back(startCost(from.q, node.q));
-    return shortestWay(ladder.rungs, startCosts, scene_.cell.limits(), ladder.options);
+      startCosts.push_back(startCost(armOf(scene_.cell, from.q), armOf(scene_.cell, node.q)));
+    return shortestWay(ladder.rungs, startCosts, scene_.cell.robot().limits, ladder.options);
   };
   const auto beginNear = [&](const JointVector& near) {
     bool changed = false;
     for (LadderNode& node : ladder.rungs.front())
-      for (Eigen::Index j = 0; j < node.q.size(); ++j) {
+      for (Eigen::Index j = 0; j < scene_.cell.armDof(); ++j) {
         const double turns = std::round((near[j] - node.q[j]) / kTurn);
         const auto& limit = scene_.cell.limits()[static_cast<std::size_t>(j)];
         const double q = node.q[j] + kTurn * turns;
@@ -318,7 +386,11 @@ LadderWay PathPlanner::bestWay(Ladder& ladder, const Station& from) const {
 std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::size_t count,
                                     const Station& from, const base::RunContext& ctx,
                                     std::vector<Run>& runs, std::vector<Refused>& refused) {
-  carryTools(first, count, from.tool);
+  count = carryTools(first, count, from);
+  if (count == 0) {
+    refused.push_back({first, Refusal::Unreachable, {}});
+    return 1;
+  }
   Ladder ladder;
   ladder.options.samples = scene_.options.samples;
   ladder.options.window = std::max(1, scene_.options.samples / 12);
@@ -336,7 +408,7 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
         ++old;
       } else {
         fresh.push_back(places.size());
-        places.push_back({w, false, false, {}, {}});
+        places.push_back({w, false, false, false, {}, {}});
         rungs.emplace_back();
       }
     }
@@ -402,6 +474,8 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
     const LadderWay way = bestWay(ladder, from);
     times_.graph += watch.seconds();
 
+    if (way.reached < ladder.places.size() && widen(ladder, way.reached, from, ctx))
+      continue;
     if (way.reached < ladder.places.size() && wantsLift) {
       bool relaxed = false;
       for (std::size_t r = 0; r < ladder.places.size(); ++r) {
@@ -437,14 +511,15 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
       return 1;
     }
 
-    const std::vector<double> turns = turnsOf(ladder, way);
+    Course course = courseOf(ladder, way);
     std::vector<std::size_t> failed;
     std::size_t failedAt = 0;
     watch = base::Stopwatch();
-    const bool followed = fill(first, turns, way.q.front(), run.ladder, failedAt);
+    const bool followed = fill(first, course, way.q.front(), run.ladder, failedAt);
     bool good = false;
+    course.turn = evened(course.turn, kSmoothing);
     if (followed && scene_.options.smooth &&
-        fill(first, evened(turns, kSmoothing), way.q.front(), run.points, failedAt)) {
+        fill(first, course, way.q.front(), run.points, failedAt)) {
       times_.ik += watch.seconds();
       watch = base::Stopwatch();
       good = failures(run.points, ctx).empty();
@@ -482,7 +557,7 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
       // Settle for what comes before the first failure.
       const std::size_t end = failed.front();
       if (end < first + 2) {
-        refuse({first, true, true, {}, {}}, {LadderNode{}});
+        refuse({first, true, true, true, {}, {}}, {LadderNode{}});
         return 1;
       }
       count = end - first;

@@ -1,5 +1,7 @@
 // One path of the tool plan in joints: a lazily checked ladder graph over the turn about the
-// nozzle and the branches of the inverse kinematics (Dai 3.5.3).
+// nozzle and the branches of the inverse kinematics (Dai 3.5.3). Where the cell turns a rod, it
+// stands so that the nozzle points down in the base, or turned on from there in steps of 15 degrees
+// where that does not do.
 #pragma once
 
 #include "motion/ladder.h"
@@ -36,21 +38,38 @@ public:
 private:
   struct Place { // a rung: its waypoint and what is known of its nodes
     std::size_t waypoint;
-    bool judged = false; // all nodes were checked for collisions
-    bool lifted = false; // nodes from which the arm cannot lift the nozzle were blocked
+    bool judged = false;  // all nodes were checked for collisions
+    bool lifted = false;  // nodes from which the arm cannot lift the nozzle were blocked
+    bool widened = false; // has nodes for other angles of the rod too
     std::vector<std::size_t> unliftable;      // those nodes
     std::vector<collision::Contact> contacts; // why nodes are blocked, where by collision
   };
   struct Ladder;
 
   LadderWay bestWay(Ladder& ladder, const Station& from) const;
-  void carryTools(std::size_t first, std::size_t count, const Eigen::Quaterniond& from);
+  struct Course {             // at every waypoint from the first rung's on, rad
+    std::vector<double> turn; // about the nozzle, from tools_
+    std::vector<double> rod;  // from rod_
+  };
+
+  // Fills tools_ and rod_. Returns how many of the waypoints the rod can follow without leaving its
+  // limits.
+  std::size_t carryTools(std::size_t first, std::size_t count, const Station& from);
+  double rodAt(std::size_t waypoint) const {
+    return rod_.empty() ? 0.0 : rod_[waypoint - toolsFirst_];
+  }
+  Eigen::Vector3d inBase(const Eigen::Vector3d& v, std::size_t waypoint) const;
+  void addNodes(const Place& place, Rung& rung, const std::vector<int>& rodSteps,
+                const Station& from) const;
   std::vector<std::size_t> rungWaypoints(std::size_t first, std::size_t count) const;
   void addNodes(Ladder& ladder, const std::vector<std::size_t>& rungs, const Station& from,
                 const base::RunContext& ctx);
+  // Adds nodes for other angles of the rod about a rung, checked for collisions. False: they were
+  // there already, or there is no rod.
+  bool widen(Ladder& ladder, std::size_t rung, const Station& from, const base::RunContext& ctx);
   void judge(Ladder& ladder, const std::vector<std::size_t>& rungs, const base::RunContext& ctx);
-  std::vector<double> turnsOf(const Ladder& ladder, const LadderWay& way) const;
-  bool fill(std::size_t first, const std::vector<double>& turns, const robot::JointVector& start,
+  Course courseOf(const Ladder& ladder, const LadderWay& way) const;
+  bool fill(std::size_t first, const Course& course, const robot::JointVector& start,
             std::vector<RunPoint>& points, std::size_t& failedAt) const;
   std::vector<std::size_t> failures(const std::vector<RunPoint>& points,
                                     const base::RunContext& ctx) const;
@@ -69,6 +88,7 @@ private:
   const MotionScene& scene_;
   PathTimes times_;
   std::vector<Eigen::Quaterniond> tools_; // of the stretch in work, before any turn
+  std::vector<double> rod_; // of the stretch, the rod's angle with the nozzle down; empty: no rod
   std::size_t toolsFirst_ = 0;
 };
 

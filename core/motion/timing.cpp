@@ -9,7 +9,8 @@ namespace voluta::motion {
 
 namespace {
 
-// Joint motion counts as way too, so that turning on the spot takes time as well.
+// Motion of the arm counts as way too, so that turning on the spot takes time as well. A rod's does
+// not: it carries what the nozzle moves over.
 constexpr double kMmPerRad = 50.0;
 constexpr double kLeastSeconds = 1e-4;
 constexpr double kTravelJointSpeed = 0.5; // of the limit, for joint moves
@@ -45,6 +46,7 @@ std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingL
   const std::size_t n = points.size() - 1; // segments
   const Eigen::Index dof = points.front().q.size();
   base::require(static_cast<std::size_t>(dof) <= limits.joints.size(), "limits for every joint");
+  const Eigen::Index arm = limits.arm > 0 ? limits.arm : dof;
   const double a = limits.accelerationMmPerS2;
 
   std::vector<double> length(n), cap(n), corner(n + 1, 1e9);
@@ -52,7 +54,7 @@ std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingL
     const TimedPoint &from = points[i], &to = points[i + 1];
     const double way = (to.tip - from.tip).norm();
     const robot::JointVector dq = (to.q - from.q).cwiseAbs();
-    length[i] = std::max(1e-6, std::hypot(way, kMmPerRad * dq.maxCoeff()));
+    length[i] = std::max(1e-6, std::hypot(way, kMmPerRad * dq.head(arm).maxCoeff()));
     double least = kLeastSeconds; // seconds
     for (Eigen::Index j = 0; j < dof; ++j) {
       const double fraction = limits.jointFraction * (to.jointMove ? kTravelJointSpeed : 1.0);

@@ -15,6 +15,7 @@ struct TimingLimits {
   double accelerationMmPerS2 = 500.0;
   double cornerMm = 0.05;     // how far a corner may be cut, for the speed through it
   double jointFraction = 0.9; // of velocity and acceleration limits that is used
+  int arm = 0; // the first so many joints are the arm's, those behind them a rod's; 0: all are
 };
 
 // A point of a motion and how it is to be reached from the one before.
@@ -26,10 +27,10 @@ struct TimedPoint {
   bool stop = false; // comes to rest here; first and last point always do
 };
 
-// Seconds from the first point (0) to each. Between points the tip (or the fastest joint, where
-// the tip hardly moves) follows speed ramps of at most accelerationMmPerS2; speeds are at most the
-// wanted ones, those at which every joint keeps its velocity limit, and at corners those of a
-// circle that cuts the corner by cornerMm. Then speeds are lowered until every joint's
+// Seconds from the first point (0) to each. Between points the tip (or the arm's fastest joint,
+// where the tip hardly moves) follows speed ramps of at most accelerationMmPerS2; speeds are at
+// most the wanted ones, those at which every joint keeps its velocity limit, and at corners those
+// of a circle that cuts the corner by cornerMm. Then speeds are lowered until every joint's
 // acceleration, from one step's mean velocity to the next one's over the time between their
 // middles, keeps its limit. Precondition: limits for every joint, all positive.
 std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits);

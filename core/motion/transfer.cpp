@@ -3,6 +3,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "motion/nozzle_frame.h"
+#include "motion/rod_turn.h"
 #include "motion/rrt_connect.h"
 
 #include <algorithm>
@@ -22,6 +23,7 @@ constexpr double kLinearJointStep = 0.15; // rad between checks of a linear move
 constexpr double kLinearPieceMm = 25.0;   // longest linear move that is written
 constexpr double kJointCheck = 0.5 * base::kPi / 180.0, kCloseJointCheck = 0.2 * base::kPi / 180.0;
 constexpr double kJointPiece = 20.0 * base::kPi / 180.0; // longest joint move that is written
+constexpr double kRodPiece = 0.5 * base::kPi;            // the rod's
 constexpr double kJointMarginMm = 3.0;                   // more, for what moves between checks
 constexpr double kSameJoints = 1e-6;
 constexpr double kArcPiece = 10.0 * base::kPi / 180.0;
@@ -90,8 +92,7 @@ bool TransferPlanner::linear(const Station& from, const Vector3d& tip, const Qua
 bool TransferPlanner::jointSegmentFree(const JointVector& a, const JointVector& b,
                                        std::size_t before, const collision::Margins& margins,
                                        double checkRad) const {
-  const int steps =
-      std::max(1, static_cast<int>(std::ceil((b - a).cwiseAbs().maxCoeff() / checkRad)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(scene_.span(a, b) / checkRad)));
   // Coarse to fine: what collides is found sooner.
   int stride = 1;
   while (stride < steps)
@@ -147,13 +148,15 @@ bool TransferPlanner::arc(const Station& from, const Station& to, const Surround
 void TransferPlanner::appendJointWay(const std::vector<JointVector>& way, const Station& to,
                                      Points& points) const {
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const int pieces = std::max(
-        1, static_cast<int>(std::ceil((way[i] - way[i - 1]).cwiseAbs().maxCoeff() / kJointPiece)));
+    const JointVector step = way[i] - way[i - 1];
+    const double arm = armOf(scene_.cell, step).cwiseAbs().maxCoeff();
+    const double rod = std::abs(rodAngle(scene_.cell, step));
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil(std::max(arm / kJointPiece, rod / kRodPiece))));
     for (int k = 1; k <= pieces; ++k) {
-      const JointVector q =
-          k == pieces
-              ? way[i]
-              : JointVector(way[i - 1] + static_cast<double>(k) / pieces * (way[i] - way[i - 1]));
+      const JointVector wanted =
+          k == pieces ? way[i] : JointVector(way[i - 1] + static_cast<double>(k) / pieces * step);
+      const JointVector q = withRod(scene_.cell, wanted, rodAngle(scene_.cell, wanted));
       const Eigen::Isometry3d pose = scene_.cell.work_T_tool(q);
       points.push_back({{pose.translation(), Quaterniond(pose.linear()), q}, MoveKind::Joint});
     }
@@ -212,6 +215,20 @@ std::optional<Transfer> TransferPlanner::plan(const Station& from, const Station
   const std::vector<Points> up = lifts(from, heights, before);
   const std::vector<Points> down = lifts(to, heights, before);
   Transfer transfer;
+  if (!scene_.cell.externalAxes().empty()) {
+    // The arm hardly moves while the rod turns to where the next path begins.
+    for (std::size_t h = 0; h < std::min(up.size(), down.size()); ++h) {
+      ctx.checkpoint();
+      const Station &high = up[h].back().at, &low = down[h].back().at;
+      if (!jointSegmentFree(high.q, low.q, before, options.travelling, kCloseJointCheck))
+        continue;
+      transfer.points = up[h];
+      appendJointWay({high.q, low.q}, low, transfer.points);
+      appendReversed(down[h], to, transfer.points);
+      transfer.kind = TransferKind::Joint;
+      return transfer;
+    }
+  }
   // Straight moves across a turn of more than a quarter circle pass near the part's middle.
   if (from.direction().dot(to.direction()) > 0.0)
     for (std::size_t h = 0; h < std::min(up.size(), down.size()); ++h) {
