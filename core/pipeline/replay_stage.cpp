@@ -19,7 +19,8 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
   ReadBack back;
   back.read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
   back.verdict = replay::replayProgram(
-      {back.read, in.toolPlan, in.trajectory, in.cell, in.process, in.part}, {}, ctx.sub(0.1, 1.0));
+      {back.read, in.toolPlan, in.trajectory, in.cell, in.process, in.part, in.platform}, {},
+      ctx.sub(0.1, 1.0));
   return back;
 }
 

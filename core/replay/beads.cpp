@@ -154,18 +154,6 @@ std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pie
   return first;
 }
 
-bool PlatformTop::beneath(const Eigen::Vector3d& point, double slackMm) const {
-  if (polygon.empty() || point.z() > 1e-6)
-    return false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const Eigen::Vector2d edge = b - a, r = point.head<2>() - a;
-    if (edge.x() * r.y() - edge.y() * r.x() < -slackMm * edge.norm())
-      return false;
-  }
-  return true;
-}
-
 namespace {
 // Depth and distance aside of the probes, in heights; each ring has kAzimuths of them. All within
 // 1.25 heights of the tip but the last, which is there for cells that straddle the layers.
@@ -176,7 +164,7 @@ constexpr std::array<Ring, 4> kRings = {{{1.25, 0.0}, {1.15, 0.48}, {1.05, 0.67}
 constexpr int kAzimuths = 12;
 
 bool isSupported(const BeadPiece& piece, std::uint32_t index, const PrintedPart& printed,
-                 const PlatformTop& platform) {
+                 const GroundProbe& ground) {
   const Eigen::Vector3d tip = 0.5 * (piece.from + piece.to);
   const Eigen::Vector3d up = (piece.fromDirection + piece.toDirection).normalized();
   const double height = 0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
@@ -191,7 +179,7 @@ bool isSupported(const BeadPiece& piece, std::uint32_t index, const PrintedPart&
       const Eigen::Vector3d probe =
           tip - ring.depth * height * up +
           ring.aside * height * (std::cos(angle) * side + std::sin(angle) * other);
-      if (platform.beneath(probe, 0.25 * width) || printed.printedAt(probe, moment))
+      if (printed.printedAt(probe, moment) || ground.holds(probe, 0.25 * width))
         return true;
     }
   }
@@ -200,11 +188,11 @@ bool isSupported(const BeadPiece& piece, std::uint32_t index, const PrintedPart&
 } // namespace
 
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
-                           const PlatformTop& platform, const base::RunContext& ctx) {
+                           const GroundProbe& ground, const base::RunContext& ctx) {
   std::vector<char> supported(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
-      supported[p] = isSupported(pieces[p], static_cast<std::uint32_t>(p), printed, platform);
+      supported[p] = isSupported(pieces[p], static_cast<std::uint32_t>(p), printed, ground);
   });
   SupportedBeads result;
   for (std::size_t p = 0; p < pieces.size(); ++p) {

@@ -6,6 +6,7 @@
 #include "plan/trajectory.h"
 #include "replay/depositor.h"
 #include "replay/executed_path.h"
+#include "replay/ground.h"
 #include "replay/printed_part.h"
 
 #include <Eigen/Core>
@@ -45,24 +46,17 @@ std::vector<BeadPiece> beadPieces(const plan::ReadProgram& program, const Execut
 std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pieces,
                                                std::size_t motions);
 
-// What the first bead is laid on: convex, counter-clockwise, its top at z = 0 of the work frame.
-struct PlatformTop {
-  std::vector<Eigen::Vector2d> polygon; // empty: none
-  // Is the point at or below the top, and no more than `slackMm` outside the polygon?
-  bool beneath(const Eigen::Vector3d& point, double slackMm) const;
-};
-
 struct SupportedBeads {
   double lengthMm = 0.0, unsupportedMm = 0.0;
   std::vector<std::uint32_t> unsupported; // pieces, in order
 };
 
-// A piece is supported where, at its middle, the platform or material laid before lies beneath the
+// A piece is supported where, at its middle, the ground or material laid before lies beneath the
 // bead within 1.25 heights of the tip: looked for at depths of 1.05 to 1.25 heights below the tip,
 // up to 0.7 heights aside (a cone of 35 degrees about the build direction; what lies beside the
 // bead in its own layer is no support). What the same bead laid over its last 3 mm or two widths
 // does not count. Throws Cancelled.
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
-                           const PlatformTop& platform, const base::RunContext& ctx);
+                           const GroundProbe& ground, const base::RunContext& ctx);
 
 } // namespace voluta::replay

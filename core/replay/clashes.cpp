@@ -30,6 +30,19 @@ Isometry3d headFrame(const Vector3d& tip, const Vector3d& direction) {
   return work_T_head;
 }
 
+// The centre of a cell of the part that the head holds.
+std::optional<Vector3d> touched(const HeadSolid& head, const PrintedPart& part,
+                                const Isometry3d& work_T_head, const Moment& moment) {
+  const Isometry3d head_T_work = work_T_head.inverse(Eigen::Isometry);
+  const auto cell = part.firstWithin(
+      work_T_head * head.ball().centre, head.ball().radius, moment,
+      [&](const Vector3d& q, double reach) { return head.within(head_T_work * q, reach); });
+  if (!cell)
+    return std::nullopt;
+  const Eigen::Vector3i c = part.grid().cell(*cell);
+  return part.grid().centre(c.x(), c.y(), c.z());
+}
+
 // Touches of the chunks, in order of samples within each pair, become clashes.
 template <typename MotionOf, typename WhenOf, typename NameOf>
 std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const MotionOf& motionOf,
@@ -67,22 +80,21 @@ std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const M
 
 std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
                                const PrintedPart& printed, const process::Process& process,
-                               const std::vector<robot::Shape>& platform,
-                               const base::RunContext& ctx) {
+                               const GroundSolids& ground, const base::RunContext& ctx) {
   const double tolerance = process.contactToleranceMm;
   const HeadSolid againstPlatform(process::erodedHead(process.head, tolerance));
   const HeadSolid againstPart(
       process::erodedHead(process.head, tolerance + 0.5 * printed.grid().pitch));
   const std::vector<std::uint32_t> firstPiece = firstPieceOfMotions(pieces, path.motionCount());
-  double platformTop = -1e9;
-  std::vector<Ball> platformBalls;
-  for (const robot::Shape& shape : platform) {
-    platformBalls.push_back(ballRound(shape));
-    const auto* prism = std::get_if<robot::Prism>(&shape);
-    platformTop = std::max(platformTop, prism != nullptr ? prism->zMax
-                                                         : platformBalls.back().centre.z() +
-                                                               platformBalls.back().radius);
+  std::vector<Ball> groundBalls;
+  for (const PlacedShape& solid : ground.solids()) {
+    groundBalls.push_back(ballRound(solid.shape));
+    groundBalls.back().centre = solid.work_T_shape * groundBalls.back().centre;
   }
+  std::optional<HeadSolid> againstBody;
+  if (ground.cells())
+    againstBody.emplace(
+        process::erodedHead(process.head, tolerance + 0.5 * ground.cells()->part().grid().pitch));
   enum Pair { kPart, kPlatform };
 
   std::vector<std::vector<Touch>> chunks((path.motionCount() + kGrain - 1) / kGrain);
@@ -106,28 +118,30 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
           const double width = sectionOf(last, 2.0 * process.beadWidthMaxMm).widthMm;
           moment = {static_cast<std::uint32_t>(p), last.run, last.runMm,
                     static_cast<float>(2.0 * width)};
-          const Isometry3d head_T_work = work_T_head.inverse(Eigen::Isometry);
-          const auto within = [&](const Vector3d& q, double reach) {
-            return againstPart.within(head_T_work * q, reach);
-          };
-          const Ball ball = againstPart.ball();
-          if (const auto cell =
-                  printed.firstWithin(work_T_head * ball.centre, ball.radius, moment, within)) {
-            const Eigen::Vector3i c = printed.grid().cell(*cell);
-            touches.push_back({s, kPart, printed.grid().centre(c.x(), c.y(), c.z())});
+          if (const auto where = touched(againstPart, printed, work_T_head, moment))
+            touches.push_back({s, kPart, *where});
+        }
+        if (againstBody) {
+          if (const auto where = touched(*againstBody, ground.cells()->part(), work_T_head,
+                                         GroundCells::always())) {
+            touches.push_back({s, kPlatform, *where});
+            continue;
           }
         }
-        if (againstPlatform.lowest(path.tip[s].z(), path.direction[s].z()) > platformTop)
+        const Vector3d outward = ground.outward(path.direction[s]);
+        if (againstPlatform.lowest(path.tip[s].dot(outward), path.direction[s].dot(outward)) >
+            ground.reachMm())
           continue;
         const Ball headBall = againstPlatform.ball();
-        for (std::size_t b = 0; b < platform.size(); ++b) {
-          if ((work_T_head * headBall.centre - platformBalls[b].centre).norm() >
-              headBall.radius + platformBalls[b].radius)
+        for (std::size_t b = 0; b < groundBalls.size(); ++b) {
+          if ((work_T_head * headBall.centre - groundBalls[b].centre).norm() >
+              headBall.radius + groundBalls[b].radius)
             continue;
+          const PlacedShape& solid = ground.solids()[b];
           const bool touching = std::any_of(
               againstPlatform.frusta().begin(), againstPlatform.frusta().end(),
               [&](const robot::Shape& f) {
-                return distanceBetween(f, work_T_head, platform[b], Isometry3d::Identity()) <= 0.0;
+                return distanceBetween(f, work_T_head, solid.shape, solid.work_T_shape) <= 0.0;
               });
           if (touching) {
             touches.push_back({s, kPlatform, path.tip[s]});
@@ -155,14 +169,37 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
 namespace {
 
 struct Pair {
-  int a = 0, b = 0; // bodies; b == -1: the printed part
+  int a = 0, b = 0; // bodies, or one of these
+};
+constexpr int kPrintedPart = -1, kGroundBody = -2;
+
+// Material as its cells, and a simple solid round them all.
+struct Cells {
+  Cells(const PrintedPart& printed, const robot::Cell& cell) : part(printed) {
+    const voxel::VoxelGrid& g = printed.grid();
+    const Vector3d half = 0.5 * g.pitch * g.size.cast<double>(), centre = g.origin + half;
+    if (cell.externalAxes().empty()) {
+      hull = robot::Box{Isometry3d(Eigen::Translation3d(centre)), half};
+      reach = centre.norm() + half.norm();
+    } else {
+      // What turns about x doesn't move.
+      const double r = (centre.cwiseAbs() + half).tail<2>().norm(), x = centre.x();
+      hull = robot::Frustum{{x - half.x(), 0, 0}, {x + half.x(), 0, 0}, r, r};
+    }
+  }
+  const PrintedPart& part;
+  robot::Shape hull;
+  double reach = 0.0; // its points turn with the work frame at most this far from its origin
 };
 
 // Follows the cell's bodies from sample to sample.
 class ArmFollower {
 public:
-  ArmFollower(const robot::Cell& cell, const PrintedPart& printed, const std::vector<Pair>& pairs)
-      : cell_(cell), printed_(printed), pairs_(pairs), slack_(pairs.size(), -1.0) {
+  ArmFollower(const robot::Cell& cell, const PrintedPart& printed, const GroundCells* ground,
+              const std::vector<Pair>& pairs)
+      : cell_(cell), printed_(printed, cell), pairs_(pairs), slack_(pairs.size(), -1.0) {
+    if (ground)
+      ground_.emplace(ground->part(), cell);
     for (const robot::Body& body : cell.bodies()) {
       std::vector<Ball> balls;
       for (const robot::Shape& shape : body.shapes)
@@ -171,11 +208,10 @@ public:
       for (const Ball& b : balls)
         reach = std::max(reach, b.centre.norm() + b.radius);
       balls_.push_back(std::move(balls));
-      reach_.push_back(reach);
+      // A rod is round about the axis that it turns on.
+      const bool turnsInItself = !cell.externalAxes().empty() && body.frame == cell.workFrame();
+      reach_.push_back(turnsInItself ? 0.0 : reach);
     }
-    const voxel::VoxelGrid& g = printed.grid();
-    const Vector3d half = 0.5 * g.pitch * g.size.cast<double>();
-    partBox_ = robot::Box{Isometry3d(Eigen::Translation3d(g.origin + half)), half};
   }
 
   void step(const robot::JointVector& q, std::size_t sample, const Moment& moment,
@@ -187,8 +223,13 @@ public:
       if (slack_[p] > 0.0)
         continue;
       Vector3d where = Vector3d::Zero();
-      const double d = pairs_[p].b < 0 ? partDistance(pairs_[p].a, moment, where)
-                                       : bodyDistance(pairs_[p].a, pairs_[p].b);
+      double d = 0.0;
+      if (pairs_[p].b == kPrintedPart)
+        d = cellsDistance(pairs_[p].a, printed_, moment, where);
+      else if (pairs_[p].b == kGroundBody)
+        d = cellsDistance(pairs_[p].a, *ground_, GroundCells::always(), where);
+      else
+        d = bodyDistance(pairs_[p].a, pairs_[p].b);
       if (d <= 0.0) {
         if (pairs_[p].b >= 0)
           where = frames_[static_cast<std::size_t>(cell_.workFrame())].inverse(Eigen::Isometry) *
@@ -214,13 +255,15 @@ private:
         moved[b] = motionBound(last_[f], frames_[f], reach_[b]);
       }
       const auto w = static_cast<std::size_t>(cell_.workFrame());
-      const double partMoved =
-          motionBound(last_[w], frames_[w],
-                      std::get<robot::Box>(partBox_).frame_T_box.translation().norm() +
-                          std::get<robot::Box>(partBox_).half.norm());
-      for (std::size_t p = 0; p < pairs_.size(); ++p)
-        slack_[p] -= moved[static_cast<std::size_t>(pairs_[p].a)] +
-                     (pairs_[p].b < 0 ? partMoved : moved[static_cast<std::size_t>(pairs_[p].b)]);
+      const double partMoved = motionBound(last_[w], frames_[w], printed_.reach);
+      const double groundMoved = ground_ ? motionBound(last_[w], frames_[w], ground_->reach) : 0.0;
+      for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        const auto [a, b] = pairs_[p];
+        slack_[p] -= moved[static_cast<std::size_t>(a)] +
+                     (b == kPrintedPart  ? partMoved
+                      : b == kGroundBody ? groundMoved
+                                         : moved[static_cast<std::size_t>(b)]);
+      }
     }
     last_ = frames_;
   }
@@ -249,9 +292,9 @@ private:
     return nearest;
   }
 
-  // Distance to the box of what is printed; within it, 0 if a printed cell is touched and else the
-  // least slack, so that it is asked again at once.
-  double partDistance(int a, const Moment& moment, Vector3d& where) const {
+  // Distance to the solid round the cells; within it, 0 if a cell is touched that is there and else
+  // the least slack, so that it is asked again at once.
+  double cellsDistance(int a, const Cells& cells, const Moment& moment, Vector3d& where) const {
     const robot::Body& body = cell_.bodies()[static_cast<std::size_t>(a)];
     const Isometry3d& base_T_work = frames_[static_cast<std::size_t>(cell_.workFrame())];
     double nearest = 1e9;
@@ -259,25 +302,25 @@ private:
       const Ball& ball = balls_[static_cast<std::size_t>(a)][i];
       const Isometry3d work_T_body = base_T_work.inverse(Eigen::Isometry) * frameOf(a);
       const Vector3d centre = work_T_body * ball.centre;
-      const double apart = distanceToPoint(partBox_, centre) - ball.radius;
+      const double apart = distanceToPoint(cells.hull, centre) - ball.radius;
       if (apart > 0.0) {
         nearest = std::min(nearest, apart);
         continue;
       }
       const double exact =
-          distanceBetween(body.shapes[i], work_T_body, partBox_, Isometry3d::Identity());
+          distanceBetween(body.shapes[i], work_T_body, cells.hull, Isometry3d::Identity());
       if (exact > 0.0) {
         nearest = std::min(nearest, exact);
         continue;
       }
       const Isometry3d body_T_work = work_T_body.inverse(Eigen::Isometry);
       const auto cell =
-          printed_.firstWithin(centre, ball.radius, moment, [&](const Vector3d& q, double reach) {
+          cells.part.firstWithin(centre, ball.radius, moment, [&](const Vector3d& q, double reach) {
             return distanceToPoint(body.shapes[i], body_T_work * q) <= reach;
           });
       if (cell) {
-        const Eigen::Vector3i c = printed_.grid().cell(*cell);
-        where = printed_.grid().centre(c.x(), c.y(), c.z());
+        const Eigen::Vector3i c = cells.part.grid().cell(*cell);
+        where = cells.part.grid().centre(c.x(), c.y(), c.z());
         return 0.0;
       }
       nearest = std::min(nearest, 1e-6);
@@ -286,9 +329,9 @@ private:
   }
 
   const robot::Cell& cell_;
-  const PrintedPart& printed_;
+  const Cells printed_;
+  std::optional<Cells> ground_;
   const std::vector<Pair>& pairs_;
-  robot::Shape partBox_;
   std::vector<std::vector<Ball>> balls_;
   std::vector<double> reach_, slack_, moved_;
   std::vector<Isometry3d> frames_, last_;
@@ -297,8 +340,8 @@ private:
 } // namespace
 
 std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
-                              const PrintedPart& printed, const robot::Cell& cell,
-                              const base::RunContext& ctx) {
+                              const PrintedPart& printed, const GroundSolids& ground,
+                              const robot::Cell& cell, const base::RunContext& ctx) {
   if (!path.arm)
     return {};
   const auto roleOf = [&](int b) { return cell.bodies()[static_cast<std::size_t>(b)].role; };
@@ -310,15 +353,19 @@ std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPi
     if (!headAndPlatform)
       pairs.push_back({a, b});
   }
-  for (const int b : cell.bodiesAgainstPart())
-    if (roleOf(b) != robot::BodyRole::Head)
-      pairs.push_back({b, -1});
+  for (const int b : cell.bodiesAgainstPart()) {
+    if (roleOf(b) == robot::BodyRole::Head)
+      continue;
+    pairs.push_back({b, kPrintedPart});
+    if (ground.cells())
+      pairs.push_back({b, kGroundBody});
+  }
 
   const std::vector<std::uint32_t> firstPiece = firstPieceOfMotions(pieces, path.motionCount());
   const std::size_t samples = path.armMotion.size();
   std::vector<std::vector<Touch>> chunks((samples + kGrain - 1) / kGrain);
   base::parallelChunks(ctx, samples, kGrain, [&](std::size_t begin, std::size_t end) {
-    ArmFollower follower(cell, printed, pairs);
+    ArmFollower follower(cell, printed, ground.cells(), pairs);
     for (std::size_t s = begin; s < end && !ctx.cancelled(); ++s) {
       const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(
           path.armJoints.data() + s * static_cast<std::size_t>(path.dof), path.dof);
@@ -337,7 +384,9 @@ std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPi
       [&](int p, std::string& first, std::string& second) {
         const Pair& pair = pairs[static_cast<std::size_t>(p)];
         first = cell.bodies()[static_cast<std::size_t>(pair.a)].name;
-        second = pair.b < 0 ? "printed part" : cell.bodies()[static_cast<std::size_t>(pair.b)].name;
+        second = pair.b == kPrintedPart  ? "printed part"
+                 : pair.b == kGroundBody ? "platform"
+                                         : cell.bodies()[static_cast<std::size_t>(pair.b)].name;
       });
 }
 

@@ -5,6 +5,7 @@
 #include "replay/beads.h"
 #include "replay/distances.h"
 #include "replay/executed_path.h"
+#include "replay/ground.h"
 #include "replay/printed_part.h"
 #include "robot/cell.h"
 
@@ -29,21 +30,20 @@ struct Clash {
 };
 
 // The eroded head (process::erodedHead; it may be that deep in soft, rounded beads) along the
-// nozzle's path, against material laid before and against the platform's solids (work frame).
-// A cell of the part counts when its centre is in the head shrunk by another half cell: nearer the
-// grid can't tell. Material of the last 2 bead widths of the same path doesn't count.
-// Throws Cancelled.
+// nozzle's path, against material laid before and against the ground.
+// A cell of the part, or of a body that is the ground, counts when its centre is in the head shrunk
+// by another half cell: nearer the grid can't tell. Material of the last 2 bead widths of the same
+// path doesn't count. Throws Cancelled.
 std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
                                const PrintedPart& printed, const process::Process& process,
-                               const std::vector<robot::Shape>& platform,
-                               const base::RunContext& ctx);
+                               const GroundSolids& ground, const base::RunContext& ctx);
 
 // Bodies of the cell against each other (its checkedPairs, but head against platform: above) and,
-// the head apart, against material laid before. Between samples bodies are followed by the distance
-// they move at most, so that pairs far from each other are looked at only now and then.
-// Empty when path.arm is false. Throws Cancelled.
+// the head apart, against material laid before and a body that is the ground. Between samples
+// bodies are followed by the distance they move at most, so that pairs far from each other are
+// looked at only now and then. Empty when path.arm is false. Throws Cancelled.
 std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
-                              const PrintedPart& printed, const robot::Cell& cell,
-                              const base::RunContext& ctx);
+                              const PrintedPart& printed, const GroundSolids& ground,
+                              const robot::Cell& cell, const base::RunContext& ctx);
 
 } // namespace voluta::replay

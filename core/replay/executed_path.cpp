@@ -19,8 +19,9 @@ using robot::JointVector;
 constexpr double kPrintSampleMm = 0.5, kTravelSampleMm = 1.0;
 constexpr double kArmStepMm = 2.0, kArmStepRad = base::degreesToRadians(2.0);
 constexpr double kArmStepJointRad = 0.03, kArmStepExternalRad = 0.1;
-constexpr double kSpeedSlack = 1.02;    // rounding of speeds in a program's text
-constexpr double kRangeSlackRad = 1e-4; // likewise of joints
+constexpr double kMostArmSteps = 20000.0; // a number gone wrong must not take for ever
+constexpr double kSpeedSlack = 1.02;      // rounding of speeds in a program's text
+constexpr double kRangeSlackRad = 1e-4;   // likewise of joints
 // A joint that turns further than this within one arm step has changed its branch.
 constexpr double kJumpRad = 1.0;
 constexpr std::size_t kGrain = 1024;
@@ -261,7 +262,7 @@ private:
           pushArm(m, 1.0, target);
         } else {
           const double turn = (target - q).cwiseAbs().maxCoeff();
-          const int steps = std::max(1, static_cast<int>(std::ceil(turn / kArmStepJointRad)));
+          const int steps = stepsOf(turn / kArmStepJointRad);
           for (int k = 1; k <= steps; ++k) {
             const double u = static_cast<double>(k) / steps;
             pushArm(m, u, q + u * (target - q));
@@ -287,6 +288,9 @@ private:
     }
   }
 
+  static int stepsOf(double count) {
+    return static_cast<int>(std::clamp(std::ceil(count), 1.0, kMostArmSteps));
+  }
   int armSteps(std::size_t m) const {
     const Target &a = targets_[m - 1], &b = targets_[m];
     double turn = a.turn.angularDistance(b.turn), external = 0.0;
@@ -297,9 +301,8 @@ private:
       turn = Quaterniond(flangeOf(a, from).linear())
                  .angularDistance(Quaterniond(flangeOf(b, to).linear()));
     }
-    return static_cast<int>(
-        std::max({1.0, std::ceil(path_.commandedMm[m] / kArmStepMm), std::ceil(turn / kArmStepRad),
-                  std::ceil(external / kArmStepExternalRad)}));
+    return stepsOf(std::max(
+        {path_.commandedMm[m] / kArmStepMm, turn / kArmStepRad, external / kArmStepExternalRad}));
   }
 
   // The joints that reach motion m at s, nearest to q; the arm's stay where there are none.

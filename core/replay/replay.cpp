@@ -9,6 +9,7 @@
 #include "replay/coverage.h"
 #include "replay/depositor.h"
 #include "replay/executed_path.h"
+#include "replay/ground.h"
 #include "replay/verification.h"
 
 #include <algorithm>
@@ -62,6 +63,7 @@ private:
                       t.waypoint.size() == n && t.extrudedMm3.size() == n,
                   "replay: the trajectory's arrays have one length");
     base::require(!in_.part.empty(), "replay: the part has triangles");
+    base::require(in_.platform.known(), "replay: the platform is known");
   }
 
   void add(const char* kind, TextPlace place, std::string reason, std::string remedy,
@@ -183,7 +185,7 @@ private:
 
     ctx_.report(0.65, "looking beneath the beads");
     printed_.emplace(beads_, pieces_);
-    const SupportedBeads support = findSupport(pieces_, *printed_, platformTop(), ctx_);
+    const SupportedBeads support = findSupport(pieces_, *printed_, GroundProbe(in_.platform), ctx_);
     out_.beadLengthMm = support.lengthMm;
     out_.unsupportedFraction =
         support.lengthMm > 0.0 ? support.unsupportedMm / support.lengthMm : 0.0;
@@ -197,28 +199,12 @@ private:
     }
   }
 
-  std::vector<robot::Shape> platformShapes() const {
-    std::vector<robot::Shape> shapes;
-    for (const robot::Body& body : in_.cell.bodies())
-      if (body.role == robot::BodyRole::Platform && body.frame == in_.cell.workFrame())
-        shapes.insert(shapes.end(), body.shapes.begin(), body.shapes.end());
-    return shapes;
-  }
-  PlatformTop platformTop() const {
-    PlatformTop top;
-    for (const robot::Shape& shape : platformShapes())
-      if (const auto* prism = std::get_if<robot::Prism>(&shape);
-          prism != nullptr && std::abs(prism->zMax) < 1e-6)
-        top.polygon = prism->polygon;
-    return top;
-  }
-
   void findClashes() {
     ctx_.report(0.75, "looking for collisions");
-    std::vector<Clash> clashes =
-        headClashes(path_, pieces_, *printed_, in_.process, platformShapes(), ctx_);
+    const GroundSolids ground(in_.platform, in_.cell, 0.25 * in_.process.beadWidthMm, ctx_);
+    std::vector<Clash> clashes = headClashes(path_, pieces_, *printed_, in_.process, ground, ctx_);
     ctx_.report(0.85, "looking for collisions");
-    for (Clash& c : armClashes(path_, pieces_, *printed_, in_.cell, ctx_))
+    for (Clash& c : armClashes(path_, pieces_, *printed_, ground, in_.cell, ctx_))
       clashes.push_back(std::move(c));
     std::stable_sort(clashes.begin(), clashes.end(),
                      [](const Clash& a, const Clash& b) { return a.motion < b.motion; });
@@ -271,9 +257,12 @@ private:
           listed - kMaxListed);
   }
 
-  static std::string reasonOf(const LimitViolation& v) {
+  std::string reasonOf(const LimitViolation& v) const {
     const auto degrees = [](double rad) { return text(rad * 180.0 / M_PI, 1); };
-    const std::string joint = "joint " + std::to_string(v.joint + 1);
+    const int external = v.joint - in_.cell.armDof();
+    const std::string joint =
+        external < 0 ? "joint " + std::to_string(v.joint + 1)
+                     : in_.cell.externalAxes()[static_cast<std::size_t>(external)].name;
     switch (v.kind) {
     case LimitKind::OutOfReach:
       return "the arm cannot reach this target";

@@ -1,6 +1,7 @@
 // The verdict on a program that was read back from its text (DESIGN §4 Replay).
 #pragma once
 
+#include "geometry/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "plan/finding.h"
 #include "plan/program.h"
@@ -26,7 +27,8 @@ struct ReplayInput {
   const plan::Trajectory& trajectory;
   const robot::Cell& cell;
   const process::Process& process;
-  const geometry::TriangleMesh& part; // placed: work frame, mm
+  const geometry::TriangleMesh& part; // placed, without what of it is in the ground: work frame, mm
+  const geometry::PlatformSolid& platform; // what the first beads are laid on
 };
 
 // What a program has to keep to (DESIGN §4).
@@ -78,7 +80,7 @@ struct Verification {
 // What is wrong with the program becomes findings, never an error.
 //
 // Preconditions (Error{Internal}): trajectory.dof == cell.dof(); its arrays are as long as they
-// should be; the part has triangles. Throws Cancelled.
+// should be; the part has triangles; the platform is known. Throws Cancelled.
 //
 // Programs whose targets are ToolPoint carry no arm: limits and the arm's clearances are then not
 // checked (armChecked == false), the nozzle's path, the head and the beads are.

@@ -224,7 +224,8 @@ TEST(Depositor, StopsWhenCancelled) {
 double unsupported(const std::vector<BeadPiece>& pieces, double slackZ = 0.0) {
   const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20 + slackZ});
   const PrintedPart printed(beads, pieces);
-  const PlatformTop platform{{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}}};
+  const geometry::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
+  const GroundProbe platform(plate);
   const SupportedBeads s = findSupport(pieces, printed, platform, kOne);
   return s.unsupportedMm / s.lengthMm;
 }

@@ -43,8 +43,8 @@ Verification verify(const std::string& format, const Text& text, const test::Sce
   for (const std::string& line : text.lines)
     joined += line + "\n";
   const plan::ReadProgram read = program::readProgram(format, {{text.name, joined}}, s.process);
-  return replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part}, ReplayThresholds{},
-                       ctx);
+  return replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+                       ReplayThresholds{}, ctx);
 }
 
 std::string told(const Verification& v) {
@@ -268,8 +268,8 @@ Verification replayPlan(const test::Scene& s, const std::string& format = "csv")
   const plan::Program program =
       program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"});
   const plan::ReadProgram read = program::readProgram(format, program.files, s.process);
-  return replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part}, ReplayThresholds{},
-                       base::RunContext());
+  return replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+                       ReplayThresholds{}, base::RunContext());
 }
 
 bool hasKind(const Verification& v, const std::string& kind) {
@@ -321,8 +321,9 @@ TEST(Replay, AnotherConfigurationIsFound) {
   for (std::size_t m = 40; m < read.motions.size(); ++m)
     read.motions[m].joints[5] +=
         read.motions[m].joints[5] > 0 ? -2 * std::numbers::pi : 2 * std::numbers::pi;
-  const Verification v = replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part},
-                                       ReplayThresholds{}, base::RunContext());
+  const Verification v =
+      replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+                    ReplayThresholds{}, base::RunContext());
   EXPECT_TRUE(hasKind(v, "otherConfiguration")) << told(v);
   EXPECT_FALSE(v.passed);
 }
@@ -363,7 +364,12 @@ protected:
     geometry::TriangleMesh part =
         test::box({-half, -half, 0}, {half, half, layers * p.layerHeightMm});
     plan::Trajectory trajectory = test::walk(plan, cell, p);
-    return {p, std::move(cell), std::move(part), std::move(plan), std::move(trajectory)};
+    return {p,
+            std::move(cell),
+            std::move(part),
+            std::move(plan),
+            std::move(trajectory),
+            test::squarePlatform(kSide)};
   }
 };
 
@@ -397,11 +403,11 @@ TEST(Replay, CancelsAndRefusesBrokenInput) {
   const plan::ReadProgram read = program::readProgram("csv", program.files, s.process);
   base::CancelToken cancel;
   cancel.cancel();
-  EXPECT_THROW(replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part},
+  EXPECT_THROW(replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
                              ReplayThresholds{}, base::RunContext(cancel, 1)),
                base::Cancelled);
   const geometry::TriangleMesh nothing;
-  EXPECT_THROW(replayProgram({read, s.plan, s.trajectory, s.cell, s.process, nothing},
+  EXPECT_THROW(replayProgram({read, s.plan, s.trajectory, s.cell, s.process, nothing, s.platform},
                              ReplayThresholds{}, base::RunContext()),
                base::Error);
 }

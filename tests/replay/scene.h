@@ -7,10 +7,13 @@
 #include "process/bead_model.h"
 #include "replay/distances.h"
 #include "robot/cell.h"
+#include "support/lathe_parts.h"
 #include "support/shapes.h"
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 namespace voluta::test {
@@ -21,6 +24,7 @@ struct Scene {
   geometry::TriangleMesh part;
   plan::ToolPlan plan;
   plan::Trajectory trajectory;
+  geometry::PlatformSolid platform;
 };
 
 inline void usesSourceTreeResources() {
@@ -88,6 +92,19 @@ inline double clearance(const robot::Cell& cell, const robot::JointVector& q) {
   return least;
 }
 
+// The cell's axes with a rod turned so that `direction` is up, at a whole number of its steps, the
+// short way round; as they are where there is no rod.
+inline robot::JointVector turnedUp(const robot::Cell& cell, const Eigen::Vector3d& direction,
+                                   robot::JointVector q) {
+  if (cell.externalAxes().empty())
+    return q;
+  const double turn = 2.0 * std::numbers::pi, step = cell.externalAxes().front().stepRad;
+  double& angle = q[cell.armDof()];
+  const double up = std::atan2(direction.y(), direction.z());
+  angle = step * std::round((up + turn * std::round((angle - up) / turn)) / step);
+  return q;
+}
+
 // Walks the paths with a fixed turn about the nozzle, the one with most clearance at the start;
 // between them up, over and down, straight.
 inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell,
@@ -111,7 +128,7 @@ inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell
   for (int k = 0; k < 12; ++k) {
     solutions.clear();
     cell.inverse(poseAt(plan.position.front(), plan.direction.front(), k * 0.5235987755982988),
-                 cell.home(), solutions);
+                 turnedUp(cell, plan.direction.front(), cell.home()), solutions);
     for (const robot::JointVector& s : solutions)
       if (const double c = clearance(cell, s); c > best) {
         best = c;
@@ -122,7 +139,7 @@ inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell
   const auto put = [&](plan::MoveKind move, const Eigen::Vector3d& tip,
                        const Eigen::Vector3d& direction, std::size_t waypoint, double speed) {
     solutions.clear();
-    cell.inverse(poseAt(tip, direction, turn), q, solutions);
+    cell.inverse(poseAt(tip, direction, turn), turnedUp(cell, direction, q), solutions);
     base::require(!solutions.empty(), "scene: in reach");
     const bool first = t.timeS.empty();
     const robot::JointVector* nearest = &solutions.front();
@@ -162,6 +179,46 @@ inline std::vector<Eigen::Vector2d> squarePlatform(double side) {
   return {{-a, -a}, {a, -a}, {a, a}, {-a, a}};
 }
 
+// Rings round a rod of 5 mm, `layers` of 8: 5.17 mm of tube.
+inline Scene rodScene(int layers = 2) {
+  usesSourceTreeResources();
+  process::Process p = process::loadProcess("fdm-0.35");
+  geometry::PlatformSolid rod;
+  rod.rod = geometry::straightRod(5.0, 200.0);
+  robot::Cell cell = robot::loadCell("lathe", p, rod);
+  const double h = p.layerHeightMm, w = p.beadWidthMm, hatch = process::hatchOf(w, h);
+  constexpr int kRings = 8, kCorners = 90;
+  plan::ToolPlan plan;
+  for (int k = 0; k < layers; ++k)
+    for (int ring = 0; ring < kRings; ++ring) {
+      // The layer's middle is shorter than the nozzle's way.
+      const double r = 2.5 + (k + 1) * h, shorter = (r - 0.5 * h) / r;
+      const double x = (ring + 0.5 - 0.5 * kRings) * hatch;
+      plan::ToolPath path;
+      path.first = plan.position.size();
+      path.count = kCorners + 1;
+      path.layer = k;
+      path.closed = true;
+      for (int i = 0; i <= kCorners; ++i) {
+        const double a = 2.0 * std::numbers::pi * i / kCorners;
+        plan.direction.emplace_back(0.0, std::cos(a), std::sin(a));
+        plan.position.push_back(Eigen::Vector3d(x, 0, 0) + r * plan.direction.back());
+        plan.widthMm.push_back(static_cast<float>(process::widthOfHatch(hatch * shorter, h)));
+        plan.heightMm.push_back(static_cast<float>(h));
+        plan.speedMmPerS.push_back(static_cast<float>(p.speedMmPerS));
+      }
+      plan.paths.push_back(path);
+    }
+  plan::Trajectory t = walk(plan, cell, p);
+  const double x = 0.5 * kRings * hatch, top = 2.5 + layers * h;
+  return {p,
+          cell,
+          revolved({{-x, 2.5}, {-x, top}, {x, top}, {x, 2.5}}, 256),
+          std::move(plan),
+          std::move(t),
+          rod};
+}
+
 // A solid box of 12 x 12 x (0.8 x layers) mm, printed.
 inline Scene boxScene(int layers = 4) {
   usesSourceTreeResources();
@@ -169,8 +226,12 @@ inline Scene boxScene(int layers = 4) {
   robot::Cell cell = robot::loadCell("ur5-fixed", p, squarePlatform(12.0));
   plan::ToolPlan plan = boxPlan(12.0, 11, layers, p);
   plan::Trajectory t = walk(plan, cell, p);
-  return {p, cell, box({-6, -6, 0}, {6, 6, layers * p.layerHeightMm}), std::move(plan),
-          std::move(t)};
+  return {p,
+          cell,
+          box({-6, -6, 0}, {6, 6, layers * p.layerHeightMm}),
+          std::move(plan),
+          std::move(t),
+          squarePlatform(12.0)};
 }
 
 } // namespace voluta::test

@@ -1,0 +1,286 @@
+// Programs for a rod that turns: a work frame that moves, and a ground that is round.
+#include "base/run_context.h"
+#include "base/units.h"
+#include "program/dialect.h"
+#include "replay/executed_path.h"
+#include "replay/ground.h"
+#include "replay/scene.h"
+#include "replay/verification.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace voluta::replay {
+namespace {
+
+using Eigen::Vector3d;
+
+const test::Scene& scene() {
+  static const test::Scene s = test::rodScene();
+  return s;
+}
+
+robot::JointVector jointsOf(const test::Scene& s, std::size_t point) {
+  return Eigen::Map<const Eigen::VectorXd>(s.trajectory.at(point), s.trajectory.dof);
+}
+
+// The trajectory as targets of the given kind; what goes from rest stays joints.
+plan::ReadProgram programOf(const test::Scene& s, plan::TargetKind kind) {
+  plan::ReadProgram program;
+  program.complete = true;
+  program.flange_T_tcp = s.cell.flange_T_moved();
+  for (std::size_t j = 0; j < s.trajectory.pointCount(); ++j) {
+    plan::ProgramMotion m;
+    m.line = j + 1;
+    m.jointInterpolated = s.trajectory.move[j] == plan::MoveKind::Joint;
+    m.target = m.jointInterpolated ? plan::TargetKind::Joints : kind;
+    const robot::JointVector q = jointsOf(s, j);
+    if (m.target == plan::TargetKind::Joints)
+      m.joints.assign(q.data(), q.data() + q.size());
+    m.frame_T_tcp = s.cell.work_T_tool(q);
+    m.externals.assign(q.data() + s.cell.armDof(), q.data() + q.size());
+    m.extruding = s.trajectory.move[j] == plan::MoveKind::Print;
+    if (j > 0) {
+      m.durationS = s.trajectory.timeS[j] - s.trajectory.timeS[j - 1];
+      m.volumeMm3 = s.trajectory.extrudedMm3[j] - s.trajectory.extrudedMm3[j - 1];
+    }
+    program.motions.push_back(std::move(m));
+  }
+  return program;
+}
+
+Verification replayed(const test::Scene& s, const plan::ReadProgram& program) {
+  return replayProgram({program, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+                       ReplayThresholds{}, base::RunContext());
+}
+
+std::string told(const Verification& v) {
+  std::string all;
+  for (const auto& f : v.findings)
+    all += f.kind + ": " + f.reason + "\n";
+  for (const auto& r : v.results)
+    all += r.name + " " + std::to_string(r.value) + (r.passed ? "" : " FAILED") + "\n";
+  return all;
+}
+bool tells(const Verification& v, const std::string& kind, const std::string& words = "") {
+  return std::any_of(v.findings.begin(), v.findings.end(), [&](const plan::Finding& f) {
+    return f.kind == kind && f.reason.find(words) != std::string::npos;
+  });
+}
+
+TEST(Rod, PosesInTheWorkFrameAndJointsAreTheSameMotion) {
+  const test::Scene& s = scene();
+  const ExecutedPath byPose =
+      executeProgram(programOf(s, plan::TargetKind::WorkPose), s.cell, base::RunContext());
+  const ExecutedPath byJoints =
+      executeProgram(programOf(s, plan::TargetKind::Joints), s.cell, base::RunContext());
+  EXPECT_TRUE(byPose.arm);
+  EXPECT_EQ(byPose.armDof, 6);
+  EXPECT_TRUE(byPose.violations.empty());
+  EXPECT_TRUE(byJoints.violations.empty());
+  ASSERT_EQ(byPose.joints.size(), byJoints.joints.size());
+  for (std::size_t k = 0; k < byPose.joints.size(); ++k)
+    ASSERT_NEAR(byPose.joints[k], byJoints.joints[k], 1e-9);
+  ASSERT_EQ(byPose.tip.size(), byJoints.tip.size());
+  for (std::size_t k = 0; k < byPose.tip.size(); ++k)
+    ASSERT_NEAR((byPose.tip[k] - byJoints.tip[k]).norm(), 0.0, 1e-9);
+  // Between targets the arm's poses keep the nozzle on its line while the rod turns.
+  double turned = 0.0;
+  for (std::size_t a = 1; a < byPose.armMotion.size(); ++a) {
+    const std::size_t m = byPose.armMotion[a];
+    const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(
+        byPose.armJoints.data() + a * static_cast<std::size_t>(byPose.dof), byPose.dof);
+    const Vector3d& from = byPose.targetTip[m - 1];
+    const Vector3d on = from + byPose.armFraction[a] * (byPose.targetTip[m] - from);
+    ASSERT_NEAR((s.cell.work_T_tool(q).translation() - on).norm(), 0.0, 1e-6);
+    turned = std::max(turned, std::abs(q[6]));
+  }
+  EXPECT_GT(turned, 14.0 * 2.0 * std::numbers::pi);
+}
+
+TEST(Rod, TheWindingPasses) {
+  const Verification v = replayed(scene(), programOf(scene(), plan::TargetKind::WorkPose));
+  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.armChecked);
+  EXPECT_LE(v.maxDeviationMm, 1e-6);
+  EXPECT_EQ(v.unsupportedFraction, 0.0);
+  EXPECT_LE(v.overfillFraction, 0.01);
+}
+
+TEST(Rod, AJointTablePasses) {
+  const test::Scene& s = scene();
+  const plan::Program program =
+      program::writeProgram("csv", {s.plan, s.trajectory, s.cell, s.process, "tube"});
+  EXPECT_NE(program.files[0].text.find("j7_deg"), std::string::npos);
+  const Verification v = replayed(s, program::readProgram("csv", program.files, s.process));
+  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.armChecked);
+}
+
+TEST(Rod, HeldStillAPoseIsOneInBase) {
+  test::Scene s = scene();
+  // One ring's beginning, laid with the rod at rest at its angle.
+  constexpr std::size_t kPoints = 12;
+  plan::ReadProgram byWork = programOf(s, plan::TargetKind::WorkPose);
+  byWork.motions.resize(kPoints);
+  plan::ReadProgram byBase = byWork;
+  for (std::size_t j = 1; j < kPoints; ++j) {
+    byWork.motions[j].externals = byWork.motions[1].externals;
+    byBase.motions[j].target = plan::TargetKind::FlangePose;
+    byBase.motions[j].frame_T_tcp =
+        s.cell.base_T_work(jointsOf(s, 1)) * byWork.motions[j].frame_T_tcp;
+  }
+  const ExecutedPath a = executeProgram(byWork, s.cell, base::RunContext());
+  const ExecutedPath b = executeProgram(byBase, s.cell, base::RunContext());
+  ASSERT_EQ(a.joints.size(), b.joints.size());
+  for (std::size_t k = 0; k < a.joints.size(); ++k)
+    ASSERT_NEAR(a.joints[k], b.joints[k], 1e-9);
+  ASSERT_EQ(a.tip.size(), b.tip.size());
+  for (std::size_t k = 0; k < a.tip.size(); ++k)
+    ASSERT_NEAR((a.tip[k] - b.tip[k]).norm(), 0.0, 1e-9);
+}
+
+TEST(Rod, OneStepOffItsPlanIsFound) {
+  const test::Scene& s = scene();
+  plan::ReadProgram program = programOf(s, plan::TargetKind::WorkPose);
+  program.motions[100].externals[0] += s.cell.externalAxes()[0].stepRad;
+  const Verification v = replayed(s, program);
+  EXPECT_FALSE(v.passed);
+  ASSERT_EQ(v.deviations, 1u) << told(v);
+  EXPECT_EQ(v.findings[0].kind, "externalAxisMoved");
+  EXPECT_EQ(v.places[0].line, 101u);
+}
+
+TEST(Rod, ItsRangeAndSpeedAreLimits) {
+  const test::Scene& s = scene();
+  plan::ReadProgram program = programOf(s, plan::TargetKind::WorkPose);
+  program.motions[50].externals[0] = 1.01 * s.cell.limits()[6].max;
+  const Verification far = replayed(s, program);
+  EXPECT_TRUE(tells(far, "limit", "rod at 3636000.0 degrees, its limit is 3600000.0"));
+  program = programOf(s, plan::TargetKind::WorkPose);
+  // 4 degrees at 2.75 mm are 720 degrees a second at 34.6 mm/s.
+  const auto timed = [&](double mmPerS) {
+    for (std::size_t j = 2; j < 60; ++j)
+      program.motions[j].durationS = 2.75 * base::degreesToRadians(4.0) / mmPerS;
+    return executeProgram(program, s.cell, base::RunContext()).violations;
+  };
+  EXPECT_TRUE(timed(34.0).empty());
+  const std::vector<LimitViolation> fast = timed(37.0);
+  ASSERT_FALSE(fast.empty());
+  EXPECT_EQ(fast[0].kind, LimitKind::JointSpeed);
+  EXPECT_EQ(fast[0].joint, 6);
+}
+
+TEST(Rod, WholeStepsAreNoSpeed) {
+  const test::Scene& s = scene();
+  plan::ReadProgram program = programOf(s, plan::TargetKind::WorkPose);
+  const double step = s.cell.externalAxes()[0].stepRad;
+  // A turn of 1.2 steps in the time that it needs at full speed, rounded to 2.
+  for (std::size_t j = 3; j < 40; ++j) {
+    program.motions[j].externals[0] =
+        program.motions[2].externals[0] - step * std::round(1.2 * static_cast<double>(j - 2));
+    program.motions[j].frame_T_tcp = program.motions[2].frame_T_tcp;
+    program.motions[j].durationS = 1.2 * step / s.cell.limits()[6].velocity;
+  }
+  program.motions.resize(40);
+  for (const LimitViolation& v : executeProgram(program, s.cell, base::RunContext()).violations)
+    EXPECT_NE(v.joint, 6) << v.motion << " at " << v.value;
+}
+
+TEST(Rod, TargetsOfAnotherCellAreOutOfReach) {
+  const test::Scene& s = scene();
+  plan::ReadProgram program = programOf(s, plan::TargetKind::WorkPose);
+  program.motions[7].externals.clear();
+  program.motions[9].externals.push_back(0.0);
+  program.motions[0].joints.pop_back();
+  std::vector<std::size_t> out;
+  for (const LimitViolation& v : executeProgram(program, s.cell, base::RunContext()).violations)
+    if (v.kind == LimitKind::OutOfReach)
+      out.push_back(v.motion);
+  EXPECT_EQ(out, (std::vector<std::size_t>{0, 7, 9}));
+}
+
+TEST(Rod, ABeadOverTheRodIsUnsupportedAndABearingIsInTheWay) {
+  test::Scene s = scene();
+  for (std::size_t w = 0; w < s.plan.waypointCount(); ++w)
+    s.plan.position[w] += 0.35 * s.process.layerHeightMm * s.plan.direction[w];
+  s.trajectory = test::walk(s.plan, s.cell, s.process);
+  const Verification over = replayed(s, programOf(s, plan::TargetKind::WorkPose));
+  const double first = 2.75 + 0.0875, second = first + 0.25; // tips' radii, by which beads are long
+  EXPECT_NEAR(over.unsupportedFraction, first / (first + second), 0.005);
+  s = scene();
+  for (Vector3d& p : s.plan.position)
+    p.x() += 100.5;
+  for (Vector3d& v : s.part.vertices)
+    v.x() += 100.5;
+  s.trajectory = test::walk(s.plan, s.cell, s.process);
+  const Verification beside = replayed(s, programOf(s, plan::TargetKind::WorkPose));
+  EXPECT_TRUE(tells(beside, "collision", "head and")) << told(beside);
+}
+
+TEST(Ground, ARodHoldsWhatIsWithinIt) {
+  geometry::PlatformSolid platform;
+  platform.rod = geometry::straightRod(5.0, 100.0);
+  const GroundProbe round(platform);
+  EXPECT_TRUE(round.holds({20, 0, 2.5}, 0.1));
+  EXPECT_TRUE(round.holds({-20, -1.7, -1.7}, 0.1));
+  EXPECT_FALSE(round.holds({20, 0, 2.51}, 0.1));
+  EXPECT_TRUE(round.holds({50.05, 0, 2}, 0.1));
+  EXPECT_FALSE(round.holds({50.2, 0, 2}, 0.1));
+  platform.rod = geometry::straightRod(5.0, 100.0, 6);
+  const GroundProbe hexagonal(platform);
+  const double flat = 2.5 * std::sqrt(3.0) / 2.0;
+  EXPECT_TRUE(hexagonal.holds({0, 2.499, 0}, 0.0));
+  EXPECT_FALSE(hexagonal.holds({0, 0, 2.2}, 0.0)); // the middle of a side
+  EXPECT_TRUE(hexagonal.holds({0, 0, flat - 1e-3}, 0.0));
+  EXPECT_FALSE(hexagonal.holds({0, 0, flat + 1e-3}, 0.0));
+  EXPECT_TRUE(hexagonal.holds({0, -1.249, -flat + 1e-3}, 0.0));
+  platform.rod = geometry::RodShape{{{-10, 2}, {0, 2}, {0, 4}, {10, 5}}, 0};
+  const GroundProbe stepped(platform);
+  EXPECT_FALSE(stepped.holds({-1, 0, 3}, 0.0));
+  EXPECT_TRUE(stepped.holds({0, 0, 3.9}, 0.0));
+  EXPECT_TRUE(stepped.holds({5, 0, 4.49}, 0.0));
+  EXPECT_FALSE(stepped.holds({5, 0, 4.51}, 0.0));
+}
+
+// The plate's box of material, on a block that is itself the ground.
+test::Scene onABlock() {
+  test::Scene s = test::boxScene(2);
+  const double up = 10.0;
+  for (Vector3d& p : s.plan.position)
+    p.z() += up;
+  for (Vector3d& v : s.part.vertices)
+    v.z() += up;
+  s.platform.mesh = std::make_shared<geometry::TriangleMesh>(test::box({-9, -9, 0}, {9, 9, up}));
+  s.trajectory = test::walk(s.plan, s.cell, s.process);
+  return s;
+}
+Verification replayedTable(const test::Scene& s) {
+  const plan::Program program =
+      program::writeProgram("csv", {s.plan, s.trajectory, s.cell, s.process, "box"});
+  return replayed(s, program::readProgram("csv", program.files, s.process));
+}
+
+TEST(Ground, ABodyCarriesBeads) {
+  test::Scene s = onABlock();
+  const Verification v = replayedTable(s);
+  EXPECT_TRUE(v.passed) << told(v);
+  s.platform.mesh = nullptr;
+  EXPECT_NEAR(replayedTable(s).unsupportedFraction, 0.5, 1e-6); // the first of two layers
+  s = onABlock();
+  for (Vector3d& p : s.plan.position)
+    p.z() += 0.35 * s.process.layerHeightMm;
+  s.trajectory = test::walk(s.plan, s.cell, s.process);
+  EXPECT_NEAR(replayedTable(s).unsupportedFraction, 0.5, 0.02);
+}
+
+TEST(Ground, AHeadInABodyCollides) {
+  test::Scene s = onABlock();
+  test::addPath(s.plan, {{7.5, -7, 8.5}, {7.5, 7, 8.5}}, 1.2, 0.8, 20, 9);
+  s.trajectory = test::walk(s.plan, s.cell, s.process, 12.0);
+  const Verification v = replayedTable(s);
+  EXPECT_TRUE(tells(v, "collision", "head and platform")) << told(v);
+}
+
+} // namespace
+} // namespace voluta::replay
