@@ -65,7 +65,7 @@ int main() {
   scene::ViewState view;
   view.part = false;
   view.dragging = true;
-  bench.scene.setPlatform(scene::drawPlatform(job.platform.polygon, 100.0));
+  bench.scene.setPlatform(scene::drawPlatform(job.platform, 100.0));
   const auto turn = [&](scene::ViewState&, double) {
     bench.scene.renderer()->GetActiveCamera()->Azimuth(7);
   };

@@ -114,4 +114,23 @@ TEST_F(Picking, BodyOfTheCell) {
   EXPECT_LT(hit->body, cell.bodies().size());
 }
 
+TEST_F(Picking, ARodAndABodyArePlatform) {
+  geometry::PlatformSolid rod;
+  rod.rod = geometry::straightRod(5.0, 200.0);
+  scene_.setPlatform(scene::drawPlatform(rod, 100.0));
+  scene_.standardView(scene::StandardView::Top);
+  auto hit = middle();
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->what, scene::Hit::What::Platform);
+  EXPECT_NEAR(hit->point.z(), 2.5, 0.03);
+
+  geometry::PlatformSolid body({{-50, -50}, {50, -50}, {50, 50}, {-50, 50}});
+  body.mesh = std::make_shared<geometry::TriangleMesh>(test::box({-10, -10, 0}, {10, 10, 12}));
+  scene_.setPlatform(scene::drawPlatform(body, 100.0));
+  hit = middle();
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->what, scene::Hit::What::Platform);
+  EXPECT_NEAR(hit->point.z(), 12.0, 1e-3);
+}
+
 } // namespace

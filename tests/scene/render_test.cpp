@@ -53,6 +53,55 @@ TEST(Render, PartIsInTheMiddleAndTheBackgroundAround) {
   EXPECT_LT(middle.r, corner.r - 20);
 }
 
+TEST(Render, ARodHasNoGroundAroundItAndIsFramedBesideThePart) {
+  geometry::PlatformSolid platform;
+  platform.rod = geometry::straightRod(5.0, 200.0);
+  scene::Scene scene(scene::lightTheme());
+  scene.setPlatform(scene::drawPlatform(platform, 100.0));
+  const scene::Image rod = picture(scene, {}, scene::StandardView::Front);
+  scene::Scene empty(scene::lightTheme());
+  const scene::Image nothing = picture(empty, {}, scene::StandardView::Front);
+  const auto differing = [&](int y) {
+    int count = 0;
+    for (int x = 40; x < 280; ++x)
+      count += at(rod, x, y).r != at(nothing, x, y).r;
+    return count;
+  };
+  EXPECT_GT(differing(100), 200);
+  for (const int y : {40, 70, 130})
+    EXPECT_EQ(differing(y), 0) << y;
+
+  // 20 mm of a rod of 200: what is looked at is on it.
+  scene.setPart(scene::drawPart(test::box({-10, -8, -8}, {10, 8, 8})));
+  const scene::Image part = picture(scene, {}, scene::StandardView::Front);
+  int covered = 0;
+  for (int x = 0; x < 320; ++x)
+    covered += at(part, x, 110).b > at(part, x, 110).r + 5;
+  EXPECT_GT(covered, 90);
+}
+
+TEST(Render, ARodIsSeenToTurnInItsCell) {
+  geometry::PlatformSolid platform;
+  platform.rod = geometry::straightRod(20.0, 200.0, 6);
+  const robot::Cell cell = robot::loadCell("lathe", process::loadProcess("fdm-0.35"), platform);
+  scene::Scene scene(scene::lightTheme());
+  scene.setPlatform(scene::drawPlatform(platform, 0.0));
+  scene.setCell(scene::drawCell(cell));
+  scene::ViewState view;
+  view.cell = true;
+  view.world = scene::World::Base;
+  view.roles = {};
+  view.roles[static_cast<std::size_t>(robot::BodyRole::Platform)] = true;
+  view.joints = cell.home();
+  const scene::Image still = picture(scene, view);
+  view.joints[cell.armDof()] += 0.4;
+  EXPECT_NE(still.rgb, picture(scene, view).rgb);
+  view.roles = {};
+  const scene::Image without = picture(scene, view);
+  view.joints[cell.armDof()] += 0.4;
+  EXPECT_EQ(without.rgb, picture(scene, view).rgb);
+}
+
 TEST(Render, SamePictureTwice) {
   scene::Scene scene(scene::darkTheme());
   scene.setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));

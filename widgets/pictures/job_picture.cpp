@@ -93,7 +93,7 @@ public:
     view_.materialColour = options_.colour == "layer";
     view_.world = scene::World::Base;
     setTime(trajectory);
-    scene_.setPlatform(scene::drawPlatform(job_.platform.polygon, 0.0));
+    scene_.setPlatform(scene::drawPlatform(job_.platform, 0.0));
   }
 
   scene::Image picture(scene::StandardView view) {
@@ -131,7 +131,7 @@ private:
     if (job_.part)
       for (const Eigen::Vector3d& v : job_.part->vertices)
         reach = std::max(reach, v.head<2>().norm());
-    scene_.setPlatform(scene::drawPlatform(job_.platform.polygon, reach + kGroundBeyondPartMm));
+    scene_.setPlatform(scene::drawPlatform(job_.platform, reach + kGroundBeyondPartMm));
   }
 
   void setLastLayer(int count) {

@@ -21,7 +21,8 @@ struct PartDrawing {
 struct PlatformDrawing {
   std::vector<Eigen::Vector2d> polygon;
   vtkSmartPointer<vtkPolyData> plate, outline, grid;
-  Eigen::AlignedBox3d box; // of the plate
+  std::shared_ptr<const PartDrawing> rod, body; // null: none
+  Eigen::AlignedBox3d box;                      // of the plate and the body
 };
 
 // Reasons for which a voxel is missed, curved::Loss without None, in its order.
@@ -108,6 +109,9 @@ struct PathsDrawing {
   ColourValues values; // a waypoint
   Eigen::AlignedBox3d box;
 };
+
+// A line along the tops of the beads of a path; empty for a path that is not there.
+vtkSmartPointer<vtkPolyData> pathLine(const PathsDrawing& paths, std::size_t path);
 
 struct CellDrawing {
   robot::Cell cell;

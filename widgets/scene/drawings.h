@@ -5,6 +5,7 @@
 #pragma once
 
 #include "curved/decomposition.h"
+#include "geometry/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "plan/tool_plan.h"
@@ -33,9 +34,10 @@ struct FrontDrawing;
 // that and open boundaries as lines.
 std::shared_ptr<const PartDrawing> drawPart(const geometry::TriangleMesh& part);
 
-// The polygon material starts on (convex, counter-clockwise) as a thin plate with its outline, on
-// a ground grid of 10 mm that reaches `groundRadiusMm` from the origin (0: no grid).
-std::shared_ptr<const PlatformDrawing> drawPlatform(const std::vector<Eigen::Vector2d>& polygon,
+// What material starts on. A plate is thin, with its outline, on a ground grid of 10 mm that
+// reaches `groundRadiusMm` from the origin (0: no grid); around a rod there is no ground. A rod has
+// a line along it at angle 0, by which it is seen to turn. Precondition: checkRod.
+std::shared_ptr<const PlatformDrawing> drawPlatform(const geometry::PlatformSolid& platform,
                                                     double groundRadiusMm);
 
 struct VoxelLook {

@@ -8,10 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 
 namespace voluta::scene {
 
 namespace {
+
+constexpr double kLineOverBead = 0.62; // of its height, from its middle: free of the surface
 
 // A bead's section is nearly a rectangle; the ellipse that is drawn is fuller by so much in width
 // and height, or there would be gaps between neighbours to look through.
@@ -257,6 +261,24 @@ std::shared_ptr<const PathsDrawing> drawPaths(const plan::ToolPlan& plan,
   addTravels(plan, *drawing);
   addValues(plan, trajectory, *drawing);
   return drawing;
+}
+
+vtkSmartPointer<vtkPolyData> pathLine(const PathsDrawing& paths, std::size_t path) {
+  MeshBuffers line;
+  vtkDataArray* directions = paths.beads->GetPointData()->GetArray("beadDirection");
+  const auto range = std::equal_range(paths.pathOf.begin(), paths.pathOf.end(), path);
+  const auto first = range.first - paths.pathOf.begin(), end = range.second - paths.pathOf.begin();
+  for (auto i = first; i < end; ++i) {
+    double centre[3], direction[3];
+    paths.beads->GetPoint(2 * i, centre);
+    directions->GetTuple(2 * i, direction);
+    const double over = kLineOverBead * double(paths.values.height[static_cast<std::size_t>(i)]);
+    line.addPoint(Eigen::Vector3d(centre) + over * Eigen::Vector3d(direction));
+    if (i > first)
+      line.lineEnds.insert(line.lineEnds.end(), {static_cast<std::int32_t>(i - first - 1),
+                                                 static_cast<std::int32_t>(i - first)});
+  }
+  return polyDataOf(line);
 }
 
 int layerCount(const PathsDrawing& drawing) {

@@ -78,7 +78,8 @@ std::optional<RayHit> pickPart(const PartDrawing& part, const Ray& ray, const Is
   return best;
 }
 
-std::optional<RayHit> pickPlatform(const PlatformDrawing& platform, const Ray& ray) {
+namespace {
+std::optional<RayHit> pickPlate(const PlatformDrawing& platform, const Ray& ray) {
   if (std::abs(ray.direction.z()) < 1e-9)
     return std::nullopt;
   const double t = -ray.origin.z() / ray.direction.z();
@@ -97,6 +98,19 @@ std::optional<RayHit> pickPlatform(const PlatformDrawing& platform, const Ray& r
   hit.point = p;
   hit.normal = Eigen::Vector3d::UnitZ();
   return RayHit{t, hit};
+}
+} // namespace
+
+std::optional<RayHit> pickPlatform(const PlatformDrawing& platform, const Ray& ray) {
+  std::optional<RayHit> best = pickPlate(platform, ray);
+  for (const auto& solid : {platform.rod, platform.body})
+    if (solid)
+      if (auto hit = pickPart(*solid, ray, [](const Eigen::Vector3d&) { return true; }))
+        if (!best || hit->t < best->t) {
+          hit->hit.what = Hit::What::Platform;
+          best = hit;
+        }
+  return best;
 }
 
 std::optional<RayHit> pickVoxel(const VoxelDrawing& voxels, const Ray& ray, int first, int last,

@@ -1,7 +1,10 @@
 #include "scene/drawing_data.h"
 #include "scene/mesh_buffers.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vtkAppendPolyData.h>
+#include <vtkNew.h>
 
 namespace voluta::scene {
 
@@ -13,17 +16,15 @@ constexpr double kPlateMm = 2.0;
 // the part's underside.
 constexpr double kTopMm = -0.05, kGroundMm = kTopMm - kPlateMm;
 
+constexpr double kChordMm = 0.02;
+constexpr double kLineOverRodMm = 0.05;
+
 Eigen::Vector3d at(const Eigen::Vector2d& p, double z) {
   return {p.x(), p.y(), z};
 }
 
-} // namespace
-
-std::shared_ptr<const PlatformDrawing> drawPlatform(const std::vector<Eigen::Vector2d>& polygon,
-                                                    double groundRadiusMm) {
-  auto drawing = std::make_shared<PlatformDrawing>();
-  drawing->polygon = polygon;
-  MeshBuffers plate, outline, grid;
+void addPlate(const std::vector<Eigen::Vector2d>& polygon, MeshBuffers& plate,
+              MeshBuffers& outline) {
   const std::size_t n = polygon.size();
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   std::vector<std::int32_t> top, bottom;
@@ -31,8 +32,6 @@ std::shared_ptr<const PlatformDrawing> drawPlatform(const std::vector<Eigen::Vec
     const Eigen::Vector2d &p = polygon[i], &q = polygon[(i + 1) % n];
     top.push_back(plate.addPoint(at(p, kTopMm), up));
     bottom.push_back(plate.addPoint(at(p, kTopMm - kPlateMm), -up));
-    drawing->box.extend(at(p, kTopMm));
-    drawing->box.extend(at(p, kTopMm - kPlateMm));
     const Eigen::Vector2d along = (q - p).normalized();
     const Eigen::Vector3d out(along.y(), -along.x(), 0.0);
     const auto a = plate.addPoint(at(p, kTopMm), out);
@@ -46,15 +45,56 @@ std::shared_ptr<const PlatformDrawing> drawPlatform(const std::vector<Eigen::Vec
     plate.addTriangle(top[0], top[i - 1], top[i]);
     plate.addTriangle(bottom[0], bottom[i], bottom[i - 1]);
   }
-  const int lines = static_cast<int>(groundRadiusMm / kGridMm);
+}
+
+void addGrid(double radiusMm, MeshBuffers& grid) {
+  const int lines = static_cast<int>(radiusMm / kGridMm);
   for (int i = -lines; i <= lines; ++i) {
     const double x = i * kGridMm;
-    const double half = std::sqrt(std::max(0.0, groundRadiusMm * groundRadiusMm - x * x));
+    const double half = std::sqrt(std::max(0.0, radiusMm * radiusMm - x * x));
     grid.addLine({x, -half, kGroundMm}, {x, half, kGroundMm});
     grid.addLine({-half, x, kGroundMm}, {half, x, kGroundMm});
   }
+}
+
+// Along its profile at angle 0.
+void addMark(const geometry::RodShape& rod, MeshBuffers& outline) {
+  for (std::size_t i = 1; i < rod.profile.size(); ++i) {
+    const Eigen::Vector2d &p = rod.profile[i - 1], &q = rod.profile[i];
+    outline.addLine({p.x(), p.y() + kLineOverRodMm, 0.0}, {q.x(), q.y() + kLineOverRodMm, 0.0});
+  }
+}
+
+} // namespace
+
+std::shared_ptr<const PlatformDrawing> drawPlatform(const geometry::PlatformSolid& platform,
+                                                    double groundRadiusMm) {
+  auto drawing = std::make_shared<PlatformDrawing>();
+  drawing->polygon = platform.polygon;
+  MeshBuffers plate, outline, grid;
+  addPlate(platform.polygon, plate, outline);
+  for (const Eigen::Vector2d& p : platform.polygon)
+    for (const double z : {kTopMm, kTopMm - kPlateMm})
+      drawing->box.extend(at(p, z));
+  if (platform.rod) {
+    drawing->rod = drawPart(geometry::meshOf(*platform.rod, kChordMm));
+    addMark(*platform.rod, outline);
+  } else {
+    addGrid(groundRadiusMm, grid);
+  }
+  if (platform.mesh) {
+    drawing->body = drawPart(*platform.mesh);
+    drawing->box.extend(drawing->body->box);
+  }
+  vtkNew<vtkAppendPolyData> lines;
+  lines->AddInputData(polyDataOf(outline));
+  for (const auto& solid : {drawing->rod, drawing->body})
+    if (solid)
+      lines->AddInputData(solid->edges);
+  lines->Update();
+  drawing->outline = lines->GetOutput();
+  drawing->outline->ComputeBounds();
   drawing->plate = polyDataOf(plate);
-  drawing->outline = polyDataOf(outline);
   drawing->grid = polyDataOf(grid);
   return drawing;
 }

@@ -32,6 +32,9 @@ namespace {
 
 constexpr double kLineBeadScale = 0.22; // beads as thin lines
 constexpr double kMarkerShare = 0.012;  // of the picture's height
+constexpr auto kPlatformRole = static_cast<std::size_t>(robot::BodyRole::Platform);
+constexpr double kRodBesideShare = 0.25; // of what is on it, that is looked at on either side
+constexpr double kChosenPathPixels = 3.0;
 constexpr double kFrontOpacity = 0.28, kPlateFromBelow = 0.25;
 
 // What the colours of a range actor were made for.
@@ -80,7 +83,8 @@ struct Scene::Impl {
   std::shared_ptr<const PiecesDrawing> pieces;
   std::shared_ptr<const CellDrawing> cell;
 
-  vtkSmartPointer<vtkActor> partSurface, partEdges, plate, outline, grid, frontSurface, frontEdges;
+  vtkSmartPointer<vtkActor> partSurface, partEdges, plate, rod, base, outline, grid, chosenPath,
+      frontSurface, frontEdges;
   // Each drawing keeps its buffers: changing between them uploads nothing.
   std::unique_ptr<VoxelActors> byLayer, bySteps;
   std::unique_ptr<PieceActors> pieceActors;
@@ -89,6 +93,8 @@ struct Scene::Impl {
   std::vector<vtkSmartPointer<vtkActor>> bodies;
 
   ColourState slabColours, beadColours;
+  // What the line of the chosen path was made for.
+  std::pair<const void*, std::optional<std::size_t>> chosenPathOf;
   std::vector<Eigen::AlignedBox2d> covered;
   Eigen::Isometry3d world_T_work = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> world_T_frame; // of the cell
@@ -100,6 +106,8 @@ struct Scene::Impl {
     renderer->SetClippingRangeExpansion(0.05);
     addLights(renderer);
     plate = addSolid(renderer);
+    rod = addSolid(renderer);
+    base = addSolid(renderer);
     grid = addLines(renderer);
     outline = addLines(renderer);
     partSurface = addSolid(renderer);
@@ -113,6 +121,8 @@ struct Scene::Impl {
     addPlainColour(beads.actor);
     travels = RangeActor::make(renderer);
     travels.actor->GetProperty()->LightingOff();
+    chosenPath = addLines(renderer);
+    chosenPath->GetProperty()->SetLineWidth(kChosenPathPixels);
     frontSurface = addSolid(renderer);
     frontSurface->GetProperty()->SetOpacity(kFrontOpacity);
     frontEdges = addLines(renderer);
@@ -144,7 +154,8 @@ struct Scene::Impl {
     inside->SetDiffuse(0.25);
     partSurface->SetBackfaceProperty(inside);
     setColour(partEdges, theme.partEdges);
-    setColour(plate, theme.platform);
+    for (vtkActor* actor : {plate.Get(), rod.Get(), base.Get()})
+      setColour(actor, theme.platform);
     setColour(outline, theme.platformEdges);
     setColour(grid, theme.grid);
     byLayer->setTheme(theme);
@@ -156,6 +167,7 @@ struct Scene::Impl {
     setColour(frontEdges, theme.front);
     setColour(travels.actor, theme.travel);
     setColour(marker.actor, theme.marker);
+    setColour(chosenPath, theme.marker);
     setColour(markerHalo.actor, theme.marker);
     beads.mapper->setPlainColour(theme.material);
     overlay->setTheme(theme);
@@ -198,7 +210,7 @@ struct Scene::Impl {
       for (std::size_t i = 0; i < bodies.size(); ++i)
         setPose(bodies[i], world_T_frame[static_cast<std::size_t>(c.bodies()[i].frame)]);
     }
-    for (vtkActor* actor : {plate.Get(), outline.Get(), grid.Get()})
+    for (vtkActor* actor : {plate.Get(), rod.Get(), base.Get(), outline.Get(), grid.Get()})
       setPose(actor, world_T_work);
     for (vtkActor* actor : cutActors())
       setPose(actor, world_T_work);
@@ -208,8 +220,8 @@ struct Scene::Impl {
 
   // What a section plane cuts, the part apart.
   std::vector<vtkActor*> cutActors() const {
-    std::vector<vtkActor*> actors{frontSurface, frontEdges, slabs.actor, beads.actor,
-                                  travels.actor};
+    std::vector<vtkActor*> actors{frontSurface, frontEdges,    slabs.actor,
+                                  beads.actor,  travels.actor, chosenPath};
     for (const auto* held : {&byLayer, &bySteps})
       for (vtkActor* actor : (*held)->actors())
         actors.push_back(actor);
@@ -236,7 +248,9 @@ struct Scene::Impl {
     const bool on = shows(view.platform, platform.get());
     const bool byCell = shows(view.cell, cell.get());
     plate->SetVisibility(on && !byCell);
-    outline->SetVisibility(on);
+    rod->SetVisibility(on && (!byCell || view.roles[kPlatformRole]));
+    base->SetVisibility(on);
+    outline->SetVisibility(on && (!platform->rod || rod->GetVisibility()));
     grid->SetVisibility(on && !byCell);
   }
 
@@ -315,8 +329,20 @@ struct Scene::Impl {
   void showCell() {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const auto role = static_cast<std::size_t>(cell->cell.bodies()[i].role);
-      bodies[i]->SetVisibility(view.cell && view.roles[role]);
+      // The drawing of a rod has its profile and is seen to turn; the cell's body is round.
+      bodies[i]->SetVisibility(view.cell && view.roles[role] &&
+                               !(role == kPlatformRole && rod->GetVisibility()));
     }
+  }
+
+  void showChosenPath() {
+    const bool on = shows(view.paths, paths.get()) && view.path;
+    chosenPath->SetVisibility(on);
+    if (!on ||
+        chosenPathOf == std::pair<const void*, std::optional<std::size_t>>(paths.get(), view.path))
+      return;
+    chosenPathOf = {paths.get(), view.path};
+    setData(chosenPath, pathLine(*paths, *view.path));
   }
 
   void showMarker() {
@@ -361,6 +387,7 @@ struct Scene::Impl {
     showLayers();
     showPaths();
     showCell();
+    showChosenPath();
     showMarker();
     cut();
     overlay->showTriad(view.axes);
@@ -399,6 +426,17 @@ struct Scene::Impl {
     overlay->update();
   }
 
+  // Of the rod, what lies at what is shown, or all of it. Both in the work frame.
+  Eigen::AlignedBox3d rodBeside(const Eigen::AlignedBox3d& shown) const {
+    Eigen::AlignedBox3d box = platform->rod->box;
+    if (shown.isEmpty())
+      return box;
+    const double beside = kRodBesideShare * shown.sizes().maxCoeff();
+    box.min().x() = std::max(box.min().x(), shown.min().x() - beside);
+    box.max().x() = std::min(box.max().x(), shown.max().x() + beside);
+    return box;
+  }
+
   // What the camera should see: in the world.
   Eigen::AlignedBox3d visibleBox() const {
     Eigen::AlignedBox3d box;
@@ -422,6 +460,8 @@ struct Scene::Impl {
       extend(paths->box);
     if (shows(view.platform, platform.get()))
       extend(platform->box);
+    if (rod->GetVisibility() && !view.cell)
+      extend(rodBeside(box));
     if (shows(view.cell, cell.get()))
       for (std::size_t i = 0; i < bodies.size(); ++i)
         if (cell->cell.bodies()[i].role != robot::BodyRole::Obstacle) {
@@ -462,6 +502,8 @@ void Scene::setPartPreview(const Eigen::Affine3d& moved_T_part) {
 
 void Scene::setPlatform(std::shared_ptr<const PlatformDrawing> platform) {
   setData(impl_->plate, platform ? platform->plate.Get() : nullptr);
+  setData(impl_->rod, platform && platform->rod ? platform->rod->surface.Get() : nullptr);
+  setData(impl_->base, platform && platform->body ? platform->body->surface.Get() : nullptr);
   setData(impl_->outline, platform ? platform->outline.Get() : nullptr);
   setData(impl_->grid, platform ? platform->grid.Get() : nullptr);
   impl_->platform = std::move(platform);

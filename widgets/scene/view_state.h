@@ -59,6 +59,8 @@ struct ViewState {
   std::optional<std::size_t> piece; // stands out from the others
   std::optional<Eigen::Isometry3d> moved_T_base; // its base plane, while it is dragged
 
+  std::optional<std::size_t> path; // of the paths shown: a line along it
+
   std::optional<Eigen::Vector3d> marker; // place of a finding, work frame
   bool legend = false;                   // drawn into the picture (a window shows its own)
   bool dragging = false;                 // less detail, faster frames

@@ -24,10 +24,11 @@ LayerRangeSlider::LayerRangeSlider(QWidget* parent) : QWidget(parent) {
   describe();
 }
 
-void LayerRangeSlider::setLayers(int count, std::vector<double> topMm) {
+void LayerRangeSlider::setLayers(int count, std::vector<double> topMm, bool radii) {
   const bool changed = count != count_;
   count_ = std::max(0, count);
   topMm_ = std::move(topMm);
+  radii_ = radii;
   topMm_.resize(topMm_.empty() ? 0 : static_cast<std::size_t>(count_), 0.0);
   setEnabled(count_ > 0);
   updateGeometry();
@@ -114,11 +115,16 @@ LayerRangeSlider::Handle LayerRangeSlider::nearestHandle(double y) const {
 }
 
 QString LayerRangeSlider::labelOf(int layer) const {
-  const QString number = locale().toString(layer + 1);
-  if (static_cast<std::size_t>(layer) >= topMm_.size())
-    return number;
-  return QStringLiteral("%1\n%2").arg(
-      number, tr("%1 mm").arg(locale().toString(topMm_[static_cast<std::size_t>(layer)], 'f', 1)));
+  const QString number = locale().toString(layer + 1), top = topText(layer);
+  return top.isEmpty() ? number : QStringLiteral("%1\n%2").arg(number, top);
+}
+
+QString LayerRangeSlider::topText(int layer) const {
+  if (layer < 0 || static_cast<std::size_t>(layer) >= topMm_.size())
+    return {};
+  const double top = topMm_[static_cast<std::size_t>(layer)];
+  return radii_ ? tr("r %1 mm").arg(locale().toString(top, 'f', 2))
+                : tr("%1 mm").arg(locale().toString(top, 'f', 1));
 }
 
 void LayerRangeSlider::moveHandle(Handle handle, int layer) {

@@ -22,9 +22,11 @@ public:
   int last() const { return last_; }
   bool single() const { return single_; }
 
-  // Heights of the layers' tops in mm for the labels: empty, or one a layer. Shows all layers when
-  // the count changes. count >= 0.
-  void setLayers(int count, std::vector<double> topMm = {});
+  // Where the layers' tops are, in mm, for the labels: heights, or radii about an axis; empty, or
+  // one a layer. Shows all layers when the count changes. count >= 0.
+  void setLayers(int count, std::vector<double> topMm = {}, bool radii = false);
+  // As the labels have it: "12.8 mm", "r 3.75 mm"; empty: not known.
+  QString topText(int layer) const;
   // Held inside [0, layerCount() - 1]; first <= last.
   void setRange(int first, int last);
   void setSingle(bool single);
@@ -62,6 +64,7 @@ private:
 
   int count_ = 0, first_ = 0, last_ = 0;
   std::vector<double> topMm_;
+  bool radii_ = false;
   bool single_ = false;
   Handle held_ = Handle::None;
   int wheelRest_ = 0; // eighths of a degree not yet spent on a step

@@ -72,4 +72,27 @@ std::vector<double> layerTopsMm(const std::vector<panels::LayerMeasures>& measur
   return tops;
 }
 
+std::vector<double> layerRadiiMm(const layers::LayerStack& stack) {
+  struct Sum {
+    double radii = 0.0;
+    std::size_t vertices = 0;
+  };
+  std::vector<Sum> sums(static_cast<std::size_t>(stack.layerCount));
+  for (const layers::Patch& patch : stack.patches) {
+    if (patch.chart.periodMm <= 0.0 || patch.layer < 0 || patch.layer >= stack.layerCount)
+      continue;
+    Sum& sum = sums[static_cast<std::size_t>(patch.layer)];
+    for (std::size_t v = 0; v < patch.surface.vertices.size(); ++v)
+      sum.radii += patch.surface.vertices[v].tail<2>().norm() + 0.5 * patch.thicknessMm[v];
+    sum.vertices += patch.surface.vertices.size();
+  }
+  std::vector<double> radii;
+  for (const Sum& sum : sums) {
+    if (sum.vertices == 0)
+      return {};
+    radii.push_back(sum.radii / static_cast<double>(sum.vertices));
+  }
+  return radii;
+}
+
 } // namespace voluta::window

@@ -18,5 +18,8 @@ std::vector<panels::LayerMeasures> layerMeasures(const layers::LayerStack& stack
 
 // Level of each layer's top along the growth: mean thicknesses added up, mm.
 std::vector<double> layerTopsMm(const std::vector<panels::LayerMeasures>& measures);
+// Of layers that are closed around the x axis (layers::Chart with a period): each one's outer
+// radius, mm. Empty where any has no such patch.
+std::vector<double> layerRadiiMm(const layers::LayerStack& stack);
 
 } // namespace voluta::window

@@ -19,6 +19,19 @@ constexpr double kGroundRadiusMm = 150.0;
 scene::HeightLimits heightLimits(const process::Process& process) {
   return {process.layerHeightMm, process.layerHeightMinMm, process.layerHeightMaxMm};
 }
+// As far as it is known without a plan.
+geometry::PlatformSolid plannedPlatform(const std::string& platform,
+                                        const geometry::TriangleMesh& part, double voxelMm) {
+  const pipeline::PlatformChoice choice = pipeline::platformChoice(platform);
+  geometry::PlatformSolid solid;
+  if (choice.kind == pipeline::PlatformKind::Rod)
+    solid.rod = geometry::straightRod(choice.diameterMm, choice.lengthMm);
+  else
+    solid.polygon = pipeline::platformPolygon(platform, choice.kind == pipeline::PlatformKind::Fit
+                                                            ? voxel::solidVoxels(part, voxelMm, {})
+                                                            : voxel::SolidVoxels{});
+  return solid;
+}
 } // namespace
 
 Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, QObject* parent)
@@ -44,7 +57,12 @@ int Presenter::layerCount() const {
 }
 
 int Presenter::movesOf(int layer) const {
-  return paths_ ? static_cast<int>(scene::waypointsOfLayer(*paths_, layer).size()) : 0;
+  return static_cast<int>(waypointsOf(layer).size());
+}
+
+const std::vector<std::uint32_t>& Presenter::waypointsOf(int layer) const {
+  static const std::vector<std::uint32_t> none;
+  return paths_ ? scene::waypointsOfLayer(*paths_, layer) : none;
 }
 
 bool Presenter::busy() const {
@@ -101,9 +119,9 @@ void Presenter::drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh) {
       [this](auto&& made) { swapPart(made.first, made.second); });
 }
 
-void Presenter::drawPlate(const std::vector<Eigen::Vector2d>& polygon) {
+void Presenter::drawPlatform(const geometry::PlatformSolid& platform) {
   inBackground(
-      *runners_[Plate], [polygon] { return scene::drawPlatform(polygon, kGroundRadiusMm); },
+      *runners_[Plate], [platform] { return scene::drawPlatform(platform, kGroundRadiusMm); },
       [this](auto&& made) {
         viewport_.scene().setPlatform(made);
         viewport_.requestFrame();
@@ -116,6 +134,8 @@ void Presenter::drawPlannedPlate() {
   if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
     return;
   const pipeline::Choices& choices = document_.choices();
+  if (pipeline::platformChoice(choices.platform).kind == pipeline::PlatformKind::Mesh)
+    return; // it comes with the decomposition
   const double voxelMm = pipeline::parameterValues(choices).number("voxelMm");
   const auto wanted = std::tuple(choices.platform, voxelMm, placed->job.part);
   if (wanted == plateDrawn_)
@@ -125,10 +145,7 @@ void Presenter::drawPlannedPlate() {
       *runners_[Plate],
       [wanted] {
         const auto& [platform, pitch, part] = wanted;
-        voxel::SolidVoxels solid;
-        if (platform.starts_with("fit"))
-          solid = voxel::solidVoxels(*part, pitch, {});
-        return scene::drawPlatform(pipeline::platformPolygon(platform, solid), kGroundRadiusMm);
+        return scene::drawPlatform(plannedPlatform(platform, *part, pitch), kGroundRadiusMm);
       },
       [this](auto&& made) {
         viewport_.scene().setPlatform(made);
@@ -138,7 +155,7 @@ void Presenter::drawPlannedPlate() {
 
 void Presenter::drawVoxels() {
   if (const auto& preview = document_.preview()) {
-    drawPlate(preview->decomposition->platform);
+    drawPlatform(preview->decomposition->platform);
     voxels_.setDecomposition(preview->decomposition, preview->layerHeightMm);
     return;
   }
@@ -194,7 +211,9 @@ void Presenter::gatherFacts() {
       [stack, plan, clock, stacked, heights = heightLimits(*result->process)] {
         auto facts = std::make_shared<LayerFacts>();
         facts->measures = layerMeasures(*stack, plan.get(), clock.get());
-        if (stacked)
+        facts->topsMm = layerRadiiMm(*stack);
+        facts->radii = !facts->topsMm.empty();
+        if (stacked && !facts->radii)
           facts->topsMm = layerTopsMm(facts->measures);
         facts->spacing = layerSpacing(*stack, heights);
         return std::shared_ptr<const LayerFacts>(facts);
@@ -235,7 +254,7 @@ void Presenter::show(Stage stage) {
   } else if (stage == Stage::Decompose) {
     plateDrawn_ = {job.choices.platform, pipeline::parameterValues(job.choices).number("voxelMm"),
                    job.part};
-    drawPlate(job.platform.polygon);
+    drawPlatform(job.platform);
     if (result->cell && drawn_[CellBodies] != result->cell) {
       drawn_[CellBodies] = result->cell;
       inBackground(

@@ -24,7 +24,8 @@ namespace voluta::window {
 // What the Layers page knows of the layers on show.
 struct LayerFacts {
   std::vector<panels::LayerMeasures> measures;
-  std::vector<double> topsMm;
+  std::vector<double> topsMm; // heights, or radii about an axis
+  bool radii = false;
   LayerSpacing spacing;
 };
 
@@ -52,6 +53,8 @@ public:
   int movesOf(int layer) const;
   // Of the part on show, work frame; empty: no part.
   const Eigen::AlignedBox3d& partBox() const { return partBox_; }
+  // Waypoints of a layer in print order, as moves count them.
+  const std::vector<std::uint32_t>& waypointsOf(int layer) const;
 
   // Anything being prepared?
   bool busy() const;
@@ -72,7 +75,7 @@ private:
   void drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh);
   void swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
                 const Eigen::AlignedBox3d& box);
-  void drawPlate(const std::vector<Eigen::Vector2d>& polygon);
+  void drawPlatform(const geometry::PlatformSolid& platform);
   void drawPlannedPlate();
   void drawVoxels(); // of the preview where there is one
   void drawPieces();
