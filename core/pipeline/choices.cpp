@@ -6,10 +6,13 @@
 #include "curved/forward_growth.h"
 #include "curved/platform.h"
 #include "motion/motion_options.h"
+#include "pipeline/lathe_mode.h"
 #include "pipeline/modes.h"
 #include "pipeline/planar_modes.h"
 #include "pipeline/platform_choice.h"
 #include "pipeline/road.h"
+#include "pipeline/rod_profile.h"
+#include "pipeline/substrate_mode.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
 #include "robot/cell.h"
@@ -60,6 +63,8 @@ base::ParameterTable allParameters() {
   table.append(curved::curvedParameters());
   table.append(curved::forwardParameters());
   table.append(planarModeParameters());
+  table.append(latheParameters());
+  table.append(substrateParameters());
   table.append(support::supportParameters());
   table.append(placement::orientParameters());
   table.append(toolpath::toolpathParameters());
@@ -73,15 +78,18 @@ void setParameters(Choices& choices, const std::vector<std::string>& assignments
     values.setAssignment(assignment);
   for (const auto& [key, value] : values.changes())
     choices.parameters[key] = base::formatParameter(value);
-  // The planes go with the choices, wherever a project is opened again.
+  // Planes and profile go with the choices, wherever a project is opened again.
   for (const char* key : {"layerPlanes", "cutPlanes"})
     if (const auto planes = choices.parameters.find(key);
         planes != choices.parameters.end() && !planes->second.empty())
       planes->second = planesText(planes->second);
+  if (const auto profile = choices.parameters.find("rodProfile");
+      profile != choices.parameters.end())
+    profile->second = rodProfileText(profile->second);
 }
 
 base::ParameterValues parameterValues(const Choices& choices) {
-  base::ParameterValues values(allParameters());
+  base::ParameterValues values(parametersOf(choices.mode));
   for (const auto& [key, text] : choices.parameters)
     values.set(key, text);
   return values;
@@ -89,8 +97,10 @@ base::ParameterValues parameterValues(const Choices& choices) {
 
 namespace {
 
-std::string parameterLine(const base::ParameterSpec& spec, const base::ParameterValues& values) {
-  const auto changed = values.changes().find(spec.key);
+// Defaults are those of the values: a mode may have its own.
+std::string parameterLine(std::string_view key, const base::ParameterValues& values) {
+  const base::ParameterSpec& spec = *values.table().find(key);
+  const auto changed = values.changes().find(key);
   return fmt::format("{}={}\n", spec.key,
                      base::formatParameter(changed == values.changes().end() ? spec.defaultValue
                                                                              : changed->second));
@@ -101,7 +111,7 @@ std::string parameterLine(const base::ParameterSpec& spec, const base::Parameter
 std::string parameterText(const base::ParameterTable& table, const base::ParameterValues& values) {
   std::string text;
   for (const base::ParameterSpec& spec : table.specs())
-    text += parameterLine(spec, values);
+    text += parameterLine(spec.key, values);
   return text;
 }
 
@@ -109,7 +119,7 @@ std::string parameterText(std::initializer_list<const char*> keys,
                           const base::ParameterValues& values) {
   std::string text;
   for (const char* key : keys)
-    text += parameterLine(*values.table().find(key), values);
+    text += parameterLine(key, values);
   return text;
 }
 
@@ -191,7 +201,17 @@ void checkChoices(const Choices& choices) {
                             kPlatformWords[static_cast<std::size_t>(kind)]),
                 {}, fmt::format("give --platform {}", fmt::join(words, ", ")));
   }
-  parsedScale(choices.scale);
+  const bool laysItself = findMode(choices.mode).place != nullptr;
+  if (const auto orient = choices.parameters.find("orient");
+      laysItself && orient != choices.parameters.end() && orient->second != "none")
+    throw Error(ErrorCode::Usage,
+                fmt::format("orient={} turns parts on a plate; mode {} lays them itself",
+                            orient->second, choices.mode),
+                {}, "give orient=none");
+  if (parsedScale(choices.scale) == 0.0 && laysItself)
+    throw Error(ErrorCode::Usage,
+                fmt::format("scale fit is for parts on a plate, not for mode {}", choices.mode), {},
+                "give a number");
   const geometry::Placement& place = choices.placement;
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||
       !place.centreMm.allFinite() || !std::isfinite(place.liftMm))

@@ -38,15 +38,18 @@ PlanRequest withPart(PlanRequest request, const base::RunContext& ctx) {
   return request;
 }
 
-// What the same cell can print.
+bool takes(const Mode& mode, PlatformKind kind) {
+  return std::find(mode.platforms.begin(), mode.platforms.end(), kind) != mode.platforms.end();
+}
+
+// For parts of the same kind, in the same cell: on a plate, around a rod, on a surface.
 bool isLike(const Mode& a, const Mode& b) {
-  return a.aroundRod == b.aroundRod;
+  return a.aroundRod == b.aroundRod && takes(a, PlatformKind::Mesh) == takes(b, PlatformKind::Mesh);
 }
 
 bool takesAll(const Mode& mode, const std::vector<std::string>& platforms) {
   return std::all_of(platforms.begin(), platforms.end(), [&](const std::string& platform) {
-    const PlatformKind kind = platformChoice(platform).kind;
-    return std::find(mode.platforms.begin(), mode.platforms.end(), kind) != mode.platforms.end();
+    return takes(mode, platformChoice(platform).kind);
   });
 }
 

@@ -2,14 +2,19 @@
 
 #include "base/error.h"
 #include "pipeline/curved_mode.h"
+#include "pipeline/lathe_mode.h"
 #include "pipeline/planar_modes.h"
+#include "pipeline/road.h"
+#include "pipeline/substrate_mode.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace voluta::pipeline {
 
 const std::vector<Mode>& modes() {
-  static const std::vector<Mode> kModes{curvedMode(), planarMode(), flatMode()};
+  static const std::vector<Mode> kModes{curvedMode(), planarMode(), flatMode(), latheMode(),
+                                        substrateMode()};
   return kModes;
 }
 
@@ -18,6 +23,16 @@ const Mode& findMode(std::string_view id) {
     if (mode.id == id)
       return mode;
   base::failPrecondition("mode is in the table");
+}
+
+base::ParameterTable parametersOf(std::string_view id) {
+  std::vector<base::ParameterSpec> specs = allParameters().specs();
+  for (const Mode& mode : modes())
+    for (const auto& [key, text] : mode.defaults)
+      for (base::ParameterSpec& spec : specs)
+        if (mode.id == id && spec.key == key)
+          spec.defaultValue = base::parseParameter(spec, text);
+  return base::ParameterTable(std::move(specs));
 }
 
 std::string heightsText(const process::Process& p) {

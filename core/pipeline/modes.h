@@ -18,6 +18,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace voluta::pipeline {
@@ -53,14 +54,20 @@ struct Mode {
   std::vector<PlatformKind> platforms = {PlatformKind::Fit, PlatformKind::Disc, PlatformKind::Rect};
   bool aroundRod = false; // does it need a cell with a rod
   // Where a part lies that nobody has placed, for geometry::place with this scale; null: as
-  // geometry::Placement's defaults. Decided by the mode, the platform and the mesh alone.
+  // geometry::Placement's defaults. Decided by the mesh and what placeKey tells.
   geometry::Placement (*place)(const geometry::TriangleMesh&, double scale,
                                const ModeChoices&) = nullptr;
+  std::string (*placeKey)(const ModeChoices&) = nullptr; // text for the Load stage's key
+  // Parameters whose default is another one in this mode, as text.
+  std::vector<std::pair<std::string_view, std::string_view>> defaults = {};
 };
 
 const std::vector<Mode>& modes();
 // Precondition: the id is known (checkChoices).
 const Mode& findMode(std::string_view id);
+
+// allParameters() with the defaults that a mode has; as they are where no mode has that id.
+base::ParameterTable parametersOf(std::string_view mode);
 
 // What modes share: heights and a head as text for keys, statistics as the report has them.
 std::string heightsText(const process::Process& process);

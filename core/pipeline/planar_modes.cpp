@@ -278,8 +278,8 @@ Mode flatMode() {
 base::ParameterTable planarModeParameters() {
   base::ParameterTable table({
       base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Pieces", "overhang angle",
-                            "Modes planar and flat: how far a face may lean over from the upright "
-                            "without support.",
+                            "How far a face may lean over from the upright without support, in "
+                            "every mode but curved.",
                             true),
       textParameter("pieceMaterials", "Pieces", "materials of pieces",
                     "Mode planar: a material or filament for each piece, separated by commas; from "

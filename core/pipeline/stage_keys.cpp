@@ -56,8 +56,8 @@ std::string loadText(const LoadedPart& loaded, const Choices& c,
   if (loaded.cells)
     text += fmt::format("cells of {} mm\n", unitMm(loaded, c));
   text += turnText(c, values);
-  if (findMode(c.mode).place)
-    text += fmt::format("placed by mode {}\nplatform {}\n", c.mode, c.platform);
+  if (const Mode& mode = findMode(c.mode); mode.placeKey)
+    text += fmt::format("placed by mode {}\n", c.mode) + mode.placeKey({c, values, process});
   const double scale = parsedScale(c.scale);
   if (scale > 0.0)
     return text + fmt::format("scale {}\n", scale);

@@ -34,25 +34,29 @@ std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
 }
 
 std::vector<FlatteningCircle> flatteningToPlane(const FlatteningCircle& start, double halfChordMm,
-                                                double topThicknessMm, int layers) {
-  base::require(!start.isPlane() && start.radiusMm > 0.0, "a circle to start from");
+                                                double topThicknessMm, int layers,
+                                                double endRadiusMm) {
+  base::require(!start.isPlane() && start.radiusMm > 0.0 && endRadiusMm > 0.0,
+                "circles to start from and to end with");
   base::require(topThicknessMm > 0.0 && layers >= 1 && halfChordMm > 0.0,
                 "a positive thickness, width and number of layers");
-  const double r = start.radiusMm, b = halfChordMm;
-  if (b > r)
-    throw base::Error(base::ErrorCode::UnusableInput,
-                      fmt::format("the feature is {:.3g} mm wide, wider than the cylinder of "
-                                  "{:.3g} mm that it stands on",
-                                  2.0 * b, 2.0 * r),
-                      "flattening", "make the feature narrower");
+  const double b = halfChordMm;
   // Without the difference of two near numbers that r - sqrt(r^2 - b^2) is.
-  const double height = b * b / (r + std::sqrt(r * r - b * b));
+  const auto heightOver = [b](double r) {
+    if (b > r)
+      throw base::Error(base::ErrorCode::UnusableInput,
+                        fmt::format("the feature is {:.3g} mm wide, wider than the cylinder of "
+                                    "{:.3g} mm that it stands on",
+                                    2.0 * b, 2.0 * r),
+                        "flattening", "make the feature narrower");
+    return std::isinf(r) ? 0.0 : b * b / (r + std::sqrt(r * r - b * b));
+  };
+  const double first = heightOver(start.radiusMm), last = heightOver(endRadiusMm);
   std::vector<FlatteningCircle> circles{start};
   for (int k = 1; k <= layers; ++k) {
-    const double s = height * (layers - k) / layers;
-    circles.push_back(
-        {start.topMm + k * topThicknessMm,
-         k == layers ? std::numeric_limits<double>::infinity() : (b * b + s * s) / (2.0 * s)});
+    const double s = first + (last - first) * k / layers;
+    circles.push_back({start.topMm + k * topThicknessMm,
+                       k == layers ? endRadiusMm : (b * b + s * s) / (2.0 * s)});
   }
   return circles;
 }

@@ -25,13 +25,14 @@ std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
                                                 double topThicknessMm, double sideThicknessMm,
                                                 double sideAngle, int layers);
 
-// `layers` + 1 circles from `start` to a plane: heights over the chord of half width halfChordMm
-// get less by equal steps, while the top rises by topThicknessMm a layer. At the chord's ends
-// layers are (height over the chord) / layers thicker than at the top, upwards. Preconditions: a
-// start that is no plane, topThicknessMm > 0, layers >= 1. Throws Error{UnusableInput} where the
-// chord is wider than the circle.
-std::vector<FlatteningCircle> flatteningToPlane(const FlatteningCircle& start, double halfChordMm,
-                                                double topThicknessMm, int layers);
+// `layers` + 1 circles from `start` to one of endRadiusMm, a plane unless it is given: heights over
+// the chord of half width halfChordMm change by equal steps, while the top rises by topThicknessMm
+// a layer. At the chord's ends layers are (change of height over the chord) / layers thicker than
+// at the top, upwards. Preconditions: a start that is no plane, topThicknessMm > 0, layers >= 1.
+// Throws Error{UnusableInput} where the chord is wider than either circle.
+std::vector<FlatteningCircle>
+flatteningToPlane(const FlatteningCircle& start, double halfChordMm, double topThicknessMm,
+                  int layers, double endRadiusMm = std::numeric_limits<double>::infinity());
 
 // From the first circle to the second along the first one's radius at polar angle `alpha` (radians
 // from the horizontal; the top is at pi/2), mm (Castelli 2020, 5.2.3). NaN where that never meets

@@ -2,12 +2,11 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "geometry/mesh_query.h"
 #include "layers/level_surface.h"
 #include "substrate/flatten.h"
+#include "substrate/ground_distance.h"
 
 #include <Eigen/Geometry>
-#include <functional>
 
 namespace voluta::substrate {
 
@@ -25,17 +24,13 @@ layers::LevelSurface cylinderLevel(double radiusMm, double thicknessMm, double x
 layers::LevelSurface sphereLevel(const Eigen::Vector3d& centre, double radiusMm, double thicknessMm,
                                  const Eigen::AlignedBox3d& box, double edgeMm);
 
-// Whether a point is inside a solid; called from many threads at once.
-using InsideTest = std::function<bool(const Eigen::Vector3d&)>;
-
-// Points at `distanceMm` from a closed, outward mesh, outside it, in the box: fronts do not fold in
-// valleys and are rounded over crests. Directions lead away from the nearest point, in a crease
-// between its two sides. Marching tetrahedra on a grid of edgeMm, vertices on the level; chords
-// over crests are those of the grid. `isInside`: of the ground, where
-// something knows it faster than its mesh (long thin triangles are slow to ask). Throws Cancelled.
-layers::LevelSurface offsetLevel(const geometry::MeshQuery& ground, double distanceMm,
+// Points at `distanceMm` from a ground, outside it, in the box: fronts do not fold in valleys and
+// are rounded over crests. Directions lead away from the nearest point, in a crease between its two
+// sides. Marching tetrahedra on a grid of edgeMm, vertices on the level; chords over crests are
+// those of the grid. Throws Cancelled.
+layers::LevelSurface offsetLevel(const GroundDistance& ground, double distanceMm,
                                  double thicknessMm, const Eigen::AlignedBox3d& box, double edgeMm,
-                                 const base::RunContext& ctx, const InsideTest& isInside = {});
+                                 const base::RunContext& ctx);
 
 // Half-way between two circles of flatteningCircles or flatteningToPlane along the radii of the
 // first, which are the directions; drawn out along x over [x0, x1], over what of the first circle's

@@ -33,10 +33,9 @@ constexpr std::array<std::array<int, 4>, 6> kTetrahedra = {
 
 class Marcher {
 public:
-  Marcher(const geometry::MeshQuery& ground, const InsideTest& isInside, double distanceMm,
-          const Eigen::AlignedBox3d& box, double pitch)
-      : ground_(ground), isInside_(isInside), distance_(distanceMm), low_(box.min()),
-        pitch_(pitch) {
+  Marcher(const GroundDistance& ground, double distanceMm, const Eigen::AlignedBox3d& box,
+          double pitch)
+      : ground_(ground), distance_(distanceMm), low_(box.min()), pitch_(pitch) {
     for (int k = 0; k < 3; ++k)
       size_[k] = std::max(1, static_cast<int>(std::ceil(box.sizes()[k] / pitch)));
   }
@@ -71,17 +70,14 @@ private:
 
   // Nearer than the level the side does not matter: either is below it.
   double signedDistance(const Vector3d& p) const {
-    const double far = ground_.closest(p).distance;
-    if (far < distance_)
-      return far;
-    return (isInside_ ? isInside_(p) : ground_.inside(p)) ? -far : far;
+    const double far = ground_.unsignedMm(p);
+    return far < distance_ || !ground_.isInside(p) ? far : -far;
   }
 
   std::vector<double> sampled(const Vector3i& first) const {
     const Vector3d middle = point(first) + Vector3d::Constant(0.5 * kBlock * pitch_);
     const double reach = 0.5 * std::sqrt(3.0) * kBlock * pitch_;
-    const double far = ground_.closest(middle, distance_ + reach).distance;
-    if (!(far <= distance_ + reach && far >= distance_ - reach))
+    if (std::abs(ground_.unsignedMm(middle) - distance_) > reach)
       return {};
     std::vector<double> values;
     values.reserve((kBlock + 1) * (kBlock + 1) * (kBlock + 1));
@@ -198,8 +194,7 @@ private:
     }
   };
 
-  const geometry::MeshQuery& ground_;
-  const InsideTest& isInside_;
+  const GroundDistance& ground_;
   double distance_;
   Vector3d low_;
   double pitch_;
@@ -211,13 +206,13 @@ private:
 
 } // namespace
 
-layers::LevelSurface offsetLevel(const geometry::MeshQuery& ground, double distanceMm,
+layers::LevelSurface offsetLevel(const GroundDistance& ground, double distanceMm,
                                  double thicknessMm, const Eigen::AlignedBox3d& box, double edgeMm,
-                                 const base::RunContext& ctx, const InsideTest& isInside) {
+                                 const base::RunContext& ctx) {
   base::require(distanceMm > 0.0 && thicknessMm > 0.0 && edgeMm > 0.0 && !box.isEmpty(),
                 "an offset of positive lengths and a box");
   layers::LevelSurface s;
-  s.surface = Marcher(ground, isInside, distanceMm, box, edgeMm).run(ctx);
+  s.surface = Marcher(ground, distanceMm, box, edgeMm).run(ctx);
   const std::size_t n = s.surface.vertices.size();
   s.thicknessMm.assign(n, thicknessMm);
   s.direction.resize(n);
@@ -225,7 +220,7 @@ layers::LevelSurface offsetLevel(const geometry::MeshQuery& ground, double dista
   base::parallelChunks(ctx, n, 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const Vector3d& p = s.surface.vertices[v];
-      s.direction[v] = (p - ground.closest(p).point).normalized();
+      s.direction[v] = ground.outward(p);
       // In a crease two places are nearest.
       if (normals[v].dot(s.direction[v]) < kCrease && normals[v].squaredNorm() > 0.0)
         s.direction[v] = normals[v];

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace voluta::substrate {
 
@@ -15,36 +16,26 @@ namespace {
 
 constexpr double kClear = 1.5;
 
-} // namespace
-
-AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+std::pair<Eigen::Vector3d, double> centreOfArea(const geometry::TriangleMesh& mesh) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double area = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const double a = geometry::triangleArea(mesh, t);
-    const Eigen::Vector3d n = geometry::triangleNormal(mesh, t);
-    spread += a * n * n.transpose();
     centre += a / 3.0 * (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2));
     area += a;
   }
   if (!(area > 0.0))
     throw base::Error(base::ErrorCode::UnusableInput, "the part has no surface", "axis");
-  centre /= area;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
-  AxisFit fit;
-  fit.sharpness = values[0] > 0.0 ? values[1] / values[0] : std::numeric_limits<double>::infinity();
-  if (!(fit.sharpness >= kClear) || values[1] <= 0.0)
-    throw base::Error(base::ErrorCode::UnusableInput,
-                      "the part has no clear axis: its sides face along every direction alike",
-                      "axis", "turn the part onto the rod by hand");
-  fit.direction = solver.eigenvectors().col(0).normalized();
-  Eigen::Index largest = 0;
-  fit.direction.cwiseAbs().maxCoeff(&largest);
-  if (fit.direction[largest] < 0.0)
-    fit.direction = -fit.direction;
+  return {centre / area, area};
+}
 
+} // namespace
+
+AxisFit axisAlong(const geometry::TriangleMesh& mesh, const Eigen::Vector3d& direction) {
+  base::require(direction.norm() > 0.0, "a direction");
+  AxisFit fit;
+  fit.direction = direction.normalized();
+  const auto [centre, area] = centreOfArea(mesh);
   // n . (a x (q - p)) = t . (q - p) with t = n x a.
   Eigen::Matrix3d left = fit.direction * fit.direction.transpose() * area;
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -57,6 +48,31 @@ AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
     right += weighted * q;
   }
   fit.point = centre + left.colPivHouseholderQr().solve(right);
+  return fit;
+}
+
+AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double a = geometry::triangleArea(mesh, t);
+    const Eigen::Vector3d n = geometry::triangleNormal(mesh, t);
+    spread += a * n * n.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
+  const double sharpness =
+      values[0] > 0.0 ? values[1] / values[0] : std::numeric_limits<double>::infinity();
+  if (!(sharpness >= kClear) || values[1] <= 0.0)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      "the part has no clear axis: its sides face along every direction alike",
+                      "axis", "name its axis (rodAxis), or turn the part onto the rod by hand");
+  Eigen::Vector3d direction = solver.eigenvectors().col(0);
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  if (direction[largest] < 0.0)
+    direction = -direction;
+  AxisFit fit = axisAlong(mesh, direction);
+  fit.sharpness = sharpness;
   return fit;
 }
 

@@ -11,7 +11,7 @@ namespace voluta::substrate {
 struct AxisFit {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();      // on the axis, beside the area's centre
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX(); // unit, its largest coordinate positive
-  double sharpness = 1.0; // how much more normals vary across it than along it; >= 1
+  double sharpness = 1.0; // how much more normals vary across it than along it; >= 1 where fitted
 };
 
 // Direction: the one along which the facets' normals, weighted by area, vary least. Point: the one
@@ -19,6 +19,10 @@ struct AxisFit {
 // centre q). Throws Error{UnusableInput} where no direction is 1.5 times clearer than the next (a
 // cube, a sphere) and for a mesh without area.
 AxisFit fitAxis(const geometry::TriangleMesh& mesh);
+
+// Of the same point, where the direction is given. Precondition: not zero. Throws
+// Error{UnusableInput} for a mesh without area.
+AxisFit axisAlong(const geometry::TriangleMesh& mesh, const Eigen::Vector3d& direction);
 
 // Lays the part's axis on the x axis of the work frame, the middle of its length at x = 0, turned
 // by the shortest way. For geometry::place with the same scale.

@@ -45,6 +45,14 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"adaptiveLayers", {"true", kStageCount}},
     {"cuspMm", {"0.4", kStageCount}},
     {"layerPlanes", {R"([{"point": [0, 0, 0.4], "normal": [0, 0, 1]}])", kStageCount}},
+    {"rodAxis", {"x", kStageCount}}, // of modes lathe and substrate, see below
+    {"rodSides", {"6", kStageCount}},
+    {"rodProfile", {"-20,3 20,3", kStageCount}},
+    {"rodLayers", {"offset", kStageCount}},
+    {"firstLayerMm", {"0.5", kStageCount}},
+    {"layerShape", {"sphere", kStageCount}},
+    {"layerCentre", {"0,0,-9", kStageCount}},
+    {"endSurface", {"flat:9", kStageCount}},
     {"walls", {"3", 3}},
     {"infill", {"concentric", 3}},
     {"infillDensity", {"0.5", 3}},
@@ -161,6 +169,55 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
   default_ = stageKeys(turned);
   turned.choices.parameters["overhangAngle"] = "40";
   expectChangesFrom(turned, 0, "overhangAngle where the part is turned");
+}
+
+TEST_F(StageKeysOf, ParametersOfGroundsMatterToTheirModes) {
+  const std::tuple<const char*, const char*, std::size_t> rows[] = {
+      {"lathe", "rodAxis", 0},        {"lathe", "rodSides", 1},
+      {"lathe", "rodProfile", 1},     {"lathe", "rodLayers", 1},
+      {"lathe", "firstLayerMm", 1},   {"lathe", "overhangAngle", 1},
+      {"lathe", "layerHeightMm", 1},  {"lathe", "beadWidthMm", 1},
+      {"lathe", "layerShape", 6},     {"lathe", "voxelMm", 6},
+      {"lathe", "infill", 3},         {"substrate", "rodAxis", 6},
+      {"substrate", "layerShape", 1}, {"substrate", "layerCentre", 1},
+      {"substrate", "endSurface", 1}, {"substrate", "firstLayerMm", 1},
+      {"substrate", "rodProfile", 6}, {"substrate", "overhangAngle", 1}};
+  for (const auto& [mode, key, first] : rows) {
+    PlanRequest request = boxRequest();
+    request.choices.mode = mode;
+    if (request.choices.mode == "lathe")
+      request.choices.cell = "lathe";
+    default_ = stageKeys(request);
+    request.choices.parameters = {{key, kParameters.at(key).first}};
+    expectChangesFrom(request, first, mode + (std::string(" ") + key));
+  }
+}
+
+TEST_F(StageKeysOf, APlatformsMeshCountsByItsContent) {
+  const fs::path mesh = folder_ / "ground.stl", copy = folder_ / "copy.stl";
+  base::writeFile(mesh, "one");
+  fs::copy(mesh, copy);
+  PlanRequest request = boxRequest();
+  request.choices.mode = "substrate";
+  request.choices.platform = "mesh:" + mesh.string();
+  default_ = stageKeys(request);
+  request.choices.platform = "mesh:" + copy.string();
+  expectChangesFrom(request, kStageCount, "a copy of the file");
+  base::writeFile(copy, "two");
+  expectChangesFrom(request, 0, "another content"); // the part lies where the body puts it
+  fs::remove(copy);
+  expectChangesFrom(request, 0, "a file that is gone");
+}
+
+TEST_F(StageKeysOf, AModesOwnDefaultIsWhatIsMeant) {
+  PlanRequest request = boxRequest();
+  request.choices.mode = "lathe";
+  request.choices.cell = "lathe";
+  default_ = stageKeys(request);
+  request.choices.parameters = {{"infill", "woven"}};
+  expectChangesFrom(request, kStageCount, "woven is meant anyway");
+  request.choices.parameters = {{"infill", "zigzag"}};
+  expectChangesFrom(request, 3, "zigzag is another choice there");
 }
 
 TEST_F(StageKeysOf, ThePartCountsByItsContent) {

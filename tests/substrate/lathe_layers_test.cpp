@@ -74,8 +74,10 @@ TEST(LatheLayers, Tube) {
   EXPECT_EQ(made.stack.patches.size(), 10u);
   EXPECT_NEAR(made.outerMm.front(), 2.75, 1e-6);
   EXPECT_NEAR(made.outerMm.back(), 5.0, 1e-6);
-  EXPECT_EQ(made.riskyAreaMm2, 0.0);
   EXPECT_TRUE(made.findings.empty());
+  EXPECT_EQ(
+      substrate::latheOverhang(test::revolved(test::tubeSection(), 256), kRod, {}, {}).areaMm2,
+      0.0);
 }
 
 TEST(LatheLayers, FirstLayerOfItsOwnHeight) {
@@ -145,22 +147,25 @@ TEST(LatheLayers, OverhangIsToldWithItsPlace) {
   const std::vector<Eigen::Vector2d> section = {{-3, 2.4}, {-3, 4}, {-6, 4}, {-6, 5},
                                                 {6, 5},    {6, 4},  {3, 4},  {3, 2.4}};
   const TriangleMesh part = substrate::partAroundRod(test::revolved(section, 256), kRod);
-  const auto made = substrate::latheLayers(part, kRod, {}, {});
-  EXPECT_NEAR(made.riskyAreaMm2 / (2 * 2 * base::kPi * 4 * 3), 1.0, 1e-3);
-  ASSERT_EQ(made.findings.size(), 1u);
-  EXPECT_EQ(made.findings[0].kind, "overhang");
-  EXPECT_FALSE(made.findings[0].blocking);
-  EXPECT_NEAR(made.findings[0].where->tail<2>().norm(), 4.0, 0.01);
-  EXPECT_GT(std::abs(made.findings[0].where->x()), 3.0);
+  const substrate::Overhang found = substrate::latheOverhang(part, kRod, {}, {});
+  EXPECT_NEAR(found.areaMm2 / (2 * 2 * base::kPi * 4 * 3), 1.0, 1e-3);
+  EXPECT_NEAR(found.worstAt.tail<2>().norm(), 4.0, 0.01);
+  EXPECT_GT(std::abs(found.worstAt.x()), 3.0);
+  const auto finding = substrate::overhangFinding(found, {}, "rod", "x = 1 mm");
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->kind, "overhang");
+  EXPECT_FALSE(finding->blocking);
+  EXPECT_EQ(finding->where, found.worstAt);
+  EXPECT_FALSE(substrate::overhangFinding({}, {}, "rod", ""));
   // Cones of 40 degrees under it are steep enough, of 50 they are not.
   for (const bool risky : {false, true}) {
     const double reach = 1.5 * std::tan(base::degreesToRadians(risky ? 50 : 40));
     const std::vector<Eigen::Vector2d> cone = {{-3, 2.4},       {-3, 2.5},      {-3 - reach, 4},
                                                {-3 - reach, 5}, {3 + reach, 5}, {3 + reach, 4},
                                                {3, 2.5},        {3, 2.4}};
-    const auto cones = substrate::latheLayers(
+    const auto cones = substrate::latheOverhang(
         substrate::partAroundRod(test::revolved(cone, 256), kRod), kRod, {}, {});
-    EXPECT_EQ(cones.riskyAreaMm2 > 0.0, risky);
+    EXPECT_EQ(cones.areaMm2 > 0.0, risky);
   }
 }
 

@@ -57,6 +57,12 @@ double farthestMiddle(const LevelSurface& s, const std::function<double(const Ve
   return most;
 }
 
+// Lasts no longer than the query.
+substrate::GroundDistance asked(const geometry::MeshQuery& query) {
+  return substrate::distanceFrom(
+      std::shared_ptr<const geometry::MeshQuery>(std::shared_ptr<void>(), &query));
+}
+
 TEST(Levels, CylinderIsClosedAroundWithoutASeam) {
   for (const double r : {2.6, 5.0, 50.0}) {
     const LevelSurface s = substrate::cylinderLevel(r, 0.25, -25, 25, 0.7);
@@ -117,7 +123,7 @@ TEST(Levels, OffsetOfARoofIsRoundedOverItsRidge) {
   const geometry::MeshQuery roof(test::gableRoof(40, 60));
   const double top = 20 * std::sqrt(3.0);
   const Eigen::AlignedBox3d box(Vector3d(-4, -15, 8), Vector3d(4, 15, top + 4));
-  const LevelSurface s = substrate::offsetLevel(roof, 1.35, 0.2, box, 0.4, {});
+  const LevelSurface s = substrate::offsetLevel(asked(roof), 1.35, 0.2, box, 0.4, {});
   checkedRim(s);
   EXPECT_LT(farthest(s, [&](const Vector3d& p) { return roof.signedDistance(p) - 1.35; }), 1e-9);
   // Chords over a cylinder of 1.35 mm that a grid of 0.4 mm gives.
@@ -146,7 +152,8 @@ TEST(Levels, OffsetDoesNotFoldInAValley) {
                                       {40, 0, 0}));
   const geometry::MeshQuery query(valley);
   const LevelSurface s = substrate::offsetLevel(
-      query, 3.0, 0.3, Eigen::AlignedBox3d(Vector3d(-5, -8, -1), Vector3d(5, 8, 14)), 0.5, {});
+      asked(query), 3.0, 0.3, Eigen::AlignedBox3d(Vector3d(-5, -8, -1), Vector3d(5, 8, 14)), 0.5,
+      {});
   checkedRim(s);
   // In the valley's middle the level is 3 sqrt 2 high; nothing of it comes nearer to a slope.
   for (const Vector3d& p : s.surface.vertices)

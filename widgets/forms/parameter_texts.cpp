@@ -81,8 +81,8 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters", "Pieces"),
     QT_TRANSLATE_NOOP("Parameters", "overhang angle"),
     QT_TRANSLATE_NOOP("Parameters",
-                      "Modes planar and flat: how far a face may lean over from the upright "
-                      "without support."),
+                      "How far a face may lean over from the upright without support, in every "
+                      "mode but curved."),
     QT_TRANSLATE_NOOP("Parameters", "materials of pieces"),
     QT_TRANSLATE_NOOP("Parameters",
                       "Mode planar: a material or filament for each piece, separated by commas; "
@@ -143,6 +143,48 @@ constexpr auto kTexts = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Parameters", "turns about the nozzle"),
     QT_TRANSLATE_NOOP("Parameters", "How many turns of the part about the nozzle's axis are tried "
                                     "at each place."),
+    QT_TRANSLATE_NOOP("Parameters", "Rod"),
+    QT_TRANSLATE_NOOP("Parameters", "axis of the part"),
+    QT_TRANSLATE_NOOP(
+        "Parameters",
+        "Which of the part's own axes is laid on the rod; auto: the one that its sides run along."),
+    QT_TRANSLATE_NOOP("Parameters", "x"),
+    QT_TRANSLATE_NOOP("Parameters", "y"),
+    QT_TRANSLATE_NOOP("Parameters", "z"),
+    QT_TRANSLATE_NOOP("Parameters", "sides of the rod"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "0: a round rod; 3 or more: a prism, measured over its corners."),
+    QT_TRANSLATE_NOOP("Parameters", "profile of the rod"),
+    QT_TRANSLATE_NOOP(
+        "Parameters",
+        "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a "
+        "step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight."),
+    QT_TRANSLATE_NOOP("Parameters", "layers around the rod"),
+    QT_TRANSLATE_NOOP(
+        "Parameters",
+        "At constant radius about the axis, or at constant distance from the rod's profile."),
+    QT_TRANSLATE_NOOP("Parameters", "radius"),
+    QT_TRANSLATE_NOOP("Parameters", "offset"),
+    QT_TRANSLATE_NOOP("Parameters", "first layer"),
+    QT_TRANSLATE_NOOP(
+        "Parameters",
+        "Modes lathe and substrate: height of the layer on the ground; 0: as high as the others."),
+    QT_TRANSLATE_NOOP("Parameters", "Surface"),
+    QT_TRANSLATE_NOOP("Parameters", "shape of layers"),
+    QT_TRANSLATE_NOOP(
+        "Parameters",
+        "Mode substrate: at constant distance from the surface, on spheres, on cylinders along x, "
+        "or from the surface to an end surface, thicker where the way is longer."),
+    QT_TRANSLATE_NOOP("Parameters", "sphere"),
+    QT_TRANSLATE_NOOP("Parameters", "cylinder"),
+    QT_TRANSLATE_NOOP("Parameters", "flatten"),
+    QT_TRANSLATE_NOOP("Parameters", "centre of layers"),
+    QT_TRANSLATE_NOOP("Parameters", "Of spheres and cylinders: x,y,z in mm. Empty: of the ball or "
+                                    "cylinder that the part stands on, or below the part."),
+    QT_TRANSLATE_NOOP("Parameters", "end surface"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Layers that flatten end on it: flat (at the part's top), flat:Z, radius:R "
+                      "(a wider cylinder) or mesh:FILE, placed with the platform's."),
 });
 
 // Names of choices are written as one word: "fewestMissed" is shown as "fewest missed".

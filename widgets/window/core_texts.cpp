@@ -1,6 +1,7 @@
 #include "window/core_texts.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace voluta::window {
 
@@ -10,6 +11,10 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "Curved layers"),
     QT_TRANSLATE_NOOP("Core", "Planar pieces"),
     QT_TRANSLATE_NOOP("Core", "Flat layers"),
+    QT_TRANSLATE_NOOP("Core", "Around a rod"),
+    QT_TRANSLATE_NOOP("Core", "On a given surface"),
+    QT_TRANSLATE_NOOP("Core", "Around a rod"),
+    QT_TRANSLATE_NOOP("Core", "On a given surface"),
     QT_TRANSLATE_NOOP("Core", "Extended G-code (nozzle direction as nX nY nZ)"),
     QT_TRANSLATE_NOOP("Core", "Joint table (CSV)"),
 };
@@ -97,6 +102,11 @@ QString platformText(const std::string& platform) {
   if (text.startsWith("rect"))
     return QCoreApplication::translate("Core", "%1 mm")
         .arg(QString(size).replace('x', QString::fromUtf8(" × ")));
+  if (text.startsWith("rod"))
+    return QCoreApplication::translate("Core", "rod, %1 mm")
+        .arg(QString(size).replace('x', QString::fromUtf8(" × ")));
+  if (text.startsWith("mesh"))
+    return QFileInfo(size).fileName();
   return text;
 }
 

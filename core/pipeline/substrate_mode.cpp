@@ -1,0 +1,258 @@
+#include "pipeline/substrate_mode.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/stopwatch.h"
+#include "geometry/convex_polygon.h"
+#include "geometry/measures.h"
+#include "pipeline/choices.h"
+#include "pipeline/content_hash.h"
+#include "pipeline/level_choices.h"
+#include "pipeline/load_stage.h"
+#include "pipeline/platform_body.h"
+#include "substrate/substrate_layers.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+namespace voluta::pipeline {
+
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+constexpr double kStandingMm = 1e-3; // over z = 0: what is no higher stands on it
+
+bool parseNumbers(std::string_view text, std::initializer_list<double*> values) {
+  std::size_t left = values.size();
+  for (double* value : values) {
+    const std::size_t comma = --left > 0 ? text.find(',') : text.size();
+    if (comma == std::string_view::npos)
+      return false;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + comma, *value);
+    if (status != std::errc{} || end != text.data() + comma || !std::isfinite(*value))
+      return false;
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return true;
+}
+
+substrate::LevelShape shapeOf(const ModeChoices& in) {
+  const std::string shape = in.values.text("layerShape");
+  return shape == "sphere"     ? substrate::LevelShape::Sphere
+         : shape == "cylinder" ? substrate::LevelShape::Cylinder
+         : shape == "flatten"  ? substrate::LevelShape::Flatten
+                               : substrate::LevelShape::Offset;
+}
+
+constexpr std::string_view kMeshPrefix = "mesh:";
+
+// The body's platform is where geometry::place puts it by default; its part goes with it, and so
+// does an end surface.
+Eigen::Isometry3d motionToMiddle(const geometry::TriangleMesh& body, double scale) {
+  return motionOf(body, scale, geometry::Placement{});
+}
+
+// `part`: on the plate already, where there is no body.
+substrate::EndSurface endSurface(const ModeChoices& in) {
+  const std::string text = in.values.text("endSurface");
+  substrate::EndSurface end;
+  const auto fail = [&] {
+    throw base::Error(base::ErrorCode::Usage, fmt::format("endSurface '{}' is none", text), {},
+                      "write flat, flat:Z, radius:R or mesh:FILE, in mm");
+  };
+  const std::size_t colon = text.find(':');
+  const std::string word = text.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+  double number = 0.0;
+  if (word == "flat" && colon != std::string::npos) {
+    if (!parseNumbers(rest, {&number}))
+      fail();
+    end.heightMm = number;
+  } else if (word == "radius") {
+    if (!parseNumbers(rest, {&number}) || !(number > 0.0))
+      fail();
+    end.radiusMm = number;
+  } else if (text.starts_with(kMeshPrefix) && !rest.empty()) {
+    const auto file = loadPart(rest, true, {});
+    const double scale = parsedScale(in.choices.scale);
+    const auto body = platformBody(in.choices);
+    if (!body)
+      throw base::Error(base::ErrorCode::Usage,
+                        "endSurface mesh:FILE goes with a platform mesh:FILE", {},
+                        "give --platform mesh:FILE, or endSurface flat:Z");
+    end.mesh = std::make_shared<geometry::MeshQuery>(
+        moved(*file->mesh, scale, motionToMiddle(*body, scale)));
+  } else if (!text.empty() && text != "flat") {
+    fail();
+  }
+  return end;
+}
+
+std::string endText(const ModeChoices& in) {
+  const std::string text = in.values.text("endSurface");
+  if (!text.starts_with(kMeshPrefix))
+    return fmt::format("end {}\n", text);
+  try {
+    return fmt::format("end mesh {}\n",
+                       contentHash(base::readFile(text.substr(kMeshPrefix.size()))));
+  } catch (const base::Error&) {
+    return fmt::format("end {} that cannot be read\n", text);
+  }
+}
+
+substrate::SubstrateOptions substrateOptions(const ModeChoices& in) {
+  substrate::SubstrateOptions options;
+  static_cast<substrate::LevelOptions&>(options) = levelOptions(in);
+  options.shape = shapeOf(in);
+  if (const std::string text = in.values.text("layerCentre"); !text.empty()) {
+    Vector3d& c = options.centre.emplace();
+    if (!parseNumbers(text, {&c.x(), &c.y(), &c.z()}))
+      throw base::Error(base::ErrorCode::Usage,
+                        fmt::format("layerCentre '{:.40}' is no point", text), {},
+                        "write x,y,z in mm");
+  }
+  options.end = endSurface(in);
+  return options;
+}
+
+geometry::Placement placeOnSurface(const geometry::TriangleMesh& part, double scale,
+                                   const ModeChoices& in) {
+  const auto body = platformBody(in.choices);
+  return body ? placementBy(part, scale, motionToMiddle(*body, parsedScale(in.choices.scale)))
+              : geometry::Placement{};
+}
+
+std::string placeKey(const ModeChoices& in) {
+  return platformChoice(in.choices.platform).kind == PlatformKind::Mesh ? platformText(in.choices)
+                                                                        : std::string();
+}
+
+// What of a mesh stands on z = 0; where that is no area, all of it as seen from above.
+std::vector<Vector2d> standing(const geometry::TriangleMesh& mesh, bool orShadow) {
+  std::vector<Vector2d> on, all;
+  for (const Vector3d& p : mesh.vertices) {
+    all.emplace_back(p.head<2>());
+    if (p.z() <= kStandingMm)
+      on.emplace_back(p.head<2>());
+  }
+  return orShadow && geometry::convexPolygon(on).size() < 3 ? all : on;
+}
+
+geometry::PlatformSolid platformOf(const DecomposeInput& input) {
+  const ModeChoices& in = input.choices;
+  geometry::PlatformSolid platform;
+  if (const auto body = platformBody(in.choices)) {
+    const double scale = input.placed.scale;
+    const auto mesh =
+        std::make_shared<geometry::TriangleMesh>(moved(*body, scale, motionToMiddle(*body, scale)));
+    platform.polygon = geometry::convexPolygon(standing(*mesh, true));
+    platform.mesh = mesh;
+  } else {
+    platform.polygon = platformAround(in.choices.platform, standing(*input.placed.part, false));
+  }
+  return platform;
+}
+
+substrate::GroundDistance groundOf(const geometry::PlatformSolid& platform) {
+  return platform.mesh
+             ? substrate::distanceFrom(std::make_shared<geometry::MeshQuery>(*platform.mesh))
+             : substrate::plateGround();
+}
+
+std::string decomposeKey(const ModeChoices& in) {
+  return platformText(in.choices) + levelText(in) + endText(in) +
+         parameterText({"layerShape", "layerCentre", "overhangAngle"}, in.values);
+}
+
+std::string layersKey(const ModeChoices&) {
+  return {}; // all of it decided already how many there are
+}
+
+std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
+                                                const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  ctx.report(0.0, "take the surface out of the part");
+  auto stage = std::make_shared<DecomposeStage>();
+  const substrate::SubstrateOptions options = substrateOptions(input.choices);
+  stage->platform = platformOf(input);
+  if (stage->platform.mesh)
+    stage->lessPlatform = std::make_shared<geometry::TriangleMesh>(
+        substrate::partOnBody(*input.placed.part, *stage->platform.mesh));
+  const geometry::TriangleMesh& part =
+      stage->lessPlatform ? *stage->lessPlatform : *input.placed.part;
+  ctx.checkpoint();
+  const substrate::LevelFamily family =
+      substrate::substrateLevels(part, groundOf(stage->platform), options, ctx);
+  const substrate::OverhangRule rule = overhangRule(input.choices);
+  const substrate::Overhang overhang =
+      substrate::findOverhang(part, family.ground, family.outward, rule);
+  DecompositionReport& r = stage->report;
+  r.mode = input.choices.choices.mode;
+  r.pieces = 1;
+  r.layers = family.count;
+  r.riskyAreaMm2 = r.riskyAreaBeforeMm2 = overhang.areaMm2;
+  const Vector3d& at = overhang.worstAt;
+  if (auto finding = substrate::overhangFinding(
+          overhang, rule, "surface",
+          fmt::format("({:.4g}, {:.4g}, {:.4g})", at.x(), at.y(), at.z())))
+    stage->findings.push_back(std::move(*finding));
+  stage->timings.decompose = watch.seconds();
+  return stage;
+}
+
+std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
+                                            const geometry::TriangleMesh& part,
+                                            const ModeChoices& in, const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  const substrate::SubstrateOptions options = substrateOptions(in);
+  const substrate::LevelFamily family =
+      substrate::substrateLevels(part, groundOf(decomposed.platform), options, ctx.sub(0.0, 0.1));
+  return layersStage(substrate::stackLevels(part, family, options, ctx.sub(0.1, 1.0)),
+                     watch.seconds());
+}
+
+base::ParameterSpec textParameter(const char* key, const char* label, const char* help) {
+  base::ParameterSpec spec;
+  spec.key = key;
+  spec.type = base::ParameterType::Text;
+  spec.defaultValue = std::string();
+  spec.group = "Surface";
+  spec.label = label;
+  spec.help = help;
+  return spec;
+}
+
+} // namespace
+
+Mode substrateMode() {
+  Mode mode{"substrate", "On a given surface", decomposeKey, layersKey, decompose, layersOf};
+  mode.platforms = {PlatformKind::Mesh, PlatformKind::Fit, PlatformKind::Disc, PlatformKind::Rect};
+  mode.place = placeOnSurface;
+  mode.placeKey = placeKey;
+  return mode;
+}
+
+base::ParameterTable substrateParameters() {
+  return base::ParameterTable({
+      base::choiceParameter("layerShape", "offset", {"offset", "sphere", "cylinder", "flatten"},
+                            "Surface", "shape of layers",
+                            "Mode substrate: at constant distance from the surface, on spheres, on "
+                            "cylinders along x, or from the surface to an end surface, thicker "
+                            "where the way is longer.",
+                            true),
+      textParameter("layerCentre", "centre of layers",
+                    "Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that "
+                    "the part stands on, or below the part."),
+      textParameter("endSurface", "end surface",
+                    "Layers that flatten end on it: flat (at the part's top), flat:Z, radius:R (a "
+                    "wider cylinder) or mesh:FILE, placed with the platform's."),
+  });
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,108 @@
+#include "substrate/blend_levels.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/measures.h"
+#include "substrate/levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fmt/format.h>
+
+namespace voluta::substrate {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kOnGroundMm = 1e-3;
+constexpr double kFarMm = 1e4;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& remedy,
+                         const Vector3d* at = nullptr) {
+  throw base::Error(base::ErrorCode::UnusableInput, what,
+                    at ? fmt::format("at ({:.1f}, {:.1f}, {:.1f})", at->x(), at->y(), at->z())
+                       : std::string("end surface"),
+                    remedy);
+}
+
+// Along a ray from a foot, mm; negative where it meets no end.
+double wayToEnd(const Vector3d& foot, const Vector3d& direction, const BlendOptions& o) {
+  if (o.end) {
+    const auto hit = o.end->firstHit(foot, foot + kFarMm * direction);
+    return hit ? kFarMm * hit->t : -1.0;
+  }
+  return direction.z() > 1e-6 ? (o.endHeightMm - foot.z()) / direction.z() : -1.0;
+}
+
+int layersFor(double least, double mean, double most, const LevelOptions& o) {
+  const int fewest = std::max(1, static_cast<int>(std::ceil(most / o.heightMaxMm - 1e-9)));
+  const int greatest = static_cast<int>(std::floor(least / o.heightMinMm + 1e-9));
+  if (fewest > greatest)
+    refuse(fmt::format("no number of layers between the surface and its end keeps their thickness "
+                       "within {:g} and {:g} mm: the way between them is {:.3g} to {:.3g} mm long",
+                       o.heightMinMm, o.heightMaxMm, least, most),
+           "give an end surface that is more like the surface, or a smaller part");
+  return std::clamp(static_cast<int>(std::lround(mean / o.layerHeightMm)), fewest, greatest);
+}
+
+} // namespace
+
+std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
+                                              const geometry::MeshQuery& part,
+                                              const Eigen::AlignedBox3d& box, const BlendOptions& o,
+                                              const base::RunContext& ctx) {
+  const double edge = levelEdgeMm(o.levels);
+  layers::LevelSurface start = offsetLevel(ground, kOnGroundMm, 1.0, box, edge, ctx);
+  std::vector<double> way(start.surface.vertices.size());
+  std::vector<std::uint8_t> passes(way.size()); // by the part, which others have nothing to do with
+  base::parallelChunks(ctx, way.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      way[v] = wayToEnd(start.surface.vertices[v], start.direction[v], o);
+      const int steps = static_cast<int>(std::ceil(way[v] / edge));
+      for (int i = 0; i <= steps && !passes[v]; ++i) {
+        const Vector3d p = start.surface.vertices[v] + way[v] * i / steps * start.direction[v];
+        passes[v] = part.closest(p, 2.0 * edge).triangle >= 0 || part.inside(p);
+      }
+    }
+  });
+  std::erase_if(start.surface.triangles, [&](const auto& t) {
+    return std::any_of(t.begin(), t.end(), [&](int v) {
+      const auto i = static_cast<std::size_t>(v);
+      return way[i] < kOnGroundMm || !passes[i];
+    });
+  });
+  if (start.surface.triangles.empty())
+    refuse("nothing of the surface under the part sees the end surface",
+           "give an end surface over the part's foot");
+  start.thicknessMm = way; // dropUnusedVertices keeps it in step
+  layers::dropUnusedVertices(start);
+  double least = kFarMm, most = 0.0, sum = 0.0;
+  for (const double t : start.thicknessMm) {
+    least = std::min(least, t);
+    most = std::max(most, t);
+    sum += t;
+  }
+  const int count =
+      layersFor(least, sum / static_cast<double>(start.thicknessMm.size()), most, o.levels);
+  std::vector<layers::LevelSurface> levels;
+  for (int k = 0; k < count; ++k) {
+    layers::LevelSurface level = start;
+    for (std::size_t v = 0; v < level.thicknessMm.size(); ++v) {
+      level.surface.vertices[v] += (k + 0.5) / count * start.thicknessMm[v] * start.direction[v];
+      level.thicknessMm[v] = start.thicknessMm[v] / count;
+    }
+    for (std::size_t t = 0; t < level.surface.triangles.size(); ++t)
+      if (geometry::triangleNormal(level.surface, t)
+              .dot(geometry::triangleNormal(start.surface, t)) < 0.0)
+        refuse(fmt::format("layers on this surface would fold: rays along its normals cross before "
+                           "the end surface, from layer {} on",
+                           k + 1),
+               "fill the hollow first, or use layerShape=offset", &level.surface.corner(t, 0));
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+} // namespace voluta::substrate

@@ -1,0 +1,151 @@
+#include "substrate/ground_distance.h"
+
+#include "base/error.h"
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace voluta::substrate {
+
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+constexpr double kChordMm = 1e-3; // of meshes of rods that have no closed form
+
+Vector2d nearestOnSegment(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
+  const Vector2d way = b - a;
+  const double length = way.squaredNorm();
+  return length > 0.0 ? Vector2d(a + std::clamp((p - a).dot(way) / length, 0.0, 1.0) * way) : a;
+}
+
+// Profile and both ends in the half-plane (x, radius).
+class RoundRod {
+public:
+  explicit RoundRod(geometry::RodShape rod) : rod_(std::move(rod)), outline_(rod_.profile) {
+    outline_.insert(outline_.begin(), Vector2d(outline_.front().x(), 0.0));
+    outline_.emplace_back(outline_.back().x(), 0.0);
+  }
+  bool isInside(const Vector3d& p) const {
+    return p.tail<2>().norm() < geometry::radiusAt(rod_, p.x(), 0.0);
+  }
+  Vector3d nearest(const Vector3d& p) const {
+    const Vector2d at(p.x(), p.tail<2>().norm());
+    const Vector2d on = nearestInSection(at);
+    const Vector2d way =
+        at.y() > 0.0 ? Vector2d(p.tail<2>() / at.y()) : Vector2d(Vector2d::UnitX());
+    return {on.x(), on.y() * way.x(), on.y() * way.y()};
+  }
+
+private:
+  Vector2d nearestInSection(const Vector2d& at) const {
+    Vector2d best = outline_.front();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < outline_.size(); ++i) {
+      const Vector2d on = nearestOnSegment(outline_[i], outline_[i + 1], at);
+      const double far = (on - at).squaredNorm();
+      if (far < least) {
+        least = far;
+        best = on;
+      }
+    }
+    return best;
+  }
+
+  geometry::RodShape rod_;
+  std::vector<Vector2d> outline_;
+};
+
+// A regular polygon drawn out over [x0, x1].
+class Prism {
+public:
+  Prism(double x0, double x1, double radius, int sides)
+      : x0_(x0), x1_(x1), apothem_(radius * std::cos(base::kPi / sides)),
+        halfSide_(radius * std::sin(base::kPi / sides)), side_(2.0 * base::kPi / sides) {}
+
+  bool isInside(const Vector3d& p) const {
+    return p.x() > x0_ && p.x() < x1_ && acrossSide(p).x() < apothem_;
+  }
+  Vector3d nearest(const Vector3d& p) const {
+    const Vector2d at = acrossSide(p);
+    const double x = std::clamp(p.x(), x0_, x1_);
+    Vector2d on = at;
+    if (at.x() > apothem_ || x == p.x())
+      on = {apothem_, std::clamp(at.y(), -halfSide_, halfSide_)};
+    const double turn = sideMiddle(p);
+    return {x, std::cos(turn) * on.x() - std::sin(turn) * on.y(),
+            std::sin(turn) * on.x() + std::cos(turn) * on.y()};
+  }
+
+private:
+  // The angle of the middle of the side that faces p.
+  double sideMiddle(const Vector3d& p) const {
+    return side_ * (std::floor(std::atan2(p.z(), p.y()) / side_) + 0.5);
+  }
+  // Along that side's normal and along the side.
+  Vector2d acrossSide(const Vector3d& p) const {
+    const double turn = sideMiddle(p);
+    return {std::cos(turn) * p.y() + std::sin(turn) * p.z(),
+            -std::sin(turn) * p.y() + std::cos(turn) * p.z()};
+  }
+
+  double x0_, x1_, apothem_, halfSide_, side_;
+};
+
+template <typename Shape> GroundDistance asked(Shape shape) {
+  const auto kept = std::make_shared<const Shape>(std::move(shape));
+  return {[kept](const Vector3d& p) { return kept->nearest(p); },
+          [kept](const Vector3d& p) { return kept->isInside(p); }};
+}
+
+} // namespace
+
+GroundDistance distanceFrom(std::shared_ptr<const geometry::MeshQuery> mesh) {
+  return {[mesh](const Vector3d& p) { return mesh->closest(p).point; },
+          [mesh](const Vector3d& p) { return mesh->inside(p); }};
+}
+
+GroundDistance distanceFrom(const geometry::RodShape& rod) {
+  geometry::checkRod(rod);
+  if (rod.sides == 0)
+    return asked(RoundRod(rod));
+  std::vector<GroundDistance> prisms;
+  for (std::size_t i = 0; i + 1 < rod.profile.size(); ++i) {
+    const Vector2d &a = rod.profile[i], &b = rod.profile[i + 1];
+    if (a.x() == b.x())
+      continue;
+    if (a.y() != b.y()) // a pyramid's frustum
+      return distanceFrom(std::make_shared<geometry::MeshQuery>(geometry::meshOf(rod, kChordMm)));
+    prisms.push_back(asked(Prism(a.x(), b.x(), a.y(), rod.sides)));
+  }
+  return nearestOf(std::move(prisms));
+}
+
+GroundDistance nearestOf(std::vector<GroundDistance> grounds) {
+  base::require(!grounds.empty(), "a ground");
+  if (grounds.size() == 1)
+    return grounds.front();
+  const auto all = std::make_shared<const std::vector<GroundDistance>>(std::move(grounds));
+  return {[all](const Vector3d& p) {
+            Vector3d best = Vector3d::Zero();
+            double least = std::numeric_limits<double>::infinity();
+            for (const GroundDistance& one : *all) {
+              const Vector3d on = one.nearest(p);
+              const double far = (on - p).squaredNorm();
+              if (far < least) {
+                least = far;
+                best = on;
+              }
+            }
+            return best;
+          },
+          [all](const Vector3d& p) {
+            return std::any_of(all->begin(), all->end(),
+                               [&](const GroundDistance& one) { return one.isInside(p); });
+          }};
+}
+
+} // namespace voluta::substrate

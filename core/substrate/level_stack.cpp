@@ -1,0 +1,132 @@
+#include "substrate/level_stack.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "layers/absorb.h"
+#include "layers/clean_surface.h"
+#include "layers/follow_top.h"
+#include "layers/islands.h"
+#include "layers/layer_findings.h"
+#include "layers/order.h"
+#include "layers/part_boundary.h"
+#include "layers/patches.h"
+#include "layers/trim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <utility>
+
+namespace voluta::substrate {
+
+namespace {
+
+constexpr double kEdgeShare = 0.4;      // of a bead's width: edges of levels
+constexpr double kFineShare = 0.17;     // of a bead's width: where last layers end on the surface
+constexpr double kBlockingShare = 0.01; // of the volume that is not laid
+// Of a layer's height: a middle this near to the ground is the first layer's.
+constexpr double kOnGround = 0.75;
+
+bool isOnGround(const layers::Patch& patch, const layers::Ground& ground) {
+  for (std::size_t v = 0; v < patch.thicknessMm.size(); ++v)
+    if (ground.over(patch.surface.vertices[v]) <= kOnGround * patch.thicknessMm[v])
+      return true;
+  return false;
+}
+
+void tellDropped(const std::vector<layers::DroppedPiece>& dropped, StackedLevels& result) {
+  const layers::NotLaid slivers = layers::notLaid(dropped);
+  result.slivers = slivers.pieces;
+  result.sliverVolumeMm3 = slivers.volumeMm3;
+  if (auto finding = layers::sliversFinding(slivers, result.statistics.volumeMm3(), kBlockingShare))
+    result.findings.push_back(std::move(*finding));
+}
+
+void tellUnsupported(const layers::InAir& inAir, const std::string& ground, StackedLevels& result) {
+  result.unsupportedPatches = inAir.patches;
+  if (inAir.patches > 0)
+    result.findings.push_back(layers::layerFinding(
+        "beginsInAir", inAir.firstAt, inAir.patches,
+        fmt::format("{} pieces of layers have neither the {} nor an earlier layer under them",
+                    inAir.patches, ground),
+        fmt::format("move the part on the {}, or let what is under them grow out of it", ground),
+        true));
+}
+
+} // namespace
+
+std::vector<double> levelBounds(double from, double to, const LevelOptions& o) {
+  base::require(o.layerHeightMm > 0.0 && o.heightMinMm > 0.0 && o.heightMinMm <= o.heightMaxMm &&
+                    o.firstLayerMm >= 0.0 && from < to,
+                "positive layer heights and a range");
+  std::vector<double> bounds{from};
+  if (o.firstLayerMm > 0.0 && from + o.firstLayerMm < to) {
+    from += o.firstLayerMm;
+    bounds.push_back(from);
+  }
+  const double room = to - from;
+  const int most = static_cast<int>(std::floor(room / o.heightMinMm + 1e-9)),
+            least = static_cast<int>(std::ceil(room / o.heightMaxMm - 1e-9));
+  const int wanted = static_cast<int>(std::lround(room / o.layerHeightMm));
+  const int count = most >= least ? std::clamp(wanted, least, most) : most;
+  for (int k = 1; k <= count; ++k)
+    bounds.push_back(from + room * k / count);
+  return bounds;
+}
+
+double levelEdgeMm(const LevelOptions& options) {
+  return kEdgeShare * options.beadWidthMm;
+}
+
+StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily& family,
+                          const LevelOptions& o, const base::RunContext& ctx) {
+  base::require(!part.empty() && o.beadWidthMm > 0.0, "a part and a bead width");
+  StackedLevels result;
+  const layers::PartBoundary boundary(part, levelEdgeMm(o), ctx);
+  std::vector<layers::PatchesOfLevel> made(static_cast<std::size_t>(family.count));
+  ctx.report(0.0, "cutting layers");
+  base::parallelChunks(ctx, made.size(), 1, [&](std::size_t begin, std::size_t end) {
+    const base::RunContext silent = ctx.quiet();
+    for (std::size_t k = begin; k < end; ++k) {
+      layers::LevelSurface surface = family.level(static_cast<int>(k), silent);
+      surface.level = static_cast<int>(k);
+      surface = layers::trimToPart(surface, boundary, {}, silent);
+      layers::cleanSurface(surface, {}, silent);
+      made[k] = layers::makePatches(surface, {o.beadWidthMm});
+    }
+  });
+  std::vector<layers::Patch> crumbs;
+  for (layers::PatchesOfLevel& level : made) {
+    std::move(level.patches.begin(), level.patches.end(), std::back_inserter(result.stack.patches));
+    std::move(level.crumbs.begin(), level.crumbs.end(), std::back_inserter(crumbs));
+  }
+  if (std::none_of(result.stack.patches.begin(), result.stack.patches.end(),
+                   [&](const layers::Patch& p) { return isOnGround(p, family.ground); }))
+    throw base::Error(
+        base::ErrorCode::UnusableInput,
+        fmt::format("the part misses the {0}: nothing of it lies on the {0}", family.groundWord),
+        family.groundWord, fmt::format("move the part onto the {}", family.groundWord));
+  if (family.adapt)
+    family.adapt(result.stack.patches);
+
+  ctx.report(0.6, "ordering layers");
+  const layers::AbsorbOptions absorb{o.heightMaxMm, o.beadWidthMm};
+  layers::Absorbed absorbed = layers::absorbCrumbs(result.stack.patches, crumbs, absorb);
+  layers::orderForPrinting(result.stack);
+  const layers::IslandOptions islands = layers::islandOptions(o.beadWidthMm);
+  layers::IslandsTaken taken =
+      layers::absorbIslands(result.stack, islands, absorb, ctx, family.ground);
+  result.mergedPieces = absorbed.merged + taken.absorbed.merged;
+  std::move(taken.absorbed.dropped.begin(), taken.absorbed.dropped.end(),
+            std::back_inserter(absorbed.dropped));
+  ctx.report(0.8, "ending layers on the surface");
+  layers::followTop(result.stack, boundary,
+                    {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
+  result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
+  tellDropped(absorbed.dropped, result);
+  tellUnsupported(layers::patchesInAir(taken.support, islands), family.groundWord, result);
+  return result;
+}
+
+} // namespace voluta::substrate

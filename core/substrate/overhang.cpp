@@ -1,0 +1,64 @@
+#include "substrate/overhang.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace voluta::substrate {
+
+using Eigen::Vector3d;
+
+Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& ground,
+                      const std::function<Vector3d(const Vector3d&)>& outward,
+                      const OverhangRule& rule) {
+  constexpr int kMostSteps = 16;
+  base::require(rule.sampleMm > 0.0, "samples of some size");
+  Overhang found;
+  const double least = -std::sin(rule.overhangRad);
+  double worst = least;
+  for (std::size_t t = 0; t < part.triangles.size(); ++t) {
+    const Vector3d &a = part.corner(t, 0), &b = part.corner(t, 1), &c = part.corner(t, 2);
+    const Vector3d n = geometry::triangleNormal(part, t);
+    const double widest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    const int m = std::clamp(static_cast<int>(std::ceil(widest / rule.sampleMm)), 1, kMostSteps);
+    const double area = geometry::triangleArea(part, t) / (m * m);
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < 2 * (m - i) - 1; ++j) {
+        // The centre of the j-th small triangle of strip i.
+        const double third = j % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
+        const double u = (i + third) / m, v = (j / 2 + third) / m;
+        const Vector3d p = a + u * (b - a) + v * (c - a);
+        const double lean = n.dot(outward(p));
+        if (lean >= least - 1e-9 || ground.over(p) <= rule.contactMm)
+          continue;
+        found.areaMm2 += area;
+        if (lean < worst - 1e-9) {
+          worst = lean;
+          found.worstAt = p;
+        }
+      }
+  }
+  return found;
+}
+
+std::optional<plan::Finding> overhangFinding(const Overhang& overhang, const OverhangRule& rule,
+                                             const std::string& ground, const std::string& place) {
+  if (overhang.areaMm2 <= 0.0)
+    return std::nullopt;
+  plan::Finding f;
+  f.stage = "decompose";
+  f.kind = "overhang";
+  f.where = overhang.worstAt;
+  f.reason = fmt::format("{:.3g} mm2 of the part lean out by more than {:.3g} degrees over lower "
+                         "layers, the most at {}",
+                         overhang.areaMm2, base::radiansToDegrees(rule.overhangRad), place);
+  f.remedy = fmt::format("let the part rise from the {} at a gentler slope there", ground);
+  f.blocking = false;
+  return f;
+}
+
+} // namespace voluta::substrate

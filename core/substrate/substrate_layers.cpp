@@ -1,0 +1,316 @@
+#include "substrate/substrate_layers.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_query.h"
+#include "geometry/subtract.h"
+#include "substrate/blend_levels.h"
+#include "substrate/flatten.h"
+#include "substrate/levels.h"
+#include "substrate/touch_fit.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace voluta::substrate {
+
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+constexpr double kTouchMm = 1e-3; // what is nearer to the ground lies on it
+constexpr double kRoundMm = 0.02; // by which a round ground may be off
+
+[[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
+  throw base::Error(base::ErrorCode::UnusableInput, what, "surface", remedy);
+}
+
+// Corners of the part on its ground.
+std::vector<Vector3d> footOf(const geometry::TriangleMesh& part, const GroundDistance& ground) {
+  std::vector<Vector3d> foot;
+  for (const Vector3d& p : part.vertices)
+    if (ground.unsignedMm(p) <= kTouchMm)
+      foot.push_back(p);
+  return foot;
+}
+
+std::optional<CircleFit> cylinderUnder(const std::vector<Vector3d>& foot) {
+  std::vector<Vector2d> section;
+  for (const Vector3d& p : foot)
+    section.emplace_back(p.tail<2>());
+  try {
+    const CircleFit fit = circleThrough(section);
+    return fit.rmsMm <= kRoundMm ? std::optional(fit) : std::nullopt;
+  } catch (const base::Error&) {
+    return std::nullopt; // flat
+  }
+}
+
+// Least squares of |p|^2 = 2 c . p + k.
+std::optional<Vector3d> ballUnder(const std::vector<Vector3d>& foot) {
+  if (foot.size() < 4)
+    return std::nullopt;
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& p : foot)
+    mean += p / static_cast<double>(foot.size());
+  Eigen::MatrixX4d rows(static_cast<Eigen::Index>(foot.size()), 4);
+  Eigen::VectorXd right(rows.rows());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const Vector3d p = foot[static_cast<std::size_t>(i)] - mean;
+    rows.row(i) << 2.0 * p.transpose(), 1.0;
+    right[i] = p.squaredNorm();
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixX4d> solver(rows);
+  if (solver.rank() < 4)
+    return std::nullopt; // flat
+  const Eigen::Vector4d fit = solver.solve(right);
+  const Vector3d centre = mean + fit.head<3>();
+  const double radius = std::sqrt(std::max(0.0, fit[3] + fit.head<3>().squaredNorm()));
+  for (const Vector3d& p : foot)
+    if (std::abs((p - centre).norm() - radius) > kRoundMm)
+      return std::nullopt;
+  return centre;
+}
+
+Vector3d centreBelow(const geometry::TriangleMesh& part) {
+  const Eigen::AlignedBox3d box = geometry::bounds(part);
+  return {box.center().x(), box.center().y(), box.min().z() - 0.5 * box.sizes().z()};
+}
+
+struct Reach {
+  double from = 0.0, to = 0.0;
+};
+
+// Levels at equal steps of what `height` measures, `between` making one of them.
+template <typename Between>
+void addLevels(LevelFamily& family, const Reach& reach, const SubstrateOptions& o,
+               Between between) {
+  if (reach.to - reach.from < o.heightMinMm)
+    refuse(fmt::format("the part rises {:.3g} mm over the surface, less than a layer of {:.3g} mm",
+                       std::max(0.0, reach.to - reach.from), o.heightMinMm),
+           "print the part larger, or with a finer process");
+  const std::vector<double> bounds = levelBounds(reach.from, reach.to, o);
+  family.count = static_cast<int>(bounds.size()) - 1;
+  family.level = [bounds, between](int k, const base::RunContext& ctx) {
+    const double inner = bounds[static_cast<std::size_t>(k)],
+                 outer = bounds[static_cast<std::size_t>(k) + 1];
+    return between(0.5 * (inner + outer), outer - inner, ctx);
+  };
+}
+
+template <typename Height>
+double farthest(const geometry::TriangleMesh& part, const Height& height) {
+  double most = 0.0;
+  for (const Vector3d& p : part.vertices)
+    most = std::max(most, height(p));
+  return most;
+}
+
+void addOffsets(LevelFamily& family, const geometry::TriangleMesh& part,
+                const GroundDistance& ground, const SubstrateOptions& o,
+                const Eigen::AlignedBox3d& box) {
+  const double most = farthest(part, [&](const Vector3d& p) { return ground.signedMm(p); });
+  addLevels(family, {0.0, most}, o,
+            [ground, box, edge = levelEdgeMm(o)](double middle, double thickness,
+                                                 const base::RunContext& ctx) {
+              return offsetLevel(ground, middle, thickness, box, edge, ctx);
+            });
+}
+
+void addSpheres(LevelFamily& family, const geometry::TriangleMesh& part,
+                const GroundDistance& ground, const SubstrateOptions& o,
+                const Eigen::AlignedBox3d& box) {
+  Vector3d centre = o.centre ? *o.centre : centreBelow(part);
+  if (!o.centre)
+    if (const auto ball = ballUnder(footOf(part, ground)))
+      centre = *ball;
+  const geometry::MeshQuery query(part);
+  const Reach reach{query.inside(centre) ? 0.0 : query.closest(centre).distance,
+                    farthest(part, [&](const Vector3d& p) { return (p - centre).norm(); })};
+  family.outward = [centre](const Vector3d& p) -> Vector3d { return (p - centre).normalized(); };
+  addLevels(family, reach, o,
+            [centre, box, edge = levelEdgeMm(o)](double middle, double thickness,
+                                                 const base::RunContext&) {
+              return sphereLevel(centre, middle, thickness, box, edge);
+            });
+}
+
+void addCylinders(LevelFamily& family, const geometry::TriangleMesh& part,
+                  const GroundDistance& ground, const SubstrateOptions& o,
+                  const Eigen::AlignedBox3d& box) {
+  Vector3d centre = o.centre ? *o.centre : centreBelow(part);
+  if (!o.centre)
+    if (const auto fit = cylinderUnder(footOf(part, ground)))
+      centre.tail<2>() = fit->centre;
+  centre.x() = 0.0;
+  const auto radius = [centre](const Vector3d& p) { return (p - centre).tail<2>().norm(); };
+  geometry::TriangleMesh section = part; // seen along the axis
+  for (Vector3d& p : section.vertices)
+    p.x() = 0.0;
+  const Reach reach{geometry::MeshQuery(section).closest(centre).distance, farthest(part, radius)};
+  family.outward = [centre](const Vector3d& p) -> Vector3d {
+    const Vector3d out = p - centre;
+    return Vector3d(0.0, out.y(), out.z()).normalized();
+  };
+  addLevels(family, reach, o,
+            [centre, x0 = box.min().x(), x1 = box.max().x(),
+             edge = levelEdgeMm(o)](double middle, double thickness, const base::RunContext&) {
+              layers::LevelSurface s = cylinderLevel(middle, thickness, x0, x1, edge);
+              for (Vector3d& p : s.surface.vertices)
+                p += centre;
+              return s;
+            });
+}
+
+// A height that the end surface was given, or the part's own.
+double topOf(const geometry::TriangleMesh& part, const EndSurface& end) {
+  return end.heightMm ? *end.heightMm : geometry::bounds(part).max().z();
+}
+
+// Circles from the cylinder that the part stands on, as many as bring layers nearest to the wanted
+// height within the limits.
+std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth, double top,
+                                        const SubstrateOptions& o) {
+  constexpr int kMostLayers = 2000, kAngles = 64;
+  const FlatteningCircle first{start.centre.y() + start.radiusMm, start.radiusMm};
+  const double rise = top - first.topMm;
+  if (!(rise > 0.0))
+    refuse(fmt::format("the end surface is {:.3g} mm over the top of the surface that layers start "
+                       "from",
+                       rise),
+           "give a higher end surface (endSurface)");
+  if (halfWidth >= start.radiusMm)
+    refuse(fmt::format("the part is {:.3g} mm wide, as wide as the cylinder that it stands on",
+                       2.0 * halfWidth),
+           "make the part narrower, or use layerShape=offset");
+  const double side = std::acos(halfWidth / first.radiusMm);
+  std::vector<FlatteningCircle> best;
+  double bestOff = std::numeric_limits<double>::infinity();
+  double least = 0.0, most = 0.0; // of the number of layers that comes nearest to the limits
+  double bestBeyond = std::numeric_limits<double>::infinity();
+  for (int n = 1; n <= kMostLayers && rise / n >= 0.1 * o.heightMinMm; ++n) {
+    std::vector<FlatteningCircle> circles =
+        flatteningToPlane(first, halfWidth, rise / n, n, o.end.radiusMm);
+    double low = std::numeric_limits<double>::infinity(), high = 0.0, sum = 0.0;
+    for (std::size_t k = 0; k + 1 < circles.size(); ++k)
+      for (int i = 0; i <= kAngles; ++i) {
+        const double alpha = side + (0.5 * base::kPi - side) * i / kAngles;
+        const double h = thicknessAt(circles[k], circles[k + 1], alpha);
+        low = std::isfinite(h) ? std::min(low, h) : -1.0;
+        high = std::max(high, h);
+        sum += h / (n * (kAngles + 1.0));
+      }
+    const double beyond = std::max({0.0, o.heightMinMm - low, high - o.heightMaxMm});
+    const double off = std::abs(sum - o.layerHeightMm);
+    if (beyond > bestBeyond || (beyond == bestBeyond && off >= bestOff))
+      continue;
+    bestBeyond = beyond;
+    bestOff = off;
+    least = low;
+    most = high;
+    best = std::move(circles);
+  }
+  constexpr double kSlackMm = 1e-9;
+  if (best.empty() || bestBeyond > kSlackMm)
+    refuse(fmt::format("no number of layers between the surface and its end keeps their thickness "
+                       "within {:g} and {:g} mm: {} layers would be {:.3g} to {:.3g} mm thick",
+                       o.heightMinMm, o.heightMaxMm, best.empty() ? 0 : best.size() - 1, least,
+                       most),
+           "give an end surface that is more like the surface, or a narrower part");
+  return best;
+}
+
+void addCircles(LevelFamily& family, const geometry::TriangleMesh& part, const CircleFit& start,
+                const SubstrateOptions& o, const Eigen::AlignedBox3d& box) {
+  const double across = start.centre.x();
+  double halfWidth = 0.0;
+  for (const Vector3d& p : part.vertices)
+    halfWidth = std::max(halfWidth, std::abs(p.y() - across));
+  const std::vector<FlatteningCircle> circles = circlesOf(start, halfWidth, topOf(part, o.end), o);
+  // A little more than the part, which cuts it; still less than the cylinder.
+  const double width =
+      std::min(halfWidth + 2.0 * levelEdgeMm(o), 0.5 * (halfWidth + start.radiusMm));
+  family.count = static_cast<int>(circles.size()) - 1;
+  family.level = [circles, width, across, x0 = box.min().x(), x1 = box.max().x(),
+                  edge = levelEdgeMm(o)](int k, const base::RunContext&) {
+    const auto i = static_cast<std::size_t>(k);
+    layers::LevelSurface s = circleLevel(circles[i], circles[i + 1], width, x0, x1, edge);
+    for (Vector3d& p : s.surface.vertices)
+      p.y() += across;
+    return s;
+  };
+}
+
+void addFlattening(LevelFamily& family, const geometry::TriangleMesh& part,
+                   const GroundDistance& ground, const SubstrateOptions& o,
+                   const Eigen::AlignedBox3d& box, const base::RunContext& ctx) {
+  const auto cylinder = cylinderUnder(footOf(part, ground));
+  if (cylinder && !o.end.mesh)
+    return addCircles(family, part, *cylinder, o, box);
+  if (!std::isinf(o.end.radiusMm))
+    refuse("the part stands on no cylinder along x, which an end surface radius:R is for",
+           "give endSurface=flat:Z or mesh:FILE");
+  BlendOptions blend;
+  blend.levels = o;
+  blend.endHeightMm = topOf(part, o.end);
+  blend.end = o.end.mesh;
+  const auto levels = std::make_shared<const std::vector<layers::LevelSurface>>(
+      blendLevels(ground, geometry::MeshQuery(part), box, blend, ctx));
+  family.count = static_cast<int>(levels->size());
+  family.level = [levels](int k, const base::RunContext&) {
+    return (*levels)[static_cast<std::size_t>(k)];
+  };
+}
+
+} // namespace
+
+geometry::TriangleMesh partOnBody(const geometry::TriangleMesh& part,
+                                  const geometry::TriangleMesh& body) {
+  std::optional<geometry::TriangleMesh> left = geometry::subtract(part, body);
+  if (!left)
+    refuse("the part is not closed, or cuts itself, where the surface's body is taken out of it",
+           "repair the part first");
+  if (left->empty())
+    refuse("the surface covers the part: nothing of the part is outside its body",
+           "move the part out of the surface, or print it larger");
+  return std::move(*left);
+}
+
+GroundDistance plateGround() {
+  return {[](const Vector3d& p) { return Vector3d(p.x(), p.y(), 0.0); },
+          [](const Vector3d& p) { return p.z() < 0.0; }};
+}
+
+LevelFamily substrateLevels(const geometry::TriangleMesh& part, const GroundDistance& ground,
+                            const SubstrateOptions& o, const base::RunContext& ctx) {
+  base::require(!part.empty(), "a part");
+  LevelFamily family;
+  family.ground = {[ground](const Vector3d& p) { return ground.signedMm(p); }};
+  family.outward = [ground](const Vector3d& p) { return ground.outward(p); };
+  Eigen::AlignedBox3d box = geometry::bounds(part);
+  box.min().array() -= 2.0 * levelEdgeMm(o);
+  box.max().array() += 2.0 * levelEdgeMm(o);
+  switch (o.shape) {
+  case LevelShape::Offset:
+    addOffsets(family, part, ground, o, box);
+    break;
+  case LevelShape::Sphere:
+    addSpheres(family, part, ground, o, box);
+    break;
+  case LevelShape::Cylinder:
+    addCylinders(family, part, ground, o, box);
+    break;
+  case LevelShape::Flatten:
+    addFlattening(family, part, ground, o, box, ctx);
+    break;
+  }
+  return family;
+}
+
+} // namespace voluta::substrate
