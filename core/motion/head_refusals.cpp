@@ -4,11 +4,21 @@
 #include "base/run_context.h"
 #include "motion/nozzle_frame.h"
 
+#include <cmath>
+
 namespace voluta::motion {
 
 namespace {
+
 constexpr std::size_t kChunk = 256;
+constexpr double kSlackMm = 1e-6;
+
+bool beyondRod(const robot::CellRod& rod, const Eigen::Vector3d& tip) {
+  return tip.tail<2>().norm() > rod.printableRadiusMm + kSlackMm ||
+         std::abs(tip.x()) > 0.5 * rod.lengthMm + kSlackMm;
 }
+
+} // namespace
 
 std::vector<std::size_t> headBefore(const plan::ToolPlan& plan) {
   std::vector<std::size_t> before(plan.waypointCount());
@@ -37,6 +47,10 @@ std::vector<Refusal> headRefusals(const MotionScene& scene, const std::vector<st
   std::vector<Refusal> refusals(plan.waypointCount(), Refusal::None);
   base::parallelChunks(ctx, plan.waypointCount(), kChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t i = b; i < e; ++i) {
+      if (scene.cell.rod() && beyondRod(*scene.cell.rod(), plan.position[i])) {
+        refusals[i] = Refusal::BeyondRod;
+        continue;
+      }
       const Eigen::Isometry3d pose =
           toolPose(plan.position[i], carried(uprightTool(), plan.direction[i]));
       const double margin = scene.options.printing.headMm;

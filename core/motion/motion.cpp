@@ -307,7 +307,8 @@ private:
         timeOf[w] = w > 0 ? timeOf[w - 1] : 0.0; // when it would have been its turn
       }
     for (const Refused& r : refused_)
-      if (r.why == Refusal::Unreachable || r.why == Refusal::NoConnection)
+      if (r.why == Refusal::Unreachable || r.why == Refusal::NoConnection ||
+          r.why == Refusal::BeyondRod)
         ++s.unreachable;
       else
         ++s.collisions;

@@ -4,6 +4,7 @@
 // where that does not do.
 #pragma once
 
+#include "base/units.h"
 #include "motion/ladder.h"
 #include "motion/motion_scene.h"
 #include "motion/refusal.h"
@@ -36,22 +37,28 @@ public:
   const PathTimes& times() const { return times_; }
 
 private:
+  static constexpr double kRodStep = 15.0 * base::kPi / 180.0; // of its angle from the upright one
+
   struct Place { // a rung: its waypoint and what is known of its nodes
     std::size_t waypoint;
     bool judged = false;  // all nodes were checked for collisions
-    bool lifted = false;  // nodes from which the arm cannot lift the nozzle were blocked
     bool widened = false; // has nodes for other angles of the rod too
+    bool lifted = false;  // nodes from which the arm cannot lift the nozzle were blocked
     std::vector<std::size_t> unliftable;      // those nodes
     std::vector<collision::Contact> contacts; // why nodes are blocked, where by collision
   };
-  struct Ladder;
+  struct Ladder {
+    std::vector<Place> places;
+    std::vector<Rung> rungs;
+    LadderOptions options;
+  };
 
-  LadderWay bestWay(Ladder& ladder, const Station& from) const;
   struct Course {             // at every waypoint from the first rung's on, rad
     std::vector<double> turn; // about the nozzle, from tools_
     std::vector<double> rod;  // from rod_
   };
 
+  LadderWay bestWay(Ladder& ladder, const Station& from) const;
   // Fills tools_ and rod_. Returns how many of the waypoints the rod can follow without leaving its
   // limits.
   std::size_t carryTools(std::size_t first, std::size_t count, const Station& from);
@@ -73,6 +80,12 @@ private:
             std::vector<RunPoint>& points, std::size_t& failedAt) const;
   std::vector<std::size_t> failures(const std::vector<RunPoint>& points,
                                     const base::RunContext& ctx) const;
+  // Why all of a rung's nodes are of no use.
+  static Refused refusal(const Place& place, const Rung& rung);
+  // Refuses the first rung's waypoint and those up to the last rung that has no node of use either,
+  // whatever the rod's angle; returns how many. On a rod the arm stands nearly still between rungs.
+  std::size_t refuseBlocked(Ladder& ladder, const Station& from, const base::RunContext& ctx,
+                            std::vector<Refused>& refused);
   // Can the arm lift the nozzle from there, far enough for a transfer?
   bool liftable(const Station& station, std::size_t before) const;
   // Blocks the nodes of a path's first or last rung from which it cannot.

@@ -15,6 +15,7 @@ enum class Refusal : std::uint8_t {
   Collision,   // every way to be there meets something: `contact` is the commonest
   HeadPart,    // the head would be in the part, whatever the arm does
   HeadPlatform,
+  BeyondRod,   // further out, or further along, than the cell prints around its rod
   NoConnection // could be reached, but from neither neighbour without a lift
 };
 struct Refused {

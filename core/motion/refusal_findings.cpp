@@ -23,6 +23,8 @@ std::string kindOf(Refusal why) {
     return "unreachable";
   case Refusal::NoConnection:
     return "unconnected";
+  case Refusal::BeyondRod:
+    return "beyondRod";
   default:
     return "collision";
   }
@@ -40,6 +42,10 @@ std::string reasonOf(const Refused& r, const MotionScene& scene) {
     return "the print head would cut into what is printed already";
   case Refusal::HeadPlatform:
     return "the print head would cut into the platform";
+  case Refusal::BeyondRod:
+    return fmt::format("the cell prints up to {:g} mm from the rod's axis and {:g} mm from its "
+                       "middle",
+                       scene.cell.rod()->printableRadiusMm, 0.5 * scene.cell.rod()->lengthMm);
   default:
     return fmt::format("{} would meet {}, however the part is turned about the nozzle",
                        scene.collision.nameOf(r.contact.first),
@@ -57,6 +63,8 @@ std::string remedyOf(Refusal why) {
     return "use a slimmer print head or thinner layers";
   case Refusal::HeadPlatform:
     return "use a smaller platform or place the part higher";
+  case Refusal::BeyondRod:
+    return "scale the part down, or move it along the rod";
   default:
     return "turn the part, use a smaller platform, or allow less clearance";
   }

@@ -107,10 +107,46 @@ TEST_F(Files, cellMistakesNameFileAndKey) {
   EXPECT_THAT(complaint(cell, [](json& j) { j["platform"]["thicknessMm"] = -5; }),
               HasSubstr("'platform.thicknessMm'"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["homeDeg"][2] = 181; }), HasSubstr("'homeDeg[2]'"));
-  EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"] = {1}; }),
-              HasSubstr("'externalAxes'"));
+  const json axis = json::parse(R"({"name": "rail", "minDeg": -9, "maxDeg": 9, "stepDeg": 0,
+      "velocityDegPerS": 1, "accelerationDegPerS2": 1, "end": "unwinds"})");
+  EXPECT_THAT(complaint(cell, [&](json& j) { j["externalAxes"] = json::array({axis}); }),
+              HasSubstr("'externalAxes' must be empty: this cell has no rod"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["obstacles"][0]["name"] = "forearm"; }),
               HasSubstr("'obstacles[0].name'"));
+}
+
+TEST_F(Files, mistakesAboutTheRodNameFileAndKey) {
+  const std::string cell = "cells/lathe.json";
+  EXPECT_EQ(complaint(cell, [](json&) {}), "");
+  const auto axis = [&](const char* key, const json& value) {
+    return complaint(cell, [&](json& j) { j["externalAxes"][0][key] = value; });
+  };
+  EXPECT_THAT(axis("end", "spins"), HasSubstr("'externalAxes[0].end' must be unwinds or runsOn"));
+  EXPECT_THAT(axis("stepDeg", -1), HasSubstr("'externalAxes[0].stepDeg'"));
+  EXPECT_THAT(axis("velocityDegPerS", 0), HasSubstr("'externalAxes[0].velocityDegPerS'"));
+  EXPECT_THAT(axis("minDeg", 10), HasSubstr("'externalAxes[0]' must have 0"));
+  EXPECT_THAT(axis("minDeg", "low"), HasSubstr("'externalAxes[0].minDeg' must be a number"));
+  EXPECT_THAT(axis("speed", 1), HasSubstr("'externalAxes[0].speed'"));
+  EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"].clear(); }),
+              HasSubstr("'externalAxes' must hold one axis"));
+  EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"][0] = 1; }),
+              HasSubstr("'externalAxes[0]' must be an object"));
+  EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"] = "rod"; }),
+              HasSubstr("'externalAxes'"));
+  EXPECT_THAT(complaint(cell, [](json& j) { j["platform"]["rod"]["printableRadiusMm"] = 2; }),
+              HasSubstr("'platform.rod.printableRadiusMm'"));
+  EXPECT_THAT(complaint(cell, [](json& j) { j["platform"]["rod"]["diameterMm"] = 0; }),
+              HasSubstr("'platform.rod.diameterMm'"));
+  EXPECT_THAT(complaint(cell, [](json& j) { j["platform"]["thicknessMm"] = 5; }),
+              HasSubstr("'platform.thicknessMm'"));
+  EXPECT_THAT(complaint(cell, [](json& j) { j["homeDeg"].push_back(0); }),
+              HasSubstr("'homeDeg' must hold 6 joints, holds 7"));
+  EXPECT_THAT(complaint(cell,
+                        [](json& j) {
+                          j["platform"]["mount"] = "flange";
+                          j["nozzle"]["mount"] = "world";
+                        }),
+              HasSubstr("'platform.mount' must be world"));
 }
 
 TEST_F(Files, notJsonOrNotThere) {
