@@ -10,8 +10,13 @@
 //   Joint          MoveAbsJ [[q1...q6],[9E9,...]] with \T:=; MoveJ to a pose in a program for
 //                  another maker's robot. The first point is reached at kStartMmPerS.
 // Moving nozzle: TCP = the nozzle's tip, work object = the work frame. Nozzle in the world: TCP =
-// the plate's centre, as in URScript, work object = Base. Nothing is written for external axes
-// (9E9); configurations are not supervised (ConfL\Off, ConfJ\Off), cf1..cf6 are the plan's.
+// the plate's centre, as in URScript, work object = Base. Configurations are not supervised
+// (ConfL\Off, ConfJ\Off), cf1..cf6 are the plan's.
+// A rod that turns is a mechanical unit of the axis' name: ActUnit, work object [FALSE,FALSE,
+// "rod",...] with eax_a in degrees in every target, as whole turns add up; positions and speeds
+// are then those on the part, and the controller turns rod and arm together. Its frame has z along
+// the axis (workToUnit). The other external axes, and all of them elsewhere, are 9E9. A controller
+// keeps a number to 24 bits: eax_a to 0.008 degrees beyond 364 turns, half of that below.
 // The extruder is on while the digital output doExtruder is, with a flow of aoFlow (0..1) x
 // process.maxFlowMm3PerS; more than the full flow slows the motion. Zones: TcpMotions::blendMm in
 // position, turn and external axes alike. Prime: as in URScript.
@@ -24,6 +29,7 @@
 #include "plan/program.h"
 #include "program/program_input.h"
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -33,16 +39,21 @@ namespace voluta::program {
 
 inline constexpr std::size_t kMotionsPerModule = 5000;
 
+// In the work frame of a rod, whose x is its axis, the frame of the mechanical unit that turns it,
+// whose z is: its x and y are the work frame's y and z.
+Eigen::Isometry3d workToUnit();
+
 plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood: a module's declarations (tooldata, wobjdata, speeddata, zonedata, robtarget,
 // jointtarget as literals or by name, before their use), one procedure, MoveL, MoveJ, MoveAbsJ,
-// SetDO, SetAO, WaitTime, ConfL\Off, ConfJ\Off, AccSet, TPErase, TPWrite, Load, UnLoad and the call
-// of what was loaded; statements over any lines, comments, letters of either case, v5..v7000,
-// z0..z200. Everything else is a defect, and so are line ends other than CR LF, external axes, a
-// quaternion off its length and a tool or work object that does not fit the other. Where turning
-// takes longer than the way (v_ori), the motion's time is that. `complete`: every module was ended
-// and run, the extruder's outputs off behind its last motion.
+// SetDO, SetAO, WaitTime, ConfL\Off, ConfJ\Off, AccSet, TPErase, TPWrite, ActUnit, DeactUnit, Load,
+// UnLoad and the call of what was loaded; statements over any lines, comments, letters of either
+// case, v5..v7000, z0..z200. Everything else is a defect, and so are line ends other than CR LF,
+// external axes but an eax_a that moves the work object, a quaternion off its length and a tool or
+// work object that does not fit the other. Targets in a work object that moves are WorkPose. Where
+// turning takes longer than the way (v_ori, v_reax), the motion's time is that. `complete`: every
+// module was ended and run, the extruder's outputs off behind its last motion.
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx);
 bool looksLikeRapid(std::string_view text);

@@ -35,18 +35,18 @@ std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_vie
   static constexpr double kZones[] = {0, 1, 5, 10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200};
   if (type == "speeddata") {
     if (const double v = named('v', kSpeeds); v > 0.0)
-      return RapidData{"[nnnn]", {v, 500, 5000, 1000}};
+      return RapidData{"[nnnn]", {v, 500, 5000, 1000}, ""};
   } else if (type == "zonedata") {
     if (name == "fine")
-      return RapidData{"[bnnnnnn]", {1, 0, 0, 0, 0, 0, 0}};
+      return RapidData{"[bnnnnnn]", {1, 0, 0, 0, 0, 0, 0}, ""};
     if (const double z = named('z', kZones); z >= 0.0) {
       const double tcp = z > 0.0 ? z : 0.3, turn = z > 1.0 ? 1.5 * z : tcp;
-      return RapidData{"[bnnnnnn]", {0, tcp, turn, turn, 0.1 * turn, turn, 0.1 * turn}};
+      return RapidData{"[bnnnnnn]", {0, tcp, turn, turn, 0.1 * turn, turn, 0.1 * turn}, ""};
     }
   } else if (type == "tooldata" && name == "tool0") {
-    return RapidData{"", {1, 0, 0, 0, 1, 0, 0, 0}};
+    return RapidData{"", {1, 0, 0, 0, 1, 0, 0, 0}, ""};
   } else if (type == "wobjdata" && name == "wobj0") {
-    return RapidData{"", {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}};
+    return RapidData{"", {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}, ""};
   }
   return std::nullopt;
 }

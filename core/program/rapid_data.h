@@ -13,6 +13,7 @@ namespace voluta::program {
 struct RapidData {
   std::string shape;
   std::vector<double> numbers;
+  std::string text; // of its string, in small letters
 };
 
 // The shape of a type's literals; empty: a type that is not known. `type` in small letters.

@@ -12,12 +12,14 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace voluta::program {
 
 namespace {
 constexpr double kUnused = 9e9; // an external axis that is none
 constexpr double kMostMm = 1e5, kMostDegrees = 6000.0, kMostSeconds = 1e5;
+constexpr double kMostExternalDegrees = 1e7;
 constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
 constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
 
@@ -289,6 +291,7 @@ private:
       data.shape += 'n';
     } else if (token_.kind == RapidTokenKind::Text) {
       value = token_.text.empty() ? 0.0 : 1.0;
+      data.text = inSmallLetters(token_.text);
       data.shape += 's';
       advance();
     } else if (isWord("true") || isWord("false")) {
@@ -336,12 +339,16 @@ private:
     // Both say whether the robot holds it; what it holds must be the tool.
     if (type == "tooldata" && data.numbers[0] != 1.0)
       return fail("a tool that the robot does not hold is not read");
-    if (type == "wobjdata" &&
-        (data.numbers[0] != 0.0 || data.numbers[1] != 1.0 || data.numbers[2] != 0.0))
-      return fail("a work object that moves is not read");
+    if (type == "wobjdata" && data.numbers[0] != 0.0)
+      return fail("a work object that the robot holds is not read");
+    if (type == "wobjdata" && isMoved(data) == data.text.empty())
+      return fail("a work object is moved by the mechanical unit that it names, or stands still");
     return declared_.try_emplace(std::move(name), Declared{type, std::move(data)}).second ||
            fail("a name is declared twice");
   }
+
+  // Does a mechanical unit move the work object?
+  static bool isMoved(const RapidData& object) { return object.numbers[1] == 0.0; }
 
   // Position and turn from numbers[at].
   bool poseOf(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose) {
@@ -374,6 +381,8 @@ private:
       return output("aoflow", [&](double v) { return analogue(v); });
     if (word == "confl" || word == "confj")
       return supervision(word == "confl" ? linearOff_ : jointOff_);
+    if (word == "actunit" || word == "deactunit")
+      return unit(word == "actunit");
     if (word == "load" || word == "unload")
       return load(word == "load");
     double number = 0.0;
@@ -416,6 +425,17 @@ private:
       return false;
     off = state == "off";
     return off || state == "on";
+  }
+
+  bool unit(bool active) {
+    std::string name;
+    if (!takeName(name) || !takeEnd())
+      return false;
+    if (active)
+      activeUnits_.insert(std::move(name));
+    else
+      activeUnits_.erase(name);
+    return true;
   }
 
   // Load\Dynamic,"HOME:"\File:="part_1.mod"; its procedure is then called by %"name"%.
@@ -468,10 +488,8 @@ private:
       return false;
     if (!takeEnd())
       return false;
-    if (std::any_of(target.numbers.end() - 6, target.numbers.end(),
-                    [](double external) { return external != kUnused; }))
-      return fail("external axes are not read");
-    if (!targetOf(m, target.numbers, tool.numbers, object.numbers) || !zoneOf(m, zone.numbers) ||
+    if (!externalOf(m, target.numbers, object) ||
+        !targetOf(m, target.numbers, tool.numbers, object) || !zoneOf(m, zone.numbers) ||
         !speedOf(m, speed.numbers, timed))
       return false;
     if (!absolute && !(m.jointInterpolated ? jointOff_ : linearOff_))
@@ -479,14 +497,38 @@ private:
     if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
       defect("the extruder's outputs are not set before this motion");
     last_ = absolute ? std::nullopt : std::optional(m.frame_T_tcp);
+    lastKind_ = m.target;
+    lastExternal_ = m.externals;
     out_.motions.push_back(std::move(m));
     return true;
   }
 
+  // eax_a, where the motion's work object is moved by it.
+  bool externalOf(plan::ProgramMotion& m, const std::vector<double>& target,
+                  const RapidData& object) {
+    const std::size_t first = target.size() - 6;
+    const double degrees = target[first];
+    if (std::any_of(target.begin() + static_cast<std::ptrdiff_t>(first) + 1, target.end(),
+                    [](double external) { return external != kUnused; }))
+      return fail("external axes other than eax_a are not read");
+    if (isMoved(object) != (degrees != kUnused))
+      return fail(isMoved(object) ? "eax_a is missing: an external axis moves the work object"
+                                  : "an external axis that moves no work object is not read");
+    if (!isMoved(object))
+      return true;
+    if (!(std::abs(degrees) <= kMostExternalDegrees))
+      return fail("an external axis far outside any limit");
+    if (!activeUnits_.contains(object.text))
+      defect(joined({"the mechanical unit '", object.text, "' is not active: ActUnit"}));
+    m.externals = {base::degreesToRadians(degrees)};
+    return true;
+  }
+
   bool targetOf(plan::ProgramMotion& m, const std::vector<double>& target,
-                const std::vector<double>& tool, const std::vector<double>& object) {
+                const std::vector<double>& tool, const RapidData& object) {
     Eigen::Isometry3d tcp, user, frame, pose;
-    if (!poseOf(tool, 1, tcp) || !poseOf(object, 3, user) || !poseOf(object, 10, frame))
+    if (!poseOf(tool, 1, tcp) || !poseOf(object.numbers, 3, user) ||
+        !poseOf(object.numbers, 10, frame))
       return false;
     if (target.size() == 12) {
       m.target = plan::TargetKind::Joints;
@@ -495,14 +537,16 @@ private:
           return fail("a joint value far outside any limit");
         m.joints.push_back(base::degreesToRadians(target[k]));
       }
+      m.joints.insert(m.joints.end(), m.externals.begin(), m.externals.end());
     } else {
       if (!poseOf(target, 0, pose))
         return false;
       for (std::size_t k = 7; k < 11; ++k)
         if (!(std::abs(target[k]) <= 100.0 && target[k] == std::floor(target[k])))
           return fail("a configuration is whole quarters of a turn");
-      m.target = plan::TargetKind::FlangePose;
-      m.frame_T_tcp = user * frame * pose;
+      // The user frame of one that moves is the mechanical unit's own.
+      m.target = isMoved(object) ? plan::TargetKind::WorkPose : plan::TargetKind::FlangePose;
+      m.frame_T_tcp = (isMoved(object) ? workToUnit() : user) * frame * pose;
     }
     if (toolSet_ && !tcp.isApprox(out_.flange_T_tcp, 1e-9))
       return fail("a second, different tool");
@@ -531,14 +575,18 @@ private:
       return (m.durationS > 0.0 && m.durationS <= kMostSeconds) ||
              fail("a time is no sensible number");
     m.speedMmPerS = speed[0];
-    if (m.jointInterpolated || !last_)
+    if (m.jointInterpolated || !last_ || lastKind_ != m.target)
       return true;
     const double way = (m.frame_T_tcp.translation() - last_->translation()).norm() / speed[0];
     const double turn =
         base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
                                    .angularDistance(Eigen::Quaterniond(last_->linear())));
-    if (turn / speed[1] > way + 1e-9) {
-      m.durationS = turn / speed[1];
+    double waits = turn / speed[1];
+    if (!m.externals.empty())
+      waits = std::max(waits, base::radiansToDegrees(std::abs(m.externals[0] - lastExternal_[0])) /
+                                  speed[3]);
+    if (waits > way + 1e-9) {
+      m.durationS = waits;
       m.speedMmPerS = 0.0;
     }
     return true;
@@ -560,7 +608,11 @@ private:
   bool called_ = false;     // what is loaded
   bool procedure_ = false, procedureEnded_ = false, linearOff_ = false, jointOff_ = false;
   bool toolSet_ = false;
-  std::optional<Eigen::Isometry3d> last_; // frame_T_tcp of the last motion, where it is known
+  std::set<std::string, std::less<>> activeUnits_;
+  // Of the last motion, where its pose is known.
+  std::optional<Eigen::Isometry3d> last_; // frame_T_tcp
+  plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;
+  std::vector<double> lastExternal_;
   ReadOutputs outputs_;
 };
 

@@ -23,6 +23,8 @@ constexpr double kTurnDegPerS = 500.0;
 // A module without a place where the extruder is off is cut at this many motions.
 constexpr std::size_t kMostMotions = kMotionsPerModule + kMotionsPerModule / 10;
 constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
+constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
+constexpr double kRodDegPerS = 1000.0;
 
 // No name of the controller's own language and data begins like this.
 std::string moduleName(const std::string& name, std::size_t part) {
@@ -37,7 +39,7 @@ public:
   RapidWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
         paths_(input.toolPlan), name_(identifierOf(input.name)),
-        tool_(heldPlate() ? "tPlate" : "tNozzle") {
+        tool_(heldPlate() ? "tPlate" : "tNozzle"), object_(turnsRod() ? "wRod" : "wPrint") {
     program_.format = "rapid";
     program_.foreign = isForeign(findDialect("rapid"), input.cell);
   }
@@ -73,6 +75,10 @@ public:
 
 private:
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
+  bool turnsRod() const { return !in_.cell.externalAxes().empty(); }
+  std::string unit() const { return identifierOf(in_.cell.externalAxes().front().name); }
+  // Radians. Precondition: turnsRod().
+  double rodAngle(std::size_t i) const { return in_.trajectory.at(i)[in_.cell.armDof()]; }
 
   void line(std::string_view text) {
     out_ += text;
@@ -105,13 +111,22 @@ private:
     out_ += ']';
   }
 
-  Eigen::Isometry3d workObject() const {
-    return heldPlate() ? Eigen::Isometry3d::Identity() : in_.cell.base_T_fixed();
+  // Where the work object is at point i, in Base.
+  Eigen::Isometry3d workObject(std::size_t i) const {
+    if (heldPlate())
+      return Eigen::Isometry3d::Identity();
+    return in_.cell.base_T_work(
+        Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof));
   }
   void placeInWorkObject() {
-    const Eigen::Isometry3d object_T_base = workObject().inverse();
-    const Eigen::Quaterniond turn(object_T_base.linear());
-    for (MotionTarget& target : targets_) {
+    Eigen::Isometry3d object_T_base = workObject(0).inverse();
+    Eigen::Quaterniond turn(object_T_base.linear());
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      if (i > 0 && turnsRod()) {
+        object_T_base = workObject(i).inverse();
+        turn = Eigen::Quaterniond(object_T_base.linear());
+      }
+      MotionTarget& target = targets_[i];
       target.tcpMm = object_T_base * target.tcpMm;
       target.tcpTurn = (turn * target.tcpTurn).normalized();
       for (int k = 0; k < 3; ++k)
@@ -138,13 +153,12 @@ private:
     line(joined({"MODULE ", moduleName(name_, 0)}));
     about();
     declareTool();
-    out_ += "  PERS wobjdata wPrint:=[FALSE,TRUE,\"\",";
-    frame(workObject());
-    out_ += ",[[0,0,0],[1,0,0,0]]];";
-    out_ += kNewLine;
+    declareObject();
     line("  PROC main()");
     line("    ConfL\\Off;");
     line("    ConfJ\\Off;");
+    if (turnsRod())
+      line(joined({"    ActUnit ", unit(), ";"}));
     outputsOff();
   }
   void beginModule(std::size_t part) {
@@ -183,10 +197,13 @@ private:
       line("  ! FOREIGN: not the language of the cell's controller; Cartesian targets only");
     line(joined({"  ! cell ", cell.id(), ", robot ", cell.robot().id, ", process ", p.id, " (",
                  p.material, ")"}));
-    line(heldPlate() ? "  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in "
-                       "the robot's base"
-                     : "  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's "
-                       "work object");
+    if (heldPlate())
+      line("  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in the robot's "
+           "base");
+    else if (turnsRod())
+      aboutRod();
+    else
+      line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object");
     out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
     number(p.maxFlowMm3PerS, 3);
     line(" mm3/s");
@@ -197,6 +214,38 @@ private:
     line(" s");
     if (cuts_.size() > 2)
       line("  ! the modules that it loads are to be put into HOME:");
+  }
+
+  void aboutRod() {
+    line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the work object that turns "
+         "with the rod");
+    out_ +=
+        joined({"  ! the rod is the mechanical unit ", unit(), ", its angle eax_a, its frame "});
+    frame(in_.cell.base_T_fixed() * workToUnit());
+    line(" of the robot's base");
+    double low = 0.0, high = 0.0;
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      low = std::min(low, rodAngle(i));
+      high = std::max(high, rodAngle(i));
+    }
+    out_ += "  ! it turns from ";
+    number(base::radiansToDegrees(low), 1);
+    out_ += " to ";
+    number(base::radiansToDegrees(high), 1);
+    line(" degrees");
+  }
+
+  void declareObject() {
+    out_ += joined({"  PERS wobjdata ", object_, ":=[FALSE,"});
+    if (turnsRod()) {
+      out_ += joined({"FALSE,\"", unit(), "\",[[0,0,0],[1,0,0,0]],"});
+      frame(workToUnit().inverse());
+    } else {
+      out_ += "TRUE,\"\",";
+      frame(workObject(0));
+      out_ += ",[[0,0,0],[1,0,0,0]]";
+    }
+    line("];");
   }
 
   void declareTool() {
@@ -252,22 +301,35 @@ private:
     const bool joint = i == 0 || t.move[i] == plan::MoveKind::Joint;
     if (joint && !program_.foreign) {
       out_ += "    MoveAbsJ [";
-      for (int k = 0; k < t.dof; ++k) {
+      for (int k = 0; k < in_.cell.armDof(); ++k) {
         out_ += k ? ',' : '[';
         number(base::radiansToDegrees(t.at(i)[k]), kDegreeDecimals);
       }
-      out_ += joined({"],", kNoExternals, "]\\NoEOffs"});
+      out_ += "],";
+      externals(i);
+      out_ += "]\\NoEOffs";
     } else {
       out_ += joint ? "    MoveJ [" : "    MoveL [";
       position(targets_[i].tcpMm, kPositionDecimals);
       out_ += ',';
       turn(targets_[i].tcpTurn, kTurnDecimals);
       configuration(i);
-      out_ += joined({kNoExternals, "]"});
+      externals(i);
+      out_ += ']';
     }
     speed(i, joint);
     zone(joint || lastOfModule ? 0.0 : motions_.blendMm(i));
-    line(joined({",", tool_, "\\WObj:=wPrint;"}));
+    line(joined({",", tool_, "\\WObj:=", object_, ";"}));
+  }
+
+  void externals(std::size_t i) {
+    if (!turnsRod()) {
+      out_ += kNoExternals;
+      return;
+    }
+    out_ += '[';
+    number(base::radiansToDegrees(rodAngle(i)), kExternalDecimals);
+    out_ += ",9E9,9E9,9E9,9E9,9E9]";
   }
 
   // Quarters of a turn of axes 1, 4 and 6; another maker's axes say nothing here.
@@ -287,18 +349,25 @@ private:
     const double s = joint ? motionSeconds(in_.trajectory, i) : motions_.seconds(i);
     const bool timed = s > 0.0 && (joint || motions_.needsTime(i));
     double mmPerS = i == 0 ? kStartMmPerS : in_.process.travelSpeedMmPerS;
-    double degPerS = kTurnDegPerS;
+    double degPerS = kTurnDegPerS, rodDegPerS = kRodDegPerS;
     if (s > 0.0 && !timed) {
       mmPerS = motions_.speedMmPerS(i);
-      // The turn must not be what the motion waits for.
+      // Turns must not be what the motion waits for.
       const double turnRad = targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn);
-      degPerS = std::max(degPerS, std::ceil(1.05 * base::radiansToDegrees(turnRad) / s));
+      const auto never = [&](double least, double rad) {
+        return std::max(least, std::ceil(1.05 * base::radiansToDegrees(rad) / s));
+      };
+      degPerS = never(degPerS, turnRad);
+      if (turnsRod())
+        rodDegPerS = never(rodDegPerS, std::abs(rodAngle(i) - rodAngle(i - 1)));
     }
     out_ += ",[";
     number(mmPerS, kSpeedDecimals);
     out_ += ',';
     number(degPerS, 0);
-    out_ += ",5000,1000]";
+    out_ += ",5000,";
+    number(rodDegPerS, 0);
+    out_ += ']';
     if (timed) {
       out_ += "\\T:=";
       number(s, kSecondDecimals);
@@ -324,12 +393,19 @@ private:
   TcpMotions motions_;
   PathNames paths_;
   plan::Program program_;
-  std::string name_, tool_, out_;
+  std::string name_, tool_, object_, out_;
   std::vector<std::size_t> cuts_;
   WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
 };
 
 } // namespace
+
+Eigen::Isometry3d workToUnit() {
+  Eigen::Isometry3d work_T_unit = Eigen::Isometry3d::Identity();
+  work_T_unit.linear() << Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(),
+      Eigen::Vector3d::UnitX();
+  return work_T_unit;
+}
 
 plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx) {
   return RapidWriter(input, ctx).write();

@@ -18,8 +18,8 @@ inline constexpr double kBlendToleranceMm = 0.002;
 double assumedLoadKg(const ProgramInput& input);
 
 // `targets`: one a point, their tcpMm as the program writes them, so that rounding doesn't become
-// speed; in any fixed frame. The caller keeps both alive. Points are indices >= 0; motion i ends at
-// point i.
+// speed; in the frame in which the program moves it straight. The caller keeps both alive. Points
+// are indices >= 0; motion i ends at point i.
 class TcpMotions {
 public:
   TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets)

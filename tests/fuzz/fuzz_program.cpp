@@ -3,18 +3,24 @@
 
 #include "program/dialect.h"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace voluta;
 
 namespace {
 
-plan::Trajectory sampleTrajectory() {
+// `external`: with an external axis behind the arm's.
+plan::Trajectory sampleTrajectory(bool external) {
   plan::Trajectory t;
-  t.dof = 6;
+  t.dof = external ? 7 : 6;
   constexpr int kPoints = 8;
   for (int i = 0; i < kPoints; ++i) {
     const bool prints = i > 2 && i + 1 < kPoints;
     const double turn = 0.002 * i;
     t.joints.insert(t.joints.end(), {0.1 + turn, -1.9, 1.7, -1.2, -1.4, 0.3});
+    if (external)
+      t.joints.push_back(100.0 * turn);
     t.timeS.push_back(0.5 * i);
     t.extrudedMm3.push_back(prints ? t.extrudedMm3.back() + 0.8
                                    : (i == 0 ? 0.0 : t.extrudedMm3.back()));
@@ -31,17 +37,21 @@ plan::Trajectory sampleTrajectory() {
 std::vector<std::string> fuzz::seeds() {
   ::setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
   const process::Process process = process::loadProcess("fdm-1.0");
-  const robot::Cell cell = robot::loadCell("ur5-fixed", process, {{-9, -9}, {9, -9}, {0, 9}});
-  const plan::Trajectory trajectory = sampleTrajectory();
+  const robot::Cell cells[] = {robot::loadCell("ur5-fixed", process, {{-9, -9}, {9, -9}, {0, 9}}),
+                               robot::loadCell("lathe", process, {})};
   plan::ToolPlan toolPlan;
   toolPlan.position.assign(4, Eigen::Vector3d::Zero());
   toolPlan.direction.assign(4, Eigen::Vector3d::UnitZ());
   toolPlan.paths.push_back({.first = 0, .count = 4, .layer = 1});
   std::vector<std::string> texts;
-  for (const program::Dialect& dialect : program::dialects())
-    for (const plan::ProgramFile& file :
-         program::writeProgram(dialect.id, {toolPlan, trajectory, cell, process, "part", 0}).files)
-      texts.push_back(file.text);
+  for (const robot::Cell& cell : cells) {
+    const plan::Trajectory trajectory = sampleTrajectory(!cell.externalAxes().empty());
+    for (const program::Dialect& dialect : program::dialects())
+      for (const plan::ProgramFile& file :
+           program::writeProgram(dialect.id, {toolPlan, trajectory, cell, process, "part", 0})
+               .files)
+        texts.push_back(file.text);
+  }
   return texts;
 }
 
@@ -53,7 +63,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const plan::ReadProgram read = program::readProgram(dialect.id, {{"input", text}}, process);
     fuzz::expect(read.defects.size() <= program::kMaxDefects, "defects are not listed without end");
     for (const plan::ProgramMotion& motion : read.motions)
-      fuzz::expect(motion.position.allFinite() && motion.frame_T_tcp.matrix().allFinite(),
+      fuzz::expect(motion.position.allFinite() && motion.frame_T_tcp.matrix().allFinite() &&
+                       std::all_of(motion.externals.begin(), motion.externals.end(),
+                                   [](double angle) { return std::abs(angle) < 1e6; }),
                    "motions lead to places");
   }
   return 0;

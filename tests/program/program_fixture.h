@@ -7,6 +7,7 @@
 #include "robot/cell.h"
 #include "support/temporary_folder.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <optional>
@@ -27,6 +28,17 @@ inline constexpr const char* kCellJson = R"({
   "obstacles": [], "homeDeg": [0, 0, 0, 0, 0, 0], "neverMeet": [], "externalAxes": []
 })";
 
+// An IRB 1200 whose nozzle moves over a rod that lies across in front of it.
+inline constexpr const char* kRodCellJson = R"({
+  "id": "bench", "label": "bench", "robot": "irb1200",
+  "nozzle": {"mount": "flange", "pose": {"xyzMm": [0, 0, 200]}},
+  "platform": {"mount": "world", "pose": {"xyzMm": [400, 0, 350], "rpyDeg": [0, 0, 90]},
+               "rod": {"diameterMm": 5, "lengthMm": 200, "printableRadiusMm": 50}},
+  "obstacles": [], "homeDeg": [0, 0, 0, 0, 0, 0], "neverMeet": [],
+  "externalAxes": [{"name": "rod", "minDeg": -360000, "maxDeg": 360000, "velocityDegPerS": 720,
+                    "accelerationDegPerS2": 8400, "stepDeg": 0.1125, "end": "runsOn"}]
+})";
+
 class Programs : public ::testing::Test {
 protected:
   void SetUp() override {
@@ -36,6 +48,12 @@ protected:
     base::writeFile(folder / "bench.json", kCellJson);
     cell_.emplace(robot::Cell::read(folder / "bench.json", process_,
                                     {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
+  }
+
+  void useRod() {
+    const TemporaryFolder folder;
+    base::writeFile(folder / "bench.json", kRodCellJson);
+    cell_.emplace(robot::Cell::read(folder / "bench.json", process_, {}));
   }
 
   void append(plan::MoveKind move, const std::vector<double>& q, double seconds, double volume) {
@@ -78,6 +96,40 @@ protected:
     }
     plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
+  }
+
+  // Likewise on the rod, which turns by whole steps and turn after turn.
+  void appendRandomOnRod(unsigned seed, std::size_t points) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::vector<double> q = {0.1, -0.1, 0.3, 0.1, 1.2, 0.3, 0.0}, drift(6);
+    const double step = cell_->externalAxes().front().stepRad;
+    double steps = 0.0;
+    std::size_t waypoint = plan_.waypointCount();
+    for (std::size_t i = 0; i < points; ++i) {
+      const std::size_t phase = i % 40;
+      if (phase == 1)
+        for (double& d : drift)
+          d = 2e-4 * (unit(random) - 0.5);
+      for (std::size_t k = 0; k < 6; ++k)
+        q[k] += phase < 3 ? 0.02 * (unit(random) - 0.5) : drift[k] + 1e-4 * (unit(random) - 0.5);
+      steps += std::round(60.0 * unit(random));
+      q[6] = step * steps;
+      const double volume = phase < 3 || phase == 39 ? 0.0 : 0.05 + 0.2 * unit(random);
+      const auto move = phase < 2                   ? plan::MoveKind::Joint
+                        : phase == 2 || phase == 39 ? plan::MoveKind::Linear
+                                                    : plan::MoveKind::Print;
+      append(move, q, volume / 30.0 + 0.05 + 0.1 * unit(random), volume);
+      if (move == plan::MoveKind::Print || phase == 2) {
+        if (phase == 2)
+          plan_.paths.push_back(
+              {.first = waypoint, .count = 0, .layer = static_cast<int>(i / 400)});
+        ++plan_.paths.back().count;
+        trajectory_.waypoint.back() = waypoint++;
+      }
+    }
+    plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
+    plan_.direction.assign(waypoint, Eigen::Vector3d::UnitX());
   }
 
   program::ProgramInput input() const {

@@ -347,5 +347,140 @@ TEST_F(Rapid, namesKeepClearOfTheLanguage) {
   }
 }
 
+// A module whose work object turns with the unit rod; the body begins in line 8.
+std::string rodModule(const std::string& body, const std::string& object = "FALSE,\"rod\"") {
+  std::string text = module(body);
+  const auto put = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  put("[FALSE,TRUE,\"\",[[400,0,0],[1,0,0,0]],[[0,0,10],[1,0,0,0]]]",
+      "[FALSE," + object + ",[[7,7,7],[1,0,0,0]],[[0,0,10],[0.5,-0.5,-0.5,-0.5]]]");
+  put("ConfJ\\Off;", "ConfJ\\Off; ActUnit Rod;");
+  return text;
+}
+constexpr const char* kRodMove =
+    "MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[-720.1125,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1\\WObj:=w1;\n";
+
+TEST(RapidReader, placesTargetsInTheWorkFrameThatTheRodTurns) {
+  const auto program = read(rodModule(
+      std::string("MoveAbsJ [[0,0,0,0,90,0],[360,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1\\WObj:=w1;\n") +
+      kRodMove));
+  expectSound(program);
+  ASSERT_EQ(program.motions.size(), 2u);
+  EXPECT_EQ(program.motions[0].joints.size(), 7u);
+  EXPECT_NEAR(program.motions[0].joints[6], 2.0 * base::kPi, 1e-12);
+  const plan::ProgramMotion& m = program.motions[1];
+  EXPECT_EQ(m.target, plan::TargetKind::WorkPose);
+  ASSERT_EQ(m.externals.size(), 1u);
+  EXPECT_NEAR(m.externals[0], -base::degreesToRadians(720.1125), 1e-12);
+  // The object lies 10 mm along the unit's axis, which is the work frame's x; its axes are the work
+  // frame's. The user frame of the text says nothing.
+  EXPECT_LE((m.frame_T_tcp.translation() - Eigen::Vector3d(11, 2, 3)).norm(), 1e-12);
+  EXPECT_TRUE(m.frame_T_tcp.linear().isIdentity(1e-12));
+}
+
+TEST(RapidReader, namesWhatOfARodItCannotTake) {
+  const struct {
+    std::string text;
+    std::size_t line;
+    const char* part;
+  } cases[] = {
+      {rodModule(kMove), 8, "eax_a is missing"},
+      {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[0,0,9E9,9E9,9E9,9E9]],v100,fine,t1\\WObj:=w1;"
+                 "\n"),
+       8, "other than eax_a"},
+      {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[2E7,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1"
+                 "\\WObj:=w1;\n"),
+       8, "limit"},
+      {rodModule("DeactUnit ROD;\n" + std::string(kRodMove)), 9, "'rod' is not active"},
+      {rodModule(kRodMove, "FALSE,\"table\""), 8, "'table' is not active"},
+      {rodModule(kRodMove, "FALSE,\"\""), 3, "mechanical unit"},
+      {rodModule(kRodMove, "TRUE,\"rod\""), 3, "mechanical unit"},
+      {module(kRodMove), 8, "moves no work object"},
+      {rodModule("ActUnit;\n"), 8, "not understood"},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.text);
+    expectDefect(read(c.text), c.line, c.part);
+  }
+}
+
+TEST(RapidReader, turnsTheRodNoFasterThanItsSpeedSays) {
+  const std::string turned =
+      "MoveL [[1,2,4],[1,0,0,0],[0,0,0,0],[-360.1125,9E9,9E9,9E9,9E9,9E9]],[1,500,5000,90],fine,"
+      "t1\\WObj:=w1;\n";
+  const auto program = read(rodModule(kRodMove + turned));
+  expectSound(program);
+  EXPECT_NEAR(program.motions[1].durationS, 4.0, 1e-9); // a turn; the way takes 1 s
+}
+
+TEST_F(Rapid, onARodPositionsAreThePartsAndTheRodIsAnExternalAxis) {
+  useRod();
+  const double d = base::kPi / 180.0;
+  // The nozzle 159.1 mm over the rod's axis and 49 mm before it, pointing down.
+  append(plan::MoveKind::Joint, {0, 0, 0, 0, 90 * d, 0, 0}, 0.0, 0.0);
+  append(plan::MoveKind::Linear, {0, 0, 0, 0, 90 * d, 0, -90 * d}, 0.5, 0.0);
+  append(plan::MoveKind::Linear, {0, 0, 0, 0, 90 * d, 0, -90.1125 * d}, 0.005, 0.0);
+  const plan::Program program = writeProgram("rapid", input());
+  EXPECT_FALSE(program.foreign);
+  const std::string& text = program.files[0].text;
+  for (const char* line :
+       {"  ! the rod is the mechanical unit rod, its angle eax_a, its frame "
+        "[[400,0,350],[0,0,0.707106781,0.707106781]] of the robot's base\r\n",
+        "  PERS wobjdata wRod:=[FALSE,FALSE,\"rod\",[[0,0,0],[1,0,0,0]],[[0,0,0],"
+        "[0.5,-0.5,-0.5,-0.5]]];\r\n",
+        "    ActUnit rod;\r\n",
+        "    MoveAbsJ [[0,0,0,0,90,0],[0,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,[100,500,5000,1000],fine,"
+        "tNozzle\\WObj:=wRod;\r\n",
+        // A quarter turn carries (49, 159.1) to (-159.1, 49).
+        "    MoveL [[0,-159.1,49],[0.5,-0.5,-0.5,-0.5],[0,0,0,0],[-90,9E9,9E9,9E9,9E9,9E9]],"
+        "[470.8614,500,5000,1000],fine,tNozzle\\WObj:=wRod;\r\n",
+        ",[-90.1125,9E9,9E9,9E9,9E9,9E9]],"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+}
+
+TEST_F(Rapid, aRodsProgramComesBack) {
+  useRod();
+  appendRandomOnRod(31, 12100);
+  const plan::Program program = writeProgram("rapid", input());
+  ASSERT_EQ(program.files.size(), 5u);
+  for (const plan::ProgramFile& file : program.files)
+    for (std::size_t i = 0; i < file.text.size(); ++i) {
+      ASSERT_EQ(file.text[i] == '\r', i + 1 < file.text.size() && file.text[i + 1] == '\n');
+      ASSERT_TRUE(file.text[i] != '\n' || file.text[i - 1] == '\r');
+    }
+  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  expectSound(back);
+  ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < back.motions.size(); ++i) {
+    const plan::ProgramMotion& m = back.motions[i];
+    const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(trajectory_.at(i), 7);
+    ASSERT_EQ(m.jointInterpolated, trajectory_.move[i] == plan::MoveKind::Joint);
+    if (m.target == plan::TargetKind::Joints) {
+      ASSERT_LE((Eigen::Map<const Eigen::VectorXd>(m.joints.data(), 7) - q).cwiseAbs().maxCoeff(),
+                1e-8);
+      continue;
+    }
+    ASSERT_EQ(m.target, plan::TargetKind::WorkPose);
+    ASSERT_NEAR(m.externals.at(0), q[6], 1e-9); // whole steps have four decimals
+    const Eigen::Isometry3d planned = cell_->work_T_tool(q);
+    ASSERT_LE((m.frame_T_tcp.translation() - planned.translation()).norm(), 1e-3);
+    ASSERT_LE(Eigen::AngleAxisd(planned.linear().transpose() * m.frame_T_tcp.linear()).angle(),
+              1e-5);
+    if (trajectory_.move[i] != plan::MoveKind::Print)
+      continue;
+    const double s =
+        m.durationS > 0.0
+            ? m.durationS
+            : (m.frame_T_tcp.translation() - back.motions[i - 1].frame_T_tcp.translation()).norm() /
+                  m.speedMmPerS;
+    const double volume = trajectory_.extrudedMm3[i] - trajectory_.extrudedMm3[i - 1];
+    ASSERT_NEAR(m.flowMm3PerS * s, volume, 1e-3 * volume) << "point " << i;
+    worst = std::max(worst, std::abs(m.externals[0]));
+  }
+  EXPECT_GT(worst, 40.0 * 2.0 * base::kPi);
+}
+
 } // namespace
 } // namespace voluta::program

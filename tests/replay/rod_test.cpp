@@ -8,7 +8,9 @@
 #include "replay/verification.h"
 
 #include <algorithm>
+#include <functional>
 #include <gtest/gtest.h>
+#include <string>
 
 namespace voluta::replay {
 namespace {
@@ -115,6 +117,55 @@ TEST(Rod, AJointTablePasses) {
   const Verification v = replayed(s, program::readProgram("csv", program.files, s.process));
   EXPECT_TRUE(v.passed) << told(v);
   EXPECT_TRUE(v.armChecked);
+}
+
+// A program's text, changed at the line of a trajectory point.
+Verification replayedRapid(const test::Scene& s, std::size_t point,
+                           const std::function<void(std::string&)>& change, std::size_t& line) {
+  plan::Program program =
+      program::writeProgram("rapid", {s.plan, s.trajectory, s.cell, s.process, "tube"});
+  line = program::readProgram("rapid", program.files, s.process).motions.at(point).line;
+  std::string& text = program.files[0].text;
+  std::size_t begin = 0;
+  for (std::size_t k = 1; k < line; ++k)
+    begin = text.find('\n', begin) + 1;
+  std::string changed = text.substr(begin, text.find('\r', begin) - begin);
+  const std::size_t length = changed.size();
+  change(changed);
+  text.replace(begin, length, changed);
+  return replayed(s, program::readProgram("rapid", program.files, s.process));
+}
+
+TEST(Rod, RapidPasses) {
+  std::size_t line = 0;
+  const Verification v = replayedRapid(
+      scene(), 5, [](std::string&) {}, line);
+  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.armChecked);
+  EXPECT_LE(v.maxDeviationMm, 0.005);
+}
+
+TEST(Rod, RapidWithTheRodOneStepOffOrADotMovedIsFound) {
+  const test::Scene& s = scene();
+  // The angle in the text, with its step or its decimal point elsewhere.
+  const auto angleAt = [](std::string& text, const std::function<std::string(std::string)>& f) {
+    const std::size_t end = text.find(",9E9"), begin = text.rfind('[', end) + 1;
+    text.replace(begin, end - begin, f(text.substr(begin, end - begin)));
+  };
+  const std::function<std::string(std::string)> steps[] = {
+      [](const std::string& angle) { return std::to_string(std::stod(angle) + 0.1125); },
+      [](const std::string& angle) { return std::to_string(std::stod(angle) * 10.0); }};
+  for (const auto& f : steps) {
+    std::size_t line = 0;
+    const Verification v = replayedRapid(
+        s, 500, [&](std::string& text) { angleAt(text, f); }, line);
+    EXPECT_FALSE(v.passed);
+    const auto found =
+        std::find_if(v.findings.begin(), v.findings.end(),
+                     [](const plan::Finding& f) { return f.kind == "externalAxisMoved"; });
+    ASSERT_NE(found, v.findings.end()) << told(v);
+    EXPECT_EQ(v.places[static_cast<std::size_t>(found - v.findings.begin())].line, line);
+  }
 }
 
 TEST(Rod, HeldStillAPoseIsOneInBase) {
