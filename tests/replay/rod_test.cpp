@@ -161,8 +161,9 @@ TEST(Rod, RapidWithTheRodOneStepOffOrADotMovedIsFound) {
         s, 500, [&](std::string& text) { angleAt(text, f); }, line);
     EXPECT_FALSE(v.passed);
     const auto found =
-        std::find_if(v.findings.begin(), v.findings.end(),
-                     [](const plan::Finding& f) { return f.kind == "externalAxisMoved"; });
+        std::find_if(v.findings.begin(), v.findings.end(), [](const plan::Finding& finding) {
+          return finding.kind == "externalAxisMoved";
+        });
     ASSERT_NE(found, v.findings.end()) << told(v);
     EXPECT_EQ(v.places[static_cast<std::size_t>(found - v.findings.begin())].line, line);
   }
