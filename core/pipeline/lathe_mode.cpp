@@ -80,14 +80,12 @@ std::string placeKey(const ModeChoices& in) {
   return platformText(in.choices) + parameterText({"rodAxis"}, in.values);
 }
 
-geometry::PlatformSolid platformOf(const DecomposeInput& input, const robot::CellRod& own) {
+geometry::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
   geometry::PlatformSolid platform;
-  platform.rod = rodShape(input.choices, own);
-  if (const auto body = platformBody(input.choices.choices)) {
-    const double scale = input.placed.scale;
+  platform.rod = rodShape(in, cellRod(in));
+  if (const auto body = platformBody(in.choices))
     platform.mesh = std::make_shared<geometry::TriangleMesh>(
-        moved(*body, scale, motionOntoRod(*body, scale, input.choices)));
-  }
+        moved(*body, placed.scale, motionOntoRod(*body, placed.scale, in)));
   return platform;
 }
 
@@ -143,7 +141,7 @@ std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
   ctx.report(0.0, "take the rod out of the part");
   auto stage = std::make_shared<DecomposeStage>();
   const robot::CellRod own = cellRod(input.choices);
-  stage->platform = platformOf(input, own);
+  stage->platform = platformOf(input.placed, input.choices);
   const substrate::RodSurface rod = surfaceOf(stage->platform);
   const auto left =
       std::make_shared<geometry::TriangleMesh>(substrate::partAroundRod(*input.placed.part, rod));
@@ -198,6 +196,7 @@ Mode latheMode() {
   mode.aroundRod = true;
   mode.place = placeOnRod;
   mode.placeKey = placeKey;
+  mode.platform = platformOf;
   mode.defaults = {{"infill", "woven"}};
   return mode;
 }

@@ -6,6 +6,7 @@
 #include "base/run_context.h"
 #include "curved/decomposition.h"
 #include "geometry/placement.h"
+#include "geometry/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_checks.h"
 #include "pipeline/job.h"
@@ -58,6 +59,9 @@ struct Mode {
   geometry::Placement (*place)(const geometry::TriangleMesh&, double scale,
                                const ModeChoices&) = nullptr;
   std::string (*placeKey)(const ModeChoices&) = nullptr; // text for the Load stage's key
+  // What material starts on, where that does not wait for a decomposition; null: a plate, as
+  // platformPolygon has it.
+  geometry::PlatformSolid (*platform)(const LoadStage& placed, const ModeChoices&) = nullptr;
   // Parameters whose default is another one in this mode, as text.
   std::vector<std::pair<std::string_view, std::string_view>> defaults = {};
 };

@@ -144,25 +144,21 @@ std::vector<Vector2d> standing(const geometry::TriangleMesh& mesh, bool orShadow
   return orShadow && geometry::convexPolygon(on).size() < 3 ? all : on;
 }
 
-geometry::PlatformSolid platformOf(const DecomposeInput& input) {
-  const ModeChoices& in = input.choices;
+geometry::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
   geometry::PlatformSolid platform;
   if (const auto body = platformBody(in.choices)) {
-    const double scale = input.placed.scale;
-    const auto mesh =
-        std::make_shared<geometry::TriangleMesh>(moved(*body, scale, motionToMiddle(*body, scale)));
+    const auto mesh = std::make_shared<geometry::TriangleMesh>(
+        moved(*body, placed.scale, motionToMiddle(*body, placed.scale)));
     platform.polygon = geometry::convexPolygon(standing(*mesh, true));
     platform.mesh = mesh;
   } else {
-    platform.polygon = platformAround(in.choices.platform, standing(*input.placed.part, false));
+    platform.polygon = platformAround(in.choices.platform, standing(*placed.part, false));
   }
   return platform;
 }
 
 substrate::GroundDistance groundOf(const geometry::PlatformSolid& platform) {
-  return platform.mesh
-             ? substrate::distanceFrom(std::make_shared<geometry::MeshQuery>(*platform.mesh))
-             : substrate::plateGround();
+  return platform.mesh ? substrate::distanceFrom(*platform.mesh) : substrate::plateGround();
 }
 
 std::string decomposeKey(const ModeChoices& in) {
@@ -180,7 +176,7 @@ std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
   ctx.report(0.0, "take the surface out of the part");
   auto stage = std::make_shared<DecomposeStage>();
   const substrate::SubstrateOptions options = substrateOptions(input.choices);
-  stage->platform = platformOf(input);
+  stage->platform = platformOf(input.placed, input.choices);
   if (stage->platform.mesh)
     stage->lessPlatform = std::make_shared<geometry::TriangleMesh>(
         substrate::partOnBody(*input.placed.part, *stage->platform.mesh));
@@ -235,6 +231,7 @@ Mode substrateMode() {
   mode.platforms = {PlatformKind::Mesh, PlatformKind::Fit, PlatformKind::Disc, PlatformKind::Rect};
   mode.place = placeOnSurface;
   mode.placeKey = placeKey;
+  mode.platform = platformOf;
   return mode;
 }
 

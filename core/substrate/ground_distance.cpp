@@ -2,10 +2,13 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_query.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace voluta::substrate {
@@ -95,6 +98,36 @@ private:
   double x0_, x1_, apothem_, halfSide_, side_;
 };
 
+class Body {
+public:
+  explicit Body(const geometry::TriangleMesh& mesh)
+      : box_(geometry::bounds(mesh)), query_(std::make_shared<geometry::MeshQuery>(mesh)) {}
+
+  Vector3d nearest(const Vector3d& p) const { return query_->closest(p).point; }
+  // By the way out through the box's nearest side: winding numbers over long thin triangles take
+  // fifty times as long.
+  bool isInside(const Vector3d& p) const {
+    if (!box_.contains(p))
+      return false;
+    Vector3d out = p;
+    double least = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double side : {box_.min()[axis], box_.max()[axis]})
+        if (std::abs(side - p[axis]) < least) {
+          least = std::abs(side - p[axis]);
+          out = p;
+          out[axis] = side + (side == box_.max()[axis] ? 1.0 : -1.0);
+        }
+    std::vector<geometry::MeshQuery::Hit> hits;
+    query_->hits(p, out, hits);
+    return hits.size() % 2 == 1;
+  }
+
+private:
+  Eigen::AlignedBox3d box_;
+  std::shared_ptr<const geometry::MeshQuery> query_;
+};
+
 template <typename Shape> GroundDistance asked(Shape shape) {
   const auto kept = std::make_shared<const Shape>(std::move(shape));
   return {[kept](const Vector3d& p) { return kept->nearest(p); },
@@ -103,9 +136,8 @@ template <typename Shape> GroundDistance asked(Shape shape) {
 
 } // namespace
 
-GroundDistance distanceFrom(std::shared_ptr<const geometry::MeshQuery> mesh) {
-  return {[mesh](const Vector3d& p) { return mesh->closest(p).point; },
-          [mesh](const Vector3d& p) { return mesh->inside(p); }};
+GroundDistance distanceFrom(const geometry::TriangleMesh& body) {
+  return asked(Body(body));
 }
 
 GroundDistance distanceFrom(const geometry::RodShape& rod) {
@@ -118,7 +150,7 @@ GroundDistance distanceFrom(const geometry::RodShape& rod) {
     if (a.x() == b.x())
       continue;
     if (a.y() != b.y()) // a pyramid's frustum
-      return distanceFrom(std::make_shared<geometry::MeshQuery>(geometry::meshOf(rod, kChordMm)));
+      return distanceFrom(geometry::meshOf(rod, kChordMm));
     prisms.push_back(asked(Prism(a.x(), b.x(), a.y(), rod.sides)));
   }
   return nearestOf(std::move(prisms));

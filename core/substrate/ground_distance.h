@@ -1,13 +1,11 @@
 // How far points are from what layers grow on.
 #pragma once
 
-#include "geometry/mesh_query.h"
 #include "geometry/rod_shape.h"
 #include "geometry/triangle_mesh.h"
 
 #include <Eigen/Core>
 #include <functional>
-#include <memory>
 #include <vector>
 
 namespace voluta::substrate {
@@ -27,8 +25,8 @@ struct GroundDistance {
   Eigen::Vector3d outward(const Eigen::Vector3d& p) const { return (p - nearest(p)).normalized(); }
 };
 
-// Precondition: closed, outward.
-GroundDistance distanceFrom(std::shared_ptr<const geometry::MeshQuery> mesh);
+// Copies what it needs. Precondition: closed, outward, its components apart.
+GroundDistance distanceFrom(const geometry::TriangleMesh& body);
 // In closed form for round rods of any profile and for prisms, stepped ones too; the mesh of others
 // (prisms that taper) is asked. Precondition: checkRod.
 GroundDistance distanceFrom(const geometry::RodShape& rod);

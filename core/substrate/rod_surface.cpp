@@ -18,7 +18,7 @@ RodSurface::RodSurface(const geometry::RodShape& rod) : rod_(rod), distance_(dis
 RodSurface::RodSurface(const geometry::RodShape& rod,
                        std::shared_ptr<const geometry::TriangleMesh> body)
     : rod_(rod), body_(std::move(body)), query_(std::make_shared<geometry::MeshQuery>(*body_)),
-      distance_(nearestOf({distanceFrom(rod), distanceFrom(query_)})) {
+      distance_(nearestOf({distanceFrom(rod), distanceFrom(*body_)})) {
   for (const Eigen::Vector3d& p : body_->vertices)
     beyondMm_ = std::max(beyondMm_, p.tail<2>().norm() + 1.0);
 }

@@ -18,7 +18,7 @@ class RodSurface {
 public:
   // Throws as checkRod. Implicit: a rod is one.
   RodSurface(const geometry::RodShape& rod);
-  // Precondition: the body is closed, outward.
+  // Precondition: the body is closed, outward, its components apart.
   RodSurface(const geometry::RodShape& rod, std::shared_ptr<const geometry::TriangleMesh> body);
 
   const geometry::RodShape& rod() const { return rod_; }

@@ -2,6 +2,7 @@
 #include "base/units.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
+#include "geometry/mesh_query.h"
 #include "substrate/levels.h"
 #include "support/lathe_parts.h"
 #include "support/shapes.h"
@@ -55,12 +56,6 @@ double farthestMiddle(const LevelSurface& s, const std::function<double(const Ve
         std::abs(
             off((s.surface.corner(t, 0) + s.surface.corner(t, 1) + s.surface.corner(t, 2)) / 3.0)));
   return most;
-}
-
-// Lasts no longer than the query.
-substrate::GroundDistance asked(const geometry::MeshQuery& query) {
-  return substrate::distanceFrom(
-      std::shared_ptr<const geometry::MeshQuery>(std::shared_ptr<void>(), &query));
 }
 
 TEST(Levels, CylinderIsClosedAroundWithoutASeam) {
@@ -120,10 +115,12 @@ TEST(Levels, SphereCoversTheBox) {
 }
 
 TEST(Levels, OffsetOfARoofIsRoundedOverItsRidge) {
-  const geometry::MeshQuery roof(test::gableRoof(40, 60));
+  const geometry::TriangleMesh body = test::gableRoof(40, 60);
+  const geometry::MeshQuery roof(body);
   const double top = 20 * std::sqrt(3.0);
   const Eigen::AlignedBox3d box(Vector3d(-4, -15, 8), Vector3d(4, 15, top + 4));
-  const LevelSurface s = substrate::offsetLevel(asked(roof), 1.35, 0.2, box, 0.4, {});
+  const LevelSurface s =
+      substrate::offsetLevel(substrate::distanceFrom(body), 1.35, 0.2, box, 0.4, {});
   checkedRim(s);
   EXPECT_LT(farthest(s, [&](const Vector3d& p) { return roof.signedDistance(p) - 1.35; }), 1e-9);
   // Chords over a cylinder of 1.35 mm that a grid of 0.4 mm gives.
@@ -150,10 +147,9 @@ TEST(Levels, OffsetDoesNotFoldInAValley) {
       test::drawnOut({{-20, -15, -5}, {-20, 0, -5}, {-20, 0, 0}, {-20, -15, 15}}, {40, 0, 0});
   test::append(valley, test::drawnOut({{-20, 15, -5}, {-20, 0, -5}, {-20, 0, 0}, {-20, 15, 15}},
                                       {40, 0, 0}));
-  const geometry::MeshQuery query(valley);
   const LevelSurface s = substrate::offsetLevel(
-      asked(query), 3.0, 0.3, Eigen::AlignedBox3d(Vector3d(-5, -8, -1), Vector3d(5, 8, 14)), 0.5,
-      {});
+      substrate::distanceFrom(valley), 3.0, 0.3,
+      Eigen::AlignedBox3d(Vector3d(-5, -8, -1), Vector3d(5, 8, 14)), 0.5, {});
   checkedRim(s);
   // In the valley's middle the level is 3 sqrt 2 high; nothing of it comes nearer to a slope.
   for (const Vector3d& p : s.surface.vertices)
