@@ -262,9 +262,9 @@ TEST(Rod, ABeadOverTheRodIsUnsupportedAndABearingIsInTheWay) {
   EXPECT_NEAR(over.unsupportedFraction, first / (first + second), 0.005);
   s = scene();
   for (Vector3d& p : s.plan.position)
-    p.x() += 100.5;
+    p.x() += 106.0;
   for (Vector3d& v : s.part.vertices)
-    v.x() += 100.5;
+    v.x() += 106.0;
   s.trajectory = test::walk(s.plan, s.cell, s.process);
   const Verification beside = replayed(s, programOf(s, plan::TargetKind::WorkPose));
   EXPECT_TRUE(tells(beside, "collision", "head and")) << told(beside);
