@@ -320,7 +320,7 @@ TEST(Lathe, PartMustNotGrowIntoWhatHoldsTheRod) {
 TEST(Lathe, BeyondWhatTheCellPrintsIsNamed) {
   plan::ToolPlan plan = winding(3.75, -2, 0.65, 3);
   const std::size_t first = plan.waypointCount();
-  wind(plan, 50.5, 0, 0.65, 0.1, 0.0, 1);
+  wind(plan, 50.5, 40, 0.65, 0.1, 0.0, 1);
   lay(plan, 2.75, 0.0, 100.5, 101.5, 2);
   const Wound w(plan);
   ASSERT_EQ(w.result.findings.size(), 1u);
