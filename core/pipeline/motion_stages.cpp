@@ -54,8 +54,10 @@ motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid& platf
   base::Stopwatch depositing;
   motion::MotionOptions options = motion::motionOptions(values);
   options.seed = static_cast<std::uint64_t>(seed);
+  geometry::PlatformSolid ground = platform;
+  ground.rod.reset(); // it is a body of the cell
   const collision::GrowingPart growing(toolPlan, collision::growingPitch(toolPlan, process),
-                                       ctx.sub(0.0, 0.05), platform);
+                                       ctx.sub(0.0, 0.05), ground);
   const double deposited = depositing.seconds();
   motion::MotionResult planned =
       motion::planMotion(toolPlan, cell, process, growing, options, ctx.sub(0.05, 1.0));
