@@ -26,7 +26,7 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr double kStandingMm = 1e-3; // over z = 0: what is no higher stands on it
+constexpr double kContactShare = 0.5; // of a layer's height: what is no higher stands on z = 0
 
 bool parseNumbers(std::string_view text, std::initializer_list<double*> values) {
   std::size_t left = values.size();
@@ -133,15 +133,20 @@ std::string placeKey(const ModeChoices& in) {
                                                                         : std::string();
 }
 
-// What of a mesh stands on z = 0; where that is no area, all of it as seen from above.
-std::vector<Vector2d> standing(const geometry::TriangleMesh& mesh, bool orShadow) {
-  std::vector<Vector2d> on, all;
-  for (const Vector3d& p : mesh.vertices) {
-    all.emplace_back(p.head<2>());
-    if (p.z() <= kStandingMm)
-      on.emplace_back(p.head<2>());
-  }
-  return orShadow && geometry::convexPolygon(on).size() < 3 ? all : on;
+// Corners of what of a mesh is no higher than heightMm.
+std::vector<Vector2d> standing(const geometry::TriangleMesh& mesh, double heightMm) {
+  std::vector<Vector2d> on;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d &p = mesh.corner(t, k), &q = mesh.corner(t, (k + 1) % 3);
+      if (p.z() <= heightMm)
+        on.emplace_back(p.head<2>());
+      if ((p.z() <= heightMm) != (q.z() <= heightMm)) {
+        const double f = (heightMm - p.z()) / (q.z() - p.z());
+        on.emplace_back((1.0 - f) * p.head<2>() + f * q.head<2>());
+      }
+    }
+  return on;
 }
 
 geometry::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
@@ -149,10 +154,12 @@ geometry::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& i
   if (const auto body = platformBody(in.choices)) {
     const auto mesh = std::make_shared<geometry::TriangleMesh>(
         moved(*body, placed.scale, motionToMiddle(*body, placed.scale)));
-    platform.polygon = geometry::convexPolygon(standing(*mesh, true));
+    platform.polygon =
+        geometry::convexPolygon(standing(*mesh, kContactShare * in.process.layerHeightMm));
     platform.mesh = mesh;
   } else {
-    platform.polygon = platformAround(in.choices.platform, standing(*placed.part, false));
+    platform.polygon = platformAround(
+        in.choices.platform, standing(*placed.part, kContactShare * in.process.layerHeightMm));
   }
   return platform;
 }

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "geometry/measures.h"
 #include "layers/absorb.h"
 #include "layers/clean_surface.h"
 #include "layers/follow_top.h"
@@ -48,10 +49,24 @@ void tellUnsupported(const layers::InAir& inAir, const std::string& ground, Stac
   if (inAir.patches > 0)
     result.findings.push_back(layers::layerFinding(
         "beginsInAir", inAir.firstAt, inAir.patches,
-        fmt::format("{} pieces of layers have neither the {} nor an earlier layer under them",
-                    inAir.patches, ground),
+        inAir.patches == 1
+            ? fmt::format("a piece of a layer has neither the {} nor an earlier layer under it",
+                          ground)
+            : fmt::format("{} pieces of layers have neither the {} nor an earlier layer under them",
+                          inAir.patches, ground),
         fmt::format("move the part on the {}, or let what is under them grow out of it", ground),
         true));
+}
+
+// What no level reaches: layers that end before the part does.
+void tellLeftOut(const geometry::TriangleMesh& part, StackedLevels& result) {
+  const double whole = geometry::volume(part);
+  const double left = whole - result.statistics.volumeMm3() - result.sliverVolumeMm3;
+  if (left > kBlockingShare * whole)
+    result.findings.push_back(layers::layerFinding(
+        "notLaid", geometry::bounds(part).center(), 1,
+        fmt::format("{:.3g} of {:.4g} mm3 of the part are in no layer", left, whole),
+        "choose layers that reach all of it (layerShape, layerCentre, endSurface)", true));
 }
 
 } // namespace
@@ -125,6 +140,7 @@ StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily&
                     {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   tellDropped(absorbed.dropped, result);
+  tellLeftOut(part, result);
   tellUnsupported(layers::patchesInAir(taken.support, islands), family.groundWord, result);
   return result;
 }

@@ -1,7 +1,6 @@
 #include "substrate/substrate_layers.h"
 
 #include "base/error.h"
-#include "base/units.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
 #include "geometry/subtract.h"
@@ -189,7 +188,6 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
     refuse(fmt::format("the part is {:.3g} mm wide, as wide as the cylinder that it stands on",
                        2.0 * halfWidth),
            "make the part narrower, or use layerShape=offset");
-  const double side = std::acos(halfWidth / first.radiusMm);
   std::vector<FlatteningCircle> best;
   double bestOff = std::numeric_limits<double>::infinity();
   double least = 0.0, most = 0.0; // of the number of layers that comes nearest to the limits
@@ -200,7 +198,8 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
     double low = std::numeric_limits<double>::infinity(), high = 0.0, sum = 0.0;
     for (std::size_t k = 0; k + 1 < circles.size(); ++k)
       for (int i = 0; i <= kAngles; ++i) {
-        const double alpha = side + (0.5 * base::kPi - side) * i / kAngles;
+        const double across = halfWidth * i / kAngles;
+        const double alpha = std::acos(across / circles[k].radiusMm);
         const double h = thicknessAt(circles[k], circles[k + 1], alpha);
         low = std::isfinite(h) ? std::min(low, h) : -1.0;
         high = std::max(high, h);
