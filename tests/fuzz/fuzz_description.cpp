@@ -26,6 +26,7 @@ std::vector<std::string> fuzz::seeds() {
   return {base::readFile(kResources / "robots" / "ur5.json"),
           base::readFile(kResources / "robots" / "irb1200.json"),
           base::readFile(kResources / "cells" / "ur5-fixed.json"),
+          base::readFile(kResources / "cells" / "lathe.json"),
           base::readFile(kResources / "processes" / "fdm-1.0.json")};
 }
 
@@ -37,12 +38,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::expect(robot.dof() > 0 && robot.limits.size() == static_cast<std::size_t>(robot.dof()),
                    "every joint has its limits");
     });
-  read("ur5-fixed.json", text, [](const std::filesystem::path& file) {
-    const robot::Cell cell =
-        robot::Cell::read(file, process::loadProcess("fdm-1.0"), {{-9, -9}, {9, -9}, {0, 9}});
-    fuzz::expect(cell.home().size() == static_cast<Eigen::Index>(cell.dof()),
-                 "the arm has a home for every joint");
-  });
+  for (const char* name : {"ur5-fixed.json", "lathe.json"})
+    read(name, text, [](const std::filesystem::path& file) {
+      const robot::Cell cell =
+          robot::Cell::read(file, process::loadProcess("fdm-1.0"), {{-9, -9}, {9, -9}, {0, 9}});
+      fuzz::expect(cell.home().size() == static_cast<Eigen::Index>(cell.dof()),
+                   "the arm has a home for every joint");
+      fuzz::expect(cell.externalAxes().size() == (cell.rod() ? 1U : 0U), "a rod has its axis");
+      std::vector<Eigen::Isometry3d> frames;
+      cell.framePoses(cell.home(), frames);
+      fuzz::expect(static_cast<int>(frames.size()) == cell.armDof() + 4, "every frame has a pose");
+    });
   read("fdm-1.0.json", text, [](const std::filesystem::path& file) {
     const process::Process process = process::readProcess(file);
     fuzz::expect(process.head.sections.size() >= 2, "a head has a shape");
