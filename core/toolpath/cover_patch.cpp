@@ -228,6 +228,8 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                             static_cast<double>(o.walls),
                             o.infillDensity,
                             layer,
+                            std::remainder(o.infillAngleDeg + layer * o.infillTurnDeg, 180.0) *
+                                std::numbers::pi / 180.0,
                             o.windingAngleDeg * std::numbers::pi / 180.0,
                             beadScale};
   lines.add(kind.fill(region), PathKind::Infill, 0);

@@ -15,10 +15,11 @@ struct InfillRegion {
   const std::vector<double>& depth;   // per vertex: distance from the boundary, in hatches
   const std::vector<double>& hatchMm; // per vertex: distance of neighbouring beads
   double from = 0.0;
-  double density = 1.0;    // (0, 1]
-  int layer = 0;           // direction alternates with it
-  double windingRad = 0.0; // of helical lines from the way around, [0, pi/2]
-  double beadScale = 1.0;  // bead_scale.h
+  double density = 1.0;      // (0, 1]
+  int layer = 0;             // direction alternates with it
+  double directionRad = 0.0; // of straight lines on a flat layer, from x to y
+  double windingRad = 0.0;   // of helical lines from the way around, [0, pi/2]
+  double beadScale = 1.0;    // bead_scale.h
 };
 
 struct InfillKind {
@@ -33,8 +34,8 @@ std::span<const InfillKind> infillKinds();
 // Throws Error{Usage}, naming the nearest.
 const InfillKind& infillKind(std::string_view id);
 
-// Parallel curves at equal distances on the surface, joined end to end; direction +45 and -45
-// degrees by turns. Narrow parts of the region are filled as by concentricInfill.
+// Parallel curves at equal distances on the surface, joined end to end, in the region's direction.
+// Narrow parts of the region are filled as by concentricInfill.
 std::vector<SurfaceCurve> zigzagInfill(const InfillRegion& region);
 // Curves at equal distances from the boundary.
 std::vector<SurfaceCurve> concentricInfill(const InfillRegion& region);

@@ -17,7 +17,7 @@ std::size_t at(int i) {
 }
 
 // A function of (nearly) unit gradient whose isolines are the lines.
-std::vector<double> acrossLines(const PatchSurface& s, int layer) {
+std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
   Vector3d mean = Vector3d::Zero(), centre = Vector3d::Zero();
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     mean += s.triangleArea[t] * s.triangleNormal[t];
@@ -25,7 +25,7 @@ std::vector<double> acrossLines(const PatchSurface& s, int layer) {
     centre += s.triangleArea[t] / 3 *
               (s.position[at(tri[0])] + s.position[at(tri[1])] + s.position[at(tri[2])]);
   }
-  const double angle = (layer % 2 == 0 ? 0.25 : -0.25) * std::numbers::pi;
+  const double angle = std::remainder(directionRad + 0.5 * std::numbers::pi, std::numbers::pi);
   Vector3d normal(std::cos(angle), std::sin(angle), 0);
   if (mean.norm() > 0.1 * s.areaMm2) {
     const Vector3d m = mean.normalized();
@@ -60,7 +60,7 @@ std::vector<double> acrossLines(const PatchSurface& s, int layer) {
 std::vector<SurfaceCurve> zigzagInfill(const InfillRegion& region) {
   if (std::ranges::none_of(region.depth, [&](double d) { return d >= region.from; }))
     return {};
-  const std::vector<double> across = acrossLines(region.surface, region.layer);
+  const std::vector<double> across = acrossLines(region.surface, region.directionRad);
   std::vector<SurfaceCurve> curves;
   forEachPart(region, [&](const std::vector<double>& depth, double deepest) {
     for (SurfaceCurve& c : deepest < kNarrowPart ? concentricInfill(partOf(region, depth))

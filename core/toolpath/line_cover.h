@@ -33,7 +33,8 @@ template <typename F> void forEachPart(const InfillRegion& r, F&& part) {
 
 // The same infill for one part of its region.
 inline InfillRegion partOf(const InfillRegion& r, const std::vector<double>& depth) {
-  return {r.surface, depth, r.hatchMm, r.from, r.density, r.layer, r.windingRad, r.beadScale};
+  return {r.surface, depth,          r.hatchMm,    r.from,     r.density,
+          r.layer,   r.directionRad, r.windingRad, r.beadScale};
 }
 
 class LineCover {

@@ -15,6 +15,12 @@ base::ParameterTable toolpathParameters() {
                             "How the inside of each layer is filled.", true),
       base::numberParameter("infillDensity", "", 1.0, 0.05, 1.0, "Tool-paths", "infill density",
                             "Share of the inside that is filled; 1 is solid.", true),
+      base::numberParameter("infillAngle", "deg", ToolpathOptions{}.infillAngleDeg, 0.0, 180.0,
+                            "Tool-paths", "infill direction",
+                            "Direction of straight lines on the first layer, from x to y."),
+      base::numberParameter("infillTurn", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0,
+                            "Tool-paths", "turn of infill",
+                            "How much straight lines turn from layer to layer; 0: all one way."),
       base::numberParameter("windingAngle", "deg", ToolpathOptions{}.windingAngleDeg, 0.0, 90.0,
                             "Tool-paths", "winding angle",
                             "Of helical infill: 0 winds around the axis, 90 runs along it."),
@@ -26,6 +32,8 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.walls = static_cast<int>(values.integer("walls"));
   o.infill = values.text("infill");
   o.infillDensity = values.number("infillDensity");
+  o.infillAngleDeg = values.number("infillAngle");
+  o.infillTurnDeg = values.number("infillTurn");
   o.windingAngleDeg = values.number("windingAngle");
   return o;
 }

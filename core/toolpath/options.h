@@ -13,6 +13,8 @@ struct ToolpathOptions {
   int walls = 2;                 // beads along the boundary of each patch
   std::string infill = "zigzag"; // id in infillKinds()
   double infillDensity = 1.0;    // share of the interior that is filled, (0, 1]
+  // Of straight lines on the first layer, from x to y, and how they turn from layer to layer.
+  double infillAngleDeg = 135.0, infillTurnDeg = 90.0;
   double windingAngleDeg = 45.0; // of helical infill: 0 around the axis, 90 along it
   double stepMm = 1.0;           // longest distance of waypoints
   double edgeMm = 0.5;           // patches are refined to edges of this length for planning
@@ -23,7 +25,7 @@ struct ToolpathOptions {
   double platformThicknessMm = 8.0;
 };
 
-// Keys walls, infill, infillDensity, windingAngle.
+// Keys walls, infill, infillDensity, infillAngle, infillTurn, windingAngle.
 base::ParameterTable toolpathParameters();
 // Precondition: the table holds the keys above. The other fields keep their defaults: stepMm is
 // the process's.

@@ -57,6 +57,8 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"infill", {"concentric", 3}},
     {"infillDensity", {"0.5", 3}},
     {"windingAngle", {"30", 3}},
+    {"infillAngle", {"0", 3}},
+    {"infillTurn", {"0", 3}},
     {"bodyClearanceMm", {"3", 4}},
     {"partClearanceMm", {"3", 4}},
     {"liftMm", {"3", 4}},
