@@ -34,17 +34,22 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
   const auto jointsAt = [&](std::size_t i) {
     return JointVector(Eigen::Map<const Eigen::VectorXd>(trajectory.at(i), trajectory.dof));
   };
-  const auto contactOf = [&](const collision::CellCollision::Frames& frames, std::size_t i,
-                             bool atWork) -> std::optional<collision::Contact> {
-    const collision::Margins& margins = scene.options.printing;
+  const collision::Margins& margins = scene.options.printing;
+  const auto toolOf = [&](const collision::CellCollision::Frames& frames) -> Eigen::Isometry3d {
     const auto frame = [&](int f) { return frames[static_cast<std::size_t>(f)]; };
-    const Eigen::Isometry3d work_T_tool =
-        frame(scene.cell.workFrame()).inverse() * frame(scene.cell.toolFrame());
+    return frame(scene.cell.workFrame()).inverse() * frame(scene.cell.toolFrame());
+  };
+  const auto headInPart = [&](const collision::CellCollision::Frames& frames, std::size_t i,
+                              bool atWork) -> std::optional<collision::Contact> {
     const std::size_t before = atWork ? headBefore[next[i]] : next[i];
-    if (scene.collision.headTouchesPart(work_T_tool, scene.part, before, margins.headMm))
+    if (scene.collision.headTouchesPart(toolOf(frames), scene.part, before, margins.headMm))
       for (const int b : scene.cell.bodiesAgainstPart())
         if (scene.cell.bodies()[static_cast<std::size_t>(b)].role == robot::BodyRole::Head)
           return collision::Contact{b, collision::kPrintedPart};
+    return std::nullopt;
+  };
+  const auto bodiesOf = [&](const collision::CellCollision::Frames& frames,
+                            std::size_t i) -> std::optional<collision::Contact> {
     if (const auto contact = scene.collision.bodies(frames, margins))
       return contact;
     return scene.collision.bodiesAndPart(frames, scene.part, next[i], margins);
@@ -61,10 +66,18 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
       const bool printing = trajectory.move[i] == plan::MoveKind::Print;
       const JointVector q = jointsAt(i);
       scene.cell.framePoses(q, frames);
-      auto contact = contactOf(frames, i, printing || trajectory.waypoint[i] != plan::kNoWaypoint);
+      // The head at waypoints was looked at before: it is round, the arm changes nothing in that.
+      std::optional<collision::Contact> contact;
+      if (trajectory.waypoint[i] == plan::kNoWaypoint)
+        contact = headInPart(frames, i, printing);
+      const double bodies = scene.collision.clearance(frames, clearance);
+      const double all = scene.collision.clearanceToPart(frames, scene.part, next[i], bodies);
+      const bool roomy = bodies > margins.bodiesMm && all > margins.partMm &&
+                         !scene.collision.headTouchesPlatform(toolOf(frames), margins.headMm);
+      if (!contact && !roomy)
+        contact = bodiesOf(frames, i);
       if (!contact) {
-        clearance = scene.collision.clearance(frames, clearance);
-        clearance = scene.collision.clearanceToPart(frames, scene.part, next[i], clearance);
+        clearance = all;
         if (i > 0) {
           const JointVector last = jointsAt(i - 1);
           const double step =
@@ -75,7 +88,9 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
             // Where printing stops or starts the head is at work too until it has left.
             const bool atWork = printing || trajectory.waypoint[i] != plan::kNoWaypoint ||
                                 trajectory.move[i - 1] == plan::MoveKind::Print;
-            contact = contactOf(frames, i, atWork && next[i] < headBefore.size());
+            contact = headInPart(frames, i, atWork && next[i] < headBefore.size());
+            if (!contact)
+              contact = bodiesOf(frames, i);
           }
         }
       }

@@ -24,7 +24,8 @@ struct TrajectoryCheck {
 };
 
 // headBefore[w]: while printing at waypoint w the head is checked against what was filled before
-// that waypoint (soft material excepted); elsewhere against all that is printed by then.
+// that waypoint (soft material excepted); elsewhere against all that is printed by then. At the
+// waypoints themselves it is taken to be clear: see headRefusals.
 TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const MotionScene& scene,
                                 const std::vector<std::size_t>& headBefore, double capMm,
                                 const base::RunContext& ctx);

@@ -315,8 +315,13 @@ std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::si
     watch = base::Stopwatch();
     const bool followed = fill(first, course, way.q.front(), run.ladder, failedAt);
     bool good = false;
-    course.turn = evened(course.turn, kSmoothing);
-    if (followed && scene_.options.smooth &&
+    // On a rod it often need not turn at all.
+    const bool uneven =
+        rod_.empty() || std::any_of(course.turn.begin(), course.turn.end(),
+                                    [&](double t) { return t != course.turn.front(); });
+    if (uneven)
+      course.turn = evened(course.turn, kSmoothing);
+    if (followed && uneven && scene_.options.smooth &&
         fill(first, course, way.q.front(), run.points, failedAt)) {
       times_.ik += watch.seconds();
       watch = base::Stopwatch();
