@@ -39,13 +39,17 @@ std::vector<Vector3d> footOf(const geometry::TriangleMesh& part, const GroundDis
   return foot;
 }
 
+// Along x, its round side up.
 std::optional<CircleFit> cylinderUnder(const std::vector<Vector3d>& foot) {
   std::vector<Vector2d> section;
-  for (const Vector3d& p : foot)
+  double height = 0.0; // mean
+  for (const Vector3d& p : foot) {
     section.emplace_back(p.tail<2>());
+    height += p.z() / static_cast<double>(foot.size());
+  }
   try {
     const CircleFit fit = circleThrough(section);
-    return fit.rmsMm <= kRoundMm ? std::optional(fit) : std::nullopt;
+    return fit.rmsMm <= kRoundMm && height > fit.centre.y() ? std::optional(fit) : std::nullopt;
   } catch (const base::Error&) {
     return std::nullopt; // flat
   }

@@ -6,6 +6,7 @@
 #include "layers/layer_checks.h"
 #include "substrate/lathe_layers.h"
 #include "support/lathe_parts.h"
+#include "support/layer_volume.h"
 #include "support/shapes.h"
 
 #include <cmath>
@@ -22,27 +23,12 @@ using substrate::LatheOptions;
 
 const RodShape kRod = geometry::straightRod(5, 200);
 
-// Sum of triangle areas times mean thickness: apart from layerStatistics.
-double volumeOf(const layers::LayerStack& stack) {
-  double sum = 0.0;
-  for (const layers::Patch& p : stack.patches)
-    for (std::size_t t = 0; t < p.surface.triangles.size(); ++t) {
-      const Eigen::Vector3d a = p.surface.corner(t, 1) - p.surface.corner(t, 0),
-                            b = p.surface.corner(t, 2) - p.surface.corner(t, 0);
-      double thickness = 0.0;
-      for (int v : p.surface.triangles[t])
-        thickness += p.thicknessMm[static_cast<std::size_t>(v)] / 3.0;
-      sum += 0.5 * a.cross(b).norm() * thickness;
-    }
-  return sum;
-}
-
 LatheLayers laid(const TriangleMesh& part, const RodShape& rod, double volumeMm3,
                  const LatheOptions& options = {}) {
   const TriangleMesh left = substrate::partAroundRod(part, rod);
   EXPECT_TRUE(geometry::diagnose(left).watertight);
   LatheLayers made = substrate::latheLayers(left, rod, options, {});
-  EXPECT_NEAR(volumeOf(made.stack) / volumeMm3, 1.0, 1e-3);
+  EXPECT_NEAR(test::volumeOf(made.stack) / volumeMm3, 1.0, 1e-3);
   const geometry::MeshQuery query(left);
   for (const auto& check : layers::checkBoundaries(made.stack, query, 1e-3, {})) {
     EXPECT_LE(check.farthestMm, 1e-3);
