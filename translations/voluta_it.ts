@@ -218,6 +218,18 @@ sioni</translation>
         <source>Searches the way to lie in which least area needs support</source>
         <translation>Cerca la posizione in cui meno area richiede supporti</translation>
     </message>
+    <message>
+        <source>Around a rod</source>
+        <translation>Intorno a una barra</translation>
+    </message>
+    <message>
+        <source>On a given surface</source>
+        <translation>Su una superficie data</translation>
+    </message>
+    <message>
+        <source>rod, %1 mm</source>
+        <translation>barra, %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>Findings</name>
@@ -311,6 +323,33 @@ sioni</translation>
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ModeSwitch</name>
+    <message>
+        <source>This way of building does not print on that platform.</source>
+        <translation>Questo modo di costruire non stampa su quella piattaforma.</translation>
+    </message>
+    <message>
+        <source>This way of building lays the part itself: it is not turned by the search for a way to lie.</source>
+        <translation>Questo modo di costruire posa da sé il pezzo: la ricerca di una giacitura non lo gira.</translation>
+    </message>
+    <message>
+        <source>This way of building needs a scale that is a number.</source>
+        <translation>Questo modo di costruire vuole una scala che sia un numero.</translation>
+    </message>
+    <message>
+        <source>The platform&apos;s file %1 is not there.</source>
+        <translation>Il file della piattaforma, %1, non c’è.</translation>
+    </message>
+    <message>
+        <source>This way of building needs a cell that turns a rod.</source>
+        <translation>Questo modo di costruire vuole una cella che faccia girare una barra.</translation>
+    </message>
+    <message>
+        <source>This cell turns a rod: the way of building needs one with a plate.</source>
+        <translation>Questa cella fa girare una barra: il modo di costruire ne vuole una con un piatto.</translation>
     </message>
 </context>
 <context>
@@ -588,10 +627,6 @@ sioni</translation>
         <translation>angolo di sbalzo</translation>
     </message>
     <message>
-        <source>Modes planar and flat: how far a face may lean over from the upright without support.</source>
-        <translation>Modi planar e flat: di quanto una faccia può sporgere dalla verticale senza supporto.</translation>
-    </message>
-    <message>
         <source>materials of pieces</source>
         <translation>materiali dei pezzi</translation>
     </message>
@@ -690,6 +725,130 @@ sioni</translation>
     <message>
         <source>Of helical infill: 0 winds around the axis, 90 runs along it.</source>
         <translation>Del riempimento elicoidale: 0 si avvolge attorno all&apos;asse, 90 corre lungo l&apos;asse.</translation>
+    </message>
+    <message>
+        <source>How far a face may lean over from the upright without support, in every mode but curved.</source>
+        <translation>Quanto una faccia può sporgere dalla verticale senza supporto, in tutti i modi tranne quello curvo.</translation>
+    </message>
+    <message>
+        <source>infill direction</source>
+        <translation>direzione del riempimento</translation>
+    </message>
+    <message>
+        <source>Direction of straight lines on the first layer, from x to y.</source>
+        <translation>Direzione delle linee rette sul primo strato, da x verso y.</translation>
+    </message>
+    <message>
+        <source>turn of infill</source>
+        <translation>rotazione del riempimento</translation>
+    </message>
+    <message>
+        <source>How much straight lines turn from layer to layer; 0: all one way.</source>
+        <translation>Di quanto girano le linee rette da uno strato all’altro; 0: tutte allo stesso modo.</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>Barra</translation>
+    </message>
+    <message>
+        <source>axis of the part</source>
+        <translation>asse del pezzo</translation>
+    </message>
+    <message>
+        <source>Which of the part&apos;s own axes is laid on the rod; auto: the one that its sides run along.</source>
+        <translation>Quale degli assi del pezzo si posa sulla barra; auto: quello lungo cui corrono i suoi fianchi.</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>sides of the rod</source>
+        <translation>lati della barra</translation>
+    </message>
+    <message>
+        <source>0: a round rod; 3 or more: a prism, measured over its corners.</source>
+        <translation>0: barra tonda; 3 o più: un prisma, misurato sugli spigoli.</translation>
+    </message>
+    <message>
+        <source>profile of the rod</source>
+        <translation>profilo della barra</translation>
+    </message>
+    <message>
+        <source>Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight.</source>
+        <translation>Coppie di x e raggio in mm, come -20,2.5 0,2.5 0,3.5 20,3.5, o un file che le contiene; un gradino ha due coppie alla stessa x. Oltre, la barra continua com’è. Vuoto: diritta.</translation>
+    </message>
+    <message>
+        <source>layers around the rod</source>
+        <translation>strati intorno alla barra</translation>
+    </message>
+    <message>
+        <source>At constant radius about the axis, or at constant distance from the rod&apos;s profile.</source>
+        <translation>A raggio costante intorno all’asse, o a distanza costante dal profilo della barra.</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>raggio</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>distanza</translation>
+    </message>
+    <message>
+        <source>first layer</source>
+        <translation>primo strato</translation>
+    </message>
+    <message>
+        <source>Modes lathe and substrate: height of the layer on the ground; 0: as high as the others.</source>
+        <translation>Modi lathe e substrate: altezza dello strato sul fondo; 0: alto come gli altri.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>shape of layers</source>
+        <translation>forma degli strati</translation>
+    </message>
+    <message>
+        <source>Mode substrate: at constant distance from the surface, on spheres, on cylinders along x, or from the surface to an end surface, thicker where the way is longer.</source>
+        <translation>Modo substrate: a distanza costante dalla superficie, su sfere, su cilindri lungo x, o dalla superficie a una superficie finale, più spessi dove la via è più lunga.</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>sfera</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>cilindro</translation>
+    </message>
+    <message>
+        <source>flatten</source>
+        <translation>spiana</translation>
+    </message>
+    <message>
+        <source>centre of layers</source>
+        <translation>centro degli strati</translation>
+    </message>
+    <message>
+        <source>Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that the part stands on, or below the part.</source>
+        <translation>Di sfere e cilindri: x,y,z in mm. Vuoto: quello della sfera o del cilindro su cui sta il pezzo, o sotto il pezzo.</translation>
+    </message>
+    <message>
+        <source>end surface</source>
+        <translation>superficie finale</translation>
+    </message>
+    <message>
+        <source>Layers that flatten end on it: flat (at the part&apos;s top), flat:Z, radius:R (a wider cylinder) or mesh:FILE, placed with the platform&apos;s.</source>
+        <translation>Gli strati che spianano finiscono qui: flat (in cima al pezzo), flat:Z, radius:R (un cilindro più largo) o mesh:FILE, posato con quello della piattaforma.</translation>
     </message>
 </context>
 <context>
@@ -1133,6 +1292,72 @@ sioni</translation>
     <message>
         <source>Rectangle</source>
         <translation>Rettangolo</translation>
+    </message>
+    <message>
+        <source>Body to print on</source>
+        <translation>Corpo su cui stampare</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.obj *.ply *.off *.3mf);;All files (*)</source>
+        <translation>Mesh (*.stl *.obj *.ply *.off *.3mf);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Scegli un file…</translation>
+    </message>
+    <message>
+        <source>A closed mesh, in the same place as in the part&apos;s file</source>
+        <translation>Una mesh chiusa, nello stesso posto che ha nel file del pezzo</translation>
+    </message>
+    <message>
+        <source>%1
+Click to choose another one</source>
+        <translation>%1
+Fai clic per sceglierne un altro</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Lunghezza</translation>
+    </message>
+    <message>
+        <source>Rod of the cell</source>
+        <translation>Barra della cella</translation>
+    </message>
+    <message>
+        <source>Rod, diameter × length</source>
+        <translation>Barra, diametro × lunghezza</translation>
+    </message>
+    <message>
+        <source>Body from a file</source>
+        <translation>Corpo da un file</translation>
+    </message>
+    <message>
+        <source>Stepped: points x,radius</source>
+        <translation>A gradini: punti x,raggio</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Tonda</translation>
+    </message>
+    <message>
+        <source>Hexagonal, over corners</source>
+        <translation>Esagonale, sugli spigoli</translation>
+    </message>
+    <message>
+        <source>%1 sides, over corners</source>
+        <translation>%1 lati, sugli spigoli</translation>
+    </message>
+    <message>
+        <source>Shape of the rod</source>
+        <translation>Forma della barra</translation>
+    </message>
+    <message>
+        <source>Profile of the rod</source>
+        <translation>Profilo della barra</translation>
+    </message>
+    <message>
+        <source>Pairs of x and radius in mm; a step has two pairs at one x</source>
+        <translation>Coppie di x e raggio in mm; un gradino ha due coppie alla stessa x</translation>
     </message>
 </context>
 <context>
@@ -1817,6 +2042,10 @@ sioni</translation>
         <source>No joint is chosen.</source>
         <translation>Nessun giunto scelto.</translation>
     </message>
+    <message>
+        <source>Show axis %1</source>
+        <translation>Mostra l’asse %1</translation>
+    </message>
 </context>
 <context>
     <name>voluta::timeline::LayerRangeSlider</name>
@@ -1843,6 +2072,10 @@ sioni</translation>
     <message>
         <source>Layers %1 to %2 of %3. Up and down keys move the upper end, with Shift the lower one; a double click shows a single layer.</source>
         <translation>Strati da %1 a %2 di %3. I tasti su e giù spostano l&apos;estremo superiore, con Maiusc quello inferiore; un doppio clic mostra un solo strato.</translation>
+    </message>
+    <message>
+        <source>r %1 mm</source>
+        <translation>r %1 mm</translation>
     </message>
 </context>
 <context>
@@ -2733,6 +2966,86 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>What the colours of the picture say</source>
         <translation>Che cosa dicono i colori dell&apos;immagine</translation>
     </message>
+    <message>
+        <source>Unrolled layer</source>
+        <translation>Strato srotolato</translation>
+    </message>
+    <message>
+        <source>Place on touched &amp;points…</source>
+        <translation>Posa su &amp;punti toccati…</translation>
+    </message>
+    <message>
+        <source>Moves the part to a cylinder found by touching it</source>
+        <translation>Porta il pezzo su un cilindro trovato toccandolo</translation>
+    </message>
+    <message>
+        <source>&amp;Unrolled layer</source>
+        <translation>Strato &amp;srotolato</translation>
+    </message>
+    <message>
+        <source>Layers around an axis laid flat, beside the picture</source>
+        <translation>Gli strati intorno a un asse distesi in piano, accanto all’immagine</translation>
+    </message>
+    <message>
+        <source>Press Plan for layers and paths.</source>
+        <translation>Premi Pianifica per strati e percorsi.</translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation>cella %1</translation>
+    </message>
+    <message>
+        <source>platform %1</source>
+        <translation>piattaforma %1</translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation>processo %1</translation>
+    </message>
+    <message>
+        <source>scale %1</source>
+        <translation>scala %1</translation>
+    </message>
+    <message>
+        <source>the part as it lies</source>
+        <translation>il pezzo come sta</translation>
+    </message>
+    <message>
+        <source>shape of the rod</source>
+        <translation>forma della barra</translation>
+    </message>
+    <message>
+        <source>Choose the file…</source>
+        <translation>Scegli il file…</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Usa %1</translation>
+    </message>
+    <message>
+        <source>Which body is printed on? Without one it is the plate.</source>
+        <translation>Su quale corpo si stampa? Senza, è il piatto.</translation>
+    </message>
+    <message>
+        <source>Choose the body…</source>
+        <translation>Scegli il corpo…</translation>
+    </message>
+    <message>
+        <source>Changed with it: %1.</source>
+        <translation>Cambiati insieme: %1.</translation>
+    </message>
+    <message>
+        <source>what fits the way of building</source>
+        <translation>ciò che va col modo di costruire</translation>
+    </message>
+    <message>
+        <source>place on touched points</source>
+        <translation>posa su punti toccati</translation>
+    </message>
+    <message>
+        <source>Layer %1 of %2</source>
+        <translation>Strato %1 di %2</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -2809,6 +3122,99 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>%1 MB</source>
         <translation>%1 MB</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::TouchDialog</name>
+    <message>
+        <source>Line %1 is not a point: write y and z, or x, y and z, in mm.</source>
+        <translation>La riga %1 non è un punto: scrivi y e z, o x, y e z, in mm.</translation>
+    </message>
+    <message>
+        <source>Place on touched points</source>
+        <translation>Posa su punti toccati</translation>
+    </message>
+    <message>
+        <source>Touch a cylinder that lies along x at three points or more, and enter them in the work frame: y z, or x y z, one point a line [mm].</source>
+        <translation>Tocca in tre o più punti un cilindro disteso lungo x e scrivili nel riferimento di lavoro: y z, o x y z, un punto per riga [mm].</translation>
+    </message>
+    <message>
+        <source>y of the axis in the model</source>
+        <translation>y dell’asse nel modello</translation>
+    </message>
+    <message>
+        <source>z of the axis in the model</source>
+        <translation>z dell’asse nel modello</translation>
+    </message>
+    <message>
+        <source>Axis in the model (y, z)</source>
+        <translation>Asse nel modello (y, z)</translation>
+    </message>
+    <message>
+        <source>Move the part</source>
+        <translation>Sposta il pezzo</translation>
+    </message>
+    <message>
+        <source>Centre y %1, z %2 mm; radius %3 mm; points: %4, off by %5 mm on average.</source>
+        <translation>Centro y %1, z %2 mm; raggio %3 mm; punti: %4, scarto medio %5 mm.</translation>
+    </message>
+    <message>
+        <source>The part is moved by y %1, z %2 mm.</source>
+        <translation>Il pezzo si sposta di y %1, z %2 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::UnrolledCanvas</name>
+    <message>
+        <source>→ around, ↑ along [mm]</source>
+        <translation>→ intorno, ↑ lungo [mm]</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::UnrolledView</name>
+    <message>
+        <source>Wall</source>
+        <translation>Parete</translation>
+    </message>
+    <message>
+        <source>Infill</source>
+        <translation>Riempimento</translation>
+    </message>
+    <message>
+        <source>Gap fill</source>
+        <translation>Riempimento vuoti</translation>
+    </message>
+    <message>
+        <source>Skirt</source>
+        <translation>Skirt</translation>
+    </message>
+    <message>
+        <source>Support</source>
+        <translation>Supporto</translation>
+    </message>
+    <message>
+        <source>Around %1 mm (%2°), along %3 mm</source>
+        <translation>Intorno %1 mm (%2°), lungo %3 mm</translation>
+    </message>
+    <message>
+        <source>Around %1 mm, along %2 mm</source>
+        <translation>Intorno %1 mm, lungo %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 %2, waypoint %3 of %4</source>
+        <translation>%1 %2, punto %3 di %4</translation>
+    </message>
+    <message>
+        <source>This layer has no paths around an axis.</source>
+        <translation>Questo strato non ha percorsi intorno a un asse.</translation>
+    </message>
+    <message>
+        <source>Unrolled layer</source>
+        <translation>Strato srotolato</translation>
+    </message>
+    <message>
+        <source>Click a path to find it in the 3D view. Wheel zooms, drag moves, double click shows all.</source>
+        <translation>Fai clic su un percorso per trovarlo nella vista 3D. La rotella ingrandisce, trascinare sposta, il doppio clic mostra tutto.</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -229,7 +230,8 @@ TEST_F(ParameterFormTest, NothingIsWiderThanANarrowPanel) {
 TEST(PlatformEditor, TextGoesInAndComesOut) {
   forms::PlatformEditor editor;
   QSignalSpy changed(&editor, &forms::PlatformEditor::changed);
-  for (const char* text : {"fit:0", "fit:2.5", "disc:120", "rect:200x80.25"}) {
+  for (const char* text : {"fit:0", "fit:2.5", "disc:120", "rect:200x80.25", "rod:5x200",
+                           "mesh:/some where/half:cylinder.stl"}) {
     editor.setText(text);
     EXPECT_EQ(editor.text(), text);
   }
@@ -237,12 +239,75 @@ TEST(PlatformEditor, TextGoesInAndComesOut) {
   EXPECT_EQ(editor.text(), "fit:0");
   editor.setText("hexagon:3");
   editor.setText("rect:12");
+  editor.setText("rod:5");
+  editor.setText("mesh:");
   EXPECT_EQ(editor.text(), "fit:0");
   EXPECT_EQ(changed.size(), 0);
-  auto* kind = editor.findChild<QComboBox*>();
+  auto* kind = editor.findChild<QComboBox*>("kind");
   kind->setCurrentIndex(kind->findData("rect"));
   ASSERT_EQ(changed.size(), 1);
   EXPECT_EQ(changed[0][0].toString(), "rect:200x200");
+}
+
+TEST(PlatformEditor, OffersWhatTheModePrintsOn) {
+  forms::PlatformEditor editor;
+  editor.setText("disc:90");
+  editor.setKinds({"fit", "rod", "mesh"}, true);
+  editor.setText("rod:6x150");
+  auto* kind = editor.findChild<QComboBox*>("kind");
+  EXPECT_EQ(kind->count(), 3);
+  EXPECT_EQ(kind->itemText(0), "Rod of the cell");
+  EXPECT_EQ(editor.text(), "rod:6x150");
+  // What is no choice of the mode is there only while it is chosen.
+  editor.setText("disc:90");
+  EXPECT_EQ(kind->count(), 4);
+  editor.setKinds({"fit", "disc", "rect"}, false);
+  EXPECT_EQ(kind->count(), 3);
+  EXPECT_EQ(editor.text(), "disc:90");
+}
+
+TEST(PlatformEditor, ARodIsRoundHexagonalOrStepped) {
+  forms::PlatformEditor editor;
+  editor.setKinds({"fit", "rod", "mesh"}, true);
+  editor.setText("rod:6x150");
+  std::vector<forms::RodProfile> told;
+  QObject::connect(&editor, &forms::PlatformEditor::profileChanged,
+                   [&](const forms::RodProfile& profile) { told.push_back(profile); });
+  auto* shape = editor.findChild<QComboBox*>("rodShape");
+  auto* points = editor.findChild<QLineEdit*>("rodPoints");
+  EXPECT_FALSE(shape->isHidden());
+  EXPECT_TRUE(points->isHidden());
+  shape->setCurrentIndex(1);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0], (forms::RodProfile{6, ""}));
+  shape->setCurrentIndex(2);
+  EXPECT_EQ(told.size(), 1u) << "without points there is no profile yet";
+  EXPECT_FALSE(points->isHidden());
+  QTest::keyClicks(points, "-20,2.5 0,2.5 0,3.5 20,3.5");
+  QTest::keyClick(points, Qt::Key_Return);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[1], (forms::RodProfile{0, "-20,2.5 0,2.5 0,3.5 20,3.5"}));
+  editor.setProfile({8, ""});
+  EXPECT_EQ(shape->currentText(), "8 sides, over corners");
+  EXPECT_EQ(told.size(), 2u);
+  editor.setText("mesh:a.stl");
+  EXPECT_TRUE(shape->isHidden());
+  EXPECT_EQ(editor.findChild<QToolButton*>("file")->text(), "a.stl");
+}
+
+TEST(ChoicesForm, ANoticeHasOneLineAndAButton) {
+  forms::ChoicesForm form;
+  QSignalSpy pressed(&form, &forms::ChoicesForm::noticePressed);
+  auto* line = form.findChild<QLabel*>("notice");
+  auto* button = form.findChild<QPushButton*>("noticeButton");
+  EXPECT_TRUE(button->isHidden());
+  form.setNotice("the cell has no rod", "Use cell lathe", true);
+  EXPECT_EQ(line->text(), "the cell has no rod");
+  EXPECT_FALSE(button->isHidden());
+  button->click();
+  EXPECT_EQ(pressed.size(), 1);
+  form.setNotice({}, {}, false);
+  EXPECT_TRUE(button->isHidden());
 }
 
 TEST(ChoicesForm, TellsFieldAndTextAndIsQuietWhenSet) {

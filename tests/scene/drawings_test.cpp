@@ -1,6 +1,7 @@
 // What is left out of a picture is only what cannot be seen: counted against plain enumeration.
 #include "scene/colour_values.h"
 #include "scene/drawing_data.h"
+#include "scene/fill_order.h"
 #include "scene/visible_beads.h"
 
 #include "support/shapes.h"
@@ -282,6 +283,32 @@ TEST(LayersDrawing, SidesThatOtherLayersCoverAreLeftOut) {
   EXPECT_EQ(shown(drawing->upper, 0, 1, 1), whole + edge);
   EXPECT_EQ(shown(drawing->lower, 0, 2, 0), whole + 2 * edge);
   EXPECT_EQ(shown(drawing->lower, 1, 2, -1), whole + edge);
+}
+
+// Rings about the x axis, seven layers: the outermost one is in sight all around.
+TEST(FillOrder, BeadsUnderARodAreNotClosedFromBelow) {
+  plan::ToolPlan plan;
+  constexpr int kAround = 48;
+  for (int layer = 0; layer < 7; ++layer)
+    for (int ring = -4; ring <= 4; ++ring) {
+      const double radius = 3.0 + 0.25 * layer;
+      plan.paths.push_back(
+          {plan.position.size(), kAround + 1, plan::PathKind::Infill, layer, layer, 0, true});
+      for (int i = 0; i <= kAround; ++i) {
+        const double angle = 2 * M_PI * i / kAround;
+        const Eigen::Vector3d out(0.0, std::cos(angle), std::sin(angle));
+        plan.position.push_back(radius * out + Eigen::Vector3d(0.65 * ring, 0, 0));
+        plan.direction.push_back(out);
+        plan.widthMm.push_back(0.7f);
+        plan.heightMm.push_back(0.25f);
+        plan.speedMmPerS.push_back(20.0f);
+      }
+    }
+  const scene::FillOrder order(plan);
+  for (const plan::ToolPath& path : plan.paths)
+    if (path.layer == 6)
+      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+        EXPECT_EQ(order.surroundedAt(plan, i), scene::kNeverFilled) << i;
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "document/document.h"
 
+#include "pipeline/modes.h"
+
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QUndoCommand>
@@ -151,7 +153,7 @@ void Document::setChoices(const pipeline::Choices& choices, const QString& editN
 }
 
 void Document::setParameter(const QString& key, const QString& text) {
-  const base::ParameterTable table = pipeline::allParameters();
+  const base::ParameterTable table = pipeline::parametersOf(choices_.mode);
   base::ParameterValues values(table);
   values.set(key.toStdString(), text.toStdString());
   const base::ParameterSpec& spec = *table.find(key.toStdString());

@@ -1,12 +1,15 @@
 #include "forms/choices_form.h"
 
+#include "forms/icons.h"
 #include "forms/platform_editor.h"
 #include "forms/value_boxes.h"
 
 #include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <limits>
@@ -56,6 +59,8 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   connect(platform_, &PlatformEditor::changed, this,
           [this](const QString& text) { emit changed(QStringLiteral("platform"), text); });
 
+  connect(platform_, &PlatformEditor::profileChanged, this, &ChoicesForm::rodProfileChanged);
+
   seedLabel_ = new QLabel(this);
   seed_ = makeIntegerBox(this);
   seed_->setObjectName(QStringLiteral("seed"));
@@ -66,7 +71,38 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   grid->addWidget(seed_, 5, 1);
   connect(seed_, &QSpinBox::valueChanged, this,
           [this](int value) { emit changed(QStringLiteral("seed"), QString::number(value)); });
+
+  noticeRow_ = new QWidget(this);
+  auto* noticeLine = new QHBoxLayout(noticeRow_);
+  noticeLine->setContentsMargins(0, 4, 0, 0);
+  noticeIcon_ = new QLabel(noticeRow_);
+  notice_ = new QLabel(noticeRow_);
+  notice_->setObjectName(QStringLiteral("notice"));
+  notice_->setWordWrap(true);
+  notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  noticeLine->addWidget(noticeIcon_, 0, Qt::AlignTop);
+  noticeLine->addWidget(notice_, 1);
+  noticeButton_ = new QPushButton(this);
+  noticeButton_->setObjectName(QStringLiteral("noticeButton"));
+  grid->addWidget(noticeRow_, 6, 0, 1, 2);
+  grid->addWidget(noticeButton_, 7, 0, 1, 2);
+  connect(noticeButton_, &QPushButton::clicked, this, &ChoicesForm::noticePressed);
+  setNotice({}, {}, false);
   retranslate();
+}
+
+void ChoicesForm::setNotice(const QString& line, const QString& button, bool blocking) {
+  notice_->setText(line);
+  const int side = fontMetrics().height();
+  noticeIcon_->setPixmap(blocking ? icon(Icon::Blocked).pixmap(side, side) : QPixmap());
+  noticeIcon_->setVisible(blocking);
+  noticeRow_->setVisible(!line.isEmpty());
+  noticeButton_->setText(button);
+  noticeButton_->setVisible(!button.isEmpty());
+}
+
+void ChoicesForm::choosePlatformFile() {
+  platform_->chooseFile();
 }
 
 ChoicesForm::Row ChoicesForm::addCombo(const QString& field, int at) {
@@ -90,6 +126,7 @@ void ChoicesForm::setLists(const ChoiceLists& lists) {
   fillCombo(growth_.combo, lists.growths);
   fillCombo(cell_.combo, lists.cells);
   fillCombo(process_.combo, lists.processes);
+  platforms_ = lists.platforms;
 }
 
 void ChoicesForm::setTexts(const ChoiceTexts& texts) {
@@ -97,7 +134,10 @@ void ChoicesForm::setTexts(const ChoiceTexts& texts) {
   choose(growth_.combo, texts.growth);
   choose(cell_.combo, texts.cell);
   choose(process_.combo, texts.process);
+  if (const auto at = platforms_.find(texts.mode); at != platforms_.end())
+    platform_->setKinds(at->second.kinds, at->second.aroundRod);
   platform_->setText(texts.platform);
+  platform_->setProfile(texts.rod);
   const QSignalBlocker quiet(seed_);
   seed_->setValue(texts.seed);
 }

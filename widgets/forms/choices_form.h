@@ -1,30 +1,40 @@
 // The choices that are no parameters: mode, growth, platform, cell, process, seed.
 #pragma once
 
+#include "forms/platform_editor.h"
+
 #include <QString>
 #include <QWidget>
+#include <map>
 #include <vector>
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QSpinBox;
 
 namespace voluta::forms {
-
-class PlatformEditor;
 
 // One entry of a list: what is handed on, what is shown, what its tool tip says (may be empty).
 struct ChoiceItem {
   QString id, label, help;
 };
 
+// What a mode prints on, as PlatformEditor has it.
+struct ModePlatforms {
+  QStringList kinds;
+  bool aroundRod = false;
+};
+
 struct ChoiceLists {
   std::vector<ChoiceItem> modes, growths, cells, processes;
+  std::map<QString, ModePlatforms> platforms; // by mode
 };
 
 struct ChoiceTexts {
   QString mode, growth, platform, cell, process;
   int seed = 1;
+  RodProfile rod = {};
 };
 
 class ChoicesForm : public QWidget {
@@ -38,7 +48,14 @@ public:
   // Emits nothing. An id that is in no list is added to it as it is.
   void setTexts(const ChoiceTexts& texts);
 
+  // One line beside the choices with a button that does something about it; both empty: none. A
+  // line without a button tells something. `blocking`: nothing can be planned like this.
+  void setNotice(const QString& line, const QString& button, bool blocking);
+  void choosePlatformFile();
+
 signals:
+  void noticePressed();
+  void rodProfileChanged(const voluta::forms::RodProfile& profile);
   // `field` is "mode", "growth", "platform", "cell", "process" or "seed".
   void changed(const QString& field, const QString& text);
 
@@ -58,6 +75,10 @@ private:
   PlatformEditor* platform_ = nullptr;
   QLabel* seedLabel_ = nullptr;
   QSpinBox* seed_ = nullptr;
+  QWidget* noticeRow_ = nullptr;
+  QLabel *noticeIcon_ = nullptr, *notice_ = nullptr;
+  QPushButton* noticeButton_ = nullptr;
+  std::map<QString, ModePlatforms> platforms_;
 };
 
 } // namespace voluta::forms

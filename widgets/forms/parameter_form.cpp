@@ -121,6 +121,15 @@ void ParameterForm::setHeader(QWidget* header) {
   column_->insertWidget(0, header);
 }
 
+void ParameterForm::setDefaults(const base::ParameterTable& table) {
+  for (const Group& group : groups_)
+    for (ParameterRow* row : group.rows)
+      if (const base::ParameterSpec* spec = table.find(row->spec().key);
+          spec && spec->defaultValue != row->spec().defaultValue)
+        row->setDefault(spec->defaultValue);
+  table_ = table;
+}
+
 void ParameterForm::setValues(const std::map<std::string, std::string>& changedTexts) {
   for (const Group& group : groups_)
     for (ParameterRow* row : group.rows) {

@@ -30,6 +30,8 @@ public:
   // Puts a widget above the groups, inside the scrolled area; the form takes it over.
   void setHeader(QWidget* header);
 
+  // Other defaults for the same parameters; setValues is to follow. Emits nothing.
+  void setDefaults(const base::ParameterTable& table);
   // Texts by key of the parameters that were changed; all others show their default. Emits
   // nothing. A text that its parameter cannot take, or an unknown key, is left out.
   void setValues(const std::map<std::string, std::string>& changed);

@@ -146,6 +146,11 @@ void ParameterRow::commit(const base::ParameterValue& value) {
   emit committed(key(), QString::fromStdString(base::formatParameter(value)));
 }
 
+void ParameterRow::setDefault(const base::ParameterValue& value) {
+  spec_.defaultValue = value;
+  retranslate();
+}
+
 bool ParameterRow::isChanged() const {
   return value_ != spec_.defaultValue;
 }

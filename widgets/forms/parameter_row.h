@@ -17,6 +17,8 @@ public:
   ParameterRow(const base::ParameterSpec& spec, QWidget* parent);
 
   const base::ParameterSpec& spec() const { return spec_; }
+  // The value stays; emits nothing.
+  void setDefault(const base::ParameterValue& value);
   QWidget* editor() const { return editor_; }
   QString key() const { return QString::fromStdString(spec_.key); }
 

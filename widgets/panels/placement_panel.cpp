@@ -205,6 +205,12 @@ void PlacementPanel::showScale() {
   showQuietly(scale_, factor_);
 }
 
+void PlacementPanel::setOnPlate(bool onPlate) {
+  const QSignalBlocker quiet(move_[2]);
+  move_[2]->setMinimum(onPlate ? 0.0 : -kFarthestMm);
+  drop_->setEnabled(onPlate);
+}
+
 void PlacementPanel::showSize() {
   const QLocale locale;
   const auto side = [&](int axis) { return locale.toString(sizeMm_[axis], 'f', 1); };

@@ -29,6 +29,8 @@ public:
   void setScale(const QString& text, double factor);
   // Size of the placed part along the axes of the work frame, mm.
   void setSizeMm(const Eigen::Vector3d& sizeMm);
+  // May it lie lower than z = 0? Not on a plate.
+  void setOnPlate(bool onPlate);
   // Is a click in the viewport awaited?
   void setLayOnFace(bool waiting);
 

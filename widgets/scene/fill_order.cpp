@@ -31,6 +31,7 @@ FillOrder::FillOrder(const plan::ToolPlan& plan) {
   }
   if (box.isEmpty())
     return;
+  onPlate_ = box.min().z() >= 0.0;
   grid_.pitch = std::max(0.1, width / static_cast<double>(plan.waypointCount()));
   const Eigen::Vector3d sizes = box.sizes().array() + 4 * grid_.pitch;
   grid_.pitch = std::max(grid_.pitch, std::cbrt(sizes.prod() / kMaxCells));
@@ -72,7 +73,7 @@ void FillOrder::forProbes(const plan::ToolPlan& plan, std::size_t waypoint, F&& 
     const Eigen::Vector3d direction = std::cos(angle) * side + std::sin(angle) * up;
     const Eigen::Vector3d probe = middle + reach * direction;
     // What lies on the platform is closed from below.
-    f(direction, probe.z() < 0.0 ? 0 : filledAt(probe));
+    f(direction, onPlate_ && probe.z() < 0.0 ? 0 : filledAt(probe));
   }
 }
 

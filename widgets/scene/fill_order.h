@@ -31,6 +31,7 @@ private:
 
   voxel::VoxelGrid grid_;
   std::vector<std::uint32_t> filledAt_;
+  bool onPlate_ = true; // closed from below; around a rod beads lie on all sides of z = 0
 };
 
 } // namespace voluta::scene

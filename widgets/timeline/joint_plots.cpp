@@ -135,12 +135,17 @@ void JointPlots::retranslate() {
   limitsButton_->setText(tr("Limits"));
   limitsButton_->setToolTip(tr("Show the limits of the joints as dashed lines"));
   for (std::size_t i = 0; i < jointButtons_.size(); ++i)
-    jointButtons_[i]->setToolTip(tr("Show joint %1").arg(i + 1));
+    if (const robot::ExternalAxis* axis = externalAxis(i))
+      jointButtons_[i]->setToolTip(tr("Show axis %1").arg(QString::fromStdString(axis->name)));
+    else
+      jointButtons_[i]->setToolTip(tr("Show joint %1").arg(i + 1));
 }
 
 void JointPlots::setTrajectory(std::shared_ptr<const plan::Trajectory> trajectory,
-                               std::vector<robot::JointLimits> limits) {
+                               std::vector<robot::JointLimits> limits,
+                               std::vector<robot::ExternalAxis> externalAxes) {
   limits_ = std::move(limits);
+  externalAxes_ = std::move(externalAxes);
   curves_.reset();
   if (!trajectory || trajectory->pointCount() == 0) {
     runner_->cancel();
@@ -166,6 +171,13 @@ void JointPlots::setTrajectory(std::shared_ptr<const plan::Trajectory> trajector
       1);
 }
 
+// null: of the robot.
+const robot::ExternalAxis* JointPlots::externalAxis(std::size_t joint) const {
+  const std::size_t after = shown_.size() - std::min(shown_.size(), joint); // it included
+  return after <= externalAxes_.size() && after > 0 ? &externalAxes_[externalAxes_.size() - after]
+                                                    : nullptr;
+}
+
 void JointPlots::makeJointButtons() {
   const std::size_t count = static_cast<std::size_t>(curves_->dof());
   if (jointButtons_.size() != count) {
@@ -175,11 +187,12 @@ void JointPlots::makeJointButtons() {
     shown_.assign(count, true);
     for (std::size_t i = 0; i < count; ++i) {
       auto* button = new QToolButton(this);
-      button->setText(QStringLiteral("J%1").arg(i + 1));
       button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
       button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
       button->setCheckable(true);
-      button->setChecked(true);
+      const robot::ExternalAxis* axis = externalAxis(i);
+      shown_[i] = !axis || !axis->runsOn;
+      button->setChecked(shown_[i]);
       button->setAutoRaise(true);
       connect(button, &QToolButton::toggled, this,
               [this, i](bool on) { setJointShown(static_cast<int>(i), on); });
@@ -192,6 +205,11 @@ void JointPlots::makeJointButtons() {
 }
 
 void JointPlots::colourJointButtons() {
+  for (std::size_t i = 0; i < jointButtons_.size(); ++i) {
+    const robot::ExternalAxis* axis = externalAxis(i);
+    jointButtons_[i]->setText(axis ? QString::fromStdString(axis->name)
+                                   : QStringLiteral("J%1").arg(i + 1));
+  }
   for (std::size_t i = 0; i < jointButtons_.size(); ++i)
     jointButtons_[i]->setIcon(swatch(jointColour(i, palette())));
 }
@@ -262,7 +280,9 @@ void JointPlots::refresh() {
       const bool angles = canvas == angle_;
       curve.points = angles ? curves_->angle(joint, fromS_, toS_, canvas->columns())
                             : curves_->speed(joint, fromS_, toS_, canvas->columns());
-      if (limits && i < limits_.size()) {
+      // Of an axis that runs on only the counter ends.
+      const robot::ExternalAxis* axis = externalAxis(i);
+      if (limits && i < limits_.size() && !(angles && axis && axis->runsOn)) {
         const robot::JointLimits& l = limits_[i];
         curve.low = base::radiansToDegrees(angles ? l.min : -l.velocity);
         curve.high = base::radiansToDegrees(angles ? l.max : l.velocity);

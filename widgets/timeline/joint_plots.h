@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan/trajectory.h"
+#include "robot/cell.h"
 #include "robot/robot_model.h"
 
 #include <QWidget>
@@ -32,9 +33,12 @@ public:
   explicit JointPlots(QWidget* parent = nullptr);
   ~JointPlots() override;
 
-  // null: nothing to show. Limits: one a joint, or none. Returns at once; ready() follows.
+  // null: nothing to show. Limits: one a joint, or none. The last joints are the external axes,
+  // shown by their names; one that runs on turns so far that it is not shown at first. Returns at
+  // once; ready() follows.
   void setTrajectory(std::shared_ptr<const plan::Trajectory> trajectory,
-                     std::vector<robot::JointLimits> limits);
+                     std::vector<robot::JointLimits> limits,
+                     std::vector<robot::ExternalAxis> externalAxes = {});
   bool prepared() const { return static_cast<bool>(curves_); }
 
   void setKind(PlotKind kind);
@@ -59,6 +63,7 @@ protected:
 private:
   void buildWidgets();
   void makeJointButtons();
+  const robot::ExternalAxis* externalAxis(std::size_t joint) const;
   void colourJointButtons();
   void applyKind();
   void refresh();
@@ -67,6 +72,7 @@ private:
   jobs::JobRunner* runner_;
   std::shared_ptr<const JointCurves> curves_;
   std::vector<robot::JointLimits> limits_;
+  std::vector<robot::ExternalAxis> externalAxes_;
   std::vector<bool> shown_;
   PlotKind kind_ = PlotKind::Both;
   double fromS_ = 0.0, toS_ = 0.0;

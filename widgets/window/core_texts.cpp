@@ -13,8 +13,6 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "Flat layers"),
     QT_TRANSLATE_NOOP("Core", "Around a rod"),
     QT_TRANSLATE_NOOP("Core", "On a given surface"),
-    QT_TRANSLATE_NOOP("Core", "Around a rod"),
-    QT_TRANSLATE_NOOP("Core", "On a given surface"),
     QT_TRANSLATE_NOOP("Core", "Extended G-code (nozzle direction as nX nY nZ)"),
     QT_TRANSLATE_NOOP("Core", "Joint table (CSV)"),
 };

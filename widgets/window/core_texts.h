@@ -21,7 +21,7 @@ struct RemedyTexts {
   QString label, help;
 };
 RemedyTexts remedyTexts(const pipeline::Offer& offer);
-// "fit:0", "disc:80", "rect:100x80" in words.
+// "fit:0", "disc:80", "rod:5x200", "mesh:FILE" in words.
 QString platformText(const std::string& platform);
 
 } // namespace voluta::window

@@ -10,6 +10,7 @@
 #include "panels/pieces_panel.h"
 #include "panels/placement_panel.h"
 #include "pipeline/modes.h"
+#include "pipeline/platform_choice.h"
 #include "process/process.h"
 #include "robot/cell.h"
 #include "timeline/joint_plots.h"
@@ -64,8 +65,15 @@ forms::ChoiceItem item(std::string_view id, std::string_view label = {}) {
 
 forms::ChoiceLists choiceLists() {
   forms::ChoiceLists lists;
-  for (const pipeline::Mode& mode : pipeline::modes())
+  for (const pipeline::Mode& mode : pipeline::modes()) {
     lists.modes.push_back(item(mode.id, mode.label));
+    forms::ModePlatforms& platforms = lists.platforms[lists.modes.back().id];
+    platforms.aroundRod = mode.aroundRod;
+    for (const pipeline::PlatformKind kind : mode.platforms) {
+      const std::string_view word = pipeline::kPlatformWords[static_cast<std::size_t>(kind)];
+      platforms.kinds << QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
+    }
+  }
   for (const std::string& growth : curved::growthSchemes())
     lists.growths.push_back(
         {QString::fromStdString(growth), growthTexts(growth).label, growthTexts(growth).help});
@@ -98,6 +106,7 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   connectPages();
   connectGrowth();
   connectPieces();
+  connectModes();
   retranslate();
   showChoices();
   showPart();
@@ -223,6 +232,7 @@ void MainWindow::buildDocks() {
   pageDock_ = dock("pageDock", page, Qt::RightDockWidgetArea);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  buildUnrolled();
   resizeDocks({partDock_, pageDock_}, {kTreeWidth, kPanelWidth}, Qt::Horizontal);
   resizeDocks({partDock_, findingsDock_}, {200, 400}, Qt::Vertical);
 }
@@ -261,6 +271,7 @@ void MainWindow::retranslate() {
   partDock_->setWindowTitle(tr("Part and cell"));
   findingsDock_->setWindowTitle(tr("Findings"));
   pageDock_->setWindowTitle(pageName(flow_->page()));
+  unrolledDock_->setWindowTitle(tr("Unrolled layer"));
   prepareTabs_->setTabText(0, tr("Settings"));
   prepareTabs_->setTabText(1, tr("Part"));
   for (const auto& [menu, text] : menus_)

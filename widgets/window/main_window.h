@@ -6,6 +6,7 @@
 #include "document/comparing.h"
 #include "document/document.h"
 #include "document/live_preview.h"
+#include "document/mode_switch.h"
 #include "document/opening.h"
 #include "document/planning.h"
 #include "document/recent_files.h"
@@ -59,6 +60,7 @@ class LegendView;
 class ProgramPreview;
 class SpacingView;
 class StatusLine;
+class UnrolledView;
 class Welcome;
 
 class MainWindow : public QMainWindow {
@@ -88,6 +90,7 @@ protected:
   void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   // main_window.cpp: what there is and how it is laid out
@@ -131,6 +134,12 @@ private:
   void cancel();
   void showStates();
   void showChoices();
+  // main_window_modes.cpp: what goes with a way of building
+  void connectModes();
+  void switchMode(const std::string& mode);
+  void showNotice();
+  void pressNotice();
+  void placeOnTouchedPoints();
   void showPart();
   void showFindings();
   // Of what counts now: preview, result, and the error that a run ended in.
@@ -166,6 +175,13 @@ private:
   // Flies to the face that the finding is about, to a side that it is seen from; false: there are
   // no pieces, or it is not about them.
   bool lookAtPieces(const plan::Finding& finding);
+  // main_window_unrolled.cpp
+  void buildUnrolled();
+  void addUnrolledAction(QAction* action);
+  void showUnrolled();
+  std::shared_ptr<const plan::ToolPlan> planOfLayers() const;
+  void chooseWaypoint(std::optional<std::size_t> waypoint);
+  void showChosen(scene::ViewState& view) const;
   // main_window_compare.cpp
   void buildCompare();
   void showCompareState();
@@ -177,6 +193,8 @@ private:
   void tell(const QString& title, const QString& message);
   void applyGizmo(const viewer::GizmoChange& change, bool finished);
   void placeOnFace(const Eigen::Vector3d& normal);
+  // Where edits of the placement begin.
+  geometry::Placement placed() const;
   void setTool(viewer::Tool tool);
   bool shows(panels::SceneItem item) const;
   void setTime(double timeS);
@@ -190,6 +208,7 @@ private:
   document::Comparing comparing_;
   document::RecentFiles recent_;
   std::unique_ptr<document::Autosave> autosave_;
+  document::ModeSwitch modeSwitch_;
   jobs::JobRunner exporting_;
   Appearance appearance_;
 
@@ -203,6 +222,9 @@ private:
   Presenter* presenter_ = nullptr;
 
   QDockWidget *partDock_ = nullptr, *findingsDock_ = nullptr, *pageDock_ = nullptr;
+  QDockWidget* unrolledDock_ = nullptr;
+  UnrolledView* unrolled_ = nullptr;
+  QAction* unrolledAction_ = nullptr;
   panels::ObjectTree* tree_ = nullptr;
   panels::FindingsPanel* findings_ = nullptr;
   QStackedWidget* pages_ = nullptr;
@@ -228,8 +250,11 @@ private:
   QActionGroup* tools_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr, *plan_ = nullptr, *cancel_ = nullptr;
 
+  // Of the mode that was last switched to, what was changed with it; empty: nothing.
+  std::pair<std::string, QString> wentAlong_;
   std::optional<Eigen::Vector3d> marker_;
-  pipeline::Choices beforeGizmo_;
+  std::optional<std::size_t> chosenWaypoint_; // its path stands out in both views
+  geometry::Placement placedBeforeGizmo_;
   double scaleBeforeGizmo_ = 1.0;
   std::vector<planar::GivenCut> cuts_, cutsBeforeDrag_; // as the choices have them, else as found
   int chosenCut_ = -1;                                  // of the chosen piece; -1: none
@@ -243,7 +268,7 @@ private:
   std::optional<PendingExport> pendingExport_;
   std::array<bool, 3> newest_{}; // of what is on show: decides what the viewport shows
   bool lookingAtMissed_ = false; // until something else is asked for
-  bool closing_ = false, framedInCell_ = false;
+  bool closing_ = false, framedInCell_ = false, unrolledSized_ = false;
 };
 
 } // namespace voluta::window

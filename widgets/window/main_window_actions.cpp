@@ -119,16 +119,19 @@ void MainWindow::buildMenus() {
   edit->addSeparator();
   command(edit, "dropToPlate", QT_TR_NOOP("&Drop to plate"),
           QT_TR_NOOP("Lowest point on the plate"), QKeySequence("D"), "drop", [this] {
-            geometry::Placement p = document_.choices().placement;
+            geometry::Placement p = placed();
             p.liftMm = 0.0;
             document_.place(p, tr("drop to plate"));
           });
   command(edit, "centrePart", QT_TR_NOOP("&Centre"),
           QT_TR_NOOP("Middle of the part over the plate's"), QKeySequence("C"), "centre", [this] {
-            geometry::Placement p = document_.choices().placement;
+            geometry::Placement p = placed();
             p.centreMm.setZero();
             document_.place(p, tr("centre"));
           });
+  command(edit, "touchedPoints", QT_TR_NOOP("Place on touched &points…"),
+          QT_TR_NOOP("Moves the part to a cylinder found by touching it"), {}, {},
+          [this] { placeOnTouchedPoints(); });
   command(edit, "resetParameters", QT_TR_NOOP("Reset all &parameters"),
           QT_TR_NOOP("Every parameter back to its default"), {}, "reset",
           [this] { document_.resetParameters(); });
@@ -173,6 +176,9 @@ void MainWindow::buildMenus() {
     QSettings().setValue("view/legend", on);
     legend_->setWanted(on);
   });
+  addUnrolledAction(command(view, "toggleUnrolled", QT_TR_NOOP("&Unrolled layer"),
+                            QT_TR_NOOP("Layers around an axis laid flat, beside the picture"),
+                            QKeySequence("U"), {}, [] {}));
   view->addSeparator();
   QAction* dark = command(
       view, "dark", QT_TR_NOOP("&Dark"), QT_TR_NOOP("Light text on dark ground"), {}, {}, [this] {

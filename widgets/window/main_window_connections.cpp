@@ -28,8 +28,6 @@ using pipeline::Stage;
 namespace {
 // What undo says of a choice.
 QString editNameOf(const QString& field) {
-  if (field == "mode")
-    return MainWindow::tr("way of building");
   if (field == "growth")
     return MainWindow::tr("growth");
   if (field == "platform")
@@ -57,10 +55,19 @@ void MainWindow::connectDocument() {
           [this](bool dirty) { setWindowModified(dirty); });
   title();
   // The first stage is quick: the part lies where the numbers say without a word from the user.
-  connect(&document_, &document::Document::edited, this, [this] {
+  const auto layPart = [this] {
     if (!planning_.running() && document_.source() && document_.sourceReady())
       planning_.plan(Stage::Load);
-  });
+  };
+  connect(&document_, &document::Document::edited, this, layPart);
+  // An edit may have come when a run was as good as done. Queued: it is still at telling its end.
+  connect(
+      &planning_, &document::Planning::finished, this,
+      [this, layPart] {
+        if (!document_.key(Stage::Load).empty() && !document_.upToDate(Stage::Load))
+          layPart();
+      },
+      Qt::QueuedConnection);
 
   connect(&document_, &document::Document::previewChanged, this, &MainWindow::showFindings);
   connect(&document_, &document::Document::stateChanged, this, [this] {
@@ -76,7 +83,9 @@ void MainWindow::connectDocument() {
     const auto result = document_.result(Stage::Decompose);
     status_->showIdle(result && result->job.pieces
                           ? tr("The pieces follow the settings. Press Plan for layers and paths.")
-                          : tr("The voxels follow the settings. Press Plan for layers and paths."));
+                      : result && result->job.decomposition
+                          ? tr("The voxels follow the settings. Press Plan for layers and paths.")
+                          : tr("Press Plan for layers and paths."));
     showStates();
   });
   connect(&live_, &document::LivePreview::cancelled, this, [this] {
@@ -192,9 +201,11 @@ void MainWindow::connectPages() {
           [this](const QString& field, const QString& text) {
             pipeline::Choices c = document_.choices();
             const std::string value = text.toStdString();
-            if (field == "mode")
-              c.mode = value;
-            else if (field == "growth")
+            if (field == "mode") {
+              switchMode(value);
+              return;
+            }
+            if (field == "growth")
               c.growth = value;
             else if (field == "platform")
               c.platform = value;
@@ -222,7 +233,7 @@ void MainWindow::connectPages() {
   connect(tree_, &panels::ObjectTree::visibilityChanged, this, &MainWindow::showView);
 
   connect(viewport_, &viewer::Viewport::gizmoStarted, this, [this] {
-    beforeGizmo_ = document_.choices();
+    placedBeforeGizmo_ = placed();
     cutsBeforeDrag_ = cuts_;
     const auto placed = document_.result(Stage::Load);
     scaleBeforeGizmo_ = placed ? placed->job.scale : 1.0;
@@ -259,6 +270,11 @@ void MainWindow::connectPages() {
                presenter_->clock()) {
       if (const auto time = presenter_->clock()->timeOfWaypoint(hit->waypoint))
         setTime(*time);
+      if (unrolledDock_->isVisible())
+        chooseWaypoint(hit->waypoint);
+    } else if (page() == Page::Layers && unrolledDock_->isVisible()) {
+      chooseWaypoint(hit && hit->what == scene::Hit::What::Path ? std::optional(hit->waypoint)
+                                                                : std::nullopt);
     }
   });
   connect(viewport_, &viewer::Viewport::hovered, this, [this](const auto& hit) {
@@ -322,6 +338,7 @@ void MainWindow::connectPages() {
     viewport_->scene().setPartPreview(Eigen::Affine3d::Identity());
     if (!presenter_->partBox().isEmpty())
       viewport_->setGizmoCentre(presenter_->partBox().center());
+    placement_->setPlacement(placed());
     showPart();
     showView();
     if (another)
@@ -335,9 +352,13 @@ void MainWindow::connectPages() {
     timeline_->setClock(presenter_->clock());
     const auto& clock = presenter_->clock();
     std::vector<robot::JointLimits> limits;
-    if (const auto motion = document_.result(Stage::Motion); motion && motion->cell)
+    std::vector<robot::ExternalAxis> externalAxes;
+    if (const auto motion = document_.result(Stage::Motion); motion && motion->cell) {
       limits = motion->cell->limits();
-    plots_->setTrajectory(clock ? clock->trajectory() : nullptr, std::move(limits));
+      externalAxes = motion->cell->externalAxes();
+    }
+    plots_->setTrajectory(clock ? clock->trajectory() : nullptr, std::move(limits),
+                          std::move(externalAxes));
     showView();
   });
 }
@@ -350,7 +371,8 @@ void MainWindow::showLayerCount() {
   layers_->setLayers(presenter_->layerCount(),
                      facts && static_cast<int>(facts->topsMm.size()) == presenter_->layerCount()
                          ? facts->topsMm
-                         : std::vector<double>{});
+                         : std::vector<double>{},
+                     facts && facts->radii);
   showMoves();
   showView();
   showLayerMeasures(layers_->last());

@@ -8,6 +8,7 @@
 #include "panels/layer_info.h"
 #include "panels/mesh_panel.h"
 #include "panels/placement_panel.h"
+#include "pipeline/modes.h"
 #include "pipeline/outputs.h"
 #include "pipeline/remedies.h"
 #include "program/dialect.h"
@@ -74,6 +75,15 @@ PageState pageState(const document::Document& document, std::initializer_list<St
   return worst;
 }
 
+// As typed; what cannot be read is for the run to say.
+forms::RodProfile rodProfileOf(const pipeline::Choices& choices) {
+  const auto text = [&](const char* key) {
+    const auto at = choices.parameters.find(key);
+    return at == choices.parameters.end() ? QString() : QString::fromStdString(at->second);
+  };
+  return {text("rodSides").toInt(), text("rodProfile")};
+}
+
 QString vectorText(const Eigen::Vector3d& v) {
   const QLocale locale;
   return QString::fromUtf8("%1 × %2 × %3 mm")
@@ -111,6 +121,9 @@ void MainWindow::showStates() {
   tools_->setEnabled(page() == Page::Prepare && document_.source());
   for (const char* id : {"dropToPlate", "centrePart"})
     findChild<QAction*>(id)->setEnabled(static_cast<bool>(document_.source()));
+  // Around a rod the rod says where the part lies.
+  findChild<QAction*>("touchedPoints")
+      ->setEnabled(document_.source() && !pipeline::findMode(document_.choices().mode).aroundRod);
   QString text = summaryText();
   const auto result = document_.presentResult();
   if (!document_.preview() && result && result->job.reached &&
@@ -123,13 +136,16 @@ void MainWindow::showChoices() {
   const pipeline::Choices& c = document_.choices();
   choices_->setTexts({QString::fromStdString(c.mode), QString::fromStdString(c.growth),
                       QString::fromStdString(c.platform), QString::fromStdString(c.cell),
-                      QString::fromStdString(c.process), c.seed});
+                      QString::fromStdString(c.process), c.seed, rodProfileOf(c)});
+  parameters_->setDefaults(pipeline::parametersOf(c.mode));
   parameters_->setValues(c.parameters);
-  placement_->setPlacement(c.placement);
+  placement_->setOnPlate(!pipeline::findMode(c.mode).aroundRod);
+  placement_->setPlacement(placed());
   mesh_->setRepair(c.repair);
   tree_->setText(panels::SceneItem::Platform, {}, platformText(c.platform));
   tree_->setText(panels::SceneItem::Cell, {}, QString::fromStdString(c.cell));
   status_->setCell(QString::fromStdString(c.cell));
+  showNotice();
   showCuts();
   showPart();
 }
@@ -275,7 +291,8 @@ void MainWindow::showPreview() {
 
 void MainWindow::showLayerMeasures(int layer) {
   // Layers of other voxels than those on show have nothing to say.
-  const auto facts = document_.voxelsAhead() ? nullptr : presenter_->facts();
+  const auto facts =
+      document_.voxelsAhead() && presenter_->hasVoxels() ? nullptr : presenter_->facts();
   if (facts && layer >= 0 && layer < static_cast<int>(facts->measures.size()))
     layerInfo_->setMeasures(facts->measures[static_cast<std::size_t>(layer)]);
   else

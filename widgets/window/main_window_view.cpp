@@ -4,6 +4,7 @@
 #include "geometry/placement.h"
 #include "panels/export_panel.h"
 #include "panels/pieces_panel.h"
+#include "pipeline/modes.h"
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
@@ -104,12 +105,14 @@ scene::ViewState MainWindow::viewState() const {
     }
     break;
   }
+  showChosen(v);
   return v;
 }
 
 void MainWindow::showView() {
   showGrowth();
   viewport_->setView(viewState());
+  showUnrolled();
   showCutHandles();
   legend_->setLegend(page() == Page::Layers || viewport_->view().voxels || viewport_->view().pieces
                          ? viewport_->scene().legend()
@@ -181,9 +184,11 @@ void MainWindow::applyGizmo(const viewer::GizmoChange& change, bool finished) {
   viewport_->requestFrame();
   if (!finished)
     return;
-  geometry::Placement placement = beforeGizmo_.placement;
+  geometry::Placement placement = placedBeforeGizmo_;
   placement.centreMm += change.moveMm.head<2>();
-  placement.liftMm = std::max(0.0, placement.liftMm + change.moveMm.z());
+  placement.liftMm += change.moveMm.z();
+  if (!pipeline::findMode(document_.choices().mode).aroundRod)
+    placement.liftMm = std::max(0.0, placement.liftMm);
   placement.rotation = (change.turn * placement.rotation).normalized();
   switch (viewport_->tool()) {
   case viewer::Tool::Move:
@@ -204,10 +209,18 @@ void MainWindow::applyGizmo(const viewer::GizmoChange& change, bool finished) {
     viewport_->scene().setPartPreview(Eigen::Affine3d::Identity());
 }
 
+geometry::Placement MainWindow::placed() const {
+  const geometry::Placement& own = document_.choices().placement;
+  return Presenter::isUntouched(own) && document_.upToDate(Stage::Load) &&
+                 !presenter_->partBox().isEmpty()
+             ? presenter_->placement()
+             : own;
+}
+
 void MainWindow::placeOnFace(const Eigen::Vector3d& normal) {
   if (normal.norm() < 0.5)
     return;
-  geometry::Placement placement = document_.choices().placement;
+  geometry::Placement placement = placed();
   placement.rotation = geometry::rotationLayingFlat(normal) * placement.rotation;
   placement.liftMm = 0.0;
   document_.place(placement, tr("lay on face"));

@@ -2,7 +2,9 @@
 
 #include "geometry/measures.h"
 #include "pipeline/choices.h"
+#include "pipeline/modes.h"
 #include "pipeline/platform_choice.h"
+#include "pipeline/stages.h"
 #include "voxel/solid_voxels.h"
 #include "window/background.h"
 #include "window/layer_measures.h"
@@ -19,18 +21,36 @@ constexpr double kGroundRadiusMm = 150.0;
 scene::HeightLimits heightLimits(const process::Process& process) {
   return {process.layerHeightMm, process.layerHeightMinMm, process.layerHeightMaxMm};
 }
-// As far as it is known without a plan.
-geometry::PlatformSolid plannedPlatform(const std::string& platform,
-                                        const geometry::TriangleMesh& part, double voxelMm) {
-  const pipeline::PlatformChoice choice = pipeline::platformChoice(platform);
-  geometry::PlatformSolid solid;
-  if (choice.kind == pipeline::PlatformKind::Rod)
-    solid.rod = geometry::straightRod(choice.diameterMm, choice.lengthMm);
-  else
-    solid.polygon = pipeline::platformPolygon(platform, choice.kind == pipeline::PlatformKind::Fit
-                                                            ? voxel::solidVoxels(part, voxelMm, {})
-                                                            : voxel::SolidVoxels{});
-  return solid;
+
+geometry::PlatformSolid plannedPlatform(const pipeline::LoadStage& placed,
+                                        const pipeline::Choices& choices) {
+  const base::ParameterValues values = pipeline::parameterValues(choices);
+  if (const auto platform = pipeline::findMode(choices.mode).platform)
+    return platform(placed, {choices, values, pipeline::chosenProcess(choices, values)});
+  return pipeline::platformPolygon(
+      choices.platform, pipeline::fitMargin(choices.platform)
+                            ? voxel::solidVoxels(*placed.part, values.number("voxelMm"), {})
+                            : voxel::SolidVoxels{});
+}
+
+// Where the part lies: as the user has placed it, or as the mode lays it where nobody has.
+geometry::Placement placementOf(const pipeline::LoadedPart& source,
+                                const pipeline::Choices& choices, double scale) {
+  const geometry::Placement& own = choices.placement;
+  const auto place = pipeline::findMode(choices.mode).place;
+  if (!place || !Presenter::isUntouched(own))
+    return own;
+  const base::ParameterValues values = pipeline::parameterValues(choices);
+  return place(*source.mesh, scale, {choices, values, pipeline::chosenProcess(choices, values)});
+}
+
+// What of the choices the platform is made from.
+std::string platformKey(const pipeline::Choices& choices) {
+  std::string key = choices.mode + '|' + choices.platform + '|' + choices.cell;
+  for (const char* parameter : {"voxelMm", "rodSides", "rodProfile", "rodAxis"})
+    if (const auto at = choices.parameters.find(parameter); at != choices.parameters.end())
+      key += '|' + at->first + '=' + at->second;
+  return key;
 }
 } // namespace
 
@@ -47,6 +67,11 @@ Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, Q
 }
 
 Presenter::~Presenter() = default;
+
+bool Presenter::isUntouched(const geometry::Placement& p) {
+  return p.rotation.coeffs() == Eigen::Quaterniond::Identity().coeffs() &&
+         p.centreMm == Eigen::Vector2d::Zero() && p.liftMm == 0.0;
+}
 
 int Presenter::layerCount() const {
   if (document_.voxelsAhead() && hasVoxels())
@@ -113,10 +138,19 @@ void Presenter::drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh) {
   if (!mesh || drawn_[Part] == mesh)
     return;
   drawn_[Part] = mesh;
+  const auto placed = document_.result(Stage::Load);
+  const double unit = pipeline::unitMm(*placed->job.loaded, placed->job.choices);
   inBackground(
       *runners_[Part],
-      [mesh] { return std::pair(scene::drawPart(*mesh), geometry::bounds(*mesh)); },
-      [this](auto&& made) { swapPart(made.first, made.second); });
+      [mesh, source = placed->job.loaded, choices = placed->job.choices,
+       scale = placed->job.scale * unit] {
+        return std::tuple(scene::drawPart(*mesh), geometry::bounds(*mesh),
+                          placementOf(*source, choices, scale));
+      },
+      [this](auto&& made) {
+        placement_ = std::get<2>(made);
+        swapPart(std::get<0>(made), std::get<1>(made));
+      });
 }
 
 void Presenter::drawPlatform(const geometry::PlatformSolid& platform) {
@@ -134,18 +168,17 @@ void Presenter::drawPlannedPlate() {
   if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
     return;
   const pipeline::Choices& choices = document_.choices();
-  if (pipeline::platformChoice(choices.platform).kind == pipeline::PlatformKind::Mesh)
-    return; // it comes with the decomposition
-  const double voxelMm = pipeline::parameterValues(choices).number("voxelMm");
-  const auto wanted = std::tuple(choices.platform, voxelMm, placed->job.part);
+  const auto wanted = std::tuple(platformKey(choices), placed->job.part);
   if (wanted == plateDrawn_)
     return;
   plateDrawn_ = wanted;
   inBackground(
       *runners_[Plate],
-      [wanted] {
-        const auto& [platform, pitch, part] = wanted;
-        return scene::drawPlatform(plannedPlatform(platform, *part, pitch), kGroundRadiusMm);
+      [choices, part = placed->job.part, scale = placed->job.scale] {
+        pipeline::LoadStage stage;
+        stage.part = part;
+        stage.scale = scale;
+        return scene::drawPlatform(plannedPlatform(stage, choices), kGroundRadiusMm);
       },
       [this](auto&& made) {
         viewport_.scene().setPlatform(made);
@@ -252,8 +285,7 @@ void Presenter::show(Stage stage) {
     drawPart(job.part);
     drawPlannedPlate();
   } else if (stage == Stage::Decompose) {
-    plateDrawn_ = {job.choices.platform, pipeline::parameterValues(job.choices).number("voxelMm"),
-                   job.part};
+    plateDrawn_ = {platformKey(job.choices), job.part};
     drawPlatform(job.platform);
     if (result->cell && drawn_[CellBodies] != result->cell) {
       drawn_[CellBodies] = result->cell;

@@ -53,6 +53,9 @@ public:
   int movesOf(int layer) const;
   // Of the part on show, work frame; empty: no part.
   const Eigen::AlignedBox3d& partBox() const { return partBox_; }
+  // How it lies there, also where the way of building laid it.
+  const geometry::Placement& placement() const { return placement_; }
+  static bool isUntouched(const geometry::Placement& placement);
   // Waypoints of a layer in print order, as moves count them.
   const std::vector<std::uint32_t>& waypointsOf(int layer) const;
 
@@ -92,9 +95,10 @@ private:
   std::shared_ptr<const void> shownSource_;
   // What was drawn last, so that the same data is never drawn twice.
   std::array<std::shared_ptr<const void>, kSlotCount> drawn_;
-  // What the platform's outline was drawn from before a plan: choice, voxel width, part.
-  std::tuple<std::string, double, std::shared_ptr<const geometry::TriangleMesh>> plateDrawn_;
+  // What the platform was drawn from: what of the choices, the part.
+  std::tuple<std::string, std::shared_ptr<const geometry::TriangleMesh>> plateDrawn_;
   Eigen::AlignedBox3d partBox_;
+  geometry::Placement placement_;
   int patchLayers_ = 0, pathLayers_ = 0;
 };
 

@@ -1,0 +1,38 @@
+// What goes with a way of building: a rod needs a cell that turns one, a body its file.
+#pragma once
+
+#include "geometry/placement.h"
+#include "pipeline/job.h"
+
+#include <QString>
+#include <map>
+#include <string>
+
+namespace voluta::document {
+
+// Ways of building stand on a plate or turn with a rod. Cell, process, platform and place of the
+// part are kept for either: whoever comes back finds them as they were.
+class ModeSwitch {
+public:
+  // The choices in that mode: with what they have where it fits, else with what was there when the
+  // mode's kind was last left, else with what is usual for it. Precondition: known modes.
+  pipeline::Choices switched(const pipeline::Choices& now, const std::string& mode);
+
+private:
+  struct Companions {
+    std::string cell, process;
+    geometry::Placement placement;
+  };
+  std::map<bool, Companions> companions_;        // by Mode::aroundRod
+  std::map<std::string, std::string> platforms_; // by mode
+};
+
+// The choices with all replaced that does not fit their mode; the same where nothing is to be.
+// Reads descriptions of cells.
+pipeline::Choices fitting(pipeline::Choices choices);
+
+// What keeps anything from being planned with these choices: one sentence, or none. Reads
+// descriptions of cell and process.
+QString obstacle(const pipeline::Choices& choices);
+
+} // namespace voluta::document
