@@ -24,7 +24,7 @@ constexpr std::size_t kMostCells = std::size_t{1} << 29;
 constexpr std::size_t kSegmentsAChunk = 1024;
 // Of the ground, which is there before waypoint 0; beads fill cells from 1 on.
 constexpr std::uint32_t kFromTheStart = 0;
-constexpr double kMostGroundCells = 1 << 25;
+constexpr double kMostGroundCells = 1 << 24;
 constexpr double kRodChordMm = 0.01;
 
 // First waypoint of every segment (not the gaps between paths).
@@ -70,37 +70,6 @@ void lower(std::uint32_t& cell, std::uint32_t value) {
   }
 }
 
-// What of the platform is no plate: its cells are filled from the start.
-FillTimes groundOf(const geometry::PlatformSolid& platform, double pitch,
-                   const base::RunContext& ctx) {
-  std::vector<geometry::TriangleMesh> solids;
-  if (platform.mesh)
-    solids.push_back(*platform.mesh);
-  if (platform.rod)
-    solids.push_back(geometry::meshOf(*platform.rod, kRodChordMm));
-  Eigen::AlignedBox3d box;
-  for (const geometry::TriangleMesh& solid : solids)
-    box.extend(geometry::bounds(solid));
-  if (box.isEmpty())
-    return {};
-  voxel::VoxelGrid grid;
-  grid.pitch = std::max(pitch, std::cbrt(box.volume() / kMostGroundCells));
-  grid.origin = (box.min() / grid.pitch).array().floor().matrix() * grid.pitch;
-  grid.size = ((box.max() - grid.origin) / grid.pitch).array().ceil().cast<int>().max(1);
-  std::vector<std::uint8_t> inside(grid.cellCount(), 0);
-  for (const geometry::TriangleMesh& solid : solids) {
-    const geometry::TriangleMesh caps = voxel::capsOf(solid);
-    if (caps.triangles.empty())
-      voxel::fillClosed(solid, grid, inside, ctx);
-    else
-      voxel::fillOpen(solid, caps, grid, inside, ctx);
-  }
-  std::vector<std::uint32_t> filledAt(inside.size());
-  std::transform(inside.begin(), inside.end(), filledAt.begin(),
-                 [](std::uint8_t in) { return in != 0 ? kFromTheStart : FillTimes::kNever; });
-  return {grid, std::move(filledAt), ctx};
-}
-
 // Of what is filled before waypoint `before`: the ground is there before the first.
 std::uint32_t momentOf(std::size_t before) {
   return static_cast<std::uint32_t>(
@@ -121,9 +90,39 @@ double growingPitch(const plan::ToolPlan& plan, const process::Process& process)
   return std::max(finest, std::cbrt(sides.prod() / kCells));
 }
 
+std::shared_ptr<const FillTimes> groundCells(const geometry::PlatformSolid& platform, double pitch,
+                                             const base::RunContext& ctx) {
+  std::vector<geometry::TriangleMesh> solids;
+  if (platform.mesh)
+    solids.push_back(*platform.mesh);
+  if (platform.rod)
+    solids.push_back(geometry::meshOf(*platform.rod, kRodChordMm));
+  Eigen::AlignedBox3d box;
+  for (const geometry::TriangleMesh& solid : solids)
+    box.extend(geometry::bounds(solid));
+  if (box.isEmpty())
+    return nullptr;
+  voxel::VoxelGrid grid;
+  grid.pitch = std::max(pitch, std::cbrt(box.volume() / kMostGroundCells));
+  grid.origin = (box.min() / grid.pitch).array().floor().matrix() * grid.pitch;
+  grid.size = ((box.max() - grid.origin) / grid.pitch).array().ceil().cast<int>().max(1);
+  std::vector<std::uint8_t> inside(grid.cellCount(), 0);
+  for (const geometry::TriangleMesh& solid : solids) {
+    const geometry::TriangleMesh caps = voxel::capsOf(solid);
+    if (caps.triangles.empty())
+      voxel::fillClosed(solid, grid, inside, ctx);
+    else
+      voxel::fillOpen(solid, caps, grid, inside, ctx);
+  }
+  std::vector<std::uint32_t> filledAt(inside.size());
+  std::transform(inside.begin(), inside.end(), filledAt.begin(),
+                 [](std::uint8_t in) { return in != 0 ? kFromTheStart : FillTimes::kNever; });
+  return std::make_shared<FillTimes>(grid, std::move(filledAt), ctx);
+}
+
 GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base::RunContext& ctx,
-                         const geometry::PlatformSolid& platform)
-    : ground_(groundOf(platform, pitchMm, ctx)) {
+                         std::shared_ptr<const FillTimes> ground)
+    : ground_(ground ? std::move(ground) : std::make_shared<FillTimes>()) {
   base::require(pitchMm > 0.0, "pitch > 0");
   base::require(plan.direction.size() == plan.waypointCount() &&
                     plan.widthMm.size() == plan.waypointCount() &&
@@ -152,21 +151,21 @@ bool GrowingPart::touches(const robot::Shape& shape, const Eigen::Isometry3d& wo
                           double marginMm, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);
   return beads_.touches(shape, work_T_shape, marginMm, moment) ||
-         ground_.touches(shape, work_T_shape, marginMm, moment);
+         ground_->touches(shape, work_T_shape, marginMm, moment);
 }
 
 bool GrowingPart::headTouches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                               double marginMm, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);
   return beads_.touches(shape, work_T_shape, marginMm - 0.5 * beads_.grid().pitch, moment) ||
-         ground_.touches(shape, work_T_shape, marginMm - 0.5 * ground_.grid().pitch, moment);
+         ground_->touches(shape, work_T_shape, marginMm - 0.5 * ground_->grid().pitch, moment);
 }
 
 double GrowingPart::distance(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                              double capMm, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);
-  return ground_.distance(shape, work_T_shape, beads_.distance(shape, work_T_shape, capMm, moment),
-                          moment);
+  return ground_->distance(shape, work_T_shape, beads_.distance(shape, work_T_shape, capMm, moment),
+                           moment);
 }
 
 } // namespace voluta::collision

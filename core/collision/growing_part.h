@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace voluta::base {
 class RunContext;
@@ -26,14 +27,18 @@ namespace voluta::collision {
 // would hold more than 2^27 such cells.
 double growingPitch(const plan::ToolPlan& plan, const process::Process& process);
 
+// What of a platform is no plate, in cells that are filled from the start: pitchMm wide, wider
+// where there would be more than 2^24 of them. Null: nothing. Throws Cancelled.
+std::shared_ptr<const FillTimes> groundCells(const geometry::PlatformSolid& platform,
+                                             double pitchMm, const base::RunContext& ctx);
+
 class GrowingPart {
 public:
   // Deposits every segment of every path: section of process/bead_model.h below the tip, along the
-  // waypoints' directions. A cell counts as filled when its centre is inside a bead. Rod and body
-  // of the platform are there from the start, in cells of their own: pitchMm wide, wider where
-  // there would be more than 2^25 of them. Work frame. Throws Cancelled.
+  // waypoints' directions. A cell counts as filled when its centre is inside a bead. The ground is
+  // there before the first. Work frame. Throws Cancelled.
   GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base::RunContext& ctx,
-              const geometry::PlatformSolid& platform = {});
+              std::shared_ptr<const FillTimes> ground = nullptr);
 
   // Of the beads.
   const voxel::VoxelGrid& grid() const { return beads_.grid(); }
@@ -55,7 +60,8 @@ public:
                   std::size_t before) const;
 
 private:
-  FillTimes ground_, beads_;
+  std::shared_ptr<const FillTimes> ground_; // never null
+  FillTimes beads_;
 };
 
 } // namespace voluta::collision

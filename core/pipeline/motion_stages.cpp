@@ -38,9 +38,9 @@ std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& lay
 }
 
 std::shared_ptr<const MotionStage>
-motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid& platform, const robot::Cell& cell,
-            const process::Process& process, const base::ParameterValues& values, int seed,
-            const base::RunContext& ctx) {
+motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid& platform,
+            const robot::Cell& cell, const process::Process& process,
+            const base::ParameterValues& values, int seed, const base::RunContext& ctx) {
   auto stage = std::make_shared<MotionStage>();
   MotionReport& r = stage->report;
   r.robot = cell.robot().id;
@@ -56,8 +56,9 @@ motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid& platf
   options.seed = static_cast<std::uint64_t>(seed);
   geometry::PlatformSolid ground = platform;
   ground.rod.reset(); // it is a body of the cell
-  const collision::GrowingPart growing(toolPlan, collision::growingPitch(toolPlan, process),
-                                       ctx.sub(0.0, 0.05), ground);
+  const double pitch = collision::growingPitch(toolPlan, process);
+  const collision::GrowingPart growing(toolPlan, pitch, ctx.sub(0.0, 0.05),
+                                       collision::groundCells(ground, pitch, ctx));
   const double deposited = depositing.seconds();
   motion::MotionResult planned =
       motion::planMotion(toolPlan, cell, process, growing, options, ctx.sub(0.05, 1.0));

@@ -51,8 +51,9 @@ public:
 
   OrientResult run() {
     {
-      const collision::GrowingPart part(plan_, collision::growingPitch(plan_, process_), ctx_,
-                                        o_.platform);
+      const double pitch = collision::growingPitch(plan_, process_);
+      ground_ = collision::groundCells(o_.platform, pitch, ctx_);
+      const collision::GrowingPart part(plan_, pitch, ctx_, ground_);
       ctx_.report(0.2, "directions");
       choose(part);
       ctx_.report(0.5, "directions");
@@ -208,7 +209,7 @@ private:
       for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
         r.maxTurnDeg = std::max(
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
-    const collision::GrowingPart part(p, collision::growingPitch(p, process_), ctx_, o_.platform);
+    const collision::GrowingPart part(p, collision::growingPitch(p, process_), ctx_, ground_);
     ctx_.report(0.8, "directions");
     std::vector<char> gouge(p.waypointCount(), 0);
     base::parallelChunks(ctx_, gouge.size(), kGrain, [&](std::size_t b, std::size_t e) {
@@ -238,6 +239,7 @@ private:
   const process::Process& process_;
   const ToolpathOptions& o_;
   const base::RunContext ctx_;
+  std::shared_ptr<const collision::FillTimes> ground_;
   HeadClearance head_;
   std::vector<Vector3d> middle_, direction_, subdividedClear_;
 };

@@ -217,7 +217,7 @@ TEST(GrowingPart, RodAndBodyAreThereFromTheStart) {
   platform.rod = geometry::straightRod(5.0, 40.0);
   plan::ToolPlan plan;
   addPath(plan, {{-5, 0, 2.75}, {5, 0, 2.75}}, Vector3d::UnitZ(), 0.7f, 0.25f);
-  const GrowingPart part(plan, 0.125, {}, platform);
+  const GrowingPart part(plan, 0.125, {}, collision::groundCells(platform, 0.125, {}));
   const robot::Shape pin = robot::Capsule{Vector3d::Zero(), Vector3d(0, 0, 1), 0.5};
   const auto at = [](double x, double z) {
     Isometry3d pose = Isometry3d::Identity();
