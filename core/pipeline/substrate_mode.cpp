@@ -216,8 +216,9 @@ std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
   const substrate::SubstrateOptions options = substrateOptions(in);
   const substrate::LevelFamily family =
       substrate::substrateLevels(part, groundOf(decomposed.platform), options, ctx.sub(0.0, 0.1));
-  return layersStage(substrate::stackLevels(part, family, options, ctx.sub(0.1, 1.0)),
-                     watch.seconds());
+  substrate::StackedLevels stacked =
+      substrate::stackLevels(part, family, options, ctx.sub(0.1, 1.0));
+  return layersStage(std::move(stacked), watch.seconds());
 }
 
 base::ParameterSpec textParameter(const char* key, const char* label, const char* help) {

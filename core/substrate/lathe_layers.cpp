@@ -128,12 +128,15 @@ LatheLayers latheLayers(const geometry::TriangleMesh& part, const RodSurface& ro
   family.count = static_cast<int>(bounds.size()) - 1;
   family.groundWord = "rod";
   family.ground = groundOf(rod, o.followsRod);
+  std::optional<OffsetLevels> offsets;
+  if (o.followsRod)
+    offsets.emplace(rod.distance(), box, edge);
   family.level = [&](int k, const base::RunContext& silent) {
     const double inner = bounds[static_cast<std::size_t>(k)],
                  outer = bounds[static_cast<std::size_t>(k) + 1];
     const double middle = 0.5 * (inner + outer), thickness = outer - inner;
-    return o.followsRod ? offsetLevel(rod.distance(), middle, thickness, box, edge, silent)
-                        : cylinderLevel(middle, thickness, box.min().x(), box.max().x(), edge);
+    return offsets ? offsets->at(middle, thickness, silent)
+                   : cylinderLevel(middle, thickness, box.min().x(), box.max().x(), edge);
   };
   if (!o.followsRod && radii.leastMm < radii.mostMm)
     family.adapt = [&](std::vector<layers::Patch>& patches) {

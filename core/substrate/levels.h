@@ -7,6 +7,7 @@
 #include "substrate/ground_distance.h"
 
 #include <Eigen/Geometry>
+#include <memory>
 
 namespace voluta::substrate {
 
@@ -31,6 +32,18 @@ layers::LevelSurface sphereLevel(const Eigen::Vector3d& centre, double radiusMm,
 layers::LevelSurface offsetLevel(const GroundDistance& ground, double distanceMm,
                                  double thicknessMm, const Eigen::AlignedBox3d& box, double edgeMm,
                                  const base::RunContext& ctx);
+
+// The same at several distances: those of the grid's points are found once for all of them. Safe
+// from many threads at once; copies share what was found.
+class OffsetLevels {
+public:
+  OffsetLevels(GroundDistance ground, const Eigen::AlignedBox3d& box, double edgeMm);
+  layers::LevelSurface at(double distanceMm, double thicknessMm, const base::RunContext& ctx) const;
+
+private:
+  class Grid;
+  std::shared_ptr<Grid> grid_;
+};
 
 // Half-way between two circles of flatteningCircles or flatteningToPlane along the radii of the
 // first, which are the directions; drawn out along x over [x0, x1], over what of the first circle's

@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -31,66 +33,94 @@ constexpr double kCrease = 0.94; // cosine of 20 degrees
 constexpr std::array<std::array<int, 4>, 6> kTetrahedra = {
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
-class Marcher {
+} // namespace
+
+// Signed distances at a grid's points, found block by block when they are first asked for.
+class OffsetLevels::Grid {
 public:
-  Marcher(const GroundDistance& ground, double distanceMm, const Eigen::AlignedBox3d& box,
-          double pitch)
-      : ground_(ground), distance_(distanceMm), low_(box.min()), pitch_(pitch) {
+  Grid(GroundDistance ground, const Eigen::AlignedBox3d& box, double pitch)
+      : ground_(std::move(ground)), low_(box.min()), pitch_(pitch) {
     for (int k = 0; k < 3; ++k)
       size_[k] = std::max(1, static_cast<int>(std::ceil(box.sizes()[k] / pitch)));
+    blocks_ = (size_.array() + kBlock - 1) / kBlock;
+    entries_ = std::vector<Entry>(static_cast<std::size_t>(blocks_.prod()));
   }
 
-  // Triangles face away from the ground.
-  geometry::TriangleMesh run(const base::RunContext& ctx) {
-    const Vector3i blocks = (size_.array() + kBlock - 1) / kBlock;
-    const auto count = static_cast<std::size_t>(blocks.prod());
-    std::vector<std::vector<double>> values(count); // at the block's corners; empty: far
-    base::parallelChunks(ctx, count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b)
-        values[b] = sampled(blockAt(b, blocks));
-    });
-    for (std::size_t b = 0; b < count; ++b)
-      if (!values[b].empty())
-        march(blockAt(b, blocks), values[b]);
-    mesh_.vertices.resize(crossings_.size());
-    base::parallelChunks(ctx, crossings_.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v)
-        mesh_.vertices[v] = onLevel(crossings_[v]);
-    });
-    return std::move(mesh_);
-  }
-
-private:
-  static Vector3i blockAt(std::size_t b, const Vector3i& blocks) {
+  const GroundDistance& ground() const { return ground_; }
+  const Vector3i& size() const { return size_; } // cells
+  std::size_t blocks() const { return entries_.size(); }
+  Vector3i firstCell(std::size_t b) const {
     const int i = static_cast<int>(b);
-    return kBlock *
-           Vector3i(i % blocks.x(), i / blocks.x() % blocks.y(), i / (blocks.x() * blocks.y()));
+    return kBlock * Vector3i(i % blocks_.x(), i / blocks_.x() % blocks_.y(),
+                             i / (blocks_.x() * blocks_.y()));
   }
   Vector3d point(const Vector3i& at) const { return low_ + pitch_ * at.cast<double>(); }
 
-  // Nearer than the level the side does not matter: either is below it.
-  double signedDistance(const Vector3d& p) const {
-    const double far = ground_.unsignedMm(p);
-    return far < distance_ || !ground_.isInside(p) ? far : -far;
+  // At the corners of a block's cells, x fastest; null where the level does not pass it.
+  const std::vector<double>* valuesNear(std::size_t b, double distanceMm) {
+    Entry& entry = entries_[b];
+    const Vector3i first = firstCell(b);
+    std::call_once(entry.seen, [&] {
+      entry.middleMm = ground_.unsignedMm(point(first) + Vector3d::Constant(0.5 * kBlock * pitch_));
+    });
+    const double reach = 0.5 * std::sqrt(3.0) * kBlock * pitch_;
+    if (std::abs(entry.middleMm - distanceMm) > reach)
+      return nullptr;
+    std::call_once(entry.sampled, [&] {
+      entry.values.reserve((kBlock + 1) * (kBlock + 1) * (kBlock + 1));
+      for (int z = 0; z <= kBlock; ++z)
+        for (int y = 0; y <= kBlock; ++y)
+          for (int x = 0; x <= kBlock; ++x)
+            entry.values.push_back(ground_.signedMm(point(first + Vector3i(x, y, z))));
+    });
+    return &entry.values;
   }
 
-  std::vector<double> sampled(const Vector3i& first) const {
-    const Vector3d middle = point(first) + Vector3d::Constant(0.5 * kBlock * pitch_);
-    const double reach = 0.5 * std::sqrt(3.0) * kBlock * pitch_;
-    if (std::abs(ground_.unsignedMm(middle) - distance_) > reach)
-      return {};
+private:
+  struct Entry {
+    std::once_flag seen, sampled;
+    double middleMm = 0.0; // distance of the block's middle
     std::vector<double> values;
-    values.reserve((kBlock + 1) * (kBlock + 1) * (kBlock + 1));
-    for (int z = 0; z <= kBlock; ++z)
-      for (int y = 0; y <= kBlock; ++y)
-        for (int x = 0; x <= kBlock; ++x)
-          values.push_back(signedDistance(point(first + Vector3i(x, y, z))) - distance_);
-    return values;
+  };
+
+  GroundDistance ground_;
+  Vector3d low_;
+  double pitch_;
+  Vector3i size_, blocks_;
+  std::vector<Entry> entries_;
+};
+
+namespace {
+
+template <typename Grid> class Marcher {
+public:
+  Marcher(Grid& grid, double distanceMm) : grid_(grid), distance_(distanceMm) {}
+
+  // Triangles face away from the ground.
+  layers::LevelSurface run(const base::RunContext& ctx) {
+    std::vector<const std::vector<double>*> values(grid_.blocks());
+    base::parallelChunks(ctx, values.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b)
+        values[b] = grid_.valuesNear(b, distance_);
+    });
+    for (std::size_t b = 0; b < values.size(); ++b)
+      if (values[b])
+        march(grid_.firstCell(b), *values[b]);
+    s_.surface.vertices.resize(crossings_.size());
+    s_.direction.resize(crossings_.size());
+    base::parallelChunks(ctx, crossings_.size(), 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        putOnLevel(crossings_[v], s_.surface.vertices[v], s_.direction[v]);
+    });
+    return std::move(s_);
   }
+
+private:
+  Vector3d point(const Vector3i& at) const { return grid_.point(at); }
 
   std::uint64_t key(const Vector3i& at) const {
-    const auto nx = static_cast<std::uint64_t>(size_.x() + kBlock + 1),
-               ny = static_cast<std::uint64_t>(size_.y() + kBlock + 1);
+    const auto nx = static_cast<std::uint64_t>(grid_.size().x() + kBlock + 1),
+               ny = static_cast<std::uint64_t>(grid_.size().y() + kBlock + 1);
     return (static_cast<std::uint64_t>(at.z()) * ny + static_cast<std::uint64_t>(at.y())) * nx +
            static_cast<std::uint64_t>(at.x());
   }
@@ -103,28 +133,27 @@ private:
     Corner from, to;
   };
 
-  // Regula falsi, the end that stays halved in weight (Dowell and Jarratt 1971).
-  Vector3d onLevel(const Crossing& crossing) const {
-    const Vector3d a = point(crossing.from.at), b = point(crossing.to.at);
-    double low = 0.0, high = 1.0, atLow = crossing.from.value, atHigh = crossing.to.value;
-    Vector3d p = a;
+  // Newton's steps along the edge, as long as they stay between ends on either side.
+  void putOnLevel(const Crossing& crossing, Vector3d& p, Vector3d& direction) const {
+    const Vector3d a = point(crossing.from.at), way = point(crossing.to.at) - a;
+    double low = 0.0, high = 1.0;
+    double t = crossing.from.value / (crossing.from.value - crossing.to.value);
     for (int round = 0; round < kMostRounds; ++round) {
-      const double t = low + (high - low) * atLow / (atLow - atHigh);
-      p = (1.0 - t) * a + t * b;
-      const double value = signedDistance(p) - distance_;
+      p = a + t * way;
+      const Vector3d out = p - grid_.ground().nearest(p);
+      const double far = out.norm();
+      // Nearer than the level the side does not matter: either is below it.
+      const bool inside = far >= distance_ && grid_.ground().isInside(p);
+      const double value = (inside ? -far : far) - distance_;
+      direction = out / far;
       if (std::abs(value) <= kOnLevelMm)
         break;
-      if ((value < 0.0) == (atHigh < 0.0)) {
-        atLow *= high < 1.0 || round > 0 ? 0.5 : 1.0;
-        high = t;
-        atHigh = value;
-      } else {
-        atHigh *= low > 0.0 || round > 0 ? 0.5 : 1.0;
-        low = t;
-        atLow = value;
-      }
+      ((value < 0.0) == (crossing.from.value < 0.0) ? low : high) = t;
+      const double slope = (inside ? -1.0 : 1.0) * direction.dot(way);
+      t -= value / slope;
+      if (!(t > low && t < high))
+        t = 0.5 * (low + high);
     }
-    return p;
   }
 
   int vertexOn(const Corner& a, const Corner& b) {
@@ -138,16 +167,17 @@ private:
   }
 
   void march(const Vector3i& first, const std::vector<double>& values) {
-    for (int z = first.z(); z < std::min(first.z() + kBlock, size_.z()); ++z)
-      for (int y = first.y(); y < std::min(first.y() + kBlock, size_.y()); ++y)
-        for (int x = first.x(); x < std::min(first.x() + kBlock, size_.x()); ++x) {
+    for (int z = first.z(); z < std::min(first.z() + kBlock, grid_.size().z()); ++z)
+      for (int y = first.y(); y < std::min(first.y() + kBlock, grid_.size().y()); ++y)
+        for (int x = first.x(); x < std::min(first.x() + kBlock, grid_.size().x()); ++x) {
           std::array<Corner, 8> corners;
           for (int c = 0; c < 8; ++c) {
             const Vector3i at = Vector3i(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2));
             const Vector3i in = at - first;
             corners[static_cast<std::size_t>(c)] = {
                 at, values[static_cast<std::size_t>(
-                        (in.z() * (kBlock + 1) + in.y()) * (kBlock + 1) + in.x())]};
+                        (in.z() * (kBlock + 1) + in.y()) * (kBlock + 1) + in.x())] -
+                        distance_};
           }
           for (const auto& t : kTetrahedra)
             cut({corners[static_cast<std::size_t>(t[0])], corners[static_cast<std::size_t>(t[1])],
@@ -185,7 +215,7 @@ private:
     const Vector3d normal = (p(b) - p(a)).cross(p(c) - p(a));
     if (normal.dot(up) < 0.0)
       std::swap(b, c);
-    mesh_.triangles.push_back({a, b, c});
+    s_.surface.triangles.push_back({a, b, c});
   }
 
   struct EdgeHash {
@@ -194,40 +224,38 @@ private:
     }
   };
 
-  const GroundDistance& ground_;
+  Grid& grid_;
   double distance_;
-  Vector3d low_;
-  double pitch_;
-  Vector3i size_;
   std::vector<Crossing> crossings_; // one a vertex
-  geometry::TriangleMesh mesh_;
+  layers::LevelSurface s_;
   std::unordered_map<std::pair<std::uint64_t, std::uint64_t>, int, EdgeHash> vertexOf_;
 };
 
 } // namespace
 
+OffsetLevels::OffsetLevels(GroundDistance ground, const Eigen::AlignedBox3d& box, double edgeMm) {
+  base::require(edgeMm > 0.0 && !box.isEmpty(), "an offset of positive lengths and a box");
+  grid_ = std::make_shared<Grid>(std::move(ground), box, edgeMm);
+}
+
+layers::LevelSurface OffsetLevels::at(double distanceMm, double thicknessMm,
+                                      const base::RunContext& ctx) const {
+  base::require(distanceMm > 0.0 && thicknessMm > 0.0, "an offset of positive lengths");
+  layers::LevelSurface s = Marcher<Grid>(*grid_, distanceMm).run(ctx);
+  s.thicknessMm.assign(s.direction.size(), thicknessMm);
+  const std::vector<Vector3d> normals = geometry::vertexNormals(s.surface);
+  // In a crease two places are nearest.
+  for (std::size_t v = 0; v < normals.size(); ++v)
+    if (normals[v].dot(s.direction[v]) < kCrease && normals[v].squaredNorm() > 0.0)
+      s.direction[v] = normals[v];
+  s.clearDirection = s.direction;
+  return s;
+}
+
 layers::LevelSurface offsetLevel(const GroundDistance& ground, double distanceMm,
                                  double thicknessMm, const Eigen::AlignedBox3d& box, double edgeMm,
                                  const base::RunContext& ctx) {
-  base::require(distanceMm > 0.0 && thicknessMm > 0.0 && edgeMm > 0.0 && !box.isEmpty(),
-                "an offset of positive lengths and a box");
-  layers::LevelSurface s;
-  s.surface = Marcher(ground, distanceMm, box, edgeMm).run(ctx);
-  const std::size_t n = s.surface.vertices.size();
-  s.thicknessMm.assign(n, thicknessMm);
-  s.direction.resize(n);
-  const std::vector<Vector3d> normals = geometry::vertexNormals(s.surface);
-  base::parallelChunks(ctx, n, 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const Vector3d& p = s.surface.vertices[v];
-      s.direction[v] = ground.outward(p);
-      // In a crease two places are nearest.
-      if (normals[v].dot(s.direction[v]) < kCrease && normals[v].squaredNorm() > 0.0)
-        s.direction[v] = normals[v];
-    }
-  });
-  s.clearDirection = s.direction;
-  return s;
+  return OffsetLevels(ground, box, edgeMm).at(distanceMm, thicknessMm, ctx);
 }
 
 } // namespace voluta::substrate

@@ -120,9 +120,9 @@ void addOffsets(LevelFamily& family, const geometry::TriangleMesh& part,
                 const Eigen::AlignedBox3d& box) {
   const double most = farthest(part, [&](const Vector3d& p) { return ground.signedMm(p); });
   addLevels(family, {0.0, most}, o,
-            [ground, box, edge = levelEdgeMm(o)](double middle, double thickness,
-                                                 const base::RunContext& ctx) {
-              return offsetLevel(ground, middle, thickness, box, edge, ctx);
+            [offsets = OffsetLevels(ground, box, levelEdgeMm(o))](double middle, double thickness,
+                                                                  const base::RunContext& ctx) {
+              return offsets.at(middle, thickness, ctx);
             });
 }
 
