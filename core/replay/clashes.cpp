@@ -14,6 +14,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kGrain = 2048;
+constexpr double kRoundingMm = 1e-9;
 
 // What two bodies do at one sample; `pair` tells contacts apart.
 struct Touch {
@@ -34,9 +35,16 @@ Isometry3d headFrame(const Vector3d& tip, const Vector3d& direction) {
 std::optional<Vector3d> touched(const HeadSolid& head, const PrintedPart& part,
                                 const Isometry3d& work_T_head, const Moment& moment) {
   const Isometry3d head_T_work = work_T_head.inverse(Eigen::Isometry);
-  const auto cell = part.firstWithin(
-      work_T_head * head.ball().centre, head.ball().radius, moment,
-      [&](const Vector3d& q, double reach) { return head.within(head_T_work * q, reach); });
+  const Vector3d axis = work_T_head.linear().col(2);
+  const double bottom = axis.dot(work_T_head.translation()) + head.lowest(0.0, 1.0);
+  // Nearly all that is asked for lies below the tip. A block's reach is that of its corners; along
+  // the axis it is less.
+  const double share = axis.lpNorm<1>() / std::sqrt(3.0);
+  const auto cell = part.firstWithin(work_T_head * head.ball().centre, head.ball().radius, moment,
+                                     [&](const Vector3d& q, double reach) {
+                                       return axis.dot(q) >= bottom - share * reach - kRoundingMm &&
+                                              head.within(head_T_work * q, reach);
+                                     });
   if (!cell)
     return std::nullopt;
   const Eigen::Vector3i c = part.grid().cell(*cell);

@@ -39,6 +39,53 @@ bool goesOn(const BeadPiece& from, const BeadPiece& to) {
          a.dot(b) > kSharp * lengths;
 }
 
+// Samples side by side across a piece, at one place along it and one depth but for their shifts.
+struct SampleRow {
+  struct Axis { // of the grid, in cells from the box's corner
+    float origin, along, side, sides, down, downs, last;
+  };
+  Axis axes[3];
+  float strideY, strideZ; // of the box's cells
+  float a, c;             // which place and depth
+  float first;            // across, of the first sample before its shift, mm
+  float perL, perW, perH; // steps: along (of the length), across (mm), down (of the section)
+  float top, filled;      // where the section begins below the tip, how tall: in heights
+  float planned, grows;   // height, and how much more at the end, mm
+  float halfWidth, height, widens; // of the section, mm; how the ends lean apart, 1/mm
+};
+
+// Per sample the box's cell, and the length it stands for (1: its share) in margin, rectangle and
+// bead. In single precision and without branches, so that it runs several at a time: the replay
+// spends most of its time here.
+void sampleRow(const SampleRow& given, int count, const float* __restrict shiftAlong,
+               const float* __restrict shiftDown, int* __restrict cell, float* __restrict margin,
+               float* __restrict rectangle, float* __restrict bead) {
+  const SampleRow row = given;
+  const float half = 0.5f * row.height, flat = row.halfWidth - half, round = half * half;
+  for (int b = 0; b < count; ++b) {
+    const float u = (row.a + shiftDown[b]) * row.perL;
+    const float x = static_cast<float>(b) * row.perW + row.first;
+    const float depth = (row.c + shiftAlong[b]) * row.perH;
+    const float below = (row.planned + u * row.grows) * (row.top + depth * row.filled);
+    // Never outside but for rounding.
+    const auto at = [&](const SampleRow::Axis& k) {
+      const float v =
+          k.origin + u * k.along + x * (k.side + u * k.sides) - below * (k.down + u * k.downs);
+      const float notLess = v > 0.0f ? v : 0.0f;
+      return static_cast<float>(static_cast<int>(notLess < k.last ? notLess : k.last));
+    };
+    cell[b] = static_cast<int>(at(row.axes[0]) + row.strideY * at(row.axes[1]) +
+                               row.strideZ * at(row.axes[2]));
+    // On a bend the outside is longer than the inside.
+    const float leans = 1.0f + x * row.widens, share = leans > 0.0f ? leans : 0.0f;
+    const float aside = std::abs(x), off = depth * row.height - half;
+    const float beyond = aside - flat, end = beyond > 0.0f ? beyond : 0.0f;
+    margin[b] = share;
+    rectangle[b] = aside <= row.halfWidth ? share : 0.0f;
+    bead[b] = end * end + off * off <= round ? share : 0.0f;
+  }
+}
+
 // Scratch of one thread for the cells round a piece.
 class FootprintMaker {
 public:
@@ -68,35 +115,7 @@ public:
                           side1 = sideAt(piece.toDirection, piece, after ? *after : piece);
     box(piece, side0, side1, w);
 
-    // Rows are shifted against each other by fractions of a golden-ratio kind, so that no row of
-    // samples runs in step with the cells.
-    constexpr double kR1 = 0.7548776662466927, kR2 = 0.5698402909980532;
-    double inBead = 0.0;
-    for (int a = 0; a < nl; ++a)
-      for (int c = 0; c < nh; ++c)
-        for (int b = 0; b < nw; ++b) {
-          const double u = (a + fraction(kR1 * b + kR2 * c)) / nl;
-          const double x = ((b + fraction(kR1 * c + kR2 * a)) / nw - 0.5) * (1 + 2 * kMargin) * w;
-          const double depth = (c + fraction(kR1 * a + kR2 * b)) / nh;
-          const double half = 0.5 * h, off = depth * h - half;
-          const double reach = 0.5 * w - half + std::sqrt(std::max(0.0, half * half - off * off));
-          const double planned = piece.fromHeightMm + u * (piece.toHeightMm - piece.fromHeightMm);
-          const double below = planned * (1.0 - filled + depth * filled);
-          const Eigen::Vector3d p =
-              piece.from + u * along + x * (side0 + u * (side1 - side0)) -
-              below * (piece.fromDirection + u * (piece.toDirection - piece.fromDirection));
-          // On a bend the outside is longer than the inside.
-          const double share =
-              std::max(0.0, 1.0 + x * (side1 - side0).dot(along) / (length * length));
-          Tally& t = tally(p);
-          t.margin += share;
-          if (std::abs(x) <= 0.5 * w)
-            t.rectangle += share;
-          if (std::abs(x) <= reach) {
-            t.bead += share;
-            inBead += share;
-          }
-        }
+    const double inBead = tally({piece, side0, side1, {nl, nw, nh}, w, h, filled});
     const double perSample = inBead == 0.0 ? 0.0 : bead / inBead;
     const double geometric =
         length * (1 + 2 * kMargin) * w * h / cellVolume / (static_cast<double>(nl) * nw * nh);
@@ -106,24 +125,32 @@ public:
       for (int j = 0; j < size_.y(); ++j)
         for (int i = 0; i < size_.x(); ++i, ++at) {
           const Tally& t = tallies_[at];
-          if (t.margin == 0.0)
+          if (t.margin == 0.0f)
             continue;
           const Eigen::Vector3i c = low_ + Eigen::Vector3i(i, j, k);
           if (!grid_.contains(c.x(), c.y(), c.z())) {
-            outside += t.bead * perSample;
+            outside += static_cast<double>(t.bead) * perSample;
             continue;
           }
           out.push_back({static_cast<std::uint32_t>(grid_.index(c.x(), c.y(), c.z())),
-                         static_cast<float>(t.bead * perSample),
-                         static_cast<float>(t.rectangle * geometric),
-                         static_cast<float>(t.margin * geometric)});
+                         static_cast<float>(static_cast<double>(t.bead) * perSample),
+                         static_cast<float>(static_cast<double>(t.rectangle) * geometric),
+                         static_cast<float>(static_cast<double>(t.margin) * geometric)});
         }
     return outside;
   }
 
 private:
   struct Tally {
-    double bead, rectangle, margin; // samples, by the length they stand for
+    float bead, rectangle, margin; // samples, by the length they stand for
+  };
+  // What is laid out in samples: `counts` of them along, across and down.
+  struct Slab {
+    const BeadPiece& piece;
+    Eigen::Vector3d side0, side1;
+    Eigen::Vector3i counts;
+    double width, height;
+    double filled; // the section's share of the planned height, from below
   };
 
   // Across the joint of two pieces, a miter: on a bend both end there. Of one piece: across it.
@@ -159,26 +186,99 @@ private:
     const Eigen::Vector3i top = grid_.cellOf(Eigen::Vector3d(high) + slack);
     size_ = top - low_ + Eigen::Vector3i::Ones();
     corner_ = grid_.origin + grid_.pitch * low_.cast<double>();
-    perPitch_ = 1.0 / grid_.pitch;
     tallies_.assign(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) *
                         static_cast<std::size_t>(size_.z()),
-                    Tally{0.0, 0.0, 0.0});
+                    Tally{0.0f, 0.0f, 0.0f});
   }
-  Tally& tally(const Eigen::Vector3d& p) {
-    const Eigen::Array3d cells = (p - corner_).array() * perPitch_;
-    // Never negative but for rounding, which truncation takes to 0.
-    const int i = std::clamp(static_cast<int>(cells.x()), 0, size_.x() - 1);
-    const int j = std::clamp(static_cast<int>(cells.y()), 0, size_.y() - 1);
-    const int k = std::clamp(static_cast<int>(cells.z()), 0, size_.z() - 1);
-    return tallies_[static_cast<std::size_t>(i + size_.x() * (j + size_.y() * k))];
+
+  // Rows are shifted against each other by fractions of a golden-ratio kind, so that no row of
+  // samples runs in step with the cells.
+  static double shift(int i, int j) {
+    constexpr double kR1 = 0.7548776662466927, kR2 = 0.5698402909980532;
+    return fraction(kR1 * i + kR2 * j);
+  }
+  // Those of one index fixed, for the other from 0 on, kept.
+  struct Shifts {
+    std::vector<std::vector<float>> rows;
+    template <typename Of> const float* row(int fixed, int count, const Of& of) {
+      if (rows.size() <= static_cast<std::size_t>(fixed))
+        rows.resize(static_cast<std::size_t>(fixed) + 1);
+      std::vector<float>& r = rows[static_cast<std::size_t>(fixed)];
+      while (r.size() < static_cast<std::size_t>(count))
+        r.push_back(static_cast<float>(of(static_cast<int>(r.size()))));
+      return r.data();
+    }
+  };
+
+  // Counts samples into tallies_; returns how many of them are of the bead.
+  double tally(const Slab& slab) {
+    const int nl = slab.counts.x(), nw = slab.counts.y(), nh = slab.counts.z();
+    const auto inCells = [&](const Eigen::Vector3d& v) {
+      return Eigen::Vector3f((v / grid_.pitch).cast<float>());
+    };
+    const Eigen::Vector3f origin = inCells(slab.piece.from - corner_),
+                          along = inCells(slab.piece.to - slab.piece.from),
+                          side = inCells(slab.side0), sides = inCells(slab.side1 - slab.side0),
+                          down = inCells(slab.piece.fromDirection),
+                          downs = inCells(slab.piece.toDirection - slab.piece.fromDirection);
+    const auto across = static_cast<float>((1 + 2 * kMargin) * slab.width);
+    SampleRow row;
+    for (int k = 0; k < 3; ++k)
+      row.axes[k] = {origin[k],
+                     along[k],
+                     side[k],
+                     sides[k],
+                     down[k],
+                     downs[k],
+                     static_cast<float>(size_[k] - 1)};
+    row.strideY = static_cast<float>(size_.x());
+    row.strideZ = static_cast<float>(size_.x() * size_.y());
+    row.perL = static_cast<float>(1.0 / nl);
+    row.perW = across / static_cast<float>(nw);
+    row.perH = static_cast<float>(1.0 / nh);
+    row.top = static_cast<float>(1.0 - slab.filled);
+    row.filled = static_cast<float>(slab.filled);
+    row.planned = slab.piece.fromHeightMm;
+    row.grows = slab.piece.toHeightMm - slab.piece.fromHeightMm;
+    row.halfWidth = static_cast<float>(0.5 * slab.width);
+    row.height = static_cast<float>(slab.height);
+    const Eigen::Vector3d way = slab.piece.to - slab.piece.from;
+    row.widens = static_cast<float>(way.dot(slab.side1 - slab.side0) / way.squaredNorm());
+    cell_.resize(static_cast<std::size_t>(nw));
+    sample_.resize(3 * static_cast<std::size_t>(nw));
+    int* cell = cell_.data();
+    float *margin = sample_.data(), *rectangle = margin + nw, *bead = rectangle + nw;
+    for (int a = 0; a < nl; ++a) {
+      const float* shiftA = alongShifts_.row(a, nw, [&](int b) { return shift(a, b); });
+      for (int c = 0; c < nh; ++c) {
+        const float* shiftC = downShifts_.row(c, nw, [&](int b) { return shift(b, c); });
+        row.a = static_cast<float>(a);
+        row.c = static_cast<float>(c);
+        row.first = static_cast<float>(shift(c, a) / nw - 0.5) * across;
+        sampleRow(row, nw, shiftA, shiftC, cell, margin, rectangle, bead);
+        for (int b = 0; b < nw; ++b) {
+          Tally& t = tallies_[static_cast<std::size_t>(cell[b])];
+          t.margin += margin[b];
+          t.rectangle += rectangle[b];
+          t.bead += bead[b];
+        }
+      }
+    }
+    double inBead = 0.0;
+    for (const Tally& t : tallies_)
+      inBead += static_cast<double>(t.bead);
+    return inBead;
   }
 
   const voxel::VoxelGrid& grid_;
   const DepositOptions& options_;
   Eigen::Vector3i low_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
   Eigen::Vector3d corner_ = Eigen::Vector3d::Zero(); // of low_
-  double perPitch_ = 1.0;
   std::vector<Tally> tallies_;
+  // Of one row of samples across.
+  std::vector<int> cell_;
+  std::vector<float> sample_;
+  Shifts alongShifts_, downShifts_;
 };
 
 // Lays pieces one after the other.

@@ -41,8 +41,9 @@ public:
            printed(beads_.grid.index(c.x(), c.y(), c.z()), moment);
   }
 
-  // A printed cell whose centre is in a solid. `within(point, reach)` tells whether a point of the
-  // work frame is no further than reach from it; it lies in the ball of `radius` round `centre`.
+  // A printed cell whose centre is in a solid. `within(point, reach)` tells whether a cube of cells
+  // about a point of the work frame, its corners at reach from it, may meet the solid; with reach 0
+  // whether the point is in it. The solid lies in the ball of `radius` round `centre`.
   template <typename Within>
   std::optional<std::size_t> firstWithin(const Eigen::Vector3d& centre, double radius,
                                          const Moment& moment, const Within& within) const {
@@ -102,12 +103,17 @@ private:
       for (int j = first.y(); j < end.y(); ++j)
         for (int i = first.x(); i < end.x(); ++i) {
           if (level > 0) {
+            const Level& finer = levels_[level - 1];
+            if (finer.least[finer.index({i, j, k})] >= moment.before)
+              continue;
             if (const auto found = search(level - 1, {i, j, k}, centre, radius, moment, within))
               return found;
             continue;
           }
           const std::size_t cell = grid().index(i, j, k);
-          if (printed(cell, moment) && within(grid().centre(i, j, k), 0.0))
+          // The piece that filled it lies far away in memory.
+          if (beads_.filledBy[cell] < moment.before && within(grid().centre(i, j, k), 0.0) &&
+              printed(cell, moment))
             return cell;
         }
     return std::nullopt;
