@@ -305,10 +305,12 @@ TEST(FillOrder, BeadsUnderARodAreNotClosedFromBelow) {
       }
     }
   const scene::FillOrder order(plan);
-  for (const plan::ToolPath& path : plan.paths)
-    if (path.layer == 6)
-      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-        EXPECT_EQ(order.surroundedAt(plan, i), scene::kNeverFilled) << i;
+  for (const plan::ToolPath& path : plan.paths) {
+    if (path.layer < 6)
+      continue;
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      EXPECT_EQ(order.surroundedAt(plan, i), scene::kNeverFilled) << i;
+  }
 }
 
 } // namespace

@@ -80,6 +80,21 @@ TEST(Render, ARodHasNoGroundAroundItAndIsFramedBesideThePart) {
   EXPECT_GT(covered, 90);
 }
 
+TEST(Render, ThePlateOfACellIsThereAndFramedWithThePlatform) {
+  const std::vector<Eigen::Vector2d> plate{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process::loadProcess("fdm-1.0"), plate);
+  scene::Scene scene(scene::lightTheme());
+  scene.setPlatform(scene::drawPlatform(plate, 0.0));
+  EXPECT_EQ(picture(scene, {}).rgb.size(), 3u * 320 * 200);
+  scene.setCell(scene::drawCell(cell));
+  scene::ViewState view;
+  view.cell = true;
+  view.world = scene::World::Base;
+  const scene::Image with = picture(scene, view);
+  view.roles[static_cast<std::size_t>(robot::BodyRole::Platform)] = false;
+  EXPECT_NE(with.rgb, picture(scene, view).rgb);
+}
+
 TEST(Render, ARodIsSeenToTurnInItsCell) {
   geometry::PlatformSolid platform;
   platform.rod = geometry::straightRod(20.0, 200.0, 6);

@@ -248,7 +248,7 @@ struct Scene::Impl {
     const bool on = shows(view.platform, platform.get());
     const bool byCell = shows(view.cell, cell.get());
     plate->SetVisibility(on && !byCell);
-    rod->SetVisibility(on && (!byCell || view.roles[kPlatformRole]));
+    rod->SetVisibility(on && platform->rod && (!byCell || view.roles[kPlatformRole]));
     base->SetVisibility(on);
     outline->SetVisibility(on && (!platform->rod || rod->GetVisibility()));
     grid->SetVisibility(on && !byCell);
