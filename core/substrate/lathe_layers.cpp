@@ -130,7 +130,7 @@ LatheLayers latheLayers(const geometry::TriangleMesh& part, const RodSurface& ro
   family.ground = groundOf(rod, o.followsRod);
   std::optional<OffsetLevels> offsets;
   if (o.followsRod)
-    offsets.emplace(rod.distance(), box, edge);
+    offsets.emplace(rod.distance(), box, offsetGridMm(o));
   family.level = [&](int k, const base::RunContext& silent) {
     const double inner = bounds[static_cast<std::size_t>(k)],
                  outer = bounds[static_cast<std::size_t>(k) + 1];

@@ -24,6 +24,7 @@ namespace voluta::substrate {
 namespace {
 
 constexpr double kEdgeShare = 0.4;      // of a bead's width: edges of levels
+constexpr double kGridShare = 1.4;      // of those edges: cells of a grid
 constexpr double kFineShare = 0.17;     // of a bead's width: where last layers end on the surface
 constexpr double kBlockingShare = 0.01; // of the volume that is not laid
 // Of a layer's height: a middle this near to the ground is the first layer's.
@@ -92,6 +93,10 @@ std::vector<double> levelBounds(double from, double to, const LevelOptions& o) {
 
 double levelEdgeMm(const LevelOptions& options) {
   return kEdgeShare * options.beadWidthMm;
+}
+
+double offsetGridMm(const LevelOptions& options) {
+  return kGridShare * levelEdgeMm(options);
 }
 
 StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily& family,

@@ -29,8 +29,10 @@ struct LevelOptions {
 // Precondition: from < to, positive heights.
 std::vector<double> levelBounds(double from, double to, const LevelOptions& options);
 
-// Edges of levels, mm.
+// Edges of levels, mm; and of the grid of those at a distance, whose triangles are smaller than its
+// cells.
 double levelEdgeMm(const LevelOptions& options);
+double offsetGridMm(const LevelOptions& options);
 
 // Levels from a ground outwards.
 struct LevelFamily {

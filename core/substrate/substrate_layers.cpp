@@ -120,8 +120,8 @@ void addOffsets(LevelFamily& family, const geometry::TriangleMesh& part,
                 const Eigen::AlignedBox3d& box) {
   const double most = farthest(part, [&](const Vector3d& p) { return ground.signedMm(p); });
   addLevels(family, {0.0, most}, o,
-            [offsets = OffsetLevels(ground, box, levelEdgeMm(o))](double middle, double thickness,
-                                                                  const base::RunContext& ctx) {
+            [offsets = OffsetLevels(ground, box, offsetGridMm(o))](double middle, double thickness,
+                                                                   const base::RunContext& ctx) {
               return offsets.at(middle, thickness, ctx);
             });
 }
