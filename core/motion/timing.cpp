@@ -49,7 +49,7 @@ std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingL
   const Eigen::Index arm = limits.arm > 0 ? limits.arm : dof;
   const double a = limits.accelerationMmPerS2;
 
-  std::vector<double> length(n), cap(n), corner(n + 1, 1e9);
+  std::vector<double> length(n), cap(n), corner(n + 1, 1e9), ramp(n, a);
   for (std::size_t i = 0; i < n; ++i) {
     const TimedPoint &from = points[i], &to = points[i + 1];
     const double way = (to.tip - from.tip).norm();
@@ -64,6 +64,12 @@ std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingL
     if (!to.jointMove && to.speedMmPerS > 0.0)
       least = std::max(least, way / to.speedMmPerS);
     cap[i] = length[i] / least;
+    // A rod turns with the way, so that its acceleration is the way's.
+    for (Eigen::Index j = arm; j < dof; ++j)
+      if (dq[j] > 0.0)
+        ramp[i] = std::min(ramp[i], limits.jointFraction *
+                                        limits.joints[static_cast<std::size_t>(j)].acceleration *
+                                        length[i] / dq[j]);
   }
   corner[0] = corner[n] = 0.0;
   for (std::size_t i = 1; i < n; ++i) {
@@ -84,11 +90,11 @@ std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingL
     for (std::size_t i = 1; i < n; ++i)
       v[i] = std::min({corner[i], cap[i - 1], cap[i]});
     for (std::size_t i = 1; i <= n; ++i)
-      v[i] = std::min(v[i], std::sqrt(v[i - 1] * v[i - 1] + 2.0 * a * length[i - 1]));
+      v[i] = std::min(v[i], std::sqrt(v[i - 1] * v[i - 1] + 2.0 * ramp[i - 1] * length[i - 1]));
     for (std::size_t i = n; i-- > 0;)
-      v[i] = std::min(v[i], std::sqrt(v[i + 1] * v[i + 1] + 2.0 * a * length[i]));
+      v[i] = std::min(v[i], std::sqrt(v[i + 1] * v[i + 1] + 2.0 * ramp[i] * length[i]));
     for (std::size_t i = 0; i < n; ++i)
-      dt[i] = rampTime(length[i], v[i], v[i + 1], cap[i], a);
+      dt[i] = rampTime(length[i], v[i], v[i + 1], cap[i], ramp[i]);
 
     bool kept = true;
     std::vector<double> scale(n, 1.0);

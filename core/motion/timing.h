@@ -28,11 +28,12 @@ struct TimedPoint {
 };
 
 // Seconds from the first point (0) to each. Between points the tip (or the arm's fastest joint,
-// where the tip hardly moves) follows speed ramps of at most accelerationMmPerS2; speeds are at
-// most the wanted ones, those at which every joint keeps its velocity limit, and at corners those
-// of a circle that cuts the corner by cornerMm. Then speeds are lowered until every joint's
-// acceleration, from one step's mean velocity to the next one's over the time between their
-// middles, keeps its limit. Precondition: limits for every joint, all positive.
+// where the tip hardly moves) follows speed ramps of at most accelerationMmPerS2, and of what a rod
+// allows that turns with it; speeds are at most the wanted ones, those at which every joint keeps
+// its velocity limit, and at corners those of a circle that cuts the corner by cornerMm. Then
+// speeds are lowered until every joint's acceleration, from one step's mean velocity to the next
+// one's over the time between their middles, keeps its limit. Precondition: limits for every joint,
+// all positive.
 std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits);
 
 // Jerk of the joints over a stretch from rest to rest: third differences of the joints over time.

@@ -18,7 +18,9 @@ struct Case {
   motion::LadderOptions options;
 };
 
-Case randomCase(std::mt19937& engine, bool blocks) {
+// With a rod, half of the nodes are a step or two of its angle away, and its joint is behind those
+// that have limits.
+Case randomCase(std::mt19937& engine, bool blocks, bool rod = false) {
   const auto number = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(engine);
   };
@@ -29,8 +31,12 @@ Case randomCase(std::mt19937& engine, bool blocks) {
   for (Rung& rung : c.rungs)
     for (int n = 0; n < 6; ++n) {
       LadderNode node;
-      node.q.resize(2);
-      node.q << number(-1, 1), number(-1, 1);
+      node.q.resize(rod ? 3 : 2);
+      node.q.head(2) << number(-1, 1), number(-1, 1);
+      if (rod) {
+        node.rod = static_cast<int>(number(-2, 2));
+        node.q[2] = 100 * number(-1, 1);
+      }
       node.sample = n;
       node.cost = number(0, 0.3);
       node.blocked = blocks && number(0, 1) < 0.4;
@@ -64,7 +70,9 @@ std::pair<std::size_t, double> exhaustive(const Case& c) {
       } else {
         const LadderNode& last = c.rungs[chosen.size() - 1][chosen.back()];
         const int apart = std::abs(last.sample - rung[n].sample);
-        const auto d = (rung[n].q - last.q).cwiseAbs();
+        const Eigen::VectorXd d = (rung[n].q - last.q).head(2).cwiseAbs();
+        if (std::abs(last.rod - rung[n].rod) > 1)
+          continue;
         if ((apart != 0 && apart != 1 && apart != 5) || d.maxCoeff() > 0.9)
           continue;
         add += d.sum();
@@ -83,8 +91,8 @@ std::pair<std::size_t, double> exhaustive(const Case& c) {
 TEST(Ladder, AgainstExhaustiveSearch) {
   std::mt19937 engine(5);
   int whole = 0, cut = 0;
-  for (int n = 0; n < 200; ++n) {
-    const Case c = randomCase(engine, n % 2 == 1);
+  for (int n = 0; n < 400; ++n) {
+    const Case c = randomCase(engine, n % 2 == 1, n >= 200);
     const auto [reached, cost] = exhaustive(c);
     const motion::LadderWay way = shortestWay(c.rungs, c.startCost, c.limits, c.options);
     EXPECT_EQ(way.reached, reached);
@@ -96,6 +104,23 @@ TEST(Ladder, AgainstExhaustiveSearch) {
   }
   EXPECT_GT(whole, 20);
   EXPECT_GT(cut, 5);
+}
+
+// What stands where it has to be costs nothing, however far it goes.
+TEST(Ladder, RodIsNoStepOfTheArms) {
+  std::vector<Rung> rungs;
+  for (int r = 0; r < 5; ++r) {
+    LadderNode node;
+    node.q.resize(2);
+    node.q << 0.1 * r, 40.0 * r;
+    rungs.push_back({node});
+  }
+  motion::LadderOptions options;
+  options.maxStepRad.assign(rungs.size(), 0.2);
+  const auto way = shortestWay(rungs, {0.0}, {{-1, 1, 1, 1}}, options);
+  ASSERT_EQ(way.reached, 5u);
+  EXPECT_NEAR(way.cost, 0.4, 1e-12);
+  EXPECT_EQ(way.q.back()[1], 160.0);
 }
 
 // A joint that turns on and on is followed over +-180 degrees, and not beyond its limit.

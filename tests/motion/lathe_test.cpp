@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "collision/cell_collision.h"
 #include "motion/motion.h"
+#include "motion/rod_turn.h"
 #include "motion/sample_plans.h"
 #include "support/temporary_folder.h"
 
@@ -159,6 +160,41 @@ TEST(Lathe, RodTurnsUnderANozzleThatPointsDown) {
   EXPECT_NEAR(high - low, 30 * kTurn, 0.2);
 }
 
+// Where the axis begins, how far it can go, what a direction along the rod does.
+TEST(Lathe, UprightAngles) {
+  const process::Process process = process::loadProcess("fdm-0.35");
+  const robot::Cell cell = Wound::cellOf(process, [](json& j) {
+    j["externalAxes"][0]["minDeg"] = -720;
+    j["externalAxes"][0]["maxDeg"] = 720;
+    j["externalAxes"][0]["end"] = "unwinds";
+  });
+  const plan::ToolPlan plan = winding(3.75, 0, 0.65, 10);
+  const std::size_t n = plan.waypointCount();
+  // Up is z at 0: the winding begins at y, 90 degrees on, and turns the rod back.
+  const auto all = motion::uprightAngles(plan, cell, 0, 20, 0.1);
+  ASSERT_EQ(all.size(), 20u);
+  EXPECT_NEAR(all.front(), base::kPi / 2, 1e-12);
+  for (std::size_t i = 1; i < all.size(); ++i)
+    EXPECT_NEAR(all[i] - all[i - 1], -base::kPi / 18, 1e-3);
+  EXPECT_NEAR(motion::uprightAngles(plan, cell, 0, 20, 7.0).front(), base::kPi / 2 + kTurn, 1e-12);
+  EXPECT_NEAR(motion::uprightAngles(plan, cell, 0, 20, -9.0).front(), base::kPi / 2 - kTurn, 1e-12);
+  // As far as the limits are from the start that allows most.
+  const auto furthest = motion::uprightAngles(plan, cell, 0, n, 0.0);
+  EXPECT_NEAR(furthest.front(), base::kPi / 2 + kTurn, 1e-12);
+  EXPECT_LT(furthest.size(), n);
+  EXPECT_LT(furthest.back(), -2 * kTurn + 1.01 * base::kPi / 18);
+  EXPECT_GE(furthest.back(), -2 * kTurn);
+
+  plan::ToolPlan along;
+  test::appendPath(along, {{0, 0, 5}, {1, 0, 5}, {2, 0, 5}},
+                   {Vector3d(0, 0.1, 1), Vector3d::UnitX(), Vector3d(0, 0, 1)}, 0);
+  const auto kept = motion::uprightAngles(along, cell, 0, 3, 0.0);
+  ASSERT_EQ(kept.size(), 3u);
+  EXPECT_NEAR(kept[0], std::atan(0.1), 1e-12);
+  EXPECT_EQ(kept[1], kept[0]);
+  EXPECT_NEAR(kept[2], 0.0, 1e-12);
+}
+
 // The beads that it lays and the time that takes are those of the plan.
 TEST(Lathe, PrintsAtThePlansSpeed) {
   const Wound w(winding(3.75, -10, 0.65, 30));
@@ -218,6 +254,18 @@ TEST(Lathe, KeepsTheRodsOwnLimits) {
                       (std::abs(w.rod(i) - w.rod(i - 1)) - kStep) / (t.timeS[i] - t.timeS[i - 1]));
   EXPECT_LE(most, base::degreesToRadians(180) + 1e-9);
   EXPECT_GT(most, 0.8 * base::degreesToRadians(180));
+  // Of the angle that the steps follow: the direction's.
+  double velocity = 0.0, last = 0.0;
+  for (std::size_t i = 1; i < t.pointCount(); ++i) {
+    if (t.move[i] != plan::MoveKind::Print)
+      continue;
+    const double dt = t.timeS[i] - t.timeS[i - 1];
+    const double turn = std::acos(std::clamp(
+        w.plan.direction[t.waypoint[i]].dot(w.plan.direction[t.waypoint[i] - 1]), -1.0, 1.0));
+    EXPECT_LE(std::abs(turn / dt - velocity), 0.5 * (dt + last) * base::degreesToRadians(600));
+    velocity = turn / dt;
+    last = dt;
+  }
 }
 
 TEST(Lathe, RoundingAtTheLargestRadiusMovesTheRodAloneNotTheTip) {

@@ -36,6 +36,33 @@ TEST(Timing, TrapezoidInClosedForm) {
   EXPECT_NEAR(single.back(), times.back(), 1e-9);
 }
 
+// A nozzle that stands still over a turning rod, r 2.75: its way is the tip's over the part, and
+// the ramps are those of the rod where it is the slower one.
+TEST(Timing, RodTurnsUnderTheTip) {
+  const double r = 2.75, speed = 20.0;
+  std::vector<TimedPoint> points;
+  for (int i = 0; i <= 2000; ++i) {
+    const double a = 0.01 * i;
+    TimedPoint p;
+    p.q = robot::JointVector::Zero(2);
+    p.q[1] = -a;
+    p.tip = {0, r * std::cos(a), r * std::sin(a)};
+    p.speedMmPerS = speed;
+    points.push_back(p);
+  }
+  motion::TimingLimits limits = limitsOf(2);
+  limits.arm = 1;
+  limits.joints[1] = {-100, 100, 12.0, 1000.0};
+  const auto straight = [&](double acceleration) {
+    return 2000 * 2 * r * std::sin(0.005) / speed + speed / acceleration;
+  };
+  EXPECT_NEAR(motion::timesOf(points, limits).back(), straight(500), 1e-3);
+  limits.joints[1].acceleration = 50.0; // 45 of it used
+  EXPECT_NEAR(motion::timesOf(points, limits).back(), straight(45 * r), 0.05);
+  limits.joints[1].velocity = 4.0; // 3.6 used, 9.9 mm/s
+  EXPECT_NEAR(motion::timesOf(points, limits).back(), 20.0 / 3.6 + 3.6 / 45, 0.05);
+}
+
 TEST(Timing, KeepsEveryLimit) {
   std::mt19937 engine(3);
   std::normal_distribution<double> normal;

@@ -119,6 +119,60 @@ TEST_F(Cells, bodiesOfTheFixedNozzle) {
   EXPECT_FALSE(pairs.count({"forearm", "wrist 1"}));  // neighbours
 }
 
+// base_T_work = base_T_root Rx(angle); nothing else of the cell knows the angle.
+TEST_F(Cells, workFrameOfTheLatheTurnsAboutItsX) {
+  geometry::PlatformSolid rod;
+  rod.rod = geometry::straightRod(5, 200);
+  const Cell cell = loadCell("lathe", process::loadProcess("fdm-0.35"), rod);
+  ASSERT_EQ(cell.dof(), 7);
+  ASSERT_EQ(cell.armDof(), 6);
+  ASSERT_EQ(cell.externalAxes().size(), 1u);
+  EXPECT_NEAR(cell.externalAxes().front().stepRad, 2 * kPi / 3200, 1e-15);
+  std::vector<Eigen::Isometry3d> still, frames;
+  cell.framePoses(cell.home(), still);
+  const auto at = [](const std::vector<Eigen::Isometry3d>& poses, int f) {
+    return poses[static_cast<std::size_t>(f)];
+  };
+  for (const double angle : {-9.1, -0.7, 0.3, 2.0, 40.0}) {
+    JointVector q = cell.home();
+    q[6] = angle;
+    const double c = std::cos(angle), s = std::sin(angle);
+    Eigen::Matrix3d turn;
+    turn << 1, 0, 0, 0, c, -s, 0, s, c;
+    cell.framePoses(q, frames);
+    for (int f = 0; f < static_cast<int>(frames.size()); ++f) {
+      Eigen::Isometry3d expected = at(still, f);
+      if (f == cell.workFrame())
+        expected.linear() *= turn;
+      EXPECT_TRUE(at(frames, f).isApprox(expected, 1e-12)) << f;
+    }
+    EXPECT_TRUE(cell.base_T_work(q).linear().isApprox(cell.base_T_fixed().linear() * turn, 1e-12));
+    // The tip as seen from the rod, by hand.
+    const Eigen::Vector3d tip = at(still, cell.toolFrame()).translation();
+    EXPECT_TRUE(cell.work_T_tool(q).translation().isApprox(
+        turn.transpose() * (cell.base_T_fixed().inverse() * tip), 1e-12));
+    std::vector<JointVector> solutions;
+    cell.inverse(cell.work_T_tool(q), q, solutions);
+    ASSERT_FALSE(solutions.empty());
+    for (const JointVector& solution : solutions)
+      EXPECT_EQ(solution[6], angle);
+  }
+  // Rod and bearings turn relative to each other, base and bearings do not.
+  const auto name = [&](int b) { return cell.bodies()[static_cast<std::size_t>(b)].name; };
+  std::set<std::string> against;
+  for (const int b : cell.bodiesAgainstPart())
+    against.insert(name(b));
+  EXPECT_THAT(against, ::testing::IsSupersetOf({"far bearing", "motor", "table", "head", "wrist"}));
+  EXPECT_EQ(against.count("platform"), 0u);
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (const auto& [a, b] : cell.checkedPairs())
+    pairs.insert({std::min(name(a), name(b)), std::max(name(a), name(b))});
+  EXPECT_TRUE(pairs.count({"forearm", "platform"}));
+  EXPECT_TRUE(pairs.count({"head", "motor"}));
+  EXPECT_FALSE(pairs.count({"motor", "table"}));
+  EXPECT_FALSE(pairs.count({"far bearing", "platform"}));
+}
+
 TEST_F(Cells, headAndPlatformComeFromProcessAndJob) {
   const Cell cell = load("ur5-fixed");
   for (const Body& body : cell.bodies()) {
