@@ -174,6 +174,7 @@ ComparePage::ComparePage(document::Document& document, document::Comparing& comp
   });
   connect(&document_, &document::Document::choicesChanged, this, [this] {
     panel_->setPlatform(QString::fromStdString(document_.choices().platform));
+    showModes();
     showCount();
     showRanking();
   });
@@ -183,8 +184,33 @@ ComparePage::ComparePage(document::Document& document, document::Comparing& comp
 
 void ComparePage::setLists(const std::vector<forms::ChoiceItem>& modes,
                            const std::vector<forms::ChoiceItem>& growths) {
-  panel_->setLists(modes, growths);
+  modes_ = modes;
+  growths_ = growths;
+  listed_.clear();
+  showModes();
   showCount();
+}
+
+// Those that can build the part in the chosen cell, on what is chosen to print on.
+void ComparePage::showModes() {
+  const auto takesBody = [](const pipeline::Mode& mode) {
+    return std::find(mode.platforms.begin(), mode.platforms.end(), pipeline::PlatformKind::Mesh) !=
+           mode.platforms.end();
+  };
+  const pipeline::Mode& chosen = pipeline::findMode(document_.choices().mode);
+  std::vector<forms::ChoiceItem> fitting;
+  QStringList ids;
+  for (const forms::ChoiceItem& item : modes_) {
+    const pipeline::Mode& mode = pipeline::findMode(item.id.toStdString());
+    if (mode.aroundRod != chosen.aroundRod || takesBody(mode) != takesBody(chosen))
+      continue;
+    fitting.push_back(item);
+    ids << item.id;
+  }
+  if (ids == listed_)
+    return;
+  listed_ = ids;
+  panel_->setLists(fitting, growths_);
 }
 
 document::ComparedWays ComparePage::ways() const {

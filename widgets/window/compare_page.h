@@ -6,6 +6,7 @@
 #include "panels/compare_panel.h"
 #include "panels/compare_table.h"
 
+#include <QStringList>
 #include <QWidget>
 
 class QLabel;
@@ -44,6 +45,7 @@ private:
   void showRow(int row);
   void showRanking();
   void showState();
+  void showModes();
   void showCount();
   void retranslate();
 
@@ -54,6 +56,8 @@ private:
   QStackedLayout* shown_ = nullptr;
   QLabel *empty_ = nullptr, *verdict_ = nullptr;
   QPushButton* adopt_ = nullptr;
+  std::vector<forms::ChoiceItem> modes_, growths_; // all there are
+  QStringList listed_;                             // modes that are offered
   bool dark_ = false;
 };
 

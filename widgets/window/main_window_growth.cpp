@@ -28,7 +28,9 @@ LayerSubject MainWindow::shownSubject() const {
   if (chosen != LayerSubject::Furthest && !missing)
     return chosen;
   const LayerSubject decomposed = pieces ? LayerSubject::Pieces : LayerSubject::Voxels;
-  return document_.voxelsAhead()          ? decomposed
+  // Modes without voxels and pieces show their last layers until there are new ones.
+  const bool ahead = document_.voxelsAhead() && (pieces || presenter_->hasVoxels());
+  return ahead                            ? decomposed
          : document_.ahead(Stage::Layers) ? LayerSubject::Layers
          : presenter_->hasPaths()         ? LayerSubject::Paths
          : presenter_->hasLayers()        ? LayerSubject::Layers
