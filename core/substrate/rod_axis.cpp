@@ -60,13 +60,17 @@ AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
   const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
-  const double sharpness =
-      values[0] > 0.0 ? values[1] / values[0] : std::numeric_limits<double>::infinity();
+  const auto clearer = [&](int than, int by) {
+    return values[than] > 0.0 ? values[by] / values[than] : std::numeric_limits<double>::infinity();
+  };
+  // What is short along its axis has normals along it in the most: a disc.
+  const bool isDisc = clearer(0, 1) < kClear;
+  const double sharpness = isDisc ? clearer(1, 2) : clearer(0, 1);
   if (!(sharpness >= kClear) || values[1] <= 0.0)
     throw base::Error(base::ErrorCode::UnusableInput,
                       "the part has no clear axis: its sides face along every direction alike",
                       "axis", "name its axis (rodAxis), or turn the part onto the rod by hand");
-  Eigen::Vector3d direction = solver.eigenvectors().col(0);
+  Eigen::Vector3d direction = solver.eigenvectors().col(isDisc ? 2 : 0);
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
   if (direction[largest] < 0.0)

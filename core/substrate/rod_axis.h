@@ -14,7 +14,8 @@ struct AxisFit {
   double sharpness = 1.0; // how much more normals vary across it than along it; >= 1 where fitted
 };
 
-// Direction: the one along which the facets' normals, weighted by area, vary least. Point: the one
+// Direction: the one along which the facets' normals, weighted by area, vary least; where two are
+// alike, as across a disc, the one along which they vary most. Point: the one
 // that the facets' normals pass nearest to (least squares of n . (a x (q - p)) over facets of
 // centre q). Throws Error{UnusableInput} where no direction is 1.5 times clearer than the next (a
 // cube, a sphere) and for a mesh without area.

@@ -41,8 +41,11 @@ double mostOff(const geometry::TriangleMesh& placed, const geometry::TriangleMes
 
 TEST(RodAxis, FoundHoweverThePartLies) {
   const geometry::TriangleMesh parts[] = {
-      test::revolved(test::tubeSection(), 128), test::revolved(test::shoulderSection(), 100),
-      test::revolved(test::taperedSection(), 64), test::hexagonalTube(5, 10, 50),
+      test::revolved(test::tubeSection(), 128),
+      test::revolved(test::shoulderSection(), 100),
+      test::revolved(test::taperedSection(), 64),
+      test::hexagonalTube(5, 10, 50),
+      test::revolved({{-1, 2.4}, {-1, 20}, {1, 20}, {1, 2.4}}, 128),
       geometry::TriangleMesh(test::box({-30, -4, -3}, {30, 4, 3}))};
   unsigned seed = 1;
   for (const auto& part : parts) {
