@@ -53,7 +53,8 @@ struct MotionResult {
 // where a step was divided; a run's first point is reached by a Linear (or Joint) move and carries
 // its waypoint too. Where a path had to be split, the waypoint at the split appears at the end of
 // one run and again at the start of the next. extrudedMm3 rises at Print points only, by the mean
-// of the sections at both waypoints times their distance.
+// of the sections at both waypoints times their distance. A rod is at a multiple of its step at
+// every point; at the end it rests at a whole turn where it runs on.
 // `part` must have been grown from `plan`. The same result for any number of threads.
 // Throws Cancelled. Preconditions: part and plan belong together; process is the cell's.
 MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,

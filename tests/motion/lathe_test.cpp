@@ -195,6 +195,19 @@ TEST(Lathe, UprightAngles) {
   EXPECT_NEAR(kept[2], 0.0, 1e-12);
 }
 
+TEST(Lathe, RodRestsAtTheNearestWholeTurnWhereItRunsOn) {
+  const process::Process process = process::loadProcess("fdm-0.35");
+  const robot::Cell on = Wound::cellOf(process, {});
+  const robot::Cell back =
+      Wound::cellOf(process, [](json& j) { j["externalAxes"][0]["end"] = "unwinds"; });
+  robot::JointVector q = on.home();
+  q[2] += 0.3;
+  q[6] = 7.6 * kTurn;
+  EXPECT_NEAR(motion::homeAfter(on, q)[6], 8 * kTurn, 1e-9);
+  EXPECT_EQ(motion::homeAfter(on, q).head(6), on.home().head(6));
+  EXPECT_EQ(motion::homeAfter(back, q), back.home());
+}
+
 // The beads that it lays and the time that takes are those of the plan.
 TEST(Lathe, PrintsAtThePlansSpeed) {
   const Wound w(winding(3.75, -10, 0.65, 30));
