@@ -5,6 +5,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/modes.h"
 #include "pipeline/stage_keys.h"
+#include "program/dialect.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -120,6 +121,8 @@ private:
     report().decomposition = decomposed_->report;
     result_.cell = std::make_shared<robot::Cell>(
         robot::loadCell(choices_.cell, *process_, decomposed_->platform));
+    for (const std::string& format : chosenFormats(choices_, *result_.cell))
+      program::requireRodTurns(program::findDialect(format), *result_.cell);
     return done(Stage::Decompose, decomposed_->findings, decomposed_->timings);
   }
 

@@ -17,6 +17,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "script",
        .controller = "urscript",
        .needsJoints = false,
+       .turnsRods = false,
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript},
@@ -83,9 +84,24 @@ bool isForeign(const Dialect& dialect, const robot::Cell& cell) {
   return !dialect.controller.empty() && dialect.controller != cell.robot().controller;
 }
 
+void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
+  if (dialect.turnsRods || cell.externalAxes().empty())
+    return;
+  std::string others;
+  for (const Dialect& other : dialects())
+    if (other.turnsRods)
+      others += joined({others.empty() ? "take " : ", ", other.id});
+  throw base::Error(base::ErrorCode::Usage,
+                    joined({"format ", dialect.id, " knows no external axis: it cannot turn the ",
+                            cell.externalAxes().front().name, " of cell ", cell.id()}),
+                    {}, others);
+}
+
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,
                            const base::RunContext& ctx) {
-  return findDialect(id).write(input, ctx);
+  const Dialect& dialect = findDialect(id);
+  requireRodTurns(dialect, input.cell);
+  return dialect.write(input, ctx);
 }
 
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,

@@ -24,6 +24,7 @@ struct Dialect {
   std::string_view extension;  // without the dot
   std::string_view controller; // RobotModel::controller it is native to; empty: any robot's
   bool needsJoints = false;    // its targets are joint values, so it is bound to the cell's robot
+  bool turnsRods = true;       // can it say where an external axis is, or what is on the part
   // Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
   plan::Program (*write)(const ProgramInput&, const base::RunContext&) = nullptr;
   // Never throws on bad text: what makes no sense is a defect with its line, and the motions are
@@ -50,7 +51,11 @@ const Dialect* detectDialect(std::string_view fileName, std::string_view text);
 // Is a program in this dialect foreign to the cell (DESIGN §4: Cartesian, for another controller)?
 bool isForeign(const Dialect& dialect, const robot::Cell& cell);
 
-// findDialect(id).write / .read; the read program's `format` is the dialect's id.
+// Throws Error{Usage}: the cell turns a rod and the dialect knows no external axis.
+void requireRodTurns(const Dialect& dialect, const robot::Cell& cell);
+
+// findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing throws as
+// requireRodTurns too.
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,
                            const base::RunContext& ctx = {});
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,

@@ -46,11 +46,14 @@ std::vector<std::string> fuzz::seeds() {
   std::vector<std::string> texts;
   for (const robot::Cell& cell : cells) {
     const plan::Trajectory trajectory = sampleTrajectory(!cell.externalAxes().empty());
-    for (const program::Dialect& dialect : program::dialects())
+    for (const program::Dialect& dialect : program::dialects()) {
+      if (!dialect.turnsRods && !cell.externalAxes().empty())
+        continue;
       for (const plan::ProgramFile& file :
            program::writeProgram(dialect.id, {toolPlan, trajectory, cell, process, "part", 0})
                .files)
         texts.push_back(file.text);
+    }
   }
   return texts;
 }

@@ -29,13 +29,15 @@ protected:
       tip = m.position;
       direction = m.direction;
     } else {
-      Eigen::Isometry3d flange;
+      Eigen::Isometry3d tool;
       if (m.target == plan::TargetKind::Joints)
-        flange = cell_->robot().kinematics->flange(
-            Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof));
+        tool =
+            cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof));
+      else if (m.target == plan::TargetKind::WorkPose)
+        tool = m.frame_T_tcp * program.flange_T_tcp.inverse() * cell_->flange_T_moved();
       else
-        flange = m.frame_T_tcp * program.flange_T_tcp.inverse();
-      const Eigen::Isometry3d tool = cell_->work_T_toolOfFlange(flange, cell_->home());
+        tool = cell_->work_T_toolOfFlange(m.frame_T_tcp * program.flange_T_tcp.inverse(),
+                                          cell_->home());
       tip = tool.translation();
       direction = -tool.linear().col(2);
       EXPECT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);
@@ -103,6 +105,24 @@ TEST_F(Dialects, readBackEveryTarget) {
       for (std::size_t i = 0; i < back.motions.size(); ++i)
         expectTarget(back, i);
     }
+  }
+}
+
+TEST_F(Dialects, readBackEveryTargetOnARod) {
+  useRod();
+  appendRandomOnRod(5, 2000);
+  for (const Dialect& d : dialects()) {
+    SCOPED_TRACE(d.id);
+    if (!d.turnsRods) {
+      EXPECT_THROW(writeProgram(d.id, input()), base::Error);
+      continue;
+    }
+    const plan::ReadProgram back = readProgram(d.id, writeProgram(d.id, input()).files, process_);
+    EXPECT_TRUE(back.complete);
+    EXPECT_TRUE(back.defects.empty());
+    ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+    for (std::size_t i = 0; i < back.motions.size(); ++i)
+      expectTarget(back, i);
   }
 }
 
