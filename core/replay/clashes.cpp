@@ -15,6 +15,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kGrain = 2048;
 constexpr double kRoundingMm = 1e-9;
+// No contact, but one may come without any motion: what is printed grows.
+constexpr double kAskAgainMm = 1e-6;
 
 // What two bodies do at one sample; `pair` tells contacts apart.
 struct Touch {
@@ -244,7 +246,7 @@ public:
                   frames_[static_cast<std::size_t>(cell_.toolFrame())].translation();
         touches.push_back({sample, static_cast<int>(p), where});
       }
-      slack_[p] = d;
+      slack_[p] = d > kAskAgainMm ? d : 0.0;
     }
   }
 
@@ -301,7 +303,7 @@ private:
   }
 
   // Distance to the solid round the cells; within it, 0 if a cell is touched that is there and else
-  // the least slack, so that it is asked again at once.
+  // kAskAgainMm.
   double cellsDistance(int a, const Cells& cells, const Moment& moment, Vector3d& where) const {
     const robot::Body& body = cell_.bodies()[static_cast<std::size_t>(a)];
     const Isometry3d& base_T_work = frames_[static_cast<std::size_t>(cell_.workFrame())];
@@ -331,7 +333,7 @@ private:
         where = cells.part.grid().centre(c.x(), c.y(), c.z());
         return 0.0;
       }
-      nearest = std::min(nearest, 1e-6);
+      nearest = std::min(nearest, kAskAgainMm);
     }
     return nearest;
   }

@@ -268,6 +268,7 @@ TEST(Rod, ABeadOverTheRodIsUnsupportedAndABearingIsInTheWay) {
   s.trajectory = test::walk(s.plan, s.cell, s.process);
   const Verification beside = replayed(s, programOf(s, plan::TargetKind::WorkPose));
   EXPECT_TRUE(tells(beside, "collision", "head and")) << told(beside);
+  EXPECT_TRUE(tells(beside, "collision", "bearing and printed part")) << told(beside);
 }
 
 TEST(Ground, ARodHoldsWhatIsWithinIt) {
