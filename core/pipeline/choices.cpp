@@ -208,9 +208,8 @@ void checkChoices(const Choices& choices) {
                 fmt::format("orient={} turns parts on a plate; mode {} lays them itself",
                             orient->second, choices.mode),
                 {}, "give orient=none");
-  if (parsedScale(choices.scale) == 0.0 && laysItself)
-    throw Error(ErrorCode::Usage,
-                fmt::format("scale fit is for parts on a plate, not for mode {}", choices.mode), {},
+  if (parsedScale(choices.scale) == 0.0 && kind == PlatformKind::Mesh)
+    throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part", {},
                 "give a number");
   const geometry::Placement& place = choices.placement;
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||

@@ -11,6 +11,8 @@
 #include "substrate/lathe_layers.h"
 #include "substrate/rod_axis.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 #include <utility>
@@ -74,6 +76,21 @@ geometry::Placement placeOnRod(const geometry::TriangleMesh& part, double scale,
   if (const auto body = platformBody(in.choices))
     return placementBy(part, scale, motionOntoRod(*body, parsedScale(in.choices.scale), in));
   return substrate::placementOnAxis(part, scale, axisOf(part, in));
+}
+
+// Within the cell's radius about the part's own axis, and within the rod's length.
+double fittingScale(const geometry::TriangleMesh& part, double unitMm, const ModeChoices& in) {
+  constexpr double kWithin = 1.0 - 1e-9; // whatever rounding does
+  const robot::CellRod own = cellRod(in);
+  const auto& profile = rodShape(in, own).profile;
+  const double half = std::min(-profile.front().x(), profile.back().x());
+  const geometry::TriangleMesh placed =
+      geometry::place(part, unitMm, substrate::placementOnAxis(part, unitMm, axisOf(part, in)));
+  double scale = 1.0;
+  for (const Vector3d& p : placed.vertices)
+    scale = std::min({scale, kWithin * own.printableRadiusMm / p.tail<2>().norm(),
+                      kWithin * half / std::abs(p.x())});
+  return scale;
 }
 
 std::string placeKey(const ModeChoices& in) {
@@ -196,6 +213,7 @@ Mode latheMode() {
   mode.aroundRod = true;
   mode.place = placeOnRod;
   mode.placeKey = placeKey;
+  mode.fittingScale = fittingScale;
   mode.platform = platformOf;
   mode.defaults = {{"infill", "woven"}};
   return mode;

@@ -59,6 +59,10 @@ struct Mode {
   geometry::Placement (*place)(const geometry::TriangleMesh&, double scale,
                                const ModeChoices&) = nullptr;
   std::string (*placeKey)(const ModeChoices&) = nullptr; // text for the Load stage's key
+  // What scale "fit" comes to, of a mesh with units so many mm long; null: what is in the robot's
+  // reach on a plate.
+  double (*fittingScale)(const geometry::TriangleMesh&, double unitMm,
+                         const ModeChoices&) = nullptr;
   // What material starts on, where that does not wait for a decomposition; null: a plate, as
   // platformPolygon has it.
   geometry::PlatformSolid (*platform)(const LoadStage& placed, const ModeChoices&) = nullptr;

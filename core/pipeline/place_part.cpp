@@ -85,19 +85,23 @@ std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choic
   auto stage = std::make_shared<LoadStage>();
   const double unit = unitMm(loaded, choices);
   const double wanted = parsedScale(choices.scale);
+  const base::ParameterValues values = parameterValues(choices);
+  const Mode& mode = findMode(choices.mode);
+  const ModeChoices in{choices, values, process};
+  const auto scaleFor = [&](const geometry::Placement& how) {
+    return wanted > 0.0 ? wanted
+           : mode.fittingScale
+               ? mode.fittingScale(*loaded.mesh, unit, in)
+               : fittingScale(*loaded.mesh, unit, how, cellOnAnyPlatform(choices, process));
+  };
   const auto place = [&](const geometry::Placement& how) {
-    stage->scale = wanted > 0.0
-                       ? wanted
-                       : fittingScale(*loaded.mesh, unit, how, cellOnAnyPlatform(choices, process));
+    stage->scale = scaleFor(how);
     stage->part = std::make_shared<geometry::TriangleMesh>(
         geometry::place(*loaded.mesh, stage->scale * unit, how));
   };
-  const base::ParameterValues values = parameterValues(choices);
   geometry::Placement placement = choices.placement;
-  if (const Mode& mode = findMode(choices.mode); mode.place && isUntouched(placement)) {
-    stage->scale = wanted > 0.0 ? wanted : 1.0;
-    placement = mode.place(*loaded.mesh, stage->scale * unit, {choices, values, process});
-  }
+  if (mode.place && isUntouched(placement))
+    placement = mode.place(*loaded.mesh, scaleFor(placement) * unit, in);
   place(placement);
   if (values.text("orient") != "none") {
     TurnedPart turned = turnedPart(*stage->part, choices, values,

@@ -205,7 +205,6 @@ TEST(LatheRoad, BadInputIsToldInOneLine) {
                 "holds none");
   expectRefusal(with([](Choices& c) { c.platform = "disc:80"; }, tube), ErrorCode::Usage,
                 "does not print on platform disc");
-  expectRefusal(with([](Choices& c) { c.scale = "fit"; }, tube), ErrorCode::Usage, "scale fit");
   expectRefusal(with([](Choices& c) { c.parameters["orient"] = "leastRisky"; }, tube),
                 ErrorCode::Usage, "orient=leastRisky");
   expectRefusal(with([](Choices& c) { c.parameters["rodProfile"] = "1,2 x"; }, tube),
@@ -231,6 +230,19 @@ TEST(LatheRoad, APartBeyondTheCellsRadiusIsAFinding) {
   EXPECT_TRUE(found->blocking);
   EXPECT_NEAR(found->where->tail<2>().norm(), 51.0, 1e-6);
   EXPECT_EQ(planned.job.report.decomposition.riskyAreaMm2, 0.0); // the disc's sides are upright
+}
+
+TEST(LatheRoad, ScaleFitKeepsWithinTheCellsRadiusAndTheRodsLength) {
+  const auto scaleOf = [](double length, double radius) {
+    PlanRequest request = latheRequest(test::revolved(
+        {{-length / 2, 2}, {-length / 2, radius}, {length / 2, radius}, {length / 2, 2}}, 64));
+    request.choices.scale = "fit";
+    request.until = Stage::Load;
+    return planPart(request, context()).job.scale;
+  };
+  EXPECT_NEAR(scaleOf(100, 20), 1.0, 1e-8);
+  EXPECT_NEAR(scaleOf(100, 200), 0.25, 1e-8);
+  EXPECT_NEAR(scaleOf(400, 20), 0.5, 1e-8);
 }
 
 TEST(LatheRoad, AProfileIsPutIntoTheRod) {

@@ -37,6 +37,14 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Findings", "use a finer nozzle, or print the part larger"),
     QT_TRANSLATE_NOOP("Findings", "use a slimmer head, turn the part, or print it larger"),
     QT_TRANSLATE_NOOP("Findings", "move them, or leave them out"),
+    QT_TRANSLATE_NOOP("Findings", "the part reaches %1 mm from the rod's axis, the cell prints up "
+                                  "to %2 mm"),
+    QT_TRANSLATE_NOOP("Findings", "print the part smaller (scale)"),
+    QT_TRANSLATE_NOOP("Findings", "%1 of %2 mm3 of the part are in no layer"),
+    QT_TRANSLATE_NOOP("Findings", "choose layers that reach all of it (layerShape, layerCentre, "
+                                  "endSurface)"),
+    QT_TRANSLATE_NOOP("Findings", "let the part rise from the rod at a gentler slope there"),
+    QT_TRANSLATE_NOOP("Findings", "let the part rise from the surface at a gentler slope there"),
 };
 
 struct Sentence {
