@@ -313,6 +313,30 @@ sioni</translation>
         <source>move them, or leave them out</source>
         <translation>spostali, o toglili</translation>
     </message>
+    <message>
+        <source>the part reaches %1 mm from the rod&apos;s axis, the cell prints up to %2 mm</source>
+        <translation>il pezzo arriva a %1 mm dall&apos;asse della barra, la cella stampa fino a %2 mm</translation>
+    </message>
+    <message>
+        <source>print the part smaller (scale)</source>
+        <translation>stampare il pezzo più piccolo (scale)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 mm3 of the part are in no layer</source>
+        <translation>%1 di %2 mm3 del pezzo non sono in nessuno strato</translation>
+    </message>
+    <message>
+        <source>choose layers that reach all of it (layerShape, layerCentre, endSurface)</source>
+        <translation>scegliere strati che lo raggiungano tutto (layerShape, layerCentre, endSurface)</translation>
+    </message>
+    <message>
+        <source>let the part rise from the rod at a gentler slope there</source>
+        <translation>lì far salire il pezzo dalla barra con minore pendenza</translation>
+    </message>
+    <message>
+        <source>let the part rise from the surface at a gentler slope there</source>
+        <translation>lì far salire il pezzo dalla superficie con minore pendenza</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

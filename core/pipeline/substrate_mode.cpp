@@ -52,13 +52,12 @@ substrate::LevelShape shapeOf(const ModeChoices& in) {
 
 constexpr std::string_view kMeshPrefix = "mesh:";
 
-// The body's platform is where geometry::place puts it by default; its part goes with it, and so
-// does an end surface.
+// The platform's body stands where geometry::place puts it by default; the part goes with it, and
+// so does an end surface.
 Eigen::Isometry3d motionToMiddle(const geometry::TriangleMesh& body, double scale) {
   return motionOf(body, scale, geometry::Placement{});
 }
 
-// `part`: on the plate already, where there is no body.
 substrate::EndSurface endSurface(const ModeChoices& in) {
   const std::string text = in.values.text("endSurface");
   substrate::EndSurface end;
