@@ -1,6 +1,6 @@
 #include "document/document.h"
 
-#include "pipeline/modes.h"
+#include "document/mode_switch.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -153,7 +153,7 @@ void Document::setChoices(const pipeline::Choices& choices, const QString& editN
 }
 
 void Document::setParameter(const QString& key, const QString& text) {
-  const base::ParameterTable table = pipeline::parametersOf(choices_.mode);
+  const base::ParameterTable table = parametersFor(choices_);
   base::ParameterValues values(table);
   values.set(key.toStdString(), text.toStdString());
   const base::ParameterSpec& spec = *table.find(key.toStdString());

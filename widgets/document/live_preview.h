@@ -17,9 +17,9 @@ class Document;
 class Planning;
 
 // Where a decomposition was planned before, an edit that changes it starts a run at once; an edit
-// that follows cancels it and starts another 0.3 s after the last edit. What comes out is shown as a preview
-// and kept, so that a plan of the same choices goes on from there. Never runs beside a plan that
-// goes further than the first stage.
+// that follows cancels it and starts another 0.3 s after the last edit. What comes out is shown as
+// a preview and kept, so that a plan of the same choices goes on from there. Never runs beside a
+// plan that goes further than the first stage.
 class LivePreview : public QObject {
   Q_OBJECT
 

@@ -4,10 +4,12 @@
 #include "pipeline/choices.h"
 #include "pipeline/modes.h"
 #include "pipeline/platform_choice.h"
+#include "process/process.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <algorithm>
+#include <utility>
 
 namespace voluta::document {
 
@@ -95,6 +97,24 @@ Choices fitting(Choices choices) {
       choices.process = with.process;
   }
   return choices;
+}
+
+base::ParameterTable parametersFor(const Choices& choices) {
+  std::vector<base::ParameterSpec> specs = pipeline::parametersOf(choices.mode).specs();
+  try {
+    const process::Process process = process::loadProcess(choices.process);
+    const auto put = [&](std::string_view key, double value) {
+      for (base::ParameterSpec& spec : specs)
+        if (spec.key == key)
+          spec.defaultValue = value;
+    };
+    put("layerHeightMm", process.layerHeightMm);
+    put("beadWidthMm", process.beadWidthMm);
+    put("stepMm", process.stepMm);
+  } catch (const base::Error&) {
+    // The run that meets the process says what is wrong with it.
+  }
+  return base::ParameterTable(std::move(specs));
 }
 
 QString obstacle(const Choices& choices) {

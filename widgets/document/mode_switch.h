@@ -1,6 +1,7 @@
 // What goes with a way of building: a rod needs a cell that turns one, a body its file.
 #pragma once
 
+#include "base/parameters.h"
 #include "geometry/placement.h"
 #include "pipeline/job.h"
 
@@ -30,6 +31,9 @@ private:
 // The choices with all replaced that does not fit their mode; the same where nothing is to be.
 // Reads descriptions of cells.
 pipeline::Choices fitting(pipeline::Choices choices);
+
+// The parameters with the defaults that the choices' mode and process have.
+base::ParameterTable parametersFor(const pipeline::Choices& choices);
 
 // What keeps anything from being planned with these choices: one sentence, or none. Reads
 // descriptions of cell and process.

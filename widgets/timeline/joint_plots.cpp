@@ -18,6 +18,7 @@
 namespace voluta::timeline {
 
 namespace {
+constexpr int kLeastButton = 36;
 constexpr double kLeastSpanS = 0.5;
 constexpr double kMargin = 0.05; // of the values on show, above and below
 
@@ -188,7 +189,9 @@ void JointPlots::makeJointButtons() {
     for (std::size_t i = 0; i < count; ++i) {
       auto* button = new QToolButton(this);
       button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-      button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+      // Seven of them are still no wider than a panel.
+      button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+      button->setMinimumWidth(kLeastButton);
       button->setCheckable(true);
       const robot::ExternalAxis* axis = externalAxis(i);
       shown_[i] = !axis || !axis->runsOn;

@@ -137,7 +137,7 @@ void MainWindow::showChoices() {
   choices_->setTexts({QString::fromStdString(c.mode), QString::fromStdString(c.growth),
                       QString::fromStdString(c.platform), QString::fromStdString(c.cell),
                       QString::fromStdString(c.process), c.seed, rodProfileOf(c)});
-  parameters_->setDefaults(pipeline::parametersOf(c.mode));
+  parameters_->setDefaults(document::parametersFor(c));
   parameters_->setValues(c.parameters);
   placement_->setOnPlate(!pipeline::findMode(c.mode).aroundRod);
   placement_->setPlacement(placed());
