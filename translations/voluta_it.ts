@@ -3070,6 +3070,10 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>Layer %1 of %2</source>
         <translation>Strato %1 di %2</translation>
     </message>
+    <message>
+        <source>Rod</source>
+        <translation>Barra</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>

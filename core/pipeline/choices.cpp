@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/number_list.h"
 #include "curved/decompose.h"
 #include "curved/forward_growth.h"
 #include "curved/platform.h"
@@ -20,7 +21,6 @@
 #include "toolpath/options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,11 +30,6 @@ namespace voluta::pipeline {
 namespace {
 using base::Error;
 using base::ErrorCode;
-
-bool parseNumber(std::string_view text, double& value) {
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return status == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
-}
 
 void checkName(const std::string& what, const std::string& name,
                const std::vector<std::string>& known) {
@@ -172,7 +167,7 @@ double parsedScale(const std::string& scale) {
   if (scale == "fit")
     return 0.0;
   double value = 0.0;
-  if (!parseNumber(scale, value) || value < 1e-4 || value > 1e4)
+  if (!base::readNumbers(scale, ',', {&value}) || value < 1e-4 || value > 1e4)
     throw Error(ErrorCode::Usage, fmt::format("scale '{}' is not a usable factor", scale), {},
                 "give a number from 0.0001 to 10000, or fit");
   return value;

@@ -1,12 +1,11 @@
 #include "pipeline/piece_search.h"
 
 #include "base/error.h"
+#include "base/number_list.h"
 #include "pipeline/choices.h"
 #include "planar/beam_search.h"
 #include "planar/greedy_decompose.h"
 
-#include <charconv>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace voluta::pipeline {
@@ -50,22 +49,10 @@ std::string pieceSearchKey(const base::ParameterValues& values) {
 }
 
 std::optional<Eigen::Vector3d> pieceRoot(const std::string& text) {
-  std::string plain;
-  for (const char c : text)
-    if (c != ' ')
-      plain += c;
-  if (plain.empty())
+  if (text.find_first_not_of(' ') == std::string::npos)
     return std::nullopt;
-  Eigen::Vector3d root = Eigen::Vector3d::Zero();
-  const char *at = plain.data(), *const end = at + plain.size();
-  bool good = true;
-  for (int k = 0; k < 3 && good; ++k) {
-    const auto [next, status] = std::from_chars(at, end, root[k]);
-    good = status == std::errc() && std::isfinite(root[k]) &&
-           (k == 2 ? next == end : next != end && *next == ',');
-    at = next + (k < 2 && good ? 1 : 0);
-  }
-  if (!good)
+  Eigen::Vector3d root;
+  if (!base::readNumbers(text, ',', {&root.x(), &root.y(), &root.z()}))
     throw base::Error(base::ErrorCode::Usage, fmt::format("\"{}\" is no point", text), "pieceRoot",
                       "write x,y,z in mm, as 10,0,5");
   return root;

@@ -2,12 +2,11 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/number_list.h"
 #include "curved/platform.h"
 #include "geometry/convex_polygon.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace voluta::pipeline {
@@ -18,21 +17,11 @@ using base::ErrorCode;
 
 constexpr double kLargestMm = 5000.0;
 
-// Numbers of mm separated by x, each within (0, kLargestMm]; false where there are other than
-// `values` asks for.
-bool parseSizes(std::string_view text, std::initializer_list<double*> values) {
-  std::size_t left = values.size();
-  for (double* value : values) {
-    const std::size_t times = --left > 0 ? text.find('x') : text.size();
-    if (times == std::string_view::npos)
-      return false;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + times, *value);
-    if (status != std::errc{} || end != text.data() + times || !std::isfinite(*value) ||
-        *value < 0.0 || *value > kLargestMm)
-      return false;
-    text.remove_prefix(std::min(times + 1, text.size()));
-  }
-  return true;
+// Lengths in mm with an x between, each within [0, kLargestMm].
+bool readSizes(std::string_view text, std::initializer_list<double*> values) {
+  return base::readNumbers(text, 'x', values) &&
+         std::all_of(values.begin(), values.end(),
+                     [](const double* v) { return *v >= 0.0 && *v <= kLargestMm; });
 }
 
 } // namespace
@@ -55,17 +44,17 @@ PlatformChoice platformChoice(const std::string& text) {
   };
   switch (p.kind) {
   case PlatformKind::Fit:
-    need(size.empty() || parseSizes(size, {&p.marginMm}), "fit or fit:MARGIN");
+    need(size.empty() || readSizes(size, {&p.marginMm}), "fit or fit:MARGIN");
     break;
   case PlatformKind::Disc:
-    need(parseSizes(size, {&p.widthMm}) && p.widthMm > 0.0, "disc:DIAMETER");
+    need(readSizes(size, {&p.widthMm}) && p.widthMm > 0.0, "disc:DIAMETER");
     break;
   case PlatformKind::Rect:
-    need(parseSizes(size, {&p.widthMm, &p.depthMm}) && p.widthMm > 0.0 && p.depthMm > 0.0,
+    need(readSizes(size, {&p.widthMm, &p.depthMm}) && p.widthMm > 0.0 && p.depthMm > 0.0,
          "rect:WIDTHxDEPTH");
     break;
   case PlatformKind::Rod:
-    need(parseSizes(size, {&p.diameterMm, &p.lengthMm}) && p.diameterMm > 0.0 && p.lengthMm > 0.0,
+    need(readSizes(size, {&p.diameterMm, &p.lengthMm}) && p.diameterMm > 0.0 && p.lengthMm > 0.0,
          "rod:DIAMETERxLENGTH");
     break;
   case PlatformKind::Mesh:

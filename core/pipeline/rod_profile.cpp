@@ -2,9 +2,8 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/number_list.h"
 
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <sstream>
@@ -13,15 +12,8 @@ namespace voluta::pipeline {
 
 namespace {
 
-bool parsePair(const std::string& word, Eigen::Vector2d& pair) {
-  const std::size_t comma = word.find(',');
-  if (comma == std::string::npos)
-    return false;
-  const auto number = [&](std::size_t from, std::size_t to, double& value) {
-    const auto [end, status] = std::from_chars(word.data() + from, word.data() + to, value);
-    return status == std::errc{} && end == word.data() + to && std::isfinite(value);
-  };
-  return number(0, comma, pair.x()) && number(comma + 1, word.size(), pair.y());
+bool readPair(const std::string& word, Eigen::Vector2d& pair) {
+  return base::readNumbers(word, ',', {&pair.x(), &pair.y()});
 }
 
 } // namespace
@@ -30,7 +22,7 @@ std::string rodProfileText(const std::string& value) {
   std::istringstream words(value);
   std::string first;
   Eigen::Vector2d pair;
-  if (!(words >> first) || parsePair(first, pair) || !std::filesystem::exists(value))
+  if (!(words >> first) || readPair(first, pair) || !std::filesystem::exists(value))
     return value;
   std::istringstream read(base::readFile(value));
   std::string text, word;
@@ -45,7 +37,7 @@ std::vector<Eigen::Vector2d> rodProfile(const std::string& text) {
   std::string word;
   while (words >> word) {
     Eigen::Vector2d pair;
-    if (!parsePair(word, pair))
+    if (!readPair(word, pair))
       throw base::Error(
           base::ErrorCode::Usage,
           fmt::format("rodProfile: '{:.40}' is neither a pair x,radius nor a file", word),

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/number_list.h"
 #include "base/stopwatch.h"
 #include "geometry/convex_polygon.h"
 #include "geometry/measures.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -27,20 +27,6 @@ namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr double kContactShare = 0.5; // of a layer's height: what is no higher stands on z = 0
-
-bool parseNumbers(std::string_view text, std::initializer_list<double*> values) {
-  std::size_t left = values.size();
-  for (double* value : values) {
-    const std::size_t comma = --left > 0 ? text.find(',') : text.size();
-    if (comma == std::string_view::npos)
-      return false;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + comma, *value);
-    if (status != std::errc{} || end != text.data() + comma || !std::isfinite(*value))
-      return false;
-    text.remove_prefix(std::min(comma + 1, text.size()));
-  }
-  return true;
-}
 
 substrate::LevelShape shapeOf(const ModeChoices& in) {
   const std::string shape = in.values.text("layerShape");
@@ -70,11 +56,11 @@ substrate::EndSurface endSurface(const ModeChoices& in) {
   const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
   double number = 0.0;
   if (word == "flat" && colon != std::string::npos) {
-    if (!parseNumbers(rest, {&number}))
+    if (!base::readNumbers(rest, ',', {&number}))
       fail();
     end.heightMm = number;
   } else if (word == "radius") {
-    if (!parseNumbers(rest, {&number}) || !(number > 0.0))
+    if (!base::readNumbers(rest, ',', {&number}) || !(number > 0.0))
       fail();
     end.radiusMm = number;
   } else if (text.starts_with(kMeshPrefix) && !rest.empty()) {
@@ -111,7 +97,7 @@ substrate::SubstrateOptions substrateOptions(const ModeChoices& in) {
   options.shape = shapeOf(in);
   if (const std::string text = in.values.text("layerCentre"); !text.empty()) {
     Vector3d& c = options.centre.emplace();
-    if (!parseNumbers(text, {&c.x(), &c.y(), &c.z()}))
+    if (!base::readNumbers(text, ',', {&c.x(), &c.y(), &c.z()}))
       throw base::Error(base::ErrorCode::Usage,
                         fmt::format("layerCentre '{:.40}' is no point", text), {},
                         "write x,y,z in mm");

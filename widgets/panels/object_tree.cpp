@@ -100,7 +100,8 @@ void ObjectTree::showEntry(SceneItem which) {
     return QString();
   };
   e.item->setText(kName, e.name.isEmpty() ? kindText() : e.name);
-  e.item->setToolTip(kName, e.name.isEmpty() ? kindText() : kindText() + ": " + e.name);
+  const bool ownName = which == SceneItem::Part && !e.name.isEmpty();
+  e.item->setToolTip(kName, ownName ? kindText() + ": " + e.name : e.item->text(kName));
   e.item->setText(kDetail, e.detail);
   e.item->setToolTip(kDetail, e.detail);
   e.item->setForeground(kDetail, forms::mutedColour(palette()));

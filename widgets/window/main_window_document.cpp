@@ -144,6 +144,8 @@ void MainWindow::showChoices() {
   mesh_->setRepair(c.repair);
   tree_->setText(panels::SceneItem::Platform, {}, platformText(c.platform));
   tree_->setText(panels::SceneItem::Cell, {}, QString::fromStdString(c.cell));
+  tree_->setText(panels::SceneItem::Plate,
+                 pipeline::findMode(c.mode).aroundRod ? tr("Rod") : QString(), {});
   status_->setCell(QString::fromStdString(c.cell));
   showNotice();
   showCuts();
