@@ -1165,12 +1165,20 @@ sioni</translation>
         <translation>taglio</translation>
     </message>
     <message>
-        <source>cutting layers around the rod</source>
-        <translation>taglio degli strati attorno alla barra</translation>
-    </message>
-    <message>
         <source>ordering layers</source>
         <translation>ordinamento degli strati</translation>
+    </message>
+    <message>
+        <source>take the rod out of the part</source>
+        <translation>barra tolta dal pezzo</translation>
+    </message>
+    <message>
+        <source>take the surface out of the part</source>
+        <translation>superficie tolta dal pezzo</translation>
+    </message>
+    <message>
+        <source>cutting layers</source>
+        <translation>taglio degli strati</translation>
     </message>
 </context>
 <context>
