@@ -126,7 +126,7 @@ private:
     // What lies beneath a bead is looked for in a quarter of its height: cells of more than half a
     // height would hide it.
     const double ofWidth = 0.25 * in_.process.beadWidthMm;
-    const double ofHeight = 0.5 * in_.process.layerHeightMm;
+    const double ofHeight = 0.5 * thinHeight();
     const voxel::VoxelGrid grid = gridOver(low, high, std::min(ofWidth, ofHeight), kMaxCells);
     out_.pitchMm = grid.pitch;
     DepositOptions depositOptions;
@@ -137,6 +137,17 @@ private:
     beads_ = depositBeads(grid, pieces_, depositOptions, ctx_.sub(0.2, 0.5));
     for (const BeadPiece& piece : pieces_)
       (piece.ofPart ? out_.depositedMm3 : out_.supportMm3) += static_cast<double>(piece.volumeMm3);
+  }
+
+  // What nine tenths of the waypoints are as thick as, or the process's height where that is less.
+  double thinHeight() const {
+    std::vector<float> heights = in_.plan.heightMm;
+    if (heights.empty())
+      return in_.process.layerHeightMm;
+    const auto tenth = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
+    std::nth_element(heights.begin(), tenth, heights.end());
+    return std::clamp(static_cast<double>(*tenth), in_.process.layerHeightMinMm,
+                      in_.process.layerHeightMm);
   }
 
   // Of the mesh where it is closed (its own volume is exact); else of the grid.

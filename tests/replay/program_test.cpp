@@ -381,6 +381,14 @@ TEST_P(ThinLayers, ASolidBoxPasses) {
   EXPECT_LE(v.pitchMm, 0.5 * p.layerHeightMm);
 }
 
+TEST_P(ThinLayers, CellsGoByTheLayersThatAreThere) {
+  test::Scene s = boxOf(thinProcess(), 0.0);
+  s.process.layerHeightMm = 0.35;
+  const Verification v = replayPlan(s);
+  EXPECT_LE(v.pitchMm, 0.5 * GetParam() + 1e-6);
+  EXPECT_LT(v.unsupportedFraction, 0.001);
+}
+
 TEST_P(ThinLayers, ALayerThatFloatsIsFound) {
   const process::Process p = thinProcess();
   const Verification v = replayPlan(boxOf(p, p.layerHeightMm));
