@@ -80,6 +80,12 @@ void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
   }
   if (!currentItem() && topLevelItemCount() > 0)
     setCurrentItem(topLevelItem(0));
+  // A program that is there says more than a row without one.
+  const auto written = [](const ExportFormat& format) { return !format.files.empty(); };
+  const int row = indexOfTopLevelItem(currentItem());
+  const auto first = std::find_if(formats_.begin(), formats_.end(), written);
+  if (row >= 0 && !written(formats_[static_cast<std::size_t>(row)]) && first != formats_.end())
+    setCurrentItem(topLevelItem(static_cast<int>(first - formats_.begin())));
   retranslate();
   updateGeometry();
 }
