@@ -63,6 +63,12 @@ ParameterSpec booleanParameter(std::string key, bool defaultValue, std::string g
                   std::move(label), std::move(help), simple);
 }
 
+ParameterSpec textParameter(std::string key, std::string group, std::string label, std::string help,
+                            bool simple) {
+  return makeSpec(std::move(key), ParameterType::Text, "", std::string(), std::move(group),
+                  std::move(label), std::move(help), simple);
+}
+
 ParameterSpec choiceParameter(std::string key, std::string defaultValue,
                               std::vector<std::string> choices, std::string group,
                               std::string label, std::string help, bool simple) {

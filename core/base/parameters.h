@@ -35,6 +35,9 @@ ParameterSpec integerParameter(std::string key, long long defaultValue, long lon
                                std::string help, bool simple = false);
 ParameterSpec booleanParameter(std::string key, bool defaultValue, std::string group,
                                std::string label, std::string help, bool simple = false);
+// Empty by default.
+ParameterSpec textParameter(std::string key, std::string group, std::string label, std::string help,
+                            bool simple = false);
 ParameterSpec choiceParameter(std::string key, std::string defaultValue,
                               std::vector<std::string> choices, std::string group,
                               std::string label, std::string help, bool simple = false);

@@ -148,10 +148,6 @@ std::string decomposeKey(const ModeChoices& in) {
          fmt::format("profile {}\n", rodProfileText(in.values.text("rodProfile")));
 }
 
-std::string layersKey(const ModeChoices&) {
-  return {}; // all of it decided already how many there are
-}
-
 std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
                                                 const base::RunContext& ctx) {
   const base::Stopwatch watch;
@@ -165,18 +161,14 @@ std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
   stage->lessPlatform = left;
   ctx.checkpoint();
   const substrate::LatheOptions options = latheOptions(input.choices);
-  const substrate::OverhangRule rule = overhangRule(input.choices);
-  const substrate::Overhang overhang = substrate::latheOverhang(*left, rod, options, rule);
-  DecompositionReport& r = stage->report;
-  r.mode = input.choices.choices.mode;
-  r.pieces = 1;
-  r.layers = static_cast<int>(substrate::latheBounds(*left, rod, options).size()) - 1;
-  r.riskyAreaMm2 = r.riskyAreaBeforeMm2 = overhang.areaMm2;
-  if (auto finding = substrate::overhangFinding(overhang, rule, "rod",
-                                                fmt::format("x = {:.4g} mm, radius {:.4g} mm",
-                                                            overhang.worstAt.x(),
-                                                            overhang.worstAt.tail<2>().norm())))
-    stage->findings.push_back(std::move(*finding));
+  const substrate::Overhang overhang =
+      substrate::latheOverhang(*left, rod, options, overhangRule(input.choices));
+  tellLevels(input.choices,
+             static_cast<int>(substrate::latheBounds(*left, rod, options).size()) - 1, overhang,
+             "rod",
+             fmt::format("x = {:.4g} mm, radius {:.4g} mm", overhang.worstAt.x(),
+                         overhang.worstAt.tail<2>().norm()),
+             *stage);
   if (auto finding = tooFarOut(*left, own))
     stage->findings.push_back(std::move(*finding));
   stage->timings.decompose = watch.seconds();
@@ -192,23 +184,10 @@ std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
   return layersStage(std::move(layers), watch.seconds());
 }
 
-base::ParameterSpec profileParameter() {
-  base::ParameterSpec spec;
-  spec.key = "rodProfile";
-  spec.type = base::ParameterType::Text;
-  spec.defaultValue = std::string();
-  spec.group = "Rod";
-  spec.label = "profile of the rod";
-  spec.help = "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with "
-              "them; a step has two pairs at one x. Beyond them the rod goes on as it is. Empty: "
-              "straight.";
-  return spec;
-}
-
 } // namespace
 
 Mode latheMode() {
-  Mode mode{"lathe", "Around a rod", decomposeKey, layersKey, decompose, layersOf};
+  Mode mode{"lathe", "Around a rod", decomposeKey, levelLayersKey, decompose, layersOf};
   mode.platforms = {PlatformKind::Fit, PlatformKind::Rod, PlatformKind::Mesh};
   mode.aroundRod = true;
   mode.place = placeOnRod;
@@ -228,7 +207,10 @@ base::ParameterTable latheParameters() {
       base::integerParameter("rodSides", 0, 0, 64, "Rod", "sides of the rod",
                              "0: a round rod; 3 or more: a prism, measured over its corners.",
                              true),
-      profileParameter(),
+      base::textParameter(
+          "rodProfile", "Rod", "profile of the rod",
+          "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a "
+          "step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight."),
       base::choiceParameter("rodLayers", "radius", {"radius", "offset"}, "Rod",
                             "layers around the rod",
                             "At constant radius about the axis, or at constant distance from the "

@@ -30,6 +30,21 @@ substrate::OverhangRule overhangRule(const ModeChoices& in) {
           in.process.beadWidthMm};
 }
 
+std::string levelLayersKey(const ModeChoices&) {
+  return {};
+}
+
+void tellLevels(const ModeChoices& in, int layers, const substrate::Overhang& overhang,
+                const std::string& ground, const std::string& at, DecomposeStage& stage) {
+  DecompositionReport& r = stage.report;
+  r.mode = in.choices.mode;
+  r.pieces = 1;
+  r.layers = layers;
+  r.riskyAreaMm2 = r.riskyAreaBeforeMm2 = overhang.areaMm2;
+  if (auto finding = substrate::overhangFinding(overhang, overhangRule(in), ground, at))
+    stage.findings.push_back(std::move(*finding));
+}
+
 std::shared_ptr<const LayersStage> layersStage(substrate::StackedLevels stacked, double seconds) {
   auto stage = std::make_shared<LayersStage>();
   stage->report = reportOf(stacked.statistics);

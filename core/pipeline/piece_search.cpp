@@ -21,14 +21,6 @@ bool greedyChosen(const base::ParameterValues& values) {
 } // namespace
 
 base::ParameterTable pieceSearchParameters() {
-  base::ParameterSpec root;
-  root.key = "pieceRoot";
-  root.type = base::ParameterType::Text;
-  root.defaultValue = std::string();
-  root.group = "Pieces";
-  root.label = "root";
-  root.help = "Scheme greedy: x,y,z (mm) of a place on what is printed first; it must stand on the "
-              "plate. Empty: what stands on it with most area.";
   return base::ParameterTable({
       base::choiceParameter("planarScheme", "beam", {"beam", kGreedy}, "Pieces", "scheme",
                             "Mode planar: beam keeps several partial results and asks of the "
@@ -38,7 +30,9 @@ base::ParameterTable pieceSearchParameters() {
       base::integerParameter("pieceClusters", 0, 0, 12, "Pieces", "thicknesses",
                              "Scheme greedy: how many thicknesses the part's branches are told "
                              "apart by. 0: as many as stand apart."),
-      root,
+      base::textParameter("pieceRoot", "Pieces", "root",
+                          "Scheme greedy: x,y,z (mm) of a place on what is printed first; it must "
+                          "stand on the plate. Empty: what stands on it with most area."),
   });
 }
 

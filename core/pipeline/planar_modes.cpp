@@ -24,18 +24,6 @@ namespace voluta::pipeline {
 
 namespace {
 
-base::ParameterSpec textParameter(const char* key, const char* group, const char* label,
-                                  const char* help) {
-  base::ParameterSpec spec;
-  spec.key = key;
-  spec.type = base::ParameterType::Text;
-  spec.defaultValue = std::string();
-  spec.group = group;
-  spec.label = label;
-  spec.help = help;
-  return spec;
-}
-
 planar::RiskRule riskRule(const ModeChoices& in) {
   planar::RiskRule rule;
   rule.overhangRad = base::degreesToRadians(in.values.number("overhangAngle"));
@@ -281,21 +269,24 @@ base::ParameterTable planarModeParameters() {
                             "How far a face may lean over from the upright without support, in "
                             "every mode but curved.",
                             true),
-      textParameter("pieceMaterials", "Pieces", "materials of pieces",
-                    "Mode planar: a material or filament for each piece, separated by commas; from "
-                    "the first again where there are more pieces. Empty: the process's."),
-      textParameter("cutPlanes", "Pieces", "cutting planes",
-                    "Mode planar: a JSON file, or its text, with a point and a normal for each "
-                    "plane that cuts the part, in turn. Empty: they are searched for."),
+      base::textParameter(
+          "pieceMaterials", "Pieces", "materials of pieces",
+          "Mode planar: a material or filament for each piece, separated by commas; from "
+          "the first again where there are more pieces. Empty: the process's."),
+      base::textParameter(
+          "cutPlanes", "Pieces", "cutting planes",
+          "Mode planar: a JSON file, or its text, with a point and a normal for each "
+          "plane that cuts the part, in turn. Empty: they are searched for."),
       base::booleanParameter("adaptiveLayers", false, "Layers", "adaptive layers",
                              "Modes planar and flat: thinner layers where the surface leans, "
                              "within the process's limits."),
       base::numberParameter("cuspMm", "mm", 0.3, 0.05, 2.0, "Layers", "step height",
                             "Adaptive layers: how far the edges of layers may stand out of the "
                             "surface."),
-      textParameter("layerPlanes", "Layers", "planes of layers",
-                    "Mode flat: a JSON file, or its text, with the plane or quadrilateral of each "
-                    "layer. Empty: layers along z."),
+      base::textParameter(
+          "layerPlanes", "Layers", "planes of layers",
+          "Mode flat: a JSON file, or its text, with the plane or quadrilateral of each "
+          "layer. Empty: layers along z."),
   });
   table.append(pieceSearchParameters());
   return table;

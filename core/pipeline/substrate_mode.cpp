@@ -158,10 +158,6 @@ std::string decomposeKey(const ModeChoices& in) {
          parameterText({"layerShape", "layerCentre", "overhangAngle"}, in.values);
 }
 
-std::string layersKey(const ModeChoices&) {
-  return {}; // all of it decided already how many there are
-}
-
 std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
                                                 const base::RunContext& ctx) {
   const base::Stopwatch watch;
@@ -177,19 +173,11 @@ std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
   ctx.checkpoint();
   const substrate::LevelFamily family =
       substrate::substrateLevels(part, groundOf(stage->platform), options, ctx);
-  const substrate::OverhangRule rule = overhangRule(input.choices);
   const substrate::Overhang overhang =
-      substrate::findOverhang(part, family.ground, family.outward, rule);
-  DecompositionReport& r = stage->report;
-  r.mode = input.choices.choices.mode;
-  r.pieces = 1;
-  r.layers = family.count;
-  r.riskyAreaMm2 = r.riskyAreaBeforeMm2 = overhang.areaMm2;
+      substrate::findOverhang(part, family.ground, family.outward, overhangRule(input.choices));
   const Vector3d& at = overhang.worstAt;
-  if (auto finding = substrate::overhangFinding(
-          overhang, rule, "surface",
-          fmt::format("({:.4g}, {:.4g}, {:.4g})", at.x(), at.y(), at.z())))
-    stage->findings.push_back(std::move(*finding));
+  tellLevels(input.choices, family.count, overhang, "surface",
+             fmt::format("({:.4g}, {:.4g}, {:.4g})", at.x(), at.y(), at.z()), *stage);
   stage->timings.decompose = watch.seconds();
   return stage;
 }
@@ -206,21 +194,10 @@ std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
   return layersStage(std::move(stacked), watch.seconds());
 }
 
-base::ParameterSpec textParameter(const char* key, const char* label, const char* help) {
-  base::ParameterSpec spec;
-  spec.key = key;
-  spec.type = base::ParameterType::Text;
-  spec.defaultValue = std::string();
-  spec.group = "Surface";
-  spec.label = label;
-  spec.help = help;
-  return spec;
-}
-
 } // namespace
 
 Mode substrateMode() {
-  Mode mode{"substrate", "On a given surface", decomposeKey, layersKey, decompose, layersOf};
+  Mode mode{"substrate", "On a given surface", decomposeKey, levelLayersKey, decompose, layersOf};
   mode.platforms = {PlatformKind::Mesh, PlatformKind::Fit, PlatformKind::Disc, PlatformKind::Rect};
   mode.place = placeOnSurface;
   mode.placeKey = placeKey;
@@ -236,12 +213,14 @@ base::ParameterTable substrateParameters() {
                             "cylinders along x, or from the surface to an end surface, thicker "
                             "where the way is longer.",
                             true),
-      textParameter("layerCentre", "centre of layers",
-                    "Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that "
-                    "the part stands on, or below the part."),
-      textParameter("endSurface", "end surface",
-                    "Layers that flatten end on it: flat (at the part's top), flat:Z, radius:R (a "
-                    "wider cylinder) or mesh:FILE, placed with the platform's."),
+      base::textParameter(
+          "layerCentre", "Surface", "centre of layers",
+          "Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that "
+          "the part stands on, or below the part."),
+      base::textParameter(
+          "endSurface", "Surface", "end surface",
+          "Layers that flatten end on it: flat (at the part's top), flat:Z, radius:R (a "
+          "wider cylinder) or mesh:FILE, placed with the platform's."),
   });
 }
 

@@ -86,16 +86,19 @@ protected:
                         : phase < 3 || phase == 39 ? plan::MoveKind::Linear
                                                    : plan::MoveKind::Print;
       append(move, q, volume / 30.0 + 0.01 + 0.1 * unit(random), volume);
-      if (move == plan::MoveKind::Print || phase == 2) {
-        if (phase == 2)
-          plan_.paths.push_back(
-              {.first = waypoint, .count = 0, .layer = static_cast<int>(i / 400)});
-        ++plan_.paths.back().count;
-        trajectory_.waypoint.back() = waypoint++;
-      }
+      if (move == plan::MoveKind::Print || phase == 2)
+        noteWaypoint(waypoint++, phase == 2, static_cast<int>(i / 400));
     }
     plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
+  }
+
+  // The last point is this waypoint of the plan, the first of a path or one more of the last.
+  void noteWaypoint(std::size_t waypoint, bool startsPath, int layer) {
+    if (startsPath)
+      plan_.paths.push_back({.first = waypoint, .count = 0, .layer = layer});
+    ++plan_.paths.back().count;
+    trajectory_.waypoint.back() = waypoint;
   }
 
   // Likewise on the rod, which turns by whole steps and turn after turn.
@@ -120,13 +123,8 @@ protected:
                         : phase == 2 || phase == 39 ? plan::MoveKind::Linear
                                                     : plan::MoveKind::Print;
       append(move, q, volume / 30.0 + 0.05 + 0.1 * unit(random), volume);
-      if (move == plan::MoveKind::Print || phase == 2) {
-        if (phase == 2)
-          plan_.paths.push_back(
-              {.first = waypoint, .count = 0, .layer = static_cast<int>(i / 400)});
-        ++plan_.paths.back().count;
-        trajectory_.waypoint.back() = waypoint++;
-      }
+      if (move == plan::MoveKind::Print || phase == 2)
+        noteWaypoint(waypoint++, phase == 2, static_cast<int>(i / 400));
     }
     plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitX());

@@ -2,6 +2,7 @@
 #include "base/run_context.h"
 #include "program/dialect.h"
 #include "replay/scene.h"
+#include "replay/told.h"
 #include "replay/verification.h"
 
 #include <algorithm>
@@ -45,15 +46,6 @@ Verification verify(const std::string& format, const Text& text, const test::Sce
   const plan::ReadProgram read = program::readProgram(format, {{text.name, joined}}, s.process);
   return replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
                        ReplayThresholds{}, ctx);
-}
-
-std::string told(const Verification& v) {
-  std::string all;
-  for (const auto& f : v.findings)
-    all += f.kind + ": " + f.reason + "\n";
-  for (const auto& r : v.results)
-    all += r.name + " " + std::to_string(r.value) + (r.passed ? "" : " FAILED") + "\n";
-  return all;
 }
 
 // Line (1-based) of each trajectory point.

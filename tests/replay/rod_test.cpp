@@ -5,6 +5,7 @@
 #include "replay/executed_path.h"
 #include "replay/ground.h"
 #include "replay/scene.h"
+#include "replay/told.h"
 #include "replay/verification.h"
 
 #include <algorithm>
@@ -56,14 +57,6 @@ Verification replayed(const test::Scene& s, const plan::ReadProgram& program) {
                        ReplayThresholds{}, base::RunContext());
 }
 
-std::string told(const Verification& v) {
-  std::string all;
-  for (const auto& f : v.findings)
-    all += f.kind + ": " + f.reason + "\n";
-  for (const auto& r : v.results)
-    all += r.name + " " + std::to_string(r.value) + (r.passed ? "" : " FAILED") + "\n";
-  return all;
-}
 bool tells(const Verification& v, const std::string& kind, const std::string& words = "") {
   return std::any_of(v.findings.begin(), v.findings.end(), [&](const plan::Finding& f) {
     return f.kind == kind && f.reason.find(words) != std::string::npos;

@@ -1,0 +1,19 @@
+// A verdict in words, for messages of tests.
+#pragma once
+
+#include "replay/verification.h"
+
+#include <string>
+
+namespace voluta::replay {
+
+inline std::string told(const Verification& v) {
+  std::string all;
+  for (const auto& f : v.findings)
+    all += f.kind + ": " + f.reason + "\n";
+  for (const auto& r : v.results)
+    all += r.name + " " + std::to_string(r.value) + (r.passed ? "" : " FAILED") + "\n";
+  return all;
+}
+
+} // namespace voluta::replay
