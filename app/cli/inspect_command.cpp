@@ -1,9 +1,9 @@
 #include "base/files.h"
 #include "cli/commands.h"
-#include "geometry/diagnosis.h"
-#include "geometry/mesh_reader.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/placement.h"
-#include "geometry/repair.h"
+#include "geometry/repair/diagnosis.h"
+#include "geometry/repair/repair.h"
 #include "pipeline/load_stage.h"
 #include "voxel/voxel_text.h"
 

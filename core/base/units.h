@@ -13,11 +13,5 @@ constexpr double degreesToRadians(double degrees) {
 constexpr double radiansToDegrees(double radians) {
   return radians * 180.0 / kPi;
 }
-constexpr double metresToMm(double metres) {
-  return metres * 1000.0;
-}
-constexpr double mmToMetres(double mm) {
-  return mm / 1000.0;
-}
 
 } // namespace voluta::base

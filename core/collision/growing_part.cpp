@@ -90,13 +90,13 @@ double growingPitch(const plan::ToolPlan& plan, const process::Process& process)
   return std::max(finest, std::cbrt(sides.prod() / kCells));
 }
 
-std::shared_ptr<const FillTimes> groundCells(const geometry::PlatformSolid& platform, double pitch,
+std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& platform, double pitch,
                                              const base::RunContext& ctx) {
   std::vector<geometry::TriangleMesh> solids;
   if (platform.mesh)
     solids.push_back(*platform.mesh);
   if (platform.rod)
-    solids.push_back(geometry::meshOf(*platform.rod, kRodChordMm));
+    solids.push_back(platform::meshOf(*platform.rod, kRodChordMm));
   Eigen::AlignedBox3d box;
   for (const geometry::TriangleMesh& solid : solids)
     box.extend(geometry::bounds(solid));

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "collision/fill_times.h"
-#include "geometry/platform_solid.h"
 #include "plan/tool_plan.h"
+#include "platform/platform_solid.h"
 #include "robot/body.h"
 #include "voxel/voxel_grid.h"
 
@@ -29,7 +29,7 @@ double growingPitch(const plan::ToolPlan& plan, const process::Process& process)
 
 // What of a platform is no plate, in cells that are filled from the start: pitchMm wide, wider
 // where there would be more than 2^24 of them. Null: nothing. Throws Cancelled.
-std::shared_ptr<const FillTimes> groundCells(const geometry::PlatformSolid& platform,
+std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& platform,
                                              double pitchMm, const base::RunContext& ctx);
 
 class GrowingPart {

@@ -1,12 +1,12 @@
 #include "collision/polyhedron_distance.h"
 
 #include "base/error.h"
+#include "base/units.h"
 
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/distance.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace voluta::collision {
@@ -38,11 +38,11 @@ std::shared_ptr<fcl::Convexd> around(const robot::Frustum& f) {
   Vector3d u = f.p1 - f.p0;
   u = u.norm() > 0.0 ? Vector3d(u.normalized()) : Vector3d(Vector3d::UnitZ());
   const Vector3d x = u.unitOrthogonal(), y = u.cross(x);
-  const double outward = 1.0 / std::cos(std::numbers::pi / kSides);
+  const double outward = 1.0 / std::cos(base::kPi / kSides);
   std::vector<Vector3d> vertices;
   for (const auto& [centre, radius] : {std::pair(f.p0, f.r0), std::pair(f.p1, f.r1)})
     for (int i = 0; i < kSides; ++i) {
-      const double a = 2.0 * std::numbers::pi * i / kSides;
+      const double a = 2.0 * base::kPi * i / kSides;
       vertices.push_back(centre + outward * std::max(radius, kLeastRadius) *
                                       (std::cos(a) * x + std::sin(a) * y));
     }

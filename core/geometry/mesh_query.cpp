@@ -1,13 +1,13 @@
 #include "geometry/mesh_query.h"
 
 #include "base/error.h"
+#include "base/units.h"
 #include "geometry/triangle_queries.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace voluta::geometry {
@@ -246,7 +246,7 @@ double MeshQuery::windingNumber(const Vector3d& p) const {
     for (std::size_t t = first; t < first + static_cast<std::size_t>(node.count); ++t)
       angle += solidAngle(p, triangles_[t].a, triangles_[t].b, triangles_[t].c);
   }
-  return angle / (4.0 * std::numbers::pi);
+  return angle / (4.0 * base::kPi);
 }
 
 double MeshQuery::signedDistance(const Vector3d& p) const {

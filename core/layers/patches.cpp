@@ -1,11 +1,11 @@
 #include "layers/patches.h"
 
+#include "base/units.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace voluta::layers {
 
@@ -109,7 +109,7 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
   std::vector<std::vector<std::size_t>> trianglesOf(at(components.count));
   for (std::size_t t = 0; t < s.surface.triangles.size(); ++t)
     trianglesOf[at(components.ofTriangle[t])].push_back(t);
-  const double leastArea = std::numbers::pi / 4.0 * options.beadWidthMm * options.beadWidthMm;
+  const double leastArea = base::kPi / 4.0 * options.beadWidthMm * options.beadWidthMm;
 
   std::vector<int> index(s.surface.vertices.size(), -1);
   for (const std::vector<std::size_t>& piece : trianglesOf) {

@@ -15,8 +15,8 @@ using robot::JointVector;
 namespace {
 
 constexpr std::size_t kChunk = 256;
-constexpr double kStraightStep = 0.02;                 // rad
-constexpr double kJointStep = 0.5 * base::kPi / 180.0; // rad, for joint moves
+constexpr double kStraightStep = 0.02;                     // rad
+constexpr double kJointStep = base::degreesToRadians(0.5); // rad, for joint moves
 
 } // namespace
 

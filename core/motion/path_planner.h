@@ -37,7 +37,8 @@ public:
   const PathTimes& times() const { return times_; }
 
 private:
-  static constexpr double kRodStep = 15.0 * base::kPi / 180.0; // of its angle from the upright one
+  static constexpr double kRodStep =
+      base::degreesToRadians(15.0); // of its angle from the upright one
 
   struct Place { // a rung: its waypoint and what is known of its nodes
     std::size_t waypoint;

@@ -18,15 +18,16 @@ using robot::JointVector;
 
 namespace {
 
-constexpr double kStepMm = 2.0, kStepRad = 1.0 * base::kPi / 180.0;
+constexpr double kStepMm = 2.0, kStepRad = base::degreesToRadians(1.0);
 constexpr double kLinearJointStep = 0.15; // rad between checks of a linear move
 constexpr double kLinearPieceMm = 25.0;   // longest linear move that is written
-constexpr double kJointCheck = 0.5 * base::kPi / 180.0, kCloseJointCheck = 0.2 * base::kPi / 180.0;
-constexpr double kJointPiece = 20.0 * base::kPi / 180.0; // longest joint move that is written
-constexpr double kRodPiece = 0.5 * base::kPi;            // the rod's
-constexpr double kJointMarginMm = 3.0;                   // more, for what moves between checks
+constexpr double kJointCheck = base::degreesToRadians(0.5),
+                 kCloseJointCheck = base::degreesToRadians(0.2);
+constexpr double kJointPiece = base::degreesToRadians(20.0); // longest joint move that is written
+constexpr double kRodPiece = 0.5 * base::kPi;                // the rod's
+constexpr double kJointMarginMm = 3.0;                       // more, for what moves between checks
 constexpr double kSameJoints = 1e-6;
-constexpr double kArcPiece = 10.0 * base::kPi / 180.0;
+constexpr double kArcPiece = base::degreesToRadians(10.0);
 constexpr double kBallMarginMm = 5.0;
 
 collision::Margins widened(collision::Margins margins, double byMm) {

@@ -3,7 +3,6 @@
 
 #include "curved/decomposition.h"
 #include "geometry/placement.h"
-#include "geometry/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "pipeline/load_stage.h"
@@ -12,6 +11,7 @@
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 #include "planar/decomposition.h"
+#include "platform/platform_solid.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -61,7 +61,7 @@ struct Job {
 
   double scale = 1.0;                                 // what `scale` came to
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
-  geometry::PlatformSolid platform;                   // what material starts on, work frame
+  platform::PlatformSolid platform;                   // what material starts on, work frame
   // What of the part is to be printed where the platform takes some of it; null: all of it.
   std::shared_ptr<const geometry::TriangleMesh> lessPlatform;
   std::shared_ptr<const curved::Decomposition> decomposition; // also null in modes without voxels

@@ -409,7 +409,7 @@ plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
   return t;
 }
 
-void addPlatform(BlockWriter& out, const geometry::PlatformSolid& platform) {
+void addPlatform(BlockWriter& out, const platform::PlatformSolid& platform) {
   out.add("platform", platform.polygon);
   if (platform.rod) {
     out.add("platform.rod", platform.rod->profile);
@@ -419,12 +419,12 @@ void addPlatform(BlockWriter& out, const geometry::PlatformSolid& platform) {
     addMesh(out, "platform.mesh", *platform.mesh);
 }
 
-geometry::PlatformSolid getPlatform(const BlockReader& in) {
-  geometry::PlatformSolid platform(in.get<Eigen::Vector2d>("platform"));
+platform::PlatformSolid getPlatform(const BlockReader& in) {
+  platform::PlatformSolid platform(in.get<Eigen::Vector2d>("platform"));
   if (in.has("platform.rod")) {
     platform.rod = {in.get<Eigen::Vector2d>("platform.rod"),
                     Json::parse(in.text("platform.rodSides")).get<int>()};
-    geometry::checkRod(*platform.rod);
+    platform::checkRod(*platform.rod);
   }
   if (hasMesh(in, "platform.mesh"))
     platform.mesh = std::make_shared<geometry::TriangleMesh>(getMesh(in, "platform.mesh"));

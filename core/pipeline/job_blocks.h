@@ -38,9 +38,9 @@ plan::ToolPlan getToolPlan(const BlockReader& in);
 void addTrajectory(BlockWriter& out, const plan::Trajectory& trajectory);
 plan::Trajectory getTrajectory(const BlockReader& in, int dof);
 
-void addPlatform(BlockWriter& out, const geometry::PlatformSolid& platform);
+void addPlatform(BlockWriter& out, const platform::PlatformSolid& platform);
 // Throws Error{UnusableInput} for a rod that is none.
-geometry::PlatformSolid getPlatform(const BlockReader& in);
+platform::PlatformSolid getPlatform(const BlockReader& in);
 
 // Do indices lie in their arrays, are arrays of one length, are coordinates finite, is there what
 // `reached` says?

@@ -30,7 +30,7 @@ robot::CellRod cellRod(const ModeChoices& in) {
 }
 
 // Where the profile ends, the rod goes on as thick as it is.
-std::vector<Vector2d> within(const geometry::RodShape& rod, std::vector<Vector2d> profile) {
+std::vector<Vector2d> within(const platform::RodShape& rod, std::vector<Vector2d> profile) {
   const Vector2d first = rod.profile.front(), last = rod.profile.back();
   if (profile.front().x() > first.x()) {
     if (profile.front().y() != first.y())
@@ -45,17 +45,17 @@ std::vector<Vector2d> within(const geometry::RodShape& rod, std::vector<Vector2d
   return profile;
 }
 
-geometry::RodShape rodShape(const ModeChoices& in, const robot::CellRod& own) {
+platform::RodShape rodShape(const ModeChoices& in, const robot::CellRod& own) {
   const PlatformChoice platform = platformChoice(in.choices.platform);
   const int sides = static_cast<int>(in.values.integer("rodSides"));
-  geometry::RodShape rod =
+  platform::RodShape rod =
       platform.kind == PlatformKind::Rod
-          ? geometry::straightRod(platform.diameterMm, platform.lengthMm, sides)
-          : geometry::straightRod(own.diameterMm, own.lengthMm, sides);
+          ? platform::straightRod(platform.diameterMm, platform.lengthMm, sides)
+          : platform::straightRod(own.diameterMm, own.lengthMm, sides);
   const std::vector<Vector2d> profile = rodProfile(rodProfileText(in.values.text("rodProfile")));
   if (!profile.empty())
     rod.profile = within(rod, profile);
-  geometry::checkRod(rod);
+  platform::checkRod(rod);
   return rod;
 }
 
@@ -97,8 +97,8 @@ std::string placeKey(const ModeChoices& in) {
   return platformText(in.choices) + parameterText({"rodAxis"}, in.values);
 }
 
-geometry::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
-  geometry::PlatformSolid platform;
+platform::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
+  platform::PlatformSolid platform;
   platform.rod = rodShape(in, cellRod(in));
   if (const auto body = platformBody(in.choices))
     platform.mesh = std::make_shared<geometry::TriangleMesh>(
@@ -106,7 +106,7 @@ geometry::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& i
   return platform;
 }
 
-substrate::RodSurface surfaceOf(const geometry::PlatformSolid& platform) {
+substrate::RodSurface surfaceOf(const platform::PlatformSolid& platform) {
   return platform.mesh ? substrate::RodSurface(*platform.rod, platform.mesh)
                        : substrate::RodSurface(*platform.rod);
 }

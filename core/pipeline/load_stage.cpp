@@ -4,10 +4,10 @@
 #include "base/files.h"
 #include "base/nearest_name.h"
 #include "base/stopwatch.h"
-#include "geometry/mesh_reader.h"
-#include "geometry/repair.h"
-#include "geometry/sample_part.h"
+#include "geometry/formats/mesh_reader.h"
+#include "geometry/repair/repair.h"
 #include "pipeline/content_hash.h"
+#include "samples/sample_part.h"
 #include "voxel/voxel_text.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
       throw base::Error(base::ErrorCode::Usage, "unknown sample '" + name + "'", {},
                         "did you mean " + base::nearestName(name, sampleNames()) + "?");
     loaded.name = name + ".stl";
-    loaded.source = std::make_shared<geometry::TriangleMesh>(geometry::samplePart());
+    loaded.source = std::make_shared<geometry::TriangleMesh>(samples::samplePart());
   } else {
     const std::string bytes = base::readFile(part);
     loaded.name = std::filesystem::path(part).filename().string();

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "geometry/diagnosis.h"
 #include "geometry/placement.h"
+#include "geometry/repair/diagnosis.h"
 #include "geometry/triangle_mesh.h"
 #include "voxel/voxel_object.h"
 

@@ -6,13 +6,13 @@
 #include "base/run_context.h"
 #include "curved/decomposition.h"
 #include "geometry/placement.h"
-#include "geometry/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_checks.h"
 #include "pipeline/job.h"
 #include "pipeline/part_voxels.h"
 #include "pipeline/platform_choice.h"
 #include "pipeline/stages.h"
+#include "platform/platform_solid.h"
 #include "process/process.h"
 
 #include <functional>
@@ -65,7 +65,7 @@ struct Mode {
                          const ModeChoices&) = nullptr;
   // What material starts on, where that does not wait for a decomposition; null: a plate, as
   // platformPolygon has it.
-  geometry::PlatformSolid (*platform)(const LoadStage& placed, const ModeChoices&) = nullptr;
+  platform::PlatformSolid (*platform)(const LoadStage& placed, const ModeChoices&) = nullptr;
   // Parameters whose default is another one in this mode, as text.
   std::vector<std::pair<std::string_view, std::string_view>> defaults = {};
 };

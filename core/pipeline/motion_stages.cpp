@@ -8,7 +8,7 @@
 namespace voluta::pipeline {
 
 std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
-                                                   const geometry::PlatformSolid& platform,
+                                                   const platform::PlatformSolid& platform,
                                                    const process::Process& process,
                                                    const base::ParameterValues& values,
                                                    const base::RunContext& ctx) {
@@ -38,7 +38,7 @@ std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& lay
 }
 
 std::shared_ptr<const MotionStage>
-motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid& platform,
+motionStage(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
             const robot::Cell& cell, const process::Process& process,
             const base::ParameterValues& values, int seed, const base::RunContext& ctx) {
   auto stage = std::make_shared<MotionStage>();
@@ -54,7 +54,7 @@ motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid& platf
   base::Stopwatch depositing;
   motion::MotionOptions options = motion::motionOptions(values);
   options.seed = static_cast<std::uint64_t>(seed);
-  geometry::PlatformSolid ground = platform;
+  platform::PlatformSolid ground = platform;
   ground.rod.reset(); // it is a body of the cell
   const double pitch = collision::growingPitch(toolPlan, process);
   const collision::GrowingPart growing(toolPlan, pitch, ctx.sub(0.0, 0.05),

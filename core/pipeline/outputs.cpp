@@ -2,7 +2,7 @@
 
 #include "base/files.h"
 #include "base/stopwatch.h"
-#include "geometry/mesh_reader.h"
+#include "geometry/formats/mesh_reader.h"
 #include "layers/vtp_writer.h"
 #include "motion/trajectory_csv.h"
 #include "pipeline/vti_writer.h"

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/number_list.h"
 #include "pipeline/choices.h"
-#include "planar/beam_search.h"
-#include "planar/greedy_decompose.h"
+#include "planar/published/greedy_decompose.h"
+#include "planar/search/beam_search.h"
 
 #include <fmt/format.h>
 

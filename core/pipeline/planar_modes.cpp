@@ -10,12 +10,12 @@
 #include "pipeline/piece_search.h"
 #include "pipeline/planar_platform.h"
 #include "pipeline/platform_choice.h"
-#include "planar/beam_search.h"
 #include "planar/flat.h"
 #include "planar/given_cuts.h"
-#include "planar/slicing.h"
-#include "planar/uniform_misses.h"
-#include "planar/user_planes.h"
+#include "planar/search/beam_search.h"
+#include "planar/slicing/slicing.h"
+#include "planar/slicing/uniform_misses.h"
+#include "planar/slicing/user_planes.h"
 
 #include <fmt/format.h>
 #include <optional>

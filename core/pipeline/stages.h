@@ -5,7 +5,6 @@
 #include "base/parameters.h"
 #include "base/run_context.h"
 #include "curved/decomposition.h"
-#include "geometry/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "pipeline/job.h"
@@ -16,6 +15,7 @@
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 #include "planar/decomposition.h"
+#include "platform/platform_solid.h"
 #include "process/process.h"
 #include "robot/cell.h"
 #include "voxel/solid_voxels.h"
@@ -42,7 +42,7 @@ struct LoadStage {
 
 struct DecomposeStage {
   static constexpr Stage kStage = Stage::Decompose;
-  geometry::PlatformSolid platform; // what material starts on, work frame
+  platform::PlatformSolid platform; // what material starts on, work frame
   // What of the placed part is to be printed where the platform takes some of it; null: all.
   std::shared_ptr<const geometry::TriangleMesh> lessPlatform;
   std::shared_ptr<const curved::Decomposition> decomposition; // null in modes without voxels
@@ -112,20 +112,20 @@ std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choic
 plan::Findings remainingDefects(const LoadedPart& loaded);
 
 std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
-                                                   const geometry::PlatformSolid& platform,
+                                                   const platform::PlatformSolid& platform,
                                                    const process::Process& process,
                                                    const base::ParameterValues& values,
                                                    const base::RunContext& ctx);
 
 std::shared_ptr<const MotionStage>
-motionStage(const plan::ToolPlan& toolPlan, const geometry::PlatformSolid& platform,
+motionStage(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
             const robot::Cell& cell, const process::Process& process,
             const base::ParameterValues& values, int seed, const base::RunContext& ctx);
 
 // Writes the program, reads it back and replays it. `name`: of the part, without extension.
 struct ProgramStageInput {
   const geometry::TriangleMesh& part; // what is to be printed
-  const geometry::PlatformSolid& platform;
+  const platform::PlatformSolid& platform;
   const plan::ToolPlan& toolPlan;
   const plan::Trajectory& trajectory;
   const robot::Cell& cell;

@@ -134,8 +134,8 @@ std::vector<Vector2d> standing(const geometry::TriangleMesh& mesh, double height
   return on;
 }
 
-geometry::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
-  geometry::PlatformSolid platform;
+platform::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
+  platform::PlatformSolid platform;
   if (const auto body = platformBody(in.choices)) {
     const auto mesh = std::make_shared<geometry::TriangleMesh>(
         moved(*body, placed.scale, motionToMiddle(*body, placed.scale)));
@@ -149,7 +149,7 @@ geometry::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& i
   return platform;
 }
 
-substrate::GroundDistance groundOf(const geometry::PlatformSolid& platform) {
+substrate::GroundDistance groundOf(const platform::PlatformSolid& platform) {
   return platform.mesh ? substrate::distanceFrom(*platform.mesh) : substrate::plateGround();
 }
 

@@ -2,17 +2,17 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "base/units.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
 #include "planar/piece_cut.h"
-#include "planar/user_planes.h"
+#include "planar/slicing/user_planes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -62,7 +62,7 @@ double thinnest(const Piece& piece) {
   const PlaneFrame frame = frameOf(piece.base.normal);
   double least = extent(piece.solid.mesh, piece.base.normal);
   for (int k = 0; k < kWidths; ++k) {
-    const double angle = std::numbers::pi * k / kWidths;
+    const double angle = base::kPi * k / kWidths;
     least = std::min(least, extent(piece.solid.mesh,
                                    std::cos(angle) * frame.across + std::sin(angle) * frame.along));
   }

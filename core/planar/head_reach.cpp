@@ -1,10 +1,10 @@
 #include "planar/head_reach.h"
 
+#include "base/units.h"
 #include "geometry/measures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -60,10 +60,9 @@ std::vector<Vector3d> frustumSamples(double lowMm, double highMm, double lowRadi
                                      double highRadiusMm, double spacingMm) {
   std::vector<Vector3d> points;
   const auto ring = [&](double z, double radius) {
-    const int n =
-        std::max(6, static_cast<int>(std::ceil(2.0 * std::numbers::pi * radius / spacingMm)));
+    const int n = std::max(6, static_cast<int>(std::ceil(2.0 * base::kPi * radius / spacingMm)));
     for (int i = 0; i < n; ++i) {
-      const double turn = 2.0 * std::numbers::pi * i / n;
+      const double turn = 2.0 * base::kPi * i / n;
       points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
     }
   };

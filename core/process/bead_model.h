@@ -1,12 +1,12 @@
 // Section of a laid bead: a rectangle with half-round ends (Castelli 2.1.1).
 #pragma once
 
-#include <numbers>
+#include "base/units.h"
 
 namespace voluta::process {
 
 // 1 - pi/4: what the round ends lack of the rectangle, per height squared.
-inline constexpr double kRoundLoss = 1.0 - std::numbers::pi / 4.0;
+inline constexpr double kRoundLoss = 1.0 - base::kPi / 4.0;
 
 // mm2. Preconditions: 0 < height <= width.
 constexpr double beadArea(double widthMm, double heightMm) {

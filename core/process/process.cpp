@@ -1,25 +1,42 @@
 #include "process/process.h"
 
 #include "base/data_files.h"
-#include "base/error.h"
-#include "base/files.h"
+#include "base/json_node.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <vector>
 
 namespace voluta::process {
 
 namespace {
-using nlohmann::json;
+using base::JsonNode;
 
-void checkHead(const HeadShape& head, const std::string& where) {
-  const auto& s = head.sections;
-  bool good = s.size() >= 2 && s.front().zMm == 0.0;
-  for (std::size_t i = 0; i < s.size(); ++i)
-    good = good && s[i].radiusMm >= 0.0 && (i == 0 || s[i].zMm >= s[i - 1].zMm);
-  if (!good)
-    throw base::Error(base::ErrorCode::UnusableInput, "the head's sections do not rise from z = 0",
-                      where);
+// A size that is chosen within limits: 0 < min <= default <= max.
+void readRange(const JsonNode& node, double& usual, double& least, double& most) {
+  node.allowOnly({"default", "min", "max"});
+  least = node.at("min").positive();
+  usual = node.at("default").positive();
+  most = node.at("max").positive();
+  if (usual < least)
+    node.at("default").fail("is below 'min'");
+  if (usual > most)
+    node.at("default").fail("is above 'max'");
+}
+
+HeadShape readHead(const JsonNode& list) {
+  HeadShape head;
+  for (const JsonNode& item : list.items()) {
+    const std::vector<JsonNode> pair = item.items();
+    if (pair.size() != 2)
+      item.fail("must be a pair of height and radius");
+    const HeadSection section{pair[0].notNegative(), pair[1].notNegative()};
+    if (head.sections.empty() ? section.zMm != 0.0 : section.zMm < head.sections.back().zMm)
+      item.fail("does not rise from z = 0");
+    head.sections.push_back(section);
+  }
+  if (head.sections.size() < 2)
+    list.fail("must have two sections at least");
+  return head;
 }
 } // namespace
 
@@ -33,37 +50,26 @@ HeadShape erodedHead(const HeadShape& head, double toleranceMm) {
 }
 
 Process readProcess(const std::filesystem::path& file) {
-  const std::string where = file.string();
+  const JsonNode top = JsonNode::readFile(file);
+  top.allowOnly({"id", "label", "nozzleDiameterMm", "layerHeightMm", "beadWidthMm", "stepMm",
+                 "speedMmPerS", "travelSpeedMmPerS", "accelerationMmPerS2", "contactToleranceMm",
+                 "maxFlowMm3PerS", "primeS", "material", "densityGPerCm3", "head"});
   Process p;
-  try {
-    const json j = json::parse(base::readFile(file));
-    p.id = j.at("id").get<std::string>();
-    p.label = j.at("label").get<std::string>();
-    p.nozzleDiameterMm = j.at("nozzleDiameterMm").get<double>();
-    const json& height = j.at("layerHeightMm");
-    p.layerHeightMm = height.at("default").get<double>();
-    p.layerHeightMinMm = height.at("min").get<double>();
-    p.layerHeightMaxMm = height.at("max").get<double>();
-    const json& width = j.at("beadWidthMm");
-    p.beadWidthMm = width.at("default").get<double>();
-    p.beadWidthMinMm = width.at("min").get<double>();
-    p.beadWidthMaxMm = width.at("max").get<double>();
-    p.stepMm = j.at("stepMm").get<double>();
-    p.speedMmPerS = j.at("speedMmPerS").get<double>();
-    p.travelSpeedMmPerS = j.at("travelSpeedMmPerS").get<double>();
-    p.accelerationMmPerS2 = j.at("accelerationMmPerS2").get<double>();
-    p.contactToleranceMm = j.at("contactToleranceMm").get<double>();
-    p.maxFlowMm3PerS = j.at("maxFlowMm3PerS").get<double>();
-    p.primeS = j.at("primeS").get<double>();
-    p.material = j.at("material").get<std::string>();
-    p.densityGPerCm3 = j.at("densityGPerCm3").get<double>();
-    for (const json& section : j.at("head"))
-      p.head.sections.push_back({section.at(0).get<double>(), section.at(1).get<double>()});
-  } catch (const json::exception& e) {
-    throw base::Error(base::ErrorCode::UnusableInput,
-                      std::string("not a process description: ") + e.what(), where);
-  }
-  checkHead(p.head, where);
+  p.id = top.at("id").text();
+  p.label = top.at("label").text();
+  p.nozzleDiameterMm = top.at("nozzleDiameterMm").positive();
+  readRange(top.at("layerHeightMm"), p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
+  readRange(top.at("beadWidthMm"), p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
+  p.stepMm = top.at("stepMm").positive();
+  p.speedMmPerS = top.at("speedMmPerS").positive();
+  p.travelSpeedMmPerS = top.at("travelSpeedMmPerS").positive();
+  p.accelerationMmPerS2 = top.at("accelerationMmPerS2").positive();
+  p.contactToleranceMm = top.at("contactToleranceMm").notNegative();
+  p.maxFlowMm3PerS = top.at("maxFlowMm3PerS").positive();
+  p.primeS = top.at("primeS").notNegative();
+  p.material = top.at("material").text();
+  p.densityGPerCm3 = top.at("densityGPerCm3").positive();
+  p.head = readHead(top.at("head"));
   return p;
 }
 

@@ -24,7 +24,7 @@ struct Process {
   double nozzleDiameterMm = 1.0;
   double layerHeightMm = 0.8, layerHeightMinMm = 0.4, layerHeightMaxMm = 1.0;
   double beadWidthMm = 1.2, beadWidthMinMm = 1.0, beadWidthMaxMm = 2.0;
-  double stepMm = 1.0;           // distance of waypoints along a path
+  double stepMm = 1.0; // distance of waypoints along a path
   double speedMmPerS = 20.0, travelSpeedMmPerS = 100.0;
   double accelerationMmPerS2 = 500.0;
   double contactToleranceMm = 0.4; // the head may be this deep in soft, rounded beads: contact,
@@ -36,7 +36,9 @@ struct Process {
   HeadShape head;
 };
 
-// Throws Error{UnreadableFile, UnusableInput} naming file and key.
+// Throws Error{UnreadableFile}: not there or not JSON; Error{UnusableInput} naming file and key: a
+// key that is missing or unknown, a size, speed or density that is not positive, limits that do not
+// enclose their default, a head that does not rise from z = 0.
 Process readProcess(const std::filesystem::path& file);
 // Ids of the processes in resourceFolder()/processes, sorted.
 std::vector<std::string> processIds();

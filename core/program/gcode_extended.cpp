@@ -1,6 +1,7 @@
 #include "program/gcode_extended.h"
 
 #include "base/error.h"
+#include "base/units.h"
 #include "program/dialect.h"
 #include "program/motion_targets.h"
 #include "program/text.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace voluta::program {
@@ -19,7 +19,7 @@ constexpr std::string_view kDiameterNote = "filament diameter ";
 constexpr std::string_view kEnd = "; end";
 
 double filamentArea(double diameterMm) {
-  return std::numbers::pi / 4.0 * diameterMm * diameterMm;
+  return base::kPi / 4.0 * diameterMm * diameterMm;
 }
 
 // Usual nozzle temperatures; a process says nothing about it yet.

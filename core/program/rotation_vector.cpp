@@ -1,7 +1,8 @@
 #include "program/rotation_vector.h"
 
+#include "base/units.h"
+
 #include <cmath>
-#include <numbers>
 
 namespace voluta::program {
 
@@ -16,9 +17,9 @@ Eigen::Vector3d rotationVector(const Eigen::Quaterniond& q) {
 Eigen::Vector3d rotationVectorNear(const Eigen::Quaterniond& q, const Eigen::Vector3d& previous) {
   const Eigen::Vector3d direct = rotationVector(q);
   const double angle = direct.norm();
-  if (angle < 0.5 * std::numbers::pi)
+  if (angle < 0.5 * base::kPi)
     return direct;
-  const Eigen::Vector3d around = direct * ((angle - 2.0 * std::numbers::pi) / angle);
+  const Eigen::Vector3d around = direct * ((angle - 2.0 * base::kPi) / angle);
   return (around - previous).squaredNorm() < (direct - previous).squaredNorm() ? around : direct;
 }
 

@@ -2,11 +2,11 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/units.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace voluta::replay {
 
@@ -175,7 +175,7 @@ bool isSupported(const BeadPiece& piece, std::uint32_t index, const PrintedPart&
   for (const Ring& ring : kRings) {
     const int count = ring.aside > 0.0 ? kAzimuths : 1;
     for (int a = 0; a < count; ++a) {
-      const double angle = 2.0 * std::numbers::pi * a / kAzimuths;
+      const double angle = 2.0 * base::kPi * a / kAzimuths;
       const Eigen::Vector3d probe =
           tip - ring.depth * height * up +
           ring.aside * height * (std::cos(angle) * side + std::sin(angle) * other);

@@ -2,11 +2,11 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/units.h"
 #include "process/bead_model.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace voluta::replay {
 
@@ -347,8 +347,8 @@ BeadSection sectionOf(const BeadPiece& piece, double widthMaxMm) {
   if (length < 1e-9 || piece.volumeMm3 <= 0.0f || height <= 0.0)
     return {0.0, 0.0};
   const double area = piece.volumeMm3 / length;
-  if (area < std::numbers::pi / 4.0 * height * height) {
-    const double diameter = std::sqrt(4.0 * area / std::numbers::pi);
+  if (area < base::kPi / 4.0 * height * height) {
+    const double diameter = std::sqrt(4.0 * area / base::kPi);
     return {diameter, diameter};
   }
   return {std::min(process::widthOfArea(area, height), std::max(widthMaxMm, height)), height};

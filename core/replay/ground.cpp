@@ -1,11 +1,11 @@
 #include "replay/ground.h"
 
+#include "base/units.h"
 #include "replay/coverage.h"
 #include "replay/distances.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace voluta::replay {
 
@@ -38,17 +38,17 @@ voxel::VoxelGrid gridRound(const geometry::TriangleMesh& mesh, double pitchMm) {
 std::vector<Vector2d> sectionOfRod(double radius, int sides) {
   std::vector<Vector2d> corners;
   for (int k = 0; k < sides; ++k) {
-    const double a = 2.0 * std::numbers::pi * k / sides;
+    const double a = 2.0 * base::kPi * k / sides;
     corners.emplace_back(radius * std::cos(a), radius * std::sin(a));
   }
   return corners;
 }
 
 // A piece of a rod between two points of its profile.
-robot::Shape solidOf(const geometry::RodShape& rod, const Vector2d& a, const Vector2d& b) {
+robot::Shape solidOf(const platform::RodShape& rod, const Vector2d& a, const Vector2d& b) {
   if (rod.sides > 0 && a.y() == b.y())
     return robot::Prism{sectionOfRod(a.y(), rod.sides), a.x(), b.x()};
-  const double within = rod.sides > 0 ? std::cos(std::numbers::pi / rod.sides) : 1.0;
+  const double within = rod.sides > 0 ? std::cos(base::kPi / rod.sides) : 1.0;
   return robot::Frustum{{0, 0, a.x()}, {0, 0, b.x()}, within * a.y(), within * b.y()};
 }
 
@@ -74,7 +74,7 @@ GroundCells::GroundCells(const geometry::TriangleMesh& mesh, double pitchMm,
   part_.emplace(cells_, piece_);
 }
 
-GroundProbe::GroundProbe(const geometry::PlatformSolid& platform) : platform_(platform) {
+GroundProbe::GroundProbe(const platform::PlatformSolid& platform) : platform_(platform) {
   if (platform.mesh)
     body_.emplace(*platform.mesh);
 }
@@ -95,11 +95,11 @@ bool GroundProbe::onPlate(const Vector3d& point, double slackMm) const {
 bool GroundProbe::inRod(const Vector3d& point, double slackMm) const {
   if (!platform_.rod)
     return false;
-  const geometry::RodShape& rod = *platform_.rod;
+  const platform::RodShape& rod = *platform_.rod;
   double along = point.tail<2>().norm();
   if (rod.sides > 0) {
     // To the middle of a side what a corner's radius is to the corner.
-    const double sector = 2.0 * std::numbers::pi / rod.sides;
+    const double sector = 2.0 * base::kPi / rod.sides;
     const double angle = std::atan2(point.z(), point.y());
     const double inSector = angle - sector * std::floor(angle / sector);
     along *= std::cos(inSector - 0.5 * sector) / std::cos(0.5 * sector);
@@ -122,7 +122,7 @@ bool GroundProbe::holds(const Vector3d& point, double slackMm) const {
   return onPlate(point, slackMm) || inRod(point, slackMm) || (body_ && body_->inside(point));
 }
 
-GroundSolids::GroundSolids(const geometry::PlatformSolid& platform, const robot::Cell& cell,
+GroundSolids::GroundSolids(const platform::PlatformSolid& platform, const robot::Cell& cell,
                            double pitchMm, const base::RunContext& ctx)
     : rod_(platform.rod.has_value()) {
   if (rod_) {

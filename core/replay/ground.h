@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/mesh_query.h"
-#include "geometry/platform_solid.h"
+#include "platform/platform_solid.h"
 #include "replay/printed_part.h"
 #include "robot/cell.h"
 
@@ -41,7 +41,7 @@ private:
 // What lies beneath a first bead. The platform outlives it.
 class GroundProbe {
 public:
-  explicit GroundProbe(const geometry::PlatformSolid& platform);
+  explicit GroundProbe(const platform::PlatformSolid& platform);
 
   // Is the point in the plate, rod or body or on it? A plate goes down without end; over the edge
   // of a plate or the end of a rod `slackMm` count as on it.
@@ -51,7 +51,7 @@ private:
   bool onPlate(const Eigen::Vector3d& point, double slackMm) const;
   bool inRod(const Eigen::Vector3d& point, double slackMm) const;
 
-  const geometry::PlatformSolid& platform_;
+  const platform::PlatformSolid& platform_;
   std::optional<geometry::MeshQuery> body_;
 };
 
@@ -60,7 +60,7 @@ class GroundSolids {
 public:
   // The plate is the cell's own body, with what carries it. `pitchMm`: of a body's cells, more
   // where it is large. Throws Cancelled.
-  GroundSolids(const geometry::PlatformSolid& platform, const robot::Cell& cell, double pitchMm,
+  GroundSolids(const platform::PlatformSolid& platform, const robot::Cell& cell, double pitchMm,
                const base::RunContext& ctx);
 
   // Plate or rod as convex solids. Of a prism that tapers, the cone within it.

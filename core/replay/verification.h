@@ -1,12 +1,12 @@
 // The verdict on a program that was read back from its text (DESIGN §4 Replay).
 #pragma once
 
-#include "geometry/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "plan/finding.h"
 #include "plan/program.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
+#include "platform/platform_solid.h"
 #include "process/process.h"
 #include "robot/cell.h"
 
@@ -28,7 +28,7 @@ struct ReplayInput {
   const robot::Cell& cell;
   const process::Process& process;
   const geometry::TriangleMesh& part; // placed, without what of it is in the ground: work frame, mm
-  const geometry::PlatformSolid& platform; // what the first beads are laid on
+  const platform::PlatformSolid& platform; // what the first beads are laid on
 };
 
 // What a program has to keep to (DESIGN §4).

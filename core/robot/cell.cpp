@@ -66,7 +66,7 @@ std::vector<std::string> cellIds() {
 }
 
 Cell loadCell(const std::string& id, const process::Process& process,
-              geometry::PlatformSolid platform) {
+              platform::PlatformSolid platform) {
   return Cell::read(base::dataFile("cells", id, "cell"), process, std::move(platform));
 }
 

@@ -8,7 +8,7 @@
 // the part): the build direction d of a waypoint is -z.
 #pragma once
 
-#include "geometry/platform_solid.h"
+#include "platform/platform_solid.h"
 #include "process/process.h"
 #include "robot/robot_model.h"
 
@@ -46,7 +46,7 @@ public:
   // the platform is a rod and the cell has none, or one that is shorter or has no room for it. The
   // platform's mesh is no body of the cell: it is the first of the growing part.
   static Cell read(const std::filesystem::path& file, const process::Process& process,
-                   geometry::PlatformSolid platform);
+                   platform::PlatformSolid platform);
 
   const std::string& id() const { return id_; }
   const std::string& label() const { return label_; }
@@ -114,7 +114,7 @@ private:
 std::vector<std::string> cellIds();
 // Throws Error{Usage} for an unknown id, naming the nearest.
 Cell loadCell(const std::string& id, const process::Process& process,
-              geometry::PlatformSolid platform);
+              platform::PlatformSolid platform);
 
 // The largest radius R such that for every point of a ball of radius R standing on the platform
 // (centre at height R above it) the nozzle can be brought there, upright and tilted up to

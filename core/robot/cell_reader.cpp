@@ -1,5 +1,5 @@
 // A cell's file (resources/cells/ID.json; the file's name is its id). All keys are needed unless
-// marked optional; an unknown key is an error. Poses as in robot/json_node.h, shapes as in
+// marked optional; an unknown key is an error. Poses as in robot/json_pose.h, shapes as in
 // robot/shape_reader.h.
 //   id, label             texts; id as the file's name
 //   note                  optional text: how the cell was laid out
@@ -24,7 +24,8 @@
 //                         about x; stepDeg 0: it stands anywhere; end is "unwinds" or "runsOn"
 #include "robot/cell.h"
 
-#include "robot/json_node.h"
+#include "base/json_node.h"
+#include "robot/json_pose.h"
 #include "robot/limits_reader.h"
 #include "robot/shape_reader.h"
 
@@ -40,7 +41,7 @@ namespace {
 
 constexpr double kStepMm = 1e-9; // head sections closer than this are a step, not a frustum
 
-Mount readMount(const JsonNode& node) {
+Mount readMount(const base::JsonNode& node) {
   const std::string mount = node.text();
   if (mount == "world")
     return Mount::World;
@@ -49,7 +50,7 @@ Mount readMount(const JsonNode& node) {
   node.fail(fmt::format("must be world or flange, is '{}'", mount));
 }
 
-RobotModel readRobotOf(const JsonNode& node) {
+RobotModel readRobotOf(const base::JsonNode& node) {
   try {
     return loadRobot(node.text());
   } catch (const base::Error& e) {
@@ -71,7 +72,7 @@ Body headBody(const process::HeadShape& head, int toolFrame) {
   return body;
 }
 
-CellRod readRod(const JsonNode& node) {
+CellRod readRod(const base::JsonNode& node) {
   node.allowOnly({"diameterMm", "lengthMm", "printableRadiusMm"});
   const CellRod rod{node.at("diameterMm").positive(), node.at("lengthMm").positive(),
                     node.at("printableRadiusMm").positive()};
@@ -80,7 +81,7 @@ CellRod readRod(const JsonNode& node) {
   return rod;
 }
 
-ExternalAxis readAxis(const JsonNode& node) {
+ExternalAxis readAxis(const base::JsonNode& node) {
   node.allowOnly(
       {"name", "minDeg", "maxDeg", "velocityDegPerS", "accelerationDegPerS2", "stepDeg", "end"});
   ExternalAxis axis;
@@ -99,12 +100,12 @@ ExternalAxis readAxis(const JsonNode& node) {
 }
 
 // The rod that is in the cell: the job's where it has one.
-geometry::RodShape rodOf(const CellRod& own, const std::optional<geometry::RodShape>& wanted,
+platform::RodShape rodOf(const CellRod& own, const std::optional<platform::RodShape>& wanted,
                          const std::string& cell) {
   constexpr double kSlackMm = 1e-9;
   if (!wanted)
-    return geometry::straightRod(own.diameterMm, own.lengthMm);
-  geometry::checkRod(*wanted);
+    return platform::straightRod(own.diameterMm, own.lengthMm);
+  platform::checkRod(*wanted);
   const double reach =
       std::max(-wanted->profile.front().x(), wanted->profile.back().x()) - kSlackMm;
   const auto refuse = [&](const std::string& what, const char* remedy) {
@@ -123,7 +124,7 @@ geometry::RodShape rodOf(const CellRod& own, const std::optional<geometry::RodSh
 }
 
 // Round about its corners where it is a prism. No frustum where the radius steps.
-Body rodBody(const geometry::RodShape& rod, int workFrame) {
+Body rodBody(const platform::RodShape& rod, int workFrame) {
   Body body{"platform", BodyRole::Platform, workFrame, {}};
   for (std::size_t i = 1; i < rod.profile.size(); ++i) {
     const Eigen::Vector2d &a = rod.profile[i - 1], &b = rod.profile[i];
@@ -163,8 +164,8 @@ int rigidGroup(int frame, int dof, bool plateMoves, bool rodTurns) {
 } // namespace
 
 Cell Cell::read(const std::filesystem::path& file, const process::Process& process,
-                geometry::PlatformSolid solid) {
-  const JsonNode top = JsonNode::readFile(file);
+                platform::PlatformSolid solid) {
+  const base::JsonNode top = base::JsonNode::readFile(file);
   top.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
                  "neverMeet", "externalAxes"});
   Cell cell;
@@ -177,12 +178,12 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
     cell.note_ = top.at("note").text();
   cell.robot_ = readRobotOf(top.at("robot"));
   cell.limits_ = cell.robot_.limits;
-  for (const JsonNode& axis : top.at("externalAxes").items()) {
+  for (const base::JsonNode& axis : top.at("externalAxes").items()) {
     cell.externalAxes_.push_back(readAxis(axis));
     cell.limits_.push_back(cell.externalAxes_.back().limits);
   }
 
-  const JsonNode nozzle = top.at("nozzle"), platform = top.at("platform");
+  const base::JsonNode nozzle = top.at("nozzle"), platform = top.at("platform");
   nozzle.allowOnly({"mount", "pose", "holder"});
   if (platform.has("rod")) {
     platform.allowOnly({"mount", "pose", "rod"});
@@ -204,8 +205,8 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   const bool plateMoves = cell.nozzleMount_ == Mount::World;
   if (plateMoves && cell.rod_)
     platform.at("mount").fail("must be world: a rod is held at both ends");
-  cell.flange_T_moved_ = (plateMoves ? platform : nozzle).at("pose").pose();
-  cell.base_T_fixed_ = (plateMoves ? nozzle : platform).at("pose").pose();
+  cell.flange_T_moved_ = readPose((plateMoves ? platform : nozzle).at("pose"));
+  cell.base_T_fixed_ = readPose((plateMoves ? nozzle : platform).at("pose"));
 
   cell.bodies_ = cell.robot_.links;
   cell.bodies_.push_back(headBody(process.head, cell.toolFrame()));
@@ -224,7 +225,7 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
         plate.shapes.push_back(std::move(shape));
     cell.bodies_.push_back(std::move(plate));
   }
-  for (const JsonNode& obstacle : top.at("obstacles").items()) {
+  for (const base::JsonNode& obstacle : top.at("obstacles").items()) {
     obstacle.allowOnly({"name", "shapes"});
     const std::string name = obstacle.at("name").text();
     for (const Body& other : cell.bodies_)
@@ -233,7 +234,7 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
     cell.bodies_.push_back({name, BodyRole::Obstacle, 0, readShapes(obstacle.at("shapes"))});
   }
 
-  const std::vector<JsonNode> home = top.at("homeDeg").items();
+  const std::vector<base::JsonNode> home = top.at("homeDeg").items();
   if (static_cast<int>(home.size()) != cell.armDof())
     top.at("homeDeg").fail(
         fmt::format("must hold {} joints, holds {}", cell.armDof(), home.size()));

@@ -4,7 +4,7 @@
 
 namespace voluta::robot {
 
-JointLimits readJointLimits(const JsonNode& joint) {
+JointLimits readJointLimits(const base::JsonNode& joint) {
   const JointLimits limits{base::degreesToRadians(joint.at("minDeg").number()),
                            base::degreesToRadians(joint.at("maxDeg").number()),
                            base::degreesToRadians(joint.at("velocityDegPerS").positive()),

@@ -1,13 +1,13 @@
 // Limits of a joint in a robot's or a cell's file.
 #pragma once
 
-#include "robot/json_node.h"
+#include "base/json_node.h"
 #include "robot/robot_model.h"
 
 namespace voluta::robot {
 
 // The keys minDeg, maxDeg, velocityDegPerS and accelerationDegPerS2 of a node; it may hold others.
 // Throws Error{UnusableInput}.
-JointLimits readJointLimits(const JsonNode& joint);
+JointLimits readJointLimits(const base::JsonNode& joint);
 
 } // namespace voluta::robot

@@ -13,7 +13,7 @@
 //   neverMeet             optional list of {pair: [name, name], why}: links that need no check
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
-#include "robot/json_node.h"
+#include "base/json_node.h"
 #include "robot/limits_reader.h"
 #include "robot/opw_kinematics.h"
 #include "robot/robot_model.h"
@@ -30,7 +30,7 @@ namespace voluta::robot {
 
 namespace {
 
-std::shared_ptr<const Kinematics> urFamily(const JsonNode& g) {
+std::shared_ptr<const Kinematics> urFamily(const base::JsonNode& g) {
   g.allowOnly({"d1", "a2", "a3", "d4", "d5", "d6"});
   const UrGeometry geometry{g.at("d1").number(), g.at("a2").number(), g.at("a3").number(),
                             g.at("d4").number(), g.at("d5").number(), g.at("d6").number()};
@@ -40,12 +40,12 @@ std::shared_ptr<const Kinematics> urFamily(const JsonNode& g) {
   return std::make_shared<UrKinematics>(geometry);
 }
 
-std::shared_ptr<const Kinematics> opwFamily(const JsonNode& g) {
+std::shared_ptr<const Kinematics> opwFamily(const base::JsonNode& g) {
   g.allowOnly({"a1", "a2", "b", "c1", "c2", "c3", "c4", "offsetsDeg"});
   OpwGeometry geometry{
       g.at("a1").number(),   g.at("a2").number(),   g.at("b").number(),  g.at("c1").number(),
       g.at("c2").positive(), g.at("c3").positive(), g.at("c4").number(), {}};
-  const std::vector<JsonNode> offsets = g.at("offsetsDeg").items();
+  const std::vector<base::JsonNode> offsets = g.at("offsetsDeg").items();
   if (offsets.size() != geometry.offsets.size())
     g.at("offsetsDeg").fail(fmt::format("must hold 6 joints, holds {}", offsets.size()));
   for (std::size_t i = 0; i < offsets.size(); ++i)
@@ -56,14 +56,14 @@ std::shared_ptr<const Kinematics> opwFamily(const JsonNode& g) {
 // A new family is a row here and a file beside ur_kinematics.cpp.
 struct Family {
   const char* id;
-  std::function<std::shared_ptr<const Kinematics>(const JsonNode&)> make;
+  std::function<std::shared_ptr<const Kinematics>(const base::JsonNode&)> make;
 };
 const std::vector<Family>& families() {
   static const std::vector<Family> table = {{"ur", urFamily}, {"opw", opwFamily}};
   return table;
 }
 
-std::shared_ptr<const Kinematics> readKinematics(const JsonNode& robot) {
+std::shared_ptr<const Kinematics> readKinematics(const base::JsonNode& robot) {
   const std::string id = robot.at("family").text();
   for (const Family& family : families())
     if (id == family.id)
@@ -71,9 +71,9 @@ std::shared_ptr<const Kinematics> readKinematics(const JsonNode& robot) {
   robot.at("family").fail(fmt::format("names no kinematic family that is known: '{}'", id));
 }
 
-std::vector<JointLimits> readLimits(const JsonNode& list, int dof) {
+std::vector<JointLimits> readLimits(const base::JsonNode& list, int dof) {
   std::vector<JointLimits> limits;
-  for (const JsonNode& joint : list.items()) {
+  for (const base::JsonNode& joint : list.items()) {
     joint.allowOnly({"minDeg", "maxDeg", "velocityDegPerS", "accelerationDegPerS2"});
     limits.push_back(readJointLimits(joint));
   }
@@ -82,9 +82,9 @@ std::vector<JointLimits> readLimits(const JsonNode& list, int dof) {
   return limits;
 }
 
-std::vector<Body> readLinks(const JsonNode& list, int dof) {
+std::vector<Body> readLinks(const base::JsonNode& list, int dof) {
   std::vector<Body> links;
-  for (const JsonNode& node : list.items()) {
+  for (const base::JsonNode& node : list.items()) {
     node.allowOnly({"name", "frame", "shapes"});
     Body link;
     link.name = node.at("name").text();
@@ -101,9 +101,9 @@ std::vector<Body> readLinks(const JsonNode& list, int dof) {
   return links;
 }
 
-std::vector<std::string> readTexts(const JsonNode& list) {
+std::vector<std::string> readTexts(const base::JsonNode& list) {
   std::vector<std::string> texts;
-  for (const JsonNode& node : list.items())
+  for (const base::JsonNode& node : list.items())
     texts.push_back(node.text());
   return texts;
 }
@@ -111,7 +111,7 @@ std::vector<std::string> readTexts(const JsonNode& list) {
 } // namespace
 
 RobotModel readRobot(const std::filesystem::path& file) {
-  const JsonNode top = JsonNode::readFile(file);
+  const base::JsonNode top = base::JsonNode::readFile(file);
   top.allowOnly({"id", "label", "maker", "controller", "family", "geometryMm", "limits", "links",
                  "neverMeet", "sources", "assumed"});
   RobotModel robot;

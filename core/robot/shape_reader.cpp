@@ -1,6 +1,7 @@
 #include "robot/shape_reader.h"
 
-#include "robot/json_node.h"
+#include "base/json_node.h"
+#include "robot/json_pose.h"
 
 #include "base/nearest_name.h"
 
@@ -11,25 +12,26 @@ namespace voluta::robot {
 
 namespace {
 
-Shape readShape(const JsonNode& node) {
+Shape readShape(const base::JsonNode& node) {
   node.allowOnly({"capsule", "box", "frustum"});
   if (node.has("capsule")) {
-    const JsonNode c = node.at("capsule");
+    const base::JsonNode c = node.at("capsule");
     c.allowOnly({"p0Mm", "p1Mm", "radiusMm"});
-    return Capsule{c.at("p0Mm").vector3(), c.at("p1Mm").vector3(), c.at("radiusMm").positive()};
+    return Capsule{readVector3(c.at("p0Mm")), readVector3(c.at("p1Mm")),
+                   c.at("radiusMm").positive()};
   }
   if (node.has("box")) {
-    const JsonNode b = node.at("box");
+    const base::JsonNode b = node.at("box");
     b.allowOnly({"pose", "sizeMm"});
-    const Eigen::Vector3d size = b.at("sizeMm").vector3();
+    const Eigen::Vector3d size = readVector3(b.at("sizeMm"));
     if (!(size.minCoeff() > 0.0))
       b.at("sizeMm").fail("must be greater than 0");
-    return Box{b.at("pose").pose(), 0.5 * size};
+    return Box{readPose(b.at("pose")), 0.5 * size};
   }
   if (node.has("frustum")) {
-    const JsonNode f = node.at("frustum");
+    const base::JsonNode f = node.at("frustum");
     f.allowOnly({"p0Mm", "p1Mm", "r0Mm", "r1Mm"});
-    Frustum frustum{f.at("p0Mm").vector3(), f.at("p1Mm").vector3(), f.at("r0Mm").number(),
+    Frustum frustum{readVector3(f.at("p0Mm")), readVector3(f.at("p1Mm")), f.at("r0Mm").number(),
                     f.at("r1Mm").number()};
     if (frustum.r0 < 0.0 || frustum.r1 < 0.0 || frustum.r0 + frustum.r1 <= 0.0)
       f.fail("needs radii that are not negative, one of them greater than 0");
@@ -42,18 +44,18 @@ Shape readShape(const JsonNode& node) {
 
 } // namespace
 
-std::vector<Shape> readShapes(const JsonNode& list) {
+std::vector<Shape> readShapes(const base::JsonNode& list) {
   std::vector<Shape> shapes;
-  for (const JsonNode& item : list.items())
+  for (const base::JsonNode& item : list.items())
     shapes.push_back(readShape(item));
   if (shapes.empty())
     list.fail("must hold at least one shape");
   return shapes;
 }
 
-std::vector<std::pair<int, int>> readBodyPairs(const JsonNode& list,
+std::vector<std::pair<int, int>> readBodyPairs(const base::JsonNode& list,
                                                const std::vector<Body>& bodies) {
-  const auto indexOf = [&](const JsonNode& node) {
+  const auto indexOf = [&](const base::JsonNode& node) {
     const std::string name = node.text();
     std::vector<std::string> names;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -65,10 +67,10 @@ std::vector<std::pair<int, int>> readBodyPairs(const JsonNode& list,
                           base::nearestName(name, names)));
   };
   std::vector<std::pair<int, int>> pairs;
-  for (const JsonNode& node : list.items()) {
+  for (const base::JsonNode& node : list.items()) {
     node.allowOnly({"pair", "why"});
     node.at("why").text();
-    const std::vector<JsonNode> names = node.at("pair").items();
+    const std::vector<base::JsonNode> names = node.at("pair").items();
     if (names.size() != 2)
       node.at("pair").fail("must have two names");
     const int a = indexOf(names[0]), b = indexOf(names[1]);

@@ -28,12 +28,12 @@ Vector2d nearestOnSegment(const Vector2d& a, const Vector2d& b, const Vector2d& 
 // Profile and both ends in the half-plane (x, radius).
 class RoundRod {
 public:
-  explicit RoundRod(geometry::RodShape rod) : rod_(std::move(rod)), outline_(rod_.profile) {
+  explicit RoundRod(platform::RodShape rod) : rod_(std::move(rod)), outline_(rod_.profile) {
     outline_.insert(outline_.begin(), Vector2d(outline_.front().x(), 0.0));
     outline_.emplace_back(outline_.back().x(), 0.0);
   }
   bool isInside(const Vector3d& p) const {
-    return p.tail<2>().norm() < geometry::radiusAt(rod_, p.x(), 0.0);
+    return p.tail<2>().norm() < platform::radiusAt(rod_, p.x(), 0.0);
   }
   Vector3d nearest(const Vector3d& p) const {
     const Vector2d at(p.x(), p.tail<2>().norm());
@@ -58,7 +58,7 @@ private:
     return best;
   }
 
-  geometry::RodShape rod_;
+  platform::RodShape rod_;
   std::vector<Vector2d> outline_;
 };
 
@@ -140,8 +140,8 @@ GroundDistance distanceFrom(const geometry::TriangleMesh& body) {
   return asked(Body(body));
 }
 
-GroundDistance distanceFrom(const geometry::RodShape& rod) {
-  geometry::checkRod(rod);
+GroundDistance distanceFrom(const platform::RodShape& rod) {
+  platform::checkRod(rod);
   if (rod.sides == 0)
     return asked(RoundRod(rod));
   std::vector<GroundDistance> prisms;
@@ -150,7 +150,7 @@ GroundDistance distanceFrom(const geometry::RodShape& rod) {
     if (a.x() == b.x())
       continue;
     if (a.y() != b.y()) // a pyramid's frustum
-      return distanceFrom(geometry::meshOf(rod, kChordMm));
+      return distanceFrom(platform::meshOf(rod, kChordMm));
     prisms.push_back(asked(Prism(a.x(), b.x(), a.y(), rod.sides)));
   }
   return nearestOf(std::move(prisms));

@@ -1,8 +1,8 @@
 // How far points are from what layers grow on.
 #pragma once
 
-#include "geometry/rod_shape.h"
 #include "geometry/triangle_mesh.h"
+#include "platform/rod_shape.h"
 
 #include <Eigen/Core>
 #include <functional>
@@ -29,7 +29,7 @@ struct GroundDistance {
 GroundDistance distanceFrom(const geometry::TriangleMesh& body);
 // In closed form for round rods of any profile and for prisms, stepped ones too; the mesh of others
 // (prisms that taper) is asked. Precondition: checkRod.
-GroundDistance distanceFrom(const geometry::RodShape& rod);
+GroundDistance distanceFrom(const platform::RodShape& rod);
 // From all of several. Precondition: at least one.
 GroundDistance nearestOf(std::vector<GroundDistance> grounds);
 

@@ -121,7 +121,7 @@ LatheLayers latheLayers(const geometry::TriangleMesh& part, const RodSurface& ro
   const std::vector<double> bounds = latheBounds(part, rod, o);
   const double edge = levelEdgeMm(o);
   Eigen::AlignedBox3d box = geometry::bounds(part);
-  const geometry::RadiusRange radii = rod.radiiBetween(box.min().x(), box.max().x());
+  const platform::RadiusRange radii = rod.radiiBetween(box.min().x(), box.max().x());
   box.min().array() -= 2.0 * edge;
   box.max().array() += 2.0 * edge;
   LevelFamily family;

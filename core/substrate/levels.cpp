@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 using layers::LevelSurface;
 
 constexpr double kChordMm = 0.002;
-constexpr double kMostStep = 4.0 * base::kPi / 180.0;
+constexpr double kMostStep = base::degreesToRadians(4.0);
 
 // The angle between vertices on a circle.
 double angularStep(double radiusMm, double edgeMm) {

@@ -13,9 +13,9 @@ namespace {
 constexpr double kRodChordMm = 1e-3;
 }
 
-RodSurface::RodSurface(const geometry::RodShape& rod) : rod_(rod), distance_(distanceFrom(rod)) {}
+RodSurface::RodSurface(const platform::RodShape& rod) : rod_(rod), distance_(distanceFrom(rod)) {}
 
-RodSurface::RodSurface(const geometry::RodShape& rod,
+RodSurface::RodSurface(const platform::RodShape& rod,
                        std::shared_ptr<const geometry::TriangleMesh> body)
     : rod_(rod), body_(std::move(body)), query_(std::make_shared<geometry::MeshQuery>(*body_)),
       distance_(nearestOf({distanceFrom(rod), distanceFrom(*body_)})) {
@@ -24,7 +24,7 @@ RodSurface::RodSurface(const geometry::RodShape& rod,
 }
 
 double RodSurface::radiusAt(double x, double angle) const {
-  const double rod = geometry::radiusAt(rod_, x, angle);
+  const double rod = platform::radiusAt(rod_, x, angle);
   if (!query_)
     return rod;
   const Eigen::Vector3d out(0.0, std::cos(angle), std::sin(angle));
@@ -37,8 +37,8 @@ double RodSurface::over(const Eigen::Vector3d& p) const {
   return p.tail<2>().norm() - radiusAt(p.x(), std::atan2(p.z(), p.y()));
 }
 
-geometry::RadiusRange RodSurface::radiiBetween(double x0, double x1) const {
-  geometry::RadiusRange range = geometry::radiiBetween(rod_, x0, x1);
+platform::RadiusRange RodSurface::radiiBetween(double x0, double x1) const {
+  platform::RadiusRange range = platform::radiiBetween(rod_, x0, x1);
   if (!query_)
     return range;
   constexpr int kAround = 360;
@@ -58,7 +58,7 @@ geometry::RadiusRange RodSurface::radiiBetween(double x0, double x1) const {
 }
 
 std::vector<geometry::TriangleMesh> RodSurface::solids() const {
-  std::vector<geometry::TriangleMesh> all{geometry::meshOf(rod_, kRodChordMm)};
+  std::vector<geometry::TriangleMesh> all{platform::meshOf(rod_, kRodChordMm)};
   if (body_)
     all.push_back(*body_);
   return all;

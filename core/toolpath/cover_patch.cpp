@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
+#include "base/units.h"
 #include "process/bead_model.h"
 #include "toolpath/bead_scale.h"
 #include "toolpath/cells.h"
@@ -15,7 +16,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace voluta::toolpath {
@@ -229,8 +229,8 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                             o.infillDensity,
                             layer,
                             std::remainder(o.infillAngleDeg + layer * o.infillTurnDeg, 180.0) *
-                                std::numbers::pi / 180.0,
-                            o.windingAngleDeg * std::numbers::pi / 180.0,
+                                base::kPi / 180.0,
+                            o.windingAngleDeg * base::kPi / 180.0,
                             beadScale};
   lines.add(kind.fill(region), PathKind::Infill, 0);
   ctx.checkpoint();

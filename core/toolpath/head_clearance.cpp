@@ -1,8 +1,9 @@
 #include "toolpath/head_clearance.h"
 
+#include "base/units.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace voluta::toolpath {
 
@@ -65,7 +66,7 @@ bool HeadClearance::clearsPlatform(const Vector3d& tip, const Vector3d& d) const
       continue;
     for (const auto& [p, r] : {std::pair{f.p0, f.r0}, std::pair{f.p1, f.r1}})
       for (int k = 0; k < kAround; ++k) {
-        const double a = 2 * std::numbers::pi * k / kAround;
+        const double a = 2 * base::kPi * k / kAround;
         const Vector3d q = tip - p.z() * d + r * (std::cos(a) * u + std::sin(a) * v);
         if (q.z() < 0 && inside(platform_, q.head<2>()))
           return false;

@@ -1,3 +1,4 @@
+#include "base/units.h"
 #include "toolpath/infill.h"
 #include "toolpath/line_cover.h"
 #include "toolpath/periodic_isolines.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 namespace voluta::toolpath {
@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kQuarter = 0.5 * std::numbers::pi;
+constexpr double kQuarter = 0.5 * base::kPi;
 constexpr double kAround = 1e-3;   // rad: lines less inclined than this go around
 constexpr double kEndDepth = 0.02; // hatches inside the region's edge: where its ends are looked at
 constexpr double kStraight = 0.05; // hatches: an end that strays less is straight

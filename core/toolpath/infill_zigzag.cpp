@@ -1,3 +1,4 @@
+#include "base/units.h"
 #include "toolpath/infill.h"
 #include "toolpath/line_cover.h"
 #include "toolpath/surface_fields.h"
@@ -5,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace voluta::toolpath {
 
@@ -25,7 +25,7 @@ std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
     centre += s.triangleArea[t] / 3 *
               (s.position[at(tri[0])] + s.position[at(tri[1])] + s.position[at(tri[2])]);
   }
-  const double angle = std::remainder(directionRad + 0.5 * std::numbers::pi, std::numbers::pi);
+  const double angle = std::remainder(directionRad + 0.5 * base::kPi, base::kPi);
   Vector3d normal(std::cos(angle), std::sin(angle), 0);
   if (mean.norm() > 0.1 * s.areaMm2) {
     const Vector3d m = mean.normalized();

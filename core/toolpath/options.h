@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/parameters.h"
-#include "geometry/platform_solid.h"
+#include "platform/platform_solid.h"
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ struct ToolpathOptions {
   double turnLimitDeg = 5.0;     // steps in which the direction turns more are subdivided
   double smoothBeyondDeg = 10.0; // Dai 3.5.2
   // What the head has to keep clear of beside the part, work frame; none: nothing.
-  geometry::PlatformSolid platform;
+  platform::PlatformSolid platform;
   double platformThicknessMm = 8.0;
 };
 

@@ -1,7 +1,7 @@
 #include "base/files.h"
 
 #include "base/error.h"
-#include "support/temporary_folder.h"
+#include "helpers/temporary_folder.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -5,10 +5,10 @@
 #include "base/stopwatch.h"
 #include "curved/grow.h"
 #include "curved/platform.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_reader.h"
+#include "helpers/voxel_width.h"
 #include "process/process.h"
-#include "support/voxel_width.h"
 #include "voxel/solid_voxels.h"
 
 #include <sys/resource.h>

@@ -5,9 +5,9 @@
 #include "curved/platform.h"
 #include "geometry/mesh_query.h"
 #include "geometry/placement.h"
-#include "geometry/sample_part.h"
 #include "process/process.h"
 #include "robot/robot_model.h"
+#include "samples/sample_part.h"
 #include "toolpath/plan_toolpaths.h"
 #include "voxel/solid_voxels.h"
 
@@ -18,7 +18,7 @@ namespace {
 using namespace voluta;
 
 geometry::TriangleMesh part() {
-  return geometry::placeOnPlate(geometry::samplePart(), 1.0);
+  return geometry::placeOnPlate(samples::samplePart(), 1.0);
 }
 
 curved::Decomposition decomposed(const geometry::TriangleMesh& mesh) {

@@ -2,6 +2,7 @@
 
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "base/units.h"
 #include "collision/polyhedron_distance.h"
 #include "collision/random_shapes.h"
 
@@ -57,7 +58,8 @@ protected:
   static std::vector<Eigen::Vector2d> disc(double radius) {
     std::vector<Eigen::Vector2d> polygon;
     for (int i = 0; i < 32; ++i)
-      polygon.emplace_back(radius * std::cos(i * M_PI / 16), radius * std::sin(i * M_PI / 16));
+      polygon.emplace_back(radius * std::cos(i * base::kPi / 16),
+                           radius * std::sin(i * base::kPi / 16));
     return polygon;
   }
   robot::JointVector randomJoints(test::RandomShapes& random) const {
@@ -69,10 +71,10 @@ protected:
   // Nozzle at a point of the work frame with direction d.
   static Isometry3d toolAt(const Vector3d& p, const Vector3d& d, double turn) {
     Isometry3d t = Isometry3d::Identity();
-    t.linear() =
-        (Eigen::Quaterniond::FromTwoVectors(-Vector3d::UnitZ(), -d) *
-         Eigen::AngleAxisd(M_PI, Vector3d::UnitX()) * Eigen::AngleAxisd(turn, Vector3d::UnitZ()))
-            .toRotationMatrix();
+    t.linear() = (Eigen::Quaterniond::FromTwoVectors(-Vector3d::UnitZ(), -d) *
+                  Eigen::AngleAxisd(base::kPi, Vector3d::UnitX()) *
+                  Eigen::AngleAxisd(turn, Vector3d::UnitZ()))
+                     .toRotationMatrix();
     t.translation() = p;
     return t;
   }

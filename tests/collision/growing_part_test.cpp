@@ -3,9 +3,10 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "base/units.h"
 #include "collision/random_shapes.h"
 #include "collision/shape_distance.h"
-#include "geometry/rod_shape.h"
+#include "platform/rod_shape.h"
 #include "process/process.h"
 
 #include <cmath>
@@ -100,9 +101,10 @@ TEST(GrowingPart, VolumeOfAStraightBead) {
   addPath(plan, points, Vector3d::UnitZ());
   const GrowingPart part(plan, 0.0437, {});
   const double cell = std::pow(0.0437, 3);
-  const double section = 1.2 * 0.8 - (1 - M_PI / 4) * 0.64;
+  const double section = 1.2 * 0.8 - (1 - base::kPi / 4) * 0.64;
   // Ends: the section turned about its middle line (Pappus): a disc of r = 0.2 and a half torus.
-  const double ends = M_PI * 0.04 * 0.8 + M_PI * 0.16 / 2 * 2 * M_PI * (0.2 + 4 * 0.4 / (3 * M_PI));
+  const double ends = base::kPi * 0.04 * 0.8 +
+                      base::kPi * 0.16 / 2 * 2 * base::kPi * (0.2 + 4 * 0.4 / (3 * base::kPi));
   EXPECT_NEAR(static_cast<double>(filledCells(part).size()) * cell, section * 40 + ends,
               0.01 * section * 40);
 }
@@ -213,8 +215,8 @@ TEST(GrowingPart, LargePartTimes) {
 }
 
 TEST(GrowingPart, RodAndBodyAreThereFromTheStart) {
-  geometry::PlatformSolid platform;
-  platform.rod = geometry::straightRod(5.0, 40.0);
+  platform::PlatformSolid platform;
+  platform.rod = platform::straightRod(5.0, 40.0);
   plan::ToolPlan plan;
   addPath(plan, {{-5, 0, 2.75}, {5, 0, 2.75}}, Vector3d::UnitZ(), 0.7f, 0.25f);
   const GrowingPart part(plan, 0.125, {}, collision::groundCells(platform, 0.125, {}));

@@ -20,8 +20,8 @@ struct Rod {
 
   explicit Rod(double r) : cell(cellOf(process, r)), collision(cell, process), radius(r) {}
   static robot::Cell cellOf(const process::Process& process, double r) {
-    geometry::PlatformSolid rod;
-    rod.rod = geometry::straightRod(2 * r, 200);
+    platform::PlatformSolid rod;
+    rod.rod = platform::straightRod(2 * r, 200);
     return robot::loadCell("lathe", process, rod);
   }
 

@@ -1,6 +1,7 @@
 // Seeded random solids and placements.
 #pragma once
 
+#include "base/units.h"
 #include "robot/body.h"
 
 #include <Eigen/Geometry>
@@ -45,7 +46,7 @@ public:
       robot::Prism prism;
       const int corners = 3 + static_cast<int>(number(0.0, 5.0));
       for (int i = 0; i < corners; ++i) {
-        const double a = 2.0 * 3.14159265358979 * (i + number(0.0, 0.6)) / corners;
+        const double a = 2.0 * base::kPi * (i + number(0.0, 0.6)) / corners;
         prism.polygon.emplace_back(size * std::cos(a), size * std::sin(a));
       }
       prism.zMin = -number(0.1, 1.0) * size;

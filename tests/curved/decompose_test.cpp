@@ -5,8 +5,8 @@
 #include "curved/platform.h"
 #include "curved/rank_checker.h"
 #include "curved/voxel_shapes.h"
-#include "geometry/mesh_reader.h"
-#include "support/models.h"
+#include "geometry/formats/mesh_reader.h"
+#include "helpers/models.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include "curved/decompose.h"
 #include "curved/platform.h"
 #include "curved/rank_checker.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_reader.h"
+#include "helpers/voxel_width.h"
 #include "process/process.h"
-#include "support/voxel_width.h"
 #include "voxel/solid_voxels.h"
 
 #include <cmath>

@@ -6,9 +6,9 @@
 #include "curved/peeling_field.h"
 #include "curved/platform.h"
 #include "curved/rank_checker.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_reader.h"
-#include "support/voxel_width.h"
+#include "helpers/voxel_width.h"
 #include "voxel/solid_voxels.h"
 
 #include <algorithm>

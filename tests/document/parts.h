@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "support/loaded_box.h"
+#include "helpers/loaded_box.h"
 
 #include <memory>
 #include <string>

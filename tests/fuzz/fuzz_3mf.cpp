@@ -2,9 +2,9 @@
 // stands in the package; such as are packages already are taken as they are.
 #include "fuzz_target.h"
 
-#include "geometry/mesh_reader.h"
+#include "geometry/formats/mesh_reader.h"
+#include "helpers/package_3mf.h"
 #include "sound_mesh.h"
-#include "support/package_3mf.h"
 
 using namespace voluta;
 

@@ -8,7 +8,7 @@
 
 #include "base/files.h"
 #include "base/stopwatch.h"
-#include "support/temporary_folder.h"
+#include "helpers/temporary_folder.h"
 
 #include <atomic>
 #include <csignal>

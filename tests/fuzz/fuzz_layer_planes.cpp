@@ -2,7 +2,7 @@
 #include "fuzz_target.h"
 
 #include "planar/given_cuts.h"
-#include "planar/user_planes.h"
+#include "planar/slicing/user_planes.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // Mesh files: one input, read as each of the formats.
 #include "fuzz_target.h"
 
-#include "geometry/mesh_reader.h"
+#include "geometry/formats/mesh_reader.h"
+#include "helpers/shapes.h"
 #include "sound_mesh.h"
-#include "support/shapes.h"
 
 #include <fmt/format.h>
 

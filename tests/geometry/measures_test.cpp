@@ -1,9 +1,9 @@
 #include "geometry/measures.h"
 
-#include "support/shapes.h"
+#include "base/units.h"
+#include "helpers/shapes.h"
 
 #include <gtest/gtest.h>
-#include <numbers>
 
 using namespace voluta;
 using Eigen::Vector3d;
@@ -23,8 +23,8 @@ TEST(Measures, Box) {
 
 TEST(Measures, SphereTendsToClosedForm) {
   const auto m = test::sphere({5, 5, 5}, 10.0, 90);
-  EXPECT_NEAR(geometry::volume(m) / (4.0 / 3.0 * std::numbers::pi * 1000.0), 1.0, 2e-3);
-  EXPECT_NEAR(geometry::area(m) / (400.0 * std::numbers::pi), 1.0, 2e-3);
+  EXPECT_NEAR(geometry::volume(m) / (4.0 / 3.0 * base::kPi * 1000.0), 1.0, 2e-3);
+  EXPECT_NEAR(geometry::area(m) / (400.0 * base::kPi), 1.0, 2e-3);
   EXPECT_TRUE(geometry::centreOfMass(m).isApprox(Vector3d(5, 5, 5), 1e-9));
   const auto normals = geometry::vertexNormals(m);
   for (std::size_t v = 0; v < normals.size(); ++v)

@@ -1,7 +1,8 @@
 #include "geometry/mesh_query.h"
 
 #include "base/error.h"
-#include "support/shapes.h"
+#include "base/units.h"
+#include "helpers/shapes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -46,10 +47,10 @@ double windingByExcess(const TriangleMesh& m, const Vector3d& p) {
       const Vector3d u = x.cross(y).normalized(), v = x.cross(z).normalized();
       return std::atan2(u.cross(v).norm(), u.dot(v));
     };
-    const double excess = corner(a, b, c) + corner(b, c, a) + corner(c, a, b) - std::numbers::pi;
+    const double excess = corner(a, b, c) + corner(b, c, a) + corner(c, a, b) - base::kPi;
     sum += a.dot(b.cross(c)) >= 0 ? excess : -excess;
   }
-  return sum / (4.0 * std::numbers::pi);
+  return sum / (4.0 * base::kPi);
 }
 
 // Nearest point by walking down a fine barycentric lattice and bisecting round the best.

@@ -1,11 +1,11 @@
-#include "geometry/mesh_reader.h"
+#include "geometry/formats/mesh_reader.h"
 
 #include "base/error.h"
 #include "geometry/measures.h"
 #include "geometry/placement.h"
-#include "geometry/sample_part.h"
-#include "support/models.h"
-#include "support/shapes.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
+#include "samples/sample_part.h"
 
 #include <cstring>
 #include <filesystem>
@@ -136,7 +136,7 @@ TEST(Readers, BinaryHeaderMayBeginWithSolid) {
 }
 
 TEST(Readers, ShortOfAFewFacetsIsTold) {
-  const TriangleMesh m = geometry::samplePart();
+  const TriangleMesh m = samples::samplePart();
   const std::string bytes = geometry::writeStl(m);
   const auto file = readMesh(bytes.substr(0, bytes.size() - 130), "s.stl");
   EXPECT_EQ(file.mesh.triangles.size(), m.triangles.size() - 3);
@@ -146,7 +146,7 @@ TEST(Readers, ShortOfAFewFacetsIsTold) {
 }
 
 TEST(Readers, BadCoordinatesAreLeftOutOrRefused) {
-  const TriangleMesh m = geometry::samplePart();
+  const TriangleMesh m = samples::samplePart();
   std::string bytes = geometry::writeStl(m);
   const float bad = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(bytes.data() + 84 + 50 * 7 + 16, &bad, sizeof bad);
@@ -235,16 +235,4 @@ TEST(Placement, UnitsAreToldNotChanged) {
   EXPECT_TRUE(geometry::guessUnits(boxMesh()).note.empty());
   EXPECT_EQ(geometry::guessUnits(test::box({0, 0, 0}, {0.1, 0.05, 0.02})).unit, "m");
   EXPECT_EQ(geometry::guessUnits(test::box({0, 0, 0}, {1e5, 1, 1})).unit, "um");
-}
-
-TEST(SamplePart, IsAModestClosedPart) {
-  const TriangleMesh m = geometry::samplePart();
-  const auto box = geometry::bounds(m);
-  EXPECT_LT(m.triangles.size(), 20000u);
-  EXPECT_EQ(box.min().z(), 0.0);
-  EXPECT_EQ(box.max().z(), 60.0);
-  EXPECT_EQ(geometry::components(m).count, 1);
-  // Euler's formula for a closed surface of genus 0.
-  EXPECT_EQ(m.vertices.size() + m.triangles.size() - geometry::edgeStatistics(m).count, 2u);
-  EXPECT_GT(geometry::volume(m), 40000.0);
 }

@@ -1,10 +1,10 @@
-#include "geometry/repair.h"
+#include "geometry/repair/repair.h"
 
 #include "base/error.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_reader.h"
-#include "support/models.h"
-#include "support/shapes.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

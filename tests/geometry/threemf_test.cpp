@@ -1,8 +1,8 @@
 // 3MF: what is built stands where it is built, in mm; damage is told with its place.
 #include "base/error.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_reader.h"
-#include "support/package_3mf.h"
+#include "helpers/package_3mf.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The Compare page: a comparison run by clicks, rows as they come, weights, and a row adopted.
 #include "gui/window_fixture.h"
+#include "helpers/shapes.h"
 #include "panels/compare_table.h"
-#include "support/shapes.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,8 +1,9 @@
 // Parts around a rod in the window: what goes along with the way of building, the layers unrolled
 // beside the picture, the same path chosen in both.
+#include "base/units.h"
 #include "forms/platform_editor.h"
 #include "gui/window_fixture.h"
-#include "support/lathe_parts.h"
+#include "helpers/lathe_parts.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
 #include "window/unrolled_canvas.h"
@@ -154,7 +155,7 @@ TEST_F(LatheWindowTest, LayersHaveTheirRadiusAndLieUnrolledBesideThePicture) {
   EXPECT_EQ(slider->topText(3), "r 3.50 mm");
   ASSERT_TRUE(unrolledSettles());
   EXPECT_EQ(canvas().content().layer->layer, 3);
-  EXPECT_NEAR(canvas().content().layer->periodMm, 2 * M_PI * 3.375, 0.02);
+  EXPECT_NEAR(canvas().content().layer->periodMm, 2 * base::kPi * 3.375, 0.02);
   EXPECT_GT(canvas().content().layer->stretches.size(), 0u);
   slider->setRange(0, 1);
   ASSERT_TRUE(waitFor([&] { return canvas().content().layer->layer == 1; }));

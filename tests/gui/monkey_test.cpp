@@ -1,6 +1,6 @@
 // Clicks, drags, wheels and keys at random (fixed seed). VOLUTA_MONKEY_S: for how long.
 #include "gui/window_fixture.h"
-#include "support/shapes.h"
+#include "helpers/shapes.h"
 #include "timeline/layer_range_slider.h"
 
 #include <QElapsedTimer>

@@ -1,11 +1,11 @@
 // Pieces of planar mode in the window: chosen in tree and viewport, moved apart, their cuts
 // dragged by handles; projects of planar mode, which have no voxels.
 #include "gui/window_fixture.h"
+#include "helpers/shapes.h"
 #include "panels/findings_panel.h"
 #include "panels/pieces_panel.h"
 #include "pipeline/job.h"
 #include "planar/given_cuts.h"
-#include "support/shapes.h"
 #include "viewer/camera_control.h"
 
 #include <QCheckBox>

@@ -1,8 +1,9 @@
 // Voxels that follow the edits, and the buttons beside findings.
+#include "base/units.h"
 #include "gui/window_fixture.h"
+#include "helpers/shapes.h"
 #include "panels/findings_panel.h"
 #include "pipeline/choices.h"
-#include "support/shapes.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -13,7 +14,6 @@
 #include <QTest>
 #include <QUndoStack>
 #include <iostream>
-#include <numbers>
 
 namespace voluta::test {
 namespace {
@@ -279,7 +279,7 @@ TEST_F(PreviewTest, TimesFromTheEditToThePicture) {
   measure("turned by 90 degrees", [&] {
     geometry::Placement turned = document().choices().placement;
     turned.rotation =
-        Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ()) * turned.rotation;
+        Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitZ()) * turned.rotation;
     document().place(turned, "turn");
   });
 }

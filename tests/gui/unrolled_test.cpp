@@ -1,5 +1,6 @@
 // A layer around an axis laid flat: lengths as on the layer, the seam in both pictures, the same
 // path chosen by the mouse.
+#include "base/units.h"
 #include "window/unrolled_canvas.h"
 #include "window/unrolled_layer.h"
 #include "window/unrolled_picture.h"
@@ -10,14 +11,13 @@
 #include <QTest>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <numbers>
 
 namespace voluta::test {
 namespace {
 
 using window::UnrolledLayer;
 
-constexpr double kPi = std::numbers::pi;
+using base::kPi;
 constexpr double kRadius = 3.625, kHeight = 0.25, kLength = 50.0, kPitch = 0.65;
 constexpr int kAround = 90, kTurns = 70, kStepsATurn = 120;
 

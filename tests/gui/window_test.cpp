@@ -1,7 +1,7 @@
 // The window worked by clicks and keys, and what it shows looked at.
 #include "gui/window_fixture.h"
+#include "helpers/shapes.h"
 #include "panels/findings_panel.h"
-#include "support/shapes.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
 

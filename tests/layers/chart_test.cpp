@@ -1,13 +1,13 @@
 // Charts on their way from a level to patches.
 #include "base/run_context.h"
+#include "helpers/flat_square.h"
+#include "helpers/rod_level.h"
+#include "helpers/shapes.h"
 #include "layers/absorb.h"
 #include "layers/clean_surface.h"
 #include "layers/follow_top.h"
 #include "layers/patches.h"
 #include "layers/trim.h"
-#include "support/flat_square.h"
-#include "support/rod_level.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
 // Last layers end on the part's surface where that runs nearly along them.
 #include "base/run_context.h"
+#include "base/units.h"
 #include "curved/curved_layers.h"
+#include "helpers/flat_square.h"
 #include "layers/follow_top.h"
 #include "layers/layer_checks.h"
 #include "layers/stack_checker.h"
-#include "support/flat_square.h"
 #include "synthetic.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ geometry::TriangleMesh ramp(double degrees) {
   geometry::TriangleMesh m = test::box({-15, -10, 0}, {15, 10, 8});
   for (Vector3d& v : m.vertices)
     if (v.z() > 1.0)
-      v.z() += (v.x() + 15.0) * std::tan(degrees * std::numbers::pi / 180.0);
+      v.z() += (v.x() + 15.0) * std::tan(base::degreesToRadians(degrees));
   return m;
 }
 

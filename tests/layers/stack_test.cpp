@@ -3,13 +3,13 @@
 #include "base/run_context.h"
 #include "curved/curved_layers.h"
 #include "geometry/measures.h"
+#include "helpers/flat_square.h"
 #include "layers/absorb.h"
 #include "layers/islands.h"
 #include "layers/layer_checks.h"
 #include "layers/level_surface.h"
 #include "layers/order.h"
 #include "layers/stack_checker.h"
-#include "support/flat_square.h"
 #include "synthetic.h"
 
 #include <algorithm>

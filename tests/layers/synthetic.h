@@ -1,8 +1,9 @@
 // Parts with a field in closed form, as if curved mode had grown them.
 #pragma once
 
+#include "base/units.h"
 #include "curved/decomposition.h"
-#include "support/shapes.h"
+#include "helpers/shapes.h"
 #include "voxel/solid_voxels.h"
 
 #include <functional>
@@ -44,7 +45,7 @@ inline geometry::TriangleMesh revolved(const std::vector<Eigen::Vector2d>& profi
   const int n = static_cast<int>(profile.size());
   for (const Eigen::Vector2d& p : profile)
     for (int j = 0; j < around; ++j) {
-      const double a = 2 * std::numbers::pi * j / around;
+      const double a = 2 * base::kPi * j / around;
       m.vertices.emplace_back(p.x() * std::cos(a), p.x() * std::sin(a), p.y());
     }
   const auto at = [&](int i, int j) { return (i % n) * around + j % around; };

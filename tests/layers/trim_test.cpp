@@ -1,7 +1,10 @@
 // Trimming, cleaning, pieces and order on surfaces made by hand.
 #include "base/run_context.h"
+#include "base/units.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
+#include "helpers/flat_square.h"
+#include "helpers/shapes.h"
 #include "layers/clean_surface.h"
 #include "layers/layer_checks.h"
 #include "layers/order.h"
@@ -9,8 +12,6 @@
 #include "layers/polygon_fill.h"
 #include "layers/trim.h"
 #include "layers/vtp_writer.h"
-#include "support/flat_square.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -107,7 +108,7 @@ TEST(TrimToPart, LeavesHolesAndCavitiesEmpty) {
     part.triangles.push_back({base + t[0], base + t[1], base + t[2]});
   const PartBoundary boundary(part, 0.8, {});
   const LevelSurface s = trimToPart(flatSquare(11, 0.7, 0.03), boundary, {}, {});
-  EXPECT_NEAR(geometry::area(s.surface) / (std::numbers::pi * (81 - 16)), 1.0, 0.004);
+  EXPECT_NEAR(geometry::area(s.surface) / (base::kPi * (81 - 16)), 1.0, 0.004);
 }
 
 TEST(TrimToPart, NothingIsLeftOutside) {
@@ -124,7 +125,7 @@ TEST(FillPolygon, AreaIsKeptOnRandomStars) {
     std::vector<Vector2d> star;
     double area = 0.0;
     for (int i = 0; i < n; ++i) {
-      const double a = 2 * std::numbers::pi * i / n;
+      const double a = 2 * base::kPi * i / n;
       star.push_back(radius(random) * Vector2d(std::cos(a), std::sin(a)));
     }
     for (std::size_t i = 0; i < star.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "motion/ladder.h"
 
+#include "base/units.h"
+
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
@@ -130,7 +132,7 @@ TEST(Ladder, TurnsAreFollowedUpToTheLimit) {
     LadderNode node;
     node.q.resize(1);
     const double angle = 0.5 * r;
-    node.q << std::remainder(angle, 2 * M_PI);
+    node.q << std::remainder(angle, 2 * base::kPi);
     rungs.push_back({node});
   }
   motion::LadderOptions options;

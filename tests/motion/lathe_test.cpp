@@ -4,10 +4,10 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/cell_collision.h"
+#include "helpers/temporary_folder.h"
 #include "motion/motion.h"
 #include "motion/rod_turn.h"
 #include "motion/sample_plans.h"
-#include "support/temporary_folder.h"
 
 #include <cmath>
 #include <fstream>
@@ -76,8 +76,8 @@ struct Wound {
 
   static robot::Cell cellOf(const process::Process& process,
                             const std::function<void(json&)>& edit) {
-    geometry::PlatformSolid rod;
-    rod.rod = geometry::straightRod(5, 200);
+    platform::PlatformSolid rod;
+    rod.rod = platform::straightRod(5, 200);
     if (!edit)
       return robot::loadCell("lathe", process, rod);
     const std::filesystem::path from(VOLUTA_SOURCE_DIR "/resources/cells/lathe.json");

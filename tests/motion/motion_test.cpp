@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "base/units.h"
 #include "motion/sample_plans.h"
 
 #include <gtest/gtest.h>
@@ -115,8 +116,8 @@ double plannedVolume(const plan::ToolPlan& plan) {
   double volume = 0.0;
   for (const plan::ToolPath& path : plan.paths)
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      volume +=
-          (1.2 * 0.8 - (1 - M_PI / 4) * 0.64) * (plan.position[i] - plan.position[i - 1]).norm();
+      volume += (1.2 * 0.8 - (1 - base::kPi / 4) * 0.64) *
+                (plan.position[i] - plan.position[i - 1]).norm();
   return volume;
 }
 

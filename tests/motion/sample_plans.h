@@ -1,11 +1,11 @@
 // Tool plans in closed form.
 #pragma once
 
+#include "base/units.h"
 #include "plan/tool_plan.h"
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <vector>
 
 namespace voluta::test {
@@ -36,10 +36,10 @@ inline plan::ToolPlan rings(int layers, const std::function<double(int)>& radius
                             const std::function<double(int)>& tilt) {
   plan::ToolPlan plan;
   for (int l = 0; l < layers; ++l) {
-    const int steps = std::max(12, static_cast<int>(std::ceil(2 * std::numbers::pi * radius(l))));
+    const int steps = std::max(12, static_cast<int>(std::ceil(2 * base::kPi * radius(l))));
     std::vector<Eigen::Vector3d> points, directions;
     for (int i = 0; i <= steps; ++i) {
-      const double a = 2 * std::numbers::pi * (i % steps) / steps;
+      const double a = 2 * base::kPi * (i % steps) / steps;
       const Eigen::Vector3d out(std::cos(a), std::sin(a), 0);
       points.push_back(radius(l) * out + Eigen::Vector3d(0, 0, height(l)));
       directions.push_back(std::sin(tilt(l)) * out + Eigen::Vector3d(0, 0, std::cos(tilt(l))));
@@ -85,8 +85,8 @@ inline plan::ToolPlan slab(double size, int layers) {
 inline std::vector<Eigen::Vector2d> disc(double radius) {
   std::vector<Eigen::Vector2d> polygon;
   for (int i = 0; i < 32; ++i)
-    polygon.emplace_back(radius * std::cos(i * std::numbers::pi / 16),
-                         radius * std::sin(i * std::numbers::pi / 16));
+    polygon.emplace_back(radius * std::cos(i * base::kPi / 16),
+                         radius * std::sin(i * base::kPi / 16));
   return polygon;
 }
 

@@ -1,8 +1,8 @@
 // A small box to be planned: a whole plan takes about a second.
 #pragma once
 
+#include "helpers/loaded_box.h"
 #include "pipeline/road.h"
-#include "support/loaded_box.h"
 
 #include <map>
 #include <string>

@@ -1,8 +1,8 @@
 // The program as its users meet it: started as a process, judged by its exit code, its one line on
 // stderr and what it leaves on the disk.
 #include "base/files.h"
-#include "support/shapes.h"
-#include "support/temporary_folder.h"
+#include "helpers/shapes.h"
+#include "helpers/temporary_folder.h"
 
 #include <chrono>
 #include <csignal>

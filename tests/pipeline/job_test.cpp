@@ -1,8 +1,8 @@
 #include "pipeline/job.h"
 
 #include "base/error.h"
+#include "helpers/temporary_folder.h"
 #include "pipeline/sample_job.h"
-#include "support/temporary_folder.h"
 
 #include <cmath>
 #include <filesystem>

@@ -1,13 +1,14 @@
 // From parts to replayed programs around rods and on given surfaces, as the table has them.
 #include "base/error.h"
 #include "base/files.h"
+#include "base/units.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_reader.h"
+#include "helpers/lathe_parts.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
+#include "helpers/temporary_folder.h"
 #include "pipeline/road.h"
-#include "support/lathe_parts.h"
-#include "support/models.h"
-#include "support/shapes.h"
-#include "support/temporary_folder.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -147,7 +148,7 @@ TEST_F(SurfaceRoad, RibOnAHalfCylinder) {
 TEST_F(SurfaceRoad, PentagonThatFlattens) {
   std::vector<Eigen::Vector3d> corners;
   for (int i = 0; i < 5; ++i) {
-    const double a = 2 * std::numbers::pi * i / 5 + 0.3;
+    const double a = 2 * base::kPi * i / 5 + 0.3;
     corners.emplace_back(6 * std::cos(a), 6 * std::sin(a), 17);
   }
   const PlanResult planned =
@@ -268,7 +269,7 @@ TEST(LatheRoad, ABodyOnTheRodIsTakenOutOfThePartToo) {
   request.choices.platform = "mesh:" + (folder / "collar.stl").string();
   request.until = Stage::Layers;
   const PlanResult planned = planPart(request, context());
-  const double pi = std::numbers::pi;
+  const double pi = base::kPi;
   EXPECT_NEAR(geometry::volume(planned.job.printed()) / (pi * (25 * 50 - 6.25 * 30 - 12.25 * 20)),
               1.0, 2e-3);
   EXPECT_TRUE(nothingBlocks(planned.job.report));

@@ -3,8 +3,8 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
+#include "helpers/temporary_folder.h"
 #include "pipeline/job.h"
-#include "support/temporary_folder.h"
 #include "voxel/voxel_object.h"
 
 #include <algorithm>

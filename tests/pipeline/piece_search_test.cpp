@@ -2,8 +2,8 @@
 #include "pipeline/piece_search.h"
 
 #include "base/error.h"
+#include "helpers/shapes.h"
 #include "pipeline/choices.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 

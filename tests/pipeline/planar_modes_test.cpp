@@ -3,10 +3,10 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
 #include "pipeline/road.h"
-#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Every row of the table of remedies: a cure changes the choices into others that can be planned.
+#include "helpers/shapes.h"
 #include "pipeline/choices.h"
 #include "pipeline/part_voxels.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 #include <set>

@@ -4,10 +4,11 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/units.h"
 #include "geometry/measures.h"
+#include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
-#include "support/temporary_folder.h"
 
 #include <cmath>
 #include <cstdio>
@@ -202,7 +203,7 @@ TEST_F(PlannedBox, EveryPointHasItsLine) {
     double time = -1.0, degrees = 0.0;
     ASSERT_EQ(std::sscanf(text.at(lines[i].line).c_str(), "%lf,%lf", &time, &degrees), 2);
     EXPECT_NEAR(time, t.timeS[i], 1e-5);
-    EXPECT_NEAR(degrees * M_PI / 180.0, t.at(i)[0], 1e-6);
+    EXPECT_NEAR(base::degreesToRadians(degrees), t.at(i)[0], 1e-6);
   }
   // A text that ends early has no lines for what it lacks.
   CheckedProgram cut = csv;

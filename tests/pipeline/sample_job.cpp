@@ -1,8 +1,8 @@
 #include "pipeline/sample_job.h"
 
+#include "helpers/shapes.h"
 #include "pipeline/block_file.h"
 #include "pipeline/job_blocks.h"
-#include "support/shapes.h"
 
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -2,9 +2,9 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "curved/forward_growth.h"
+#include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/road.h"
-#include "support/temporary_folder.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -2,11 +2,11 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "geometry/measures.h"
+#include "helpers/loaded_box.h"
+#include "helpers/temporary_folder.h"
 #include "pipeline/choices.h"
 #include "pipeline/part_voxels.h"
 #include "pipeline/road.h"
-#include "support/loaded_box.h"
-#include "support/temporary_folder.h"
 #include "voxel/voxel_text.h"
 
 #include <Eigen/Geometry>

@@ -2,12 +2,13 @@
 #include "placement/orient.h"
 
 #include "base/error.h"
+#include "base/units.h"
 #include "curved/grow.h"
 #include "curved/platform.h"
-#include "geometry/mesh_reader.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/placement.h"
-#include "support/models.h"
-#include "support/shapes.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
 #include "voxel/voxel_object.h"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,7 @@ TEST(Orient, NothingIsStoodOnATip) {
   geometry::TriangleMesh cone;
   constexpr int kAround = 32;
   for (int i = 0; i < kAround; ++i) {
-    const double a = 2.0 * std::numbers::pi * i / kAround;
+    const double a = 2.0 * base::kPi * i / kAround;
     cone.vertices.emplace_back(10 * std::cos(a), 10 * std::sin(a), 40.0);
   }
   cone.vertices.emplace_back(0, 0, 0);

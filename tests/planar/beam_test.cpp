@@ -1,20 +1,20 @@
 // Pieces that print without support: parts whose best number of pieces is worked out by hand, and
 // checks of what is found that share nothing with the search.
-#include "planar/beam_search.h"
+#include "planar/search/beam_search.h"
 
 #include "base/error.h"
+#include "base/units.h"
 #include "geometry/measures.h"
+#include "helpers/shapes.h"
 #include "planar/hand_parts.h"
 #include "planar/head_reach.h"
 #include "planar/plan_checker.h"
 #include "planar/plate.h"
 #include "process/process.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <set>
 
 namespace voluta::planar {
@@ -24,7 +24,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using geometry::TriangleMesh;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kDegree = base::degreesToRadians(1.0);
 
 TriangleMesh tee() {
   return test::extruded(
@@ -93,7 +93,7 @@ bool within(const TriangleMesh& m, const Vector3d& p) {
   double sum = 0.0;
   for (std::size_t t = 0; t < m.triangles.size(); ++t)
     sum += solidAngle(m, t, p);
-  return sum > 2.0 * std::numbers::pi;
+  return sum > 2.0 * base::kPi;
 }
 
 // Points spread over a mesh, corners drawn in a little.
@@ -220,7 +220,7 @@ TEST(RiskRule, AConeIsSafeUpToTheOverhangAngle) {
     for (const int alpha : {32, 47, 62}) {
       RiskRule rule;
       rule.overhangRad = alpha * kDegree;
-      const double wall = std::numbers::pi * radius * std::hypot(radius, height);
+      const double wall = base::kPi * radius * std::hypot(radius, height);
       EXPECT_NEAR(riskyArea(cone, rule), half > alpha ? wall : 0.0, 1e-4 * wall)
           << half << " " << alpha;
     }

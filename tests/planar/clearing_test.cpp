@@ -1,13 +1,13 @@
 // Cuts that gain nothing themselves: what hides a piece from the head is printed after it.
-#include "planar/beam_search.h"
+#include "helpers/shapes.h"
 #include "planar/hand_parts.h"
 #include "planar/head_reach.h"
 #include "planar/piece_cut.h"
 #include "planar/plan_checker.h"
 #include "planar/plate.h"
 #include "planar/print_order.h"
+#include "planar/search/beam_search.h"
 #include "process/process.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,19 +1,19 @@
 // RoboFDM's first two phases, each step on something whose answer is known.
-#include "planar/gaussian_mixture.h"
-#include "planar/graph_cut.h"
-#include "planar/greedy_decompose.h"
 #include "planar/piece_cut.h"
-#include "planar/piece_graph.h"
-#include "planar/piece_merge.h"
-#include "planar/region_planes.h"
-#include "planar/shape_diameter.h"
-#include "planar/skeleton.h"
-#include "planar/surface_regions.h"
+#include "planar/published/gaussian_mixture.h"
+#include "planar/published/graph_cut.h"
+#include "planar/published/greedy_decompose.h"
+#include "planar/published/piece_graph.h"
+#include "planar/published/piece_merge.h"
+#include "planar/published/region_planes.h"
+#include "planar/published/shape_diameter.h"
+#include "planar/published/skeleton.h"
+#include "planar/published/surface_regions.h"
 
 #include "base/error.h"
 #include "geometry/measures.h"
+#include "helpers/shapes.h"
 #include "planar/hand_parts.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
-#include "planar/beam_search.h"
+#include "planar/search/beam_search.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Parts whose best pieces can be worked out by hand. mm, standing on z = 0.
 #pragma once
 
+#include "base/units.h"
 #include "geometry/triangle_mesh.h"
-#include "support/shapes.h"
+#include "helpers/shapes.h"
 
 #include <Eigen/Core>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -65,7 +65,7 @@ inline geometry::TriangleMesh turned(const std::vector<Eigen::Vector2d>& profile
   for (const Eigen::Vector2d& p : profile) {
     ring.push_back(static_cast<int>(m.vertices.size()));
     for (int j = 0; j < (p.x() > 0.0 ? around : 1); ++j) {
-      const double a = 2.0 * std::numbers::pi * j / around;
+      const double a = 2.0 * base::kPi * j / around;
       m.vertices.emplace_back(p.x() * std::cos(a), p.x() * std::sin(a), p.y());
     }
   }
@@ -107,7 +107,7 @@ inline geometry::TriangleMesh wye() {
 inline geometry::TriangleMesh mushroom() {
   std::vector<Eigen::Vector2d> outline{{-6, 0}, {6, 0}, {6, 24}};
   for (int i = 0; i <= 24; ++i) {
-    const double a = std::numbers::pi * i / 24;
+    const double a = base::kPi * i / 24;
     outline.emplace_back(22 * std::cos(a), 24 + 16 * std::sin(a));
   }
   outline.emplace_back(-6, 24);
@@ -118,9 +118,9 @@ inline geometry::TriangleMesh mushroom() {
 inline geometry::TriangleMesh hangingBall() {
   const double x = 40, z = 28, r = 10, half = 4; // of the drop, of the stem
   std::vector<Eigen::Vector2d> outline{{0, 0}, {10, 0}, {10, 48}, {x - half, 48}};
-  const double from = std::numbers::pi / 2 + std::asin(half / r);
+  const double from = base::kPi / 2 + std::asin(half / r);
   for (int i = 0; i <= 36; ++i) {
-    const double a = from + (2 * std::numbers::pi - 2 * std::asin(half / r)) * i / 36;
+    const double a = from + (2 * base::kPi - 2 * std::asin(half / r)) * i / 36;
     outline.emplace_back(x + r * std::cos(a), z + r * std::sin(a));
   }
   for (const auto& [px, pz] : {std::pair{x + half, 58.0}, std::pair{0.0, 58.0}})

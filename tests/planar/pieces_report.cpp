@@ -3,11 +3,12 @@
 // of real parts, and what a checker that knows nothing of the planner says of it: a row each.
 // --stem: the plate is carried as the bundled UR5 cell carries it.
 #include "base/stopwatch.h"
+#include "base/units.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_reader.h"
-#include "planar/beam_search.h"
-#include "planar/greedy_decompose.h"
 #include "planar/plan_checker.h"
+#include "planar/published/greedy_decompose.h"
+#include "planar/search/beam_search.h"
 #include "process/process.h"
 
 #include <cmath>
@@ -15,7 +16,6 @@
 #include <ctime>
 #include <fstream>
 #include <iostream>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -49,7 +49,7 @@ int main(int argc, char** argv) try {
     const std::string a = argv[i];
     const auto next = [&] { return i + 1 < argc ? std::string(argv[++i]) : std::string(); };
     if (a == "--angle")
-      options.rule.overhangRad = std::stod(next()) * std::numbers::pi / 180.0;
+      options.rule.overhangRad = base::degreesToRadians(std::stod(next()));
     else if (a == "--threads")
       threads = std::stoi(next());
     else if (a == "--scheme")

@@ -1,18 +1,18 @@
 // Plans of both schemes, judged by a checker that shares nothing with them.
-#include "planar/beam_search.h"
-#include "planar/greedy_decompose.h"
+#include "planar/published/greedy_decompose.h"
+#include "planar/search/beam_search.h"
 
-#include "geometry/mesh_reader.h"
+#include "base/units.h"
+#include "geometry/formats/mesh_reader.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
 #include "planar/hand_parts.h"
 #include "planar/plan_checker.h"
 #include "process/process.h"
-#include "support/models.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace voluta::planar {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 using geometry::TriangleMesh;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kDegree = base::degreesToRadians(1.0);
 
 test::PlanCheck checkOf(const PlanarDecomposition& d, const PlanarOptions& options) {
   test::PlanCheck check;

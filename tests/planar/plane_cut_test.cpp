@@ -2,16 +2,16 @@
 #include "planar/plane_cut.h"
 
 #include "base/error.h"
+#include "base/units.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_reader.h"
-#include "support/models.h"
-#include "support/shapes.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 namespace voluta::planar {
@@ -118,7 +118,7 @@ TEST(PlaneCut, ASectionWithAHoleAndACavity) {
   const TaggedMesh in = tagged(shell);
   EXPECT_EQ(solids(in).size(), 1u);
   const PlaneCut cut = cutAndCheck(in, {Vector3d(0.1, -0.2, 1.0).normalized(), 0.3});
-  EXPECT_NEAR(cut.sectionMm2, std::numbers::pi * (100.0 - 36.0), 4.0);
+  EXPECT_NEAR(cut.sectionMm2, base::kPi * (100.0 - 36.0), 4.0);
   EXPECT_EQ(solids(cut.below).size(), 1u);
   // Above the cavity only a cap is left; below it a ball with a cavity.
   const PlaneCut high = cutAndCheck(in, {Vector3d::UnitZ(), 8.0});

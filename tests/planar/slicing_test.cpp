@@ -1,22 +1,22 @@
 // Slicing: sections and layers of parts whose measures are known.
-#include "planar/slicing.h"
+#include "planar/slicing/slicing.h"
 
 #include "base/error.h"
+#include "base/units.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
-#include "geometry/mesh_reader.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
 #include "planar/flat.h"
-#include "planar/region_mesh.h"
-#include "planar/uniform_misses.h"
-#include "planar/user_planes.h"
-#include "support/models.h"
-#include "support/shapes.h"
+#include "planar/slicing/region_mesh.h"
+#include "planar/slicing/uniform_misses.h"
+#include "planar/slicing/user_planes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace voluta::planar {
 namespace {
@@ -57,7 +57,7 @@ TriangleMesh cone(double radius, double height, int n) {
   TriangleMesh m;
   m.vertices = {{0, 0, 0}, {0, 0, height}};
   for (int i = 0; i < n; ++i) {
-    const double a = 2.0 * std::numbers::pi * i / n;
+    const double a = 2.0 * base::kPi * i / n;
     m.vertices.emplace_back(radius * std::cos(a), radius * std::sin(a), 0.0);
   }
   for (int i = 0; i < n; ++i) {
@@ -73,7 +73,7 @@ TriangleMesh torus(double ring, double tube, double centre, int n, int k) {
   TriangleMesh m;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < k; ++j) {
-      const double a = 2.0 * std::numbers::pi * i / n, b = 2.0 * std::numbers::pi * j / k;
+      const double a = 2.0 * base::kPi * i / n, b = 2.0 * base::kPi * j / k;
       const double r = ring + tube * std::cos(b);
       m.vertices.emplace_back(r * std::cos(a), r * std::sin(a), centre + tube * std::sin(b));
     }
@@ -154,9 +154,9 @@ TEST(Section, OfATorusIsTwoRings) {
   const TriangleMesh ring = torus(20.0, 6.0, 6.0, 96, 48);
   const Section level = Sections(ring, Vector3d::UnitZ()).at(6.3);
   const double half = std::sqrt(36.0 - 0.09);
-  EXPECT_NEAR(areaOf(level), std::numbers::pi * 4.0 * 20.0 * half, 0.01 * areaOf(level));
+  EXPECT_NEAR(areaOf(level), base::kPi * 4.0 * 20.0 * half, 0.01 * areaOf(level));
   const Section upright = Sections(ring, Vector3d::UnitX()).at(0.1);
-  EXPECT_NEAR(areaOf(upright), 2.0 * std::numbers::pi * 36.0, 0.02 * areaOf(upright));
+  EXPECT_NEAR(areaOf(upright), 2.0 * base::kPi * 36.0, 0.02 * areaOf(upright));
   const layers::LevelSurface s = sectionSurface(upright, 1.0, {});
   EXPECT_EQ(geometry::components(s.surface).count, 2);
 }
@@ -256,10 +256,10 @@ TEST(LayerBounds, AdaptiveLayersAreThinWhereTheSurfaceLeans) {
   options.adaptive = true;
   options.cuspMm = 0.5;
   // Upright to z = 10, then a slope of 60 degrees against the upright.
-  const double rise = 10.0 * std::tan(std::numbers::pi / 6.0);
+  const double rise = 10.0 * std::tan(base::kPi / 6.0);
   const TriangleMesh roof = prism({{-10, 0}, {10, 0}, {10, 10}, {0, 10 + rise}, {-10, 10}}, 20.0);
   const std::vector<double> bounds = layerBounds(pieceOf(roof), options);
-  const double cosine = std::cos(std::numbers::pi / 6.0);
+  const double cosine = std::cos(base::kPi / 6.0);
   for (std::size_t k = 1; k + 2 < bounds.size(); ++k) {
     const double h = bounds[k] - bounds[k - 1];
     EXPECT_GE(h, 0.4 - 1e-9);
@@ -281,7 +281,7 @@ TEST(Slicing, LayersOfAConeAreItsSections) {
   const int n = 64;
   const std::vector<Piece> pieces{pieceOf(cone(radius, height, n))};
   const SliceResult sliced = slicePieces(pieces, {}, {});
-  const double base = 0.5 * n * std::sin(2.0 * std::numbers::pi / n) * radius * radius;
+  const double base = 0.5 * n * std::sin(2.0 * base::kPi / n) * radius * radius;
   const std::vector<double> bounds = layerBounds(pieces.front(), {});
   for (int k = 0; k < sliced.stack.layerCount; ++k) {
     const double middle =
@@ -511,7 +511,7 @@ TEST(UserPlanes, LayersOfABentBarAreItsSections) {
   const double centre = 30.0, inner = 22.0, outer = 30.0;
   std::vector<Eigen::Vector2d> profile;
   const auto add = [&](double radius, int k) {
-    const double a = 0.5 * std::numbers::pi * k / n;
+    const double a = 0.5 * base::kPi * k / n;
     profile.emplace_back(centre - radius * std::cos(a), radius * std::sin(a));
   };
   for (int k = n; k >= 0; --k)
@@ -521,7 +521,7 @@ TEST(UserPlanes, LayersOfABentBarAreItsSections) {
   const TriangleMesh bar = prism(profile, 10.0);
   ASSERT_TRUE(isClosed(bar));
   ASSERT_GT(geometry::volume(bar), 0.0);
-  const double step = 0.5 * std::numbers::pi / n; // 0.68 mm in the middle
+  const double step = 0.5 * base::kPi / n; // 0.68 mm in the middle
   std::string json = "[";
   for (int k = 0; k < n; ++k) {
     const double a = (k + 0.5) * step;

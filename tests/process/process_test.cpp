@@ -2,6 +2,8 @@
 #include "process/process.h"
 
 #include "base/error.h"
+#include "base/files.h"
+#include "helpers/temporary_folder.h"
 #include "process/bead_model.h"
 
 #include <algorithm>
@@ -77,6 +79,39 @@ TEST_F(Processes, anUnknownIdNamesTheNearest) {
     EXPECT_EQ(e.code(), base::ErrorCode::Usage);
     EXPECT_NE(std::string(e.what()).find("fdm-0.35"), std::string::npos);
   }
+}
+
+// The fine process with `from` replaced, which occurs once.
+void expectRefused(const std::string& from, const std::string& to, const std::string& key) {
+  SCOPED_TRACE(to);
+  std::string text =
+      base::readFile(std::string(VOLUTA_SOURCE_DIR) + "/resources/processes/fdm-0.35.json");
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, from.size(), to);
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "own.json", text);
+  try {
+    readProcess(folder / "own.json");
+    FAIL();
+  } catch (const base::Error& e) {
+    EXPECT_EQ(e.code(), base::ErrorCode::UnusableInput);
+    EXPECT_NE(e.context().find("own.json"), std::string::npos) << e.what();
+    EXPECT_NE(e.message().find("'" + key + "'"), std::string::npos) << e.what();
+  }
+}
+
+TEST_F(Processes, whatMakesNoSenseIsRefusedWithFileAndKey) {
+  expectRefused("\"speedMmPerS\": 20.0", "\"speedMmPerS\": -20.0", "speedMmPerS");
+  expectRefused("\"speedMmPerS\": 20.0", "\"speedMmPerS\": \"fast\"", "speedMmPerS");
+  expectRefused("\"primeS\": 0.2", "\"primeS\": -0.2", "primeS");
+  expectRefused("\"primeS\": 0.2", "\"primeS\": 0.2, \"primeMs\": 200", "primeMs");
+  expectRefused("\"primeS\": 0.2,", "", "primeS");
+  expectRefused("\"default\": 0.25", "\"default\": 0.05", "layerHeightMm.default");
+  expectRefused("\"max\": 1.2", "\"max\": 0.6", "beadWidthMm.default");
+  expectRefused("\"max\": 1.2", "\"max\": 1.2, \"mid\": 1", "beadWidthMm.mid");
+  expectRefused("[12.0, 6.0]", "[12.0, -6.0]", "head[1][1]");
+  expectRefused("[12.0, 10.0]", "[11.0, 10.0]", "head[2]");
 }
 
 } // namespace

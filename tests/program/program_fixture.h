@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/files.h"
+#include "helpers/temporary_folder.h"
 #include "process/process.h"
 #include "program/program_input.h"
 #include "robot/cell.h"
-#include "support/temporary_folder.h"
 
 #include <cmath>
 #include <cstdlib>

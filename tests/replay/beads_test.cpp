@@ -1,13 +1,14 @@
 // Beads by hand: volumes, envelopes, coverage, support. No robot.
 #include "base/error.h"
 #include "base/run_context.h"
+#include "base/units.h"
 #include "geometry/mesh_query.h"
+#include "helpers/shapes.h"
 #include "process/bead_model.h"
 #include "replay/beads.h"
 #include "replay/coverage.h"
 #include "replay/depositor.h"
 #include "replay/printed_part.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 #include <numeric>
@@ -17,7 +18,7 @@ namespace voluta::replay {
 namespace {
 
 using Eigen::Vector3d;
-using std::numbers::pi;
+constexpr double pi = base::kPi;
 
 const base::RunContext kOne;
 constexpr double kPitch = 0.3;
@@ -224,7 +225,7 @@ TEST(Depositor, StopsWhenCancelled) {
 double unsupported(const std::vector<BeadPiece>& pieces, double slackZ = 0.0) {
   const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20 + slackZ});
   const PrintedPart printed(beads, pieces);
-  const geometry::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
+  const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
   const GroundProbe platform(plate);
   const SupportedBeads s = findSupport(pieces, printed, platform, kOne);
   return s.unsupportedMm / s.lengthMm;

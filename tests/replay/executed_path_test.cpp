@@ -1,10 +1,10 @@
 #include "replay/executed_path.h"
 
 #include "base/run_context.h"
+#include "base/units.h"
 #include "replay/scene.h"
 
 #include <gtest/gtest.h>
-#include <numbers>
 #include <set>
 
 namespace voluta::replay {
@@ -44,7 +44,7 @@ TEST(ExecutedPath, ABlendCutsItsCornerByTheParabola) {
   for (const Vector3d& p : path.tip)
     nearest = std::min(nearest, (p - Vector3d(10, 0, 0)).norm());
   // r/2 sin(turn/2) at a right angle.
-  EXPECT_NEAR(nearest, 0.5 * r * std::sin(0.25 * std::numbers::pi), 1e-9);
+  EXPECT_NEAR(nearest, 0.5 * r * std::sin(0.25 * base::kPi), 1e-9);
 }
 
 TEST(ExecutedPath, TellsOverlappingBlends) {
@@ -61,8 +61,7 @@ TEST(ExecutedPath, DirectionsTurnEvenly) {
   const auto path = executeToolPoints(program, {});
   const std::size_t first = path.firstSample[1], n = path.tip.size() - first;
   for (std::size_t k = 0; k < n; ++k) {
-    const double angle =
-        0.5 * std::numbers::pi * static_cast<double>(k + 1) / static_cast<double>(n);
+    const double angle = 0.5 * base::kPi * static_cast<double>(k + 1) / static_cast<double>(n);
     EXPECT_NEAR(path.direction[first + k].dot(Vector3d(std::sin(angle), 0, std::cos(angle))), 1.0,
                 1e-9);
   }

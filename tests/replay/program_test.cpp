@@ -1,5 +1,6 @@
 // Whole programs through the verdict: sound ones pass, damaged ones are found at their line.
 #include "base/run_context.h"
+#include "base/units.h"
 #include "program/dialect.h"
 #include "replay/scene.h"
 #include "replay/told.h"
@@ -311,8 +312,7 @@ TEST(Replay, AnotherConfigurationIsFound) {
   plan::ReadProgram read = program::readProgram("csv", program.files, s.process);
   // The same nozzle, a whole turn of the last joint later.
   for (std::size_t m = 40; m < read.motions.size(); ++m)
-    read.motions[m].joints[5] +=
-        read.motions[m].joints[5] > 0 ? -2 * std::numbers::pi : 2 * std::numbers::pi;
+    read.motions[m].joints[5] += read.motions[m].joints[5] > 0 ? -2 * base::kPi : 2 * base::kPi;
   const Verification v =
       replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
                     ReplayThresholds{}, base::RunContext());

@@ -90,7 +90,7 @@ TEST(Rod, PosesInTheWorkFrameAndJointsAreTheSameMotion) {
     ASSERT_NEAR((s.cell.work_T_tool(q).translation() - on).norm(), 0.0, 1e-6);
     turned = std::max(turned, std::abs(q[6]));
   }
-  EXPECT_GT(turned, 14.0 * 2.0 * std::numbers::pi);
+  EXPECT_GT(turned, 14.0 * 2.0 * base::kPi);
 }
 
 TEST(Rod, TheWindingPasses) {
@@ -265,15 +265,15 @@ TEST(Rod, ABeadOverTheRodIsUnsupportedAndABearingIsInTheWay) {
 }
 
 TEST(Ground, ARodHoldsWhatIsWithinIt) {
-  geometry::PlatformSolid platform;
-  platform.rod = geometry::straightRod(5.0, 100.0);
+  platform::PlatformSolid platform;
+  platform.rod = platform::straightRod(5.0, 100.0);
   const GroundProbe round(platform);
   EXPECT_TRUE(round.holds({20, 0, 2.5}, 0.1));
   EXPECT_TRUE(round.holds({-20, -1.7, -1.7}, 0.1));
   EXPECT_FALSE(round.holds({20, 0, 2.51}, 0.1));
   EXPECT_TRUE(round.holds({50.05, 0, 2}, 0.1));
   EXPECT_FALSE(round.holds({50.2, 0, 2}, 0.1));
-  platform.rod = geometry::straightRod(5.0, 100.0, 6);
+  platform.rod = platform::straightRod(5.0, 100.0, 6);
   const GroundProbe hexagonal(platform);
   const double flat = 2.5 * std::sqrt(3.0) / 2.0;
   EXPECT_TRUE(hexagonal.holds({0, 2.499, 0}, 0.0));
@@ -281,7 +281,7 @@ TEST(Ground, ARodHoldsWhatIsWithinIt) {
   EXPECT_TRUE(hexagonal.holds({0, 0, flat - 1e-3}, 0.0));
   EXPECT_FALSE(hexagonal.holds({0, 0, flat + 1e-3}, 0.0));
   EXPECT_TRUE(hexagonal.holds({0, -1.249, -flat + 1e-3}, 0.0));
-  platform.rod = geometry::RodShape{{{-10, 2}, {0, 2}, {0, 4}, {10, 5}}, 0};
+  platform.rod = platform::RodShape{{{-10, 2}, {0, 2}, {0, 4}, {10, 5}}, 0};
   const GroundProbe stepped(platform);
   EXPECT_FALSE(stepped.holds({-1, 0, 3}, 0.0));
   EXPECT_TRUE(stepped.holds({0, 0, 3.9}, 0.0));

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "base/error.h"
+#include "base/units.h"
+#include "helpers/lathe_parts.h"
+#include "helpers/shapes.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 #include "process/bead_model.h"
 #include "replay/distances.h"
 #include "robot/cell.h"
-#include "support/lathe_parts.h"
-#include "support/shapes.h"
 
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -24,7 +24,7 @@ struct Scene {
   geometry::TriangleMesh part;
   plan::ToolPlan plan;
   plan::Trajectory trajectory;
-  geometry::PlatformSolid platform;
+  platform::PlatformSolid platform;
 };
 
 inline void usesSourceTreeResources() {
@@ -98,7 +98,7 @@ inline robot::JointVector turnedUp(const robot::Cell& cell, const Eigen::Vector3
                                    robot::JointVector q) {
   if (cell.externalAxes().empty())
     return q;
-  const double turn = 2.0 * std::numbers::pi, step = cell.externalAxes().front().stepRad;
+  const double turn = 2.0 * base::kPi, step = cell.externalAxes().front().stepRad;
   double& angle = q[cell.armDof()];
   const double up = std::atan2(direction.y(), direction.z());
   angle = step * std::round((up + turn * std::round((angle - up) / turn)) / step);
@@ -183,8 +183,8 @@ inline std::vector<Eigen::Vector2d> squarePlatform(double side) {
 inline Scene rodScene(int layers = 2) {
   usesSourceTreeResources();
   process::Process p = process::loadProcess("fdm-0.35");
-  geometry::PlatformSolid rod;
-  rod.rod = geometry::straightRod(5.0, 200.0);
+  platform::PlatformSolid rod;
+  rod.rod = platform::straightRod(5.0, 200.0);
   robot::Cell cell = robot::loadCell("lathe", p, rod);
   const double h = p.layerHeightMm, w = p.beadWidthMm, hatch = process::hatchOf(w, h);
   constexpr int kRings = 8, kCorners = 90;
@@ -200,7 +200,7 @@ inline Scene rodScene(int layers = 2) {
       path.layer = k;
       path.closed = true;
       for (int i = 0; i <= kCorners; ++i) {
-        const double a = 2.0 * std::numbers::pi * i / kCorners;
+        const double a = 2.0 * base::kPi * i / kCorners;
         plan.direction.emplace_back(0.0, std::cos(a), std::sin(a));
         plan.position.push_back(Eigen::Vector3d(x, 0, 0) + r * plan.direction.back());
         plan.widthMm.push_back(static_cast<float>(process::widthOfHatch(hatch * shorter, h)));

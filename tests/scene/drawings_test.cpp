@@ -4,7 +4,8 @@
 #include "scene/fill_order.h"
 #include "scene/visible_beads.h"
 
-#include "support/shapes.h"
+#include "base/units.h"
+#include "helpers/shapes.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -295,7 +296,7 @@ TEST(FillOrder, BeadsUnderARodAreNotClosedFromBelow) {
       plan.paths.push_back(
           {plan.position.size(), kAround + 1, plan::PathKind::Infill, layer, layer, 0, true});
       for (int i = 0; i <= kAround; ++i) {
-        const double angle = 2 * M_PI * i / kAround;
+        const double angle = 2 * base::kPi * i / kAround;
         const Eigen::Vector3d out(0.0, std::cos(angle), std::sin(angle));
         plan.position.push_back(radius * out + Eigen::Vector3d(0.65 * ring, 0, 0));
         plan.direction.push_back(out);

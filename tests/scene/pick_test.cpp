@@ -1,6 +1,6 @@
 #include "scene/offscreen_target.h"
 
-#include "support/shapes.h"
+#include "helpers/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -115,8 +115,8 @@ TEST_F(Picking, BodyOfTheCell) {
 }
 
 TEST_F(Picking, ARodAndABodyArePlatform) {
-  geometry::PlatformSolid rod;
-  rod.rod = geometry::straightRod(5.0, 200.0);
+  platform::PlatformSolid rod;
+  rod.rod = platform::straightRod(5.0, 200.0);
   scene_.setPlatform(scene::drawPlatform(rod, 100.0));
   scene_.standardView(scene::StandardView::Top);
   auto hit = middle();
@@ -124,7 +124,7 @@ TEST_F(Picking, ARodAndABodyArePlatform) {
   EXPECT_EQ(hit->what, scene::Hit::What::Platform);
   EXPECT_NEAR(hit->point.z(), 2.5, 0.03);
 
-  geometry::PlatformSolid body({{-50, -50}, {50, -50}, {50, 50}, {-50, 50}});
+  platform::PlatformSolid body({{-50, -50}, {50, -50}, {50, 50}, {-50, 50}});
   body.mesh = std::make_shared<geometry::TriangleMesh>(test::box({-10, -10, 0}, {10, 10, 12}));
   scene_.setPlatform(scene::drawPlatform(body, 100.0));
   hit = middle();

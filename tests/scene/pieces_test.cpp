@@ -1,9 +1,9 @@
 // Pieces as they are drawn and met: colours, what needs support, moved apart.
+#include "helpers/shapes.h"
 #include "planar/given_cuts.h"
 #include "scene/label_places.h"
 #include "scene/offscreen_target.h"
 #include "scene/piece_labels.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 

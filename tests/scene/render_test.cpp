@@ -1,10 +1,10 @@
 // Pictures themselves, and the command that makes them with and without a display.
 #include "base/error.h"
 #include "base/files.h"
+#include "helpers/shapes.h"
+#include "helpers/temporary_folder.h"
 #include "pipeline/job.h"
 #include "scene/offscreen_target.h"
-#include "support/shapes.h"
-#include "support/temporary_folder.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -54,8 +54,8 @@ TEST(Render, PartIsInTheMiddleAndTheBackgroundAround) {
 }
 
 TEST(Render, ARodHasNoGroundAroundItAndIsFramedBesideThePart) {
-  geometry::PlatformSolid platform;
-  platform.rod = geometry::straightRod(5.0, 200.0);
+  platform::PlatformSolid platform;
+  platform.rod = platform::straightRod(5.0, 200.0);
   scene::Scene scene(scene::lightTheme());
   scene.setPlatform(scene::drawPlatform(platform, 100.0));
   const scene::Image rod = picture(scene, {}, scene::StandardView::Front);
@@ -96,8 +96,8 @@ TEST(Render, ThePlateOfACellIsThereAndFramedWithThePlatform) {
 }
 
 TEST(Render, ARodIsSeenToTurnInItsCell) {
-  geometry::PlatformSolid platform;
-  platform.rod = geometry::straightRod(20.0, 200.0, 6);
+  platform::PlatformSolid platform;
+  platform.rod = platform::straightRod(20.0, 200.0, 6);
   const robot::Cell cell = robot::loadCell("lathe", process::loadProcess("fdm-0.35"), platform);
   scene::Scene scene(scene::lightTheme());
   scene.setPlatform(scene::drawPlatform(platform, 0.0));

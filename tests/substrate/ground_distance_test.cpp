@@ -2,8 +2,8 @@
 #include "base/units.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
+#include "helpers/shapes.h"
 #include "substrate/ground_distance.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -12,11 +12,11 @@ namespace voluta {
 namespace {
 
 using Eigen::Vector3d;
-using geometry::RodShape;
+using platform::RodShape;
 
 void expectLikeItsMesh(const RodShape& rod, double tolerance) {
   const substrate::GroundDistance closed = substrate::distanceFrom(rod);
-  const geometry::MeshQuery mesh(geometry::meshOf(rod, 1e-4));
+  const geometry::MeshQuery mesh(platform::meshOf(rod, 1e-4));
   std::mt19937 random(7);
   std::uniform_real_distribution<double> along(-40, 40), across(-8, 8);
   int inside = 0;
@@ -37,7 +37,7 @@ void expectLikeItsMesh(const RodShape& rod, double tolerance) {
 }
 
 TEST(GroundDistance, RoundRod) {
-  expectLikeItsMesh(geometry::straightRod(5, 60), 1e-3);
+  expectLikeItsMesh(platform::straightRod(5, 60), 1e-3);
 }
 TEST(GroundDistance, SteppedAndTaperedRod) {
   expectLikeItsMesh({{{-30, 2}, {-10, 2}, {-10, 4}, {5, 3}, {5, 5}, {30, 2}}, 0}, 1e-3);
@@ -50,7 +50,7 @@ TEST(GroundDistance, Thread) {
 }
 TEST(GroundDistance, Prisms) {
   for (const int sides : {3, 4, 6, 7})
-    expectLikeItsMesh(geometry::straightRod(6, 60, sides), 1e-9);
+    expectLikeItsMesh(platform::straightRod(6, 60, sides), 1e-9);
 }
 TEST(GroundDistance, SteppedPrism) {
   expectLikeItsMesh({{{-30, 2}, {0, 2}, {0, 4}, {30, 4}}, 6}, 1e-9);

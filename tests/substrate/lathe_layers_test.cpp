@@ -1,13 +1,13 @@
 // Layers around rods against the volumes and areas of the solids that parts stand for.
 #include "base/error.h"
 #include "base/units.h"
-#include "geometry/diagnosis.h"
 #include "geometry/measures.h"
+#include "geometry/repair/diagnosis.h"
+#include "helpers/lathe_parts.h"
+#include "helpers/layer_volume.h"
+#include "helpers/shapes.h"
 #include "layers/layer_checks.h"
 #include "substrate/lathe_layers.h"
-#include "support/lathe_parts.h"
-#include "support/layer_volume.h"
-#include "support/shapes.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -16,12 +16,12 @@
 namespace voluta {
 namespace {
 
-using geometry::RodShape;
 using geometry::TriangleMesh;
+using platform::RodShape;
 using substrate::LatheLayers;
 using substrate::LatheOptions;
 
-const RodShape kRod = geometry::straightRod(5, 200);
+const RodShape kRod = platform::straightRod(5, 200);
 
 LatheLayers laid(const TriangleMesh& part, const RodShape& rod, double volumeMm3,
                  const LatheOptions& options = {}) {
@@ -110,14 +110,14 @@ TEST(LatheLayers, HalfTurnSector) {
 }
 
 TEST(LatheLayers, HexagonalRod) {
-  const RodShape hex = geometry::straightRod(5, 200, 6);
+  const RodShape hex = platform::straightRod(5, 200, 6);
   const auto made =
       laid(test::hexagonalTube(4.8, 10, 50), hex, test::hexagonalTubeVolume(5, 10, 50));
   EXPECT_GE(made.stack.layerCount, 10);
 }
 
 TEST(LatheLayers, ThatFollowAHexagonalRod) {
-  const RodShape hex = geometry::straightRod(5, 200, 6);
+  const RodShape hex = platform::straightRod(5, 200, 6);
   LatheOptions options;
   options.followsRod = true;
   laid(test::hexagonalTube(4.8, 10, 20), hex, test::hexagonalTubeVolume(5, 10, 20), options);
@@ -169,10 +169,10 @@ void expectRefusal(const TriangleMesh& part, const RodShape& rod, const std::str
 
 TEST(LatheLayers, BadInputIsToldInOneLine) {
   const TriangleMesh tube = test::revolved(test::tubeSection(), 128);
-  expectRefusal(tube, geometry::straightRod(12, 200), "the rod is thicker than the part");
-  expectRefusal(tube, geometry::straightRod(10, 200), "the rod is thicker than the part");
-  expectRefusal(tube, geometry::straightRod(9.9, 200), "out over the rod, less than a layer");
-  expectRefusal(tube, geometry::straightRod(5, 40), "beyond an end of the rod");
+  expectRefusal(tube, platform::straightRod(12, 200), "the rod is thicker than the part");
+  expectRefusal(tube, platform::straightRod(10, 200), "the rod is thicker than the part");
+  expectRefusal(tube, platform::straightRod(9.9, 200), "out over the rod, less than a layer");
+  expectRefusal(tube, platform::straightRod(5, 40), "beyond an end of the rod");
   TriangleMesh beside = tube;
   for (auto& p : beside.vertices)
     p.y() += 12;

@@ -3,9 +3,9 @@
 #include "geometry/edges.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
+#include "helpers/lathe_parts.h"
+#include "helpers/shapes.h"
 #include "substrate/levels.h"
-#include "support/lathe_parts.h"
-#include "support/shapes.h"
 
 #include <cmath>
 #include <functional>

@@ -1,9 +1,9 @@
 #include "base/error.h"
 #include "geometry/measures.h"
 #include "geometry/placement.h"
+#include "helpers/lathe_parts.h"
+#include "helpers/shapes.h"
 #include "substrate/rod_axis.h"
-#include "support/lathe_parts.h"
-#include "support/shapes.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

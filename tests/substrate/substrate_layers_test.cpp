@@ -2,16 +2,16 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/boundary.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
-#include "geometry/mesh_reader.h"
 #include "geometry/placement.h"
+#include "helpers/lathe_parts.h"
+#include "helpers/layer_volume.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
 #include "layers/layer_checks.h"
 #include "substrate/substrate_layers.h"
-#include "support/lathe_parts.h"
-#include "support/layer_volume.h"
-#include "support/models.h"
-#include "support/shapes.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

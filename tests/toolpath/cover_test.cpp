@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "base/run_context.h"
+#include "base/units.h"
 #include "process/bead_model.h"
 #include "toolpath/cover_patch.h"
 #include "toolpath/infill.h"
@@ -9,7 +10,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <numbers>
 #include <string>
 
 namespace {
@@ -17,7 +17,7 @@ using namespace voluta;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kPi = std::numbers::pi;
+using base::kPi;
 
 toolpath::PatchCover cover(const layers::Patch& patch, const toolpath::ToolpathOptions& o = {}) {
   return toolpath::coverPatch(patch, process::Process{}, o, base::RunContext{});

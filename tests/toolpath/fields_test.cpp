@@ -1,3 +1,4 @@
+#include "base/units.h"
 #include "toolpath/curve_tools.h"
 #include "toolpath/infill.h"
 #include "toolpath/shapes.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <numbers>
 
 namespace {
 using namespace voluta;
@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 TEST(SurfaceFields, DistanceToTheRimOfACapIsThatOfTheSphere) {
-  const double r = 20, rim = r * std::numbers::pi / 3;
+  const double r = 20, rim = r * base::kPi / 3;
   const auto s = toolpath::PatchSurface::refine(
       test::patchOver({test::circle(rim)}, 0.8, test::onSphere(r)), 0.5);
   const auto d = toolpath::distanceToSegments(s, toolpath::boundarySegments(s), 1e9);
@@ -29,7 +29,7 @@ TEST(SurfaceFields, DistanceToTheRimOfACapIsThatOfTheSphere) {
 TEST(SurfaceFields, DistanceToASectionHasUnitGradientOnACap) {
   const double r = 20;
   const auto s = toolpath::PatchSurface::refine(
-      test::patchOver({test::circle(r * std::numbers::pi / 3)}, 0.8, test::onSphere(r)), 0.5);
+      test::patchOver({test::circle(r * base::kPi / 3)}, 0.8, test::onSphere(r)), 0.5);
   const auto u = toolpath::distanceToSection(s, Vector3d::UnitX(), 0.0);
   ASSERT_EQ(u.size(), s.position.size());
   for (std::size_t v = 0; v < u.size(); ++v)
@@ -52,12 +52,11 @@ TEST(SurfaceFields, IsolinesOfALinearFieldAreStraightAndWhole) {
 TEST(Infill, LinesOnACapAreEvenlySpacedOnTheSphere) {
   const double r = 20, hatch = 1.0;
   const auto s = toolpath::PatchSurface::refine(
-      test::patchOver({test::circle(r * std::numbers::pi / 3)}, 0.8, test::onSphere(r)), 0.5);
+      test::patchOver({test::circle(r * base::kPi / 3)}, 0.8, test::onSphere(r)), 0.5);
   const std::vector<double> depth =
       toolpath::distanceToSegments(s, toolpath::boundarySegments(s), 1e9);
   const std::vector<double> hatches(depth.size(), hatch);
-  const auto curves =
-      toolpath::zigzagInfill({s, depth, hatches, 2.0, 1.0, 0, -0.25 * std::numbers::pi});
+  const auto curves = toolpath::zigzagInfill({s, depth, hatches, 2.0, 1.0, 0, -0.25 * base::kPi});
   // Angle over the great circle through the guide's middle: u / r of every point far from an end.
   const Vector3d normal = Vector3d(1, 1, 0).normalized();
   std::vector<double> u;

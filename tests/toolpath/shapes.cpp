@@ -1,10 +1,11 @@
 #include "toolpath/shapes.h"
 
+#include "base/units.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <random>
 
 namespace voluta::test {
@@ -40,9 +41,9 @@ double signedDistance(const std::vector<Loop>& loops, const Vector2d& p) {
 
 Loop circle(double radius, bool hole, Vector2d centre) {
   Loop l;
-  const int n = std::max(8, static_cast<int>(2 * std::numbers::pi * radius / 0.4));
+  const int n = std::max(8, static_cast<int>(2 * base::kPi * radius / 0.4));
   for (int i = 0; i < n; ++i) {
-    const double a = 2 * std::numbers::pi * (hole ? n - i : i) / n;
+    const double a = 2 * base::kPi * (hole ? n - i : i) / n;
     l.push_back(centre + radius * Vector2d(std::cos(a), std::sin(a)));
   }
   return l;
@@ -55,7 +56,7 @@ Loop rectangle(double w, double h) {
 Loop star(int tips, double outer, double inner) {
   Loop l;
   for (int i = 0; i < 2 * tips; ++i) {
-    const double a = std::numbers::pi * i / tips, r = i % 2 == 0 ? outer : inner;
+    const double a = base::kPi * i / tips, r = i % 2 == 0 ? outer : inner;
     l.emplace_back(r * std::cos(a), r * std::sin(a));
   }
   return l;

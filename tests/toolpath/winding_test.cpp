@@ -1,8 +1,9 @@
 // Lines around, along and across rods. Places are measured from positions alone, not from charts.
 #include "base/run_context.h"
+#include "base/units.h"
+#include "helpers/rod_level.h"
 #include "layers/patches.h"
 #include "process/bead_model.h"
-#include "support/rod_level.h"
 #include "toolpath/cover_patch.h"
 #include "toolpath/curve_tools.h"
 #include "toolpath/infill.h"
@@ -11,14 +12,14 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <numbers>
 #include <string>
 
 namespace {
 using namespace voluta;
 using Eigen::Vector3d;
 
-constexpr double kPi = std::numbers::pi, kRadius = 3.625, kLength = 50.0;
+using base::kPi;
+constexpr double kRadius = 3.625, kLength = 50.0;
 
 double angleOf(const Vector3d& p) {
   return std::atan2(p.z(), p.y());

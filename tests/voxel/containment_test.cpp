@@ -1,8 +1,8 @@
 #include "voxel/containment.h"
 
-#include "geometry/mesh_reader.h"
-#include "support/models.h"
-#include "support/shapes.h"
+#include "geometry/formats/mesh_reader.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
 #include "voxel/solid_voxels.h"
 
 #include <gtest/gtest.h>

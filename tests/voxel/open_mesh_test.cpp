@@ -1,5 +1,5 @@
 #include "geometry/mesh_query.h"
-#include "support/shapes.h"
+#include "helpers/shapes.h"
 #include "voxel/column_parity.h"
 #include "voxel/solid_voxels.h"
 

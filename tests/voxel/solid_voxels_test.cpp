@@ -1,7 +1,7 @@
 #include "voxel/solid_voxels.h"
 
 #include "base/error.h"
-#include "support/shapes.h"
+#include "helpers/shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "support/shapes.h"
+#include "helpers/shapes.h"
 #include "voxel/solid_voxels.h"
 
 #include <gmock/gmock.h>

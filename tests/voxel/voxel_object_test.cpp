@@ -1,8 +1,8 @@
 #include "voxel/voxel_object.h"
 
 #include "base/error.h"
-#include "geometry/diagnosis.h"
 #include "geometry/measures.h"
+#include "geometry/repair/diagnosis.h"
 #include "voxel/voxel_text.h"
 
 #include <Eigen/Geometry>

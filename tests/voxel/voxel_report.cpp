@@ -1,9 +1,9 @@
 // voxel_report [--voxels N | --pitch MM] [--threads N] STL... Prints what voxelising real parts
 // costs, and whether the cells contain them by the tests' own check.
 #include "base/stopwatch.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_reader.h"
-#include "support/voxel_width.h"
+#include "helpers/voxel_width.h"
 #include "voxel/containment.h"
 #include "voxel/solid_voxels.h"
 #include "voxel/wall_thickness.h"

@@ -1,9 +1,9 @@
 #include "voxel/wall_thickness.h"
 
 #include "base/error.h"
-#include "geometry/mesh_reader.h"
-#include "support/models.h"
-#include "support/shapes.h"
+#include "geometry/formats/mesh_reader.h"
+#include "helpers/models.h"
+#include "helpers/shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #include "forms/icons.h"
 
+#include "base/units.h"
 #include "forms/colours.h"
 
 #include <QGuiApplication>
@@ -7,7 +8,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <cmath>
-#include <numbers>
 
 namespace voluta::forms {
 
@@ -28,7 +28,7 @@ void paintBlocked(QPainter& p, const QPalette& palette) {
   fill(p, blockedColour(palette));
   QPolygonF octagon;
   for (int i = 0; i < 8; ++i) {
-    const double angle = (i + 0.5) * std::numbers::pi / 4.0;
+    const double angle = (i + 0.5) * base::kPi / 4.0;
     octagon << QPointF(8.0 + 7.4 * std::cos(angle), 8.0 + 7.4 * std::sin(angle));
   }
   p.drawPolygon(octagon);

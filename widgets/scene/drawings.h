@@ -5,12 +5,12 @@
 #pragma once
 
 #include "curved/decomposition.h"
-#include "geometry/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 #include "planar/pieces.h"
+#include "platform/platform_solid.h"
 #include "robot/cell.h"
 #include "scene/colouring.h"
 
@@ -37,7 +37,7 @@ std::shared_ptr<const PartDrawing> drawPart(const geometry::TriangleMesh& part);
 // What material starts on. A plate is thin, with its outline, on a ground grid of 10 mm that
 // reaches `groundRadiusMm` from the origin (0: no grid); around a rod there is no ground. A rod has
 // a line along it at angle 0, by which it is seen to turn. Precondition: checkRod.
-std::shared_ptr<const PlatformDrawing> drawPlatform(const geometry::PlatformSolid& platform,
+std::shared_ptr<const PlatformDrawing> drawPlatform(const platform::PlatformSolid& platform,
                                                     double groundRadiusMm);
 
 struct VoxelLook {

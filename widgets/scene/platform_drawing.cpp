@@ -58,7 +58,7 @@ void addGrid(double radiusMm, MeshBuffers& grid) {
 }
 
 // Along its profile at angle 0.
-void addMark(const geometry::RodShape& rod, MeshBuffers& outline) {
+void addMark(const platform::RodShape& rod, MeshBuffers& outline) {
   for (std::size_t i = 1; i < rod.profile.size(); ++i) {
     const Eigen::Vector2d &p = rod.profile[i - 1], &q = rod.profile[i];
     outline.addLine({p.x(), p.y() + kLineOverRodMm, 0.0}, {q.x(), q.y() + kLineOverRodMm, 0.0});
@@ -67,7 +67,7 @@ void addMark(const geometry::RodShape& rod, MeshBuffers& outline) {
 
 } // namespace
 
-std::shared_ptr<const PlatformDrawing> drawPlatform(const geometry::PlatformSolid& platform,
+std::shared_ptr<const PlatformDrawing> drawPlatform(const platform::PlatformSolid& platform,
                                                     double groundRadiusMm) {
   auto drawing = std::make_shared<PlatformDrawing>();
   drawing->polygon = platform.polygon;
@@ -77,7 +77,7 @@ std::shared_ptr<const PlatformDrawing> drawPlatform(const geometry::PlatformSoli
     for (const double z : {kTopMm, kTopMm - kPlateMm})
       drawing->box.extend(at(p, z));
   if (platform.rod) {
-    drawing->rod = drawPart(geometry::meshOf(*platform.rod, kChordMm));
+    drawing->rod = drawPart(platform::meshOf(*platform.rod, kChordMm));
     addMark(*platform.rod, outline);
   } else {
     addGrid(groundRadiusMm, grid);

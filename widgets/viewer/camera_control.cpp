@@ -1,8 +1,9 @@
 #include "viewer/camera_control.h"
 
+#include "base/units.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
@@ -13,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 // VTK wants the view's up and its direction further apart than this.
-constexpr double kPoleMargin = 3.0 * std::numbers::pi / 180.0;
+constexpr double kPoleMargin = base::degreesToRadians(3.0);
 constexpr double kNearestMm = 2.0, kFarthestMm = 20000.0;
 
 Vector3d vectorOf(const double* p) {
@@ -58,10 +59,10 @@ void CameraControl::place(const Vector3d& focal, const Vector3d& towardsEye, dou
 }
 
 void CameraControl::orbit(double dxPixels, double dyPixels) {
-  const double perPixel = std::numbers::pi / std::max(1, renderer_->GetSize()[1]);
+  const double perPixel = base::kPi / std::max(1, renderer_->GetSize()[1]);
   const Eigen::Matrix3d a = axes();
   const Vector3d eye = a.col(2);
-  const double limit = 0.5 * std::numbers::pi - 1.01 * kPoleMargin;
+  const double limit = 0.5 * base::kPi - 1.01 * kPoleMargin;
   // At a pole the eye has no azimuth; what is up on the screen has.
   const bool pole = std::abs(eye.z()) > std::cos(kPoleMargin);
   const Vector3d behind = eye.z() > 0.0 ? Vector3d(-a.col(1)) : Vector3d(a.col(1));
@@ -101,7 +102,7 @@ void CameraControl::viewFrom(const Vector3d& towardsEye) {
 void CameraControl::frame(const Vector3d& centre, double radius) {
   const int* size = renderer_->GetSize();
   const double aspect = size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;
-  const double half = 0.5 * camera()->GetViewAngle() * std::numbers::pi / 180.0;
+  const double half = base::degreesToRadians(0.5 * camera()->GetViewAngle());
   const double narrow = aspect < 1.0 ? std::atan(std::tan(half) * aspect) : half;
   place(centre, axes().col(2), std::clamp(radius / std::sin(narrow), kNearestMm, kFarthestMm));
 }
@@ -123,7 +124,7 @@ Vector3d CameraControl::project(const Vector3d& world) const {
   const double depth = -inView.z();
   if (depth <= 1e-9)
     return {0.0, 0.0, -1.0};
-  const double half = 0.5 * camera()->GetViewAngle() * std::numbers::pi / 180.0;
+  const double half = base::degreesToRadians(0.5 * camera()->GetViewAngle());
   const double pixels = 0.5 * size[1] / (std::tan(half) * depth);
   return {0.5 * size[0] + pixels * inView.x(), 0.5 * size[1] + pixels * inView.y(), 0.5};
 }
@@ -131,7 +132,7 @@ Vector3d CameraControl::project(const Vector3d& world) const {
 double CameraControl::mmPerPixel(const Vector3d& world) const {
   const Vector3d position = vectorOf(camera()->GetPosition());
   const double depth = std::max(1e-6, (position - world).dot(axes().col(2)));
-  const double half = 0.5 * camera()->GetViewAngle() * std::numbers::pi / 180.0;
+  const double half = base::degreesToRadians(0.5 * camera()->GetViewAngle());
   return 2.0 * depth * std::tan(half) / std::max(1, renderer_->GetSize()[1]);
 }
 

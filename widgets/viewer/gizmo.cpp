@@ -1,12 +1,13 @@
 #include "viewer/gizmo.h"
 
+#include "base/units.h"
+
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace voluta::viewer {
 
@@ -64,7 +65,7 @@ std::vector<Gizmo::Handle> Gizmo::handles(const Projection& project, double mmPe
     QPolygonF line;
     const Vector3d a = axis((k + 1) % 3), b = axis((k + 2) % 3);
     for (int i = 0; i <= kRingPoints; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kRingPoints;
+      const double angle = 2.0 * base::kPi * i / kRingPoints;
       line << project(centre_ + radius * (std::cos(angle) * a + std::sin(angle) * b));
     }
     found.push_back({k, line, false});
@@ -205,10 +206,10 @@ void Gizmo::begin(const QPointF& cursor, const Ray& ray, const Projection& proje
 GizmoChange Gizmo::drag(const QPointF& cursor, const Ray& ray, bool snap) {
   GizmoChange change;
   if (turns(grabbed_)) {
-    const double turned = std::remainder(angleOnRing(ray, cursor) - beganAt_, 2 * std::numbers::pi);
-    const double angle = snapped(turned, std::numbers::pi / 12.0, snap);
+    const double turned = std::remainder(angleOnRing(ray, cursor) - beganAt_, 2 * base::kPi);
+    const double angle = snapped(turned, base::kPi / 12.0, snap);
     change.turn = Eigen::AngleAxisd(angle, axis(grabbed_));
-    change.text = QString::fromUtf8("%1°").arg(angle * 180.0 / std::numbers::pi, 0, 'f', 1);
+    change.text = QString::fromUtf8("%1°").arg(base::radiansToDegrees(angle), 0, 'f', 1);
   } else if (tool_ == Tool::Scale) {
     const double now =
         std::hypot(cursor.x() - centreOnScreen_.x(), cursor.y() - centreOnScreen_.y());

@@ -22,7 +22,7 @@ scene::HeightLimits heightLimits(const process::Process& process) {
   return {process.layerHeightMm, process.layerHeightMinMm, process.layerHeightMaxMm};
 }
 
-geometry::PlatformSolid plannedPlatform(const pipeline::LoadStage& placed,
+platform::PlatformSolid plannedPlatform(const pipeline::LoadStage& placed,
                                         const pipeline::Choices& choices) {
   const base::ParameterValues values = pipeline::parameterValues(choices);
   if (const auto platform = pipeline::findMode(choices.mode).platform)
@@ -153,7 +153,7 @@ void Presenter::drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh) {
       });
 }
 
-void Presenter::drawPlatform(const geometry::PlatformSolid& platform) {
+void Presenter::drawPlatform(const platform::PlatformSolid& platform) {
   inBackground(
       *runners_[Plate], [platform] { return scene::drawPlatform(platform, kGroundRadiusMm); },
       [this](auto&& made) {

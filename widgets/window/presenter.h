@@ -78,7 +78,7 @@ private:
   void drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh);
   void swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
                 const Eigen::AlignedBox3d& box);
-  void drawPlatform(const geometry::PlatformSolid& platform);
+  void drawPlatform(const platform::PlatformSolid& platform);
   void drawPlannedPlate();
   void drawVoxels(); // of the preview where there is one
   void drawPieces();

@@ -1,0 +1,133 @@
+#include "geometry/formats/mesh_reader.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "geometry/formats/facet_soup.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cctype>
+#include <cstdint>
+#include <fmt/format.h>
+#include <unordered_map>
+
+namespace voluta::geometry {
+
+using base::Error;
+using base::ErrorCode;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kLargest = 1e9;
+constexpr double kBadShare = 0.01;
+
+struct PointHash {
+  std::size_t operator()(const std::array<double, 3>& p) const {
+    std::uint64_t h = 0x9e3779b97f4a7c15u;
+    for (const double x : p) {
+      h ^= std::bit_cast<std::uint64_t>(x);
+      h *= 0xff51afd7ed558ccdu;
+      h ^= h >> 32;
+    }
+    return static_cast<std::size_t>(h);
+  }
+};
+
+std::string extensionOf(const std::string& name) {
+  std::string e = std::filesystem::path(name).extension().string();
+  std::transform(e.begin(), e.end(), e.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return e.empty() ? e : e.substr(1);
+}
+
+// "stl", "obj", "ply", "off", "3mf", or empty.
+std::string formatOf(std::string_view bytes, const std::string& extension) {
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r"))
+    return "ply";
+  if (extension == "stl" || looksLikeStl(bytes))
+    return "stl";
+  for (const char* known : {"obj", "ply", "off", "3mf"})
+    if (extension == known)
+      return known;
+  if (bytes.starts_with("OFF"))
+    return "off";
+  return {};
+}
+
+bool usable(const Facet& facet) {
+  for (const Vector3d& v : facet)
+    if (!v.allFinite() || v.cwiseAbs().maxCoeff() > kLargest)
+      return false;
+  return true;
+}
+
+void dropBadFacets(FacetSoup& soup, const std::string& name) {
+  const std::size_t before = soup.facets.size();
+  const auto firstBad = std::find_if_not(soup.facets.begin(), soup.facets.end(), usable);
+  if (firstBad == soup.facets.end())
+    return;
+  const std::size_t at = static_cast<std::size_t>(firstBad - soup.facets.begin()) + 1;
+  soup.facets.erase(
+      std::remove_if(firstBad, soup.facets.end(), [](const Facet& f) { return !usable(f); }),
+      soup.facets.end());
+  const std::size_t bad = before - soup.facets.size();
+  const std::string what =
+      fmt::format("{} of {} facets have coordinates that are no numbers or beyond all measure, "
+                  "the first is facet {}",
+                  bad, before, at);
+  if (bad > 1 && static_cast<double>(bad) > kBadShare * static_cast<double>(before))
+    throw Error(ErrorCode::UnusableInput, what, name);
+  soup.repairs.push_back("left out: " + what);
+}
+
+} // namespace
+
+TriangleMesh shareVertices(const std::vector<Facet>& facets) {
+  TriangleMesh mesh;
+  mesh.triangles.reserve(facets.size());
+  std::unordered_map<std::array<double, 3>, int, PointHash> known;
+  known.reserve(facets.size());
+  for (const Facet& facet : facets) {
+    std::array<int, 3> triangle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Adding zero turns -0 into 0.
+      const std::array<double, 3> key{facet[k].x() + 0.0, facet[k].y() + 0.0, facet[k].z() + 0.0};
+      const auto [entry, isNew] = known.emplace(key, static_cast<int>(mesh.vertices.size()));
+      if (isNew)
+        mesh.vertices.emplace_back(key[0], key[1], key[2]);
+      triangle[k] = entry->second;
+    }
+    mesh.triangles.push_back(triangle);
+  }
+  return mesh;
+}
+
+MeshFile readMesh(const std::filesystem::path& path) {
+  return readMesh(base::readFile(path), path.string());
+}
+
+MeshFile readMesh(std::string_view bytes, const std::string& name) {
+  const std::string extension = extensionOf(name);
+  const std::string format = formatOf(bytes, extension);
+  if (bytes.empty())
+    throw Error(ErrorCode::UnreadableFile, "the file is empty", name);
+  if (format.empty())
+    throw Error(ErrorCode::UnreadableFile, "not a mesh file", name,
+                "STL, OBJ, PLY, OFF and 3MF can be read");
+  FacetSoup soup = format == "stl"   ? readStl(bytes, name)
+                   : format == "obj" ? readObj(bytes, name)
+                   : format == "off" ? readOff(bytes, name)
+                   : format == "ply" ? readPly(bytes, name)
+                                     : read3mf(bytes, name);
+  if (soup.facets.empty())
+    throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle", name);
+  dropBadFacets(soup, name);
+  if (soup.facets.empty())
+    throw Error(ErrorCode::UnusableInput, "the mesh is empty: no facet has usable coordinates",
+                name);
+  return {shareVertices(soup.facets), std::move(soup.format), std::move(soup.repairs)};
+}
+
+} // namespace voluta::geometry

@@ -1,0 +1,190 @@
+#include "geometry/formats/facet_soup.h"
+
+#include "base/error.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <fmt/format.h>
+
+namespace voluta::geometry {
+
+using base::Error;
+using base::ErrorCode;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t kHeader = 84, kFacet = 50;
+// A file that lacks more than this share of its facets is not mended but refused.
+constexpr double kMissingShare = 0.01;
+
+static_assert(std::endian::native == std::endian::little, "binary STL is little-endian");
+
+std::uint32_t announcedFacets(std::string_view bytes) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  return count;
+}
+
+bool sizeMatches(std::string_view bytes) {
+  return bytes.size() >= kHeader && bytes.size() == kHeader + kFacet * announcedFacets(bytes);
+}
+
+// Words separated by white space, with the line they stand in.
+class Words {
+public:
+  explicit Words(std::string_view text) : text_(text) {}
+
+  // Lower case; empty at the end.
+  std::string next() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])))
+      line_ += text_[at_++] == '\n';
+    std::string word;
+    while (at_ < text_.size() && !std::isspace(static_cast<unsigned char>(text_[at_])))
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(text_[at_++])));
+    return word;
+  }
+  void skipLine() {
+    while (at_ < text_.size() && text_[at_] != '\n')
+      ++at_;
+  }
+  int line() const { return line_; }
+
+private:
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+bool looksLikeText(std::string_view bytes) {
+  Words words(bytes.substr(0, 4096));
+  if (words.next() != "solid")
+    return false;
+  words.skipLine();
+  const std::string word = words.next();
+  return word == "facet" || word == "endsolid";
+}
+
+FacetSoup readText(std::string_view bytes, const std::string& name) {
+  FacetSoup soup;
+  soup.format = "STL (text)";
+  Words words(bytes);
+  std::vector<Vector3d> loop;
+  bool ended = false;
+  const auto fail = [&](const std::string& what) {
+    throw Error(ErrorCode::UnreadableFile, "damaged STL: " + what,
+                fmt::format("{}, line {}", name, words.line()));
+  };
+  for (std::string word = words.next(); !word.empty(); word = words.next()) {
+    if (word == "solid" || word == "endsolid") {
+      ended = word == "endsolid";
+      words.skipLine();
+    } else if (word == "vertex") {
+      Vector3d v;
+      for (int k = 0; k < 3; ++k) {
+        const std::string number = words.next();
+        const char* first = number.data() + (number.starts_with('+') ? 1 : 0);
+        const char* const last = number.data() + number.size();
+        const auto [end, error] = std::from_chars(first, last, v[k]);
+        // Out of range is left to the check of coordinates.
+        if (error == std::errc::result_out_of_range)
+          v[k] = std::numeric_limits<double>::infinity();
+        else if (error != std::errc{} || end != last || number.empty()) {
+          if (number.empty())
+            break; // the end of the file; told below
+          fail("'" + number.substr(0, 40) + "' is not a number");
+        }
+      }
+      loop.push_back(v);
+    } else if (word == "endloop") {
+      if (loop.size() < 3)
+        fail("a facet of fewer than three vertices");
+      for (std::size_t k = 2; k < loop.size(); ++k)
+        soup.facets.push_back({loop[0], loop[k - 1], loop[k]});
+      loop.clear();
+    } else if (word == "facet") {
+      words.skipLine(); // the normal follows from the vertices
+    } else if (word != "outer" && word != "loop" && word != "endfacet") {
+      fail("'" + word.substr(0, 40) + "' is not expected here");
+    }
+  }
+  if (!loop.empty())
+    fail("cut short within a facet");
+  if (!ended)
+    soup.repairs.push_back("the file ends without \"endsolid\": it may be cut short");
+  return soup;
+}
+
+FacetSoup readBinary(std::string_view bytes, const std::string& name) {
+  if (bytes.size() < kHeader)
+    throw Error(ErrorCode::UnreadableFile,
+                fmt::format("cut short: {} bytes are no STL file", bytes.size()), name);
+  FacetSoup soup;
+  soup.format = "STL (binary)";
+  const std::size_t announced = announcedFacets(bytes), there = (bytes.size() - kHeader) / kFacet;
+  std::size_t count = std::min(announced, there);
+  if (announced > there) {
+    const double missing = static_cast<double>(announced - there);
+    const std::string what =
+        fmt::format("{} of the {} facets that the header promises are there", there, announced);
+    if (missing > kMissingShare * static_cast<double>(announced))
+      throw Error(ErrorCode::UnreadableFile, "cut short, or not a mesh: " + what, name,
+                  "export or copy the file again");
+    soup.repairs.push_back("the file is cut short: " + what);
+  } else if (announced == 0 && there > 0 && bytes.size() == kHeader + kFacet * there) {
+    count = there; // writers that stream leave the count at zero
+    soup.repairs.push_back(fmt::format("the header promises no facet, read {}", there));
+  }
+  soup.facets.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<float, 12> numbers;
+    std::memcpy(numbers.data(), bytes.data() + kHeader + kFacet * i, sizeof numbers);
+    for (std::size_t k = 0; k < 3; ++k)
+      soup.facets[i][k] = {numbers[3 + 3 * k], numbers[4 + 3 * k], numbers[5 + 3 * k]};
+  }
+  return soup;
+}
+
+} // namespace
+
+bool looksLikeStl(std::string_view bytes) {
+  return sizeMatches(bytes) || looksLikeText(bytes);
+}
+
+FacetSoup readStl(std::string_view bytes, const std::string& name) {
+  // A header may begin with "solid" as well, so the size is asked first.
+  return !sizeMatches(bytes) && looksLikeText(bytes) ? readText(bytes, name)
+                                                     : readBinary(bytes, name);
+}
+
+std::string writeStl(const TriangleMesh& mesh) {
+  if (mesh.triangles.size() > 0xffffffffu)
+    throw Error(ErrorCode::CannotWrite, "too many triangles for an STL file");
+  std::string bytes(80, ' ');
+  const std::string title = "Voluta, mm";
+  bytes.replace(0, title.size(), title);
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+  bytes.reserve(kHeader + kFacet * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vector3d cross =
+        (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0));
+    const Vector3d normal = cross.norm() > 0.0 ? Vector3d(cross.normalized()) : cross;
+    std::array<float, 12> numbers;
+    for (std::size_t k = 0; k < 3; ++k)
+      numbers[k] = static_cast<float>(normal[static_cast<Eigen::Index>(k)]);
+    for (int c = 0; c < 3; ++c)
+      for (int k = 0; k < 3; ++k)
+        numbers[static_cast<std::size_t>(3 + 3 * c + k)] = static_cast<float>(mesh.corner(t, c)[k]);
+    bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+} // namespace voluta::geometry

@@ -1,0 +1,131 @@
+#include "geometry/repair/diagnosis.h"
+
+#include "base/error.h"
+#include "geometry/boundary.h"
+#include "geometry/edges.h"
+#include "geometry/measures.h"
+#include "geometry/repair/orientation.h"
+#include "geometry/repair/self_intersections.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace voluta::geometry {
+
+using Eigen::Vector3d;
+
+namespace {
+
+void note(Defect& defect, const Vector3d& at) {
+  if (defect.count++ == 0)
+    defect.at = at;
+}
+
+Vector3d centroid(const TriangleMesh& mesh, std::size_t t) {
+  return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+}
+
+void inspectFaces(const TriangleMesh& mesh, Diagnosis& d) {
+  std::set<std::array<int, 3>> seen;
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::array<int, 3> corners = mesh.triangles[t];
+    for (const int v : corners) {
+      base::require(v >= 0 && static_cast<std::size_t>(v) < mesh.vertices.size(),
+                    "diagnose: vertex indices in range");
+      base::require(mesh.vertices[static_cast<std::size_t>(v)].allFinite(),
+                    "diagnose: coordinates are finite");
+      used[static_cast<std::size_t>(v)] = true;
+    }
+    std::sort(corners.begin(), corners.end());
+    if (triangleArea(mesh, t) == 0.0)
+      note(d.degenerateFaces, centroid(mesh, t));
+    else if (!seen.insert(corners).second)
+      note(d.duplicateFaces, centroid(mesh, t));
+  }
+  d.vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+}
+
+void inspectEdges(const TriangleMesh& mesh, Diagnosis& d, std::size_t& edgeCount) {
+  const std::vector<HalfEdge> edges = sortedHalfEdges(mesh);
+  d.watertight = !mesh.empty();
+  forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
+    const Vector3d at = 0.5 * (mesh.vertices[static_cast<std::size_t>(edges[begin].low)] +
+                               mesh.vertices[static_cast<std::size_t>(edges[begin].high)]);
+    ++edgeCount;
+    int balance = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      balance += edges[i].forward ? 1 : -1;
+    if (edges[begin].low != edges[begin].high && balance != 0)
+      d.watertight = false;
+    if (end - begin == 1)
+      note(d.boundaryEdges, at);
+    else if (end - begin > 2)
+      note(d.nonManifoldEdges, at);
+    else if (balance != 0)
+      note(d.misorientedEdges, at);
+  });
+}
+
+} // namespace
+
+bool Diagnosis::clean() const {
+  return watertight && boundaryEdges.count == 0 && nonManifoldEdges.count == 0 &&
+         misorientedEdges.count == 0 && duplicateFaces.count == 0 && degenerateFaces.count == 0 &&
+         selfIntersections.count == 0 && insideOutComponents.count == 0;
+}
+
+std::vector<std::string> Diagnosis::sentences() const {
+  std::vector<std::string> out;
+  const auto tell = [&](const Defect& defect, const std::string& what) {
+    if (defect.count > 0)
+      out.push_back(fmt::format("{} {}, the first at ({:.2f}, {:.2f}, {:.2f})", defect.count, what,
+                                defect.at.x(), defect.at.y(), defect.at.z()));
+  };
+  tell(boundaryEdges, fmt::format("open edges in {} loops", boundaryLoops));
+  tell(nonManifoldEdges, "edges with more than two triangles");
+  tell(misorientedEdges, "edges whose triangles face opposite ways");
+  tell(duplicateFaces, "duplicate triangles");
+  tell(degenerateFaces, "triangles without area");
+  tell(selfIntersections, "pairs of triangles that cut each other");
+  tell(insideOutComponents, "components that are inside out");
+  return out;
+}
+
+Diagnosis diagnose(const TriangleMesh& mesh, const base::RunContext& ctx) {
+  Diagnosis d;
+  d.triangles = mesh.triangles.size();
+  std::size_t edgeCount = 0;
+  inspectFaces(mesh, d);
+  ctx.checkpoint();
+  inspectEdges(mesh, d, edgeCount);
+  d.boundaryLoops = boundaryLoops(mesh).size();
+  ctx.checkpoint();
+
+  const Components parts = components(mesh);
+  d.components = parts.count;
+  const std::vector<bool> insideOut = insideOutComponents(mesh, parts);
+  std::vector<bool> told(insideOut.size(), false);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto c = static_cast<std::size_t>(parts.ofTriangle[t]);
+    if (insideOut[c] && !told[c]) {
+      told[c] = true;
+      note(d.insideOutComponents, centroid(mesh, t));
+    }
+  }
+  for (const auto& [a, b] : selfIntersections(mesh, ctx))
+    note(d.selfIntersections, centroid(mesh, static_cast<std::size_t>(a)));
+
+  d.volumeMm3 = volume(mesh);
+  d.areaMm2 = area(mesh);
+  d.boundsMm = bounds(mesh);
+  if (d.watertight && d.nonManifoldEdges.count == 0) {
+    const auto euler = static_cast<long long>(d.vertices) - static_cast<long long>(edgeCount) +
+                       static_cast<long long>(d.triangles);
+    d.genus = static_cast<int>(d.components - euler / 2);
+  }
+  return d;
+}
+
+} // namespace voluta::geometry

@@ -1,0 +1,34 @@
+// Mends a mesh as far as its shape is not in doubt, and tells what was done.
+#pragma once
+
+#include "base/run_context.h"
+#include "geometry/repair/diagnosis.h"
+#include "geometry/triangle_mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace voluta::geometry {
+
+struct RepairResult {
+  TriangleMesh mesh;
+  std::vector<std::string> repairs; // what was done, a sentence each; empty when nothing was
+  std::vector<std::string> remains; // what could not be mended, a sentence each
+  Diagnosis diagnosis;              // of `mesh`
+  Diagnosis found;                  // of the mesh as it came
+};
+
+// In this order, each only where the diagnosis asks for it: near-duplicate points merged (up to
+// 3e-4 of the diagonal, never more than a third of a short edge), triangles without area, doubled
+// triangles and loose sheets dropped, T-junctions split, triangles turned to agree, non-manifold
+// edges separated, holes closed (Liepa 2003 as in CGAL), inside-out components turned (cavities
+// stay cavities), overlapping components united (CGAL corefinement), self-intersections of one
+// component cut out and closed again where that leaves the volume as it was.
+// A mesh that is clean comes back unchanged. One that cannot be made watertight comes back as far
+// as it was mended, with diagnosis.watertight false; the winding number still tells its inside.
+// Cancels between steps and within the long ones.
+// Precondition (Error{Internal}): indices in range, coordinates finite.
+// Throws Error{UnusableInput}: nothing with area is left.
+RepairResult repair(const TriangleMesh& mesh, const base::RunContext& ctx = {});
+
+} // namespace voluta::geometry

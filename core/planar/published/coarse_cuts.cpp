@@ -1,0 +1,171 @@
+#include "planar/published/coarse_cuts.h"
+
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_query.h"
+#include "planar/face_table.h"
+#include "planar/published/piece_merge.h"
+#include "planar/published/section_cut.h"
+#include "planar/search/plane_polish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+
+namespace voluta::planar {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int kTries = 64;
+constexpr double kShiftShare = 0.025; // of the diagonal
+constexpr double kTiltRad = 0.0872664625997165;
+constexpr double kSectionGrows = 1.2;
+constexpr double kAnyFoot = 1e300; // constrainedCut decides what may go of what a piece stands on
+
+// The same on every platform, which the standard's distributions are not.
+double uniform(std::mt19937& random) {
+  return static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+}
+
+Plane perturbed(const Plane& plane, const Vector3d& middle, double shiftMm, std::mt19937& random) {
+  const PlaneFrame frame = frameOf(plane.normal);
+  const double tilt = kTiltRad * std::sqrt(uniform(random)),
+               turn = 2.0 * base::kPi * uniform(random);
+  const Vector3d axis = std::cos(turn) * frame.across + std::sin(turn) * frame.along;
+  const Vector3d normal = Eigen::AngleAxisd(tilt, axis) * plane.normal;
+  return {normal, normal.dot(middle) + shiftMm * (2.0 * uniform(random) - 1.0)};
+}
+
+// The piece that has most of the border on its own surface.
+std::size_t holderOf(const RegionPlane& at, const std::vector<Piece>& pieces) {
+  std::vector<std::size_t> votes(pieces.size(), 0);
+  std::vector<geometry::MeshQuery> queries;
+  for (const Piece& piece : pieces)
+    queries.emplace_back(piece.solid.mesh);
+  for (const Vector3d& p : at.rim) {
+    std::size_t nearest = 0;
+    double least = 1e300;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (const double d = queries[i].closest(p, least).distance; d < least) {
+        least = d;
+        nearest = i;
+      }
+    ++votes[nearest];
+  }
+  return static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+}
+
+// Nothing where no plane near the border faces up, or has a section that prints on the piece.
+std::optional<Plane> bestNear(const RegionPlane& at, const Piece& piece, int top, double shiftMm,
+                              const RiskRule& rule, std::mt19937& random) {
+  const FaceTable faces = faceTable(piece, rule);
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& p : at.rim)
+    middle += p / static_cast<double>(at.rim.size());
+  double most = std::numeric_limits<double>::infinity(); // of the section
+  std::optional<Plane> best;
+  double gain = 0.0;
+  const auto consider = [&](const Plane& plane) {
+    const PlaneWorth worth = planeWorth(piece, faces, rule, plane, top, kAnyFoot);
+    if (plane.normal.z() >= kFacesUp && worth.allowed && worth.sectionMm2 <= most &&
+        (!best || worth.gainMm2 > gain)) {
+      gain = worth.gainMm2;
+      best = plane;
+    }
+    return worth;
+  };
+  most = kSectionGrows * consider(at.plane).sectionMm2;
+  for (int i = 0; i < kTries; ++i)
+    consider(perturbed(at.plane, middle, shiftMm, random));
+  return best;
+}
+
+// Only the solid with the point on its surface is cut off.
+std::optional<PieceCut> cutAt(const Piece& piece, const Plane& plane, const Vector3d& beyond,
+                              std::int32_t tag, const PlanarOptions& options,
+                              const Footing& footing) {
+  constexpr double kMovedMm = 2e-4; // planes are, where they do not close
+  const auto distance = [&](const TaggedMesh& solid) {
+    return geometry::MeshQuery(solid.mesh).closest(beyond).distance;
+  };
+  double least = std::numeric_limits<double>::infinity();
+  constrainedCut(
+      piece, plane, tag,
+      [&](const TaggedMesh& solid) {
+        least = std::min(least, distance(solid));
+        return false;
+      },
+      options, footing);
+  return constrainedCut(
+      piece, plane, tag,
+      [&](const TaggedMesh& solid) {
+        return distance(solid) <= least + kMovedMm &&
+               geometry::volume(solid.mesh) >= options.leastVolumeMm3;
+      },
+      options, footing);
+}
+
+void mergePieces(std::vector<Piece>& pieces, const RiskRule& rule, const base::RunContext& ctx) {
+  constexpr double kSame = 1e-6; // mm2
+  while (true) {
+    ctx.checkpoint();
+    std::optional<Piece> best;
+    double most = -kSame;
+    std::size_t lower = 0, upper = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (std::size_t j = 0; j < pieces.size(); ++j) {
+        if (i == j || pieces[j].baseTag == kPlate)
+          continue;
+        auto one = merged(pieces[i], pieces[j]);
+        if (!one)
+          continue;
+        const double gain =
+            riskyArea(pieces[i], rule) + riskyArea(pieces[j], rule) - riskyArea(*one, rule);
+        if (gain <= most)
+          continue;
+        most = gain;
+        best = std::move(one);
+        lower = i;
+        upper = j;
+      }
+    if (!best)
+      return;
+    pieces[lower] = std::move(*best);
+    pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(upper));
+  }
+}
+
+} // namespace
+
+std::vector<Piece> coarsePieces(Piece whole, const std::vector<RegionPlane>& planes,
+                                const PlanarOptions& options, std::int32_t& firstTag,
+                                const base::RunContext& ctx) {
+  constexpr std::uint32_t kSeed = 7;
+  std::mt19937 random(kSeed);
+  const double shiftMm = kShiftShare * geometry::bounds(whole.solid.mesh).diagonal().norm();
+  const Footing footing = footingOf(whole, options.rule);
+  std::vector<Piece> pieces{std::move(whole)};
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    ctx.report(static_cast<double>(i) / static_cast<double>(planes.size()), "pieces");
+    const std::size_t at = holderOf(planes[i], pieces);
+    const int top = geometry::MeshQuery(pieces[at].solid.mesh).closest(planes[i].beyond).triangle;
+    const auto plane = bestNear(planes[i], pieces[at], top, shiftMm, options.rule, random);
+    if (!plane)
+      continue;
+    auto cut = cutAt(pieces[at], *plane, planes[i].beyond, firstTag, options, footing);
+    if (!cut)
+      continue;
+    firstTag += static_cast<std::int32_t>(cut->above.size());
+    pieces[at] = std::move(cut->below);
+    for (Piece& piece : cut->above)
+      pieces.push_back(std::move(piece));
+  }
+  mergePieces(pieces, options.rule, ctx);
+  return pieces;
+}
+
+} // namespace voluta::planar

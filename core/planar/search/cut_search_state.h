@@ -1,0 +1,39 @@
+// What CutSearch keeps of pieces, cuts and partial results.
+#pragma once
+
+#include "planar/search/cut_search.h"
+
+#include <Eigen/Geometry>
+
+namespace voluta::planar {
+
+struct CutSearch::Node {
+  Piece piece;
+  double risky = 0.0, base = 0.0, volume = 0.0, footCost = 0.0;
+  int id = -1;
+  std::vector<std::int32_t> holds;         // tags of sections that others stand on
+  std::vector<Eigen::Vector3d> tips, body; // body: the plate with it, where it stands on that
+  Eigen::AlignedBox3d bodyBox;
+  double lowestTip = 0.0;             // along its base's normal
+  std::vector<Eigen::Vector3d> under; // of the body what is not over z = 0, and what carries it
+  bool searched = false;
+  FaceTable faces;
+  std::vector<CutCandidate> candidates;
+  std::vector<std::shared_ptr<const Cutting>> cuttings; // of the candidates tried
+  std::vector<bool> tried;
+};
+
+struct CutSearch::Cutting {
+  CutStep step;
+  NodePtr below;
+  std::vector<NodePtr> above;
+};
+
+struct CutSearch::State {
+  std::vector<NodePtr> nodes;
+  std::vector<std::shared_ptr<const Cutting>> cuts;
+  double risky = 0.0, cost = 0.0;
+  std::size_t blocked = 0;
+};
+
+} // namespace voluta::planar

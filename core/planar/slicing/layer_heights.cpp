@@ -1,0 +1,162 @@
+#include "planar/slicing/layer_heights.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::planar {
+
+namespace {
+
+constexpr double kFlat = 0.999;      // cosine: about 2.5 degrees
+constexpr double kSameMm = 1e-3;     // heights that are one
+constexpr double kRounding = 1e-9;   // of heights and numbers of layers
+constexpr double kStretched = 1.25;  // share of its height to which a last layer may be stretched
+constexpr double kShelfMm = 0.03;    // heights of one flat face
+constexpr double kShelfShare = 0.02; // of the piece's volume^(2/3), for a flat face to count
+
+// A facet as slicing sees it: between which heights, how steep.
+struct Slope {
+  double low, high, cosine; // |n . d|
+  double areaMm2;
+};
+
+std::vector<Slope> slopesOf(const Piece& piece) {
+  const geometry::TriangleMesh& mesh = piece.solid.mesh;
+  std::vector<Slope> slopes;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double a = piece.base.heightOf(mesh.corner(t, 0)),
+                 b = piece.base.heightOf(mesh.corner(t, 1)),
+                 c = piece.base.heightOf(mesh.corner(t, 2));
+    slopes.push_back({std::min({a, b, c}), std::max({a, b, c}),
+                      std::abs(geometry::triangleNormal(mesh, t).dot(piece.base.normal)),
+                      geometry::triangleArea(mesh, t)});
+  }
+  std::sort(slopes.begin(), slopes.end(),
+            [](const Slope& a, const Slope& b) { return a.low < b.low; });
+  return slopes;
+}
+
+double topOf(const Piece& piece) {
+  double top = 0.0;
+  for (const auto& t : piece.solid.mesh.triangles)
+    for (const int v : t)
+      top = std::max(top,
+                     piece.base.heightOf(piece.solid.mesh.vertices[static_cast<std::size_t>(v)]));
+  return top;
+}
+
+// Heights, rising, of the flat faces that count and that layers can all end on; the top is one of
+// them where it is flat.
+std::vector<double> shelvesOf(const Piece& piece, double top, double leastMm) {
+  struct Face {
+    double height, areaMm2;
+  };
+  std::vector<Face> faces;
+  for (const Slope& slope : slopesOf(piece))
+    if (slope.cosine > kFlat && slope.high - slope.low < kShelfMm)
+      faces.push_back({0.5 * (slope.low + slope.high), slope.areaMm2});
+  std::ranges::sort(faces, {}, &Face::height);
+  const double counts =
+      kShelfShare * std::pow(std::abs(geometry::volume(piece.solid.mesh)), 2.0 / 3.0);
+  std::vector<Face> shelves;
+  for (std::size_t from = 0, to = 0; from < faces.size(); from = to) {
+    double area = 0.0;
+    for (; to < faces.size() && faces[to].height <= faces[from].height + kShelfMm; ++to)
+      area += faces[to].areaMm2;
+    if (area <= counts)
+      continue;
+    // Fillets at its rim do not move a shelf: the median.
+    std::size_t middle = from;
+    for (double below = faces[from].areaMm2; below < 0.5 * area; below += faces[middle].areaMm2)
+      ++middle;
+    shelves.push_back({faces[middle].height, area});
+  }
+  std::vector<double> taken;
+  if (!shelves.empty() && shelves.back().height > top - kShelfMm)
+    taken.push_back(top);
+  std::ranges::stable_sort(shelves, std::ranges::greater(), &Face::areaMm2);
+  for (const Face& shelf : shelves) {
+    const auto near = [&](double height) {
+      return std::abs(shelf.height - height) < leastMm - kRounding;
+    };
+    if (!near(0.0) && !near(top) && std::ranges::none_of(taken, near))
+      taken.push_back(shelf.height);
+  }
+  std::ranges::sort(taken);
+  return taken;
+}
+
+// Boundaries of `count` layers of one height between two heights, the first left out.
+void appendEven(std::vector<double>& bounds, double to, int count) {
+  const double from = bounds.back();
+  for (int k = 1; k < count; ++k)
+    bounds.push_back(from + (to - from) * k / count);
+  bounds.push_back(to);
+}
+
+// The number of layers of one height as near to the wanted one as the limits allow; where none
+// does, the fewest that are not too high.
+int evenCount(double height, const HeightOptions& o) {
+  const int count = std::max(1, static_cast<int>(std::lround(height / o.wantedMm)));
+  const int most = std::max(1, static_cast<int>(std::floor(height / o.minMm + kRounding)));
+  const int least = std::max(1, static_cast<int>(std::ceil(height / o.maxMm - kRounding)));
+  return std::max(least, std::min(count, most));
+}
+
+// The height of the layer from `z` on, where nothing but the surface matters.
+double adaptiveHeight(const std::vector<Slope>& slopes, double z, const HeightOptions& o) {
+  double height = o.maxMm;
+  for (const Slope& s : slopes) {
+    if (s.low >= z + height + o.minMm)
+      break;
+    if (s.cosine > kFlat) {
+      // Two layers share the way to a flat place where one would leave too little for the next.
+      const double left = s.high - z;
+      if (left > kSameMm && left < height + o.minMm - kSameMm)
+        height = std::max(o.minMm, left <= height + kSameMm ? left : 0.5 * left);
+      continue;
+    }
+    if (s.low >= z + height)
+      continue;
+    if (s.high <= z + kSameMm)
+      continue;
+    const double allowed = s.cosine * o.maxMm > o.cuspMm ? o.cuspMm / s.cosine : o.maxMm;
+    // Up to where the facet begins it does not matter.
+    height = std::min(height, std::max({o.minMm, allowed, s.low - z}));
+  }
+  return height;
+}
+
+} // namespace
+
+std::vector<double> layerBounds(const Piece& piece, const HeightOptions& o) {
+  base::require(o.minMm > 0.0 && o.minMm <= o.wantedMm && o.wantedMm <= o.maxMm && o.cuspMm > 0.0,
+                "layerBounds: heights in order");
+  const double top = topOf(piece);
+  std::vector<double> bounds{0.0};
+  if (top <= o.maxMm) {
+    appendEven(bounds, top, evenCount(top, o));
+    return bounds;
+  }
+  if (!o.adaptive)
+    for (const double shelf : shelvesOf(piece, top, o.minMm))
+      appendEven(bounds, shelf, evenCount(shelf - bounds.back(), o));
+  const std::vector<Slope> slopes = o.adaptive ? slopesOf(piece) : std::vector<Slope>{};
+  while (top - bounds.back() > kSameMm) {
+    const double z = bounds.back(), left = top - z;
+    const double height = o.adaptive ? adaptiveHeight(slopes, z, o) : o.wantedMm;
+    if (left > height + o.minMm) {
+      bounds.push_back(z + height);
+      continue;
+    }
+    const bool tooHigh = left > std::min(o.maxMm, kStretched * height);
+    appendEven(bounds, top, left > o.maxMm || (tooHigh && left >= 2.0 * o.minMm) ? 2 : 1);
+  }
+  bounds.back() = top;
+  return bounds;
+}
+
+} // namespace voluta::planar

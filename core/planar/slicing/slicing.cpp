@@ -1,0 +1,221 @@
+#include "planar/slicing/slicing.h"
+
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "geometry/measures.h"
+#include "layers/clean_surface.h"
+#include "layers/islands.h"
+#include "layers/layer_findings.h"
+#include "layers/order.h"
+#include "layers/patches.h"
+#include "planar/nudged.h"
+#include "planar/slicing/region_mesh.h"
+#include "planar/slicing/support_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace voluta::planar {
+
+using Eigen::Vector3d;
+using layers::LevelSurface;
+using layers::Patch;
+
+namespace {
+
+constexpr double kBlockingShare = 0.005; // of the volume not laid
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::optional<LevelSurface> surfaceOf(const Section& section, double edgeMm,
+                                      const base::RunContext& ctx) {
+  const Vector3d& normal = section.plane.normal;
+  const PlaneFrame frame = frameOf(normal);
+  std::vector<Eigen::Vector2d> points;
+  for (const Vector3d& p : section.points)
+    points.emplace_back(frame.across.dot(p), frame.along.dot(p));
+  const std::optional<RegionMesh> region = meshRegion(points, section.edges, edgeMm);
+  if (!region)
+    return std::nullopt;
+  LevelSurface s;
+  s.surface.vertices = section.points;
+  for (const RegionMesh::Split& split : region->splits)
+    s.surface.vertices.push_back((1.0 - split.t) * section.points[at(split.a)] +
+                                 split.t * section.points[at(split.b)]);
+  for (std::size_t i = s.surface.vertices.size(); i < region->points.size(); ++i)
+    s.surface.vertices.push_back(region->points[i].x() * frame.across +
+                                 region->points[i].y() * frame.along +
+                                 section.plane.offsetMm * normal);
+  s.surface.triangles = region->triangles;
+  s.thicknessMm.assign(s.surface.vertices.size(), 1.0);
+  s.direction.assign(s.surface.vertices.size(), normal);
+  s.clearDirection = s.direction;
+  layers::cleanSurface(s, {}, ctx);
+  return s;
+}
+
+double volumeOf(const Patch& patch) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < patch.surface.triangles.size(); ++t) {
+    const auto& tri = patch.surface.triangles[t];
+    sum += geometry::triangleArea(patch.surface, t) *
+           (patch.thicknessMm[at(tri[0])] + patch.thicknessMm[at(tri[1])] +
+            patch.thicknessMm[at(tri[2])]) /
+           3.0;
+  }
+  return sum;
+}
+
+// One layer to be made.
+struct Level {
+  std::size_t piece;
+  double low, high; // over the piece's base
+  int number;       // over all pieces
+};
+
+// The columns of every piece, a patch or more a level.
+void addColumns(SliceResult& result, const std::vector<Piece>& pieces,
+                const std::vector<std::vector<double>>& bounds, const SliceOptions& options,
+                const base::RunContext& ctx) {
+  double unheld = 0.0;
+  Vector3d unheldAt = Vector3d::Zero();
+  int level = 0;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    std::vector<Sections> sections;
+    for (const Piece& piece : pieces)
+      sections.emplace_back(piece.solid.mesh, pieces[p].base.normal);
+    ColumnOptions with;
+    with.overhangRad = options.overhangRad;
+    with.beadWidthMm = options.beadWidthMm;
+    with.plate = options.plate;
+    const SupportColumns columns = supportColumns(pieces, p, sections, bounds[p], with, ctx);
+    if (columns.unheldMm2 > 0.0 && unheld == 0.0)
+      unheldAt = columns.unheldAt;
+    unheld += columns.unheldMm2;
+    for (std::size_t k = 0; k < columns.sections.size(); ++k, ++level) {
+      if (columns.sections[k].empty())
+        continue;
+      LevelSurface surface = sectionSurface(columns.sections[k], options.edgeMm, ctx.quiet());
+      surface.level = level;
+      surface.thicknessMm.assign(surface.surface.vertices.size(), bounds[p][k + 1] - bounds[p][k]);
+      for (Patch& patch : layers::makePatches(surface, {options.beadWidthMm}).patches) {
+        patch.group = layers::kSupportGroup;
+        result.stack.patches.push_back(std::move(patch));
+      }
+    }
+  }
+  if (unheld > 0.0)
+    result.findings.push_back(layers::layerFinding(
+        "unheldOverhang", unheldAt, 1,
+        fmt::format("{:.3g} mm2 hang where a support has nothing to stand on", unheld),
+        "use a larger platform (fit:MARGIN), or turn the part", false));
+}
+
+} // namespace
+
+LevelSurface sectionSurface(const Section& section, double edgeMm, const base::RunContext& ctx) {
+  auto surface = surfaceOf(section, edgeMm, ctx);
+  if (!surface)
+    sectionCrosses();
+  return std::move(*surface);
+}
+
+void finishStack(SliceResult& result, const std::vector<Patch>& crumbs, const SliceOptions& options,
+                 const base::RunContext& ctx) {
+  layers::LayerStack& stack = result.stack;
+  const layers::AbsorbOptions absorb{options.heights.maxMm, options.beadWidthMm};
+  layers::Absorbed absorbed = layers::absorbCrumbs(stack.patches, crumbs, absorb);
+  const layers::IslandOptions islands = layers::islandOptions(options.beadWidthMm);
+  layers::IslandsTaken taken = layers::absorbIslands(stack, islands, absorb, ctx);
+  std::move(taken.absorbed.dropped.begin(), taken.absorbed.dropped.end(),
+            std::back_inserter(absorbed.dropped));
+
+  for (const Patch& patch : stack.patches)
+    (patch.group == layers::kSupportGroup ? result.supportVolumeMm3
+                                          : result.volumeOfPiece[at(patch.group)]) +=
+        volumeOf(patch);
+  double laid = 0.0;
+  for (const double volume : result.volumeOfPiece)
+    laid += volume;
+  const layers::NotLaid slivers = layers::notLaid(absorbed.dropped);
+  result.slivers = slivers.pieces;
+  result.sliverVolumeMm3 = slivers.volumeMm3;
+  if (auto finding = layers::sliversFinding(slivers, laid, kBlockingShare))
+    result.findings.push_back(std::move(*finding));
+
+  result.statistics =
+      layers::layerStatistics(stack, {options.heights.minMm, options.heights.maxMm});
+  const layers::InAir inAir = layers::patchesInAir(taken.support, islands);
+  result.unsupportedPatches = inAir.patches;
+  if (inAir.patches > 0)
+    result.findings.push_back(layers::layerFinding(
+        "beginsInAir", inAir.firstAt, inAir.patches,
+        fmt::format("{} pieces of layers have nothing under them", inAir.patches),
+        "turn the part (orient=leastRisky), or use planar or curved mode", true));
+}
+
+SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
+                        const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  SliceResult result;
+  std::vector<Sections> sections;
+  std::vector<std::vector<double>> boundsOf;
+  std::vector<Level> levels;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    sections.emplace_back(pieces[p].solid.mesh, pieces[p].base.normal);
+    const std::vector<double> bounds = layerBounds(pieces[p], options.heights);
+    boundsOf.push_back(bounds);
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
+      levels.push_back({p, bounds[k], bounds[k + 1], static_cast<int>(levels.size())});
+    result.layersOfPiece.push_back(static_cast<int>(bounds.size()) - 1);
+  }
+  result.volumeOfPiece.assign(pieces.size(), 0.0);
+
+  std::vector<layers::PatchesOfLevel> made(levels.size());
+  // In spans, so that progress is told from this thread.
+  constexpr std::size_t kSpan = 16;
+  const base::RunContext silent = ctx.quiet();
+  for (std::size_t from = 0; from < levels.size(); from += kSpan) {
+    ctx.report(0.7 * static_cast<double>(from) / static_cast<double>(levels.size()), "slicing");
+    base::parallelChunks(
+        ctx, std::min(kSpan, levels.size() - from), 1, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = from + begin; i < from + end; ++i) {
+            const Level& level = levels[i];
+            const double middle =
+                pieces[level.piece].base.offsetMm + 0.5 * (level.low + level.high);
+            LevelSurface surface = atOrNear(middle, [&](double offsetMm) {
+              return surfaceOf(sections[level.piece].at(offsetMm), options.edgeMm, silent);
+            });
+            surface.level = level.number;
+            surface.thicknessMm.assign(surface.surface.vertices.size(), level.high - level.low);
+            made[i] = layers::makePatches(surface, {options.beadWidthMm});
+          }
+        });
+  }
+  std::vector<Patch> crumbs;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    for (Patch& patch : made[i].patches) {
+      patch.group = static_cast<int>(levels[i].piece);
+      result.stack.patches.push_back(std::move(patch));
+    }
+    for (Patch& crumb : made[i].crumbs) {
+      crumb.group = static_cast<int>(levels[i].piece);
+      crumbs.push_back(std::move(crumb));
+    }
+  }
+  if (options.supports) {
+    ctx.report(0.7, "supports");
+    addColumns(result, pieces, boundsOf, options, ctx);
+  }
+  layers::orderForPrinting(result.stack);
+  ctx.report(0.8, "checking layers");
+  finishStack(result, crumbs, options, ctx);
+  result.seconds.extract = watch.seconds();
+  return result;
+}
+
+} // namespace voluta::planar

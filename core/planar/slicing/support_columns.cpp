@@ -1,0 +1,263 @@
+#include "planar/slicing/support_columns.h"
+
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <polyclipping/clipper.hpp>
+#include <vector>
+
+namespace voluta::planar {
+
+using ClipperLib::Path;
+using ClipperLib::Paths;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kUnits = 1e4;      // of the polygons' integers, a mm
+constexpr double kCleanMm = 0.02;   // details that columns may lose at each step
+constexpr double kArcMm = 0.05;     // of round corners
+constexpr double kNarrowest = 0.5;  // of a bead: what reaches out by less hangs on by itself
+constexpr double kFooting = 0.5;    // share of a column's section that stands on something
+constexpr double kUnderBase = 0.25; // of the first layer: how deep under a base it is asked for
+
+Paths cleaned(Paths paths) {
+  ClipperLib::CleanPolygons(paths, kCleanMm * kUnits);
+  std::erase_if(paths, [](const Path& path) { return path.size() < 3; });
+  return paths;
+}
+
+// The loops of a section.
+Paths pathsOf(const Section& section, const PlaneFrame& frame) {
+  std::vector<std::vector<int>> next(section.points.size());
+  for (const auto& [a, b] : section.edges)
+    next[static_cast<std::size_t>(a)].push_back(b);
+  Paths loops;
+  for (std::size_t start = 0; start < next.size(); ++start)
+    while (!next[start].empty()) {
+      Path loop;
+      for (auto at = start; !next[at].empty();) {
+        const Vector3d& p = section.points[at];
+        loop.emplace_back(std::llround(kUnits * frame.across.dot(p)),
+                          std::llround(kUnits * frame.along.dot(p)));
+        const int to = next[at].back();
+        next[at].pop_back();
+        at = static_cast<std::size_t>(to);
+      }
+      loops.push_back(std::move(loop));
+    }
+  ClipperLib::SimplifyPolygons(loops, ClipperLib::pftEvenOdd);
+  return cleaned(std::move(loops));
+}
+
+Paths combined(const Paths& a, const Paths& b, ClipperLib::ClipType how) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(a, ClipperLib::ptSubject, true);
+  clipper.AddPaths(b, ClipperLib::ptClip, true);
+  Paths out;
+  clipper.Execute(how, out, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return cleaned(std::move(out));
+}
+Paths united(const Paths& a, const Paths& b) {
+  return combined(a, b, ClipperLib::ctUnion);
+}
+Paths without(const Paths& a, const Paths& b) {
+  return a.empty() || b.empty() ? a : combined(a, b, ClipperLib::ctDifference);
+}
+Paths shared(const Paths& a, const Paths& b) {
+  return a.empty() || b.empty() ? Paths() : combined(a, b, ClipperLib::ctIntersection);
+}
+
+Paths grown(const Paths& a, double byMm) {
+  if (a.empty())
+    return a;
+  ClipperLib::ClipperOffset offset(2.0, kArcMm * kUnits);
+  offset.AddPaths(a, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+  Paths out;
+  offset.Execute(out, byMm * kUnits);
+  return cleaned(std::move(out));
+}
+// Less what is narrower than twice `byMm`.
+Paths opened(const Paths& a, double byMm) {
+  return grown(grown(a, -byMm), byMm);
+}
+
+double areaMm2(const Paths& paths) {
+  double sum = 0.0;
+  for (const Path& path : paths)
+    sum += ClipperLib::Area(path);
+  return sum / (kUnits * kUnits);
+}
+
+// Outlines with their holes, each by itself.
+std::vector<Paths> components(const Paths& paths) {
+  ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
+  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+  ClipperLib::PolyTree tree;
+  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  std::vector<Paths> out;
+  for (const ClipperLib::PolyNode* node = tree.GetFirst(); node; node = node->GetNext()) {
+    if (node->IsHole())
+      continue;
+    Paths one{node->Contour};
+    for (const ClipperLib::PolyNode* hole : node->Childs)
+      one.push_back(hole->Contour);
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+// Without components that are narrower than twice `byMm` all over. Others keep their shape:
+// rounding corners at every level would eat a column up.
+Paths wideEnough(const Paths& a, double byMm) {
+  Paths out;
+  for (const Paths& one : components(a))
+    if (!grown(one, -byMm).empty())
+      out.insert(out.end(), one.begin(), one.end());
+  return out;
+}
+
+// Without what is no layer: it is too small for a bead (layers::makePatches) and carries nothing.
+Paths laid(const Paths& a, double beadWidthMm) {
+  Paths out;
+  for (const Paths& one : components(a))
+    if (areaMm2(one) >= 0.25 * base::kPi * beadWidthMm * beadWidthMm &&
+        !grown(one, -0.25 * beadWidthMm).empty())
+      out.insert(out.end(), one.begin(), one.end());
+  return out;
+}
+
+// With a margin round components that are narrower than twice `byMm` all over.
+Paths widened(const Paths& a, double byMm) {
+  Paths out;
+  for (const Paths& one : components(a))
+    out = united(out, grown(one, -byMm).empty() ? grown(one, byMm) : one);
+  return out;
+}
+
+Section sectionOf(const Paths& paths, const Plane& plane, const PlaneFrame& frame) {
+  Section out;
+  out.plane = plane;
+  for (const Path& path : paths) {
+    const auto first = static_cast<int>(out.points.size()), n = static_cast<int>(path.size());
+    for (const ClipperLib::IntPoint& p : path)
+      out.points.push_back(static_cast<double>(p.X) / kUnits * frame.across +
+                           static_cast<double>(p.Y) / kUnits * frame.along +
+                           plane.offsetMm * plane.normal);
+    for (int i = 0; i < n; ++i)
+      out.edges.push_back({first + i, first + (i + 1) % n});
+  }
+  return out;
+}
+
+// The sections of all pieces at the levels of one of them.
+class Levels {
+public:
+  Levels(const std::vector<Piece>& pieces, std::size_t piece, const std::vector<Sections>& sections,
+         const std::vector<double>& bounds, double beadWidthMm)
+      : sections_(sections), piece_(piece), base_(pieces[piece].base),
+        frame_(frameOf(pieces[piece].base.normal)), bounds_(bounds) {
+    for (std::size_t k = 0; k < count(); ++k)
+      own_.push_back(laid(at(piece, middle(k)), beadWidthMm));
+  }
+
+  std::size_t count() const { return bounds_.size() - 1; }
+  double heightMm(std::size_t k) const { return bounds_[k + 1] - bounds_[k]; }
+  double middle(std::size_t k) const {
+    return base_.offsetMm + 0.5 * (bounds_[k] + bounds_[k + 1]);
+  }
+  const PlaneFrame& frame() const { return frame_; }
+  const Paths& own(std::size_t k) const { return own_[k]; }
+  Paths earlier(double offsetMm) const { return of(0, piece_, offsetMm); }
+  Paths later(double offsetMm) const { return of(piece_ + 1, sections_.size(), offsetMm); }
+  Plane plane(std::size_t k) const { return {base_.normal, middle(k)}; }
+
+private:
+  Paths at(std::size_t piece, double offsetMm) const {
+    return pathsOf(sections_[piece].at(offsetMm), frame_);
+  }
+  Paths of(std::size_t from, std::size_t to, double offsetMm) const {
+    Paths all;
+    for (std::size_t p = from; p < to; ++p)
+      if (offsetMm > sections_[p].lowestMm() && offsetMm < sections_[p].highestMm())
+        all = united(all, at(p, offsetMm));
+    return all;
+  }
+
+  const std::vector<Sections>& sections_;
+  std::size_t piece_;
+  Plane base_;
+  PlaneFrame frame_;
+  const std::vector<double>& bounds_;
+  std::vector<Paths> own_;
+};
+
+} // namespace
+
+SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piece,
+                              const std::vector<Sections>& sections,
+                              const std::vector<double>& bounds, const ColumnOptions& options,
+                              const base::RunContext& ctx) {
+  const Levels levels(pieces, piece, sections, bounds, options.beadWidthMm);
+  const std::size_t n = levels.count();
+  SupportColumns out;
+  out.sections.resize(n);
+  const double half = 0.5 * options.beadWidthMm;
+  // From above: what hangs, and what carries it one level lower.
+  std::vector<Paths> hanging(n), columns(n),
+      standing(n); // standing: printed before, this piece too
+  bool any = false;
+  for (std::size_t k = n; k-- > 1;) {
+    ctx.checkpoint();
+    const double reach = (levels.middle(k) - levels.middle(k - 1)) * std::tan(options.overhangRad);
+    hanging[k] = opened(without(levels.own(k), grown(levels.own(k - 1), reach)), kNarrowest * half);
+    if (hanging[k].empty() && columns[k].empty())
+      continue;
+    standing[k - 1] = united(levels.own(k - 1), levels.earlier(levels.middle(k - 1)));
+    hanging[k] = opened(without(hanging[k], grown(standing[k - 1], reach)), kNarrowest * half);
+    // A tip is narrower than the column that carries it.
+    const Paths heads = widened(shared(grown(hanging[k], half), levels.own(k)), half);
+    const Paths carried = united(heads, columns[k]);
+    const Paths taken =
+        grown(united(standing[k - 1], levels.later(levels.middle(k - 1))), options.gapMm);
+    columns[k - 1] = wideEnough(without(carried, taken), 0.9 * half);
+    any = true;
+  }
+  if (!any)
+    return out;
+  // From below: only what stands on something.
+  Paths below;
+  if (pieces[piece].baseTag == kPlate) {
+    Path plate;
+    for (const Eigen::Vector2d& p : options.plate)
+      plate.emplace_back(std::llround(kUnits * levels.frame().across.head<2>().dot(p)),
+                         std::llround(kUnits * levels.frame().along.head<2>().dot(p)));
+    if (plate.size() > 2 && !ClipperLib::Orientation(plate))
+      std::reverse(plate.begin(), plate.end());
+    below = {plate};
+  } else {
+    below = levels.earlier(pieces[piece].base.offsetMm - kUnderBase * levels.heightMm(0));
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (k > 0 && !hanging[k].empty()) {
+      const Paths loose = without(hanging[k], grown(columns[k - 1], half + options.gapMm));
+      const Paths unheld = opened(loose, kNarrowest * half);
+      if (const double area = areaMm2(unheld); area > 0.0) {
+        if (out.unheldMm2 == 0.0)
+          out.unheldAt = sectionOf(unheld, levels.plane(k), levels.frame()).points.front();
+        out.unheldMm2 += area;
+      }
+    }
+    Paths kept;
+    for (const Paths& column : components(columns[k]))
+      if (areaMm2(shared(column, below)) >= kFooting * areaMm2(column))
+        kept.insert(kept.end(), column.begin(), column.end());
+    columns[k] = std::move(kept);
+    out.sections[k] = sectionOf(columns[k], levels.plane(k), levels.frame());
+    below = united(grown(columns[k], options.gapMm), grown(standing[k], options.gapMm));
+  }
+  return out;
+}
+
+} // namespace voluta::planar

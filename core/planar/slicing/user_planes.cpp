@@ -1,0 +1,192 @@
+#include "planar/slicing/user_planes.h"
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "geometry/measures.h"
+#include "layers/order.h"
+#include "layers/patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace voluta::planar {
+
+using Eigen::Vector3d;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr double kFlatMm = 0.01;      // corners off their plane
+constexpr double kLeastFacing = 0.1;  // cosine between the normals of layers that lie on each other
+constexpr double kThinnestMm = 0.01;  // nearer layers lie beside each other, or cross
+constexpr double kBeyondShare = 0.01; // of the area, thickness beyond the limits
+
+[[noreturn]] void unusable(const std::string& what, const std::string& where) {
+  throw base::Error(base::ErrorCode::UnusableInput, what, where,
+                    "give a list of {\"point\": [x, y, z], \"normal\": [x, y, z]} or {\"corners\": "
+                    "[four points]}, in mm");
+}
+
+Vector3d pointOf(const Json& j, const std::string& where) {
+  if (!j.is_array() || j.size() != 3 ||
+      !std::all_of(j.begin(), j.end(), [](const Json& x) { return x.is_number(); }))
+    unusable("a point is three numbers", where);
+  const Vector3d p(j[0].get<double>(), j[1].get<double>(), j[2].get<double>());
+  if (!p.allFinite() || p.cwiseAbs().maxCoeff() > 1e6)
+    unusable("a point that is nowhere near a part", where);
+  return p;
+}
+
+UserPlane quadrilateral(const Json& corners, const std::string& where) {
+  if (!corners.is_array() || corners.size() != 4)
+    unusable("a quadrilateral has four corners", where);
+  UserPlane out;
+  Vector3d middle = Vector3d::Zero();
+  for (const Json& c : corners) {
+    out.corners.push_back(pointOf(c, where));
+    middle += out.corners.back() / 4.0;
+  }
+  const Vector3d across = (out.corners[2] - out.corners[0]).cross(out.corners[3] - out.corners[1]);
+  if (across.norm() < 1e-9)
+    unusable("the quadrilateral has no area", where);
+  out.plane.normal = across.normalized();
+  out.plane.offsetMm = out.plane.normal.dot(middle);
+  out.point = middle;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (std::abs(out.plane.heightOf(out.corners[k])) > kFlatMm)
+      unusable("the quadrilateral is not flat", where);
+    const Vector3d a = out.corners[(k + 1) % 4] - out.corners[k],
+                   b = out.corners[(k + 2) % 4] - out.corners[(k + 1) % 4];
+    if (a.cross(b).dot(out.plane.normal) <= 0.0)
+      unusable("the quadrilateral is not convex", where);
+  }
+  return out;
+}
+
+// How far inside the side from corner k on, negative outside.
+double insideOf(const UserPlane& p, std::size_t k, const Vector3d& point) {
+  const Vector3d along = p.corners[(k + 1) % 4] - p.corners[k];
+  return p.plane.normal.cross(along).normalized().dot(point - p.corners[k]);
+}
+
+bool holds(const UserPlane& p, const Vector3d& point) {
+  for (std::size_t k = 0; k < p.corners.size(); ++k)
+    if (insideOf(p, k, point) < -kFlatMm)
+      return false;
+  return true;
+}
+
+// Distance along -normal to the nearest of what was laid before.
+std::optional<double> thicknessAt(const Vector3d& p, const std::vector<UserPlane>& planes,
+                                  std::size_t layer) {
+  const Vector3d& n = planes[layer].plane.normal;
+  std::optional<double> least;
+  const auto take = [&](double distance) {
+    if (distance > kThinnestMm && (!least || distance < *least))
+      least = distance;
+  };
+  if (n.z() > kLeastFacing)
+    take(2.0 * p.z() / n.z());
+  for (std::size_t j = 0; j < layer; ++j) {
+    const double facing = n.dot(planes[j].plane.normal);
+    if (facing <= kLeastFacing)
+      continue;
+    const double distance = planes[j].plane.heightOf(p) / facing;
+    if (holds(planes[j], p - distance * n))
+      take(distance);
+  }
+  return least;
+}
+
+plan::Finding told(const char* kind, std::size_t count, std::string reason, std::string remedy) {
+  plan::Finding f;
+  f.stage = "layers";
+  f.kind = kind;
+  f.count = count;
+  f.reason = std::move(reason);
+  f.remedy = std::move(remedy);
+  f.blocking = false;
+  return f;
+}
+
+} // namespace
+
+std::vector<UserPlane> readUserPlanes(const std::string& text, const std::string& where) {
+  const Json list = Json::parse(text, nullptr, false);
+  if (!list.is_array() || list.empty())
+    unusable("the planes are not a JSON list", where);
+  std::vector<UserPlane> out;
+  for (const Json& entry : list) {
+    const std::string place = fmt::format("{}, entry {}", where, out.size() + 1);
+    if (entry.is_object() && entry.contains("corners")) {
+      out.push_back(quadrilateral(entry["corners"], place));
+    } else if (entry.is_object() && entry.contains("point") && entry.contains("normal")) {
+      const Vector3d normal = pointOf(entry["normal"], place);
+      if (normal.norm() < 1e-9)
+        unusable("the normal has no direction", place);
+      const Vector3d unit = normal.normalized();
+      const Vector3d point = pointOf(entry["point"], place);
+      out.push_back({{unit, unit.dot(point)}, {}, point});
+    } else {
+      unusable("neither a plane nor a quadrilateral", place);
+    }
+  }
+  return out;
+}
+
+SliceResult sliceByPlanes(const geometry::TriangleMesh& part, const std::vector<UserPlane>& planes,
+                          const SliceOptions& options, const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  SliceResult result;
+  result.layersOfPiece = {static_cast<int>(planes.size())};
+  result.volumeOfPiece = {0.0};
+  std::vector<layers::Patch> crumbs;
+  std::size_t misses = 0;
+  std::string missing;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    ctx.report(0.8 * static_cast<double>(i) / static_cast<double>(planes.size()), "slicing");
+    const UserPlane& p = planes[i];
+    layers::LevelSurface s =
+        sectionSurface(Sections(part, p.plane.normal).at(p.plane.offsetMm), options.edgeMm, ctx);
+    for (std::size_t k = 0; k < p.corners.size(); ++k) {
+      std::vector<double> inside;
+      for (const Vector3d& v : s.surface.vertices)
+        inside.push_back(insideOf(p, k, v));
+      layers::keepPositive(s, inside);
+    }
+    s.level = static_cast<int>(i);
+    s.thicknessMm.clear();
+    // What has nothing under it is told as beginning in the air.
+    for (const Vector3d& v : s.surface.vertices)
+      s.thicknessMm.push_back(
+          std::max(kThinnestMm, thicknessAt(v, planes, i).value_or(options.heights.wantedMm)));
+    layers::PatchesOfLevel made = layers::makePatches(s, {options.beadWidthMm});
+    if (made.patches.empty() && made.crumbs.empty()) {
+      ++misses;
+      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", i + 1);
+    }
+    std::move(made.patches.begin(), made.patches.end(), std::back_inserter(result.stack.patches));
+    std::move(made.crumbs.begin(), made.crumbs.end(), std::back_inserter(crumbs));
+  }
+  layers::orderForPrinting(result.stack);
+  if (misses > 0)
+    result.findings.push_back(told("planeMisses", misses,
+                                   fmt::format("planes of layers miss the part: {}", missing),
+                                   "move them, or leave them out"));
+  finishStack(result, crumbs, options, ctx);
+  if (const double beyond = 1.0 - result.statistics.withinLimitsFraction; beyond > kBeyondShare)
+    result.findings.push_back(
+        told("heightBeyondLimits", 1,
+             fmt::format("{:.0f} % of the layers' area is thinner than {:g} mm or thicker than "
+                         "{:g} mm",
+                         100.0 * beyond, options.heights.minMm, options.heights.maxMm),
+             "move the planes, or add some between"));
+  result.seconds.extract = watch.seconds();
+  return result;
+}
+
+} // namespace voluta::planar

@@ -1,0 +1,134 @@
+#include "base/units.h"
+#include "forms/value_boxes.h"
+#include "panels/placement_angles.h"
+#include "panels/placement_panel.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+
+namespace {
+constexpr double kRight = base::kPi / 2.0;
+
+void type(QWidget* box, const QString& text) {
+  QTest::keyClick(box, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(box, text);
+  QTest::keyClick(box, Qt::Key_Return);
+}
+
+class PlacementPanelTest : public testing::Test {
+protected:
+  PlacementPanelTest() {
+    QObject::connect(&panel, &panels::PlacementPanel::placementChanged,
+                     [this](const geometry::Placement& placement, const QString& name) {
+                       told.push_back(placement);
+                       names << name;
+                     });
+  }
+  forms::NumberBox* box(const char* name) {
+    return panel.findChild<forms::NumberBox*>(QLatin1String(name));
+  }
+  void press(const char* name) { panel.findChild<QAbstractButton*>(QLatin1String(name))->click(); }
+
+  panels::PlacementPanel panel;
+  std::vector<geometry::Placement> told;
+  QStringList names;
+};
+} // namespace
+
+TEST(PlacementAngles, AnglesGiveTheRotationBack) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-base::kPi, base::kPi);
+  for (int i = 0; i < 2000; ++i) {
+    Eigen::Vector3d angles(any(random), any(random), any(random));
+    if (i % 4 == 0)
+      angles.y() = i % 8 == 0 ? kRight : -kRight;
+    const Eigen::Vector3d near(any(random), any(random), any(random));
+    const Eigen::Quaterniond rotation = panels::rotationOf(angles);
+    const Eigen::Quaterniond back = panels::rotationOf(panels::anglesOf(rotation, near));
+    EXPECT_LT(rotation.angularDistance(back), 1e-7) << angles.transpose();
+    const Eigen::Vector3d same = panels::anglesOf(rotation, angles);
+    EXPECT_TRUE(same.isApprox(angles, 1e-9)) << angles.transpose() << " / " << same.transpose();
+  }
+}
+
+TEST_F(PlacementPanelTest, TypedAnglesStayAsTypedAtARightAngleToo) {
+  type(box("turnX"), "20");
+  type(box("turnY"), "90");
+  type(box("turnZ"), "30");
+  ASSERT_EQ(told.size(), 3u);
+  panel.setPlacement(told.back());
+  EXPECT_DOUBLE_EQ(box("turnX")->value(), 20.0);
+  EXPECT_DOUBLE_EQ(box("turnY")->value(), 90.0);
+  EXPECT_DOUBLE_EQ(box("turnZ")->value(), 30.0);
+}
+
+TEST_F(PlacementPanelTest, QuarterTurnsAreAboutTheFixedAxesFromHowThePartLies) {
+  press("moreX");
+  press("moreZ");
+  ASSERT_EQ(told.size(), 2u);
+  const Eigen::Quaterniond wanted = Eigen::AngleAxisd(kRight, Eigen::Vector3d::UnitZ()) *
+                                    Eigen::AngleAxisd(kRight, Eigen::Vector3d::UnitX());
+  EXPECT_LT(told.back().rotation.angularDistance(wanted), 1e-9);
+  press("lessZ");
+  press("lessX");
+  EXPECT_LT(told.back().rotation.angularDistance(Eigen::Quaterniond::Identity()), 1e-9);
+  for (const char* name : {"turnX", "turnY", "turnZ"})
+    EXPECT_NEAR(box(name)->value(), 0.0, 1e-9);
+}
+
+TEST_F(PlacementPanelTest, MoveDropCentreReset) {
+  type(box("moveX"), "12.5");
+  type(box("moveZ"), "3");
+  EXPECT_EQ(told.back().centreMm, Eigen::Vector2d(12.5, 0.0));
+  EXPECT_EQ(told.back().liftMm, 3.0);
+  press("drop");
+  EXPECT_EQ(told.back().liftMm, 0.0);
+  EXPECT_EQ(told.back().centreMm.x(), 12.5);
+  press("centre");
+  EXPECT_EQ(told.back().centreMm, Eigen::Vector2d(0.0, 0.0));
+  press("moreY");
+  press("reset");
+  EXPECT_LT(told.back().rotation.angularDistance(Eigen::Quaterniond::Identity()), 1e-12);
+  EXPECT_EQ(names,
+            (QStringList{"Move", "Move", "Drop to plate", "Centre", "Turn", "Reset placement"}));
+}
+
+TEST_F(PlacementPanelTest, SettingEmitsNothing) {
+  QSignalSpy scale(&panel, &panels::PlacementPanel::scaleChanged);
+  QSignalSpy lay(&panel, &panels::PlacementPanel::layOnFaceToggled);
+  geometry::Placement placement;
+  placement.centreMm = {4.0, 5.0};
+  placement.rotation = Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized());
+  panel.setPlacement(placement);
+  panel.setScale("fit", 0.42);
+  panel.setSizeMm({1, 2, 3});
+  panel.setLayOnFace(true);
+  EXPECT_TRUE(told.empty());
+  EXPECT_EQ(scale.size() + lay.size(), 0);
+  EXPECT_DOUBLE_EQ(box("percent")->value(), 42.0);
+  EXPECT_TRUE(panel.findChild<QPushButton*>(QStringLiteral("fit"))->isChecked());
+}
+
+TEST_F(PlacementPanelTest, PercentAndFactorAreOneAndFitIsAText) {
+  QSignalSpy scale(&panel, &panels::PlacementPanel::scaleChanged);
+  type(box("percent"), "50");
+  EXPECT_DOUBLE_EQ(box("factor")->value(), 0.5);
+  type(box("factor"), "2.5");
+  EXPECT_DOUBLE_EQ(box("percent")->value(), 250.0);
+  press("fit");
+  ASSERT_EQ(scale.size(), 3);
+  EXPECT_EQ(scale[0][0].toString(), "0.5");
+  EXPECT_EQ(scale[1][0].toString(), "2.5");
+  EXPECT_EQ(scale[2][0].toString(), "fit");
+}
+
+TEST_F(PlacementPanelTest, FitsIntoANarrowPanel) {
+  EXPECT_LE(panel.minimumSizeHint().width(), 300);
+}

@@ -1,0 +1,223 @@
+// Programs as people write them, and what the readers must not swallow.
+#include "base/units.h"
+#include "process/process.h"
+#include "program/dialect.h"
+#include "program_defects.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace voluta::program {
+namespace {
+
+using test::expectDefect;
+
+plan::ReadProgram read(std::string_view format, std::string text) {
+  process::Process process;
+  process.maxFlowMm3PerS = 40.0;
+  return readProgram(format, {{"file", std::move(text)}}, process);
+}
+
+// A whole program around the given body.
+std::string script(const std::string& body) {
+  return "def f():\n set_tcp(p[0,0,0.1,0,0,0])\n set_standard_digital_out(0,False)\n"
+         " set_standard_analog_out(0,0)\n" +
+         body + "set_standard_digital_out(0,False)\nset_standard_analog_out(0,0)\nend\nf()\n";
+}
+
+TEST(UrscriptReader, takesHandWrittenVariations) {
+  const auto program =
+      read("urscript", "# my program\r\n\r\ndef  kitten( ) :  # start\r\n"
+                       "\ttextmsg(\"hello # not a comment\")\r\n"
+                       "  set_tcp( p[ 0.0, 0, 1e-1, 0,0, +1.5 ] )\r\n"
+                       "  set_payload(1.2, [0, 0, 0.05])\r\n"
+                       "  set_digital_out(0, false)\r\n"
+                       "  set_analog_out(0, 0.0)\r\n"
+                       "  movej([0,-1.5,1.5,-1.5,-1.5,0])\r\n"
+                       "  movel(p[-.4, 0.1, 0.3, 0, 3.14, 0], 0.5, 0.1, 0, 0.002)\r\n"
+                       "  set_digital_out( 0 , true ) # on\r\n"
+                       "  set_analog_out(0, 0.25)\r\n"
+                       "  movel( p[-.4,0.1,0.31,0,3.14,0] , r = 0.001, v=.02 , a=1 )\r\n"
+                       "  movel(p[-.4,0.1,0.32,0,3.14,0], v=0.02, t=0.5)\r\n"
+                       "  movep(p[-.4,0.1,0.33,0,3.14,0], 1.2, 0.03, 0.004)\r\n"
+                       "  set_digital_out(3, True)\r\n"
+                       "  set_digital_out(0, false)\r\n"
+                       "  set_analog_out(0, 0)\r\n"
+                       "end\r\nkitten()\r\n");
+  EXPECT_TRUE(program.complete);
+  for (const auto& d : program.defects)
+    ADD_FAILURE() << d.line << ": " << d.reason;
+  ASSERT_EQ(program.motions.size(), 5u);
+  EXPECT_NEAR(program.flange_T_tcp.translation().z(), 100.0, 1e-12);
+  EXPECT_NEAR(Eigen::AngleAxisd(program.flange_T_tcp.linear()).angle(), 1.5, 1e-12);
+  const auto& m = program.motions;
+  EXPECT_EQ(m[0].line, 9u);
+  EXPECT_EQ(m[0].target, plan::TargetKind::Joints);
+  EXPECT_TRUE(m[0].jointInterpolated);
+  EXPECT_DOUBLE_EQ(m[0].jointSpeedRadPerS, 1.05); // the controller's default
+  EXPECT_EQ(m[1].target, plan::TargetKind::FlangePose);
+  EXPECT_FALSE(m[1].jointInterpolated || m[1].extruding);
+  EXPECT_DOUBLE_EQ(m[1].speedMmPerS, 100.0);
+  EXPECT_DOUBLE_EQ(m[1].blendMm, 2.0);
+  EXPECT_TRUE(m[1].frame_T_tcp.translation().isApprox(Eigen::Vector3d(-400, 100, 300)));
+  EXPECT_DOUBLE_EQ(m[2].speedMmPerS, 20.0);
+  EXPECT_DOUBLE_EQ(m[2].blendMm, 1.0);
+  EXPECT_TRUE(m[2].extruding);
+  EXPECT_DOUBLE_EQ(m[2].flowMm3PerS, 10.0);
+  EXPECT_DOUBLE_EQ(m[3].durationS, 0.5);
+  EXPECT_DOUBLE_EQ(m[4].speedMmPerS, 30.0);
+  EXPECT_DOUBLE_EQ(m[4].blendMm, 4.0);
+}
+
+TEST(UrscriptReader, namesWhatItCannotTake) {
+  const char* move = "movel(p[-0.4,0,0.3,0,3,0],a=1,v=0.1)\n";
+  const struct {
+    const char* line;
+    const char* part;
+  } cases[] = {
+      {"movel(p[-0.4,0,0.3,0,3],a=1,v=0.1)\n", "pose"},
+      {"movel(p[-0.4,0,0.3,0,3,zero],a=1,v=0.1)\n", "not understood"},
+      {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=-0.1)\n", "argument v"},
+      {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=0)\n", "never gets anywhere"},
+      {"movel(p[-0.4,0,0.3,0,3,0],a=1,w=0.1)\n", "unknown"},
+      {"movel(p[-0.4,0,0.3,0,3,0],v=1,v=0.1)\n", "twice"},
+      {"movel(p[-0.4,0,400,0,3,0],a=1,v=0.1)\n", "reach"},
+      {"movel(p[-0.4,0,nan,0,3,0],a=1,v=0.1)\n", "not understood"},
+      {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=0.1\n", "not understood"},
+      {"movel()\n", "without a target"},
+      {"movej([0,0,0],a=1,v=1)\n", "joints"},
+      {"movec(p[0,0,0,0,0,0],p[0,0,0,0,0,0])\n", "not known"},
+      {"servoj([0,0,0,0,0,0])\n", "not known"},
+      {"while True:\n", "not understood"},
+      {"x = 3\n", "not understood"},
+      {"def g():\n", "second function"},
+      {"set_standard_analog_out(0,1.5)\n", "0..1"},
+      {"set_standard_digital_out(0,0.5)\n", "output"},
+      {"set_tcp(p[0,0,0.2,0,0,0])\n", "different TCP"},
+      {"sleep()\n", "seconds"},
+      {"f()\n", "not known"},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.line);
+    const auto program = read("urscript", script(std::string(move) + c.line + move));
+    expectDefect(program, 6, c.part);
+    EXPECT_EQ(program.motions.size(), 2u);
+  }
+}
+
+TEST(UrscriptReader, missesEndCallAndTcp) {
+  const std::string whole = script("movel(p[-0.4,0,0.3,0,3,0],a=1,v=0.1)\n");
+  EXPECT_TRUE(read("urscript", whole).complete);
+  EXPECT_FALSE(read("urscript", whole.substr(0, whole.find("f()\n", 10))).complete);
+  EXPECT_FALSE(read("urscript", whole.substr(0, whole.rfind("end"))).complete);
+  EXPECT_FALSE(read("urscript", "").complete);
+  expectDefect(read("urscript", "def f():\nset_standard_digital_out(0,False)\n"
+                                "set_standard_analog_out(0,0)\n"
+                                "movel(p[-0.4,0,0.3,0,3,0])\nend\nf()\n"),
+               4, "set_tcp");
+}
+
+TEST(GcodeReader, takesTheAppendixAndReprap) {
+  const auto program =
+      read("gcode-extended", "G92 E0\nG28\nG0 F600 X4.391 Y-8.398 Z1.500\n"
+                             "G1 X3.650 Y-9.611 Z1.500 E1.026\n"
+                             "N7 G1 X6.338 Y8.390 Z46.300 nX-0.094 nY0.127 nZ0.987 E4.324 *55\n"
+                             "g1 x7 (half) y8\nM83\nG1 X8 E0.5\nG1 E-2 F1800\nG1 E2\nG1 X9 E.25\n"
+                             "M104 S0\nM84\n; end\n");
+  EXPECT_TRUE(program.complete);
+  for (const auto& d : program.defects)
+    ADD_FAILURE() << d.line << ": " << d.reason;
+  const auto& m = program.motions;
+  ASSERT_EQ(m.size(), 6u);
+  const double area = base::kPi / 4 * 1.75 * 1.75;
+  EXPECT_FALSE(m[0].extruding);
+  EXPECT_DOUBLE_EQ(m[0].speedMmPerS, 10.0);
+  EXPECT_TRUE(m[0].position.isApprox(Eigen::Vector3d(4.391, -8.398, 1.5)));
+  EXPECT_EQ(m[0].direction, Eigen::Vector3d::UnitZ());
+  EXPECT_NEAR(m[1].volumeMm3, 1.026 * area, 1e-12);
+  EXPECT_TRUE(m[1].extruding);
+  EXPECT_NEAR(m[2].volumeMm3, (4.324 - 1.026) * area, 1e-12);
+  EXPECT_NEAR(m[2].direction.norm(), 1.0, 1e-15);
+  EXPECT_LT((m[2].direction - Eigen::Vector3d(-0.094, 0.127, 0.987)).norm(), 2e-3);
+  EXPECT_EQ(m[2].line, 5u);
+  EXPECT_EQ(m[3].position, Eigen::Vector3d(7, 8, 46.3));
+  EXPECT_EQ(m[3].volumeMm3, 0.0);
+  EXPECT_NEAR(m[4].volumeMm3, 0.5 * area, 1e-12);
+  EXPECT_NEAR(m[5].volumeMm3, 0.25 * area, 1e-12); // drawn back and pushed forward: not twice
+}
+
+TEST(GcodeReader, usesTheStatedFilament) {
+  const auto program = read("gcode-extended", "; filament diameter 2.85 mm\nG0 X0 Y0 Z0 F600\n"
+                                              "G1 X1 E1\nM104 S0\nM84\n; end\n");
+  ASSERT_EQ(program.motions.size(), 2u);
+  EXPECT_NEAR(program.motions[1].volumeMm3, base::kPi / 4 * 2.85 * 2.85, 1e-12);
+}
+
+TEST(GcodeReader, countsABlobAsAMotion) {
+  const auto program = read("gcode-extended", "G1 E5 F300\nG92 E0\nG0 X0 Y0 Z0 F600\nG1 E3\n"
+                                              "M104 S0\nM84\n; end\n");
+  ASSERT_EQ(program.motions.size(), 2u); // the prime before the first target is none
+  EXPECT_EQ(program.motions[1].position, program.motions[0].position);
+  EXPECT_TRUE(program.motions[1].extruding);
+}
+
+TEST(GcodeReader, namesWhatItCannotTake) {
+  const struct {
+    const char* line;
+    const char* part;
+  } cases[] = {
+      {"G1 X1 nX0.1 nY0 nZ0.9\n", "length"},
+      {"G1 X1 nX0 nZ1\n", "nX, nY and nZ"},
+      {"G1 X1 F0\n", "speed"},
+      {"G1 X1..2\n", "not understood"},
+      {"G1 X1 X2\n", "not understood"},
+      {"G2 X1 I3\n", "not known"},
+      {"G20\n", "inches"},
+      {"G91\n", "relative"},
+      {"G92 X0\n", "origin"},
+      {"X1 Y2\n", "without a command"},
+      {"M999\n", "not known"},
+      {"G1 X1 M3\n", "two commands"},
+      {"G1 Xnan\n", "not understood"},
+      {"G1 X1 I2\n", "word I"},
+      {"$%&\n", "not understood"},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.line);
+    expectDefect(read("gcode-extended",
+                      std::string("G0 X0 Y0 Z0 F600\n") + c.line + "M104 S0\nM84\n; end\n"),
+                 2, c.part);
+  }
+  expectDefect(read("gcode-extended", "G1 X1 Y2 F600\nM104 S0\nM84\n; end\n"), 1, "X, Y and Z");
+  expectDefect(read("gcode-extended", "G0 X1 Y2 Z3\nM104 S0\nM84\n; end\n"), 1, "before any speed");
+}
+
+TEST(JointTableReader, namesWhatItCannotTake) {
+  const std::string head = "time_s,j1_deg,j2_deg,extruded_mm3,waypoint,move\n";
+  const auto good = read("csv", head + "0,0,90,0,-1,joint\n1, 1 ,91,0.5,0,print\n# end\n");
+  EXPECT_TRUE(good.complete && good.defects.empty());
+  ASSERT_EQ(good.motions.size(), 2u);
+  EXPECT_DOUBLE_EQ(good.motions[0].joints[1], base::kPi / 2);
+  EXPECT_DOUBLE_EQ(good.motions[1].volumeMm3, 0.5);
+  EXPECT_DOUBLE_EQ(good.motions[1].durationS, 1.0);
+  EXPECT_TRUE(good.motions[0].jointInterpolated && !good.motions[1].jointInterpolated);
+  EXPECT_TRUE(good.motions[1].extruding);
+  const struct {
+    const char* line;
+    const char* part;
+  } cases[] = {{"2,0,0,1,-1,fly\n", "not a row"},     {"2,0,0,1,print\n", "not a row"},
+               {"2,0,0,0,1,-1,print\n", "not a row"}, {"2,x,0,1,-1,print\n", "not a row"},
+               {"0.5,0,0,1,1,print\n", "backwards"},  {"2,0,0,0.1,1,print\n", "less"},
+               {"2,0,0,1,1.5,print\n", "whole"},      {"", "cut short"}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.line);
+    const bool cut = !*c.line;
+    expectDefect(read("csv", head + "0,0,90,0,-1,joint\n1,1,91,0.5,0,print\n" + c.line +
+                                 (cut ? "" : "# end\n")),
+                 cut ? 3 : 4, c.part);
+  }
+  EXPECT_FALSE(read("csv", "0,0,90,0,-1,joint\n# end\n").complete);
+}
+
+} // namespace
+} // namespace voluta::program

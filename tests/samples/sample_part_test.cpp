@@ -1,0 +1,20 @@
+#include "samples/sample_part.h"
+
+#include "geometry/measures.h"
+
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using geometry::TriangleMesh;
+
+TEST(SamplePart, IsAModestClosedPart) {
+  const TriangleMesh m = samples::samplePart();
+  const auto box = geometry::bounds(m);
+  EXPECT_LT(m.triangles.size(), 20000u);
+  EXPECT_EQ(box.min().z(), 0.0);
+  EXPECT_EQ(box.max().z(), 60.0);
+  EXPECT_EQ(geometry::components(m).count, 1);
+  // Euler's formula for a closed surface of genus 0.
+  EXPECT_EQ(m.vertices.size() + m.triangles.size() - geometry::edgeStatistics(m).count, 2u);
+  EXPECT_GT(geometry::volume(m), 40000.0);
+}
