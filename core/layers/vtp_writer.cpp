@@ -1,44 +1,10 @@
 #include "layers/vtp_writer.h"
 
-#include <bit>
+#include "base/vtk_xml.h"
+
 #include <cstdint>
-#include <cstring>
 
 namespace voluta::layers {
-
-namespace {
-
-static_assert(std::endian::native == std::endian::little, "VTP arrays are written as they lie");
-
-std::string base64(const std::string& bytes) {
-  static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve(bytes.size() / 3 * 4 + 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t v = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      v = v << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += k <= n ? digits[v >> (18 - 6 * k) & 63u] : '=';
-  }
-  return out;
-}
-
-template <typename T>
-void appendArray(std::string& xml, const char* type, const char* name, int components,
-                 const std::vector<T>& values) {
-  std::string bytes(sizeof(std::uint64_t) + values.size() * sizeof(T), '\0');
-  const std::uint64_t size = values.size() * sizeof(T);
-  std::memcpy(bytes.data(), &size, sizeof size);
-  if (!values.empty())
-    std::memcpy(bytes.data() + sizeof size, values.data(), size);
-  xml += "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name +
-         "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"binary\">" +
-         base64(bytes) + "</DataArray>\n";
-}
-
-} // namespace
 
 std::string writeLayersVtp(const LayerStack& stack) {
   std::vector<float> points, thickness, direction;
@@ -62,24 +28,25 @@ std::string writeLayersVtp(const LayerStack& stack) {
       patchIndex.push_back(static_cast<std::int32_t>(index));
     }
   }
-  std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-                    "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n<Piece "
-                    "NumberOfPoints=\"" +
-                    std::to_string(points.size() / 3) + "\" NumberOfPolys=\"" +
-                    std::to_string(offsets.size()) + "\">\n<PointData>\n";
-  appendArray(xml, "Float32", "thickness", 1, thickness);
-  appendArray(xml, "Float32", "direction", 3, direction);
-  xml += "</PointData>\n<CellData>\n";
-  appendArray(xml, "Int32", "layer", 1, layer);
-  appendArray(xml, "Int32", "group", 1, group);
-  appendArray(xml, "Int32", "patch", 1, patchIndex);
-  xml += "</CellData>\n<Points>\n";
-  appendArray(xml, "Float32", "Points", 3, points);
-  xml += "</Points>\n<Polys>\n";
-  appendArray(xml, "Int32", "connectivity", 1, connectivity);
-  appendArray(xml, "Int32", "offsets", 1, offsets);
-  xml += "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
-  return xml;
+  base::VtkXml vtp("PolyData");
+  vtp.open("Piece", {{"NumberOfPoints", std::to_string(points.size() / 3)},
+                     {"NumberOfPolys", std::to_string(offsets.size())}});
+  vtp.open("PointData");
+  vtp.array("thickness", thickness);
+  vtp.array("direction", direction, 3);
+  vtp.close();
+  vtp.open("CellData");
+  vtp.array("layer", layer);
+  vtp.array("group", group);
+  vtp.array("patch", patchIndex);
+  vtp.close();
+  vtp.open("Points");
+  vtp.array("Points", points, 3);
+  vtp.close();
+  vtp.open("Polys");
+  vtp.array("connectivity", connectivity);
+  vtp.array("offsets", offsets);
+  return vtp.finish();
 }
 
 } // namespace voluta::layers

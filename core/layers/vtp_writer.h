@@ -8,7 +8,7 @@
 namespace voluta::layers {
 
 // The bytes of layers.vtp: all patches as triangles; point data `thickness` (mm), `direction`; cell
-// data `layer`, `group`, `patch`. Arrays are base64 of little-endian Float32 / Int32.
+// data `layer`, `group`, `patch`. Written by base/vtk_xml.h.
 std::string writeLayersVtp(const LayerStack& stack);
 
 } // namespace voluta::layers

@@ -2,10 +2,10 @@
 
 #include "base/files.h"
 #include "base/stopwatch.h"
+#include "curved/vti_writer.h"
 #include "geometry/formats/mesh_reader.h"
 #include "layers/vtp_writer.h"
 #include "motion/trajectory_csv.h"
-#include "pipeline/vti_writer.h"
 #include "planar/given_cuts.h"
 #include "toolpath/vtp_writer.h"
 
@@ -36,7 +36,7 @@ void writePieces(const std::vector<planar::Piece>& pieces, const std::filesystem
 void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
                 const base::RunContext& ctx) {
   if (result.job.decomposition)
-    base::writeFile(folder / "voxels.vti", voxelsVti(*result.job.decomposition));
+    base::writeFile(folder / "voxels.vti", curved::voxelsVti(*result.job.decomposition));
   if (result.job.pieces)
     writePieces(result.job.pieces->pieces, folder / "pieces", ctx);
   ctx.checkpoint();

@@ -8,8 +8,8 @@
 namespace voluta::toolpath {
 
 // The bytes of toolpath.vtp: one polyline a path; point data `width`, `height` (mm), `speed`
-// (mm/s), `direction`; cell data `layer`, `patch`, `group`, `kind` (plan::PathKind). Appended raw
-// data, little-endian.
+// (mm/s), `direction`; cell data `layer`, `patch`, `group`, `kind` (plan::PathKind). Written by
+// base/vtk_xml.h.
 std::string writeToolpathVtp(const plan::ToolPlan& plan);
 
 } // namespace voluta::toolpath

@@ -4,6 +4,7 @@
 #include "curved/decompose.h"
 #include "curved/platform.h"
 #include "curved/rank_checker.h"
+#include "curved/vti_writer.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "helpers/voxel_width.h"
@@ -73,28 +74,6 @@ Eigen::Vector3d growthAt(const curved::Decomposition& d, const Eigen::Vector3d& 
     b += (x - mean) * (v - meanValue);
   });
   return (a.inverse() * b).normalized();
-}
-
-void writeVti(const std::string& file, const curved::Decomposition& d) {
-  std::ofstream out(file);
-  const auto& g = d.grid;
-  const std::string extent = "0 " + std::to_string(g.size.x()) + " 0 " +
-                             std::to_string(g.size.y()) + " 0 " + std::to_string(g.size.z());
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"0.1\" "
-         "byte_order=\"LittleEndian\">\n<ImageData WholeExtent=\""
-      << extent << "\" Origin=\"" << g.origin.transpose() << "\" Spacing=\"" << g.pitch << ' '
-      << g.pitch << ' ' << g.pitch << "\">\n<Piece Extent=\"" << extent << "\">\n<CellData>\n"
-      << "<DataArray type=\"Int32\" Name=\"rank\" format=\"ascii\">\n";
-  for (const auto r : d.rank)
-    out << r << ' ';
-  out << "\n</DataArray>\n";
-  if (!d.field.empty()) {
-    out << "<DataArray type=\"Float32\" Name=\"field\" format=\"ascii\">\n";
-    for (const auto f : d.field)
-      out << (std::isnan(f) ? -1.0f : f) << ' ';
-    out << "\n</DataArray>\n";
-  }
-  out << "</CellData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
 }
 
 } // namespace
@@ -170,7 +149,7 @@ int main(int argc, char** argv) try {
     for (const plan::Finding& f : d.findings)
       std::printf("  finding %s: %s\n", f.kind.c_str(), f.reason.c_str());
     if (!vti.empty())
-      writeVti(vti, d);
+      std::ofstream(vti, std::ios::binary) << curved::voxelsVti(d);
     std::fflush(stdout);
   }
 } catch (const std::exception& e) {

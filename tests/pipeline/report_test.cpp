@@ -1,9 +1,7 @@
 #include "base/error.h"
 #include "pipeline/report.h"
-#include "pipeline/vti_writer.h"
 
 #include <cmath>
-#include <cstring>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -81,24 +79,6 @@ TEST(Report, ComesBackFromItsText) {
   EXPECT_EQ(pipeline::reportJson(pipeline::readReportJson(text)), text);
   EXPECT_THROW(pipeline::readReportJson("{}"), base::Error);
   EXPECT_THROW(pipeline::readReportJson("report"), base::Error);
-}
-
-TEST(Vti, ArraysStandWhereTheHeaderSays) {
-  curved::Decomposition d;
-  d.grid.size = {2, 1, 1};
-  d.rank = {3, -1};
-  d.platform = {{0, 0}, {1, 0}, {0, 1}};
-  const std::string text = pipeline::voxelsVti(d);
-  const std::size_t start = text.find("<AppendedData encoding=\"raw\">\n_") + 31;
-  const std::string marker = "Name=\"rank\" format=\"appended\" offset=\"";
-  const std::size_t at = start + std::stoul(text.substr(text.find(marker) + marker.size()));
-  std::uint64_t bytes = 0;
-  std::int32_t rank[2];
-  std::memcpy(&bytes, text.data() + at, sizeof bytes);
-  ASSERT_EQ(bytes, sizeof rank);
-  std::memcpy(rank, text.data() + at + sizeof bytes, sizeof rank);
-  EXPECT_EQ(rank[0], 3);
-  EXPECT_EQ(rank[1], -1);
 }
 
 } // namespace

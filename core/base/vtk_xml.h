@@ -1,0 +1,44 @@
+// Files of VTK's XML formats for other programs (ParaView), written without VTK.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace voluta::base {
+
+// A file under way: elements with their arrays, whose values are appended raw and little-endian at
+// the end (https://docs.vtk.org, "VTK XML formats").
+class VtkXml {
+public:
+  // `type`: of the data set, e.g. "PolyData"; its element is open.
+  using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
+  explicit VtkXml(std::string_view type, Attributes attributes = {});
+
+  void open(std::string_view element, Attributes attributes = {});
+  void close(); // the element opened last
+
+  // Within an element; T: float, double, std::uint8_t, std::int32_t, std::int64_t. `components`
+  // values make a tuple.
+  template <typename T>
+  void array(std::string_view name, const std::vector<T>& values, int components = 1);
+  // The same where a reader cannot know how many tuples there are (FieldData).
+  template <typename T>
+  void field(std::string_view name, const std::vector<T>& values, int components = 1);
+
+  // The bytes of the file; all elements are closed by it.
+  std::string finish();
+
+private:
+  void declare(std::string_view type, std::string_view name, int components,
+               const std::size_t* tuples, const void* values, std::size_t bytes);
+
+  std::string head_, data_;
+  std::vector<std::string> open_;
+};
+
+} // namespace voluta::base
