@@ -222,17 +222,17 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   for (int i = 0; i < o.walls; ++i)
     lines.add(wallAt(s, depth, hatchMm, beadScale, i + 0.5), PathKind::Wall, i);
   ctx.checkpoint();
-  const InfillRegion region{s,
-                            depth,
-                            hatchMm,
-                            static_cast<double>(o.walls),
-                            o.infillDensity,
-                            layer,
-                            std::remainder(o.infillAngleDeg + layer * o.infillTurnDeg, 180.0) *
-                                base::kPi / 180.0,
-                            o.windingAngleDeg * base::kPi / 180.0,
-                            beadScale};
-  lines.add(kind.fill(region), PathKind::Infill, 0);
+  const InfillRegion region{
+      s,
+      depth,
+      hatchMm,
+      static_cast<double>(o.walls),
+      o.infillDensity,
+      layer,
+      base::degreesToRadians(std::remainder(o.infillAngleDeg + layer * o.infillTurnDeg, 180.0)),
+      base::degreesToRadians(o.windingAngleDeg),
+      beadScale};
+  lines.add(kind.fill(region, ctx), PathKind::Infill, 0);
   ctx.checkpoint();
   if (o.infillDensity >= 1.0)
     lines.add(gapSpines(s, lines.curves, boundaryMm, hatchMm, beadScale), PathKind::GapFill, 0);

@@ -58,8 +58,8 @@ std::optional<SurfacePoint> placeOf(const PatchSurface& s, const Vector2d& uv, S
 // One part of a region.
 class Part {
 public:
-  Part(const InfillRegion& r, const std::vector<double>& depth)
-      : r_(r), s_(r.surface), depth_(depth), u_(depth.size(), NAN) {
+  Part(const InfillRegion& r, const std::vector<double>& depth, const base::RunContext& ctx)
+      : r_(r), s_(r.surface), depth_(depth), ctx_(ctx), u_(depth.size(), NAN) {
     double sum = 0.0, count = 0.0;
     for (std::size_t v = 0; v < depth.size(); ++v)
       if (depth[v] >= r.from) {
@@ -77,7 +77,7 @@ public:
     std::vector<double> across(u_.size());
     for (std::size_t v = 0; v < u_.size(); ++v)
       across[v] = s_.chart.at[v].y() * std::cos(angle) - u_[v] * std::sin(angle);
-    return evenLines(r_, depth_, across);
+    return evenLines(r_, depth_, across, ctx_);
   }
 
   // A helix over a part that winds; nothing where it is too short for two turns.
@@ -87,11 +87,11 @@ public:
     if (high - low < 2.0 * pitch)
       return {};
     LineCover lines(r_, depth_);
-    for (SurfaceCurve& c : periodicIsolines(s_, {-1.0 / period, 1.0 / pitch, -low / pitch}))
+    for (SurfaceCurve& c : periodicIsolines(s_, {-1.0 / period, 1.0 / pitch, -low / pitch}, ctx_))
       for (const SurfaceCurve& piece :
            areStraight ? betweenEnds(std::move(c), low, high, pitch) : std::vector{std::move(c)})
         lines.add(piece, 0);
-    return lines.joined(pitch);
+    return lines.joined(pitch, ctx_);
   }
 
   // Helices side by side over a part that winds.
@@ -110,16 +110,18 @@ public:
     if (angle > 0)
       winding.perU = -winding.perU;
     const auto count = static_cast<long>(starts);
-    std::vector<SurfaceCurve> curves = periodicIsolines(s_, winding);
+    std::vector<SurfaceCurve> curves = periodicIsolines(s_, winding, ctx_);
     const auto levelOf = [&](const SurfaceCurve& c) {
       const long line = std::lround(winding.at(chartAt(s_, c.points.front())) - 0.5);
       return static_cast<int>((line % count + count) % count);
     };
     std::ranges::stable_sort(curves, {}, levelOf);
     LineCover lines(r_, depth_);
-    for (const SurfaceCurve& c : curves)
+    for (const SurfaceCurve& c : curves) {
+      ctx_.checkpoint();
       lines.add(c, levelOf(c));
-    return lines.joined(spacing);
+    }
+    return lines.joined(spacing, ctx_);
   }
 
 private:
@@ -234,17 +236,18 @@ private:
   const InfillRegion& r_;
   const PatchSurface& s_;
   const std::vector<double>& depth_;
+  const base::RunContext& ctx_;
   std::vector<double> u_; // per vertex; NaN where it isn't asked for
   double hatch_ = 0.0;    // mean
   bool winds_ = false;
 };
 
-std::vector<SurfaceCurve> wound(const InfillRegion& r, double angle) {
+std::vector<SurfaceCurve> wound(const InfillRegion& r, double angle, const base::RunContext& ctx) {
   if (std::ranges::none_of(r.depth, [&](double d) { return d >= r.from; }))
     return {};
   std::vector<SurfaceCurve> curves;
-  forEachPart(r, [&](const std::vector<double>& depth, double deepest) {
-    const Part part(r, depth);
+  forEachPart(r, ctx, [&](const std::vector<double>& depth, double deepest) {
+    const Part part(r, depth, ctx);
     const bool isAround = std::abs(angle) < kAround;
     std::vector<SurfaceCurve> lines;
     if (part.winds() && isAround)
@@ -252,7 +255,7 @@ std::vector<SurfaceCurve> wound(const InfillRegion& r, double angle) {
     else if (deepest >= kNarrowPart)
       lines = part.winds() ? part.inclined(angle) : part.straight(angle);
     if (lines.empty())
-      lines = concentricInfill(partOf(r, depth));
+      lines = concentricInfill(partOf(r, depth), ctx);
     std::ranges::move(lines, std::back_inserter(curves));
   });
   return curves;
@@ -260,20 +263,20 @@ std::vector<SurfaceCurve> wound(const InfillRegion& r, double angle) {
 
 } // namespace
 
-std::vector<SurfaceCurve> aroundInfill(const InfillRegion& region) {
-  return wound(region, 0.0);
+std::vector<SurfaceCurve> aroundInfill(const InfillRegion& region, const base::RunContext& ctx) {
+  return wound(region, 0.0, ctx);
 }
 
-std::vector<SurfaceCurve> alongInfill(const InfillRegion& region) {
-  return wound(region, kQuarter);
+std::vector<SurfaceCurve> alongInfill(const InfillRegion& region, const base::RunContext& ctx) {
+  return wound(region, kQuarter, ctx);
 }
 
-std::vector<SurfaceCurve> helicalInfill(const InfillRegion& region) {
-  return wound(region, region.layer % 2 == 0 ? region.windingRad : -region.windingRad);
+std::vector<SurfaceCurve> helicalInfill(const InfillRegion& region, const base::RunContext& ctx) {
+  return wound(region, region.layer % 2 == 0 ? region.windingRad : -region.windingRad, ctx);
 }
 
-std::vector<SurfaceCurve> wovenInfill(const InfillRegion& region) {
-  return region.layer % 2 == 0 ? aroundInfill(region) : alongInfill(region);
+std::vector<SurfaceCurve> wovenInfill(const InfillRegion& region, const base::RunContext& ctx) {
+  return region.layer % 2 == 0 ? aroundInfill(region, ctx) : alongInfill(region, ctx);
 }
 
 } // namespace voluta::toolpath

@@ -57,14 +57,14 @@ std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
 
 } // namespace
 
-std::vector<SurfaceCurve> zigzagInfill(const InfillRegion& region) {
+std::vector<SurfaceCurve> zigzagInfill(const InfillRegion& region, const base::RunContext& ctx) {
   if (std::ranges::none_of(region.depth, [&](double d) { return d >= region.from; }))
     return {};
   const std::vector<double> across = acrossLines(region.surface, region.directionRad);
   std::vector<SurfaceCurve> curves;
-  forEachPart(region, [&](const std::vector<double>& depth, double deepest) {
-    for (SurfaceCurve& c : deepest < kNarrowPart ? concentricInfill(partOf(region, depth))
-                                                 : evenLines(region, depth, across))
+  forEachPart(region, ctx, [&](const std::vector<double>& depth, double deepest) {
+    for (SurfaceCurve& c : deepest < kNarrowPart ? concentricInfill(partOf(region, depth), ctx)
+                                                 : evenLines(region, depth, across, ctx))
       curves.push_back(std::move(c));
   });
   return curves;

@@ -89,7 +89,7 @@ std::vector<SurfacePoint> LineCover::bridge(const SurfacePoint& from,
   return points;
 }
 
-std::vector<SurfaceCurve> LineCover::joined(double spacing) {
+std::vector<SurfaceCurve> LineCover::joined(double spacing, const base::RunContext& ctx) {
   std::vector<SurfaceCurve> curves;
   std::vector<Line>& lines = lines_;
   std::vector<std::vector<std::size_t>> byLevel;
@@ -108,6 +108,7 @@ std::vector<SurfaceCurve> LineCover::joined(double spacing) {
     std::vector<SurfacePoint> chain = lines[first].points;
     std::vector<double> chainDepth = lines[first].depth;
     for (int level = lines[first].level + 1; at(level) < byLevel.size(); ++level) {
+      ctx.checkpoint();
       // The chain's end, and the nearest end of the next level that can be joined to it.
       Line end{chain, chainDepth, 0, false, false};
       const std::size_t cut = deepFrom(end, true);
@@ -159,7 +160,8 @@ std::vector<SurfaceCurve> LineCover::joined(double spacing) {
 }
 
 std::vector<SurfaceCurve> evenLines(const InfillRegion& r, const std::vector<double>& depth,
-                                    const std::vector<double>& across) {
+                                    const std::vector<double>& across,
+                                    const base::RunContext& ctx) {
   double low = INFINITY, high = -INFINITY, hatch = 0.0;
   std::size_t count = 0;
   for (std::size_t v = 0; v < depth.size(); ++v)
@@ -173,10 +175,12 @@ std::vector<SurfaceCurve> evenLines(const InfillRegion& r, const std::vector<dou
   const int n = std::max(1, static_cast<int>(std::lround((high - low) * r.density / hatch)));
   const double spacing = (high - low) / n;
   LineCover lines(r, depth);
-  for (int k = 0; k < n; ++k)
+  for (int k = 0; k < n; ++k) {
+    ctx.checkpoint();
     for (const SurfaceCurve& c : isolines(r.surface, across, low + (k + 0.5) * spacing))
       lines.add(c, k);
-  return lines.joined(spacing);
+  }
+  return lines.joined(spacing, ctx);
 }
 
 } // namespace voluta::toolpath

@@ -14,7 +14,8 @@ inline constexpr double kNarrowPart = 4.2;
 
 // Calls part(depth, deepest) for each connected part of a region: depths with those of the other
 // parts outside the region, and how deep it is from the region's edge, in hatches.
-template <typename F> void forEachPart(const InfillRegion& r, F&& part) {
+template <typename F>
+void forEachPart(const InfillRegion& r, const base::RunContext& ctx, F&& part) {
   const Regions regions = regionsAbove(r.surface, r.depth, r.from);
   std::vector<double> deepest(static_cast<std::size_t>(regions.count), 0.0);
   for (std::size_t v = 0; v < r.depth.size(); ++v)
@@ -23,6 +24,7 @@ template <typename F> void forEachPart(const InfillRegion& r, F&& part) {
       d = std::max(d, r.depth[v]);
     }
   for (int i = 0; i < regions.count; ++i) {
+    ctx.checkpoint();
     std::vector<double> own = r.depth;
     for (std::size_t v = 0; v < own.size(); ++v)
       if (regions.ofVertex[v] != i && own[v] >= r.from)
@@ -47,7 +49,7 @@ public:
   void add(const SurfaceCurve& line, int level);
   // The lines, those of neighbouring levels joined by beads along the part's edge where there is
   // room for them.
-  std::vector<SurfaceCurve> joined(double spacingMm);
+  std::vector<SurfaceCurve> joined(double spacingMm, const base::RunContext& ctx);
 
 private:
   struct Line {
@@ -69,6 +71,6 @@ private:
 // Isolines of `across` (per vertex, mm; finite in the part) over one part of a region, evenly from
 // its least value to its largest.
 std::vector<SurfaceCurve> evenLines(const InfillRegion& region, const std::vector<double>& depth,
-                                    const std::vector<double>& across);
+                                    const std::vector<double>& across, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

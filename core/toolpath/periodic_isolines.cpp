@@ -34,9 +34,11 @@ class Tracer {
 public:
   Tracer(const PatchSurface& s, const Winding& winding) : s_(s), winding_(winding) {}
 
-  std::vector<SurfaceCurve> run() {
-    for (std::size_t t = 0; t < s_.triangles.size(); ++t)
+  std::vector<SurfaceCurve> run(const base::RunContext& ctx) {
+    for (std::size_t t = 0; t < s_.triangles.size(); ++t) {
+      ctx.checkpoint();
       cross(static_cast<int>(t));
+    }
     used_.assign(crossings_.size(), 0);
     for (std::size_t i = 0; i < crossings_.size(); ++i)
       if (crossings_[i].previous < 0)
@@ -132,11 +134,12 @@ private:
 
 } // namespace
 
-std::vector<SurfaceCurve> periodicIsolines(const PatchSurface& surface, const Winding& winding) {
+std::vector<SurfaceCurve> periodicIsolines(const PatchSurface& surface, const Winding& winding,
+                                           const base::RunContext& ctx) {
   base::require(!surface.chart.empty(), "the surface has a chart");
   const double around = winding.perU * surface.chart.periodMm;
   base::require(std::abs(around - std::round(around)) < 1e-6, "whole lines around");
-  return Tracer(surface, winding).run();
+  return Tracer(surface, winding).run(ctx);
 }
 
 } // namespace voluta::toolpath

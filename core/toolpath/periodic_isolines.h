@@ -1,6 +1,7 @@
 // Lines that wind around: isolines of a field that is known modulo one.
 #pragma once
 
+#include "base/run_context.h"
 #include "toolpath/patch_surface.h"
 
 #include <Eigen/Core>
@@ -19,7 +20,8 @@ struct Winding {
 // Curves where the field is a whole number and a half; larger values lie to the left, seen against
 // the triangles' normals. They run over the chart's seam as over any other place: a helix is one
 // curve from end to end. Deterministic order. Preconditions: the surface has a chart; perU *
-// periodMm is a whole number.
-std::vector<SurfaceCurve> periodicIsolines(const PatchSurface& surface, const Winding& winding);
+// periodMm is a whole number. Throws Cancelled.
+std::vector<SurfaceCurve> periodicIsolines(const PatchSurface& surface, const Winding& winding,
+                                           const base::RunContext& ctx = {});
 
 } // namespace voluta::toolpath

@@ -1,4 +1,5 @@
 // Lines around, along and across rods. Places are measured from positions alone, not from charts.
+#include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"
 #include "helpers/rod_level.h"
@@ -8,11 +9,14 @@
 #include "toolpath/curve_tools.h"
 #include "toolpath/infill.h"
 #include "toolpath/periodic_isolines.h"
+#include "toolpath/surface_fields.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <string>
+#include <thread>
 
 namespace {
 using namespace voluta;
@@ -230,6 +234,27 @@ TEST(WoundInfill, EveryRowOfTheTableFillsRodsSectorsAndHoles) {
         EXPECT_LT(sparse.beadVolumeMm3, 0.75 * sparse.volumeMm3);
         EXPECT_GT(sparse.beadVolumeMm3, 0.3 * sparse.volumeMm3);
       }
+}
+
+// Lines so fine that a layer of them takes minutes.
+TEST(WoundInfill, EveryRowOfTheTableCancelsWithinALayer) {
+  const auto s = toolpath::PatchSurface::refine(whole(), 0.5);
+  std::vector<double> depth = toolpath::distanceToSegments(s, toolpath::boundarySegments(s), 1e9);
+  constexpr double kFine = 0.002;
+  for (double& d : depth)
+    d /= kFine;
+  const std::vector<double> hatchMm(depth.size(), kFine);
+  for (const toolpath::InfillKind& kind : toolpath::infillKinds()) {
+    SCOPED_TRACE(kind.id);
+    const base::CancelToken token;
+    std::jthread user([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      token.cancel();
+    });
+    EXPECT_THROW(
+        kind.fill({s, depth, hatchMm, 1.0, 1.0, 0, 0.0, 0.5, 1.0}, base::RunContext(token, 1)),
+        base::Cancelled);
+  }
 }
 
 TEST(WoundInfill, AroundIsOnePathWithoutATravelAtTheSeam) {
