@@ -44,9 +44,9 @@ std::uint64_t availableMemory() {
   const std::uint64_t free = kibibytesOf(textOf("/proc/meminfo"), "MemAvailable:");
   const std::uint64_t limit = numberIn("/sys/fs/cgroup/memory.max");
   const std::uint64_t used = numberIn("/sys/fs/cgroup/memory.current");
-  const std::uint64_t left =
+  const std::uint64_t remaining =
       limit == kUnknown || used == kUnknown ? kUnknown : limit - std::min(limit, used);
-  return std::min(free == 0 ? kUnknown : free, left);
+  return std::min(free == 0 ? kUnknown : free, remaining);
 }
 
 } // namespace voluta::base

@@ -8,9 +8,9 @@ namespace voluta::base {
 
 bool readNumbers(std::string_view text, char separator, std::initializer_list<double*> values) {
   constexpr std::string_view kBlanks = " \t\r\n";
-  std::size_t left = values.size();
+  std::size_t remaining = values.size();
   for (double* value : values) {
-    const std::size_t length = --left > 0 ? text.find(separator) : text.size();
+    const std::size_t length = --remaining > 0 ? text.find(separator) : text.size();
     if (length == std::string_view::npos)
       return false;
     std::string_view word = text.substr(0, length);

@@ -169,7 +169,7 @@ void ConvexFront::replaceFacets(const std::vector<HullFacet>& hull) {
   std::sort(wanted.begin(), wanted.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
 
-  std::vector<std::int32_t> had = std::move(byCorners_), kept, gone;
+  std::vector<std::int32_t> had = std::move(byCorners_), kept, removed;
   std::vector<std::pair<Corners, const HullFacet*>> added;
   byCorners_.clear();
   ++rebuilt_;
@@ -179,18 +179,18 @@ void ConvexFront::replaceFacets(const std::vector<HullFacet>& hull) {
   };
   for (const auto& entry : wanted) {
     for (; old != had.end() && cornersOf(*old) < entry.first; ++old)
-      gone.push_back(*old);
+      removed.push_back(*old);
     if (old != had.end() && cornersOf(*old) == entry.first)
       kept.push_back(*old++);
     else
       added.push_back(entry);
   }
-  gone.insert(gone.end(), old, had.end());
-  const bool anew = gone.size() > kept.size();
+  removed.insert(removed.end(), old, had.end());
+  const bool anew = removed.size() > kept.size();
   if (anew)
     for (Surface& surface : surface_)
       std::fill(surface.ends.begin(), surface.ends.end(), Ends{});
-  for (const std::int32_t slot : gone) {
+  for (const std::int32_t slot : removed) {
     if (!anew)
       mark(static_cast<std::size_t>(slot), Stroke::Erase);
     dropFacet(slot);

@@ -45,12 +45,12 @@ public:
   // on them, is inside the next hull too as long as nothing but voxels goes. A facet of which that
   // is said again and again, and it stays, is left out more and more often.
   template <typename Goes>
-  void nearGoing(double depth, Goes&& goes, std::vector<std::int32_t>& out) {
+  void nearRemovable(double depth, Goes&& goes, std::vector<std::int32_t>& out) {
     gatherWhere([&](const Facet& facet) { return anyVoxel(facet, goes); },
                 [](Facet& facet) { return rarer(++facet.asked); }, depth, out);
   }
-  // What the last nearGoing() left out below facets that lost a corner since rebuild().
-  void nearGone(double depth, std::vector<std::int32_t>& out) {
+  // What the last nearRemovable() left out below facets that lost a corner since rebuild().
+  void nearRemoved(double depth, std::vector<std::int32_t>& out) {
     const std::uint32_t going = round_;
     gatherWhere(
         [&](const Facet& facet) {
@@ -80,7 +80,7 @@ private:
     Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // outward, not unit
     std::array<Eigen::Vector3d, 3> corners;           // in cells
     double planeInCells = 0.0;  // offset of its plane with a voxel's cell as its coordinates
-    std::uint32_t asked = 0;    // by nearGoing(), so often
+    std::uint32_t asked = 0;    // by nearRemovable(), so often
     std::uint32_t gathered = 0; // round_ of the last time
     bool isNew = false;         // not told by onNewFacets() yet
   };

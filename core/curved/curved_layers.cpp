@@ -109,7 +109,7 @@ double farthestOf(const layers::PatchesOfLevel& level, const geometry::MeshQuery
   return farthest;
 }
 
-void tellDropped(LayersResult& result, const std::vector<layers::DroppedPiece>& dropped) {
+void reportDropped(LayersResult& result, const std::vector<layers::DroppedPiece>& dropped) {
   const layers::DroppedPiece* largest = nullptr;
   for (const layers::DroppedPiece& piece : dropped) {
     ++result.droppedPieces;
@@ -129,8 +129,8 @@ void tellDropped(LayersResult& result, const std::vector<layers::DroppedPiece>& 
       false));
 }
 
-void tellUnsupported(LayersResult& result, const std::vector<layers::SupportCheck>& support,
-                     const layers::IslandOptions& islands) {
+void reportUnsupported(LayersResult& result, const std::vector<layers::SupportCheck>& support,
+                       const layers::IslandOptions& islands) {
   const layers::SupportCheck* first = nullptr;
   double area = 0.0, loose = 0.0, whole = 0.0;
   for (std::size_t p = 0; p < support.size(); ++p) {
@@ -196,10 +196,10 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
       farthest[l] = farthestOf(patches[l], boundary.query());
     }
   });
-  std::vector<layers::Patch> crumbs;
+  std::vector<layers::Patch> slivers;
   for (std::size_t l = 0; l < patches.size(); ++l) {
     result.boundaryFarthestMm = std::max(result.boundaryFarthestMm, farthest[l]);
-    std::move(patches[l].crumbs.begin(), patches[l].crumbs.end(), std::back_inserter(crumbs));
+    std::move(patches[l].slivers.begin(), patches[l].slivers.end(), std::back_inserter(slivers));
     for (layers::Patch& p : patches[l].patches) {
       p.group = groupOf(p, d, component);
       if (levels[l].slab.scale != 0) {
@@ -210,7 +210,7 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
     }
   }
   const layers::AbsorbOptions absorb{o.heightMaxMm, o.beadWidthMm};
-  layers::Absorbed absorbed = layers::absorbCrumbs(result.stack.patches, crumbs, absorb);
+  layers::Absorbed absorbed = layers::absorbSlivers(result.stack.patches, slivers, absorb);
   for (SupportPatch& support : supports) {
     support.patch.layer = static_cast<int>(
         std::floor(support.levelMm / partial.widthMm(PartialLevels::kFinest) + 1e-6));
@@ -218,19 +218,20 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
   }
   layers::orderForPrinting(result.stack);
   const layers::IslandOptions islands = layers::islandOptions(o.beadWidthMm);
-  layers::IslandsTaken found = layers::absorbIslands(result.stack, islands, absorb, ctx);
-  layers::Absorbed& taken = found.absorbed;
-  std::move(taken.dropped.begin(), taken.dropped.end(), std::back_inserter(absorbed.dropped));
-  result.mergedPieces = absorbed.merged + taken.merged;
-  result.mergedVolumeMm3 = absorbed.mergedVolumeMm3 + taken.mergedVolumeMm3;
+  layers::AbsorbedIslands found = layers::absorbIslands(result.stack, islands, absorb, ctx);
+  layers::Absorbed& absorbedIslands = found.absorbed;
+  std::move(absorbedIslands.dropped.begin(), absorbedIslands.dropped.end(),
+            std::back_inserter(absorbed.dropped));
+  result.mergedPieces = absorbed.merged + absorbedIslands.merged;
+  result.mergedVolumeMm3 = absorbed.mergedVolumeMm3 + absorbedIslands.mergedVolumeMm3;
   ctx.report(0.8, "ending layers on the surface");
   layers::followTop(result.stack, boundary,
                     {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
   ctx.report(0.9, "checking layers");
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   result.volumeMm3 = result.statistics.volumeMm3();
-  tellDropped(result, absorbed.dropped);
-  tellUnsupported(result, found.support, islands);
+  reportDropped(result, absorbed.dropped);
+  reportUnsupported(result, found.support, islands);
   result.seconds.trim = trimClock.seconds();
   return result;
 }

@@ -49,7 +49,7 @@ struct LayersResult {
 };
 
 // Level surfaces of the field, cut on the part's surface and made into patches: PartialLevels,
-// extractLevels, layers::trimToPart, layers::makePatches, layers::absorbCrumbs,
+// extractLevels, layers::trimToPart, layers::makePatches, layers::absorbSlivers,
 // layers::orderForPrinting, layers::absorbIslands, layers::followTop. Where a level would be
 // thicker than heightMaxMm, it is laid in parts; where levels would be thinner than heightMinMm,
 // they end and one patch takes the place of several: layers are numbered by where their patches

@@ -28,7 +28,8 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
   // From the nominal height at the median to the least height there.
   const double nominal = 1.0 / median;
   constexpr int kSteps = 60;
-  constexpr double kWorthIt = 1e-3; // share of voxels that a height further from nominal must save
+  constexpr double kLeastGain =
+      1e-3; // share of voxels that a height further from nominal must save
   const auto scaleAt = [&](int i) {
     return nominal * std::pow(limits.heightMm / limits.minMm, i / double{kSteps});
   };
@@ -36,7 +37,7 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
   for (int i = 0; i <= kSteps; ++i)
     most = std::max(most, share(scaleAt(i)));
   int chosen = 0;
-  while (share(scaleAt(chosen)) < most - kWorthIt)
+  while (share(scaleAt(chosen)) < most - kLeastGain)
     ++chosen;
   const double best = scaleAt(chosen), bestShare = share(best);
   if (within)

@@ -188,8 +188,8 @@ private:
     guardShadowed();
     for (const std::int32_t v : tried) {
       ctx_.checkpoint();
-      const std::size_t left = limit - swallowed_.size();
-      if (front_.wouldSwallow(v, left) < left) {
+      const std::size_t allowance = limit - swallowed_.size();
+      if (front_.wouldSwallow(v, allowance) < allowance) {
         front_.add(v, swallowed_);
         safe.push_back(v);
       } else {

@@ -40,9 +40,9 @@ void growReverse(const VoxelGraph& graph, const process::HeadShape* head, Growth
   first.runs = 1;
   Peeling best = peelAll(graph, {}, first, ctx.sub(0.0, 0.5));
   out.peelSeconds = watch.seconds();
-  const bool enough = best.givenUp == 0 || (graph.size() > kManyVoxels &&
-                                            static_cast<double>(best.givenUp) <=
-                                                kFewMissed * static_cast<double>(graph.size()));
+  const bool enough = best.abandoned == 0 || (graph.size() > kManyVoxels &&
+                                              static_cast<double>(best.abandoned) <=
+                                                  kFewMissed * static_cast<double>(graph.size()));
   if (!enough) {
     struct Pass {
       double sheet;
@@ -59,7 +59,7 @@ void growReverse(const VoxelGraph& graph, const process::HeadShape* head, Growth
         passes[p] = peelAll(graph, {}, options, ctx.quiet());
       }
     });
-    const auto key = [](const Peeling& p) { return std::tuple(p.givenUp, p.relaxed, p.ranks); };
+    const auto key = [](const Peeling& p) { return std::tuple(p.abandoned, p.relaxed, p.ranks); };
     best = std::move(
         *std::min_element(passes.begin(), passes.end(),
                           [&](const Peeling& a, const Peeling& b) { return key(a) < key(b); }));

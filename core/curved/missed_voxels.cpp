@@ -115,8 +115,8 @@ private:
   // One growth over again, asking after each rank which roots the front covers by now.
   void findCovers() {
     constexpr std::size_t kMost = 20;
-    const std::size_t asked = std::min(kMost, groups_.size());
-    if (std::none_of(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(asked),
+    const std::size_t examined = std::min(kMost, groups_.size());
+    if (std::none_of(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(examined),
                      [](const Group& g) { return g.root >= 0; }))
       return;
     std::vector<std::int32_t> order;
@@ -135,7 +135,7 @@ private:
         front.insert(static_cast<std::size_t>(order[i]));
       front.rebuild();
       bool open = false;
-      for (std::size_t g = 0; g < asked; ++g) {
+      for (std::size_t g = 0; g < examined; ++g) {
         Group& group = groups_[g];
         if (group.root < 0 || group.coveredAt > 0)
           continue;
@@ -213,17 +213,18 @@ void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decompositi
   decomposition.unreachedVoxels += belowPlate;
   decomposition.missedVoxels = decomposition.shadowedVoxels + decomposition.unreachedVoxels;
 
-  constexpr std::size_t kTold = 20;
-  for (std::size_t g = 0; g < std::min(kTold, groups.size()); ++g)
+  constexpr std::size_t kMostListed = 20;
+  for (std::size_t g = 0; g < std::min(kMostListed, groups.size()); ++g)
     decomposition.findings.push_back(findingOf(groups[g]));
-  if (groups.size() > kTold) {
-    plan::Finding rest = findingOf(groups[kTold]);
+  if (groups.size() > kMostListed) {
+    plan::Finding rest = findingOf(groups[kMostListed]);
     rest.kind = "missedVoxels";
     rest.count = 0;
-    for (std::size_t g = kTold; g < groups.size(); ++g)
+    for (std::size_t g = kMostListed; g < groups.size(); ++g)
       rest.count += groups[g].voxels.size();
     rest.reason = std::to_string(rest.count) + " more voxels are missed in " +
-                  std::to_string(groups.size() - kTold) + " smaller groups; this is the largest";
+                  std::to_string(groups.size() - kMostListed) +
+                  " smaller groups; this is the largest";
     decomposition.findings.push_back(rest);
   }
   if (belowPlate > 0) {

@@ -114,34 +114,34 @@ private:
   bool round(double sheet, double tolerance) {
     ctx_.checkpoint();
     ++round_;
-    taken_.clear();
+    proposed_.clear();
     if (laysInside(tolerance)) {
       proposeNear(sheet);
     } else {
       lookAtFront();
-      front_.nearGoing(
+      front_.nearRemovable(
           sheet, [&](std::size_t v) { return late(v) && support_.allows(v); }, candidates_);
       candidates_.insert(candidates_.end(), onFront_.begin(), onFront_.end());
       sortOut(candidates_);
       propose(candidates_);
-      front_.nearGone(sheet, candidates_);
+      front_.nearRemoved(sheet, candidates_);
       propose(candidates_);
     }
-    if (taken_.empty())
+    if (proposed_.empty())
       return false;
     front_.rebuild();
-    shadowed_.resize(taken_.size());
-    base::parallelChunks(ctx_, taken_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    shadowed_.resize(proposed_.size());
+    base::parallelChunks(ctx_, proposed_.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin, hint = 0; i < end; ++i)
         shadowed_[i] =
-            front_.deeperThan(static_cast<std::size_t>(taken_[i]),
-                              toleranceOf(static_cast<std::size_t>(taken_[i]), tolerance), hint)
+            front_.deeperThan(static_cast<std::size_t>(proposed_[i]),
+                              toleranceOf(static_cast<std::size_t>(proposed_[i]), tolerance), hint)
                 ? 1
                 : 0;
     });
     std::size_t hint = 0, peeled = 0;
-    for (std::size_t i = 0; i < taken_.size(); ++i) {
-      const auto x = static_cast<std::size_t>(taken_[i]);
+    for (std::size_t i = 0; i < proposed_.size(); ++i) {
+      const auto x = static_cast<std::size_t>(proposed_[i]);
       if (shadowed_[i]) {
         support_.putBack(x);
         front_.insert(x);
@@ -161,12 +161,12 @@ private:
       return false;
     ++round_;
     lookAtFront();
-    taken_.clear();
+    proposed_.clear();
     propose(onFront_);
-    for (const std::int32_t v : taken_)
+    for (const std::int32_t v : proposed_)
       take(static_cast<std::size_t>(v));
     front_.rebuild();
-    return !taken_.empty();
+    return !proposed_.empty();
   }
 
   // Whether some voxels may lie inside the front.
@@ -183,7 +183,7 @@ private:
       const auto x = static_cast<std::size_t>(v);
       if (!late(x) || !support_.allows(x))
         continue;
-      taken_.push_back(v);
+      proposed_.push_back(v);
       support_.lift(x);
       front_.remove(x);
     }
@@ -278,13 +278,13 @@ private:
     front_.nearSurface(0.0, candidates_);
     if (candidates_.empty())
       return false;
-    if ((support_.left().size() - front_.count()) * kStale > front_.count()) {
+    if ((support_.remaining().size() - front_.count()) * kStale > front_.count()) {
       support_.flood(ctx_);
       return true;
     }
     if (takeRerouted())
       return true;
-    cuts_.find(present_, support_.left());
+    cuts_.find(present_, support_.remaining());
     const auto loss = [&](std::size_t v) { return cuts_.lossWithout(v); };
     const auto best = *std::min_element(
         candidates_.begin(), candidates_.end(), [&](std::int32_t a, std::int32_t b) {
@@ -312,7 +312,7 @@ private:
         reach_->remove(x);
       front_.remove(x);
       out_.given[x] = 1;
-      ++out_.givenUp;
+      ++out_.abandoned;
     }
     front_.rebuild();
     support_.flood(ctx_);
@@ -443,7 +443,7 @@ private:
   CutVoxels cuts_;
   std::vector<std::int32_t> removedIn_; // round
   std::vector<std::int32_t> onFront_;   // on the front when last looked at, and not gone then
-  std::vector<std::int32_t> candidates_, taken_, loss_;
+  std::vector<std::int32_t> candidates_, proposed_, loss_;
   std::vector<std::uint8_t> shadowed_; // per taken voxel
   std::vector<std::uint32_t> visitedIn_;
   std::uint32_t visit_ = 0;
@@ -493,7 +493,7 @@ Peeling peelAll(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
   std::vector<std::uint8_t> kept = use.empty() ? std::vector<std::uint8_t>(graph.size(), 1) : use;
   std::vector<std::uint8_t> given(graph.size(), 0);
   Peeling best;
-  std::size_t givenUp = 0;
+  std::size_t abandoned = 0;
   for (int run = 1; run <= options.runs; ++run) {
     Peeling result =
         peel(graph, kept, options, ctx.sub(1.0 - std::pow(0.5, run - 1), 1.0 - std::pow(0.5, run)));
@@ -502,11 +502,11 @@ Peeling peelAll(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
         given[v] = 1;
         kept[v] = 0;
       }
-    givenUp += result.givenUp;
-    result.fallen = result.givenUp == 0 ? 0 : dropUnsupported(graph, result);
-    result.givenUp = givenUp + result.fallen;
+    abandoned += result.abandoned;
+    result.fallen = result.abandoned == 0 ? 0 : dropUnsupported(graph, result);
+    result.abandoned = abandoned + result.fallen;
     const bool settled = result.fallen == 0;
-    if (best.rank.empty() || result.givenUp < best.givenUp) {
+    if (best.rank.empty() || result.abandoned < best.abandoned) {
       for (std::size_t v = 0; v < graph.size(); ++v)
         result.given[v] |= given[v];
       best = std::move(result);

@@ -42,7 +42,7 @@ struct Peeling {
   std::size_t byHead = 0; // number of those
   std::int32_t ranks = 0;
   std::size_t remaining = 0; // voxels left where it stopped (neither laid nor given up)
-  std::size_t givenUp = 0;
+  std::size_t abandoned = 0;
   std::size_t fallen = 0;  // of them: only because their support was given up (the cascade)
   std::size_t relaxed = 0; // voxels laid deeper inside the front than `tolerance`
   double deepest = 0.0;    // of any of them, and of `tolerance` where that is more

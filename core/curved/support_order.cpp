@@ -18,7 +18,7 @@ SupportOrder::SupportOrder(const VoxelGraph& graph, std::vector<std::uint8_t>& p
     : graph_(graph), present_(present), tiesCarry_(true),
       distance_(graph.size(), std::numeric_limits<float>::infinity()),
       supports_(graph.size(), kFree), carries_(graph.size(), 0) {
-  gatherLeft();
+  gatherRemaining();
   flood(ctx);
 }
 
@@ -26,23 +26,24 @@ SupportOrder::SupportOrder(const VoxelGraph& graph, std::vector<std::uint8_t>& p
                            const std::vector<std::int32_t>& order, const base::RunContext& ctx)
     : graph_(graph), present_(present), tiesCarry_(false), distance_(order.begin(), order.end()),
       supports_(graph.size(), kFree), carries_(graph.size(), 0) {
-  gatherLeft();
+  gatherRemaining();
   countAll(ctx);
 }
 
-void SupportOrder::gatherLeft() {
+void SupportOrder::gatherRemaining() {
   for (std::size_t v = 0; v < graph_.size(); ++v)
     if (present_[v])
-      left_.push_back(static_cast<std::int32_t>(v));
+      remaining_.push_back(static_cast<std::int32_t>(v));
 }
 
 void SupportOrder::flood(const base::RunContext& ctx) {
   tiesCarry_ = true;
-  const auto drop = [&](auto gone) {
-    left_.erase(std::remove_if(left_.begin(), left_.end(), gone), left_.end());
+  const auto drop = [&](auto removed) {
+    remaining_.erase(std::remove_if(remaining_.begin(), remaining_.end(), removed),
+                     remaining_.end());
   };
   drop([&](std::int32_t v) { return !present_[static_cast<std::size_t>(v)]; });
-  chamferDistance(graph_, left_, present_, distance_, ctx);
+  chamferDistance(graph_, remaining_, present_, distance_, ctx);
   drop([&](std::int32_t v) {
     const auto x = static_cast<std::size_t>(v);
     present_[x] = std::isfinite(distance_[x]);
@@ -52,9 +53,9 @@ void SupportOrder::flood(const base::RunContext& ctx) {
 }
 
 void SupportOrder::countAll(const base::RunContext& ctx) {
-  base::parallelChunks(ctx, left_.size(), 8192, [&](std::size_t begin, std::size_t end) {
+  base::parallelChunks(ctx, remaining_.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      count(static_cast<std::size_t>(left_[i]));
+      count(static_cast<std::size_t>(remaining_[i]));
   });
 }
 

@@ -30,7 +30,7 @@ public:
   // lifted.
   bool reroute(std::size_t v, std::size_t most);
   // What is present, in the order of voxels, as of the last flood().
-  const std::vector<std::int32_t>& left() const { return left_; }
+  const std::vector<std::int32_t>& remaining() const { return remaining_; }
 
   // Later voxels come before earlier ones.
   bool later(std::size_t a, std::size_t b) const {
@@ -56,14 +56,14 @@ private:
     return distance_[on] != distance_[v] ? distance_[on] < distance_[v] : tiesCarry_ && on < v;
   }
   void change(std::size_t v, int by);
-  void gatherLeft();
+  void gatherRemaining();
   void countAll(const base::RunContext& ctx);
   void count(std::size_t v);
 
   const VoxelGraph& graph_;
   std::vector<std::uint8_t>& present_;
   bool tiesCarry_;
-  std::vector<std::int32_t> left_;
+  std::vector<std::int32_t> remaining_;
   // reroute(): what rests on nothing any more, its distances before, and what rests on one less, as
   // often as it does; marks of the uprooted.
   std::vector<std::int32_t> uprooted_, lessened_;

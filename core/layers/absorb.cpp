@@ -19,7 +19,7 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-// What a patch is asked again and again; made when a crumb first comes near.
+// What a patch is asked again and again; made when a sliver first comes near.
 struct Host {
   std::vector<double> area; // a third of the triangles around each vertex; 0 on the boundary
 };
@@ -39,13 +39,13 @@ Host hostOf(const Patch& patch) {
   return host;
 }
 
-struct Crumb {
+struct Sliver {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), direction = Eigen::Vector3d::Zero();
   double area = 0.0, volume = 0.0, thickness = 0.0;
 };
 
-Crumb measure(const Patch& piece) {
-  Crumb c;
+Sliver measure(const Patch& piece) {
+  Sliver c;
   const auto& mesh = piece.surface;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const double a = geometry::triangleArea(mesh, t) / 3.0;
@@ -64,7 +64,7 @@ Crumb measure(const Patch& piece) {
   return c;
 }
 
-// A vertex that takes part of a crumb: towards it (+1 along its direction, -1 against it).
+// A vertex that takes part of a sliver: towards it (+1 along its direction, -1 against it).
 struct Taker {
   std::size_t patch;
   int vertex;
@@ -73,18 +73,18 @@ struct Taker {
 
 } // namespace
 
-Absorbed absorbCrumbs(std::vector<Patch>& patches, const std::vector<Patch>& crumbs,
-                      const AbsorbOptions& options) {
+Absorbed absorbSlivers(std::vector<Patch>& patches, const std::vector<Patch>& slivers,
+                       const AbsorbOptions& options) {
   Absorbed result;
   std::vector<Eigen::AlignedBox3d> boxes;
-  if (!crumbs.empty())
+  if (!slivers.empty())
     for (const Patch& p : patches)
       boxes.push_back(geometry::bounds(p.surface));
   std::unordered_map<std::size_t, Host> hosts;
   const double reach = options.heightMaxMm, around = 0.5 * options.beadWidthMm;
-  for (const Patch& piece : crumbs) {
-    const Crumb crumb = measure(piece);
-    if (crumb.volume <= 0.0)
+  for (const Patch& piece : slivers) {
+    const Sliver sliver = measure(piece);
+    if (sliver.volume <= 0.0)
       continue;
     Eigen::AlignedBox3d box = geometry::bounds(piece.surface);
     box.min().array() -= reach + around;
@@ -105,9 +105,9 @@ Absorbed absorbCrumbs(std::vector<Patch>& patches, const std::vector<Patch>& cru
       for (std::size_t v = 0; v < host.area.size(); ++v) {
         const double room = options.heightMaxMm - patch.thicknessMm[v];
         if (host.area[v] <= 0.0 || room <= 1e-3 || !box.contains(patch.surface.vertices[v]) ||
-            patch.direction[v].dot(crumb.direction) <= 0.0)
+            patch.direction[v].dot(sliver.direction) <= 0.0)
           continue;
-        const double apart = 0.5 * (patch.thicknessMm[v] + crumb.thickness);
+        const double apart = 0.5 * (patch.thicknessMm[v] + sliver.thickness);
         const Eigen::Vector3d facing =
             patch.surface.vertices[v] + side * apart * patch.direction[v];
         if (query.closest(facing, around).triangle < 0 ||
@@ -118,29 +118,30 @@ Absorbed absorbCrumbs(std::vector<Patch>& patches, const std::vector<Patch>& cru
         roomFor += host.area[v] * room;
       }
     }
-    if (roomFor < options.leastShare * crumb.volume) {
+    if (roomFor < options.leastShare * sliver.volume) {
       ++result.refused;
       continue;
     }
-    // Rising evenly until the crumb is used up; those that are full drop out.
-    double left = crumb.volume;
+    // Rising evenly until the sliver is used up; those that are full drop out.
+    double remaining = sliver.volume;
     std::sort(takers.begin(), takers.end(), [](const Taker& a, const Taker& b) {
       return std::tie(a.capacity, a.patch, a.vertex) < std::tie(b.capacity, b.patch, b.vertex);
     });
     for (const Taker& t : takers) {
-      const double rise = std::min(t.capacity, left / area);
+      const double rise = std::min(t.capacity, remaining / area);
       Patch& patch = patches[t.patch];
       patch.thicknessMm[at(t.vertex)] += rise;
       patch.surface.vertices[at(t.vertex)] += 0.5 * t.side * rise * patch.direction[at(t.vertex)];
-      left -= rise * t.area;
+      remaining -= rise * t.area;
       area -= t.area;
     }
-    left = std::max(0.0, left);
-    result.mergedVolumeMm3 += crumb.volume - left;
-    if (left <= kHardly * crumb.volume)
+    remaining = std::max(0.0, remaining);
+    result.mergedVolumeMm3 += sliver.volume - remaining;
+    if (remaining <= kHardly * sliver.volume)
       ++result.merged;
     else
-      result.dropped.push_back({crumb.centre, crumb.area * left / crumb.volume, left, piece.layer});
+      result.dropped.push_back(
+          {sliver.centre, sliver.area * remaining / sliver.volume, remaining, piece.layer});
   }
   return result;
 }

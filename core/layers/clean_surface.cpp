@@ -145,22 +145,22 @@ public:
     int done = 0;
     for (const Candidate& c : candidates) {
       double best = -1.0;
-      int gone = -1, kept = -1;
+      int removed = -1, kept = -1;
       for (const auto& [u, v] : {std::pair{c.low, c.high}, std::pair{c.high, c.low}}) {
-        const double shape = worthOf(ring, locked, u, v, c.boundary);
+        const double shape = qualityOf(ring, locked, u, v, c.boundary);
         if (shape > best) {
           best = shape;
-          gone = u;
+          removed = u;
           kept = v;
         }
       }
-      if (gone < 0)
+      if (removed < 0)
         continue;
       ring.around(kept, [&](int t) { lock(locked, t); });
-      ring.around(gone, [&](int t) {
+      ring.around(removed, [&](int t) {
         lock(locked, t);
         for (int& v : mesh.triangles[at(t)])
-          if (v == gone)
+          if (v == removed)
             v = kept;
       });
       ++done;
@@ -258,8 +258,8 @@ private:
   }
 
   // Worst shape left when u moves onto v; -1 where it may not.
-  double worthOf(const Ring& ring, const std::vector<std::uint8_t>& locked, int u, int v,
-                 bool boundaryEdge) const {
+  double qualityOf(const Ring& ring, const std::vector<std::uint8_t>& locked, int u, int v,
+                   bool boundaryEdge) const {
     if (locked[at(u)] || locked[at(v)] || ring.bad[at(u)] || ring.bad[at(v)])
       return -1.0;
     const int boundaryAtU = ring.boundaryEdges[at(u)];

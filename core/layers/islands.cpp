@@ -27,14 +27,14 @@ IslandOptions islandOptions(double beadWidthMm) {
   return options;
 }
 
-IslandsTaken absorbIslands(LayerStack& stack, const IslandOptions& options,
-                           const AbsorbOptions& absorb, const base::RunContext& ctx,
-                           const Ground& ground) {
-  IslandsTaken result;
+AbsorbedIslands absorbIslands(LayerStack& stack, const IslandOptions& options,
+                              const AbsorbOptions& absorb, const base::RunContext& ctx,
+                              const Ground& ground) {
+  AbsorbedIslands result;
   result.support = checkSupport(stack, options.supportReach, ctx, {}, ground);
   bool isChanged = false;
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<Eigen::AlignedBox3d> gone;
+    std::vector<Eigen::AlignedBox3d> removedBoxes;
     for (std::size_t p = 0; p < stack.patches.size(); ++p) {
       if (stack.patches[p].group == kSupportGroup ||
           result.support[p].supportedFraction >= options.supportedShare)
@@ -44,12 +44,12 @@ IslandsTaken absorbIslands(LayerStack& stack, const IslandOptions& options,
       if (geometry::area(stack.patches[p].surface) > options.dropMm2)
         with.leastShare = std::max(absorb.leastShare, options.leastMerged);
       // Patches of its own layer take nothing, so that it may stay in the stack meanwhile.
-      Absorbed one = absorbCrumbs(stack.patches, {stack.patches[p]}, with);
+      Absorbed one = absorbSlivers(stack.patches, {stack.patches[p]}, with);
       if (one.refused > 0)
         continue;
-      gone.push_back(geometry::bounds(stack.patches[p].surface));
-      gone.back().min().array() -= kNearMm;
-      gone.back().max().array() += kNearMm;
+      removedBoxes.push_back(geometry::bounds(stack.patches[p].surface));
+      removedBoxes.back().min().array() -= kNearMm;
+      removedBoxes.back().max().array() += kNearMm;
       stack.patches.erase(stack.patches.begin() + static_cast<std::ptrdiff_t>(p));
       result.support.erase(result.support.begin() + static_cast<std::ptrdiff_t>(p));
       --p;
@@ -58,13 +58,13 @@ IslandsTaken absorbIslands(LayerStack& stack, const IslandOptions& options,
       std::move(one.dropped.begin(), one.dropped.end(),
                 std::back_inserter(result.absorbed.dropped));
     }
-    if (gone.empty())
+    if (removedBoxes.empty())
       break;
     isChanged = true;
     std::vector<std::size_t> which;
     for (std::size_t p = 0; p < stack.patches.size(); ++p) {
       const Eigen::AlignedBox3d box = geometry::bounds(stack.patches[p].surface);
-      if (std::any_of(gone.begin(), gone.end(),
+      if (std::any_of(removedBoxes.begin(), removedBoxes.end(),
                       [&](const Eigen::AlignedBox3d& b) { return b.intersects(box); }))
         which.push_back(p);
     }

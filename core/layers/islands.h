@@ -20,18 +20,18 @@ struct IslandOptions {
 // For beads so wide: islands smaller than four of them across go in any case.
 IslandOptions islandOptions(double beadWidthMm);
 
-struct IslandsTaken {
+struct AbsorbedIslands {
   Absorbed absorbed;
   std::vector<SupportCheck> support; // of each patch that is left
 };
 
-// Takes out islands, from below, and lets the patches over them have their volume (absorbCrumbs),
+// Takes out islands, from below, and lets the patches over them have their volume (absorbSlivers),
 // so that what began in the air becomes an overhang that hangs on its neighbours; again while that
 // leaves new islands. Large ones that find no room stay as they are: the part needs support there.
 // Support patches neither go nor take anything. Order is kept, layers are numbered anew.
 // Precondition: print order. Throws Cancelled.
-IslandsTaken absorbIslands(LayerStack& stack, const IslandOptions& options,
-                           const AbsorbOptions& absorb, const base::RunContext& ctx,
-                           const Ground& ground = {});
+AbsorbedIslands absorbIslands(LayerStack& stack, const IslandOptions& options,
+                              const AbsorbOptions& absorb, const base::RunContext& ctx,
+                              const Ground& ground = {});
 
 } // namespace voluta::layers

@@ -67,7 +67,7 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
     }
     const Eigen::Vector3d down = -patch.direction[at(tri[0])];
     // What ends beside it carries nothing: half the way at least has to lead downwards.
-    const auto lies = [&](const StackQuery::Place& place) {
+    const auto carries = [&](const StackQuery::Place& place) {
       if (place.patch < 0)
         return false;
       const double halves =
@@ -79,12 +79,12 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
     int lower = -1;
     const StackQuery::Place found =
         query.closest(earlier, centre + 2.0 * half * down, 2.0 * half * reachShare);
-    if (lies(found)) {
+    if (carries(found)) {
       lower = found.patch;
     } else {
       const double reach = reachShare * (half + 0.5 * mostThicknessMm);
       query.hits(earlier, centre + 0.1 * half * down, centre + reach * down, hits);
-      const auto hit = std::find_if(hits.begin(), hits.end(), lies);
+      const auto hit = std::find_if(hits.begin(), hits.end(), carries);
       if (hit != hits.end())
         lower = hit->patch;
     }

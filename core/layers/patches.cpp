@@ -144,7 +144,7 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
     }
     if (area < leastArea || narrower(patch.surface, 0.25 * options.beadWidthMm)) {
       if (area > 0.0)
-        result.crumbs.push_back(std::move(patch));
+        result.slivers.push_back(std::move(patch));
       continue;
     }
     result.patches.push_back(std::move(patch));

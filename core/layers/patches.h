@@ -15,13 +15,13 @@ struct PatchOptions {
 
 struct PatchesOfLevel {
   std::vector<Patch> patches;
-  std::vector<Patch> crumbs; // too small for a bead
+  std::vector<Patch> slivers; // too small for a bead
 };
 
 // The pieces that hang together by edges, each a patch; a vertex in which a boundary touches
 // itself becomes two, so that boundary loops are simple. Pieces with less area than a round bead
-// (pi/4 w^2) or narrower than half a bead everywhere are crumbs (see absorbCrumbs). Patch::layer is
-// the surface's level.
+// (pi/4 w^2) or narrower than half a bead everywhere are slivers (see absorbSlivers). Patch::layer
+// is the surface's level.
 PatchesOfLevel makePatches(const LevelSurface& surface, const PatchOptions& options);
 
 } // namespace voluta::layers

@@ -38,7 +38,7 @@ std::vector<Surround> surroundsOf(const plan::ToolPlan& plan) {
   return balls;
 }
 
-Station stationAt(const robot::Cell& cell, const robot::JointVector& q) {
+RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q) {
   const Eigen::Isometry3d pose = cell.work_T_tool(q);
   return {pose.translation(), Eigen::Quaterniond(pose.linear()), q, rodAngle(cell, q)};
 }
@@ -51,10 +51,10 @@ double radiusAboutRod(const plan::ToolPlan& plan) {
 }
 
 // Its steps are not the rod's acceleration: the motor takes them as they come on a smooth way.
-robot::JointVector withoutSteps(const robot::Cell& cell, const Station& station) {
-  robot::JointVector q = station.q;
+robot::JointVector withoutSteps(const robot::Cell& cell, const RobotState& state) {
+  robot::JointVector q = state.q;
   if (!cell.externalAxes().empty())
-    q[cell.armDof()] = station.rodRad;
+    q[cell.armDof()] = state.rodRad;
   return q;
 }
 
@@ -66,7 +66,7 @@ std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<R
   return timed;
 }
 
-std::vector<TimedPoint> timedPoints(const Station& from, const Transfer& transfer,
+std::vector<TimedPoint> timedPoints(const RobotState& from, const Transfer& transfer,
                                     double speedMmPerS) {
   std::vector<TimedPoint> timed{{from.q, from.tip, speedMmPerS, false, true}};
   for (const TransferPoint& p : transfer.points) {
@@ -92,7 +92,7 @@ public:
       : plan_(plan), cell_(cell), process_(process), options_(options),
         collision_(cell, process), scene_{plan, cell,    collision_,
                                           part, options, radiusAboutRod(plan)},
-        planner_(scene_), surrounds_(surroundsOf(plan)), home_(stationAt(cell, cell.home())) {}
+        planner_(scene_), surrounds_(surroundsOf(plan)), home_(stateAt(cell, cell.home())) {}
 
   MotionResult plan(const base::RunContext& ctx) {
     result_.trajectory.dof = cell_.dof();
@@ -138,7 +138,7 @@ private:
         }
         for (e = b + 1; e < end && head[e] == Refusal::None;)
           ++e;
-        const Station& from = runs.empty() ? home_ : runs.back().points.back().at;
+        const RobotState& from = runs.empty() ? home_ : runs.back().points.back().at;
         planner_.plan(p, b, e - b, from, ctx, runs, refused_);
       }
       if (runs.size() > runsBefore)
@@ -170,7 +170,7 @@ private:
     Sequence kept;
     std::optional<Transfer> parked; // the way home from the last kept run, once it was needed
     const auto homeFrom = [&](const Run& run) {
-      return stationAt(cell_, homeAfter(cell_, run.points.back().at.q));
+      return stateAt(cell_, homeAfter(cell_, run.points.back().at.q));
     };
     for (std::size_t r = 0; r < runs.size(); ++r) {
       const RunPoint& first = runs[r].points.front();
@@ -234,7 +234,7 @@ private:
           jerksBefore[i] = jerkOf(before, timesOf(before, limits));
         }
         if (i < ways) {
-          const Station& from = i == 0 ? home_ : sequence.runs[i - 1].points.back().at;
+          const RobotState& from = i == 0 ? home_ : sequence.runs[i - 1].points.back().at;
           wayTimes[i] =
               timesOf(timedPoints(from, sequence.ways[i], process_.travelSpeedMmPerS), limits);
         }
@@ -358,7 +358,7 @@ private:
   MotionScene scene_;
   PathPlanner planner_;
   std::vector<Surround> surrounds_; // a path
-  Station home_;
+  RobotState home_;
   std::vector<std::size_t> headBefore_;
   std::vector<Refused> refused_;
   std::size_t blockedRuns_ = 0;           // without a way to them

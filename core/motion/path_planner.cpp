@@ -30,10 +30,10 @@ constexpr std::size_t kCheckChunk = 16;
 
 } // namespace
 
-void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count, const Station& from,
-                       const base::RunContext& ctx, std::vector<Run>& runs,
+void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
+                       const RobotState& from, const base::RunContext& ctx, std::vector<Run>& runs,
                        std::vector<Refused>& refused) {
-  Station last = from;
+  RobotState last = from;
   std::size_t done = 0;
   while (done < count) {
     ctx.checkpoint();
@@ -76,11 +76,11 @@ PathPlanner::Course PathPlanner::courseOf(const Ladder& ladder, const LadderWay&
       double length = 0.0;
       for (std::size_t i = b + 1; i <= e; ++i)
         length += (plan.position[i] - plan.position[i - 1]).norm();
-      double gone = 0.0;
+      double travelled = 0.0;
       for (std::size_t i = b + 1; i <= e; ++i) {
-        gone += (plan.position[i] - plan.position[i - 1]).norm();
-        const double t =
-            length > 0.0 ? gone / length : static_cast<double>(i - b) / static_cast<double>(e - b);
+        travelled += (plan.position[i] - plan.position[i - 1]).norm();
+        const double t = length > 0.0 ? travelled / length
+                                      : static_cast<double>(i - b) / static_cast<double>(e - b);
         course.turn.push_back(turn + t * (next - turn));
         course.rod.push_back(rod + t * (nextRod - rod));
       }
@@ -155,7 +155,7 @@ std::vector<std::size_t> PathPlanner::failures(const std::vector<RunPoint>& poin
 
 // Of two ways to begin, by whole turns: near where the arm is, which may wind it up against its
 // limits, and near home. The one that gets further, then the cheaper one.
-LadderWay PathPlanner::bestWay(Ladder& ladder, const Station& from) const {
+LadderWay PathPlanner::bestWay(Ladder& ladder, const RobotState& from) const {
   const auto search = [&] {
     std::vector<double> startCosts;
     for (const LadderNode& node : ladder.rungs.front())
@@ -191,7 +191,7 @@ LadderWay PathPlanner::bestWay(Ladder& ladder, const Station& from) const {
 }
 
 std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::size_t count,
-                                    const Station& from, const base::RunContext& ctx,
+                                    const RobotState& from, const base::RunContext& ctx,
                                     std::vector<Run>& runs, std::vector<Refused>& refused) {
   count = carryTools(first, count, from);
   if (count == 0) {

@@ -31,7 +31,7 @@ public:
   // follow on `from`. Appends the runs that are printed (usually one) and the waypoints that are
   // not. Each run's first waypoint is the last one's of the run before where no waypoint lies
   // between them. The same for any number of threads.
-  void plan(std::size_t path, std::size_t first, std::size_t count, const Station& from,
+  void plan(std::size_t path, std::size_t first, std::size_t count, const RobotState& from,
             const base::RunContext& ctx, std::vector<Run>& runs, std::vector<Refused>& refused);
 
   const PathTimes& times() const { return times_; }
@@ -59,22 +59,22 @@ private:
     std::vector<double> rod;  // from rod_
   };
 
-  LadderWay bestWay(Ladder& ladder, const Station& from) const;
+  LadderWay bestWay(Ladder& ladder, const RobotState& from) const;
   // Fills tools_ and rod_. Returns how many of the waypoints the rod can follow without leaving its
   // limits.
-  std::size_t carryTools(std::size_t first, std::size_t count, const Station& from);
+  std::size_t carryTools(std::size_t first, std::size_t count, const RobotState& from);
   double rodAt(std::size_t waypoint) const {
     return rod_.empty() ? 0.0 : rod_[waypoint - toolsFirst_];
   }
   Eigen::Vector3d inBase(const Eigen::Vector3d& v, std::size_t waypoint) const;
   void addNodes(const Place& place, Rung& rung, const std::vector<int>& rodSteps,
-                const Station& from) const;
+                const RobotState& from) const;
   std::vector<std::size_t> rungWaypoints(std::size_t first, std::size_t count) const;
-  void addNodes(Ladder& ladder, const std::vector<std::size_t>& rungs, const Station& from,
+  void addNodes(Ladder& ladder, const std::vector<std::size_t>& rungs, const RobotState& from,
                 const base::RunContext& ctx);
   // Adds nodes for other angles of the rod about a rung, checked for collisions. False: they were
   // there already, or there is no rod.
-  bool widen(Ladder& ladder, std::size_t rung, const Station& from, const base::RunContext& ctx);
+  bool widen(Ladder& ladder, std::size_t rung, const RobotState& from, const base::RunContext& ctx);
   void judge(Ladder& ladder, const std::vector<std::size_t>& rungs, const base::RunContext& ctx);
   Course courseOf(const Ladder& ladder, const LadderWay& way) const;
   bool fill(std::size_t first, const Course& course, const robot::JointVector& start,
@@ -85,10 +85,10 @@ private:
   static Refused refusal(const Place& place, const Rung& rung);
   // Refuses the first rung's waypoint and those up to the last rung that has no node of use either,
   // whatever the rod's angle; returns how many. On a rod the arm stands nearly still between rungs.
-  std::size_t refuseBlocked(Ladder& ladder, const Station& from, const base::RunContext& ctx,
+  std::size_t refuseBlocked(Ladder& ladder, const RobotState& from, const base::RunContext& ctx,
                             std::vector<Refused>& refused);
   // Can the arm lift the nozzle from there, far enough for a transfer?
-  bool liftable(const Station& station, std::size_t before) const;
+  bool liftable(const RobotState& state, std::size_t before) const;
   // Blocks the nodes of a path's first or last rung from which it cannot.
   void blockUnliftable(Ladder& ladder, std::size_t rung, std::size_t before,
                        const base::RunContext& ctx);
@@ -96,8 +96,8 @@ private:
                                               std::size_t waypoint) const;
   // Plans as many of the waypoints as can be joined; returns how many it dealt with (>= 1).
   std::size_t planPrefix(std::size_t path, std::size_t first, std::size_t count,
-                         const Station& from, const base::RunContext& ctx, std::vector<Run>& runs,
-                         std::vector<Refused>& refused);
+                         const RobotState& from, const base::RunContext& ctx,
+                         std::vector<Run>& runs, std::vector<Refused>& refused);
 
   const MotionScene& scene_;
   PathTimes times_;

@@ -35,7 +35,7 @@ Quaterniond rodTurn(double angle) {
 
 } // namespace
 
-std::size_t PathPlanner::carryTools(std::size_t first, std::size_t count, const Station& from) {
+std::size_t PathPlanner::carryTools(std::size_t first, std::size_t count, const RobotState& from) {
   tools_.resize(count);
   toolsFirst_ = first;
   Quaterniond tool = from.tool;
@@ -84,7 +84,7 @@ std::vector<std::size_t> PathPlanner::rungWaypoints(std::size_t first, std::size
 }
 
 void PathPlanner::addNodes(Ladder& ladder, const std::vector<std::size_t>& rungs,
-                           const Station& from, const base::RunContext& ctx) {
+                           const RobotState& from, const base::RunContext& ctx) {
   const base::Stopwatch watch;
   base::parallelChunks(ctx, rungs.size(), kRungChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t r = b; r < e; ++r)
@@ -94,7 +94,7 @@ void PathPlanner::addNodes(Ladder& ladder, const std::vector<std::size_t>& rungs
 }
 
 void PathPlanner::addNodes(const Place& place, Rung& rung, const std::vector<int>& rodSteps,
-                           const Station& from) const {
+                           const RobotState& from) const {
   const int samples = scene_.options.samples;
   std::vector<JointVector> solutions;
   for (const int rod : rodSteps) {
@@ -111,7 +111,7 @@ void PathPlanner::addNodes(const Place& place, Rung& rung, const std::vector<int
   }
 }
 
-bool PathPlanner::widen(Ladder& ladder, std::size_t rung, const Station& from,
+bool PathPlanner::widen(Ladder& ladder, std::size_t rung, const RobotState& from,
                         const base::RunContext& ctx) {
   std::vector<std::size_t> todo;
   if (!rod_.empty())
@@ -185,7 +185,7 @@ Refused PathPlanner::refusal(const Place& place, const Rung& rung) {
   return r;
 }
 
-std::size_t PathPlanner::refuseBlocked(Ladder& ladder, const Station& from,
+std::size_t PathPlanner::refuseBlocked(Ladder& ladder, const RobotState& from,
                                        const base::RunContext& ctx, std::vector<Refused>& refused) {
   const std::size_t first = ladder.places.front().waypoint;
   std::size_t next = first;
@@ -206,13 +206,13 @@ std::size_t PathPlanner::refuseBlocked(Ladder& ladder, const Station& from,
   return next - first;
 }
 
-bool PathPlanner::liftable(const Station& station, std::size_t before) const {
+bool PathPlanner::liftable(const RobotState& state, std::size_t before) const {
   std::vector<JointVector> scratch;
-  JointVector q = station.q;
+  JointVector q = state.q;
   for (double height = kLiftStepMm; height <= kLiftFactor * scene_.options.liftMm;
        height += kLiftStepMm) {
     const JointVector last = q;
-    if (!solveNear(scene_.cell, station.tip + height * station.direction(), station.tool, last,
+    if (!solveNear(scene_.cell, state.tip + height * state.direction(), state.tool, last,
                    scene_.options.maxStepRad, scratch, q) ||
         contactAt(q, before))
       return false;
@@ -231,12 +231,12 @@ void PathPlanner::blockUnliftable(Ladder& ladder, std::size_t rung, std::size_t 
     for (std::size_t n = b; n < e; ++n) {
       if (nodes[n].blocked)
         continue;
-      const Station station{
+      const RobotState state{
           scene_.plan.position[place.waypoint],
           turned(tools_[place.waypoint - toolsFirst_],
                  kTurn * nodes[n].sample / static_cast<double>(scene_.options.samples)),
           nodes[n].q};
-      bad[n] = contactAt(nodes[n].q, before).has_value() || !liftable(station, before);
+      bad[n] = contactAt(nodes[n].q, before).has_value() || !liftable(state, before);
     }
   });
   for (std::size_t n = 0; n < nodes.size(); ++n)

@@ -11,7 +11,7 @@
 namespace voluta::motion {
 
 // Where the nozzle is and how the arm stands. Tip and tool orientation in the work frame.
-struct Station {
+struct RobotState {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); // mm
   Eigen::Quaterniond tool = Eigen::Quaterniond::Identity();
   robot::JointVector q;
@@ -21,7 +21,7 @@ struct Station {
 };
 
 struct RunPoint {
-  Station at;
+  RobotState at;
   std::size_t waypoint = plan::kNoWaypoint; // none where a step was divided
   std::size_t next = 0;                     // the waypoint that it is, or that it is on the way to
   double volumeMm3 = 0.0;                   // laid on the way from the point before

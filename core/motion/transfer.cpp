@@ -38,7 +38,7 @@ collision::Margins widened(collision::Margins margins, double byMm) {
 }
 
 // Points run backwards: from the last one to `first`.
-void appendReversed(const std::vector<TransferPoint>& points, const Station& first,
+void appendReversed(const std::vector<TransferPoint>& points, const RobotState& first,
                     std::vector<TransferPoint>& out) {
   for (std::size_t i = points.size(); i-- > 0;)
     out.push_back({i == 0 ? first : points[i - 1].at, points[i].move});
@@ -65,7 +65,7 @@ bool TransferPlanner::free(const JointVector& q, std::size_t before,
   return !scene_.collision.any(frames, scene_.part, before, margins);
 }
 
-bool TransferPlanner::linear(const Station& from, const Vector3d& tip, const Quaterniond& tool,
+bool TransferPlanner::linear(const RobotState& from, const Vector3d& tip, const Quaterniond& tool,
                              std::size_t before, const collision::Margins& margins,
                              Points& points) const {
   const double length = (tip - from.tip).norm(), angle = angleBetween(from.tool, tool);
@@ -105,12 +105,12 @@ bool TransferPlanner::jointSegmentFree(const JointVector& a, const JointVector& 
   return free(b, before, margins);
 }
 
-std::vector<TransferPlanner::Points> TransferPlanner::lifts(const Station& from,
+std::vector<TransferPlanner::Points> TransferPlanner::lifts(const RobotState& from,
                                                             const std::vector<double>& heights,
                                                             std::size_t before) const {
   std::vector<Points> lifted;
   Points points;
-  Station last = from;
+  RobotState last = from;
   for (const double height : heights) {
     if (!linear(last, from.tip + height * from.direction(), from.tool, before,
                 scene_.options.printing, points))
@@ -124,14 +124,14 @@ std::vector<TransferPlanner::Points> TransferPlanner::lifts(const Station& from,
   return lifted;
 }
 
-bool TransferPlanner::arc(const Station& from, const Station& to, const Surround& surround,
+bool TransferPlanner::arc(const RobotState& from, const RobotState& to, const Surround& surround,
                           std::size_t before, Points& points) const {
   const Vector3d a = from.tip - surround.centre, b = to.tip - surround.centre;
   const double angle = std::acos(std::clamp(a.normalized().dot(b.normalized()), -1.0, 1.0));
   const int pieces = std::max(1, static_cast<int>(std::ceil(angle / kArcPiece)));
   // Straight pieces between points of the arc cut into the ball by as much.
   const double outward = 1.0 / std::cos(0.5 * angle / pieces);
-  Station last = from;
+  RobotState last = from;
   for (int k = 1; k <= pieces; ++k) {
     const double t = static_cast<double>(k) / pieces;
     const double radius = (a.norm() + t * (b.norm() - a.norm())) * (k == pieces ? 1.0 : outward);
@@ -146,7 +146,7 @@ bool TransferPlanner::arc(const Station& from, const Station& to, const Surround
   return true;
 }
 
-void TransferPlanner::appendJointWay(const std::vector<JointVector>& way, const Station& to,
+void TransferPlanner::appendJointWay(const std::vector<JointVector>& way, const RobotState& to,
                                      Points& points) const {
   for (std::size_t i = 1; i < way.size(); ++i) {
     const JointVector step = way[i] - way[i - 1];
@@ -165,7 +165,7 @@ void TransferPlanner::appendJointWay(const std::vector<JointVector>& way, const 
   points.back().at = to;
 }
 
-std::optional<TransferKind> TransferPlanner::swing(const Station& from, const Station& to,
+std::optional<TransferKind> TransferPlanner::swing(const RobotState& from, const RobotState& to,
                                                    std::size_t before, std::uint64_t seed,
                                                    const base::RunContext& ctx,
                                                    Points& points) const {
@@ -203,9 +203,9 @@ std::optional<TransferKind> TransferPlanner::swing(const Station& from, const St
   return std::nullopt;
 }
 
-std::optional<Transfer> TransferPlanner::plan(const Station& from, const Station& to, bool hop,
-                                              std::size_t before, const Surround& surround,
-                                              std::uint64_t seed,
+std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const RobotState& to,
+                                              bool hop, std::size_t before,
+                                              const Surround& surround, std::uint64_t seed,
                                               const base::RunContext& ctx) const {
   const MotionOptions& options = scene_.options;
   std::vector<double> heights;
@@ -220,7 +220,7 @@ std::optional<Transfer> TransferPlanner::plan(const Station& from, const Station
     // The arm hardly moves while the rod turns to where the next path begins.
     for (std::size_t h = 0; h < std::min(up.size(), down.size()); ++h) {
       ctx.checkpoint();
-      const Station &high = up[h].back().at, &low = down[h].back().at;
+      const RobotState &high = up[h].back().at, &low = down[h].back().at;
       if (!jointSegmentFree(high.q, low.q, before, options.travelling, kCloseJointCheck))
         continue;
       transfer.points = up[h];
@@ -235,7 +235,7 @@ std::optional<Transfer> TransferPlanner::plan(const Station& from, const Station
     for (std::size_t h = 0; h < std::min(up.size(), down.size()); ++h) {
       ctx.checkpoint();
       transfer.points = up[h];
-      const Station& high = down[h].back().at;
+      const RobotState& high = down[h].back().at;
       if (linear(up[h].back().at, high.tip, high.tool, before, options.travelling,
                  transfer.points) &&
           (transfer.points.back().at.q - high.q).cwiseAbs().maxCoeff() < kSameJoints) {
@@ -245,20 +245,20 @@ std::optional<Transfer> TransferPlanner::plan(const Station& from, const Station
       }
     }
 
-  const auto outer = [&](const Station& station) {
+  const auto outer = [&](const RobotState& state) {
     const double out =
-        wayOut(station.tip, station.direction(), surround, surround.radius + kBallMarginMm);
+        wayOut(state.tip, state.direction(), surround, surround.radius + kBallMarginMm);
     std::vector<double> outHeights = {10.0 * options.liftMm};
     if (out > outHeights.back())
       outHeights.push_back(out);
-    return lifts(station, outHeights, before);
+    return lifts(state, outHeights, before);
   };
   std::vector<Points> farUp = outer(from), farDown = outer(to);
   const Points stay; // where nothing lifts, swing from where it is
   if (!farUp.empty() && !farDown.empty()) {
     ctx.checkpoint();
     transfer.points = farUp.back();
-    const Station& high = farDown.back().back().at;
+    const RobotState& high = farDown.back().back().at;
     if (arc(farUp.back().back().at, high, surround, before, transfer.points) &&
         (transfer.points.back().at.q - high.q).cwiseAbs().maxCoeff() < kSameJoints) {
       transfer.points.back().at.q = high.q;
@@ -270,8 +270,8 @@ std::optional<Transfer> TransferPlanner::plan(const Station& from, const Station
   const Points& upWay = !farUp.empty() ? farUp.back() : !up.empty() ? up.back() : stay;
   const Points& downWay = !farDown.empty() ? farDown.back() : !down.empty() ? down.back() : stay;
   transfer.points = upWay;
-  const Station high = upWay.empty() ? from : upWay.back().at;
-  const Station low = downWay.empty() ? to : downWay.back().at;
+  const RobotState high = upWay.empty() ? from : upWay.back().at;
+  const RobotState low = downWay.empty() ? to : downWay.back().at;
   const auto kind = swing(high, low, before, seed, ctx, transfer.points);
   if (!kind)
     return std::nullopt;
@@ -280,7 +280,7 @@ std::optional<Transfer> TransferPlanner::plan(const Station& from, const Station
   return transfer;
 }
 
-std::optional<Transfer> TransferPlanner::approach(const Station& home, const Station& start,
+std::optional<Transfer> TransferPlanner::approach(const RobotState& home, const RobotState& start,
                                                   std::size_t before, const Surround& surround,
                                                   std::uint64_t seed,
                                                   const base::RunContext& ctx) const {
@@ -301,7 +301,7 @@ std::optional<Transfer> TransferPlanner::approach(const Station& home, const Sta
   return transfer;
 }
 
-std::optional<Transfer> TransferPlanner::leave(const Station& end, const Station& home,
+std::optional<Transfer> TransferPlanner::leave(const RobotState& end, const RobotState& home,
                                                std::size_t before, const Surround& surround,
                                                std::uint64_t seed,
                                                const base::RunContext& ctx) const {

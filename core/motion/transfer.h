@@ -11,7 +11,7 @@
 namespace voluta::motion {
 
 struct TransferPoint {
-  Station at;
+  RobotState at;
   plan::MoveKind move = plan::MoveKind::Linear; // how it is reached from the point before
 };
 
@@ -32,7 +32,7 @@ class TransferPlanner {
 public:
   explicit TransferPlanner(const MotionScene& scene) : scene_(scene) {}
 
-  // From station to station with everything printed before waypoint `before` in place. Tried in
+  // From state to state with everything printed before waypoint `before` in place. Tried in
   // turn: lift along the nozzle, straight, down (lifts from 1 mm for hops or liftMm up); out of the
   // surrounding ball and round it on an arc; the same lifts with a joint move between; RRT-Connect
   // between the lifted stations. Lifting along the nozzle frees a head that is free, since it is
@@ -40,15 +40,15 @@ public:
   // the arm hardly moves, the rod turns. Checked at steps of at most 2 mm and 1 degree (linear),
   // half a degree a joint with 3 mm more clearance or a fifth of a degree (joint moves; a rod's by
   // what the part moves). None: no way was found.
-  std::optional<Transfer> plan(const Station& from, const Station& to, bool hop, std::size_t before,
-                               const Surround& surround, std::uint64_t seed,
+  std::optional<Transfer> plan(const RobotState& from, const RobotState& to, bool hop,
+                               std::size_t before, const Surround& surround, std::uint64_t seed,
                                const base::RunContext& ctx) const;
 
-  // The same from or to a station that is not at the part (home): joint moves only.
-  std::optional<Transfer> approach(const Station& home, const Station& start, std::size_t before,
-                                   const Surround& surround, std::uint64_t seed,
+  // The same from or to a state that is not at the part (home): joint moves only.
+  std::optional<Transfer> approach(const RobotState& home, const RobotState& start,
+                                   std::size_t before, const Surround& surround, std::uint64_t seed,
                                    const base::RunContext& ctx) const;
-  std::optional<Transfer> leave(const Station& end, const Station& home, std::size_t before,
+  std::optional<Transfer> leave(const RobotState& end, const RobotState& home, std::size_t before,
                                 const Surround& surround, std::uint64_t seed,
                                 const base::RunContext& ctx) const;
 
@@ -57,21 +57,21 @@ private:
   bool free(const robot::JointVector& q, std::size_t before,
             const collision::Margins& margins) const;
   // Straight in the work frame from `from`; appends to points.
-  bool linear(const Station& from, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
+  bool linear(const RobotState& from, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
               std::size_t before, const collision::Margins& margins, Points& points) const;
   bool jointSegmentFree(const robot::JointVector& a, const robot::JointVector& b,
                         std::size_t before, const collision::Margins& margins,
                         double checkRad) const;
-  bool arc(const Station& from, const Station& to, const Surround& surround, std::size_t before,
-           Points& points) const;
+  bool arc(const RobotState& from, const RobotState& to, const Surround& surround,
+           std::size_t before, Points& points) const;
   // Joint move or tree between two lifted stations.
-  std::optional<TransferKind> swing(const Station& from, const Station& to, std::size_t before,
-                                    std::uint64_t seed, const base::RunContext& ctx,
-                                    Points& points) const;
-  void appendJointWay(const std::vector<robot::JointVector>& way, const Station& to,
+  std::optional<TransferKind> swing(const RobotState& from, const RobotState& to,
+                                    std::size_t before, std::uint64_t seed,
+                                    const base::RunContext& ctx, Points& points) const;
+  void appendJointWay(const std::vector<robot::JointVector>& way, const RobotState& to,
                       Points& points) const;
   // Lifts along the nozzle, further and further; stations reached, each with the points there.
-  std::vector<Points> lifts(const Station& from, const std::vector<double>& heights,
+  std::vector<Points> lifts(const RobotState& from, const std::vector<double>& heights,
                             std::size_t before) const;
 
   const MotionScene& scene_;

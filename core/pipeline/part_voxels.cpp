@@ -12,7 +12,7 @@
 namespace voluta::pipeline {
 
 namespace {
-constexpr std::size_t kTold = 5;
+constexpr std::size_t kMostListed = 5;
 constexpr double kLeastVoxelMm = 0.1; // of the parameter voxelMm
 
 void addRemedy(plan::Finding& finding, double thicknessMm) {
@@ -62,20 +62,20 @@ plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxel
                                 const base::RunContext& ctx) {
   const std::vector<voxel::ThinPlace> places = voxel::thinPlaces(part, voxelMm, ctx);
   plan::Findings findings;
-  for (std::size_t p = 0; p < std::min(kTold, places.size()); ++p)
+  for (std::size_t p = 0; p < std::min(kMostListed, places.size()); ++p)
     findings.push_back(findingOf(places[p], voxelMm));
-  if (places.size() <= kTold)
+  if (places.size() <= kMostListed)
     return findings;
-  plan::Finding rest = findingOf(places[kTold], voxelMm);
-  double thinnest = places[kTold].usualMm;
+  plan::Finding rest = findingOf(places[kMostListed], voxelMm);
+  double thinnest = places[kMostListed].usualMm;
   rest.count = 0;
-  for (std::size_t p = kTold; p < places.size(); ++p) {
+  for (std::size_t p = kMostListed; p < places.size(); ++p) {
     rest.count += places[p].facets;
     thinnest = std::min(thinnest, places[p].usualMm);
   }
   rest.reason = fmt::format("{} smaller places are thinner than a voxel of {:g} mm; this is the "
                             "largest, the thinnest is {:.2f} mm thick",
-                            places.size() - kTold, voxelMm, thinnest);
+                            places.size() - kMostListed, voxelMm, thinnest);
   addRemedy(rest, thinnest);
   findings.push_back(rest);
   return findings;

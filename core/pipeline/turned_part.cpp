@@ -25,7 +25,7 @@ std::string turnIn(const Eigen::Quaterniond& turn) {
 // What was looked at, now and before.
 std::string won(const placement::Orientation& found, bool fewestMissed) {
   const std::string area = fmt::format("{:.0f} mm2 overhang instead of {:.0f}",
-                                       found.stance.riskyMm2, found.before.riskyMm2);
+                                       found.score.riskyMm2, found.before.riskyMm2);
   if (!fewestMissed)
     return area;
   return fmt::format("one pass of growth misses {} voxels of {:.2f} mm instead of {}, {}",

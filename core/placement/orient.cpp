@@ -25,11 +25,11 @@ constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
 
 struct Candidate {
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-  Stance stance;
+  OrientationScore score;
   std::size_t missed = kUnknown; // at the coarse width
 
   auto keyWith(std::size_t misses) const {
-    return std::tuple(!stance.stands, misses, stance.riskyMm2, stance.heightMm);
+    return std::tuple(!score.stands, misses, score.riskyMm2, score.heightMm);
   }
   auto key() const { return keyWith(missed); }
 };
@@ -75,19 +75,19 @@ public:
     }
     std::vector<std::size_t> order = sorted();
     order.resize(std::min(order.size(), kChecked));
-    std::size_t taken = order[0], fewest = kUnknown;
+    std::size_t winner = order[0], fewest = kUnknown;
     for (std::size_t n = 0; n < order.size() && fewest > 0; ++n) {
       const double at = 0.8 + 0.2 * static_cast<double>(n) / kChecked;
       const std::size_t missed =
           missedIn(voxels(found_[order[n]].turn, options_.voxelMm, at), ctx_);
       if (missed < fewest) {
         fewest = missed;
-        taken = order[n];
+        winner = order[n];
       }
     }
-    Orientation out = chosen(taken);
+    Orientation out = chosen(winner);
     out.searchMm = coarseMm_;
-    out.missed = found_[taken].missed;
+    out.missed = found_[winner].missed;
     out.missedBefore = found_[0].missed;
     out.missedAtVoxelMm = fewest;
     return out;
@@ -103,8 +103,8 @@ private:
     for (const Candidate& other : found_)
       if ((other.turn.toRotationMatrix().row(2).transpose() - up).norm() < kSame)
         return false;
-    c.stance = measure_.of(turn.toRotationMatrix());
-    if (!found_.empty() && !c.stance.stands)
+    c.score = measure_.of(turn.toRotationMatrix());
+    if (!found_.empty() && !c.score.stands)
       return false;
     found_.push_back(c);
     return true;
@@ -117,9 +117,9 @@ private:
       return found_[a].key() < found_[b].key();
     });
     // As it lies, where that is hardly worse.
-    const Candidate &first = found_[order[0]], &lies = found_[0];
-    if (lies.stance.stands && lies.missed == first.missed &&
-        lies.stance.riskyMm2 <= kStays * first.stance.riskyMm2) {
+    const Candidate &first = found_[order[0]], &asLoaded = found_[0];
+    if (asLoaded.score.stands && asLoaded.missed == first.missed &&
+        asLoaded.score.riskyMm2 <= kStays * first.score.riskyMm2) {
       order.erase(std::find(order.begin(), order.end(), 0));
       order.insert(order.begin(), 0);
     }
@@ -144,8 +144,8 @@ private:
   Orientation chosen(std::size_t n) const {
     Orientation out;
     out.turn = found_[n].turn;
-    out.stance = found_[n].stance;
-    out.before = found_[0].stance;
+    out.score = found_[n].score;
+    out.before = found_[0].score;
     out.tried = found_.size();
     return out;
   }
@@ -198,7 +198,7 @@ private:
   const geometry::TriangleMesh& mesh_;
   const OrientOptions& options_;
   const base::RunContext& ctx_;
-  StanceMeasure measure_;
+  OrientationMeasure measure_;
   std::vector<Candidate> found_; // the first: as it lies
   double coarseMm_ = 0.0;
 };

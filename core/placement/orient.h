@@ -4,7 +4,7 @@
 #include "base/parameters.h"
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
-#include "placement/stance.h"
+#include "placement/orientation_score.h"
 #include "voxel/solid_voxels.h"
 
 #include <Eigen/Geometry>
@@ -31,7 +31,7 @@ struct OrientOptions {
 
 struct Orientation {
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity(); // from how the mesh lies now
-  Stance stance, before;                                    // turned; as it lies
+  OrientationScore score, before;                           // turned; as it lies
   std::size_t tried = 0;                                    // orientations that were compared
   // FewestMissed only. Voxels that one pass of reverse growth misses, at searchMm wide ...
   double searchMm = 0.0;
@@ -41,8 +41,8 @@ struct Orientation {
 
 // The best way for `mesh` (mm) to lie. Compared are: as it lies; each of 26 directions (faces,
 // edges and corners of a cube) down; its largest flat places down; and small turns from the best of
-// these. Only orientations that stand (StanceMeasure, contact within one voxel of the plate) are
-// taken; where there is none, the part stays as it lies. Objectives:
+// these. Only orientations that stand (OrientationMeasure, contact within one voxel of the plate)
+// are taken; where there is none, the part stays as it lies. Objectives:
 //   LeastRisky: least risky area, then least height;
 //   FewestMissed: fewest missed voxels, then least risky area, then least height; the best are
 //   grown at full width too, and the first that misses nothing there is taken, else the best.

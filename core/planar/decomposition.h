@@ -37,7 +37,7 @@ struct PlanarOptions {
   // where the target is not reached so, 0.4 of these shares (but 1 stays 1).
   double keptContact = 0.35, keptHull = 0.05;
   // What all of either is worth, in shares of the risky area before.
-  double contactWorth = 0.1, hullWorth = 0.05;
+  double contactWeight = 0.1, hullWeight = 0.05;
   // The search stops at this share of the risky area before, mm2/mm2.
   double target = 0.008;
   std::size_t beam = 6;               // partial results kept

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kTold = 5;
+constexpr std::size_t kMostListed = 5;
 constexpr double kLeastMm2 = 1.0; // smaller places are no more than a bead
 
 struct Place {
@@ -81,20 +81,20 @@ plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.areaMm2 > b.areaMm2; });
   plan::Findings findings;
-  for (std::size_t i = 0; i < std::min(kTold, places.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kMostListed, places.size()); ++i)
     findings.push_back(
         overhang(1, places[i].at,
                  fmt::format("{:.3g} mm2 lean over by more than {:g} degrees", places[i].areaMm2,
                              base::radiansToDegrees(rule.overhangRad)),
                  remedy));
-  if (places.size() > kTold) {
+  if (places.size() > kMostListed) {
     double rest = 0.0;
-    for (std::size_t i = kTold; i < places.size(); ++i)
+    for (std::size_t i = kMostListed; i < places.size(); ++i)
       rest += places[i].areaMm2;
-    findings.push_back(overhang(places.size() - kTold, places[kTold].at,
+    findings.push_back(overhang(places.size() - kMostListed, places[kMostListed].at,
                                 fmt::format("{} smaller places lean over too far, {:.3g} mm2 "
                                             "together; this is the largest of them",
-                                            places.size() - kTold, rest),
+                                            places.size() - kMostListed, rest),
                                 remedy));
   }
   return findings;

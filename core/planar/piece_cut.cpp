@@ -41,7 +41,7 @@ bool allStands(const Piece& piece, const RiskRule& rule) {
 
 std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::int32_t tag,
                                  const CutRules& rules) {
-  double goes = 0.0;
+  double lost = 0.0;
   const auto wanted = [&](const TaggedMesh& solid) {
     if (geometry::volume(solid.mesh) < rules.leastVolumeMm3)
       return false;
@@ -50,22 +50,22 @@ std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::in
     as.base = piece.base;
     as.baseTag = piece.baseTag;
     const std::vector<std::uint8_t> stands = standsOn(as, rules.rule);
-    double before = 0.0, after = 0.0, stood = 0.0;
+    double before = 0.0, after = 0.0, contact = 0.0;
     for (std::size_t t = 0; t < stands.size(); ++t) {
       if (solid.tag[t] == tag || solid.tag[t] == kLaid)
         continue;
       const Vector3d n = geometry::triangleNormal(solid.mesh, t);
       const double area = geometry::triangleArea(solid.mesh, t);
       if (stands[t])
-        stood += area;
+        contact += area;
       else if (isRisky(n, piece.base.normal, rules.rule))
         before += area;
       if (!(stands[t] && piece.baseTag != kPlate) && isRisky(n, plane.normal, rules.rule))
         after += area;
     }
-    if (before - after < rules.leastGainMm2 || goes + stood > rules.mayGoMm2 + 1e-6)
+    if (before - after < rules.leastGainMm2 || lost + contact > rules.maxContactLossMm2 + 1e-6)
       return false;
-    goes += stood;
+    lost += contact;
     return true;
   };
   return splitIfItCloses(piece, plane, tag, wanted, rules.rule);

@@ -14,7 +14,7 @@ struct CutRules {
   RiskRule rule;
   double leastGainMm2 = 1.0;
   double leastVolumeMm3 = 30.0;
-  double mayGoMm2 = 0.0; // of what the piece stands on
+  double maxContactLossMm2 = 0.0; // of what the piece stands on
 };
 
 struct PieceCut {

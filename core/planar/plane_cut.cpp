@@ -116,23 +116,23 @@ public:
     out.offsetMm = plane_.offsetMm;
     const Solids parts = solidsOf(above.mesh);
     constexpr std::int32_t kStays = -1;
-    std::vector<std::int32_t> taken(parts.count, kStays); // place among those cut off
+    std::vector<std::int32_t> cutOff(parts.count, kStays); // place among those cut off
     for (std::size_t s = 0; s < parts.count; ++s) {
       TaggedMesh solid = pick(above, parts, s);
       if (wanted && !wanted(solid))
         continue;
-      taken[s] = static_cast<std::int32_t>(out.above.size());
+      cutOff[s] = static_cast<std::int32_t>(out.above.size());
       for (std::int32_t& tag : solid.tag)
-        tag += tag == tag_ ? taken[s] : 0;
+        tag += tag == tag_ ? cutOff[s] : 0;
       out.above.push_back(std::move(solid));
     }
     for (std::size_t t = 0; t < above_.size(); ++t) {
-      const std::int32_t place = taken[parts.ofTriangle[t]];
-      const bool goes = place != kStays;
+      const std::int32_t place = cutOff[parts.ofTriangle[t]];
+      const bool isCutOff = place != kStays;
       if (t < skin) {
-        if (!goes)
+        if (!isCutOff)
           give(false, above_[t], aboveTag_[t]);
-      } else if (goes) {
+      } else if (isCutOff) {
         const auto& c = (*cap)[t - skin];
         give(false, c, tag_ + place);
         out.sectionMm2 += 0.5 * (point(c[1]) - point(c[0])).cross(point(c[2]) - point(c[0])).norm();

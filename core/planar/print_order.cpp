@@ -48,11 +48,11 @@ PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
     for (std::size_t i = 0; i < n && fewest > 0; ++i) {
       if (done[i] || !standing(i))
         continue;
-      const auto hurt = static_cast<std::size_t>(
+      const auto conflicts = static_cast<std::size_t>(
           std::count_if(waits[i].begin(), waits[i].end(), [&](std::size_t w) { return !done[w]; }));
-      if (next == n || hurt < fewest) {
+      if (next == n || conflicts < fewest) {
         next = i;
-        fewest = hurt;
+        fewest = conflicts;
       }
     }
     if (next == n)

@@ -128,7 +128,7 @@ private:
   std::shared_ptr<const geometry::MeshQuery> query_;
 };
 
-template <typename Shape> GroundDistance asked(Shape shape) {
+template <typename Shape> GroundDistance distanceOf(Shape shape) {
   const auto kept = std::make_shared<const Shape>(std::move(shape));
   return {[kept](const Vector3d& p) { return kept->nearest(p); },
           [kept](const Vector3d& p) { return kept->isInside(p); }};
@@ -137,13 +137,13 @@ template <typename Shape> GroundDistance asked(Shape shape) {
 } // namespace
 
 GroundDistance distanceFrom(const geometry::TriangleMesh& body) {
-  return asked(Body(body));
+  return distanceOf(Body(body));
 }
 
 GroundDistance distanceFrom(const platform::RodShape& rod) {
   platform::checkRod(rod);
   if (rod.sides == 0)
-    return asked(RoundRod(rod));
+    return distanceOf(RoundRod(rod));
   std::vector<GroundDistance> prisms;
   for (std::size_t i = 0; i + 1 < rod.profile.size(); ++i) {
     const Vector2d &a = rod.profile[i], &b = rod.profile[i + 1];
@@ -151,7 +151,7 @@ GroundDistance distanceFrom(const platform::RodShape& rod) {
       continue;
     if (a.y() != b.y()) // a pyramid's frustum
       return distanceFrom(platform::meshOf(rod, kChordMm));
-    prisms.push_back(asked(Prism(a.x(), b.x(), a.y(), rod.sides)));
+    prisms.push_back(distanceOf(Prism(a.x(), b.x(), a.y(), rod.sides)));
   }
   return nearestOf(std::move(prisms));
 }

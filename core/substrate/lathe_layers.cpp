@@ -86,20 +86,20 @@ geometry::TriangleMesh partAroundRod(const geometry::TriangleMesh& part, const R
   for (const auto& triangle : part.triangles)
     for (int v : triangle)
       over = std::max(over, rod.over(part.vertices[static_cast<std::size_t>(v)]));
-  std::optional<geometry::TriangleMesh> left = geometry::TriangleMesh();
+  std::optional<geometry::TriangleMesh> remainder = geometry::TriangleMesh();
   if (over > kHardlyOverMm) {
-    left = part;
+    remainder = part;
     for (const geometry::TriangleMesh& solid : rod.solids())
-      if (left && !left->empty())
-        left = geometry::subtract(*left, solid);
+      if (remainder && !remainder->empty())
+        remainder = geometry::subtract(*remainder, solid);
   }
-  if (!left)
+  if (!remainder)
     refuse("the part is not closed, or cuts itself, where the rod is taken out of it",
            "repair the part first");
-  if (left->empty())
+  if (remainder->empty())
     refuse("the rod is thicker than the part: nothing of the part is outside it",
            "use a thinner rod, or print the part larger");
-  return std::move(*left);
+  return std::move(*remainder);
 }
 
 std::vector<double> latheBounds(const geometry::TriangleMesh& part, const RodSurface& rod,

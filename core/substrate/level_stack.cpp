@@ -37,7 +37,7 @@ bool isOnGround(const layers::Patch& patch, const layers::Ground& ground) {
   return false;
 }
 
-void tellDropped(const std::vector<layers::DroppedPiece>& dropped, StackedLevels& result) {
+void reportDropped(const std::vector<layers::DroppedPiece>& dropped, StackedLevels& result) {
   const layers::NotLaid slivers = layers::notLaid(dropped);
   result.slivers = slivers.pieces;
   result.sliverVolumeMm3 = slivers.volumeMm3;
@@ -45,7 +45,8 @@ void tellDropped(const std::vector<layers::DroppedPiece>& dropped, StackedLevels
     result.findings.push_back(std::move(*finding));
 }
 
-void tellUnsupported(const layers::InAir& inAir, const std::string& ground, StackedLevels& result) {
+void reportUnsupported(const layers::InAir& inAir, const std::string& ground,
+                       StackedLevels& result) {
   result.unsupportedPatches = inAir.patches;
   if (inAir.patches > 0)
     result.findings.push_back(layers::layerFinding(
@@ -60,13 +61,13 @@ void tellUnsupported(const layers::InAir& inAir, const std::string& ground, Stac
 }
 
 // What no level reaches: layers that end before the part does.
-void tellLeftOut(const geometry::TriangleMesh& part, StackedLevels& result) {
+void reportLeftOut(const geometry::TriangleMesh& part, StackedLevels& result) {
   const double whole = geometry::volume(part);
-  const double left = whole - result.statistics.volumeMm3() - result.sliverVolumeMm3;
-  if (left > kBlockingShare * whole)
+  const double missing = whole - result.statistics.volumeMm3() - result.sliverVolumeMm3;
+  if (missing > kBlockingShare * whole)
     result.findings.push_back(layers::layerFinding(
         "notLaid", geometry::bounds(part).center(), 1,
-        fmt::format("{:.3g} of {:.4g} mm3 of the part are in no layer", left, whole),
+        fmt::format("{:.3g} of {:.4g} mm3 of the part are in no layer", missing, whole),
         "choose layers that reach all of it (layerShape, layerCentre, endSurface)", true));
 }
 
@@ -116,10 +117,10 @@ StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily&
       made[k] = layers::makePatches(surface, {o.beadWidthMm});
     }
   });
-  std::vector<layers::Patch> crumbs;
+  std::vector<layers::Patch> slivers;
   for (layers::PatchesOfLevel& level : made) {
     std::move(level.patches.begin(), level.patches.end(), std::back_inserter(result.stack.patches));
-    std::move(level.crumbs.begin(), level.crumbs.end(), std::back_inserter(crumbs));
+    std::move(level.slivers.begin(), level.slivers.end(), std::back_inserter(slivers));
   }
   if (std::none_of(result.stack.patches.begin(), result.stack.patches.end(),
                    [&](const layers::Patch& p) { return isOnGround(p, family.ground); }))
@@ -132,21 +133,22 @@ StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily&
 
   ctx.report(0.6, "ordering layers");
   const layers::AbsorbOptions absorb{o.heightMaxMm, o.beadWidthMm};
-  layers::Absorbed absorbed = layers::absorbCrumbs(result.stack.patches, crumbs, absorb);
+  layers::Absorbed absorbed = layers::absorbSlivers(result.stack.patches, slivers, absorb);
   layers::orderForPrinting(result.stack);
   const layers::IslandOptions islands = layers::islandOptions(o.beadWidthMm);
-  layers::IslandsTaken taken =
+  layers::AbsorbedIslands absorbedIslands =
       layers::absorbIslands(result.stack, islands, absorb, ctx, family.ground);
-  result.mergedPieces = absorbed.merged + taken.absorbed.merged;
-  std::move(taken.absorbed.dropped.begin(), taken.absorbed.dropped.end(),
+  result.mergedPieces = absorbed.merged + absorbedIslands.absorbed.merged;
+  std::move(absorbedIslands.absorbed.dropped.begin(), absorbedIslands.absorbed.dropped.end(),
             std::back_inserter(absorbed.dropped));
   ctx.report(0.8, "ending layers on the surface");
   layers::followTop(result.stack, boundary,
                     {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
-  tellDropped(absorbed.dropped, result);
-  tellLeftOut(part, result);
-  tellUnsupported(layers::patchesInAir(taken.support, islands), family.groundWord, result);
+  reportDropped(absorbed.dropped, result);
+  reportLeftOut(part, result);
+  reportUnsupported(layers::patchesInAir(absorbedIslands.support, islands), family.groundWord,
+                    result);
   return result;
 }
 

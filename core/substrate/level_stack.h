@@ -43,7 +43,7 @@ struct LevelFamily {
   // Unit: the way material grows at a point.
   std::function<Eigen::Vector3d(const Eigen::Vector3d&)> outward;
   std::string groundWord = "surface"; // "the part misses the ..."
-  // Changes patches before crumbs are shared out; may be empty.
+  // Changes patches before slivers are shared out; may be empty.
   std::function<void(std::vector<layers::Patch>&)> adapt;
 };
 

@@ -32,12 +32,12 @@ Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& 
         const double third = j % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
         const double u = (i + third) / m, v = (j / 2 + third) / m;
         const Vector3d p = a + u * (b - a) + v * (c - a);
-        const double lean = n.dot(outward(p));
-        if (lean >= least - 1e-9 || ground.over(p) <= rule.contactMm)
+        const double cosine = n.dot(outward(p));
+        if (cosine >= least - 1e-9 || ground.over(p) <= rule.contactMm)
           continue;
         found.areaMm2 += area;
-        if (lean < worst - 1e-9) {
-          worst = lean;
+        if (cosine < worst - 1e-9) {
+          worst = cosine;
           found.worstAt = p;
         }
       }

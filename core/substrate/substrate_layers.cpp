@@ -275,14 +275,14 @@ void addFlattening(LevelFamily& family, const geometry::TriangleMesh& part,
 
 geometry::TriangleMesh partOnBody(const geometry::TriangleMesh& part,
                                   const geometry::TriangleMesh& body) {
-  std::optional<geometry::TriangleMesh> left = geometry::subtract(part, body);
-  if (!left)
+  std::optional<geometry::TriangleMesh> remainder = geometry::subtract(part, body);
+  if (!remainder)
     refuse("the part is not closed, or cuts itself, where the surface's body is taken out of it",
            "repair the part first");
-  if (left->empty())
+  if (remainder->empty())
     refuse("the surface covers the part: nothing of the part is outside its body",
            "move the part out of the surface, or print it larger");
-  return std::move(*left);
+  return std::move(*remainder);
 }
 
 GroundDistance plateGround() {

@@ -92,8 +92,8 @@ public:
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       ctx.checkpoint();
       const Block& block = blocks_[b];
-      const bool goesOn = block.below.size() == 1 && at(block.below[0]).above.size() == 1;
-      if (goesOn)
+      const bool continues = block.below.size() == 1 && at(block.below[0]).above.size() == 1;
+      if (continues)
         continue;
       std::vector<int> stretch{static_cast<int>(b)};
       while (at(stretch.back()).above.size() == 1 &&

@@ -14,7 +14,7 @@ namespace voluta::support {
 
 namespace {
 
-constexpr std::size_t kTold = 20;
+constexpr std::size_t kMostListed = 20;
 constexpr int kSlowRounds = 4; // of schemes that do not peel
 constexpr std::int32_t kUnreached = std::numeric_limits<std::int32_t>::max();
 
@@ -57,7 +57,7 @@ public:
       for (const std::size_t c : column.cells)
         out_.support[c] = 1;
     out_.voxels = out_.solid.count - part_.count;
-    tell();
+    report();
     return std::move(out_);
   }
 
@@ -260,8 +260,8 @@ private:
         std::count_if(out_.solid.solid.begin(), out_.solid.solid.end(), [](auto s) { return s; }));
   }
 
-  void tell() {
-    for (std::size_t n = 0; n < std::min(kTold, out_.columns.size()); ++n) {
+  void report() {
+    for (std::size_t n = 0; n < std::min(kMostListed, out_.columns.size()); ++n) {
       const Column& column = out_.columns[n];
       plan::Finding f;
       f.stage = "decompose";
@@ -281,11 +281,11 @@ private:
       f.blocking = false;
       out_.findings.push_back(std::move(f));
     }
-    if (out_.columns.size() > kTold) {
+    if (out_.columns.size() > kMostListed) {
       plan::Finding rest;
       rest.stage = "decompose";
       rest.kind = "supportColumns";
-      rest.count = out_.columns.size() - kTold;
+      rest.count = out_.columns.size() - kMostListed;
       rest.reason = fmt::format("{} more columns carry what would be missed", rest.count);
       rest.remedy = "turning the part may need fewer";
       rest.blocking = false;
@@ -293,7 +293,7 @@ private:
     }
     if (out_.missedAfter == 0)
       return;
-    for (std::size_t n = 0; n < std::min(kTold, stranded_.size()); ++n) {
+    for (std::size_t n = 0; n < std::min(kMostListed, stranded_.size()); ++n) {
       const Eigen::Vector3i c = part_.grid.cell(stranded_[n].cells.front());
       plan::Finding f;
       f.stage = "decompose";

@@ -127,7 +127,7 @@ Resampled resample(const PatchSurface& surface, const SurfaceCurve& curve,
   base::require(curve.points.size() >= 2, "a curve has two points or more");
   const ByLength c(curve);
   const std::vector<double> corners = findCorners(c, curve.closed, o);
-  std::vector<double> stations;
+  std::vector<double> arcLengths;
   if (curve.closed) {
     // From the first corner round, so that no stretch straddles one.
     const double start = corners.empty() ? 0.0 : corners.front();
@@ -136,28 +136,28 @@ Resampled resample(const PatchSurface& surface, const SurfaceCurve& curve,
       const double s1 = i + 1 < corners.size() ? corners[i + 1] : start + c.length();
       // The knots of the wrapped part lie before the start; the chord test sees them unwrapped.
       if (s1 <= c.length() + 1e-9) {
-        fillStretch(c, s0, s1, o, stations);
+        fillStretch(c, s0, s1, o, arcLengths);
       } else {
-        fillStretch(c, s0, c.length(), o, stations);
+        fillStretch(c, s0, c.length(), o, arcLengths);
         if (start > 1e-9)
-          fillStretch(c, 0.0, start, o, stations);
+          fillStretch(c, 0.0, start, o, arcLengths);
       }
     }
   } else {
     double s0 = 0.0;
     for (const double corner : corners) {
-      fillStretch(c, s0, corner, o, stations);
+      fillStretch(c, s0, corner, o, arcLengths);
       s0 = corner;
     }
-    fillStretch(c, s0, c.length(), o, stations);
-    stations.push_back(c.length());
+    fillStretch(c, s0, c.length(), o, arcLengths);
+    arcLengths.push_back(c.length());
   }
   // A loop shorter than a step is still a loop.
-  if (curve.closed && stations.size() < 3)
-    stations = {0.0, c.length() / 3.0, 2.0 * c.length() / 3.0};
+  if (curve.closed && arcLengths.size() < 3)
+    arcLengths = {0.0, c.length() / 3.0, 2.0 * c.length() / 3.0};
   Resampled r;
   r.curve.closed = curve.closed;
-  for (const double s : stations) {
+  for (const double s : arcLengths) {
     const SurfacePoint raw = c.at(s);
     r.curve.points.push_back(surface.project(raw.position, raw.triangle));
     r.corner.push_back(

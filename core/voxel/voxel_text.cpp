@@ -42,11 +42,11 @@ std::string quoted(char c) {
 }
 
 void checkRow(const Row& row, const Row& first, const std::string& name) {
-  const std::size_t stray = row.cells.find_first_not_of("01-");
-  if (stray != std::string_view::npos)
+  const std::size_t invalid = row.cells.find_first_not_of("01-");
+  if (invalid != std::string_view::npos)
     throw Error(ErrorCode::UnreadableFile,
-                fmt::format("{} is none of 0, 1 and -", quoted(row.cells[stray])),
-                place(name, row.line, stray),
+                fmt::format("{} is none of 0, 1 and -", quoted(row.cells[invalid])),
+                place(name, row.line, invalid),
                 "write 1 for the part, 0 for air, - for the platform");
   if (row.cells.size() != first.cells.size())
     throw Error(ErrorCode::UnreadableFile,

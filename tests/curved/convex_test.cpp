@@ -151,11 +151,11 @@ TEST(ConvexFront, KeptFacetsAnswerLikeThoseFromScratch) {
     EXPECT_EQ(left, std::set<std::int32_t>(near.begin(), near.end()));
 
     const auto goes = [&](std::size_t v) { return left.count(static_cast<std::int32_t>(v)) > 0; };
-    front.nearGoing(1.0, goes, near);
+    front.nearRemovable(1.0, goes, near);
     for (const std::int32_t v : left)
       if (random() % 4 == 0)
         front.remove(static_cast<std::size_t>(v));
-    front.nearGone(1.0, gone);
+    front.nearRemoved(1.0, gone);
     for (const std::int32_t v : gone) {
       EXPECT_TRUE(front.present(static_cast<std::size_t>(v)));
       EXPECT_FALSE(front.deeperThan(static_cast<std::size_t>(v), 1.0 + 1e-9, hint));

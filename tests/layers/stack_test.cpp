@@ -186,16 +186,16 @@ TEST(KeepPositive, CutsAlongTheZeroLineAndMarksIt) {
   EXPECT_GT(marked, 20u);
 }
 
-TEST(AbsorbCrumbs, GivesTheirVolumeToThePatchBelow) {
+TEST(AbsorbSlivers, GivesTheirVolumeToThePatchBelow) {
   std::vector<layers::Patch> patches{patchOf(flatSquare(5, 0.5, 1.0, 0.7), 1)};
-  const auto crumb = patchOf(flatSquare(0.4, 0.2, 1.6, 0.5), 2);
+  const auto sliver = patchOf(flatSquare(0.4, 0.2, 1.6, 0.5), 2);
   const auto volumeOf = [&] {
     layers::LayerStack s;
     s.patches = patches;
     return layers::layerStatistics(s).volumeMm3();
   };
   const double before = volumeOf();
-  const auto a = layers::absorbCrumbs(patches, {crumb}, {1.0, 1.2});
+  const auto a = layers::absorbSlivers(patches, {sliver}, {1.0, 1.2});
   EXPECT_EQ(a.merged, 1u);
   EXPECT_TRUE(a.dropped.empty());
   EXPECT_NEAR(a.mergedVolumeMm3, 0.64 * 0.5, 1e-9);
@@ -207,11 +207,11 @@ TEST(AbsorbCrumbs, GivesTheirVolumeToThePatchBelow) {
   }
 }
 
-TEST(AbsorbCrumbs, DropsWhatDoesNotFit) {
+TEST(AbsorbSlivers, DropsWhatDoesNotFit) {
   std::vector<layers::Patch> patches{patchOf(flatSquare(5, 0.5, 1.0, 0.98), 1)};
-  const auto crumb = patchOf(flatSquare(0.4, 0.2, 1.7, 0.5), 2);
+  const auto sliver = patchOf(flatSquare(0.4, 0.2, 1.7, 0.5), 2);
   const auto far = patchOf(flatSquare(0.4, 0.2, 9.0, 0.5), 3);
-  const auto a = layers::absorbCrumbs(patches, {crumb, far}, {1.0, 1.2});
+  const auto a = layers::absorbSlivers(patches, {sliver, far}, {1.0, 1.2});
   EXPECT_EQ(a.merged, 0u);
   ASSERT_EQ(a.dropped.size(), 2u);
   EXPECT_NEAR(a.dropped[0].volumeMm3 + a.mergedVolumeMm3, 0.64 * 0.5, 1e-9);

@@ -149,21 +149,21 @@ TEST(FillPolygon, AreaIsKeptOnRandomStars) {
 
 TEST(MakePatches, SetsApartWhatIsTooSmall) {
   LevelSurface s = flatSquare(5, 0.5, 1.0);
-  const LevelSurface crumb = flatSquare(0.4, 0.2, 2.0); // 0.64 mm2: less than a round bead
+  const LevelSurface sliver = flatSquare(0.4, 0.2, 2.0); // 0.64 mm2: less than a round bead
   const int base = static_cast<int>(s.surface.vertices.size());
-  for (std::size_t v = 0; v < crumb.surface.vertices.size(); ++v) {
-    s.surface.vertices.push_back(crumb.surface.vertices[v]);
+  for (std::size_t v = 0; v < sliver.surface.vertices.size(); ++v) {
+    s.surface.vertices.push_back(sliver.surface.vertices[v]);
     s.thicknessMm.push_back(0.8);
     s.direction.push_back(Vector3d::UnitZ());
     s.clearDirection.push_back(Vector3d::UnitZ());
   }
-  for (const auto& t : crumb.surface.triangles)
+  for (const auto& t : sliver.surface.triangles)
     s.surface.triangles.push_back({base + t[0], base + t[1], base + t[2]});
   const PatchesOfLevel patches = makePatches(s, {});
   ASSERT_EQ(patches.patches.size(), 1u);
   EXPECT_NEAR(geometry::area(patches.patches[0].surface), 100.0, 1e-9);
-  ASSERT_EQ(patches.crumbs.size(), 1u);
-  EXPECT_NEAR(geometry::area(patches.crumbs[0].surface), 0.64, 1e-9);
+  ASSERT_EQ(patches.slivers.size(), 1u);
+  EXPECT_NEAR(geometry::area(patches.slivers[0].surface), 0.64, 1e-9);
 }
 
 TEST(OrderForPrinting, LayersFirstThenShortWays) {

@@ -66,7 +66,7 @@ TEST(Orient, FindsADirectionWithoutLoss) {
   EXPECT_GT(found.missedBefore, 0u);
   EXPECT_EQ(found.missed, 0u);
   EXPECT_EQ(found.missedAtVoxelMm, 0u);
-  EXPECT_TRUE(found.stance.stands);
+  EXPECT_TRUE(found.score.stands);
   EXPECT_EQ(missedByGrowth(turned(mesh, found.turn), 1.0), 0u);
 }
 
@@ -74,8 +74,8 @@ TEST(Orient, PutsATeeOnItsBeamOrItsSide) {
   const geometry::TriangleMesh mesh = teeMesh();
   const Orientation found = bestOrientation(mesh, Objective::LeastRisky, atOneMm(), kQuiet);
   EXPECT_NEAR(found.before.riskyMm2, 2 * 5 * 5, 1e-9);
-  EXPECT_NEAR(found.stance.riskyMm2, 0.0, 1e-9);
-  EXPECT_NEAR(found.stance.heightMm, 5.0, 1e-9); // the lower of the two
+  EXPECT_NEAR(found.score.riskyMm2, 0.0, 1e-9);
+  EXPECT_NEAR(found.score.heightMm, 5.0, 1e-9); // the lower of the two
 }
 
 TEST(Orient, WhatLiesWellStays) {
@@ -83,7 +83,7 @@ TEST(Orient, WhatLiesWellStays) {
   for (const Objective objective : {Objective::LeastRisky, Objective::FewestMissed}) {
     const Orientation found = bestOrientation(mesh, objective, atOneMm(), kQuiet);
     EXPECT_TRUE(found.turn.isApprox(Eigen::Quaterniond::Identity()));
-    EXPECT_NEAR(found.stance.contactMm2, 200.0, 1e-9);
+    EXPECT_NEAR(found.score.contactMm2, 200.0, 1e-9);
   }
 }
 
@@ -105,8 +105,8 @@ TEST(Orient, NothingIsStoodOnATip) {
   for (const Objective objective : {Objective::LeastRisky, Objective::FewestMissed}) {
     const Orientation found = bestOrientation(cone, objective, atOneMm(), kQuiet);
     EXPECT_FALSE(found.before.stands);
-    EXPECT_TRUE(found.stance.stands);
-    EXPECT_NEAR(found.stance.heightMm, 40.0, 0.1); // on its base
+    EXPECT_TRUE(found.score.stands);
+    EXPECT_NEAR(found.score.heightMm, 40.0, 0.1); // on its base
   }
 }
 

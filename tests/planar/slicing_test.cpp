@@ -110,7 +110,7 @@ void expectWithin(const SliceResult& sliced, const std::vector<Piece>& pieces) {
           (patch.surface.corner(t, 0) + patch.surface.corner(t, 1) + patch.surface.corner(t, 2)) /
           3.0;
       farthest = std::max(farthest, solid.inside(middle) ? 0.0 : solid.closest(middle).distance);
-      // Level, but for what is thicker where it takes crumbs over it.
+      // Level, but for what is thicker where it takes slivers over it.
       EXPECT_GT(geometry::triangleNormal(patch.surface, t).dot(patch.direction.front()), 0.99);
     }
   }

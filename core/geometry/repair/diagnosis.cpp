@@ -78,18 +78,18 @@ bool Diagnosis::clean() const {
 
 std::vector<std::string> Diagnosis::sentences() const {
   std::vector<std::string> out;
-  const auto tell = [&](const Defect& defect, const std::string& what) {
+  const auto describe = [&](const Defect& defect, const std::string& what) {
     if (defect.count > 0)
       out.push_back(fmt::format("{} {}, the first at ({:.2f}, {:.2f}, {:.2f})", defect.count, what,
                                 defect.at.x(), defect.at.y(), defect.at.z()));
   };
-  tell(boundaryEdges, fmt::format("open edges in {} loops", boundaryLoops));
-  tell(nonManifoldEdges, "edges with more than two triangles");
-  tell(misorientedEdges, "edges whose triangles face opposite ways");
-  tell(duplicateFaces, "duplicate triangles");
-  tell(degenerateFaces, "triangles without area");
-  tell(selfIntersections, "pairs of triangles that cut each other");
-  tell(insideOutComponents, "components that are inside out");
+  describe(boundaryEdges, fmt::format("open edges in {} loops", boundaryLoops));
+  describe(nonManifoldEdges, "edges with more than two triangles");
+  describe(misorientedEdges, "edges whose triangles face opposite ways");
+  describe(duplicateFaces, "duplicate triangles");
+  describe(degenerateFaces, "triangles without area");
+  describe(selfIntersections, "pairs of triangles that cut each other");
+  describe(insideOutComponents, "components that are inside out");
   return out;
 }
 
@@ -106,11 +106,11 @@ Diagnosis diagnose(const TriangleMesh& mesh, const base::RunContext& ctx) {
   const Components parts = components(mesh);
   d.components = parts.count;
   const std::vector<bool> insideOut = insideOutComponents(mesh, parts);
-  std::vector<bool> told(insideOut.size(), false);
+  std::vector<bool> listed(insideOut.size(), false);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto c = static_cast<std::size_t>(parts.ofTriangle[t]);
-    if (insideOut[c] && !told[c]) {
-      told[c] = true;
+    if (insideOut[c] && !listed[c]) {
+      listed[c] = true;
       note(d.insideOutComponents, centroid(mesh, t));
     }
   }

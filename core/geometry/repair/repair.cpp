@@ -38,16 +38,16 @@ public:
     if (mesh_.empty())
       throw base::Error(base::ErrorCode::UnusableInput, "no triangle with area is left");
     ctx_.report(0.9, "repair: check");
-    RepairResult result{std::move(mesh_), std::move(told_), {}, {}, std::move(found_)};
+    RepairResult result{std::move(mesh_), std::move(notes_), {}, {}, std::move(found_)};
     result.diagnosis = diagnose(result.mesh, ctx_);
     result.remains = result.diagnosis.sentences();
     return result;
   }
 
 private:
-  void tell(std::size_t count, const std::string& what) {
+  void note(std::size_t count, const std::string& what) {
     if (count > 0)
-      told_.push_back(what);
+      notes_.push_back(what);
     ctx_.checkpoint();
   }
 
@@ -55,41 +55,41 @@ private:
     const bool open = found_.boundaryEdges.count > 0;
     if (open) {
       const std::size_t merged = mergeNearbyPoints(mesh_);
-      tell(merged, "merged " + amount(merged, "duplicate point", "duplicate points"));
+      note(merged, "merged " + amount(merged, "duplicate point", "duplicate points"));
     }
     const std::size_t collapsed = dropCollapsedFaces(mesh_);
-    tell(collapsed,
+    note(collapsed,
          "dropped " + amount(collapsed, "triangle without area", "triangles without area"));
     const std::size_t doubled = dropDuplicateFaces(mesh_);
-    tell(doubled, "dropped " + amount(doubled, "duplicate triangle", "duplicate triangles"));
+    note(doubled, "dropped " + amount(doubled, "duplicate triangle", "duplicate triangles"));
     if (open) {
       const std::size_t split = splitTJunctions(mesh_, 1e-5 * found_.boundsMm.diagonal().norm());
-      tell(split, "split edges at " + amount(split, "T-junction", "T-junctions"));
+      note(split, "split edges at " + amount(split, "T-junction", "T-junctions"));
     }
     dropSheets();
   }
 
   void dropSheets() {
     const std::size_t loose = dropLooseSheets(mesh_);
-    tell(loose, "dropped " + amount(loose, "triangle", "triangles") + " of sheets without volume");
+    note(loose, "dropped " + amount(loose, "triangle", "triangles") + " of sheets without volume");
   }
 
   void mendOrientation() {
     const std::size_t turned = orientConsistently(mesh_);
-    tell(turned, "turned " + amount(turned, "triangle", "triangles") + " to face as the others do");
+    note(turned, "turned " + amount(turned, "triangle", "triangles") + " to face as the others do");
     bool closed = true;
     for (const bool c : closedComponents(mesh_, components(mesh_)))
       closed = closed && c;
     if (!closed) {
       const std::size_t separated = separateNonManifold(mesh_);
-      tell(separated, "separated non-manifold edges at " + amount(separated, "point", "points"));
+      note(separated, "separated non-manifold edges at " + amount(separated, "point", "points"));
       dropSheets();
     }
   }
 
   void mendHoles() {
     const ClosedHoles holes = closeHoles(mesh_, ctx_);
-    tell(holes.count, fmt::format("closed {}, {} {} edges at ({:.2f}, {:.2f}, {:.2f})",
+    note(holes.count, fmt::format("closed {}, {} {} edges at ({:.2f}, {:.2f}, {:.2f})",
                                   amount(holes.count, "hole", "holes"),
                                   holes.count == 1 ? "of" : "the largest of", holes.largestEdges,
                                   holes.largestAt.x(), holes.largestAt.y(), holes.largestAt.z()));
@@ -97,7 +97,7 @@ private:
 
   void turnShells() {
     const std::size_t shells = turnInsideOut(mesh_);
-    tell(shells, "turned " + amount(shells, "component", "components") + " that faced inside out");
+    note(shells, "turned " + amount(shells, "component", "components") + " that faced inside out");
   }
 
   void mendIntersections() {
@@ -106,7 +106,7 @@ private:
       return;
     const std::size_t united = uniteComponents(mesh_, pairs, ctx_);
     if (united > 0) {
-      tell(united, fmt::format("united {} overlapping components", united));
+      note(united, fmt::format("united {} overlapping components", united));
       pairs = selfIntersections(mesh_, ctx_);
       if (pairs.empty())
         return;
@@ -121,7 +121,7 @@ private:
         std::abs(after.volumeMm3 - before.volumeMm3) <= kVolumeChange * std::abs(before.volumeMm3);
     if (after.watertight && sameVolume && after.selfIntersections.count < pairs.size()) {
       mesh_ = std::move(trial);
-      tell(1, fmt::format("cut out {} of {} self-intersections",
+      note(1, fmt::format("cut out {} of {} self-intersections",
                           pairs.size() - after.selfIntersections.count, pairs.size()));
     }
   }
@@ -129,7 +129,7 @@ private:
   TriangleMesh mesh_;
   Diagnosis found_;
   const base::RunContext& ctx_;
-  std::vector<std::string> told_;
+  std::vector<std::string> notes_;
 };
 
 } // namespace

@@ -70,13 +70,13 @@ std::optional<Plane> bestNear(const RegionPlane& at, const Piece& piece, int top
   std::optional<Plane> best;
   double gain = 0.0;
   const auto consider = [&](const Plane& plane) {
-    const PlaneWorth worth = planeWorth(piece, faces, rule, plane, top, kAnyFoot);
-    if (plane.normal.z() >= kFacesUp && worth.allowed && worth.sectionMm2 <= most &&
-        (!best || worth.gainMm2 > gain)) {
-      gain = worth.gainMm2;
+    const PlaneGain planned = planeGain(piece, faces, rule, plane, top, kAnyFoot);
+    if (plane.normal.z() >= kFacesUp && planned.allowed && planned.sectionMm2 <= most &&
+        (!best || planned.gainMm2 > gain)) {
+      gain = planned.gainMm2;
       best = plane;
     }
-    return worth;
+    return planned;
   };
   most = kSectionGrows * consider(at.plane).sectionMm2;
   for (int i = 0; i < kTries; ++i)

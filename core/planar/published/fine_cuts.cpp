@@ -100,22 +100,23 @@ void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, c
     if (piece.solid.tag[t] != kSkin)
       std::fill(forbidden.begin() + static_cast<std::ptrdiff_t>(begin),
                 forbidden.begin() + static_cast<std::ptrdiff_t>(end), 1);
-    const double worth = (faces.risky[t] > 0.0 ? 1.0 : 0.0) -
-                         (!faces.laid[t] && isRisky(faces.normal[t], normal, rule) ? 1.0 : 0.0);
-    if (worth == 0.0 && !faces.stands[t])
+    const double weight = (faces.risky[t] > 0.0 ? 1.0 : 0.0) -
+                          (!faces.laid[t] && isRisky(faces.normal[t], normal, rule) ? 1.0 : 0.0);
+    if (weight == 0.0 && !faces.stands[t])
       continue;
-    const double stood = faces.stands[t] ? faces.area[t] : 0.0;
-    gain.addWhole(begin, worth * faces.area[t]);
-    stands.addWhole(begin, stood);
+    const double contact = faces.stands[t] ? faces.area[t] : 0.0;
+    gain.addWhole(begin, weight * faces.area[t]);
+    stands.addWhole(begin, contact);
     for (std::size_t k = begin; k < end; ++k) {
       const double share = shareAbove(h, offsetOf(k));
-      gain.addPart(k, share * worth * faces.area[t]);
-      stands.addPart(k, share * stood);
+      gain.addPart(k, share * weight * faces.area[t]);
+      stands.addPart(k, share * contact);
     }
   }
-  const std::vector<double> gains = gain.sums(), goes = stands.sums();
+  const std::vector<double> gains = gain.sums(), contactLoss = stands.sums();
   for (std::size_t k = count; k-- > 0;)
-    if (!forbidden[k] && gains[k] >= fine.leastMm2 && faces.standsMm2 - goes[k] >= leastStands)
+    if (!forbidden[k] && gains[k] >= fine.leastMm2 &&
+        faces.standsMm2 - contactLoss[k] >= leastStands)
       out.push_back({{normal, offsetOf(k)}, gains[k]});
 }
 

@@ -39,9 +39,9 @@ std::optional<PieceCut> constrainedCut(const Piece& piece, const Plane& plane, s
     if (!cut || std::any_of(cut->above.begin(), cut->above.end(), meetsOther))
       return std::nullopt;
     if (piece.baseTag == kPlate) {
-      const Footing left = footingOf(cut->below, options.rule);
-      if (left.contactMm2 < options.keptContact * footing.contactMm2 ||
-          left.hullMm2 < options.keptHull * footing.hullMm2)
+      const Footing remaining = footingOf(cut->below, options.rule);
+      if (remaining.contactMm2 < options.keptContact * footing.contactMm2 ||
+          remaining.hullMm2 < options.keptHull * footing.hullMm2)
         return std::nullopt;
     }
     return cut;

@@ -83,11 +83,11 @@ void absorbSmall(const std::vector<Border>& borders, const std::vector<double>& 
   std::vector<int> into(count);
   for (std::size_t r = 0; r < count; ++r)
     into[r] = static_cast<int>(r);
-  std::vector<bool> gone(count, false);
+  std::vector<bool> merged(count, false);
   while (true) {
     std::size_t least = count;
     for (std::size_t r = 0; r < count; ++r)
-      if (!gone[r] && !common[r].empty() && size[r] < kLeastShare * all &&
+      if (!merged[r] && !common[r].empty() && size[r] < kLeastShare * all &&
           (least == count || size[r] < size[least]))
         least = r;
     if (least == count)
@@ -96,7 +96,7 @@ void absorbSmall(const std::vector<Border>& borders, const std::vector<double>& 
         std::max_element(common[least].begin(), common[least].end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
     const auto host = static_cast<std::size_t>(longest->first);
-    gone[least] = true;
+    merged[least] = true;
     into[least] = longest->first;
     size[host] += size[least];
     for (const auto& [other, length] : common[least]) {
@@ -110,7 +110,7 @@ void absorbSmall(const std::vector<Border>& borders, const std::vector<double>& 
   }
   std::map<int, int> index;
   for (int& region : out.ofTriangle) {
-    while (gone[static_cast<std::size_t>(region)])
+    while (merged[static_cast<std::size_t>(region)])
       region = into[static_cast<std::size_t>(region)];
     region = index.try_emplace(region, static_cast<int>(index.size())).first->second;
   }

@@ -50,7 +50,7 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
   pieces[0] = part;
   Pieces out;
   std::int32_t tag = 0;
-  int spare = -1; // numbers of pieces that the search does not know
+  int unusedId = -1; // numbers of pieces that the search does not know
   for (const CutStep& step : steps) {
     const auto at = pieces.find(step.piece);
     if (at == pieces.end())
@@ -63,15 +63,17 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
       polish.shiftMm = options.stepMm;
       // The search has weighed what may go; here only what the finer shape adds may go besides.
       const int top = faceAt(piece.solid.mesh, step.topMm);
-      const PlaneWorth planned = planeWorth(piece, faces, options.rule, step.plane, top, 1e300);
-      polish.mayGoMm2 = std::min(planned.footMm2 + 0.02 * faces.standsMm2, 0.9 * faces.standsMm2);
+      const PlaneGain planned = planeGain(piece, faces, options.rule, step.plane, top, 1e300);
+      polish.maxContactLossMm2 =
+          std::min(planned.footMm2 + 0.02 * faces.standsMm2, 0.9 * faces.standsMm2);
       polish.footPrice = 1e-3;
       const Plane plane = polished(piece, faces, options.rule, step.plane, top, polish);
-      const CutRules rules{options.rule, leastGainMm2, options.leastVolumeMm3, polish.mayGoMm2};
+      const CutRules rules{options.rule, leastGainMm2, options.leastVolumeMm3,
+                           polish.maxContactLossMm2};
       cut = cutPiece(piece, plane, tag, rules);
       CutRules any = rules;
       any.leastGainMm2 = 0.0;
-      any.mayGoMm2 = std::max(polish.mayGoMm2, 0.5 * faces.standsMm2);
+      any.maxContactLossMm2 = std::max(polish.maxContactLossMm2, 0.5 * faces.standsMm2);
       for (const double shift : {0.0, 0.4, -0.4, 0.8, -0.8, 1.6, -1.6})
         if (!cut || cut->above.size() != step.above.size())
           if (auto near =
@@ -87,22 +89,22 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
     }
     pieces.erase(at);
     pieces[step.below] = std::move(cut->below);
-    std::vector<bool> taken(cut->above.size(), false);
+    std::vector<bool> selected(cut->above.size(), false);
     for (std::size_t s = 0; s < step.above.size(); ++s) {
-      std::size_t best = taken.size();
-      for (std::size_t m = 0; m < taken.size(); ++m)
-        if (!taken[m] && (best == taken.size() ||
-                          (cut->sectionMiddles[m] - step.sectionMiddles[s]).norm() <
-                              (cut->sectionMiddles[best] - step.sectionMiddles[s]).norm()))
+      std::size_t best = selected.size();
+      for (std::size_t m = 0; m < selected.size(); ++m)
+        if (!selected[m] && (best == selected.size() ||
+                             (cut->sectionMiddles[m] - step.sectionMiddles[s]).norm() <
+                                 (cut->sectionMiddles[best] - step.sectionMiddles[s]).norm()))
           best = m;
-      if (best == taken.size())
+      if (best == selected.size())
         continue;
-      taken[best] = true;
+      selected[best] = true;
       pieces[step.above[s]] = std::move(cut->above[best]);
     }
-    for (std::size_t m = 0; m < taken.size(); ++m)
-      if (!taken[m])
-        pieces[spare--] = std::move(cut->above[m]);
+    for (std::size_t m = 0; m < selected.size(); ++m)
+      if (!selected[m])
+        pieces[unusedId--] = std::move(cut->above[m]);
   }
   for (auto& [id, piece] : pieces) {
     out.stand = out.stand && allStands(piece, options.rule);

@@ -61,15 +61,15 @@ bool CutSearch::movePlanes(State& state) {
     const NodePtr whole = node(std::move(*joined));
     whole->faces = faceTable(whole->piece, options_.rule);
     PolishOptions polish;
-    polish.mayGoMm2 = mayGo(*whole);
+    polish.maxContactLossMm2 = maxContactLoss(*whole);
     polish.footPrice = footPrice(*whole);
     polish.shiftMm = options_.stepMm;
     polish.rounds = 8;
     const int top = highestFace(whole->piece.solid.mesh, upper->piece.base.normal);
     const Plane plane =
         polished(whole->piece, whole->faces, options_.rule, upper->piece.base, top, polish);
-    const CutRules rules{options_.rule, least, options_.leastVolumeMm3, mayGo(*whole)};
-    if (!keepsFoot(*whole, plane))
+    const CutRules rules{options_.rule, least, options_.leastVolumeMm3, maxContactLoss(*whole)};
+    if (!keepsContact(*whole, plane))
       continue;
     auto cut = cutPiece(whole->piece, plane, tags_, rules);
     tags_ += kTagsPerCut;
@@ -126,10 +126,8 @@ bool CutSearch::gains(const State& a, const State& b) const {
   if (a.blocked != b.blocked)
     return a.blocked < b.blocked;
   const double goal = options_.target * before_;
-  const auto worth = [&](const State& s) {
-    return s.cost + kShort * std::max(0.0, s.risky - goal);
-  };
-  return worth(a) < worth(b) - kLeast * before_;
+  const auto cost = [&](const State& s) { return s.cost + kShort * std::max(0.0, s.risky - goal); };
+  return cost(a) < cost(b) - kLeast * before_;
 }
 
 SearchResult CutSearch::bettered() {

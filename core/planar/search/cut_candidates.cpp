@@ -134,7 +134,7 @@ void sweep(const geometry::TriangleMesh& mesh, const FaceTable& f, const Vector3
     lowest = std::min(lowest, low);
   }
   sortFalling(order);
-  const double leans = -std::sin(rule.overhangRad); // risky below this cosine
+  const double riskyCosine = -std::sin(rule.overhangRad); // risky below this cosine
   geometry::UnionFind sets(n);
   std::vector<Above> part(n);
   std::vector<std::uint8_t> above(n, 0);
@@ -166,7 +166,7 @@ void sweep(const geometry::TriangleMesh& mesh, const FaceTable& f, const Vector3
       above[t] = 1;
       Above& own = part[t];
       own.before = f.risky[t];
-      own.after = !f.laid[t] && f.normal[t].dot(normal) < leans ? f.area[t] : 0.0;
+      own.after = !f.laid[t] && f.normal[t].dot(normal) < riskyCosine ? f.area[t] : 0.0;
       own.stands = f.stands[t] ? f.area[t] : 0.0;
       own.top = static_cast<int>(t);
       for (const int w : f.neighbour[t]) {
@@ -193,7 +193,7 @@ void sweep(const geometry::TriangleMesh& mesh, const FaceTable& f, const Vector3
       const int r = sets.find(order[i].face);
       Above& p = part[static_cast<std::size_t>(r)];
       const double gain = p.before - p.after - options.footPrice * p.stands;
-      if (p.stands > options.mayGoMm2 || gain < options.leastMm2 || gain <= p.bestGain)
+      if (p.stands > options.maxContactLossMm2 || gain < options.leastMm2 || gain <= p.bestGain)
         continue;
       if (p.bestGain < 0.0)
         fresh.push_back(r);

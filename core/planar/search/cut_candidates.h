@@ -32,9 +32,10 @@ struct CutCandidate {
 };
 
 struct CandidateOptions {
-  double stepMm = 2.0;       // between the offsets of a normal
-  double leastMm2 = 1.0;     // smaller gains are not worth a cut
-  double mayGoMm2 = 0.0;     // of what the piece stands on, so much may go with what is cut off
+  double stepMm = 2.0;   // between the offsets of a normal
+  double leastMm2 = 1.0; // smaller gains are not worth a cut
+  double maxContactLossMm2 =
+      0.0;                   // of what the piece stands on, so much may go with what is cut off
   double footPrice = 0.0;    // risky area that a mm2 of that is worth
   std::size_t perNormal = 4; // at most
 };

@@ -22,17 +22,17 @@ namespace {
 
 constexpr std::size_t kPiecesTried = 6, kCutsTried = 24; // of a partial result, of a piece
 constexpr double kAlike = 0.95, kAlikeMm = 5.0;          // normals (cosine) and offsets of cuts
-constexpr double kPieceCost = 0.002;                 // of the risky area before, for a piece more
-constexpr double kLeastGain = 0.0005;                // of the risky area before, for a cut
-constexpr double kBaseGoes = 0.4, kBaseWorth = 0.02; // of a piece's base: share that may go, price
+constexpr double kPieceCost = 0.002;                  // of the risky area before, for a piece more
+constexpr double kLeastGain = 0.0005;                 // of the risky area before, for a cut
+constexpr double kBaseLoss = 0.4, kBaseWeight = 0.02; // of a piece's base: share that may go, price
 constexpr double kBlockedCost =
     0.02;                    // of the risky area before, for a piece the head does not reach
 constexpr int kCarrier = -1; // in place of a piece's number
 constexpr std::size_t kResults = 4;
 constexpr int kWideLevels = 8; // then the beam is half as wide: what is cut late counts little
-constexpr std::size_t kAskedAtOnce = 16; // candidates
-constexpr std::size_t kBehindTried = 6;  // candidates that something is in the way of
-constexpr std::size_t kTries = 240;      // of cuts at a level
+constexpr std::size_t kCheckedAtOnce = 16; // candidates
+constexpr std::size_t kBehindTried = 6;    // candidates that something is in the way of
+constexpr std::size_t kTries = 240;        // of cuts at a level
 
 } // namespace
 
@@ -66,10 +66,11 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
   made->base = baseArea(made->piece, options_.rule);
   made->volume = geometry::volume(made->piece.solid.mesh);
   if (made->piece.baseTag == kPlate && footing_.contactMm2 > 0.0) {
-    const Footing left = footingOf(made->piece, options_.rule);
+    const Footing remaining = footingOf(made->piece, options_.rule);
     made->footCost =
-        before_ * (options_.contactWorth * (1.0 - left.contactMm2 / footing_.contactMm2) +
-                   options_.hullWorth * (1.0 - left.hullMm2 / std::max(1e-9, footing_.hullMm2)));
+        before_ *
+        (options_.contactWeight * (1.0 - remaining.contactMm2 / footing_.contactMm2) +
+         options_.hullWeight * (1.0 - remaining.hullMm2 / std::max(1e-9, footing_.hullMm2)));
   }
   made->holds = sectionsHeld(made->piece);
   if (!head_.empty()) {
@@ -94,20 +95,20 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
   return made;
 }
 
-double CutSearch::mayGo(const Node& n) const {
+double CutSearch::maxContactLoss(const Node& n) const {
   if (n.piece.baseTag != kPlate)
-    return kBaseGoes * n.base;
+    return kBaseLoss * n.base;
   return std::max(0.0, n.base - options_.keptContact * footing_.contactMm2);
 }
 
 double CutSearch::footPrice(const Node& n) const {
   if (n.piece.baseTag != kPlate)
-    return kBaseWorth;
-  return footing_.contactMm2 > 0.0 ? options_.contactWorth * before_ / footing_.contactMm2 : 0.0;
+    return kBaseWeight;
+  return footing_.contactMm2 > 0.0 ? options_.contactWeight * before_ / footing_.contactMm2 : 0.0;
 }
 
 // Whether the plate under what stays is wide enough for it to stand as it did.
-bool CutSearch::keepsFoot(const Node& n, const Plane& plane) const {
+bool CutSearch::keepsContact(const Node& n, const Plane& plane) const {
   return n.piece.baseTag != kPlate || footingBelow(n.piece, n.faces.stands, plane).hullMm2 >=
                                           options_.keptHull * footing_.hullMm2 - 1e-9;
 }
@@ -140,7 +141,7 @@ void CutSearch::findCandidates(Node& n) {
   CandidateOptions options;
   options.stepMm = options_.stepMm;
   options.leastMm2 = least_;
-  options.mayGoMm2 = mayGo(n);
+  options.maxContactLossMm2 = maxContactLoss(n);
   options.footPrice = footPrice(n);
   std::vector<CutCandidate> found =
       cutCandidates(n.piece, n.faces, options_.rule, normals_, options, ctx_);
@@ -155,19 +156,19 @@ void CutSearch::findCandidates(Node& n) {
   };
   std::vector<CutCandidate> behind; // in whose way something is
   for (std::size_t at = 0; at < found.size() && n.candidates.size() < kCutsTried;) {
-    std::vector<CutCandidate> asked;
-    for (; at < found.size() && asked.size() < kAskedAtOnce; ++at)
-      if (isNew(found[at], n.candidates) && keepsFoot(n, found[at].plane))
-        asked.push_back(found[at]);
-    std::vector<char> free(asked.size(), 0);
+    std::vector<CutCandidate> checked;
+    for (; at < found.size() && checked.size() < kCheckedAtOnce; ++at)
+      if (isNew(found[at], n.candidates) && keepsContact(n, found[at].plane))
+        checked.push_back(found[at]);
+    std::vector<char> free(checked.size(), 0);
     base::parallelChunks(ctx_, free.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        free[i] = wayIsFree(n, asked[i]);
+        free[i] = wayIsFree(n, checked[i]);
     });
     for (std::size_t i = 0; i < free.size() && n.candidates.size() < kCutsTried; ++i) {
       std::vector<CutCandidate>& to = free[i] != 0 ? n.candidates : behind;
-      if ((free[i] != 0 || to.size() < kBehindTried) && isNew(asked[i], to))
-        to.push_back(asked[i]);
+      if ((free[i] != 0 || to.size() < kBehindTried) && isNew(checked[i], to))
+        to.push_back(checked[i]);
     }
   }
   n.candidates.insert(n.candidates.end(), behind.begin(), behind.end());
@@ -222,11 +223,11 @@ void CutSearch::tryCuts(const std::vector<Option>& options, std::size_t begin, s
       const Node& n = *tasks[i].node;
       const CutCandidate& c = n.candidates[tasks[i].candidate];
       PolishOptions polish;
-      polish.mayGoMm2 = mayGo(n);
+      polish.maxContactLossMm2 = maxContactLoss(n);
       polish.footPrice = footPrice(n);
       polish.shiftMm = options_.stepMm;
       const Plane plane = polished(n.piece, n.faces, options_.rule, c.plane, c.top, polish);
-      const CutRules rules{options_.rule, least_, options_.leastVolumeMm3, mayGo(n)};
+      const CutRules rules{options_.rule, least_, options_.leastVolumeMm3, maxContactLoss(n)};
       auto cut =
           cutPiece(n.piece, plane, tags_ + static_cast<std::int32_t>(i) * kTagsPerCut, rules);
       if (!cut)

@@ -70,9 +70,9 @@ private:
   };
 
   NodePtr node(Piece piece);
-  double mayGo(const Node& node) const;
+  double maxContactLoss(const Node& node) const;
   double footPrice(const Node& node) const; // risky area that a mm2 of contact is worth
-  bool keepsFoot(const Node& node, const Plane& plane) const;
+  bool keepsContact(const Node& node, const Plane& plane) const;
   bool wayIsFree(const Node& node, const CutCandidate& candidate) const;
   void findCandidates(Node& node);
   // Of pieces numbered firstId and up.

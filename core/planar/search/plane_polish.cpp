@@ -7,11 +7,11 @@ namespace voluta::planar {
 
 using Eigen::Vector3d;
 
-PlaneWorth planeWorth(const Piece& piece, const FaceTable& faces, const RiskRule& rule,
-                      const Plane& plane, int top, double mayGoMm2) {
+PlaneGain planeGain(const Piece& piece, const FaceTable& faces, const RiskRule& rule,
+                    const Plane& plane, int top, double maxContactLossMm2) {
   constexpr double kOn = 1e-7; // mm
   const geometry::TriangleMesh& mesh = piece.solid.mesh;
-  PlaneWorth out;
+  PlaneGain out;
   std::vector<double> height(mesh.vertices.size());
   for (std::size_t v = 0; v < height.size(); ++v)
     height[v] = plane.heightOf(mesh.vertices[v]);
@@ -23,7 +23,7 @@ PlaneWorth planeWorth(const Piece& piece, const FaceTable& faces, const RiskRule
   };
   if (!reaches(static_cast<std::size_t>(top)))
     return out;
-  const double leans = -std::sin(rule.overhangRad); // risky below this cosine
+  const double riskyCosine = -std::sin(rule.overhangRad); // risky below this cosine
   std::vector<std::uint8_t> seen(faces.area.size(), 0);
   std::vector<int> todo{top};
   seen[static_cast<std::size_t>(top)] = 1;
@@ -57,7 +57,7 @@ PlaneWorth planeWorth(const Piece& piece, const FaceTable& faces, const RiskRule
       out.footMm2 += area;
     if (faces.risky[t] > 0.0)
       out.gainMm2 += area;
-    if (!faces.laid[t] && faces.normal[t].dot(plane.normal) < leans)
+    if (!faces.laid[t] && faces.normal[t].dot(plane.normal) < riskyCosine)
       out.gainMm2 -= area;
     for (std::size_t k = 0; k < 3; ++k) {
       const int w = faces.neighbour[t][k];
@@ -69,14 +69,15 @@ PlaneWorth planeWorth(const Piece& piece, const FaceTable& faces, const RiskRule
     }
   }
   out.sectionMm2 = std::abs(section);
-  out.allowed = out.footMm2 <= mayGoMm2 + 1e-9 && !isRisky(plane.normal, piece.base.normal, rule);
+  out.allowed =
+      out.footMm2 <= maxContactLossMm2 + 1e-9 && !isRisky(plane.normal, piece.base.normal, rule);
   return out;
 }
 
 Plane polished(const Piece& piece, const FaceTable& faces, const RiskRule& rule, const Plane& plane,
                int top, const PolishOptions& options) {
-  const auto worthOf = [&](const Plane& p) {
-    const PlaneWorth w = planeWorth(piece, faces, rule, p, top, options.mayGoMm2);
+  const auto gainOf = [&](const Plane& p) {
+    const PlaneGain w = planeGain(piece, faces, rule, p, top, options.maxContactLossMm2);
     return w.allowed
                ? w.gainMm2 - options.sectionWeight * w.sectionMm2 - options.footPrice * w.footMm2
                : -1e300;
@@ -84,7 +85,7 @@ Plane polished(const Piece& piece, const FaceTable& faces, const RiskRule& rule,
   // Tilts turn the plane about the middle of the piece's part of it, not about the far origin.
   const Vector3d& pivot = piece.solid.mesh.corner(static_cast<std::size_t>(top), 0);
   Plane best = plane;
-  double most = worthOf(best);
+  double most = gainOf(best);
   double tilt = 0.5 * options.tiltRad, shift = 0.5 * options.shiftMm;
   for (int round = 0; round < options.rounds; ++round) {
     bool better = false;
@@ -100,9 +101,9 @@ Plane polished(const Piece& piece, const FaceTable& faces, const RiskRule& rule,
         const Vector3d foot = pivot - best.heightOf(pivot) * best.normal;
         tried.offsetMm = tried.normal.dot(foot);
       }
-      const double worth = worthOf(tried);
-      if (worth > most + 1e-9) {
-        most = worth;
+      const double gain = gainOf(tried);
+      if (gain > most + 1e-9) {
+        most = gain;
         best = tried;
         better = true;
       }

@@ -74,19 +74,19 @@ std::vector<double> shelvesOf(const Piece& piece, double top, double leastMm) {
       ++middle;
     shelves.push_back({faces[middle].height, area});
   }
-  std::vector<double> taken;
+  std::vector<double> chosen;
   if (!shelves.empty() && shelves.back().height > top - kShelfMm)
-    taken.push_back(top);
+    chosen.push_back(top);
   std::ranges::stable_sort(shelves, std::ranges::greater(), &Face::areaMm2);
   for (const Face& shelf : shelves) {
     const auto near = [&](double height) {
       return std::abs(shelf.height - height) < leastMm - kRounding;
     };
-    if (!near(0.0) && !near(top) && std::ranges::none_of(taken, near))
-      taken.push_back(shelf.height);
+    if (!near(0.0) && !near(top) && std::ranges::none_of(chosen, near))
+      chosen.push_back(shelf.height);
   }
-  std::ranges::sort(taken);
-  return taken;
+  std::ranges::sort(chosen);
+  return chosen;
 }
 
 // Boundaries of `count` layers of one height between two heights, the first left out.
@@ -114,9 +114,9 @@ double adaptiveHeight(const std::vector<Slope>& slopes, double z, const HeightOp
       break;
     if (s.cosine > kFlat) {
       // Two layers share the way to a flat place where one would leave too little for the next.
-      const double left = s.high - z;
-      if (left > kSameMm && left < height + o.minMm - kSameMm)
-        height = std::max(o.minMm, left <= height + kSameMm ? left : 0.5 * left);
+      const double remaining = s.high - z;
+      if (remaining > kSameMm && remaining < height + o.minMm - kSameMm)
+        height = std::max(o.minMm, remaining <= height + kSameMm ? remaining : 0.5 * remaining);
       continue;
     }
     if (s.low >= z + height)
@@ -146,14 +146,14 @@ std::vector<double> layerBounds(const Piece& piece, const HeightOptions& o) {
       appendEven(bounds, shelf, evenCount(shelf - bounds.back(), o));
   const std::vector<Slope> slopes = o.adaptive ? slopesOf(piece) : std::vector<Slope>{};
   while (top - bounds.back() > kSameMm) {
-    const double z = bounds.back(), left = top - z;
+    const double z = bounds.back(), remaining = top - z;
     const double height = o.adaptive ? adaptiveHeight(slopes, z, o) : o.wantedMm;
-    if (left > height + o.minMm) {
+    if (remaining > height + o.minMm) {
       bounds.push_back(z + height);
       continue;
     }
-    const bool tooHigh = left > std::min(o.maxMm, kStretched * height);
-    appendEven(bounds, top, left > o.maxMm || (tooHigh && left >= 2.0 * o.minMm) ? 2 : 1);
+    const bool tooHigh = remaining > std::min(o.maxMm, kStretched * height);
+    appendEven(bounds, top, remaining > o.maxMm || (tooHigh && remaining >= 2.0 * o.minMm) ? 2 : 1);
   }
   bounds.back() = top;
   return bounds;

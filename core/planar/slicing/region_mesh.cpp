@@ -77,11 +77,11 @@ private:
 // Points of a triangular grid inside, row by row: between the first and the second crossing of a
 // row with the edges, the third and the fourth and so on.
 void addInside(RegionMesh& mesh, const std::vector<std::array<int, 2>>& edges, double spacing) {
-  Places taken(kClear * spacing);
+  Places occupied(kClear * spacing);
   double low = 1e300, high = -1e300;
   for (const auto& e : edges)
     for (const int v : e) {
-      taken.add(mesh.points[at(v)]);
+      occupied.add(mesh.points[at(v)]);
       low = std::min(low, mesh.points[at(v)].y());
       high = std::max(high, mesh.points[at(v)].y());
     }
@@ -109,7 +109,7 @@ void addInside(RegionMesh& mesh, const std::vector<std::array<int, 2>>& edges, d
            (static_cast<double>(i) + shift) * spacing < xs[k + 1]; ++i) {
         const Vector2d p((static_cast<double>(i) + shift) * spacing,
                          static_cast<double>(row) * rise);
-        if (taken.isFree(p))
+        if (occupied.isFree(p))
           mesh.points.push_back(p);
       }
   }

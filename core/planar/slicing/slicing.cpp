@@ -124,14 +124,14 @@ LevelSurface sectionSurface(const Section& section, double edgeMm, const base::R
   return std::move(*surface);
 }
 
-void finishStack(SliceResult& result, const std::vector<Patch>& crumbs, const SliceOptions& options,
-                 const base::RunContext& ctx) {
+void finishStack(SliceResult& result, const std::vector<Patch>& slivers,
+                 const SliceOptions& options, const base::RunContext& ctx) {
   layers::LayerStack& stack = result.stack;
   const layers::AbsorbOptions absorb{options.heights.maxMm, options.beadWidthMm};
-  layers::Absorbed absorbed = layers::absorbCrumbs(stack.patches, crumbs, absorb);
+  layers::Absorbed absorbed = layers::absorbSlivers(stack.patches, slivers, absorb);
   const layers::IslandOptions islands = layers::islandOptions(options.beadWidthMm);
-  layers::IslandsTaken taken = layers::absorbIslands(stack, islands, absorb, ctx);
-  std::move(taken.absorbed.dropped.begin(), taken.absorbed.dropped.end(),
+  layers::AbsorbedIslands absorbedIslands = layers::absorbIslands(stack, islands, absorb, ctx);
+  std::move(absorbedIslands.absorbed.dropped.begin(), absorbedIslands.absorbed.dropped.end(),
             std::back_inserter(absorbed.dropped));
 
   for (const Patch& patch : stack.patches)
@@ -141,15 +141,15 @@ void finishStack(SliceResult& result, const std::vector<Patch>& crumbs, const Sl
   double laid = 0.0;
   for (const double volume : result.volumeOfPiece)
     laid += volume;
-  const layers::NotLaid slivers = layers::notLaid(absorbed.dropped);
-  result.slivers = slivers.pieces;
-  result.sliverVolumeMm3 = slivers.volumeMm3;
-  if (auto finding = layers::sliversFinding(slivers, laid, kBlockingShare))
+  const layers::NotLaid dropped = layers::notLaid(absorbed.dropped);
+  result.slivers = dropped.pieces;
+  result.sliverVolumeMm3 = dropped.volumeMm3;
+  if (auto finding = layers::sliversFinding(dropped, laid, kBlockingShare))
     result.findings.push_back(std::move(*finding));
 
   result.statistics =
       layers::layerStatistics(stack, {options.heights.minMm, options.heights.maxMm});
-  const layers::InAir inAir = layers::patchesInAir(taken.support, islands);
+  const layers::InAir inAir = layers::patchesInAir(absorbedIslands.support, islands);
   result.unsupportedPatches = inAir.patches;
   if (inAir.patches > 0)
     result.findings.push_back(layers::layerFinding(
@@ -196,15 +196,15 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
           }
         });
   }
-  std::vector<Patch> crumbs;
+  std::vector<Patch> slivers;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     for (Patch& patch : made[i].patches) {
       patch.group = static_cast<int>(levels[i].piece);
       result.stack.patches.push_back(std::move(patch));
     }
-    for (Patch& crumb : made[i].crumbs) {
-      crumb.group = static_cast<int>(levels[i].piece);
-      crumbs.push_back(std::move(crumb));
+    for (Patch& sliver : made[i].slivers) {
+      sliver.group = static_cast<int>(levels[i].piece);
+      slivers.push_back(std::move(sliver));
     }
   }
   if (options.supports) {
@@ -213,7 +213,7 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   }
   layers::orderForPrinting(result.stack);
   ctx.report(0.8, "checking layers");
-  finishStack(result, crumbs, options, ctx);
+  finishStack(result, slivers, options, ctx);
   result.seconds.extract = watch.seconds();
   return result;
 }

@@ -58,9 +58,9 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
                         const base::RunContext& ctx);
 
 // What is known of a stack once all its patches are there. Neighbours take what they can of
-// `crumbs` and of small patches that begin in the air (layers/absorb.h, layers/islands.h); what is
+// `slivers` and of small patches that begin in the air (layers/absorb.h, layers/islands.h); what is
 // left of those is told as not laid, larger ones as beginning in the air.
-void finishStack(SliceResult& result, const std::vector<layers::Patch>& crumbs,
+void finishStack(SliceResult& result, const std::vector<layers::Patch>& slivers,
                  const SliceOptions& options, const base::RunContext& ctx);
 
 } // namespace voluta::planar

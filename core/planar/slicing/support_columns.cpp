@@ -219,9 +219,9 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
     // A tip is narrower than the column that carries it.
     const Paths heads = widened(shared(grown(hanging[k], half), levels.own(k)), half);
     const Paths carried = united(heads, columns[k]);
-    const Paths taken =
+    const Paths occupied =
         grown(united(standing[k - 1], levels.later(levels.middle(k - 1))), options.gapMm);
-    columns[k - 1] = wideEnough(without(carried, taken), 0.9 * half);
+    columns[k - 1] = wideEnough(without(carried, occupied), 0.9 * half);
     any = true;
   }
   if (!any)

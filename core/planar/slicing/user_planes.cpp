@@ -102,7 +102,8 @@ std::optional<double> thicknessAt(const Vector3d& p, const std::vector<UserPlane
   return least;
 }
 
-plan::Finding told(const char* kind, std::size_t count, std::string reason, std::string remedy) {
+plan::Finding planesFinding(const char* kind, std::size_t count, std::string reason,
+                            std::string remedy) {
   plan::Finding f;
   f.stage = "layers";
   f.kind = kind;
@@ -144,7 +145,7 @@ SliceResult sliceByPlanes(const geometry::TriangleMesh& part, const std::vector<
   SliceResult result;
   result.layersOfPiece = {static_cast<int>(planes.size())};
   result.volumeOfPiece = {0.0};
-  std::vector<layers::Patch> crumbs;
+  std::vector<layers::Patch> slivers;
   std::size_t misses = 0;
   std::string missing;
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -165,26 +166,26 @@ SliceResult sliceByPlanes(const geometry::TriangleMesh& part, const std::vector<
       s.thicknessMm.push_back(
           std::max(kThinnestMm, thicknessAt(v, planes, i).value_or(options.heights.wantedMm)));
     layers::PatchesOfLevel made = layers::makePatches(s, {options.beadWidthMm});
-    if (made.patches.empty() && made.crumbs.empty()) {
+    if (made.patches.empty() && made.slivers.empty()) {
       ++misses;
       missing += fmt::format("{}{}", missing.empty() ? "" : ", ", i + 1);
     }
     std::move(made.patches.begin(), made.patches.end(), std::back_inserter(result.stack.patches));
-    std::move(made.crumbs.begin(), made.crumbs.end(), std::back_inserter(crumbs));
+    std::move(made.slivers.begin(), made.slivers.end(), std::back_inserter(slivers));
   }
   layers::orderForPrinting(result.stack);
   if (misses > 0)
-    result.findings.push_back(told("planeMisses", misses,
-                                   fmt::format("planes of layers miss the part: {}", missing),
-                                   "move them, or leave them out"));
-  finishStack(result, crumbs, options, ctx);
+    result.findings.push_back(planesFinding(
+        "planeMisses", misses, fmt::format("planes of layers miss the part: {}", missing),
+        "move them, or leave them out"));
+  finishStack(result, slivers, options, ctx);
   if (const double beyond = 1.0 - result.statistics.withinLimitsFraction; beyond > kBeyondShare)
-    result.findings.push_back(
-        told("heightBeyondLimits", 1,
-             fmt::format("{:.0f} % of the layers' area is thinner than {:g} mm or thicker than "
-                         "{:g} mm",
-                         100.0 * beyond, options.heights.minMm, options.heights.maxMm),
-             "move the planes, or add some between"));
+    result.findings.push_back(planesFinding(
+        "heightBeyondLimits", 1,
+        fmt::format("{:.0f} % of the layers' area is thinner than {:g} mm or thicker than "
+                    "{:g} mm",
+                    100.0 * beyond, options.heights.minMm, options.heights.maxMm),
+        "move the planes, or add some between"));
   result.seconds.extract = watch.seconds();
   return result;
 }

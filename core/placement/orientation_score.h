@@ -8,7 +8,7 @@
 
 namespace voluta::placement {
 
-struct Stance {
+struct OrientationScore {
   double contactMm2 = 0.0; // of facets that face down within the contact depth, seen from above
   double riskyMm2 = 0.0;   // of facets that overhang by more than the angle, but for the contact
   double heightMm = 0.0;
@@ -18,15 +18,15 @@ struct Stance {
 // A ball as big as 100,000 voxels has 0.08 at a depth of one voxel, the tip of an ear 0.01.
 inline constexpr double kLeastContact = 0.02;
 
-class StanceMeasure {
+class OrientationMeasure {
 public:
   // contactDepthMm > 0: height above the plate up to which material counts as lying on it.
   // overhangRad: a facet of normal n is risky where n_z + sin(overhangRad) < 0 (RoboFDM, eq. 1).
   // Precondition (Error{Internal}): mesh not empty. It stays as it is while this is used.
-  StanceMeasure(const geometry::TriangleMesh& mesh, double contactDepthMm, double overhangRad);
+  OrientationMeasure(const geometry::TriangleMesh& mesh, double contactDepthMm, double overhangRad);
 
   // Of the mesh turned by `turn` and put on the plate.
-  Stance of(const Eigen::Matrix3d& turn) const;
+  OrientationScore of(const Eigen::Matrix3d& turn) const;
 
   // Outward normals of the mesh's largest flat places, the largest first, at most `most`; facets
   // within about two degrees of each other count as one.

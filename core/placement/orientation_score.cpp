@@ -1,4 +1,4 @@
-#include "placement/stance.h"
+#include "placement/orientation_score.h"
 
 #include "base/error.h"
 #include "geometry/measures.h"
@@ -11,18 +11,18 @@
 
 namespace voluta::placement {
 
-StanceMeasure::StanceMeasure(const geometry::TriangleMesh& mesh, double contactDepthMm,
-                             double overhangRad)
+OrientationMeasure::OrientationMeasure(const geometry::TriangleMesh& mesh, double contactDepthMm,
+                                       double overhangRad)
     : mesh_(mesh), depth_(contactDepthMm), sine_(std::sin(overhangRad)),
       leastContact_(kLeastContact * std::pow(std::abs(geometry::volume(mesh)), 2.0 / 3.0)) {
-  base::require(!mesh.empty() && contactDepthMm > 0.0, "StanceMeasure: facets, a depth > 0");
+  base::require(!mesh.empty() && contactDepthMm > 0.0, "OrientationMeasure: facets, a depth > 0");
   normal_.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     normal_.push_back(
         0.5 * (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)));
 }
 
-Stance StanceMeasure::of(const Eigen::Matrix3d& turn) const {
+OrientationScore OrientationMeasure::of(const Eigen::Matrix3d& turn) const {
   const Eigen::Vector3d up = turn.row(2).transpose();
   double low = std::numeric_limits<double>::infinity(), high = -low;
   std::vector<double> z(mesh_.vertices.size());
@@ -33,7 +33,7 @@ Stance StanceMeasure::of(const Eigen::Matrix3d& turn) const {
       low = std::min(low, z[static_cast<std::size_t>(v)]);
       high = std::max(high, z[static_cast<std::size_t>(v)]);
     }
-  Stance out;
+  OrientationScore out;
   out.heightMm = high - low;
   for (std::size_t t = 0; t < normal_.size(); ++t) {
     const double down = -up.dot(normal_[t]);
@@ -52,7 +52,7 @@ Stance StanceMeasure::of(const Eigen::Matrix3d& turn) const {
   return out;
 }
 
-std::vector<Eigen::Vector3d> StanceMeasure::flatPlaces(std::size_t most) const {
+std::vector<Eigen::Vector3d> OrientationMeasure::flatPlaces(std::size_t most) const {
   constexpr double kSteps = 30.0; // of a unit normal's coordinates
   std::map<std::array<int, 3>, Eigen::Vector3d> places;
   for (const Eigen::Vector3d& n : normal_) {
