@@ -22,6 +22,12 @@ endif()
 
 add_library(voluta_flags INTERFACE)
 target_compile_options(voluta_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+# Behind a precompiled header GCC 12 warns of the insides of the standard library's strings, where
+# nothing is wrong (its bugs 105329, 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(voluta_flags INTERFACE -Wno-array-bounds -Wno-restrict
+    -Wno-stringop-overflow -Wno-stringop-overread)
+endif()
 if(VOLUTA_WERROR)
   target_compile_options(voluta_flags INTERFACE -Werror)
 endif()
@@ -32,3 +38,12 @@ if(VOLUTA_SANITIZE)
   add_compile_options(-fsanitize=${VOLUTA_SANITIZE} -fno-omit-frame-pointer -Wno-maybe-uninitialized)
   add_link_options(-fsanitize=${VOLUTA_SANITIZE})
 endif()
+
+# voluta_heavy_templates(FILE ...): files that are little else than calls of large template libraries.
+# A sanitizer would find nothing of ours in them and take many minutes to build them.
+function(voluta_heavy_templates)
+  if(VOLUTA_SANITIZE)
+    set_source_files_properties(${ARGN} PROPERTIES
+      COMPILE_OPTIONS "-fno-sanitize=all;-O1" SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()

@@ -1,10 +1,8 @@
 #include "geometry/subtract.h"
 
-#include "geometry/cgal_mesh.h"
+#include "geometry/mesh_boolean.h"
 
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <exception>
 
 namespace voluta::geometry {
 
@@ -14,16 +12,10 @@ std::optional<TriangleMesh> subtract(const TriangleMesh& part, const TriangleMes
   auto first = toCgal(part), second = toCgal(other);
   if (!first || !second || !CGAL::is_closed(*first) || !CGAL::is_closed(*second))
     return std::nullopt;
-  CgalMesh difference;
-  try {
-    namespace pmp = CGAL::Polygon_mesh_processing;
-    if (!pmp::corefine_and_compute_difference(*first, *second, difference,
-                                              CGAL::parameters::throw_on_self_intersection(true)))
-      return std::nullopt;
-  } catch (const std::exception&) {
-    return std::nullopt; // a part that cuts itself, or a precondition that CGAL found broken
-  }
-  return fromCgal(difference);
+  // A part that cuts itself has no inside to take away from.
+  const std::optional<CgalMesh> difference =
+      meshBoolean(BooleanOperation::Difference, *first, *second, true);
+  return difference ? std::optional(fromCgal(*difference)) : std::nullopt;
 }
 
 } // namespace voluta::geometry

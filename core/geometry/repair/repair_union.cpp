@@ -1,11 +1,9 @@
 #include "geometry/append_mesh.h"
-#include "geometry/cgal_mesh.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
+#include "geometry/mesh_boolean.h"
 #include "geometry/repair/orientation.h"
 #include "geometry/repair/repair_steps.h"
-
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
 
 namespace voluta::geometry {
 
@@ -48,16 +46,11 @@ std::size_t uniteComponents(TriangleMesh& mesh, const std::vector<std::pair<int,
         continue;
       ctx.checkpoint();
       auto first = toCgal(sum), second = toCgal(shells[c]);
-      CgalMesh both;
-      bool done = false;
-      try {
-        done = first && second &&
-               CGAL::Polygon_mesh_processing::corefine_and_compute_union(*first, *second, both);
-      } catch (const std::exception&) {
-        done = false; // CGAL found a precondition broken; the shell stays as it is
-      }
-      if (done) {
-        sum = fromCgal(both);
+      const std::optional<CgalMesh> both =
+          first && second ? meshBoolean(BooleanOperation::Union, *first, *second, false)
+                          : std::nullopt;
+      if (both) {
+        sum = fromCgal(*both);
         ++members;
       } else {
         apart.push_back(&shells[c]);
