@@ -1,5 +1,5 @@
 // voluta: the window. `voluta [FILE]` opens a mesh, a project or sample:NAME.
-#include "pipeline/version.h"
+#include "project/version.h"
 #include "viewer/vtk_view.h"
 #include "window/icons.h"
 #include "window/language.h"
@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   QApplication app(argc, argv);
   QApplication::setApplicationName("voluta");
   QApplication::setOrganizationName("voluta");
-  QApplication::setApplicationVersion(pipeline::kVersion);
+  QApplication::setApplicationVersion(project::kVersion);
   QSettings::setDefaultFormat(QSettings::IniFormat);
   if (const QString state = qEnvironmentVariable("VOLUTA_STATE_DIR"); !state.isEmpty())
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, state);

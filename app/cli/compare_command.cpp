@@ -41,7 +41,7 @@ public:
 private:
   void draw(const pipeline::PlanResult& result, pipeline::RowFiles& files) {
     for (const std::string& name : pictures::pictureNames()) {
-      const pipeline::Job& job = result.job;
+      const project::Job& job = result.job;
       const bool there =
           name == "part" ? !job.decomposition && !job.layers
           : name == "voxels"

@@ -4,7 +4,7 @@
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
 #include "geometry/repair/repair.h"
-#include "pipeline/load_stage.h"
+#include "project/loaded_part.h"
 #include "voxel/voxel_text.h"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ ExitCode inspectCells(const InspectOptions& options, const std::string& bytes) {
 
 ExitCode inspectCommand(const InspectOptions& options) {
   const std::string bytes = base::readFile(options.part);
-  if (pipeline::isVoxelText(options.part, bytes))
+  if (project::isVoxelText(options.part, bytes))
     return inspectCells(options, bytes);
   const geometry::MeshFile file = geometry::readMesh(bytes, options.part);
   const geometry::RepairResult repaired = geometry::repair(file.mesh, {});

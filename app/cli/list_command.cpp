@@ -1,6 +1,6 @@
 #include "base/nearest_name.h"
 #include "cli/commands.h"
-#include "pipeline/modes.h"
+#include "modes/mode_table.h"
 #include "program/dialect.h"
 #include "robot/cell.h"
 
@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json listModes() {
   Json rows = Json::array();
-  for (const pipeline::Mode& mode : pipeline::modes())
+  for (const modes::Mode& mode : modes::modeTable())
     rows.push_back(Json{{"id", mode.id}, {"label", mode.label}});
   return rows;
 }

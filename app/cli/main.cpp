@@ -2,7 +2,7 @@
 #include "cli/commands.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
-#include "pipeline/version.h"
+#include "project/version.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValue
 }
 
 void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
-  request.until = pipeline::stageOf(values.until);
+  request.until = project::stageOf(values.until);
   pipeline::setParameters(request.choices, values.sets);
 }
 
@@ -200,7 +200,7 @@ std::vector<std::string> joinedNegativeValues(int argc, char** argv) {
 int run(int argc, char** argv) {
   CLI::App app{"Voluta plans prints with a robot arm and checks the programs it writes."};
   app.name("voluta-cli");
-  app.set_version_flag("--version", pipeline::kVersion);
+  app.set_version_flag("--version", project::kVersion);
   app.require_subcommand(1);
   Parsed parsed;
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

@@ -25,8 +25,8 @@ void sayFindings(const plan::Findings& findings) {
              blocking > 1 ? fmt::format("; {} findings more in report.json", blocking - 1) : "");
 }
 
-void sayResult(const pipeline::Report& r) {
-  const pipeline::DecompositionReport& d = r.decomposition;
+void sayResult(const project::Report& r) {
+  const project::DecompositionReport& d = r.decomposition;
   if (d.voxels > 0)
     fmt::print("{} voxels, {} missed; ", d.voxels, d.missedAfterSupports);
   if (!d.pieceList.empty())

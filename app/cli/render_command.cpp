@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "pipeline/job.h"
+#include "project/job.h"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ ExitCode renderCommand(const RenderOptions& options) {
   std::tie(look.width, look.height) = sizeOf(options.size);
   look.where = options.job.string();
   pictures::checkNames(look);
-  const pipeline::Job job = pipeline::readJob(options.job);
+  const project::Job job = project::readJob(options.job);
   base::writeFile(options.picture, scene::pngBytes(pictures::jobPicture(job, look)));
   return kDone;
 }

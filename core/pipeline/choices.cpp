@@ -2,22 +2,16 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "base/number_list.h"
-#include "curved/decompose.h"
-#include "curved/forward_growth.h"
-#include "curved/platform.h"
+#include "curved/grow.h"
+#include "modes/cell_choice.h"
+#include "modes/mode_table.h"
+#include "modes/planar_modes.h"
+#include "modes/platform_choice.h"
+#include "modes/rod_profile.h"
 #include "motion/motion_options.h"
-#include "pipeline/lathe_mode.h"
-#include "pipeline/modes.h"
-#include "pipeline/planar_modes.h"
-#include "pipeline/platform_choice.h"
-#include "pipeline/road.h"
-#include "pipeline/rod_profile.h"
-#include "pipeline/substrate_mode.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
 #include "robot/cell.h"
-#include "support/supports.h"
 #include "toolpath/options.h"
 
 #include <algorithm>
@@ -55,19 +49,14 @@ base::ParameterTable allParameters() {
                              "Also writes programs that the replay refused, as refused-NAME, to "
                              "be looked at and never to be run."),
   });
-  table.append(curved::curvedParameters());
-  table.append(curved::forwardParameters());
-  table.append(planarModeParameters());
-  table.append(latheParameters());
-  table.append(substrateParameters());
-  table.append(support::supportParameters());
+  table.append(modes::modeParameters());
   table.append(placement::orientParameters());
   table.append(toolpath::toolpathParameters());
   table.append(motion::motionParameters());
   return table;
 }
 
-void setParameters(Choices& choices, const std::vector<std::string>& assignments) {
+void setParameters(project::Choices& choices, const std::vector<std::string>& assignments) {
   base::ParameterValues values(allParameters());
   for (const std::string& assignment : assignments)
     values.setAssignment(assignment);
@@ -77,54 +66,37 @@ void setParameters(Choices& choices, const std::vector<std::string>& assignments
   for (const char* key : {"layerPlanes", "cutPlanes"})
     if (const auto planes = choices.parameters.find(key);
         planes != choices.parameters.end() && !planes->second.empty())
-      planes->second = planesText(planes->second);
+      planes->second = modes::planesText(planes->second);
   if (const auto profile = choices.parameters.find("rodProfile");
       profile != choices.parameters.end())
-    profile->second = rodProfileText(profile->second);
+    profile->second = modes::rodProfileText(profile->second);
 }
 
-base::ParameterValues parameterValues(const Choices& choices) {
+base::ParameterTable parametersOf(std::string_view id) {
+  std::vector<base::ParameterSpec> specs = allParameters().specs();
+  for (const modes::Mode& mode : modes::modeTable())
+    for (const auto& [key, text] : mode.defaults)
+      for (base::ParameterSpec& spec : specs)
+        if (mode.id == id && spec.key == key)
+          spec.defaultValue = base::parseParameter(spec, text);
+  return base::ParameterTable(std::move(specs));
+}
+
+base::ParameterValues parameterValues(const project::Choices& choices) {
   base::ParameterValues values(parametersOf(choices.mode));
   for (const auto& [key, text] : choices.parameters)
     values.set(key, text);
   return values;
 }
 
-namespace {
-
-// Defaults are those of the values: a mode may have its own.
-std::string parameterLine(std::string_view key, const base::ParameterValues& values) {
-  const base::ParameterSpec& spec = *values.table().find(key);
-  const auto changed = values.changes().find(key);
-  return fmt::format("{}={}\n", spec.key,
-                     base::formatParameter(changed == values.changes().end() ? spec.defaultValue
-                                                                             : changed->second));
-}
-
-} // namespace
-
-std::string parameterText(const base::ParameterTable& table, const base::ParameterValues& values) {
-  std::string text;
-  for (const base::ParameterSpec& spec : table.specs())
-    text += parameterLine(spec.key, values);
-  return text;
-}
-
-std::string parameterText(std::initializer_list<const char*> keys,
-                          const base::ParameterValues& values) {
-  std::string text;
-  for (const char* key : keys)
-    text += parameterLine(key, values);
-  return text;
-}
-
-std::vector<std::string> chosenFormats(const Choices& choices, const robot::Cell& cell) {
+std::vector<std::string> chosenFormats(const project::Choices& choices, const robot::Cell& cell) {
   if (!choices.formats.empty())
     return choices.formats;
   return {cell.robot().controller, "gcode-extended", "csv"};
 }
 
-process::Process chosenProcess(const Choices& choices, const base::ParameterValues& values) {
+process::Process chosenProcess(const project::Choices& choices,
+                               const base::ParameterValues& values) {
   process::Process p = process::loadProcess(choices.process);
   const auto put = [&](const char* key, double& field, double least, double most) {
     if (!values.changed(key))
@@ -140,17 +112,17 @@ process::Process chosenProcess(const Choices& choices, const base::ParameterValu
   return p;
 }
 
-double unitMm(const LoadedPart& loaded, const Choices& choices) {
+double unitMm(const project::LoadedPart& loaded, const project::Choices& choices) {
   return loaded.cells ? parameterValues(choices).number("voxelMm") : 1.0;
 }
 
-robot::Cell cellOnAnyPlatform(const Choices& choices, const process::Process& process) {
-  robot::Cell cell = robot::loadCell(choices.cell, process, curved::platformDisc(80.0));
-  const bool winds = findMode(choices.mode).aroundRod;
+robot::Cell fittingCell(const project::Choices& choices, const process::Process& process) {
+  robot::Cell cell = modes::cellOnAnyPlatform(choices, process);
+  const bool winds = modes::findMode(choices.mode).aroundRod;
   if (winds == cell.rod().has_value())
     return cell;
   std::vector<std::string_view> modesThere;
-  for (const Mode& mode : modes())
+  for (const modes::Mode& mode : modes::modeTable())
     if (mode.aroundRod == !winds)
       modesThere.emplace_back(mode.id);
   throw Error(ErrorCode::Usage,
@@ -163,19 +135,15 @@ robot::Cell cellOnAnyPlatform(const Choices& choices, const process::Process& pr
                     : fmt::format("give --mode {}, or another cell", fmt::join(modesThere, ", ")));
 }
 
-double parsedScale(const std::string& scale) {
-  if (scale == "fit")
-    return 0.0;
-  double value = 0.0;
-  if (!base::readNumbers(scale, ',', {&value}) || value < 1e-4 || value > 1e4)
-    throw Error(ErrorCode::Usage, fmt::format("scale '{}' is not a usable factor", scale), {},
-                "give a number from 0.0001 to 10000, or fit");
-  return value;
+planar::RiskRule riskRule(const project::Choices& choices) {
+  const base::ParameterValues values = parameterValues(choices);
+  const process::Process process = chosenProcess(choices, values);
+  return modes::riskRule({choices, values, process});
 }
 
-void checkChoices(const Choices& choices) {
+void checkChoices(const project::Choices& choices) {
   std::vector<std::string> modeIds, formatIds;
-  for (const Mode& mode : modes())
+  for (const modes::Mode& mode : modes::modeTable())
     modeIds.emplace_back(mode.id);
   for (const program::Dialect& dialect : program::dialects())
     formatIds.emplace_back(dialect.id);
@@ -185,25 +153,25 @@ void checkChoices(const Choices& choices) {
   checkName("process", choices.process, process::processIds());
   for (const std::string& format : choices.formats)
     checkName("format", format, formatIds);
-  const PlatformKind kind = platformChoice(choices.platform).kind;
-  const std::vector<PlatformKind>& taken = findMode(choices.mode).platforms;
+  const modes::PlatformKind kind = modes::platformChoice(choices.platform).kind;
+  const std::vector<modes::PlatformKind>& taken = modes::findMode(choices.mode).platforms;
   if (std::find(taken.begin(), taken.end(), kind) == taken.end()) {
     std::vector<std::string_view> words;
-    for (const PlatformKind one : taken)
-      words.push_back(kPlatformWords[static_cast<std::size_t>(one)]);
+    for (const modes::PlatformKind one : taken)
+      words.push_back(modes::kPlatformWords[static_cast<std::size_t>(one)]);
     throw Error(ErrorCode::Usage,
                 fmt::format("mode {} does not print on platform {}", choices.mode,
-                            kPlatformWords[static_cast<std::size_t>(kind)]),
+                            modes::kPlatformWords[static_cast<std::size_t>(kind)]),
                 {}, fmt::format("give --platform {}", fmt::join(words, ", ")));
   }
-  const bool laysItself = findMode(choices.mode).place != nullptr;
+  const bool laysItself = modes::findMode(choices.mode).place != nullptr;
   if (const auto orient = choices.parameters.find("orient");
       laysItself && orient != choices.parameters.end() && orient->second != "none")
     throw Error(ErrorCode::Usage,
                 fmt::format("orient={} turns parts on a plate; mode {} lays them itself",
                             orient->second, choices.mode),
                 {}, "give orient=none");
-  if (parsedScale(choices.scale) == 0.0 && kind == PlatformKind::Mesh)
+  if (project::parsedScale(choices.scale) == 0.0 && kind == modes::PlatformKind::Mesh)
     throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part", {},
                 "give a number");
   const geometry::Placement& place = choices.placement;

@@ -3,9 +3,9 @@
 #include "base/outcome.h"
 #include "base/stopwatch.h"
 #include "curved/grow.h"
+#include "modes/mode_table.h"
+#include "modes/platform_choice.h"
 #include "pipeline/choices.h"
-#include "pipeline/modes.h"
-#include "pipeline/platform_choice.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,14 +15,14 @@ namespace voluta::pipeline {
 
 namespace {
 
-using Text = std::string Choices::*;
+using Text = std::string project::Choices::*;
 
 // Does this choice go into the mode's decomposition?
-bool asksFor(const Mode& mode, const ModeChoices& in, Text choice,
+bool asksFor(const modes::Mode& mode, const modes::ModeChoices& in, Text choice,
              const std::vector<std::string>& trials) {
   std::set<std::string> keys;
   for (const std::string& trial : trials) {
-    Choices choices = in.choices;
+    project::Choices choices = in.choices;
     choices.*choice = trial;
     keys.insert(mode.decomposeKey({choices, in.values, in.process}));
   }
@@ -32,31 +32,32 @@ bool asksFor(const Mode& mode, const ModeChoices& in, Text choice,
 // The part once for all; a request that has it is left as it is.
 PlanRequest withPart(PlanRequest request, const base::RunContext& ctx) {
   if (!request.loaded)
-    request.loaded = loadPart(request.part, request.choices.repair, ctx);
+    request.loaded = project::loadPart(request.part, request.choices.repair, ctx);
   else
-    request.loaded = withRepair(request.loaded, request.choices.repair, ctx);
+    request.loaded = project::withRepair(request.loaded, request.choices.repair, ctx);
   return request;
 }
 
-bool takes(const Mode& mode, PlatformKind kind) {
+bool takes(const modes::Mode& mode, modes::PlatformKind kind) {
   return std::find(mode.platforms.begin(), mode.platforms.end(), kind) != mode.platforms.end();
 }
 
 // For parts of the same kind, in the same cell: on a plate, around a rod, on a surface.
-bool isLike(const Mode& a, const Mode& b) {
-  return a.aroundRod == b.aroundRod && takes(a, PlatformKind::Mesh) == takes(b, PlatformKind::Mesh);
+bool isLike(const modes::Mode& a, const modes::Mode& b) {
+  return a.aroundRod == b.aroundRod &&
+         takes(a, modes::PlatformKind::Mesh) == takes(b, modes::PlatformKind::Mesh);
 }
 
-bool takesAll(const Mode& mode, const std::vector<std::string>& platforms) {
+bool takesAll(const modes::Mode& mode, const std::vector<std::string>& platforms) {
   return std::all_of(platforms.begin(), platforms.end(), [&](const std::string& platform) {
-    return takes(mode, platformChoice(platform).kind);
+    return takes(mode, modes::platformChoice(platform).kind);
   });
 }
 
 } // namespace
 
 std::vector<Combination> combinations(const CompareOptions& options) {
-  const Choices& given = options.plan.choices;
+  const project::Choices& given = options.plan.choices;
   const auto orOwn = [](const std::vector<std::string>& list, const std::string& own) {
     return list.empty() ? std::vector<std::string>{own} : list;
   };
@@ -64,8 +65,8 @@ std::vector<Combination> combinations(const CompareOptions& options) {
                                  platforms = orOwn(options.platforms, given.platform);
   std::vector<std::string> modeIds = options.modes;
   if (modeIds.empty())
-    for (const Mode& mode : modes())
-      if (isLike(mode, findMode(given.mode)) && takesAll(mode, platforms))
+    for (const modes::Mode& mode : modes::modeTable())
+      if (isLike(mode, modes::findMode(given.mode)) && takesAll(mode, platforms))
         modeIds.emplace_back(mode.id);
   const base::ParameterValues values = parameterValues(given);
   const process::Process process = chosenProcess(given, values);
@@ -74,14 +75,14 @@ std::vector<Combination> combinations(const CompareOptions& options) {
   for (const std::string& id : modeIds)
     for (const std::string& platform : platforms)
       for (const std::string& growth : growths) {
-        const Choices choices = choicesOf({id, growth, platform}, given);
+        const project::Choices choices = choicesOf({id, growth, platform}, given);
         checkChoices(choices);
-        const Mode& mode = findMode(id);
-        const ModeChoices in{choices, values, process};
+        const modes::Mode& mode = modes::findMode(id);
+        const modes::ModeChoices in{choices, values, process};
         Combination row{id, growth, platform};
-        if (!asksFor(mode, in, &Choices::growth, curved::growthSchemes()))
+        if (!asksFor(mode, in, &project::Choices::growth, curved::growthSchemes()))
           row.growth.clear();
-        if (!asksFor(mode, in, &Choices::platform, {"fit:0", "disc:80"}))
+        if (!asksFor(mode, in, &project::Choices::platform, {"fit:0", "disc:80"}))
           row.platform = platforms.front();
         if (std::find(all.begin(), all.end(), row) == all.end())
           all.push_back(row);
@@ -89,7 +90,7 @@ std::vector<Combination> combinations(const CompareOptions& options) {
   return all;
 }
 
-Choices choicesOf(const Combination& combination, Choices choices) {
+project::Choices choicesOf(const Combination& combination, project::Choices choices) {
   choices.mode = combination.mode;
   if (!combination.growth.empty())
     choices.growth = combination.growth;

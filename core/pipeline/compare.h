@@ -36,7 +36,7 @@ struct CompareOptions {
 // first. Throws Error{Usage}: any choice that nothing answers to.
 std::vector<Combination> combinations(const CompareOptions& options);
 
-Choices choicesOf(const Combination& combination, Choices choices);
+project::Choices choicesOf(const Combination& combination, project::Choices choices);
 
 enum class RowState {
   Clear,   // planned, and nothing blocks
@@ -46,11 +46,11 @@ enum class RowState {
 
 struct CompareRow {
   Combination combination;
-  std::string error;            // one line: why it could not be planned; empty: it was
-  base::ErrorCode errorCode{};  // of `error`
-  std::optional<Stage> reached; // the last stage that was done
-  Report report;                // of what was planned
-  double seconds = 0.0;         // that it took here: kept stages are not made again
+  std::string error;                     // one line: why it could not be planned; empty: it was
+  base::ErrorCode errorCode{};           // of `error`
+  std::optional<project::Stage> reached; // the last stage that was done
+  project::Report report;                // of what was planned
+  double seconds = 0.0;                  // that it took here: kept stages are not made again
 
   RowState state() const;
   // Findings that block.
@@ -60,9 +60,9 @@ struct CompareRow {
 };
 
 struct Comparison {
-  std::string part; // file name without folder
-  Choices choices;  // mode, growth and platform are each row's own
-  Stage until = Stage::Replay;
+  std::string part;         // file name without folder
+  project::Choices choices; // mode, growth and platform are each row's own
+  project::Stage until = project::Stage::Replay;
   std::vector<CompareRow> rows;
   double seconds = 0.0;
   int threads = 1;

@@ -16,44 +16,44 @@ namespace {
 using Value = std::optional<double>;
 constexpr double kSameScore = 1e-9;
 
-bool came(const CompareRow& row, Stage stage) {
+bool came(const CompareRow& row, project::Stage stage) {
   return row.reached && *row.reached >= stage;
 }
 
 Value missedVoxels(const CompareRow& row) {
-  const DecompositionReport& d = row.report.decomposition;
-  if (!came(row, Stage::Decompose) || d.voxels == 0)
+  const project::DecompositionReport& d = row.report.decomposition;
+  if (!came(row, project::Stage::Decompose) || d.voxels == 0)
     return std::nullopt;
   return static_cast<double>(d.missedVoxels);
 }
 
 Value riskyArea(const CompareRow& row) {
-  const DecompositionReport& d = row.report.decomposition;
-  if (!came(row, Stage::Decompose) || d.pieceList.empty())
+  const project::DecompositionReport& d = row.report.decomposition;
+  if (!came(row, project::Stage::Decompose) || d.pieceList.empty())
     return std::nullopt;
   return d.riskyAreaMm2;
 }
 
 Value supportVolume(const CompareRow& row) {
-  if (!came(row, Stage::Decompose))
+  if (!came(row, project::Stage::Decompose))
     return std::nullopt;
   return row.report.decomposition.supportVolumeMm3;
 }
 
 Value pieces(const CompareRow& row) {
-  if (!came(row, Stage::Decompose))
+  if (!came(row, project::Stage::Decompose))
     return std::nullopt;
   return row.report.decomposition.pieces;
 }
 
 Value layers(const CompareRow& row) {
-  if (!came(row, Stage::Layers))
+  if (!came(row, project::Stage::Layers))
     return std::nullopt;
   return row.report.layers.count;
 }
 
 bool moves(const CompareRow& row) {
-  return came(row, Stage::Motion) && row.report.motion.waypoints > 0;
+  return came(row, project::Stage::Motion) && row.report.motion.waypoints > 0;
 }
 
 Value printTime(const CompareRow& row) {
@@ -61,7 +61,7 @@ Value printTime(const CompareRow& row) {
 }
 
 Value reachable(const CompareRow& row) {
-  const MotionReport& m = row.report.motion;
+  const project::MotionReport& m = row.report.motion;
   if (!moves(row))
     return std::nullopt;
   return 1.0 - static_cast<double>(m.unreachable) / static_cast<double>(m.waypoints);
@@ -103,7 +103,7 @@ Value uniformMisses(const CompareRow& row) {
 }
 
 std::optional<bool> replayPassed(const CompareRow& row) {
-  return came(row, Stage::Replay) ? std::optional(row.report.replay.passed) : std::nullopt;
+  return came(row, project::Stage::Replay) ? std::optional(row.report.replay.passed) : std::nullopt;
 }
 
 Weights defaultWeights() {

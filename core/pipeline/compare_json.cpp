@@ -1,5 +1,5 @@
 #include "pipeline/compare_figures.h"
-#include "pipeline/version.h"
+#include "project/version.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,7 +32,7 @@ Json numbersOf(const std::vector<std::size_t>& rows) {
 
 Json rowJson(std::size_t index, const CompareRow& row, const std::optional<double>& score,
              const RowFiles& files) {
-  const DecompositionReport& d = row.report.decomposition;
+  const project::DecompositionReport& d = row.report.decomposition;
   Json json{{"number", index + 1},
             {"mode", row.combination.mode},
             {"growth", orNull(row.combination.growth)},
@@ -47,7 +47,7 @@ Json rowJson(std::size_t index, const CompareRow& row, const std::optional<doubl
   json["growthLayers"] = d.layers > 0 ? Json(d.layers) : Json();
   json["uniformMisses"] = number(uniformMisses(row), true);
   json["replayPassed"] = orNull(replayPassed(row));
-  json["reached"] = row.reached ? Json(stageName(*row.reached)) : Json();
+  json["reached"] = row.reached ? Json(project::stageName(*row.reached)) : Json();
   json["seconds"] = row.seconds;
   json["folder"] = files.folder;
   json["pictures"] = files.pictures;
@@ -68,15 +68,15 @@ std::string compareJson(const Comparison& comparison, const Weights& weights,
   Json rows = Json::array();
   for (std::size_t i = 0; i < comparison.rows.size(); ++i)
     rows.push_back(rowJson(i, comparison.rows[i], ranking.score[i], files[i]));
-  const Choices& c = comparison.choices;
+  const project::Choices& c = comparison.choices;
   const Json all{{"part", comparison.part},
                  {"cell", c.cell},
                  {"process", c.process},
                  {"scale", c.scale},
-                 {"until", stageName(comparison.until)},
+                 {"until", project::stageName(comparison.until)},
                  {"threads", comparison.threads},
                  {"seconds", comparison.seconds},
-                 {"version", kVersion},
+                 {"version", project::kVersion},
                  {"rule", {{"text", ruleText(weights)}, {"weights", weightsJson}}},
                  {"best", ranking.best ? Json(*ranking.best + 1) : Json()},
                  {"tied", numbersOf(ranking.tied)},

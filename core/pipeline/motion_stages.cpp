@@ -18,7 +18,7 @@ std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& lay
   options.platform = platform;
   toolpath::ToolpathResult planned = toolpath::planToolpaths(layers, process, options, ctx);
   const toolpath::ToolpathStatistics& s = planned.statistics;
-  ToolpathReport& r = stage->report;
+  project::ToolpathReport& r = stage->report;
   r.paths = s.paths;
   r.waypoints = s.waypoints;
   r.lengthMm = s.lengthMm;
@@ -42,7 +42,7 @@ motionStage(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platf
             const robot::Cell& cell, const process::Process& process,
             const base::ParameterValues& values, int seed, const base::RunContext& ctx) {
   auto stage = std::make_shared<MotionStage>();
-  MotionReport& r = stage->report;
+  project::MotionReport& r = stage->report;
   r.robot = cell.robot().id;
   r.cell = cell.id();
   if (toolPlan.paths.empty()) {

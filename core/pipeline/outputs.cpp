@@ -59,7 +59,7 @@ void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx) {
   base::Stopwatch writing;
   ctx.report(0.0, "write files");
-  writeJob(folder / "job.voluta", result.job);
+  project::writeJob(folder / "job.voluta", result.job);
   for (const auto& checked : result.checked) {
     if (!checked->passed && !result.keepRefused)
       continue;
@@ -74,7 +74,7 @@ void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
   result.job.report.timings.write += writing.seconds();
   result.job.report.timings.total += writing.seconds();
   result.job.report.peakRssMb = peakResidentMb();
-  base::writeFile(folder / "report.json", reportJson(result.job.report));
+  base::writeFile(folder / "report.json", project::reportJson(result.job.report));
 }
 
 } // namespace voluta::pipeline

@@ -4,8 +4,8 @@
 #include "geometry/measures.h"
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
+#include "modes/mode_table.h"
 #include "pipeline/choices.h"
-#include "pipeline/modes.h"
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
 #include "robot/cell.h"
@@ -42,8 +42,9 @@ plan::Finding newCells(const std::string& why) {
 }
 
 // The object's cells and platform where `stage.part` has come to lie.
-void placeCells(const LoadedPart& loaded, double pitch, const geometry::Placement& placement,
-                const base::RunContext& ctx, LoadStage& stage) {
+void placeCells(const project::LoadedPart& loaded, double pitch,
+                const geometry::Placement& placement, const base::RunContext& ctx,
+                modes::LoadStage& stage) {
   const voxel::VoxelObject& object = *loaded.cells;
   const Eigen::Matrix3d turn = placement.rotation.normalized().toRotationMatrix();
   constexpr double kSame = 1e-6;
@@ -79,20 +80,21 @@ bool isUntouched(const geometry::Placement& p) {
 }
 } // namespace
 
-std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choices& choices,
-                                           const process::Process& process,
-                                           const base::RunContext& ctx) {
-  auto stage = std::make_shared<LoadStage>();
+std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loaded,
+                                                  const project::Choices& choices,
+                                                  const process::Process& process,
+                                                  const base::RunContext& ctx) {
+  auto stage = std::make_shared<modes::LoadStage>();
   const double unit = unitMm(loaded, choices);
-  const double wanted = parsedScale(choices.scale);
+  const double wanted = project::parsedScale(choices.scale);
   const base::ParameterValues values = parameterValues(choices);
-  const Mode& mode = findMode(choices.mode);
-  const ModeChoices in{choices, values, process};
+  const modes::Mode& mode = modes::findMode(choices.mode);
+  const modes::ModeChoices in{choices, values, process};
   const auto scaleFor = [&](const geometry::Placement& how) {
     return wanted > 0.0 ? wanted
            : mode.fittingScale
                ? mode.fittingScale(*loaded.mesh, unit, in)
-               : fittingScale(*loaded.mesh, unit, how, cellOnAnyPlatform(choices, process));
+               : fittingScale(*loaded.mesh, unit, how, fittingCell(choices, process));
   };
   const auto place = [&](const geometry::Placement& how) {
     stage->scale = scaleFor(how);
@@ -123,7 +125,7 @@ std::shared_ptr<const LoadStage> loadStage(const LoadedPart& loaded, const Choic
   return stage;
 }
 
-plan::Findings remainingDefects(const LoadedPart& loaded) {
+plan::Findings remainingDefects(const project::LoadedPart& loaded) {
   plan::Findings findings;
   for (const std::string& defect : loaded.remains) {
     plan::Finding finding;

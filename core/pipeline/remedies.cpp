@@ -1,5 +1,5 @@
 #include "pipeline/remedies.h"
-#include "pipeline/platform_choice.h"
+#include "modes/platform_choice.h"
 
 #include "base/parameters.h"
 #include "pipeline/choices.h"
@@ -15,7 +15,7 @@ namespace {
 constexpr double kRoomMm = 20.0;
 
 // None where the value is what it is already, or no stage knows the parameter.
-std::optional<Cure> withParameter(const Choices& choices, const std::string& key,
+std::optional<Cure> withParameter(const project::Choices& choices, const std::string& key,
                                   const std::string& value) {
   const base::ParameterTable table = allParameters();
   const base::ParameterSpec* spec = table.find(key);
@@ -32,17 +32,17 @@ std::optional<Cure> withParameter(const Choices& choices, const std::string& key
   return cure;
 }
 
-std::optional<Cure> addSupports(const plan::Finding&, const Choices& choices) {
+std::optional<Cure> addSupports(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "supports", "auto");
 }
 
-std::optional<Cure> turnLeastRisky(const plan::Finding&, const Choices& choices) {
+std::optional<Cure> turnLeastRisky(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "orient", "leastRisky");
 }
 
 // Room for supports beside the part.
-std::optional<Cure> widenPlatform(const plan::Finding&, const Choices& choices) {
-  const std::optional<double> margin = fitMargin(choices.platform);
+std::optional<Cure> widenPlatform(const plan::Finding&, const project::Choices& choices) {
+  const std::optional<double> margin = modes::fitMargin(choices.platform);
   if (!margin || *margin >= kRoomMm)
     return std::nullopt;
   Cure cure{choices, {}};
@@ -51,18 +51,18 @@ std::optional<Cure> widenPlatform(const plan::Finding&, const Choices& choices) 
 }
 
 // The parameter is for layers that are planes.
-std::optional<Cure> adaptLayers(const plan::Finding&, const Choices& choices) {
+std::optional<Cure> adaptLayers(const plan::Finding&, const project::Choices& choices) {
   if (choices.mode != "planar" && choices.mode != "flat")
     return std::nullopt;
   return withParameter(choices, "adaptiveLayers", "true");
 }
 
-std::optional<Cure> turnPart(const plan::Finding&, const Choices& choices) {
+std::optional<Cure> turnPart(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "orient", "fewestMissed");
 }
 
 // Voxels are shadowed by a front that spans the platform: the least one is the contact area.
-std::optional<Cure> shrinkPlatform(const plan::Finding&, const Choices& choices) {
+std::optional<Cure> shrinkPlatform(const plan::Finding&, const project::Choices& choices) {
   if (choices.platform == "fit" || choices.platform == "fit:0")
     return std::nullopt;
   Cure cure{choices, {}};
@@ -70,14 +70,14 @@ std::optional<Cure> shrinkPlatform(const plan::Finding&, const Choices& choices)
   return cure;
 }
 
-std::optional<Cure> narrowVoxels(const plan::Finding& finding, const Choices& choices) {
+std::optional<Cure> narrowVoxels(const plan::Finding& finding, const project::Choices& choices) {
   const std::optional<double> width = finding.remedyMm;
   if (!width || *width >= parameterValues(choices).number("voxelMm"))
     return std::nullopt;
   return withParameter(choices, "voxelMm", base::formatParameter(*width));
 }
 
-std::optional<Cure> dropToPlate(const plan::Finding&, const Choices& choices) {
+std::optional<Cure> dropToPlate(const plan::Finding&, const project::Choices& choices) {
   if (choices.placement.liftMm == 0.0)
     return std::nullopt;
   Cure cure{choices, {}};
@@ -109,7 +109,7 @@ const std::vector<Remedy>& remedies() {
   return kRemedies;
 }
 
-std::vector<Offer> remediesFor(const plan::Finding& finding, const Choices& choices) {
+std::vector<Offer> remediesFor(const plan::Finding& finding, const project::Choices& choices) {
   std::vector<Offer> offers;
   for (const Remedy& remedy : remedies())
     if (std::find(remedy.kinds.begin(), remedy.kinds.end(), finding.kind) != remedy.kinds.end())

@@ -1,8 +1,8 @@
 // What cures a finding, as an edit of the choices: one row a remedy.
 #pragma once
 
-#include "pipeline/job.h"
 #include "plan/finding.h"
+#include "project/job.h"
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ namespace voluta::pipeline {
 
 // What the choices become, and what stands for "%1" in the remedy's label.
 struct Cure {
-  Choices choices;
+  project::Choices choices;
   std::string value;
 };
 
@@ -23,7 +23,7 @@ struct Remedy {
   std::vector<std::string_view> kinds; // of findings it is for
   // None where it would change nothing, or where there is nothing to do it with. Precondition: the
   // finding is of one of `kinds`.
-  std::optional<Cure> (*cure)(const plan::Finding&, const Choices&);
+  std::optional<Cure> (*cure)(const plan::Finding&, const project::Choices&);
 };
 
 // In the order they are offered: what changes least of the part first.
@@ -37,6 +37,6 @@ struct Offer {
   Cure cure;
 };
 // What can be done about a finding of a plan with these choices.
-std::vector<Offer> remediesFor(const plan::Finding& finding, const Choices& choices);
+std::vector<Offer> remediesFor(const plan::Finding& finding, const project::Choices& choices);
 
 } // namespace voluta::pipeline

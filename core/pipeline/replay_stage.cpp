@@ -24,8 +24,8 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
   return back;
 }
 
-ReplayReport replayReport(const replay::Verification& verdict) {
-  ReplayReport r;
+project::ReplayReport replayReport(const replay::Verification& verdict) {
+  project::ReplayReport r;
   r.passed = verdict.passed;
   r.coveredFraction = verdict.coveredFraction;
   r.unsupportedFraction = verdict.unsupportedFraction;

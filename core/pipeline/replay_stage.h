@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "pipeline/report.h"
 #include "pipeline/stages.h"
 #include "plan/program.h"
+#include "project/report.h"
 #include "replay/verification.h"
 
 #include <string>
@@ -21,7 +21,7 @@ struct ReadBack {
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
                     const ProgramStageInput& planned, const base::RunContext& ctx);
 
-ReplayReport replayReport(const replay::Verification& verdict);
+project::ReplayReport replayReport(const replay::Verification& verdict);
 
 // "coveredFraction 0.9512 (limit 0.97), ..." of what failed; "passed" when nothing did.
 std::string failedThresholds(const replay::Verification& verdict);

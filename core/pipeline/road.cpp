@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "modes/mode_table.h"
 #include "pipeline/choices.h"
-#include "pipeline/modes.h"
 #include "pipeline/stage_keys.h"
 #include "program/dialect.h"
 
@@ -29,8 +29,9 @@ public:
     report().threads = ctx.threads();
     report().decomposition.mode = choices_.mode;
     ctx.report(0.0, "load");
-    loaded_ = request.loaded ? withRepair(request.loaded, choices_.repair, ctx.sub(0.0, 0.03))
-                             : loadPart(request.part, choices_.repair, ctx.sub(0.0, 0.03));
+    loaded_ = request.loaded
+                  ? project::withRepair(request.loaded, choices_.repair, ctx.sub(0.0, 0.03))
+                  : project::loadPart(request.part, choices_.repair, ctx.sub(0.0, 0.03));
     job().loaded = loaded_;
     job().partName = loaded_->name;
     keys_ = keysOf(*loaded_, choices_, values_, *process_);
@@ -44,8 +45,8 @@ public:
   }
 
 private:
-  Job& job() { return result_.job; }
-  Report& report() { return result_.job.report; }
+  project::Job& job() { return result_.job; }
+  project::Report& report() { return result_.job.report; }
 
   template <typename T, typename Make>
   std::shared_ptr<const T> taken(const std::string& key, const std::string& slot, Make make) {
@@ -59,13 +60,13 @@ private:
     return stage;
   }
   template <typename T, typename Make> std::shared_ptr<const T> taken(Make make) {
-    return taken<T>(keys_[indexOf(T::kStage)], {}, make);
+    return taken<T>(keys_[project::indexOf(T::kStage)], {}, make);
   }
 
   // Notes that a stage is done; is there more to do?
-  bool done(Stage stage, const plan::Findings& findings, const Timings& timings) {
-    StageRecord& record = job().stages[indexOf(stage)];
-    record = {keys_[indexOf(stage)], findings.size(), timings};
+  bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
+    project::StageRecord& record = job().stages[project::indexOf(stage)];
+    record = {keys_[project::indexOf(stage)], findings.size(), timings};
     report().findings.insert(report().findings.end(), findings.begin(), findings.end());
     report().timings += timings;
     report().timings.total = whole_.seconds();
@@ -77,7 +78,7 @@ private:
   }
 
   bool load() {
-    placed_ = taken<LoadStage>(
+    placed_ = taken<modes::LoadStage>(
         [&] { return loadStage(*loaded_, choices_, *process_, ctx_.sub(0.0, 0.03)); });
     const auto& stage = placed_;
     job().scale = stage->scale;
@@ -85,34 +86,34 @@ private:
     report().model = stage->report;
     report().model.file = loaded_->name;
     report().model.repairs = loaded_->notes;
-    Timings timings = stage->timings;
+    project::Timings timings = stage->timings;
     timings.load = loaded_->readS;
     timings.repair = loaded_->repairS;
     plan::Findings findings = remainingDefects(*loaded_);
     findings.insert(findings.end(), stage->findings.begin(), stage->findings.end());
-    return done(Stage::Load, findings, timings);
+    return done(project::Stage::Load, findings, timings);
   }
 
-  ModeChoices modeChoices() const { return {choices_, values_, *process_}; }
+  modes::ModeChoices modeChoices() const { return {choices_, values_, *process_}; }
 
   // Most edits of a decomposition leave the voxels as they are.
-  std::shared_ptr<const PartVoxels> voxels(const base::RunContext& ctx) {
+  std::shared_ptr<const modes::PartVoxels> voxels(const base::RunContext& ctx) {
     const double voxelMm = values_.number("voxelMm");
-    return taken<PartVoxels>(
-        fmt::format("{}voxels of {} mm\n", keys_[indexOf(Stage::Load)], voxelMm), "voxels",
-        [&] { return partVoxels(*placed_, voxelMm, ctx); });
+    return taken<modes::PartVoxels>(
+        fmt::format("{}voxels of {} mm\n", keys_[project::indexOf(project::Stage::Load)], voxelMm),
+        "voxels", [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
   }
 
   bool decompose() {
-    decomposed_ = taken<DecomposeStage>([&] {
-      const ModeChoices choices = modeChoices();
-      DecomposeInput in{
+    decomposed_ = taken<modes::DecomposeStage>([&] {
+      const modes::ModeChoices choices = modeChoices();
+      modes::DecomposeInput in{
           *placed_, choices, [&](const base::RunContext& ctx) { return voxels(ctx); }, {}};
       if (onPreview_)
         in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
           onPreview_(std::move(soFar), result_);
         };
-      return findMode(choices_.mode).decompose(in, ctx_.sub(0.03, 0.22));
+      return modes::findMode(choices_.mode).decompose(in, ctx_.sub(0.03, 0.22));
     });
     job().platform = decomposed_->platform;
     job().lessPlatform = decomposed_->lessPlatform;
@@ -123,19 +124,19 @@ private:
         robot::loadCell(choices_.cell, *process_, decomposed_->platform));
     for (const std::string& format : chosenFormats(choices_, *result_.cell))
       program::requireRodTurns(program::findDialect(format), *result_.cell);
-    return done(Stage::Decompose, decomposed_->findings, decomposed_->timings);
+    return done(project::Stage::Decompose, decomposed_->findings, decomposed_->timings);
   }
 
   bool layers() {
-    const auto stage = taken<LayersStage>([&] {
-      return findMode(choices_.mode)
+    const auto stage = taken<modes::LayersStage>([&] {
+      return modes::findMode(choices_.mode)
           .layers(*decomposed_, job().printed(), modeChoices(), ctx_.sub(0.22, 0.3));
     });
     job().layers = stage->layers;
     report().layers = stage->report;
     report().decomposition.supportVolumeMm3 =
         decomposed_->report.supportVolumeMm3 + stage->supportVolumeMm3;
-    return done(Stage::Layers, stage->findings, stage->timings);
+    return done(project::Stage::Layers, stage->findings, stage->timings);
   }
 
   bool toolpath() {
@@ -144,7 +145,7 @@ private:
     });
     job().toolPlan = stage->toolPlan;
     report().toolpath = stage->report;
-    return done(Stage::Toolpath, stage->findings, stage->timings);
+    return done(project::Stage::Toolpath, stage->findings, stage->timings);
   }
 
   bool motion() {
@@ -154,7 +155,7 @@ private:
     });
     job().trajectory = stage->trajectory;
     report().motion = stage->report;
-    return done(Stage::Motion, stage->findings, stage->timings) && job().trajectory;
+    return done(project::Stage::Motion, stage->findings, stage->timings) && job().trajectory;
   }
 
   void programs() {
@@ -167,7 +168,7 @@ private:
                                *process_,
                                std::filesystem::path(loaded_->name).stem().string()};
     plan::Findings findings;
-    Timings timings;
+    project::Timings timings;
     for (std::size_t i = 0; i < formats.size(); ++i) {
       const auto share = [&](std::size_t n) {
         return 0.8 + 0.2 * static_cast<double>(n) / static_cast<double>(formats.size());
@@ -179,12 +180,12 @@ private:
       timings += checked->timings;
       tell(*checked, i == 0, findings);
     }
-    done(Stage::Replay, findings, timings);
+    done(project::Stage::Replay, findings, timings);
   }
 
   // The first program, the cell's own unless the user chose others, carries the verdict.
   void tell(const CheckedProgram& checked, bool first, plan::Findings& findings) {
-    ProgramReport row;
+    project::ProgramReport row;
     row.format = checked.program.format;
     row.foreign = checked.program.foreign;
     for (const plan::ProgramFile& file : checked.program.files) {
@@ -206,18 +207,18 @@ private:
   }
 
   base::Stopwatch whole_;
-  const Choices& choices_;
-  Stage until_;
+  const project::Choices& choices_;
+  project::Stage until_;
   const base::RunContext& ctx_;
   StageCache* cache_;
   const StageObserver& onStage_;
   const PreviewObserver& onPreview_;
   base::ParameterValues values_;
   std::shared_ptr<const process::Process> process_;
-  std::shared_ptr<const LoadedPart> loaded_;
-  std::shared_ptr<const LoadStage> placed_;
-  std::shared_ptr<const DecomposeStage> decomposed_;
-  StageKeys keys_;
+  std::shared_ptr<const project::LoadedPart> loaded_;
+  std::shared_ptr<const modes::LoadStage> placed_;
+  std::shared_ptr<const modes::DecomposeStage> decomposed_;
+  project::StageKeys keys_;
   PlanResult result_;
 };
 
@@ -229,14 +230,14 @@ PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, Sta
   return Road(request, ctx, cache, onStage, onPreview).run();
 }
 
-StageKeys stageKeys(const PlanRequest& request) {
+project::StageKeys stageKeys(const PlanRequest& request) {
   base::require(request.loaded != nullptr, "stageKeys: a part that is loaded");
   checkChoices(request.choices);
   const base::ParameterValues values = parameterValues(request.choices);
   return keysOf(*request.loaded, request.choices, values, chosenProcess(request.choices, values));
 }
 
-PlanResult resultOf(Job job) {
+PlanResult resultOf(project::Job job) {
   checkChoices(job.choices);
   PlanResult result;
   const base::ParameterValues values = parameterValues(job.choices);
@@ -250,7 +251,7 @@ PlanResult resultOf(Job job) {
   return result;
 }
 
-bool nothingBlocks(const Report& report) {
+bool nothingBlocks(const project::Report& report) {
   return std::none_of(report.findings.begin(), report.findings.end(),
                       [](const plan::Finding& f) { return f.blocking; });
 }

@@ -3,12 +3,12 @@
 
 #include "base/parameters.h"
 #include "base/run_context.h"
-#include "pipeline/job.h"
-#include "pipeline/report.h"
-#include "pipeline/stage.h"
 #include "pipeline/stage_cache.h"
 #include "pipeline/stages.h"
 #include "plan/program.h"
+#include "project/job.h"
+#include "project/report.h"
+#include "project/stage.h"
 
 #include <filesystem>
 #include <functional>
@@ -18,22 +18,16 @@
 
 namespace voluta::pipeline {
 
-// Every module's parameters in one table.
-base::ParameterTable allParameters();
-// Checks "key=value" texts against the table and keeps them in choices.parameters.
-// Throws Error{Usage}.
-void setParameters(Choices& choices, const std::vector<std::string>& assignments);
-
 struct PlanRequest {
-  std::string part;                         // path of a mesh, or "sample:NAME"
-  std::shared_ptr<const LoadedPart> loaded; // used instead of `part` when set
-  Choices choices;
-  Stage until = Stage::Replay; // the plan ends after it
+  std::string part;                                  // path of a mesh, or "sample:NAME"
+  std::shared_ptr<const project::LoadedPart> loaded; // used instead of `part` when set
+  project::Choices choices;
+  project::Stage until = project::Stage::Replay; // the plan ends after it
 };
 
 // Copies are cheap: whatever is large is shared.
 struct PlanResult {
-  Job job; // choices, results and report
+  project::Job job; // choices, results and report
   std::shared_ptr<const process::Process> process;
   std::shared_ptr<const robot::Cell> cell; // with the job's platform; null before Decompose is done
   std::vector<std::shared_ptr<const CheckedProgram>> checked; // one a format, refused ones too
@@ -43,7 +37,7 @@ struct PlanResult {
 
 // Called on the running thread as soon as a stage is done, taken from the cache or not, with all
 // that is there so far.
-using StageObserver = std::function<void(Stage, const PlanResult&)>;
+using StageObserver = std::function<void(project::Stage, const PlanResult&)>;
 
 // Called on the running thread with what a decomposition that is being made has come to: its ranks,
 // then its field as rounds improve it; and with the plan, which has its Load stage by then.
@@ -61,18 +55,18 @@ PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx,
 // The keys that the stages of this request have, whatever its `until`. What is shown and has
 // another key is out of date. Reads the cell's and the process's file; takes about a millisecond.
 // Precondition: request.loaded. Throws Error{Usage} as planPart does.
-StageKeys stageKeys(const PlanRequest& request);
+project::StageKeys stageKeys(const PlanRequest& request);
 
 // A reopened job as planPart left it, but for the programs. Throws Error{Usage, UnreadableFile,
 // UnusableInput} where its cell or process is not there any more.
-PlanResult resultOf(Job job);
+PlanResult resultOf(project::Job job);
 
 // No blocking finding, and the replay passed where the road came that far.
-bool nothingBlocks(const Report& report);
+bool nothingBlocks(const project::Report& report);
 
 struct VerifyResult {
   std::string format;
-  ReplayReport replay;
+  project::ReplayReport replay;
   plan::Findings findings;
 };
 // Replays a program from disk against the plan in a job file. Throws Error{UnreadableFile,

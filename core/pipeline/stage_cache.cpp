@@ -1,13 +1,13 @@
 #include "pipeline/stage_cache.h"
 
-#include "pipeline/job.h"
 #include "pipeline/stages.h"
+#include "project/job.h"
 
 #include <algorithm>
 
 namespace voluta::pipeline {
 
-StageCache::Value StageCache::findAny(Stage stage, const std::string& slot,
+StageCache::Value StageCache::findAny(project::Stage stage, const std::string& slot,
                                       const std::string& key) {
   const std::lock_guard lock(mutex_);
   const auto shelf = shelves_.find({stage, slot});
@@ -22,7 +22,7 @@ StageCache::Value StageCache::findAny(Stage stage, const std::string& slot,
   return kept.front().second;
 }
 
-void StageCache::keepAny(Stage stage, const std::string& slot, const std::string& key,
+void StageCache::keepAny(project::Stage stage, const std::string& slot, const std::string& key,
                          Value value) {
   std::vector<Value> dropped; // freed outside the lock: results may be large
   const std::lock_guard lock(mutex_);
@@ -46,14 +46,14 @@ void StageCache::clear() {
   dropped.swap(shelves_);
 }
 
-void seedCache(StageCache& cache, const Job& job) {
+void seedCache(StageCache& cache, const project::Job& job) {
   if (!job.reached)
     return;
   std::size_t firstFinding = 0;
   const auto& all = job.report.findings;
   const auto seed = [&](auto stage, const auto& report, plan::Findings* findings) {
     using T = typename decltype(stage)::element_type;
-    const StageRecord& record = job.stages[indexOf(T::kStage)];
+    const project::StageRecord& record = job.stages[project::indexOf(T::kStage)];
     if (findings)
       findings->assign(all.begin() + static_cast<std::ptrdiff_t>(firstFinding),
                        all.begin() + static_cast<std::ptrdiff_t>(firstFinding + record.findings));
@@ -61,21 +61,21 @@ void seedCache(StageCache& cache, const Job& job) {
     stage->report = report;
     stage->timings = record.timings;
     // A voxel object's placed cells are not in the file: they are soon made again.
-    const bool whole = T::kStage != Stage::Load || !job.loaded || !job.loaded->cells;
+    const bool whole = T::kStage != project::Stage::Load || !job.loaded || !job.loaded->cells;
     if (whole && *job.reached >= T::kStage && !record.key.empty())
       cache.keep<T>(record.key, stage);
   };
-  auto load = std::make_shared<LoadStage>();
+  auto load = std::make_shared<modes::LoadStage>();
   load->scale = job.scale;
   load->part = job.part;
   seed(load, job.report.model, nullptr);
-  auto decompose = std::make_shared<DecomposeStage>();
+  auto decompose = std::make_shared<modes::DecomposeStage>();
   decompose->platform = job.platform;
   decompose->lessPlatform = job.lessPlatform;
   decompose->decomposition = job.decomposition;
   decompose->pieces = job.pieces;
   seed(decompose, job.report.decomposition, &decompose->findings);
-  auto layers = std::make_shared<LayersStage>();
+  auto layers = std::make_shared<modes::LayersStage>();
   layers->layers = job.layers;
   seed(layers, job.report.layers, &layers->findings);
   auto toolpath = std::make_shared<ToolpathStage>();

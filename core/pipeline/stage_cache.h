@@ -1,7 +1,7 @@
 // Results of stages, kept by what went into them.
 #pragma once
 
-#include "pipeline/stage.h"
+#include "project/stage.h"
 
 #include <array>
 #include <cstddef>
@@ -12,9 +12,11 @@
 #include <utility>
 #include <vector>
 
-namespace voluta::pipeline {
-
+namespace voluta::project {
 struct Job;
+}
+
+namespace voluta::pipeline {
 
 // Good for several threads at once. T is one of the stage values of pipeline/stages.h, each of
 // which names its stage.
@@ -36,17 +38,18 @@ public:
 
 private:
   using Value = std::shared_ptr<const void>;
-  Value findAny(Stage stage, const std::string& slot, const std::string& key);
-  void keepAny(Stage stage, const std::string& slot, const std::string& key, Value value);
+  Value findAny(project::Stage stage, const std::string& slot, const std::string& key);
+  void keepAny(project::Stage stage, const std::string& slot, const std::string& key, Value value);
 
   std::size_t kept_;
   std::mutex mutex_;
   // Latest first.
-  std::map<std::pair<Stage, std::string>, std::vector<std::pair<std::string, Value>>> shelves_;
+  std::map<std::pair<project::Stage, std::string>, std::vector<std::pair<std::string, Value>>>
+      shelves_;
 };
 
 // Puts what a job read from disk holds into the cache, so that a plan of the same choices makes
 // only what is not in the file (the programs).
-void seedCache(StageCache& cache, const Job& job);
+void seedCache(StageCache& cache, const project::Job& job);
 
 } // namespace voluta::pipeline

@@ -3,11 +3,12 @@
 #include "base/data_files.h"
 #include "base/files.h"
 #include "curved/platform.h"
+#include "modes/mode_table.h"
+#include "modes/parameter_text.h"
 #include "motion/motion_options.h"
 #include "pipeline/choices.h"
-#include "pipeline/content_hash.h"
-#include "pipeline/modes.h"
 #include "pipeline/turned_part.h"
+#include "project/content_hash.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
@@ -18,7 +19,7 @@ namespace voluta::pipeline {
 namespace {
 
 std::string fileHash(const std::string& folder, const std::string& id, const std::string& what) {
-  return contentHash(base::readFile(base::dataFile(folder, id, what)));
+  return project::contentHash(base::readFile(base::dataFile(folder, id, what)));
 }
 
 std::string cellText(const robot::Cell& cell) {
@@ -44,7 +45,7 @@ std::string travelText(const process::Process& p) {
   return fmt::format("travel {}\nacceleration {}\n", p.travelSpeedMmPerS, p.accelerationMmPerS2);
 }
 
-std::string loadText(const LoadedPart& loaded, const Choices& c,
+std::string loadText(const project::LoadedPart& loaded, const project::Choices& c,
                      const base::ParameterValues& values, const process::Process& process,
                      const std::string& cell) {
   const geometry::Placement& p = c.placement;
@@ -56,9 +57,9 @@ std::string loadText(const LoadedPart& loaded, const Choices& c,
   if (loaded.cells)
     text += fmt::format("cells of {} mm\n", unitMm(loaded, c));
   text += turnText(c, values);
-  if (const Mode& mode = findMode(c.mode); mode.placeKey)
+  if (const modes::Mode& mode = modes::findMode(c.mode); mode.placeKey)
     text += fmt::format("placed by mode {}\n", c.mode) + mode.placeKey({c, values, process});
-  const double scale = parsedScale(c.scale);
+  const double scale = project::parsedScale(c.scale);
   if (scale > 0.0)
     return text + fmt::format("scale {}\n", scale);
   return text + "scale to fit\n" + cell + headText(process);
@@ -70,42 +71,43 @@ std::string programText(const std::string& partName, const process::Process& p) 
          beadText(p) + headText(p) + travelText(p);
 }
 
-std::string next(const std::string& before, Stage stage, const std::string& own) {
-  return fmt::format("{}[{}]\n{}", before, stageName(stage), own);
+std::string next(const std::string& before, project::Stage stage, const std::string& own) {
+  return fmt::format("{}[{}]\n{}", before, project::stageName(stage), own);
 }
 
 } // namespace
 
-StageKeys keysOf(const LoadedPart& loaded, const Choices& choices,
-                 const base::ParameterValues& values, const process::Process& process) {
-  const robot::Cell cell = cellOnAnyPlatform(choices, process); // the platform has its own text
-  const Mode& mode = findMode(choices.mode);
-  const ModeChoices in{choices, values, process};
+project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
+                          const base::ParameterValues& values, const process::Process& process) {
+  const robot::Cell cell = fittingCell(choices, process); // the platform has its own text
+  const modes::Mode& mode = modes::findMode(choices.mode);
+  const modes::ModeChoices in{choices, values, process};
   const std::string cellKey = cellText(cell);
 
-  StageKeys keys;
-  const auto put = [&](Stage stage, const std::string& own) {
-    const std::string before = stage == Stage::Load ? "" : keys[indexOf(stage) - 1];
-    keys[indexOf(stage)] = next(before, stage, own);
+  project::StageKeys keys;
+  const auto put = [&](project::Stage stage, const std::string& own) {
+    const std::string before =
+        stage == project::Stage::Load ? "" : keys[project::indexOf(stage) - 1];
+    keys[project::indexOf(stage)] = next(before, stage, own);
   };
-  put(Stage::Load, loadText(loaded, choices, values, process, cellKey));
-  put(Stage::Decompose, fmt::format("mode {}\n", mode.id) + mode.decomposeKey(in));
-  put(Stage::Layers, mode.layersKey(in));
-  put(Stage::Toolpath, parameterText(toolpath::toolpathParameters(), values) + beadText(process) +
-                           headText(process));
-  put(Stage::Motion, cellKey + travelText(process) + headText(process) +
-                         parameterText(motion::motionParameters(), values) +
-                         fmt::format("seed {}\n", choices.seed));
+  put(project::Stage::Load, loadText(loaded, choices, values, process, cellKey));
+  put(project::Stage::Decompose, fmt::format("mode {}\n", mode.id) + mode.decomposeKey(in));
+  put(project::Stage::Layers, mode.layersKey(in));
+  put(project::Stage::Toolpath, modes::parameterText(toolpath::toolpathParameters(), values) +
+                                    beadText(process) + headText(process));
+  put(project::Stage::Motion, cellKey + travelText(process) + headText(process) +
+                                  modes::parameterText(motion::motionParameters(), values) +
+                                  fmt::format("seed {}\n", choices.seed));
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
     formats += " " + format;
-  put(Stage::Replay, programText(loaded.name, process) + "formats" + formats + "\n");
+  put(project::Stage::Replay, programText(loaded.name, process) + "formats" + formats + "\n");
   return keys;
 }
 
-std::string programKey(const StageKeys& keys, const std::string& partName,
+std::string programKey(const project::StageKeys& keys, const std::string& partName,
                        const process::Process& process, const std::string& format) {
-  return next(keys[indexOf(Stage::Motion)], Stage::Replay,
+  return next(keys[project::indexOf(project::Stage::Motion)], project::Stage::Replay,
               programText(partName, process) + "format " + format + "\n");
 }
 

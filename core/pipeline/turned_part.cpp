@@ -1,5 +1,5 @@
 #include "pipeline/turned_part.h"
-#include "pipeline/platform_choice.h"
+#include "modes/platform_choice.h"
 
 #include "base/stopwatch.h"
 #include "base/units.h"
@@ -48,7 +48,7 @@ plan::Finding findingOf(const placement::Orientation& found, bool fewestMissed, 
 
 } // namespace
 
-TurnedPart turnedPart(const geometry::TriangleMesh& placed, const Choices& choices,
+TurnedPart turnedPart(const geometry::TriangleMesh& placed, const project::Choices& choices,
                       const base::ParameterValues& values, double voxelMm, bool onlyQuarters,
                       const base::RunContext& ctx) {
   TurnedPart out;
@@ -64,7 +64,7 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const Choices& choic
   options.quarterTurns = onlyQuarters;
   options.centreMm = choices.placement.centreMm;
   options.platform = [&](const voxel::SolidVoxels& part) {
-    return platformPolygon(choices.platform, part);
+    return modes::platformPolygon(choices.platform, part);
   };
   const placement::Orientation found = placement::bestOrientation(
       placed, fewestMissed ? placement::Objective::FewestMissed : placement::Objective::LeastRisky,
@@ -77,7 +77,7 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const Choices& choic
   return out;
 }
 
-std::string turnText(const Choices& choices, const base::ParameterValues& values) {
+std::string turnText(const project::Choices& choices, const base::ParameterValues& values) {
   const std::string orient = values.text("orient");
   if (orient == "none")
     return {};

@@ -5,8 +5,8 @@
 #include "base/run_context.h"
 #include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
-#include "pipeline/job.h"
 #include "plan/finding.h"
+#include "project/job.h"
 
 #include <string>
 
@@ -21,11 +21,11 @@ struct TurnedPart {
 // `placed`: the part where choices.placement puts it. `voxelMm`: width of the voxels it will be
 // grown on. `onlyQuarters`: only turns that keep its own cells. Without orient the placement stays.
 // Throws as placement::bestOrientation(); Cancelled.
-TurnedPart turnedPart(const geometry::TriangleMesh& placed, const Choices& choices,
+TurnedPart turnedPart(const geometry::TriangleMesh& placed, const project::Choices& choices,
                       const base::ParameterValues& values, double voxelMm, bool onlyQuarters,
                       const base::RunContext& ctx);
 
 // What `orient` adds to the key of the Load stage; empty for none.
-std::string turnText(const Choices& choices, const base::ParameterValues& values);
+std::string turnText(const project::Choices& choices, const base::ParameterValues& values);
 
 } // namespace voluta::pipeline

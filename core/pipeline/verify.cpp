@@ -31,7 +31,7 @@ std::vector<plan::ProgramFile> filesOf(const std::filesystem::path& program,
 VerifyResult verifyProgram(const std::filesystem::path& program, const std::filesystem::path& job,
                            const base::RunContext& ctx) {
   std::string text = base::readFile(program);
-  const Job planned = readJob(job);
+  const project::Job planned = project::readJob(job);
   if (!planned.part || !planned.toolPlan || !planned.trajectory)
     throw base::Error(base::ErrorCode::UnusableInput, "the job holds no motion to verify against",
                       job.string(), "plan it without --until");

@@ -36,10 +36,15 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
       "toolpath"}},
     {"program", {"geometry", "process", "robot", "plan"}},
     {"replay", {"geometry", "platform", "process", "voxel", "robot", "plan", "program"}},
+    {"project",
+     {"geometry", "platform", "samples", "process", "voxel", "plan", "layers", "curved", "planar"}},
+    {"modes",
+     {"geometry", "platform", "process", "voxel", "plan", "layers", "curved", "planar", "substrate",
+      "support", "robot", "project"}},
     {"pipeline",
-     {"geometry", "platform", "samples", "process", "voxel", "plan", "layers", "curved", "planar",
-      "substrate", "support", "placement", "robot", "collision", "toolpath", "motion", "program",
-      "replay"}},
+     {"geometry", "platform", "process", "voxel", "plan", "layers", "curved", "planar", "substrate",
+      "support", "placement", "robot", "collision", "toolpath", "motion", "program", "replay",
+      "project", "modes"}},
 };
 
 struct Include {

@@ -4,7 +4,7 @@
 #include "document/parts.h"
 #include "document/planning.h"
 #include "document/saving.h"
-#include "pipeline/job.h"
+#include "project/job.h"
 
 #include <QDir>
 #include <QFile>
@@ -38,7 +38,7 @@ TEST_F(AutosaveTest, WritesAfterAPause) {
   document_.openPart(test::boxPart(), {}, true);
   test::setSeed(document_, 42);
   ASSERT_TRUE(written.wait(3000));
-  EXPECT_EQ(pipeline::readJob(autosave_->file().toStdString()).choices.seed, 42);
+  EXPECT_EQ(project::readJob(autosave_->file().toStdString()).choices.seed, 42);
   QTest::qWait(200);
   EXPECT_EQ(written.size(), 1) << "two edits, one copy";
 }
@@ -97,7 +97,7 @@ TEST_F(AutosaveTest, ARecoveredProjectIsUnsavedAndItsCopyGoesWhenThereIsANewerOn
   document_.openPart(test::boxPart(), {}, true);
   test::setSeed(document_, 77);
   const QString orphan = folder_.filePath("orphan.voluta");
-  pipeline::writeJob(orphan.toStdString(), document_.snapshot());
+  project::writeJob(orphan.toStdString(), document_.snapshot());
   const auto found = recoverable(folder_.path());
   ASSERT_EQ(found.size(), 1u);
   Recovered recovered = found[0];

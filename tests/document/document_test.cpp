@@ -9,7 +9,7 @@
 namespace voluta::document {
 namespace {
 
-using pipeline::Stage;
+using project::Stage;
 
 TEST(Document, BeginsCleanAndUntitled) {
   Document document;
@@ -89,7 +89,7 @@ TEST(Document, WrongParametersChangeNothing) {
 TEST(Document, ADragIsOneEdit) {
   Document document;
   document.openPart(test::boxPart(), {}, true);
-  pipeline::Placement placement;
+  geometry::Placement placement;
   document.beginDrag();
   for (int i = 1; i <= 50; ++i) {
     placement.centreMm.x() = i;
@@ -109,7 +109,7 @@ TEST(Document, ADragIsOneEdit) {
 TEST(Document, ADragThereAndBackIsNoEdit) {
   Document document;
   document.openPart(test::boxPart(), {}, true);
-  pipeline::Placement placement;
+  geometry::Placement placement;
   document.beginDrag();
   placement.centreMm.x() = 5.0;
   document.place(placement, "Move the part");

@@ -30,8 +30,8 @@ int main(int argc, char** argv) {
   // Large enough for a copy to take a while: a kill may come in the middle of it.
   auto mesh =
       std::make_shared<geometry::TriangleMesh>(test::sphere(Eigen::Vector3d::Zero(), 20.0, 120));
-  document.openPart(pipeline::loadedFrom("ball.stl", mesh, {}, false, {}), {}, true);
-  pipeline::Choices choices = document.choices();
+  document.openPart(project::loadedFrom("ball.stl", mesh, {}, false, {}), {}, true);
+  project::Choices choices = document.choices();
   choices.repair = false;
   document.setChoices(choices, QStringLiteral("As read"));
 

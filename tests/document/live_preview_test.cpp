@@ -10,7 +10,7 @@
 namespace voluta::document {
 namespace {
 
-using pipeline::Stage;
+using project::Stage;
 
 class LivePreviewTest : public testing::Test {
 protected:
@@ -24,7 +24,7 @@ protected:
     ASSERT_TRUE(finished.wait(120000));
   }
   void setPlatform(const char* platform) {
-    pipeline::Choices choices = document_.choices();
+    project::Choices choices = document_.choices();
     choices.platform = platform;
     document_.setChoices(choices, QStringLiteral("platform"));
   }
@@ -163,7 +163,7 @@ TEST_F(LivePreviewTest, ACancelGoesBackToTheLastResult) {
 TEST_F(LivePreviewTest, WhatCannotBeDecomposedIsToldAndGoneWithTheNextEdit) {
   planBox();
   QSignalSpy failed(&live_, &LivePreview::failed);
-  pipeline::Placement lifted = document_.choices().placement;
+  geometry::Placement lifted = document_.choices().placement;
   lifted.liftMm = 5.0;
   document_.place(lifted, QStringLiteral("lift"));
   ASSERT_TRUE(failed.wait(30000));
@@ -181,7 +181,7 @@ TEST_F(LivePreviewTest, APlanShowsItsRanksBeforeItsResult) {
   QObject::connect(&document_, &Document::previewChanged, &document_,
                    [&] { order.push_back(document_.preview() ? "preview" : "dropped"); });
   QObject::connect(&document_, &Document::resultChanged, &document_,
-                   [&](Stage stage) { order.push_back(std::string(pipeline::stageName(stage))); });
+                   [&](Stage stage) { order.push_back(std::string(project::stageName(stage))); });
   plan(Stage::Decompose);
   ASSERT_GE(order.size(), 3U);
   EXPECT_EQ(order.front(), "load");

@@ -10,8 +10,8 @@
 namespace voluta::test {
 
 // A box of 12 triangles that prints in a moment.
-inline std::shared_ptr<const pipeline::LoadedPart> boxPart(double side = 8.0,
-                                                           const std::string& name = "box.stl") {
+inline std::shared_ptr<const project::LoadedPart> boxPart(double side = 8.0,
+                                                          const std::string& name = "box.stl") {
   return loadedBox(Eigen::Vector3d::Zero(), {side, side, 4.0}, name);
 }
 
@@ -20,7 +20,7 @@ inline int seedOf(const document::Document& document) {
 }
 
 inline void setSeed(document::Document& document, int seed) {
-  pipeline::Choices choices = document.choices();
+  project::Choices choices = document.choices();
   choices.seed = seed;
   document.setChoices(choices, QStringLiteral("Change seed"));
 }

@@ -12,7 +12,7 @@
 namespace voluta::document {
 namespace {
 
-using pipeline::Stage;
+using project::Stage;
 
 class PlanningTest : public testing::Test {
 protected:
@@ -121,7 +121,7 @@ TEST_F(PlanningTest, AChangeWhileRunningMakesTheResultOutOfDateWhereNot) {
 
 TEST_F(PlanningTest, AnErrorNamesItsStageAndIsGoneOnceTheChoicesChange) {
   open();
-  pipeline::Choices choices = document_.choices();
+  project::Choices choices = document_.choices();
   choices.cell = "ur5-fixd";
   document_.setChoices(choices, "Change the cell");
   QSignalSpy failed(&planning_, &Planning::failed);
@@ -173,7 +173,7 @@ TEST_F(PlanningTest, APartIsShownAsReadAndThenRepaired) {
   EXPECT_TRUE(document_.sourceReady());
   EXPECT_EQ(document_.undoStack()->count(), 1) << "one edit, not two";
 
-  pipeline::Choices choices = document_.choices();
+  project::Choices choices = document_.choices();
   choices.repair = false;
   document_.setChoices(choices, "Do not repair");
   ASSERT_TRUE(repaired.wait(10000));

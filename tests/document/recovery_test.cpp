@@ -2,7 +2,7 @@
 
 #include "document/autosave.h"
 #include "document/parts.h"
-#include "pipeline/job.h"
+#include "project/job.h"
 
 #include <QDir>
 #include <QFile>
@@ -60,7 +60,7 @@ qint64 ageOfCopyAfterKill(int runMs, int pauseMs, int latestMs) {
   EXPECT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0].name, "ball");
   EXPECT_TRUE(left[0].originalPath.isEmpty());
-  const pipeline::Job job = pipeline::readJob(left[0].file.toStdString()); // throws if it is half
+  const project::Job job = project::readJob(left[0].file.toStdString()); // throws if it is half
   EXPECT_TRUE(job.loaded && !job.loaded->mesh->empty());
   const auto next = edits.times.find(job.choices.seed + 1); // the first edit that is lost
   const qint64 age = next == edits.times.end() ? 0 : edits.times.at(edits.last) - next->second;

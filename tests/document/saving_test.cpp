@@ -17,7 +17,7 @@
 namespace voluta::document {
 namespace {
 
-using pipeline::Stage;
+using project::Stage;
 
 class SavingTest : public testing::Test {
 protected:
@@ -73,7 +73,7 @@ TEST_F(SavingTest, AProjectComesBackWithItsResults) {
 TEST_F(SavingTest, ResultsThatAreOutOfDateAreLeftOut) {
   plan(Stage::Toolpath);
   document_.setParameter("walls", "3");
-  const pipeline::Job job = document_.snapshot();
+  const project::Job job = document_.snapshot();
   EXPECT_EQ(job.reached, Stage::Layers);
   EXPECT_TRUE(job.layers);
   EXPECT_FALSE(job.toolPlan);

@@ -1,8 +1,8 @@
 // What is typed: parameters, the platform, the scale.
 #include "fuzz_target.h"
 
+#include "modes/platform_choice.h"
 #include "pipeline/choices.h"
-#include "pipeline/platform_choice.h"
 #include "pipeline/road.h"
 
 #include <cmath>
@@ -27,11 +27,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::expect(base::parseParameter(spec, base::formatParameter(taken)) == taken,
                    "a value comes back from its text");
     });
-  fuzz::takenOrRefused([&] { pipeline::platformChoice(text); });
+  fuzz::takenOrRefused([&] { modes::platformChoice(text); });
   fuzz::takenOrRefused(
-      [&] { fuzz::expect(std::isfinite(pipeline::parsedScale(text)), "a scale is a number"); });
+      [&] { fuzz::expect(std::isfinite(project::parsedScale(text)), "a scale is a number"); });
   fuzz::takenOrRefused([&] {
-    pipeline::Choices choices;
+    project::Choices choices;
     choices.growth = choices.cell = choices.mode = text;
     choices.parameters[text.substr(0, text.find('='))] = value;
     pipeline::checkChoices(choices);

@@ -2,9 +2,9 @@
 // program that writes projects may be wrong too.
 #include "fuzz_target.h"
 
-#include "pipeline/block_file.h"
-#include "pipeline/report.h"
 #include "pipeline/sample_job.h"
+#include "project/block_file.h"
+#include "project/report.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,7 +33,7 @@ void putSumsRight(Json& header, std::string_view body) {
       continue;
     const auto offset = row["offset"].get<std::size_t>();
     if (offset <= body.size())
-      row["crc32"] = pipeline::crcOf(body.substr(offset, row["bytes"].get<std::size_t>()));
+      row["crc32"] = project::crcOf(body.substr(offset, row["bytes"].get<std::size_t>()));
   }
 }
 
@@ -53,33 +53,32 @@ std::string projectOf(const std::string& input) {
   const bool summed = !input.starts_with("VOLUTA 1");
   std::string project = input.substr(0, format + 1) + std::to_string(header.size());
   if (summed)
-    project += " " + std::to_string(pipeline::crcOf(header));
+    project += " " + std::to_string(project::crcOf(header));
   return project + "\n" + header + std::string(rest);
 }
 
 } // namespace
 
 std::vector<std::string> fuzz::seeds() {
-  const pipeline::Job job = test::sampleJob();
-  pipeline::Job part;
+  const project::Job job = test::sampleJob();
+  project::Job part;
   part.loaded = job.loaded;
   part.partName = "box.stl";
-  return {inputOf(pipeline::jobBytes(job)), inputOf(pipeline::jobBytes(part)),
+  return {inputOf(project::jobBytes(job)), inputOf(project::jobBytes(part)),
           inputOf(test::formatOneBytes(job))};
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::write("input.voluta", projectOf(fuzz::textOf(data, size)));
   fuzz::takenOrRefused([] {
-    const pipeline::Job job = pipeline::readJob("input.voluta");
+    const project::Job job = project::readJob("input.voluta");
     fuzz::expect(job.loaded != nullptr, "a project has a part");
     // What is done with every project that is opened.
-    for (const auto stage :
-         {pipeline::Stage::Load, pipeline::Stage::Layers, pipeline::Stage::Motion})
-      pipeline::upTo(job, stage);
-    pipeline::upTo(job, std::nullopt);
-    pipeline::reportJson(job.report);
-    pipeline::jobBytes(job);
+    for (const auto stage : {project::Stage::Load, project::Stage::Layers, project::Stage::Motion})
+      project::upTo(job, stage);
+    project::upTo(job, std::nullopt);
+    project::reportJson(job.report);
+    project::jobBytes(job);
   });
   return 0;
 }

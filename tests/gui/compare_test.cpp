@@ -84,7 +84,7 @@ TEST_F(CompareTest, RowsAppearAndOneIsAdoptedAsOneEdit) {
   EXPECT_EQ(state(), PageState::Done) << "the rows are what they were";
   ASSERT_TRUE(waitFor([&] { return !window().planning().running(); }));
   clickToolBar("plan");
-  ASSERT_TRUE(planned(pipeline::Stage::Replay));
+  ASSERT_TRUE(planned(project::Stage::Replay));
   EXPECT_EQ(document().lastResult()->job.choices.mode, "flat");
   QTest::keySequence(&window(), QKeySequence::Undo);
   EXPECT_EQ(document().choices().mode, "curved");

@@ -20,7 +20,7 @@
 namespace voluta::test {
 namespace {
 
-using pipeline::Stage;
+using project::Stage;
 using window::Page;
 
 class GrowthTest : public WindowTest {

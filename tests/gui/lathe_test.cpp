@@ -24,7 +24,7 @@
 namespace voluta::test {
 namespace {
 
-using pipeline::Stage;
+using project::Stage;
 using window::Page;
 
 class LatheWindowTest : public WindowTest {
@@ -69,12 +69,12 @@ TEST_F(LatheWindowTest, CellPlatformAndProcessGoAlongAndComeBack) {
   openPart(tubeFile());
   document().setParameter("walls", "1");
   choose("mode", "curved");
-  pipeline::Choices own = document().choices();
+  project::Choices own = document().choices();
   own.platform = "disc:80";
   document().setChoices(own, "platform");
   const int edits = document().undoStack()->count();
   choose("mode", "lathe");
-  const pipeline::Choices& now = document().choices();
+  const project::Choices& now = document().choices();
   EXPECT_EQ(now.cell, "lathe");
   EXPECT_EQ(now.process, "fdm-0.35");
   EXPECT_EQ(now.platform, "rod:5x200");
@@ -109,7 +109,7 @@ TEST_F(LatheWindowTest, WhatDoesNotFitIsSaidAndMendedByAButton) {
   EXPECT_EQ(document().choices().cell, "lathe");
   EXPECT_FALSE(button->isVisible());
 
-  pipeline::Choices plate = document().choices();
+  project::Choices plate = document().choices();
   plate.platform = "disc:60";
   document().setChoices(plate, "platform");
   ASSERT_TRUE(button->isVisible());

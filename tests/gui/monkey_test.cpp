@@ -141,8 +141,8 @@ TEST_F(WindowTest, RandomClicksAndKeysBreakNothing) {
   std::cout << actions << " random actions\n";
   document().clear();
   openPart(writePart("after.stl", box({0, 0, 0}, {9, 9, 5})));
-  window().planning().plan(pipeline::Stage::Layers);
-  EXPECT_TRUE(planned(pipeline::Stage::Layers));
+  window().planning().plan(project::Stage::Layers);
+  EXPECT_TRUE(planned(project::Stage::Layers));
 }
 
 } // namespace

@@ -4,8 +4,8 @@
 #include "helpers/shapes.h"
 #include "panels/findings_panel.h"
 #include "panels/pieces_panel.h"
-#include "pipeline/job.h"
 #include "planar/given_cuts.h"
+#include "project/job.h"
 #include "viewer/camera_control.h"
 
 #include <QCheckBox>
@@ -23,7 +23,7 @@
 namespace voluta::test {
 namespace {
 
-using pipeline::Stage;
+using project::Stage;
 using window::Page;
 
 constexpr const char* kCuts = R"([{"point": [4, 0, 20], "normal": [1, 0, 0]},
@@ -360,7 +360,7 @@ TEST_F(PiecesTest, ARootIsPickedOnThePartWhereTheSchemeAsksForOne) {
 
 TEST_F(PiecesTest, AProjectOfPiecesOpensWithoutVoxels) {
   planTee();
-  pipeline::writeJob(path("tee.voluta").toStdString(), document().snapshot());
+  project::writeJob(path("tee.voluta").toStdString(), document().snapshot());
   window().open("sample:vase");
   ASSERT_TRUE(waitFor([&] { return document().source()->name == "vase.stl"; }));
   ASSERT_TRUE(waitFor([&] { return !window().presenter().hasPieces(); }));

@@ -19,7 +19,7 @@ namespace voluta::test {
 namespace {
 
 using document::StageState;
-using pipeline::Stage;
+using project::Stage;
 using window::Page;
 
 class PreviewTest : public WindowTest {
@@ -38,7 +38,7 @@ protected:
     });
   }
   void setPlatform(const char* platform) {
-    pipeline::Choices choices = document().choices();
+    project::Choices choices = document().choices();
     choices.platform = platform;
     document().setChoices(choices, "platform");
   }
@@ -165,7 +165,7 @@ TEST_F(PreviewTest, CanBeTurnedOffAndTheWindowRemembers) {
 }
 
 TEST_F(PreviewTest, AButtonCuresAFindingAndUndoTakesItBack) {
-  pipeline::Choices wide = document().choices();
+  project::Choices wide = document().choices();
   wide.platform = "disc:150";
   document().setChoices(wide, "platform");
   planLayers(writePart("hook.stl", hook()));

@@ -64,7 +64,7 @@ bool WindowTest::waitFor(const std::function<bool()>& condition, int ms) {
   return QTest::qWaitFor(condition, ms);
 }
 
-bool WindowTest::planned(pipeline::Stage stage) {
+bool WindowTest::planned(project::Stage stage) {
   return waitFor([&] {
     return !window().planning().running() && document().upToDate(stage) &&
            !window().presenter().busy();
@@ -75,7 +75,7 @@ void WindowTest::openPart(const QString& file) {
   window().open(file);
   ASSERT_TRUE(waitFor([&] {
     return document().source() && document().sourceReady() &&
-           document().upToDate(pipeline::Stage::Load) && !window().planning().running() &&
+           document().upToDate(project::Stage::Load) && !window().planning().running() &&
            !window().presenter().busy();
   }));
 }

@@ -34,7 +34,7 @@ protected:
   // Waits while events are served; false when it didn't come true in time.
   static bool waitFor(const std::function<bool()>& condition, int ms = 180000);
   // All stages of the present choices are done and drawn.
-  bool planned(pipeline::Stage stage);
+  bool planned(project::Stage stage);
   // Opens a part and waits until it lies on the plate.
   void openPart(const QString& file);
   // By the mouse: menu bar, then the entry.

@@ -23,7 +23,7 @@ namespace voluta::test {
 namespace {
 
 using document::StageState;
-using pipeline::Stage;
+using project::Stage;
 using window::Page;
 using window::PageState;
 

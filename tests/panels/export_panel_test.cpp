@@ -132,7 +132,7 @@ TEST_F(ExportPanelTest, FitsIntoANarrowPanel) {
 }
 
 TEST(VerdictMeasures, EveryMeasureIsHeldToItsLimit) {
-  pipeline::ReplayReport r;
+  project::ReplayReport r;
   r.coveredFraction = 0.97;
   r.massRatio = 0.96;
   r.thresholds = {0.97, 0.005, 0.03, 0.03, 0.05, 0, 0};

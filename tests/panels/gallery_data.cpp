@@ -13,8 +13,8 @@ std::shared_ptr<const std::string> sampleProgram() {
   return std::make_shared<const std::string>(text.toStdString());
 }
 
-pipeline::ReplayReport sampleVerdict(bool passed) {
-  pipeline::ReplayReport r;
+project::ReplayReport sampleVerdict(bool passed) {
+  project::ReplayReport r;
   r.passed = passed;
   r.coveredFraction = passed ? 0.987 : 0.942;
   r.unsupportedFraction = 0.0012;

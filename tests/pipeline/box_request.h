@@ -10,7 +10,7 @@
 namespace voluta::test {
 
 // The same part every time, 20 x 18 x 8 mm.
-inline std::shared_ptr<const pipeline::LoadedPart> boxPart() {
+inline std::shared_ptr<const project::LoadedPart> boxPart() {
   static const auto kPart = loadedBox({-10, -9, 0}, {10, 9, 8});
   return kPart;
 }

@@ -2,15 +2,17 @@
 #include "pipeline/compare_figures.h"
 
 #include "base/error.h"
+#include "modes/mode_table.h"
 #include "pipeline/box_request.h"
-#include "pipeline/modes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 using namespace voluta;
+using namespace voluta::modes;
 using namespace voluta::pipeline;
+using namespace voluta::project;
 using ::testing::ElementsAre;
 
 namespace {

@@ -1,4 +1,4 @@
-#include "pipeline/job.h"
+#include "project/job.h"
 
 #include "base/error.h"
 #include "helpers/temporary_folder.h"
@@ -12,8 +12,8 @@
 #include <random>
 
 using namespace voluta;
-using pipeline::Job;
-using pipeline::Stage;
+using project::Job;
+using project::Stage;
 using test::formatOneBytes, test::sampleJob;
 
 namespace {
@@ -32,14 +32,14 @@ protected:
   Job readBack(const std::string& bytes) const {
     // Not base::writeFile: thousands of files need not survive a power cut.
     std::ofstream(folder_ / "job.voluta", std::ios::binary) << bytes;
-    return pipeline::readJob(folder_ / "job.voluta");
+    return project::readJob(folder_ / "job.voluta");
   }
   const test::TemporaryFolder folder_;
 };
 
 TEST_F(JobFile, ComesBackAsItWas) {
   const Job job = sampleJob();
-  const std::string bytes = pipeline::jobBytes(job);
+  const std::string bytes = project::jobBytes(job);
   const Job back = readBack(bytes);
   EXPECT_EQ(back.partName, job.partName);
   EXPECT_EQ(back.scale, job.scale);
@@ -55,12 +55,12 @@ TEST_F(JobFile, ComesBackAsItWas) {
   EXPECT_TRUE(back.toolPlan->paths[0].closed);
   EXPECT_EQ(back.trajectory->joints, job.trajectory->joints);
   EXPECT_EQ(back.trajectory->waypoint, job.trajectory->waypoint);
-  EXPECT_EQ(pipeline::jobBytes(back), bytes);
+  EXPECT_EQ(project::jobBytes(back), bytes);
 }
 
 TEST_F(JobFile, ThePartComesBackAsItWasRead) {
   const Job job = sampleJob();
-  const Job back = readBack(pipeline::jobBytes(job));
+  const Job back = readBack(project::jobBytes(job));
   EXPECT_EQ(back.loaded->name, "box.stl");
   EXPECT_EQ(back.loaded->source->triangles.size(), 11u);
   EXPECT_EQ(back.loaded->mesh->triangles, job.loaded->mesh->triangles);
@@ -79,7 +79,7 @@ TEST_F(JobFile, ThePartComesBackAsItWasRead) {
 
 TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
   const Job job = sampleJob();
-  const Job back = readBack(pipeline::jobBytes(job));
+  const Job back = readBack(project::jobBytes(job));
   const curved::Decomposition &d = *back.decomposition, &was = *job.decomposition;
   EXPECT_EQ(d.rank, was.rank);
   EXPECT_EQ(d.field[1], was.field[1]);
@@ -138,7 +138,7 @@ TEST_F(JobFile, APartAloneIsAJob) {
   Job job;
   job.loaded = sampleJob().loaded;
   job.partName = job.loaded->name;
-  const Job back = readBack(pipeline::jobBytes(job));
+  const Job back = readBack(project::jobBytes(job));
   EXPECT_EQ(back.part, nullptr);
   EXPECT_FALSE(back.reached);
   EXPECT_EQ(back.loaded->source->vertices, job.loaded->source->vertices);
@@ -157,7 +157,7 @@ TEST_F(JobFile, TheFirstFormatIsStillRead) {
 }
 
 TEST_F(JobFile, ANewerFormatIsNamedWithWhatHelps) {
-  std::string bytes = pipeline::jobBytes(sampleJob());
+  std::string bytes = project::jobBytes(sampleJob());
   bytes.replace(0, 8, "VOLUTA 3");
   const std::string said = errorOf(bytes);
   EXPECT_NE(said.find("made by a newer version of Voluta (format 3; this one reads up to 2)"),
@@ -172,7 +172,7 @@ TEST_F(JobFile, ANewerFormatIsNamedWithWhatHelps) {
 
 TEST_F(JobFile, ResultsAfterAStageCanBeLeftOut) {
   const Job job = sampleJob();
-  const Job cut = pipeline::upTo(job, Stage::Layers);
+  const Job cut = project::upTo(job, Stage::Layers);
   EXPECT_EQ(cut.layers, job.layers);
   EXPECT_EQ(cut.toolPlan, nullptr);
   EXPECT_EQ(cut.trajectory, nullptr);
@@ -183,13 +183,13 @@ TEST_F(JobFile, ResultsAfterAStageCanBeLeftOut) {
   EXPECT_TRUE(cut.report.motion.maxJerk.empty());
   EXPECT_TRUE(cut.keys()[3].empty());
   EXPECT_EQ(cut.keys()[2], job.keys()[2]);
-  const Job none = pipeline::upTo(job, std::nullopt);
+  const Job none = project::upTo(job, std::nullopt);
   EXPECT_EQ(none.part, nullptr);
   EXPECT_FALSE(none.reached);
   EXPECT_TRUE(none.report.findings.empty());
   EXPECT_EQ(none.loaded, job.loaded);
-  EXPECT_EQ(reportJson(pipeline::upTo(job, Stage::Replay).report), reportJson(job.report));
-  EXPECT_EQ(readBack(pipeline::jobBytes(cut)).reached, Stage::Layers);
+  EXPECT_EQ(reportJson(project::upTo(job, Stage::Replay).report), reportJson(job.report));
+  EXPECT_EQ(readBack(project::jobBytes(cut)).reached, Stage::Layers);
 }
 
 TEST_F(JobFile, APlanThatStoppedEarlyIsAJobToo) {
@@ -197,13 +197,13 @@ TEST_F(JobFile, APlanThatStoppedEarlyIsAJobToo) {
   job.toolPlan = nullptr;
   job.trajectory = nullptr;
   job.reached = Stage::Layers;
-  const Job back = readBack(pipeline::jobBytes(job));
+  const Job back = readBack(project::jobBytes(job));
   EXPECT_EQ(back.toolPlan, nullptr);
   EXPECT_EQ(back.trajectory, nullptr);
 }
 
 TEST_F(JobFile, DamageIsAnErrorNeverACrashOrAWrongPlan) {
-  const std::string whole = pipeline::jobBytes(sampleJob());
+  const std::string whole = project::jobBytes(sampleJob());
   std::mt19937 random(7);
   for (int trial = 0; trial < 2000; ++trial) {
     std::string bytes = whole;
@@ -239,7 +239,7 @@ TEST_F(JobFile, IndicesOutsideTheirArraysAreRefused) {
   auto broken = *job.toolPlan;
   broken.paths[0].count = 99;
   job.toolPlan = std::make_shared<plan::ToolPlan>(broken);
-  EXPECT_THROW(readBack(pipeline::jobBytes(job)), base::Error);
+  EXPECT_THROW(readBack(project::jobBytes(job)), base::Error);
 }
 
 // A file whose sums are right and whose arrays are not.
@@ -247,7 +247,7 @@ TEST_F(JobFile, ContradictionsAreRefused) {
   const auto refused = [&](const char* what, auto&& change) {
     Job job = sampleJob();
     change(job);
-    EXPECT_NE(errorOf(pipeline::jobBytes(job)).find("contradicts itself"), std::string::npos)
+    EXPECT_NE(errorOf(project::jobBytes(job)).find("contradicts itself"), std::string::npos)
         << what;
   };
   const auto withDecomposition = [&](auto&& change) {
@@ -297,7 +297,7 @@ TEST_F(JobFile, ContradictionsAreRefused) {
     job.toolPlan = std::make_shared<plan::ToolPlan>(p);
   });
   refused("a part of corners that are not there", [](Job& job) {
-    auto part = std::make_shared<pipeline::LoadedPart>(*job.loaded);
+    auto part = std::make_shared<project::LoadedPart>(*job.loaded);
     auto mesh = std::make_shared<geometry::TriangleMesh>(*part->source);
     mesh->triangles[0][1] = 1'000'000'000;
     part->source = part->mesh = mesh;

@@ -16,7 +16,9 @@
 #include <string>
 
 using namespace voluta;
+using namespace voluta::modes;
 using namespace voluta::pipeline;
+using namespace voluta::project;
 
 namespace {
 

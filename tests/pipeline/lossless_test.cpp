@@ -4,14 +4,16 @@
 #include "base/error.h"
 #include "geometry/measures.h"
 #include "helpers/temporary_folder.h"
-#include "pipeline/job.h"
+#include "project/job.h"
 #include "voxel/voxel_object.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace voluta;
+using namespace voluta::modes;
 using namespace voluta::pipeline;
+using namespace voluta::project;
 
 namespace {
 

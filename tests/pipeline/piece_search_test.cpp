@@ -1,5 +1,5 @@
 // The schemes of mode planar on the road, and the user's root.
-#include "pipeline/piece_search.h"
+#include "modes/piece_search.h"
 
 #include "base/error.h"
 #include "helpers/shapes.h"

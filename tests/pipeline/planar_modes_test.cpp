@@ -1,5 +1,5 @@
 // Modes planar and flat on the road.
-#include "pipeline/planar_modes.h"
+#include "modes/planar_modes.h"
 
 #include "base/error.h"
 #include "base/files.h"
@@ -11,7 +11,9 @@
 #include <gtest/gtest.h>
 
 using namespace voluta;
+using namespace voluta::modes;
 using namespace voluta::pipeline;
+using namespace voluta::project;
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Every row of the table of remedies: a cure changes the choices into others that can be planned.
 #include "helpers/shapes.h"
+#include "modes/part_voxels.h"
 #include "pipeline/choices.h"
-#include "pipeline/part_voxels.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
 
@@ -9,7 +9,9 @@
 #include <set>
 
 using namespace voluta;
+using namespace voluta::modes;
 using namespace voluta::pipeline;
+using namespace voluta::project;
 
 namespace {
 

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "pipeline/report.h"
+#include "project/report.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -35,10 +35,10 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
 };
 
 TEST(Report, EveryKeyIsThereEvenWhenEmpty) {
-  pipeline::Report report;
+  project::Report report;
   report.programs.emplace_back();
   report.findings.emplace_back();
-  const nlohmann::json j = nlohmann::json::parse(pipeline::reportJson(report));
+  const nlohmann::json j = nlohmann::json::parse(project::reportJson(report));
   for (const auto& [section, keys] : kKeys)
     for (const std::string& key : keys)
       EXPECT_TRUE(j.at(section).contains(key)) << section << "." << key;
@@ -52,13 +52,13 @@ TEST(Report, EveryKeyIsThereEvenWhenEmpty) {
 }
 
 TEST(Report, TextThatIsNotUtf8StaysReadable) {
-  pipeline::Report report;
+  project::Report report;
   report.model.file = "part\xff.stl";
-  EXPECT_NO_THROW(nlohmann::json::parse(pipeline::reportJson(report)));
+  EXPECT_NO_THROW(nlohmann::json::parse(project::reportJson(report)));
 }
 
 TEST(Report, ComesBackFromItsText) {
-  pipeline::Report report;
+  project::Report report;
   report.model.repairs = {"closed 1 hole"};
   report.model.boundsMm = Eigen::AlignedBox3d(Eigen::Vector3d(0.1, 2, 3), Eigen::Vector3d(4, 5, 6));
   report.decomposition.growth = "reverse";
@@ -75,10 +75,10 @@ TEST(Report, ComesBackFromItsText) {
   report.findings.emplace_back();
   report.timings.jerk = 0.125;
   report.threads = 7;
-  const std::string text = pipeline::reportJson(report);
-  EXPECT_EQ(pipeline::reportJson(pipeline::readReportJson(text)), text);
-  EXPECT_THROW(pipeline::readReportJson("{}"), base::Error);
-  EXPECT_THROW(pipeline::readReportJson("report"), base::Error);
+  const std::string text = project::reportJson(report);
+  EXPECT_EQ(project::reportJson(project::readReportJson(text)), text);
+  EXPECT_THROW(project::readReportJson("{}"), base::Error);
+  EXPECT_THROW(project::readReportJson("report"), base::Error);
 }
 
 } // namespace

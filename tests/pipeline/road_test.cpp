@@ -17,7 +17,9 @@
 #include <sstream>
 
 using namespace voluta;
+using namespace voluta::modes;
 using namespace voluta::pipeline;
+using namespace voluta::project;
 
 namespace {
 

@@ -1,25 +1,25 @@
 #include "pipeline/sample_job.h"
 
 #include "helpers/shapes.h"
-#include "pipeline/block_file.h"
-#include "pipeline/job_blocks.h"
+#include "project/block_file.h"
+#include "project/job_blocks.h"
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
 namespace voluta::test {
 
-using pipeline::Job;
-using pipeline::Stage;
+using project::Job;
+using project::Stage;
 
 namespace {
 
 // A box without its last triangle: something to mend.
-std::shared_ptr<const pipeline::LoadedPart> openBox() {
+std::shared_ptr<const project::LoadedPart> openBox() {
   auto mesh = test::box(Eigen::Vector3d(-5, -5, 0), Eigen::Vector3d(5, 5, 10));
   mesh.triangles.pop_back();
-  return pipeline::loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(mesh),
-                              {"left out 1 facet"}, true, {});
+  return project::loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(mesh),
+                             {"left out 1 facet"}, true, {});
 }
 
 std::shared_ptr<const curved::Decomposition> sampleDecomposition() {
@@ -110,11 +110,11 @@ void addReport(Job& job) {
       finding.where = Eigen::Vector3d(0.1, 2, 3), finding.whenS = 0.3;
     job.report.findings.push_back(finding);
   }
-  for (std::size_t i = 0; i <= pipeline::indexOf(Stage::Motion); ++i)
+  for (std::size_t i = 0; i <= project::indexOf(Stage::Motion); ++i)
     job.stages[i].key = "what went into stage " + std::to_string(i);
-  job.stages[pipeline::indexOf(Stage::Layers)].findings = 1;
-  job.stages[pipeline::indexOf(Stage::Motion)].findings = 2;
-  job.stages[pipeline::indexOf(Stage::Motion)].timings.ik = 0.125;
+  job.stages[project::indexOf(Stage::Layers)].findings = 1;
+  job.stages[project::indexOf(Stage::Motion)].findings = 2;
+  job.stages[project::indexOf(Stage::Motion)].timings.ik = 0.125;
   job.report.timings.ik = 0.125;
 }
 
@@ -157,13 +157,13 @@ Job sampleJob() {
 }
 
 std::string formatOneBytes(const Job& job) {
-  pipeline::BlockWriter blocks;
+  project::BlockWriter blocks;
   addMesh(blocks, "part", *job.part);
   blocks.add("platform", job.platform.polygon);
   addToolPlan(blocks, *job.toolPlan);
   addTrajectory(blocks, *job.trajectory);
   nlohmann::ordered_json table = nlohmann::ordered_json::array();
-  for (const pipeline::BlockRow& row : blocks.table())
+  for (const project::BlockRow& row : blocks.table())
     table.push_back({{"name", row.name},
                      {"offset", row.offset},
                      {"bytes", row.bytes},

@@ -1,16 +1,16 @@
 // A small project file of which every part is there.
 #pragma once
 
-#include "pipeline/job.h"
+#include "project/job.h"
 
 #include <string>
 
 namespace voluta::test {
 
 // Planned up to its motion; three findings, two patches, three waypoints.
-pipeline::Job sampleJob();
+project::Job sampleJob();
 
 // The same part, plan and motion as the first format had them.
-std::string formatOneBytes(const pipeline::Job& job);
+std::string formatOneBytes(const project::Job& job);
 
 } // namespace voluta::test

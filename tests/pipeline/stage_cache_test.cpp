@@ -7,19 +7,19 @@
 #include <thread>
 
 using namespace voluta;
+using modes::LayersStage;
 using pipeline::CheckedProgram;
-using pipeline::LayersStage;
 using pipeline::StageCache;
 using pipeline::ToolpathStage;
 
 namespace {
 
 TEST(Stage, NamesGoBothWays) {
-  for (std::size_t i = 0; i < pipeline::kStageCount; ++i) {
-    const auto stage = static_cast<pipeline::Stage>(i);
-    EXPECT_EQ(pipeline::stageOf(std::string(pipeline::stageName(stage))), stage);
+  for (std::size_t i = 0; i < project::kStageCount; ++i) {
+    const auto stage = static_cast<project::Stage>(i);
+    EXPECT_EQ(project::stageOf(std::string(project::stageName(stage))), stage);
   }
-  EXPECT_THROW(pipeline::stageOf("motin"), base::Error);
+  EXPECT_THROW(project::stageOf("motin"), base::Error);
 }
 
 TEST(StageCache, KeepsTheLastFewOfAStage) {

@@ -13,7 +13,9 @@
 #include <tuple>
 
 using namespace voluta;
+using namespace voluta::modes;
 using namespace voluta::pipeline;
+using namespace voluta::project;
 namespace fs = std::filesystem;
 
 namespace {

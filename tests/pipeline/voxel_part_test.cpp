@@ -4,8 +4,8 @@
 #include "geometry/measures.h"
 #include "helpers/loaded_box.h"
 #include "helpers/temporary_folder.h"
+#include "modes/part_voxels.h"
 #include "pipeline/choices.h"
-#include "pipeline/part_voxels.h"
 #include "pipeline/road.h"
 #include "voxel/voxel_text.h"
 
@@ -14,7 +14,9 @@
 #include <gtest/gtest.h>
 
 using namespace voluta;
+using namespace voluta::modes;
 using namespace voluta::pipeline;
+using namespace voluta::project;
 
 namespace {
 

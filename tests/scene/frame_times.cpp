@@ -1,7 +1,7 @@
 // Not a test: times of frames while dragging, on a job from disk (VOLUTA_JOB) at 1280 x 800.
 #include "base/stopwatch.h"
 #include "pipeline/choices.h"
-#include "pipeline/job.h"
+#include "project/job.h"
 #include "scene/offscreen_target.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ int main() {
     std::puts("set VOLUTA_JOB to a job.voluta");
     return 2;
   }
-  pipeline::Job job = pipeline::readJob(file);
+  project::Job job = project::readJob(file);
   Bench bench;
   scene::ViewState view;
   view.part = false;

@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
-#include "pipeline/job.h"
+#include "project/job.h"
 #include "scene/offscreen_target.h"
 
 #include <algorithm>
@@ -219,16 +219,16 @@ TEST(Render, WrongSizeIsRefused) {
 class RenderCommand : public ::testing::Test {
 protected:
   void SetUp() override {
-    pipeline::Job job;
+    project::Job job;
     job.partName = "ball.stl";
     const auto mesh = std::make_shared<const geometry::TriangleMesh>(test::sphere({0, 0, 20}, 20));
-    auto loaded = std::make_shared<pipeline::LoadedPart>();
+    auto loaded = std::make_shared<project::LoadedPart>();
     loaded->name = job.partName;
     loaded->source = loaded->mesh = mesh;
     job.loaded = loaded;
     job.part = mesh;
     job.platform = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
-    pipeline::writeJob(folder_ / "job.voluta", job);
+    project::writeJob(folder_ / "job.voluta", job);
   }
 
   int run(const std::string& before, const std::string& words) const {

@@ -2,7 +2,7 @@
 
 #include "base/files.h"
 #include "document/document.h"
-#include "pipeline/job.h"
+#include "project/job.h"
 
 #include <QDir>
 #include <QFile>
@@ -80,7 +80,7 @@ void Autosave::write() {
         base::writeFile(pathOf(ownerFileOf(copy)),
                         {owner.constData(), static_cast<std::size_t>(owner.size())});
         if (!unwanted->load())
-          pipeline::writeJob(pathOf(copy), job);
+          project::writeJob(pathOf(copy), job);
         if (unwanted->load())
           discardRecovered({copy, {}, {}, {}});
         return true;

@@ -44,7 +44,7 @@ bool Comparing::sameAsPlanned() const {
   if (!document_.source())
     return false;
   const auto key =
-      base::outcomeOf([&] { return keyOf(document_.request(pipeline::Stage::Replay)); });
+      base::outcomeOf([&] { return keyOf(document_.request(project::Stage::Replay)); });
   const auto* text = std::get_if<std::string>(&key);
   return text && *text == key_;
 }

@@ -21,11 +21,11 @@ class Document;
 // What is compared; a list that is empty means what the document has.
 struct ComparedWays {
   std::vector<std::string> modes, growths, platforms;
-  pipeline::Stage until = pipeline::Stage::Replay;
+  project::Stage until = project::Stage::Replay;
 };
 
 // A picture of a planned job; called on the thread of the run. Null: none.
-using PictureMaker = std::function<QImage(const pipeline::Job&)>;
+using PictureMaker = std::function<QImage(const project::Job&)>;
 
 class Comparing : public QObject {
   Q_OBJECT
@@ -53,7 +53,7 @@ public:
   };
   const std::vector<Row>& rows() const { return rows_; }
   std::optional<std::size_t> current() const { return current_; } // row that is being planned
-  pipeline::Stage until() const { return until_; }
+  project::Stage until() const { return until_; }
   // The part and all other choices are what the rows were planned with.
   bool upToDate() const;
 
@@ -86,7 +86,7 @@ private:
   std::optional<std::size_t> current_;
   pipeline::Weights weights_ = pipeline::defaultWeights();
   pipeline::Ranking ranking_;
-  pipeline::Stage until_ = pipeline::Stage::Replay;
+  project::Stage until_ = project::Stage::Replay;
   std::string key_;
   mutable std::optional<bool>
       upToDate_; // until the next edit: asked far more often than it changes

@@ -10,15 +10,15 @@
 
 namespace voluta::document {
 
-using pipeline::indexOf;
-using pipeline::kStageCount;
-using pipeline::Stage;
+using project::indexOf;
+using project::kStageCount;
+using project::Stage;
 
 namespace {
 constexpr int kNoMerge = -1;
 
-bool sameChoices(const pipeline::Choices& a, const pipeline::Choices& b) {
-  const auto tied = [](const pipeline::Choices& c) {
+bool sameChoices(const project::Choices& a, const project::Choices& b) {
+  const auto tied = [](const project::Choices& c) {
     return std::tie(c.mode, c.growth, c.platform, c.cell, c.process, c.scale, c.repair, c.formats,
                     c.parameters, c.seed, c.placement.liftMm);
   };
@@ -39,7 +39,7 @@ Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
 
 // Shared by all edits that refer to the same part, so that its repaired version reaches them all.
 struct Document::Source {
-  std::shared_ptr<const pipeline::LoadedPart> part;
+  std::shared_ptr<const project::LoadedPart> part;
   QString path;
   bool ready = true;
 };
@@ -47,7 +47,7 @@ struct Document::Source {
 class Document::EditCommand : public QUndoCommand {
 public:
   struct State {
-    pipeline::Choices choices;
+    project::Choices choices;
     std::shared_ptr<Source> source;
   };
 
@@ -83,7 +83,7 @@ Document::~Document() {
   undo_.disconnect(this);
 }
 
-std::shared_ptr<const pipeline::LoadedPart> Document::source() const {
+std::shared_ptr<const project::LoadedPart> Document::source() const {
   return source_ ? source_->part : nullptr;
 }
 
@@ -120,7 +120,7 @@ void Document::tellDirtyAndName() {
 
 // ---- edits
 
-void Document::push(const pipeline::Choices& choices, std::shared_ptr<Source> source,
+void Document::push(const project::Choices& choices, std::shared_ptr<Source> source,
                     const QString& editName) {
   if (source == source_ && sameChoices(choices, choices_))
     return;
@@ -129,7 +129,7 @@ void Document::push(const pipeline::Choices& choices, std::shared_ptr<Source> so
   tellDirtyAndName();
 }
 
-void Document::apply(const pipeline::Choices& choices, const std::shared_ptr<Source>& source) {
+void Document::apply(const project::Choices& choices, const std::shared_ptr<Source>& source) {
   const bool newChoices = !sameChoices(choices, choices_), newSource = source != source_;
   const bool otherPart =
       newSource && !(source && source_ && source->part->hash == source_->part->hash);
@@ -148,7 +148,7 @@ void Document::apply(const pipeline::Choices& choices, const std::shared_ptr<Sou
   emit edited();
 }
 
-void Document::setChoices(const pipeline::Choices& choices, const QString& editName) {
+void Document::setChoices(const project::Choices& choices, const QString& editName) {
   push(choices, source_, editName);
 }
 
@@ -158,7 +158,7 @@ void Document::setParameter(const QString& key, const QString& text) {
   values.set(key.toStdString(), text.toStdString());
   const base::ParameterSpec& spec = *table.find(key.toStdString());
   const base::ParameterValue& value = values.changes().at(spec.key);
-  pipeline::Choices choices = choices_;
+  project::Choices choices = choices_;
   if (value == spec.defaultValue)
     choices.parameters.erase(spec.key);
   else
@@ -168,7 +168,7 @@ void Document::setParameter(const QString& key, const QString& text) {
 }
 
 void Document::resetParameter(const QString& key) {
-  pipeline::Choices choices = choices_;
+  project::Choices choices = choices_;
   choices.parameters.erase(key.toStdString());
   const base::ParameterTable table = pipeline::allParameters();
   const base::ParameterSpec* spec = table.find(key.toStdString());
@@ -178,19 +178,19 @@ void Document::resetParameter(const QString& key) {
 }
 
 void Document::resetParameters() {
-  pipeline::Choices choices = choices_;
+  project::Choices choices = choices_;
   choices.parameters.clear();
   push(choices, source_, tr("Reset all parameters"));
 }
 
-void Document::place(const pipeline::Placement& placement, const QString& editName) {
-  pipeline::Choices choices = choices_;
+void Document::place(const geometry::Placement& placement, const QString& editName) {
+  project::Choices choices = choices_;
   choices.placement = placement;
   push(choices, source_, editName);
 }
 
 void Document::setScale(const QString& scale) {
-  pipeline::Choices choices = choices_;
+  project::Choices choices = choices_;
   choices.scale = scale.toStdString();
   push(choices, source_, tr("Scale the part"));
 }
@@ -203,11 +203,11 @@ void Document::endDrag() {
   dragId_ = kNoMerge;
 }
 
-void Document::openPart(std::shared_ptr<const pipeline::LoadedPart> part, const QString& path,
+void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path,
                         bool ready) {
   base::require(part != nullptr, "Document: a part to open");
-  pipeline::Choices choices = choices_;
-  const pipeline::Choices fresh;
+  project::Choices choices = choices_;
+  const project::Choices fresh;
   choices.placement = fresh.placement;
   choices.scale = fresh.scale;
   const QString editName = tr("Open %1").arg(QString::fromStdString(part->name));
@@ -217,8 +217,8 @@ void Document::openPart(std::shared_ptr<const pipeline::LoadedPart> part, const 
   push(choices, opened, editName);
 }
 
-void Document::replaceSource(const std::shared_ptr<const pipeline::LoadedPart>& part,
-                             std::shared_ptr<const pipeline::LoadedPart> repaired) {
+void Document::replaceSource(const std::shared_ptr<const project::LoadedPart>& part,
+                             std::shared_ptr<const project::LoadedPart> repaired) {
   for (const std::weak_ptr<Source>& held : sources_) {
     const std::shared_ptr<Source> any = held.lock();
     if (any && any->part == part) {
@@ -235,7 +235,7 @@ void Document::replaceSource(const std::shared_ptr<const pipeline::LoadedPart>& 
 
 // ---- whole projects
 
-void Document::replaceAll(const pipeline::Choices& choices, std::shared_ptr<Source> source,
+void Document::replaceAll(const project::Choices& choices, std::shared_ptr<Source> source,
                           const QString& file, bool unsaved) {
   undo_.clear();
   choices_ = choices;
@@ -258,7 +258,7 @@ void Document::clear() {
 }
 
 void Document::openJob(const pipeline::PlanResult& opened, const QString& file, bool unsaved) {
-  const pipeline::Job& job = opened.job;
+  const project::Job& job = opened.job;
   base::require(job.loaded != nullptr, "Document: a project with a part");
   replaceAll(job.choices, std::make_shared<Source>(Source{job.loaded, {}, true}), file, unsaved);
   if (job.reached) {
@@ -371,7 +371,7 @@ StageState Document::state(Stage stage) const {
     return StageState::OutOfDate;
   const plan::Findings& findings = shown_[s].result->job.report.findings;
   const bool blocked = std::any_of(findings.begin(), findings.end(), [&](const plan::Finding& f) {
-    return f.blocking && f.stage == pipeline::stageName(stage);
+    return f.blocking && f.stage == project::stageName(stage);
   });
   return blocked ? StageState::Blocked : StageState::Done;
 }
@@ -463,13 +463,13 @@ pipeline::PlanRequest Document::request(Stage until) const {
   return request;
 }
 
-pipeline::Job Document::snapshot() const {
+project::Job Document::snapshot() const {
   std::size_t current = 0; // stages from the first on whose results are those of the choices
   while (current < kStageCount && upToDate(stageAt(current)))
     ++current;
-  pipeline::Job job;
+  project::Job job;
   if (current > 0)
-    job = pipeline::upTo(shown_[current - 1].result->job, stageAt(current - 1));
+    job = project::upTo(shown_[current - 1].result->job, stageAt(current - 1));
   job.choices = choices_;
   job.loaded = source();
   if (job.loaded)

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/error.h"
-#include "pipeline/job.h"
-#include "pipeline/load_stage.h"
 #include "pipeline/road.h"
-#include "pipeline/stage.h"
+#include "project/job.h"
+#include "project/loaded_part.h"
+#include "project/stage.h"
 
 #include <QObject>
 #include <QString>
@@ -30,7 +30,7 @@ enum class StageState {
 
 // A run that ended in an error.
 struct Failure {
-  pipeline::Stage stage;
+  project::Stage stage;
   base::Error error;
 };
 
@@ -54,9 +54,9 @@ public:
   ~Document() override;
 
   // ---- what is edited
-  const pipeline::Choices& choices() const { return choices_; }
+  const project::Choices& choices() const { return choices_; }
   // null: no part is open.
-  std::shared_ptr<const pipeline::LoadedPart> source() const;
+  std::shared_ptr<const project::LoadedPart> source() const;
   // Where the part was read from, or "sample:NAME"; empty when it came with a project.
   QString sourcePath() const;
   // False while the part is still being repaired: planning waits for it.
@@ -73,23 +73,23 @@ public:
 
   // ---- edits; `editName` is what the Edit menu shows after "Undo". One that changes nothing is
   // not an edit.
-  void setChoices(const pipeline::Choices& choices, const QString& editName);
+  void setChoices(const project::Choices& choices, const QString& editName);
   // A text of base::ParameterTable. The default's text takes the parameter back to unchanged.
   // Throws Error{Usage} for an unknown key or a wrong value; then nothing changes.
   void setParameter(const QString& key, const QString& text);
   void resetParameter(const QString& key);
   void resetParameters();
   // Edits between beginDrag and endDrag become one command.
-  void place(const pipeline::Placement& placement, const QString& editName);
+  void place(const geometry::Placement& placement, const QString& editName);
   void setScale(const QString& scale);
   void beginDrag();
   void endDrag();
   // Shows another part, an edit too; `ready` false when a repaired version will follow. Keeps the
   // choices but for the placement and the scale.
-  void openPart(std::shared_ptr<const pipeline::LoadedPart> part, const QString& path, bool ready);
+  void openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path, bool ready);
   // The repaired version of `part`, wherever edits refer to it; it is ready now. Not an edit.
-  void replaceSource(const std::shared_ptr<const pipeline::LoadedPart>& part,
-                     std::shared_ptr<const pipeline::LoadedPart> repaired);
+  void replaceSource(const std::shared_ptr<const project::LoadedPart>& part,
+                     std::shared_ptr<const project::LoadedPart> repaired);
 
   // ---- whole projects; these clear the undo stack
   void clear();
@@ -102,7 +102,7 @@ public:
   // ---- results
   // The plan that the data of a stage is shown from; null: none. Not always that of the choices:
   // see state().
-  std::shared_ptr<const pipeline::PlanResult> result(pipeline::Stage stage) const;
+  std::shared_ptr<const pipeline::PlanResult> result(project::Stage stage) const;
   // The plan of the furthest stage that has one.
   std::shared_ptr<const pipeline::PlanResult> lastResult() const;
   // The plan whose findings and figures count: that of the furthest stage beyond the first whose
@@ -112,26 +112,26 @@ public:
   const std::optional<Preview>& preview() const { return preview_; }
   // What is on show of the stage is that of the choices, and that of the next was made from
   // another.
-  bool ahead(pipeline::Stage stage) const;
+  bool ahead(project::Stage stage) const;
   // The voxels on show are newer than layers and paths: a preview, or a plan that came so far.
   bool voxelsAhead() const;
   // The voxels on show were made from the part as it lies now.
   bool voxelsInPlace() const;
-  StageState state(pipeline::Stage stage) const;
+  StageState state(project::Stage stage) const;
   // What goes into a stage with the present choices; empty: nothing can be planned.
-  const std::string& key(pipeline::Stage stage) const { return keys_[pipeline::indexOf(stage)]; }
+  const std::string& key(project::Stage stage) const { return keys_[project::indexOf(stage)]; }
   // The result on show is that of the choices.
-  bool upToDate(pipeline::Stage stage) const;
+  bool upToDate(project::Stage stage) const;
   // Of the present choices; none: no run has failed since they are what they are.
   const Failure* failure() const;
 
   // Called by Planning.
-  void planStarted(pipeline::Stage until);
-  void stageDone(pipeline::Stage stage, std::shared_ptr<const pipeline::PlanResult> result);
+  void planStarted(project::Stage until);
+  void stageDone(project::Stage stage, std::shared_ptr<const pipeline::PlanResult> result);
   // `result`: of all stages, or null when the run was cancelled.
   void planEnded(std::shared_ptr<const pipeline::PlanResult> result);
   // Where the run stopped.
-  pipeline::Stage planFailed(const base::Error& error);
+  project::Stage planFailed(const base::Error& error);
 
   // Called by Planning and LivePreview.
   void showPreview(Preview preview);
@@ -142,15 +142,15 @@ public:
   void previewFailed(const base::Error& error);
 
   // All that a run needs; the part counts by its content.
-  pipeline::PlanRequest request(pipeline::Stage until) const;
+  pipeline::PlanRequest request(project::Stage until) const;
   // Everything to be saved, sharing the big arrays: may go to another thread. Results that are out
   // of date are left out.
-  pipeline::Job snapshot() const;
+  project::Job snapshot() const;
 
 signals:
   void choicesChanged();
   void sourceChanged();
-  void resultChanged(voluta::pipeline::Stage stage);
+  void resultChanged(voluta::project::Stage stage);
   void previewChanged();
   void stateChanged();
   void dirtyChanged(bool dirty);
@@ -169,16 +169,16 @@ private:
     std::string key;
   };
 
-  void push(const pipeline::Choices& choices, std::shared_ptr<Source> source,
+  void push(const project::Choices& choices, std::shared_ptr<Source> source,
             const QString& editName);
-  void apply(const pipeline::Choices& choices, const std::shared_ptr<Source>& source);
-  void replaceAll(const pipeline::Choices& choices, std::shared_ptr<Source> source,
+  void apply(const project::Choices& choices, const std::shared_ptr<Source>& source);
+  void replaceAll(const project::Choices& choices, std::shared_ptr<Source> source,
                   const QString& file, bool unsaved);
   void refreshKeys();
   void dropResults();
   void tellDirtyAndName();
 
-  pipeline::Choices choices_;
+  project::Choices choices_;
   std::shared_ptr<Source> source_;
   std::vector<std::weak_ptr<Source>> sources_; // all that edits may refer to
   QString projectFile_;
@@ -189,13 +189,13 @@ private:
   int dragId_, drags_ = 0;
   std::uint64_t revision_ = 0;
 
-  pipeline::StageKeys keys_; // of the choices; empty texts where they have none
-  std::array<Shown, pipeline::kStageCount> shown_;
+  project::StageKeys keys_; // of the choices; empty texts where they have none
+  std::array<Shown, project::kStageCount> shown_;
   std::optional<Preview> preview_;
   std::optional<Failure> failure_;
-  pipeline::StageKeys runKeys_; // of the choices that the last run began with
-  std::optional<pipeline::Stage> running_;
-  pipeline::Stage until_ = pipeline::Stage::Replay;
+  project::StageKeys runKeys_; // of the choices that the last run began with
+  std::optional<project::Stage> running_;
+  project::Stage until_ = project::Stage::Replay;
 };
 
 } // namespace voluta::document

@@ -8,7 +8,7 @@
 
 namespace voluta::document {
 
-using pipeline::Stage;
+using project::Stage;
 
 namespace {
 constexpr int kPauseMs = 300;

@@ -1,9 +1,9 @@
 #include "document/mode_switch.h"
 
 #include "base/error.h"
+#include "modes/mode_table.h"
+#include "modes/platform_choice.h"
 #include "pipeline/choices.h"
-#include "pipeline/modes.h"
-#include "pipeline/platform_choice.h"
 #include "process/process.h"
 
 #include <QCoreApplication>
@@ -14,8 +14,8 @@
 namespace voluta::document {
 
 namespace {
-using pipeline::Choices;
-using pipeline::PlatformKind;
+using modes::PlatformKind;
+using project::Choices;
 
 struct Usual {
   const char *cell, *process, *platform;
@@ -30,10 +30,10 @@ Usual usual(bool aroundRod) {
 }
 
 PlatformKind kindOf(const std::string& platform) {
-  return pipeline::platformChoice(platform).kind;
+  return modes::platformChoice(platform).kind;
 }
 
-bool takes(const pipeline::Mode& mode, const std::string& platform) {
+bool takes(const modes::Mode& mode, const std::string& platform) {
   try {
     return std::find(mode.platforms.begin(), mode.platforms.end(), kindOf(platform)) !=
            mode.platforms.end();
@@ -45,7 +45,7 @@ bool takes(const pipeline::Mode& mode, const std::string& platform) {
 bool cellFits(const Choices& choices) {
   try {
     const base::ParameterValues values = pipeline::parameterValues(choices);
-    pipeline::cellOnAnyPlatform(choices, pipeline::chosenProcess(choices, values));
+    pipeline::fittingCell(choices, pipeline::chosenProcess(choices, values));
     return true;
   } catch (const base::Error&) {
     return false;
@@ -54,8 +54,8 @@ bool cellFits(const Choices& choices) {
 } // namespace
 
 Choices ModeSwitch::switched(const Choices& now, const std::string& mode) {
-  const pipeline::Mode& from = pipeline::findMode(now.mode);
-  const pipeline::Mode& to = pipeline::findMode(mode);
+  const modes::Mode& from = modes::findMode(now.mode);
+  const modes::Mode& to = modes::findMode(mode);
   Choices next = now;
   next.mode = mode;
   platforms_[now.mode] = now.platform;
@@ -82,7 +82,7 @@ Choices ModeSwitch::switched(const Choices& now, const std::string& mode) {
 }
 
 Choices fitting(Choices choices) {
-  const pipeline::Mode& mode = pipeline::findMode(choices.mode);
+  const modes::Mode& mode = modes::findMode(choices.mode);
   const Usual with = usual(mode.aroundRod);
   if (!takes(mode, choices.platform))
     choices.platform = with.platform;
@@ -119,7 +119,7 @@ base::ParameterTable parametersFor(const Choices& choices) {
 
 QString obstacle(const Choices& choices) {
   const auto say = [](const char* text) { return QCoreApplication::translate("ModeSwitch", text); };
-  const pipeline::Mode& mode = pipeline::findMode(choices.mode);
+  const modes::Mode& mode = modes::findMode(choices.mode);
   if (!takes(mode, choices.platform))
     return say(
         QT_TRANSLATE_NOOP("ModeSwitch", "This way of building does not print on that platform."));
@@ -131,7 +131,7 @@ QString obstacle(const Choices& choices) {
     return say(
         QT_TRANSLATE_NOOP("ModeSwitch", "This way of building needs a scale that is a number."));
   try {
-    if (const auto platform = pipeline::platformChoice(choices.platform);
+    if (const auto platform = modes::platformChoice(choices.platform);
         platform.kind == PlatformKind::Mesh &&
         !QFileInfo(QString::fromStdString(platform.file)).isFile())
       return say(QT_TRANSLATE_NOOP("ModeSwitch", "The platform's file %1 is not there."))

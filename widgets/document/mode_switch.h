@@ -3,7 +3,7 @@
 
 #include "base/parameters.h"
 #include "geometry/placement.h"
-#include "pipeline/job.h"
+#include "project/job.h"
 
 #include <QString>
 #include <map>
@@ -17,7 +17,7 @@ class ModeSwitch {
 public:
   // The choices in that mode: with what they have where it fits, else with what was there when the
   // mode's kind was last left, else with what is usual for it. Precondition: known modes.
-  pipeline::Choices switched(const pipeline::Choices& now, const std::string& mode);
+  project::Choices switched(const project::Choices& now, const std::string& mode);
 
 private:
   struct Companions {
@@ -30,13 +30,13 @@ private:
 
 // The choices with all replaced that does not fit their mode; the same where nothing is to be.
 // Reads descriptions of cells.
-pipeline::Choices fitting(pipeline::Choices choices);
+project::Choices fitting(project::Choices choices);
 
 // The parameters with the defaults that the choices' mode and process have.
-base::ParameterTable parametersFor(const pipeline::Choices& choices);
+base::ParameterTable parametersFor(const project::Choices& choices);
 
 // What keeps anything from being planned with these choices: one sentence, or none. Reads
 // descriptions of cell and process.
-QString obstacle(const pipeline::Choices& choices);
+QString obstacle(const project::Choices& choices);
 
 } // namespace voluta::document

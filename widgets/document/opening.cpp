@@ -2,8 +2,8 @@
 
 #include "document/document.h"
 #include "document/planning.h"
-#include "pipeline/job.h"
 #include "pipeline/stage_cache.h"
+#include "project/job.h"
 
 #include <QFileInfo>
 #include <filesystem>
@@ -12,7 +12,7 @@
 namespace voluta::document {
 
 namespace {
-using Part = std::shared_ptr<const pipeline::LoadedPart>;
+using Part = std::shared_ptr<const project::LoadedPart>;
 
 std::filesystem::path pathOf(const QString& file) {
   return file.toStdString();
@@ -40,7 +40,7 @@ void Opening::openPart(const QString& path) {
   runner_.run(
       [this, path, repair = document_.choices().repair](const base::RunContext& ctx,
                                                         const jobs::Post& post) {
-        const Part asRead = pipeline::loadPart(path.toStdString(), false, ctx.sub(0.0, 0.3));
+        const Part asRead = project::loadPart(path.toStdString(), false, ctx.sub(0.0, 0.3));
         // `this` is only used in what is posted, on the thread of the window.
         post([this, path, asRead, repair] {
           planning_.cancel();
@@ -48,7 +48,7 @@ void Opening::openPart(const QString& path) {
           repairing_ = asRead;
           emit opened(path, false);
         });
-        return pipeline::withRepair(asRead, repair, ctx.sub(0.3, 1.0));
+        return project::withRepair(asRead, repair, ctx.sub(0.3, 1.0));
       },
       [this, path](const base::Outcome<Part>& outcome) { endRepair(outcome, path); });
   emit started(path);
@@ -68,7 +68,7 @@ void Opening::readProject(const QString& file, const QString& projectFile, bool 
   runner_.run(
       [file, cache = planning_.cache()](const base::RunContext& ctx) -> Opened {
         ctx.report(0.0, "open");
-        pipeline::Job job = pipeline::readJob(pathOf(file));
+        project::Job job = project::readJob(pathOf(file));
         ctx.report(0.8, "open");
         pipeline::seedCache(*cache, job);
         return std::make_shared<const pipeline::PlanResult>(pipeline::resultOf(std::move(job)));
@@ -101,7 +101,7 @@ void Opening::repair() {
   repairing_ = part;
   runner_.run(
       [part, wanted](const base::RunContext& ctx) {
-        return pipeline::withRepair(part, wanted, ctx);
+        return project::withRepair(part, wanted, ctx);
       },
       [this](const base::Outcome<Part>& outcome) { endRepair(outcome, document_.sourcePath()); });
   emit started(document_.sourcePath());

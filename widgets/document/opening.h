@@ -3,7 +3,7 @@
 
 #include "document/recovery.h"
 #include "jobs/job_runner.h"
-#include "pipeline/load_stage.h"
+#include "project/loaded_part.h"
 
 #include <QObject>
 #include <QString>
@@ -48,16 +48,16 @@ signals:
 private:
   void readProject(const QString& file, const QString& projectFile, bool unsaved);
   void repair();
-  void endRepair(const base::Outcome<std::shared_ptr<const pipeline::LoadedPart>>& outcome,
+  void endRepair(const base::Outcome<std::shared_ptr<const project::LoadedPart>>& outcome,
                  const QString& path);
   void giveUpRepair();
 
   Document& document_;
   Planning& planning_;
   jobs::JobRunner runner_;
-  std::shared_ptr<const pipeline::LoadedPart> repairing_; // as it was before
+  std::shared_ptr<const project::LoadedPart> repairing_; // as it was before
   // Whose repair was given up or failed: not tried again until the choice or the part changes.
-  std::shared_ptr<const pipeline::LoadedPart> refused_;
+  std::shared_ptr<const project::LoadedPart> refused_;
 };
 
 } // namespace voluta::document

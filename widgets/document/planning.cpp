@@ -7,7 +7,7 @@
 
 namespace voluta::document {
 
-using pipeline::Stage;
+using project::Stage;
 
 namespace {
 constexpr int kStartOverMs = 300;

@@ -31,7 +31,7 @@ public:
 
   // Starts, or starts over. While the part is still being repaired it waits for that. Without a
   // part nothing happens.
-  void plan(pipeline::Stage until = pipeline::Stage::Replay);
+  void plan(project::Stage until = project::Stage::Replay);
   // The window is free when this returns.
   void cancel();
   bool running() const;
@@ -42,19 +42,19 @@ public:
   void setThreads(int threads) { threads_ = threads; }
 
   // Where the run under way, or the last one, ends.
-  pipeline::Stage until() const { return until_; }
+  project::Stage until() const { return until_; }
   int threads() const { return threads_; }
   const jobs::Progress& progress() const { return runner_.progress(); }
   // Kept results, to be seeded from an opened project; good for any thread.
   const std::shared_ptr<pipeline::StageCache>& cache() const { return cache_; }
 
 signals:
-  void started(voluta::pipeline::Stage until);
+  void started(voluta::project::Stage until);
   void progressed(const voluta::jobs::Progress& progress);
-  void stageDone(voluta::pipeline::Stage stage);
+  void stageDone(voluta::project::Stage stage);
   void finished();
   void cancelled();
-  void failed(voluta::pipeline::Stage stage, const QString& message);
+  void failed(voluta::project::Stage stage, const QString& message);
 
 private:
   void start();
@@ -66,8 +66,8 @@ private:
   std::shared_ptr<pipeline::StageCache> cache_;
   jobs::JobRunner runner_;
   QTimer* startOver_;
-  std::optional<pipeline::Stage> waiting_; // for the repair
-  pipeline::Stage until_ = pipeline::Stage::Replay;
+  std::optional<project::Stage> waiting_; // for the repair
+  project::Stage until_ = project::Stage::Replay;
   bool startsOver_ = false;
   int threads_ = jobs::defaultThreads();
 };

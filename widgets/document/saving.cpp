@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "document/document.h"
-#include "pipeline/job.h"
+#include "project/job.h"
 
 #include <QFileInfo>
 #include <filesystem>
@@ -30,7 +30,7 @@ void Saving::saveAs(const QString& file) {
 void Saving::write(const QString& file) {
   runner_.run(
       [file, job = document_.snapshot()](const base::RunContext&) {
-        pipeline::writeJob(std::filesystem::path(file.toStdString()), job);
+        project::writeJob(std::filesystem::path(file.toStdString()), job);
         return true;
       },
       [this, file, revision = document_.revision()](const base::Outcome<bool>& outcome) {

@@ -66,7 +66,7 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   untilTitle_ = new QLabel(this);
   until_ = forms::makeCombo(this);
   until_->setObjectName(QStringLiteral("until"));
-  for (const pipeline::Stage stage : {pipeline::Stage::Replay, pipeline::Stage::Decompose})
+  for (const project::Stage stage : {project::Stage::Replay, project::Stage::Decompose})
     until_->addItem(QString(), static_cast<int>(stage));
   connect(until_, &QComboBox::currentIndexChanged, this, &ComparePanel::changed);
   auto* far = new QHBoxLayout;
@@ -246,8 +246,8 @@ std::vector<std::string> ComparePanel::platforms() const {
   return texts;
 }
 
-pipeline::Stage ComparePanel::until() const {
-  return static_cast<pipeline::Stage>(until_->currentData().toInt());
+project::Stage ComparePanel::until() const {
+  return static_cast<project::Stage>(until_->currentData().toInt());
 }
 
 void ComparePanel::setCount(int count) {

@@ -3,7 +3,7 @@
 
 #include "forms/choices_form.h"
 #include "pipeline/compare_figures.h"
-#include "pipeline/stage.h"
+#include "project/stage.h"
 
 #include <QWidget>
 #include <functional>
@@ -43,7 +43,7 @@ public:
   void setPlatformTexts(std::function<QString(const QString&)> text);
 
   std::vector<std::string> modes() const, growths() const, platforms() const;
-  pipeline::Stage until() const;
+  project::Stage until() const;
   // How many rows it comes to; 0: nothing can be run.
   void setCount(int count);
   // A part to compare with is there; a comparison is under way.

@@ -1,7 +1,7 @@
 // The program formats to choose from, each with its verdict.
 #pragma once
 
-#include "pipeline/report.h"
+#include "project/report.h"
 
 #include <QString>
 #include <QStringList>
@@ -25,9 +25,9 @@ struct ExportFormat {
   QString id, label;
   bool foreign = false;
   VerdictState state = VerdictState::NotYet;
-  QString whyRefused;                            // names the measures that failed
-  std::optional<pipeline::ReplayReport> verdict; // once replayed
-  std::vector<ExportFile> files;                 // once written
+  QString whyRefused;                           // names the measures that failed
+  std::optional<project::ReplayReport> verdict; // once replayed
+  std::vector<ExportFile> files;                // once written
 };
 
 class FormatList : public QTreeWidget {

@@ -9,7 +9,7 @@
 
 namespace voluta::panels {
 
-std::vector<VerdictMeasure> verdictMeasures(const pipeline::ReplayReport& r) {
+std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
   const QLocale locale;
   const auto percent = [&](double share) {
     return locale.toString(100.0 * share, 'f', 2) + QStringLiteral(" %");
@@ -66,7 +66,7 @@ VerdictTable::VerdictTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   retranslate();
 }
 
-void VerdictTable::setReport(std::optional<pipeline::ReplayReport> report) {
+void VerdictTable::setReport(std::optional<project::ReplayReport> report) {
   report_ = std::move(report);
   retranslate();
 }
@@ -87,7 +87,7 @@ void VerdictTable::retranslate() {
   for (const int column : {1, 2})
     horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   const std::vector<VerdictMeasure> measures =
-      verdictMeasures(report_.value_or(pipeline::ReplayReport{}));
+      verdictMeasures(report_.value_or(project::ReplayReport{}));
   setRowCount(static_cast<int>(measures.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const VerdictMeasure& m = measures[static_cast<std::size_t>(row)];

@@ -1,7 +1,7 @@
 // What the replay measured of a program, and the limits it has to keep to.
 #pragma once
 
-#include "pipeline/report.h"
+#include "project/report.h"
 
 #include <QTableWidget>
 #include <optional>
@@ -15,7 +15,7 @@ struct VerdictMeasure {
 };
 
 // The measures of a verdict in the user's language.
-std::vector<VerdictMeasure> verdictMeasures(const pipeline::ReplayReport& report);
+std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& report);
 
 // Measure, value, limit and a tick or a stop sign.
 class VerdictTable : public QTableWidget {
@@ -25,7 +25,7 @@ public:
   explicit VerdictTable(QWidget* parent = nullptr);
 
   // nullopt: no program was replayed.
-  void setReport(std::optional<pipeline::ReplayReport> report);
+  void setReport(std::optional<project::ReplayReport> report);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -36,7 +36,7 @@ protected:
 private:
   void retranslate();
 
-  std::optional<pipeline::ReplayReport> report_;
+  std::optional<project::ReplayReport> report_;
 };
 
 } // namespace voluta::panels

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "curved/peeling_field.h"
+#include "modes/planar_modes.h"
 #include "pipeline/choices.h"
-#include "pipeline/planar_modes.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ T chosen(const Row<T> (&rows)[N], const std::string& name, const char* what) {
 
 class Renderer {
 public:
-  Renderer(const PictureOptions& options, const pipeline::Job& job)
+  Renderer(const PictureOptions& options, const project::Job& job)
       : options_(options), job_(job),
         scene_(options.dark ? scene::darkTheme() : scene::lightTheme()) {
     view_.part = view_.paths = false;
@@ -167,7 +167,7 @@ private:
   }
 
   const PictureOptions& options_;
-  const pipeline::Job& job_;
+  const project::Job& job_;
   scene::Scene scene_;
   scene::ViewState view_;
 };
@@ -199,7 +199,7 @@ void checkNames(const PictureOptions& options) {
   scene::colourByOf(options.colour);
 }
 
-scene::Image jobPicture(const pipeline::Job& job, const PictureOptions& options) {
+scene::Image jobPicture(const project::Job& job, const PictureOptions& options) {
   const auto show = chosen(kShown, options.show, "picture");
   const auto view = chosen(kViews, options.view, "view");
   Renderer renderer(options, job);
@@ -207,7 +207,7 @@ scene::Image jobPicture(const pipeline::Job& job, const PictureOptions& options)
   return renderer.picture(view);
 }
 
-std::string furthestPicture(const pipeline::Job& job) {
+std::string furthestPicture(const project::Job& job) {
   return job.toolPlan        ? "paths"
          : job.layers        ? "layers"
          : job.decomposition ? "voxels"

@@ -1,7 +1,7 @@
 // Pictures of a job, drawn without a window: what `voluta-cli render` and comparisons show.
 #pragma once
 
-#include "pipeline/job.h"
+#include "project/job.h"
 #include "scene/offscreen_target.h"
 
 #include <optional>
@@ -27,11 +27,11 @@ std::vector<std::string> viewNames();
 
 // Throws Error{Usage}: a name, layer or time that there is not; Error{UnusableInput}: the job holds
 // none of what is to be shown. Good for any thread.
-scene::Image jobPicture(const pipeline::Job& job, const PictureOptions& options);
+scene::Image jobPicture(const project::Job& job, const PictureOptions& options);
 // Throws Error{Usage} for names that there are not, before a job is read.
 void checkNames(const PictureOptions& options);
 
 // What shows most of how the job is built: its paths, else layers, voxels, pieces, the part.
-std::string furthestPicture(const pipeline::Job& job);
+std::string furthestPicture(const project::Job& job);
 
 } // namespace voluta::pictures

@@ -1,9 +1,9 @@
 #include "window/compare_page.h"
 
+#include "modes/mode_table.h"
 #include "panels/finding_texts.h"
 #include "panels/findings_model.h"
 #include "pictures/job_picture.h"
-#include "pipeline/modes.h"
 #include "window/core_texts.h"
 #include "window/status_line.h"
 
@@ -23,7 +23,7 @@ namespace {
 // Twice what the table shows, for screens of high density.
 constexpr int kPictureWidth = 184, kPictureHeight = 138;
 
-QImage pictureOf(const pipeline::Job& job, bool dark) {
+QImage pictureOf(const project::Job& job, bool dark) {
   const auto image = base::outcomeOf([&] {
     pictures::PictureOptions look;
     look.show = job.layers ? "layers" : pictures::furthestPicture(job);
@@ -99,7 +99,7 @@ QString valueText(const pipeline::Figure& figure, const pipeline::CompareRow& ro
 }
 
 QString modeLabel(const std::string& id) {
-  for (const pipeline::Mode& mode : pipeline::modes())
+  for (const modes::Mode& mode : modes::modeTable())
     if (mode.id == id)
       return coreLabel(mode.label);
   return QString::fromStdString(id);
@@ -193,15 +193,15 @@ void ComparePage::setLists(const std::vector<forms::ChoiceItem>& modes,
 
 // Those that can build the part in the chosen cell, on what is chosen to print on.
 void ComparePage::showModes() {
-  const auto takesBody = [](const pipeline::Mode& mode) {
-    return std::find(mode.platforms.begin(), mode.platforms.end(), pipeline::PlatformKind::Mesh) !=
+  const auto takesBody = [](const modes::Mode& mode) {
+    return std::find(mode.platforms.begin(), mode.platforms.end(), modes::PlatformKind::Mesh) !=
            mode.platforms.end();
   };
-  const pipeline::Mode& chosen = pipeline::findMode(document_.choices().mode);
+  const modes::Mode& chosen = modes::findMode(document_.choices().mode);
   std::vector<forms::ChoiceItem> fitting;
   QStringList ids;
   for (const forms::ChoiceItem& item : modes_) {
-    const pipeline::Mode& mode = pipeline::findMode(item.id.toStdString());
+    const modes::Mode& mode = modes::findMode(item.id.toStdString());
     if (mode.aroundRod != chosen.aroundRod || takesBody(mode) != takesBody(chosen))
       continue;
     fitting.push_back(item);
@@ -220,7 +220,7 @@ document::ComparedWays ComparePage::ways() const {
 void ComparePage::run() {
   if (!document_.source() || !document_.sourceReady())
     return;
-  comparing_.setPictures([dark = dark_](const pipeline::Job& job) { return pictureOf(job, dark); });
+  comparing_.setPictures([dark = dark_](const project::Job& job) { return pictureOf(job, dark); });
   comparing_.run(ways());
 }
 
@@ -262,7 +262,7 @@ panels::CompareEntry ComparePage::entryOf(std::size_t index) const {
   case pipeline::RowState::Clear:
     entry.state = panels::CompareState::Clear;
     entry.verdict =
-        compared.reached == pipeline::Stage::Replay ? tr("Passed") : tr("Nothing blocks");
+        compared.reached == project::Stage::Replay ? tr("Passed") : tr("Nothing blocks");
     break;
   case pipeline::RowState::Blocked:
     entry.state = panels::CompareState::Blocked;

@@ -3,14 +3,14 @@
 #include "curved/decompose.h"
 #include "forms/choices_form.h"
 #include "forms/parameter_form.h"
+#include "modes/mode_table.h"
+#include "modes/platform_choice.h"
 #include "panels/export_panel.h"
 #include "panels/findings_panel.h"
 #include "panels/layer_info.h"
 #include "panels/mesh_panel.h"
 #include "panels/pieces_panel.h"
 #include "panels/placement_panel.h"
-#include "pipeline/modes.h"
-#include "pipeline/platform_choice.h"
 #include "process/process.h"
 #include "robot/cell.h"
 #include "timeline/joint_plots.h"
@@ -65,12 +65,12 @@ forms::ChoiceItem item(std::string_view id, std::string_view label = {}) {
 
 forms::ChoiceLists choiceLists() {
   forms::ChoiceLists lists;
-  for (const pipeline::Mode& mode : pipeline::modes()) {
+  for (const modes::Mode& mode : modes::modeTable()) {
     lists.modes.push_back(item(mode.id, mode.label));
     forms::ModePlatforms& platforms = lists.platforms[lists.modes.back().id];
     platforms.aroundRod = mode.aroundRod;
-    for (const pipeline::PlatformKind kind : mode.platforms) {
-      const std::string_view word = pipeline::kPlatformWords[static_cast<std::size_t>(kind)];
+    for (const modes::PlatformKind kind : mode.platforms) {
+      const std::string_view word = modes::kPlatformWords[static_cast<std::size_t>(kind)];
       platforms.kinds << QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
     }
   }

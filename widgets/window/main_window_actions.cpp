@@ -1,7 +1,7 @@
 // Menus, tool bar and keys.
 #include "forms/parameter_form.h"
 #include "panels/placement_panel.h"
-#include "pipeline/version.h"
+#include "project/version.h"
 #include "timeline/timeline_bar.h"
 #include "window/compare_page.h"
 #include "window/icons.h"
@@ -23,7 +23,7 @@
 
 namespace voluta::window {
 
-using pipeline::Stage;
+using project::Stage;
 
 QAction* MainWindow::command(QMenu* menu, const char* id, const char* text, const char* tip,
                              const QKeySequence& keys, const QString& iconName,
@@ -402,7 +402,7 @@ void MainWindow::showAbout() {
          "motion checked against the part as it grows, and programs that were read back and "
          "replayed.</p><p>Free software under the GNU General Public License, version 3 or "
          "later.</p>")
-          .arg(pipeline::kVersion));
+          .arg(project::kVersion));
 }
 
 void MainWindow::switchAppearance(Appearance appearance) {

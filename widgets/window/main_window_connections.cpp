@@ -23,7 +23,7 @@
 
 namespace voluta::window {
 
-using pipeline::Stage;
+using project::Stage;
 
 namespace {
 // What undo says of a choice.
@@ -193,13 +193,13 @@ void MainWindow::connectPages() {
   connect(placement_, &panels::PlacementPanel::layOnFaceToggled, this,
           [this](bool on) { setTool(on ? viewer::Tool::LayFlat : viewer::Tool::None); });
   connect(mesh_, &panels::MeshPanel::repairToggled, this, [this](bool repair) {
-    pipeline::Choices choices = document_.choices();
+    project::Choices choices = document_.choices();
     choices.repair = repair;
     document_.setChoices(choices, repair ? tr("repair the mesh") : tr("mesh as read"));
   });
   connect(choices_, &forms::ChoicesForm::changed, this,
           [this](const QString& field, const QString& text) {
-            pipeline::Choices c = document_.choices();
+            project::Choices c = document_.choices();
             const std::string value = text.toStdString();
             if (field == "mode") {
               switchMode(value);
@@ -310,7 +310,7 @@ void MainWindow::connectPages() {
   connect(plots_, &timeline::JointPlots::timeClicked, this, &MainWindow::setTime);
   connect(export_, &panels::ExportPanel::exportRequested, this, &MainWindow::exportPrograms);
   connect(export_, &panels::ExportPanel::formatsChanged, this, [this](const QStringList& ids) {
-    pipeline::Choices c = document_.choices();
+    project::Choices c = document_.choices();
     c.formats.clear();
     for (const QString& id : ids)
       c.formats.push_back(id.toStdString());

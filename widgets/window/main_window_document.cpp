@@ -3,12 +3,12 @@
 
 #include "forms/choices_form.h"
 #include "forms/parameter_form.h"
+#include "modes/mode_table.h"
 #include "panels/export_panel.h"
 #include "panels/findings_panel.h"
 #include "panels/layer_info.h"
 #include "panels/mesh_panel.h"
 #include "panels/placement_panel.h"
-#include "pipeline/modes.h"
 #include "pipeline/outputs.h"
 #include "pipeline/remedies.h"
 #include "program/dialect.h"
@@ -27,7 +27,7 @@
 
 namespace voluta::window {
 
-using pipeline::Stage;
+using project::Stage;
 
 namespace {
 using document::StageState;
@@ -76,7 +76,7 @@ PageState pageState(const document::Document& document, std::initializer_list<St
 }
 
 // As typed; what cannot be read is for the run to say.
-forms::RodProfile rodProfileOf(const pipeline::Choices& choices) {
+forms::RodProfile rodProfileOf(const project::Choices& choices) {
   const auto text = [&](const char* key) {
     const auto at = choices.parameters.find(key);
     return at == choices.parameters.end() ? QString() : QString::fromStdString(at->second);
@@ -123,7 +123,7 @@ void MainWindow::showStates() {
     findChild<QAction*>(id)->setEnabled(static_cast<bool>(document_.source()));
   // Around a rod the rod says where the part lies.
   findChild<QAction*>("touchedPoints")
-      ->setEnabled(document_.source() && !pipeline::findMode(document_.choices().mode).aroundRod);
+      ->setEnabled(document_.source() && !modes::findMode(document_.choices().mode).aroundRod);
   QString text = summaryText();
   const auto result = document_.presentResult();
   if (!document_.preview() && result && result->job.reached &&
@@ -133,19 +133,19 @@ void MainWindow::showStates() {
 }
 
 void MainWindow::showChoices() {
-  const pipeline::Choices& c = document_.choices();
+  const project::Choices& c = document_.choices();
   choices_->setTexts({QString::fromStdString(c.mode), QString::fromStdString(c.growth),
                       QString::fromStdString(c.platform), QString::fromStdString(c.cell),
                       QString::fromStdString(c.process), c.seed, rodProfileOf(c)});
   parameters_->setDefaults(document::parametersFor(c));
   parameters_->setValues(c.parameters);
-  placement_->setOnPlate(!pipeline::findMode(c.mode).aroundRod);
+  placement_->setOnPlate(!modes::findMode(c.mode).aroundRod);
   placement_->setPlacement(placed());
   mesh_->setRepair(c.repair);
   tree_->setText(panels::SceneItem::Platform, {}, platformText(c.platform));
   tree_->setText(panels::SceneItem::Cell, {}, QString::fromStdString(c.cell));
   tree_->setText(panels::SceneItem::Plate,
-                 pipeline::findMode(c.mode).aroundRod ? tr("Rod") : QString(), {});
+                 modes::findMode(c.mode).aroundRod ? tr("Rod") : QString(), {});
   status_->setCell(QString::fromStdString(c.cell));
   showNotice();
   showCuts();
@@ -192,7 +192,7 @@ plan::Findings MainWindow::presentFindings() const {
   plan::Findings findings;
   if (const document::Failure* failure = document_.failure()) {
     plan::Finding stopped;
-    stopped.stage = pipeline::stageName(failure->stage);
+    stopped.stage = project::stageName(failure->stage);
     stopped.kind = pipeline::kStopped;
     stopped.reason = failure->error.what();
     findings.push_back(stopped);

@@ -9,7 +9,7 @@
 
 namespace voluta::window {
 
-using pipeline::Stage;
+using project::Stage;
 
 void MainWindow::exportPrograms(const QString& folder, const QStringList& formats,
                                 bool includeRefused) {

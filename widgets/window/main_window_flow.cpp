@@ -12,7 +12,7 @@
 
 namespace voluta::window {
 
-using pipeline::Stage;
+using project::Stage;
 
 void MainWindow::open(const QString& path) {
   const auto start = [this, path] {
@@ -129,7 +129,7 @@ QString MainWindow::summaryText() const {
   const auto result = document_.presentResult();
   if (!result || !result->job.reached || *result->job.reached == Stage::Load)
     return document_.source() ? tr("Ready. Press Plan.") : QString();
-  const pipeline::Report& r = result->job.report;
+  const project::Report& r = result->job.report;
   const QLocale locale;
   QStringList parts;
   const bool ahead = document_.voxelsAhead() && !planning_.running();

@@ -11,7 +11,7 @@
 
 namespace voluta::window {
 
-using pipeline::Stage;
+using project::Stage;
 
 namespace {
 constexpr double kLeastRadiusMm = 30.0; // enough of the part around to know the place

@@ -3,8 +3,8 @@
 #include "window/main_window.h"
 
 #include "forms/choices_form.h"
-#include "pipeline/modes.h"
-#include "pipeline/platform_choice.h"
+#include "modes/mode_table.h"
+#include "modes/platform_choice.h"
 #include "window/core_texts.h"
 #include "window/touch_dialog.h"
 
@@ -18,7 +18,7 @@ QString named(const std::string& text) {
 }
 
 // What `to` has other than `from`, in words.
-QString changesOf(const pipeline::Choices& from, const pipeline::Choices& to) {
+QString changesOf(const project::Choices& from, const project::Choices& to) {
   QStringList parts;
   if (to.cell != from.cell)
     parts << MainWindow::tr("cell %1").arg(named(to.cell));
@@ -34,12 +34,12 @@ QString changesOf(const pipeline::Choices& from, const pipeline::Choices& to) {
 }
 
 // Is the platform a body whose file has gone?
-bool bodyIsMissing(const pipeline::Choices& choices) {
+bool bodyIsMissing(const project::Choices& choices) {
   return choices.platform.starts_with("mesh:") &&
          !QFileInfo(named(choices.platform).section(':', 1)).isFile();
 }
 
-bool wantsBody(const pipeline::Choices& choices) {
+bool wantsBody(const project::Choices& choices) {
   return choices.mode == "substrate" && !choices.platform.starts_with("mesh:");
 }
 } // namespace
@@ -48,7 +48,7 @@ void MainWindow::connectModes() {
   connect(choices_, &forms::ChoicesForm::noticePressed, this, &MainWindow::pressNotice);
   connect(choices_, &forms::ChoicesForm::rodProfileChanged, this,
           [this](const forms::RodProfile& profile) {
-            pipeline::Choices c = document_.choices();
+            project::Choices c = document_.choices();
             c.parameters.erase("rodSides");
             c.parameters.erase("rodProfile");
             if (profile.sides > 0)
@@ -60,17 +60,17 @@ void MainWindow::connectModes() {
 }
 
 void MainWindow::switchMode(const std::string& mode) {
-  const pipeline::Choices before = document_.choices();
-  const pipeline::Choices now = modeSwitch_.switched(before, mode);
+  const project::Choices before = document_.choices();
+  const project::Choices now = modeSwitch_.switched(before, mode);
   wentAlong_ = {mode, changesOf(before, now)};
   document_.setChoices(now, tr("way of building"));
   showNotice();
 }
 
 void MainWindow::showNotice() {
-  const pipeline::Choices& choices = document_.choices();
+  const project::Choices& choices = document_.choices();
   if (const QString obstacle = document::obstacle(choices); !obstacle.isEmpty()) {
-    const pipeline::Choices mended = document::fitting(choices);
+    const project::Choices mended = document::fitting(choices);
     const QString changes = changesOf(choices, mended);
     choices_->setNotice(obstacle,
                         bodyIsMissing(choices) ? tr("Choose the file…")
@@ -88,7 +88,7 @@ void MainWindow::showNotice() {
 }
 
 void MainWindow::pressNotice() {
-  const pipeline::Choices& choices = document_.choices();
+  const project::Choices& choices = document_.choices();
   if (bodyIsMissing(choices) || wantsBody(choices))
     choices_->choosePlatformFile();
   else
@@ -103,7 +103,7 @@ void MainWindow::placeOnTouchedPoints() {
   if (dialog.exec() != QDialog::Accepted || !dialog.circle())
     return;
   const Eigen::Vector2d shift = dialog.shiftMm();
-  pipeline::Choices choices = document_.choices();
+  project::Choices choices = document_.choices();
   // From where it lies now, whether by hand or by the way of building.
   choices.placement = placed();
   choices.placement.centreMm.y() += shift.x();

@@ -2,9 +2,9 @@
 #include "window/main_window.h"
 
 #include "geometry/measures.h"
+#include "modes/piece_search.h"
+#include "modes/planar_modes.h"
 #include "panels/pieces_panel.h"
-#include "pipeline/piece_search.h"
-#include "pipeline/planar_modes.h"
 #include "planar/given_cuts.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace voluta::window {
 
-using pipeline::Stage;
+using project::Stage;
 
 namespace {
 constexpr const char* kCuts = "cutPlanes";
@@ -30,7 +30,7 @@ QColor colourOf(const scene::Colour& c) {
                           static_cast<float>(c[2]));
 }
 
-std::string chosenText(const pipeline::Choices& choices, const char* key) {
+std::string chosenText(const project::Choices& choices, const char* key) {
   const auto chosen = choices.parameters.find(key);
   return chosen == choices.parameters.end() ? std::string() : chosen->second;
 }
@@ -113,10 +113,10 @@ void MainWindow::showPieces() {
   std::vector<panels::PieceRow> rows;
   double before = 0.0;
   if (result && presenter_->pieces().count() > 0) {
-    const pipeline::DecompositionReport& report = result->job.report.decomposition;
+    const project::DecompositionReport& report = result->job.report.decomposition;
     before = report.riskyAreaBeforeMm2;
     for (std::size_t i = 0; i < report.pieceList.size(); ++i) {
-      const pipeline::PieceReport& piece = report.pieceList[i];
+      const project::PieceReport& piece = report.pieceList[i];
       rows.push_back({piece.parent, colourOf(scene::pieceColour(static_cast<int>(i))),
                       piece.volumeMm3, piece.riskyAreaMm2, QString::fromStdString(piece.material)});
     }
@@ -136,7 +136,7 @@ void MainWindow::showCuts() {
   cuts_ = presenter_->pieces().cuts();
   if (!text.empty())
     try {
-      std::vector<planar::GivenCut> own = planar::readGivenCuts(pipeline::planesText(text), kCuts);
+      std::vector<planar::GivenCut> own = planar::readGivenCuts(modes::planesText(text), kCuts);
       if (own.size() == cuts_.size())
         cuts_ = std::move(own);
     } catch (const base::Error&) {
@@ -214,7 +214,7 @@ void MainWindow::dragCut(const viewer::GizmoChange& change, bool finished) {
 }
 
 void MainWindow::setCuts(const QString& text, const QString& editName) {
-  pipeline::Choices choices = document_.choices();
+  project::Choices choices = document_.choices();
   if (text.isEmpty())
     choices.parameters.erase(kCuts);
   else
@@ -223,8 +223,8 @@ void MainWindow::setCuts(const QString& text, const QString& editName) {
 }
 
 void MainWindow::pickRoot(const Eigen::Vector3d& point) {
-  pipeline::Choices choices = document_.choices();
-  choices.parameters[kRoot] = pipeline::pieceRootText(point);
+  project::Choices choices = document_.choices();
+  choices.parameters[kRoot] = modes::pieceRootText(point);
   document_.setChoices(choices, tr("pick root"));
 }
 

@@ -15,7 +15,7 @@
 
 namespace voluta::window {
 
-using pipeline::Stage;
+using project::Stage;
 
 namespace {
 constexpr const char* kWanted = "view/unrolled";

@@ -2,9 +2,9 @@
 #include "window/main_window.h"
 
 #include "geometry/placement.h"
+#include "modes/mode_table.h"
 #include "panels/export_panel.h"
 #include "panels/pieces_panel.h"
-#include "pipeline/modes.h"
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
@@ -16,7 +16,7 @@
 
 namespace voluta::window {
 
-using pipeline::Stage;
+using project::Stage;
 
 namespace {
 constexpr double kFindingRadiusMm = 15.0;
@@ -187,7 +187,7 @@ void MainWindow::applyGizmo(const viewer::GizmoChange& change, bool finished) {
   geometry::Placement placement = placedBeforeGizmo_;
   placement.centreMm += change.moveMm.head<2>();
   placement.liftMm += change.moveMm.z();
-  if (!pipeline::findMode(document_.choices().mode).aroundRod)
+  if (!modes::findMode(document_.choices().mode).aroundRod)
     placement.liftMm = std::max(0.0, placement.liftMm);
   placement.rotation = (change.turn * placement.rotation).normalized();
   switch (viewport_->tool()) {

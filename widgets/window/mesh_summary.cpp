@@ -2,7 +2,7 @@
 
 namespace voluta::window {
 
-panels::MeshSummary meshSummary(const pipeline::LoadedPart& part) {
+panels::MeshSummary meshSummary(const project::LoadedPart& part) {
   panels::MeshSummary summary;
   summary.name = part.name;
   summary.triangles = part.mesh->triangles.size();

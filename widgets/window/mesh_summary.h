@@ -2,10 +2,10 @@
 #pragma once
 
 #include "panels/mesh_panel.h"
-#include "pipeline/load_stage.h"
+#include "project/loaded_part.h"
 
 namespace voluta::window {
 
-panels::MeshSummary meshSummary(const pipeline::LoadedPart& part);
+panels::MeshSummary meshSummary(const project::LoadedPart& part);
 
 } // namespace voluta::window

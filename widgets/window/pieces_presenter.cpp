@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "geometry/simplify.h"
+#include "modes/planar_modes.h"
 #include "pipeline/choices.h"
-#include "pipeline/planar_modes.h"
 #include "window/background.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ PiecesPresenter::PiecesPresenter(viewer::Viewport& viewport, QObject* parent)
 PiecesPresenter::~PiecesPresenter() = default;
 
 void PiecesPresenter::setPieces(std::shared_ptr<const planar::PlanarDecomposition> pieces,
-                                const pipeline::Choices& choices) {
+                                const project::Choices& choices) {
   if (pieces == pieces_)
     return;
   pieces_ = std::move(pieces);
@@ -92,7 +92,7 @@ Eigen::Vector3d PiecesPresenter::planeOffset(int piece, double explodeMm) const 
 }
 
 void PiecesPresenter::estimate(std::shared_ptr<const geometry::TriangleMesh> part,
-                               const pipeline::Choices& choices, std::vector<planar::GivenCut> cuts,
+                               const project::Choices& choices, std::vector<planar::GivenCut> cuts,
                                bool exact) {
   wanted_ = Wanted{std::move(part), choices, std::move(cuts), exact};
   if (!estimating_->running())

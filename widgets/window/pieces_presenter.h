@@ -3,8 +3,8 @@
 
 #include "geometry/triangle_mesh.h"
 #include "jobs/job_runner.h"
-#include "pipeline/job.h"
 #include "planar/given_cuts.h"
+#include "project/job.h"
 #include "scene/drawings.h"
 #include "viewer/viewport.h"
 
@@ -26,7 +26,7 @@ public:
 
   // Null: none; what is on show goes at once. `choices` say when faces need support.
   void setPieces(std::shared_ptr<const planar::PlanarDecomposition> pieces,
-                 const pipeline::Choices& choices);
+                 const project::Choices& choices);
   // Of the drawing on show; 0: none.
   int count() const { return drawing_ ? scene::pieceCount(*drawing_) : 0; }
   // How many pieces stand on each other at most; 0: none are on show.
@@ -40,8 +40,8 @@ public:
 
   // What of the part would need support, cut so: on a simplified part or on the part itself. Of
   // several that follow each other fast the last counts.
-  void estimate(std::shared_ptr<const geometry::TriangleMesh> part,
-                const pipeline::Choices& choices, std::vector<planar::GivenCut> cuts, bool exact);
+  void estimate(std::shared_ptr<const geometry::TriangleMesh> part, const project::Choices& choices,
+                std::vector<planar::GivenCut> cuts, bool exact);
   void dropEstimate();
   bool busy() const;
 
@@ -53,7 +53,7 @@ signals:
 private:
   struct Wanted {
     std::shared_ptr<const geometry::TriangleMesh> part;
-    pipeline::Choices choices;
+    project::Choices choices;
     std::vector<planar::GivenCut> cuts;
     bool exact = false;
   };

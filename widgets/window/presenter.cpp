@@ -1,9 +1,9 @@
 #include "window/presenter.h"
 
 #include "geometry/measures.h"
+#include "modes/mode_table.h"
+#include "modes/platform_choice.h"
 #include "pipeline/choices.h"
-#include "pipeline/modes.h"
-#include "pipeline/platform_choice.h"
 #include "pipeline/stages.h"
 #include "voxel/solid_voxels.h"
 #include "window/background.h"
@@ -14,7 +14,7 @@
 namespace voluta::window {
 
 namespace {
-using pipeline::Stage;
+using project::Stage;
 
 constexpr double kGroundRadiusMm = 150.0;
 
@@ -22,22 +22,22 @@ scene::HeightLimits heightLimits(const process::Process& process) {
   return {process.layerHeightMm, process.layerHeightMinMm, process.layerHeightMaxMm};
 }
 
-platform::PlatformSolid plannedPlatform(const pipeline::LoadStage& placed,
-                                        const pipeline::Choices& choices) {
+platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
+                                        const project::Choices& choices) {
   const base::ParameterValues values = pipeline::parameterValues(choices);
-  if (const auto platform = pipeline::findMode(choices.mode).platform)
+  if (const auto platform = modes::findMode(choices.mode).platform)
     return platform(placed, {choices, values, pipeline::chosenProcess(choices, values)});
-  return pipeline::platformPolygon(
-      choices.platform, pipeline::fitMargin(choices.platform)
-                            ? voxel::solidVoxels(*placed.part, values.number("voxelMm"), {})
-                            : voxel::SolidVoxels{});
+  return modes::platformPolygon(choices.platform,
+                                modes::fitMargin(choices.platform)
+                                    ? voxel::solidVoxels(*placed.part, values.number("voxelMm"), {})
+                                    : voxel::SolidVoxels{});
 }
 
 // Where the part lies: as the user has placed it, or as the mode lays it where nobody has.
-geometry::Placement placementOf(const pipeline::LoadedPart& source,
-                                const pipeline::Choices& choices, double scale) {
+geometry::Placement placementOf(const project::LoadedPart& source, const project::Choices& choices,
+                                double scale) {
   const geometry::Placement& own = choices.placement;
-  const auto place = pipeline::findMode(choices.mode).place;
+  const auto place = modes::findMode(choices.mode).place;
   if (!place || !Presenter::isUntouched(own))
     return own;
   const base::ParameterValues values = pipeline::parameterValues(choices);
@@ -45,7 +45,7 @@ geometry::Placement placementOf(const pipeline::LoadedPart& source,
 }
 
 // What of the choices the platform is made from.
-std::string platformKey(const pipeline::Choices& choices) {
+std::string platformKey(const project::Choices& choices) {
   std::string key = choices.mode + '|' + choices.platform + '|' + choices.cell;
   for (const char* parameter : {"voxelMm", "rodSides", "rodProfile", "rodAxis"})
     if (const auto at = choices.parameters.find(parameter); at != choices.parameters.end())
@@ -98,7 +98,7 @@ bool Presenter::busy() const {
 
 // The part as it was read is on show before the first stage has placed it.
 void Presenter::drawSource() {
-  const std::shared_ptr<const pipeline::LoadedPart> source = document_.source();
+  const std::shared_ptr<const project::LoadedPart> source = document_.source();
   if (!source) {
     viewport_.scene().setPart(nullptr);
     partBox_.setEmpty();
@@ -109,7 +109,7 @@ void Presenter::drawSource() {
   }
   if (document_.result(Stage::Load) && document_.upToDate(Stage::Load))
     return;
-  const double wanted = pipeline::parsedScale(document_.choices().scale);
+  const double wanted = project::parsedScale(document_.choices().scale);
   const double unit = pipeline::unitMm(*source, document_.choices());
   const geometry::Placement placement = document_.choices().placement;
   inBackground(
@@ -167,7 +167,7 @@ void Presenter::drawPlannedPlate() {
   const auto placed = document_.result(Stage::Load);
   if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
     return;
-  const pipeline::Choices& choices = document_.choices();
+  const project::Choices& choices = document_.choices();
   const auto wanted = std::tuple(platformKey(choices), placed->job.part);
   if (wanted == plateDrawn_)
     return;
@@ -175,7 +175,7 @@ void Presenter::drawPlannedPlate() {
   inBackground(
       *runners_[Plate],
       [choices, part = placed->job.part, scale = placed->job.scale] {
-        pipeline::LoadStage stage;
+        modes::LoadStage stage;
         stage.part = part;
         stage.scale = scale;
         return scene::drawPlatform(plannedPlatform(stage, choices), kGroundRadiusMm);
@@ -202,7 +202,7 @@ void Presenter::drawPieces() {
   const auto result = document_.result(Stage::Decompose);
   const bool planar = result && result->job.choices.mode == "planar";
   pieces_.setPieces(planar ? result->job.pieces : nullptr,
-                    result ? result->job.choices : pipeline::Choices{});
+                    result ? result->job.choices : project::Choices{});
 }
 
 void Presenter::drawMotion() {
@@ -280,7 +280,7 @@ void Presenter::show(Stage stage) {
     viewport_.requestFrame();
     return;
   }
-  const pipeline::Job& job = result->job;
+  const project::Job& job = result->job;
   if (stage == Stage::Load) {
     drawPart(job.part);
     drawPlannedPlate();

@@ -74,7 +74,7 @@ private:
   enum Slot { Part, Plate, Patches, Paths, CellBodies, Facts, kSlotCount };
 
   void drawSource();
-  void show(pipeline::Stage stage);
+  void show(project::Stage stage);
   void drawPart(std::shared_ptr<const geometry::TriangleMesh> mesh);
   void swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
                 const Eigen::AlignedBox3d& box);

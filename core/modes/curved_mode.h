@@ -1,0 +1,10 @@
+// Curved layers, as a mode of the road.
+#pragma once
+
+#include "modes/mode_table.h"
+
+namespace voluta::modes {
+
+Mode curvedMode();
+
+} // namespace voluta::modes

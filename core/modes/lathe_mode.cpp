@@ -1,0 +1,231 @@
+#include "modes/lathe_mode.h"
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "geometry/measures.h"
+#include "modes/cell_choice.h"
+#include "modes/level_choices.h"
+#include "modes/parameter_text.h"
+#include "modes/platform_body.h"
+#include "modes/rod_profile.h"
+#include "robot/cell.h"
+#include "substrate/lathe_layers.h"
+#include "substrate/rod_axis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <utility>
+
+namespace voluta::modes {
+
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+robot::CellRod cellRod(const ModeChoices& in) {
+  const robot::Cell cell = cellOnAnyPlatform(in.choices, in.process);
+  if (!cell.rod())
+    throw base::Error(base::ErrorCode::Usage,
+                      fmt::format("mode {} prints around a rod, and cell {} holds none",
+                                  in.choices.mode, in.choices.cell),
+                      {}, "give --cell lathe");
+  return *cell.rod();
+}
+
+// Where the profile ends, the rod goes on as thick as it is.
+std::vector<Vector2d> within(const platform::RodShape& rod, std::vector<Vector2d> profile) {
+  const Vector2d first = rod.profile.front(), last = rod.profile.back();
+  if (profile.front().x() > first.x()) {
+    if (profile.front().y() != first.y())
+      profile.insert(profile.begin(), {profile.front().x(), first.y()});
+    profile.insert(profile.begin(), first);
+  }
+  if (profile.back().x() < last.x()) {
+    if (profile.back().y() != last.y())
+      profile.emplace_back(profile.back().x(), last.y());
+    profile.push_back(last);
+  }
+  return profile;
+}
+
+platform::RodShape rodShape(const ModeChoices& in, const robot::CellRod& own) {
+  const PlatformChoice platform = platformChoice(in.choices.platform);
+  const int sides = static_cast<int>(in.values.integer("rodSides"));
+  platform::RodShape rod =
+      platform.kind == PlatformKind::Rod
+          ? platform::straightRod(platform.diameterMm, platform.lengthMm, sides)
+          : platform::straightRod(own.diameterMm, own.lengthMm, sides);
+  const std::vector<Vector2d> profile = rodProfile(rodProfileText(in.values.text("rodProfile")));
+  if (!profile.empty())
+    rod.profile = within(rod, profile);
+  platform::checkRod(rod);
+  return rod;
+}
+
+substrate::AxisFit axisOf(const geometry::TriangleMesh& mesh, const ModeChoices& in) {
+  const std::string axis = in.values.text("rodAxis");
+  return axis == "auto" ? substrate::fitAxis(mesh)
+                        : substrate::axisAlong(mesh, Vector3d::Unit(axis[0] - 'x'));
+}
+
+// Lays the platform's body on the rod; its part goes with it.
+Eigen::Isometry3d motionOntoRod(const geometry::TriangleMesh& body, double scale,
+                                const ModeChoices& in) {
+  return motionOf(body, scale, substrate::placementOnAxis(body, scale, axisOf(body, in)));
+}
+
+geometry::Placement placeOnRod(const geometry::TriangleMesh& part, double scale,
+                               const ModeChoices& in) {
+  if (const auto body = platformBody(in.choices))
+    return placementBy(part, scale,
+                       motionOntoRod(*body, project::parsedScale(in.choices.scale), in));
+  return substrate::placementOnAxis(part, scale, axisOf(part, in));
+}
+
+// Within the cell's radius about the part's own axis, and within the rod's length.
+double fittingScale(const geometry::TriangleMesh& part, double unitMm, const ModeChoices& in) {
+  constexpr double kWithin = 1.0 - 1e-9; // whatever rounding does
+  const robot::CellRod own = cellRod(in);
+  const auto& profile = rodShape(in, own).profile;
+  const double half = std::min(-profile.front().x(), profile.back().x());
+  const geometry::TriangleMesh placed =
+      geometry::place(part, unitMm, substrate::placementOnAxis(part, unitMm, axisOf(part, in)));
+  double scale = 1.0;
+  for (const Vector3d& p : placed.vertices)
+    scale = std::min({scale, kWithin * own.printableRadiusMm / p.tail<2>().norm(),
+                      kWithin * half / std::abs(p.x())});
+  return scale;
+}
+
+std::string placeKey(const ModeChoices& in) {
+  return platformText(in.choices) + parameterText({"rodAxis"}, in.values);
+}
+
+platform::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
+  platform::PlatformSolid platform;
+  platform.rod = rodShape(in, cellRod(in));
+  if (const auto body = platformBody(in.choices))
+    platform.mesh = std::make_shared<geometry::TriangleMesh>(
+        moved(*body, placed.scale, motionOntoRod(*body, placed.scale, in)));
+  return platform;
+}
+
+substrate::RodSurface surfaceOf(const platform::PlatformSolid& platform) {
+  return platform.mesh ? substrate::RodSurface(*platform.rod, platform.mesh)
+                       : substrate::RodSurface(*platform.rod);
+}
+
+substrate::LatheOptions latheOptions(const ModeChoices& in) {
+  substrate::LatheOptions options;
+  static_cast<substrate::LevelOptions&>(options) = levelOptions(in);
+  options.followsRod = in.values.text("rodLayers") == "offset";
+  return options;
+}
+
+std::optional<plan::Finding> tooFarOut(const geometry::TriangleMesh& part,
+                                       const robot::CellRod& own) {
+  Vector3d farthest = Vector3d::Zero();
+  for (const Vector3d& p : part.vertices)
+    if (p.tail<2>().norm() > farthest.tail<2>().norm())
+      farthest = p;
+  constexpr double kSlackMm = 1e-6;
+  if (farthest.tail<2>().norm() <= own.printableRadiusMm + kSlackMm)
+    return std::nullopt;
+  plan::Finding f;
+  f.stage = "decompose";
+  f.kind = "beyondCell";
+  f.where = farthest;
+  f.reason = fmt::format("the part reaches {:.4g} mm from the rod's axis, the cell prints up to "
+                         "{:g} mm",
+                         farthest.tail<2>().norm(), own.printableRadiusMm);
+  f.remedy = "print the part smaller (scale)";
+  return f;
+}
+
+std::string decomposeKey(const ModeChoices& in) {
+  const robot::CellRod own = cellRod(in);
+  return platformText(in.choices) +
+         fmt::format("rod {} x {} up to {}\n", own.diameterMm, own.lengthMm,
+                     own.printableRadiusMm) +
+         levelText(in) +
+         parameterText({"rodAxis", "rodSides", "rodLayers", "overhangAngle"}, in.values) +
+         fmt::format("profile {}\n", rodProfileText(in.values.text("rodProfile")));
+}
+
+std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
+                                                const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  ctx.report(0.0, "take the rod out of the part");
+  auto stage = std::make_shared<DecomposeStage>();
+  const robot::CellRod own = cellRod(input.choices);
+  stage->platform = platformOf(input.placed, input.choices);
+  const substrate::RodSurface rod = surfaceOf(stage->platform);
+  const auto left =
+      std::make_shared<geometry::TriangleMesh>(substrate::partAroundRod(*input.placed.part, rod));
+  stage->lessPlatform = left;
+  ctx.checkpoint();
+  const substrate::LatheOptions options = latheOptions(input.choices);
+  const substrate::Overhang overhang =
+      substrate::latheOverhang(*left, rod, options, overhangRule(input.choices));
+  tellLevels(input.choices,
+             static_cast<int>(substrate::latheBounds(*left, rod, options).size()) - 1, overhang,
+             "rod",
+             fmt::format("x = {:.4g} mm, radius {:.4g} mm", overhang.worstAt.x(),
+                         overhang.worstAt.tail<2>().norm()),
+             *stage);
+  if (auto finding = tooFarOut(*left, own))
+    stage->findings.push_back(std::move(*finding));
+  stage->timings.decompose = watch.seconds();
+  return stage;
+}
+
+std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
+                                            const geometry::TriangleMesh& part,
+                                            const ModeChoices& in, const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  substrate::LatheLayers layers =
+      substrate::latheLayers(part, surfaceOf(decomposed.platform), latheOptions(in), ctx);
+  return layersStage(std::move(layers), watch.seconds());
+}
+
+} // namespace
+
+Mode latheMode() {
+  Mode mode{"lathe", "Around a rod", decomposeKey, levelLayersKey, decompose, layersOf};
+  mode.platforms = {PlatformKind::Fit, PlatformKind::Rod, PlatformKind::Mesh};
+  mode.aroundRod = true;
+  mode.place = placeOnRod;
+  mode.placeKey = placeKey;
+  mode.fittingScale = fittingScale;
+  mode.platform = platformOf;
+  mode.defaults = {{"infill", "woven"}};
+  return mode;
+}
+
+base::ParameterTable latheParameters() {
+  return base::ParameterTable({
+      base::choiceParameter("rodAxis", "auto", {"auto", "x", "y", "z"}, "Rod", "axis of the part",
+                            "Which of the part's own axes is laid on the rod; auto: the one that "
+                            "its sides run along.",
+                            true),
+      base::integerParameter("rodSides", 0, 0, 64, "Rod", "sides of the rod",
+                             "0: a round rod; 3 or more: a prism, measured over its corners.",
+                             true),
+      base::textParameter(
+          "rodProfile", "Rod", "profile of the rod",
+          "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a "
+          "step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight."),
+      base::choiceParameter("rodLayers", "radius", {"radius", "offset"}, "Rod",
+                            "layers around the rod",
+                            "At constant radius about the axis, or at constant distance from the "
+                            "rod's profile.",
+                            true),
+      base::numberParameter("firstLayerMm", "mm", 0.0, 0.0, 10.0, "Layers", "first layer",
+                            "Modes lathe and substrate: height of the layer on the ground; 0: as "
+                            "high as the others."),
+  });
+}
+
+} // namespace voluta::modes

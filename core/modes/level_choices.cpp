@@ -1,0 +1,57 @@
+#include "modes/level_choices.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "modes/parameter_text.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace voluta::modes {
+
+substrate::LevelOptions levelOptions(const ModeChoices& in) {
+  const process::Process& p = in.process;
+  const double first = in.values.number("firstLayerMm");
+  if (first != 0.0 && (first < p.layerHeightMinMm || first > p.layerHeightMaxMm))
+    throw base::Error(
+        base::ErrorCode::Usage, fmt::format("{:g} mm is beyond process {}", first, p.id),
+        "firstLayerMm",
+        fmt::format("give 0, or {:g} to {:g} mm", p.layerHeightMinMm, p.layerHeightMaxMm));
+  return {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm, first, p.beadWidthMm};
+}
+
+std::string levelText(const ModeChoices& in) {
+  return fmt::format("{}bead width {}\n", heightsText(in.process), in.process.beadWidthMm) +
+         parameterText({"firstLayerMm"}, in.values);
+}
+
+substrate::OverhangRule overhangRule(const ModeChoices& in) {
+  return {base::degreesToRadians(in.values.number("overhangAngle")), 0.5 * in.process.layerHeightMm,
+          in.process.beadWidthMm};
+}
+
+std::string levelLayersKey(const ModeChoices&) {
+  return {};
+}
+
+void tellLevels(const ModeChoices& in, int layers, const substrate::Overhang& overhang,
+                const std::string& ground, const std::string& at, DecomposeStage& stage) {
+  project::DecompositionReport& r = stage.report;
+  r.mode = in.choices.mode;
+  r.pieces = 1;
+  r.layers = layers;
+  r.riskyAreaMm2 = r.riskyAreaBeforeMm2 = overhang.areaMm2;
+  if (auto finding = substrate::overhangFinding(overhang, overhangRule(in), ground, at))
+    stage.findings.push_back(std::move(*finding));
+}
+
+std::shared_ptr<const LayersStage> layersStage(substrate::StackedLevels stacked, double seconds) {
+  auto stage = std::make_shared<LayersStage>();
+  stage->report = reportOf(stacked.statistics);
+  stage->findings = std::move(stacked.findings);
+  stage->timings.extract = seconds;
+  stage->layers = std::make_shared<layers::LayerStack>(std::move(stacked.stack));
+  return stage;
+}
+
+} // namespace voluta::modes

@@ -1,0 +1,37 @@
+#include "modes/mode_table.h"
+
+#include "base/error.h"
+#include "curved/decompose.h"
+#include "curved/forward_growth.h"
+#include "modes/curved_mode.h"
+#include "modes/lathe_mode.h"
+#include "modes/planar_modes.h"
+#include "modes/substrate_mode.h"
+#include "support/supports.h"
+
+namespace voluta::modes {
+
+const std::vector<Mode>& modeTable() {
+  static const std::vector<Mode> kModes{curvedMode(), planarMode(), flatMode(), latheMode(),
+                                        substrateMode()};
+  return kModes;
+}
+
+const Mode& findMode(std::string_view id) {
+  for (const Mode& mode : modeTable())
+    if (mode.id == id)
+      return mode;
+  base::failPrecondition("mode is in the table");
+}
+
+base::ParameterTable modeParameters() {
+  base::ParameterTable table = curved::curvedParameters();
+  table.append(curved::forwardParameters());
+  table.append(planarModeParameters());
+  table.append(latheParameters());
+  table.append(substrateParameters());
+  table.append(support::supportParameters());
+  return table;
+}
+
+} // namespace voluta::modes

@@ -1,0 +1,19 @@
+// The ways of building a part: one row a mode.
+#pragma once
+
+#include "base/parameters.h"
+#include "modes/mode.h"
+
+#include <string_view>
+#include <vector>
+
+namespace voluta::modes {
+
+const std::vector<Mode>& modeTable();
+// Precondition: the id is known.
+const Mode& findMode(std::string_view id);
+
+// What all modes ask for.
+base::ParameterTable modeParameters();
+
+} // namespace voluta::modes

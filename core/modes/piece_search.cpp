@@ -1,0 +1,72 @@
+#include "modes/piece_search.h"
+
+#include "base/error.h"
+#include "base/number_list.h"
+#include "modes/parameter_text.h"
+#include "pipeline/choices.h"
+#include "planar/published/greedy_decompose.h"
+#include "planar/search/beam_search.h"
+
+#include <fmt/format.h>
+
+namespace voluta::modes {
+
+namespace {
+
+constexpr const char* kGreedy = "greedy";
+
+bool greedyChosen(const base::ParameterValues& values) {
+  return values.text("planarScheme") == kGreedy;
+}
+
+} // namespace
+
+base::ParameterTable pieceSearchParameters() {
+  return base::ParameterTable({
+      base::choiceParameter("planarScheme", "beam", {"beam", kGreedy}, "Pieces", "scheme",
+                            "Mode planar: beam keeps several partial results and asks of the "
+                            "head's true shape; greedy is the published scheme, by the part's "
+                            "skeleton.",
+                            true),
+      base::integerParameter("pieceClusters", 0, 0, 12, "Pieces", "thicknesses",
+                             "Scheme greedy: how many thicknesses the part's branches are told "
+                             "apart by. 0: as many as stand apart."),
+      base::textParameter("pieceRoot", "Pieces", "root",
+                          "Scheme greedy: x,y,z (mm) of a place on what is printed first; it must "
+                          "stand on the plate. Empty: what stands on it with most area."),
+  });
+}
+
+std::string pieceSearchKey(const base::ParameterValues& values) {
+  return greedyChosen(values)
+             ? parameterText({"planarScheme", "pieceClusters", "pieceRoot"}, values)
+             : parameterText({"planarScheme"}, values);
+}
+
+std::optional<Eigen::Vector3d> pieceRoot(const std::string& text) {
+  if (text.find_first_not_of(' ') == std::string::npos)
+    return std::nullopt;
+  Eigen::Vector3d root;
+  if (!base::readNumbers(text, ',', {&root.x(), &root.y(), &root.z()}))
+    throw base::Error(base::ErrorCode::Usage, fmt::format("\"{}\" is no point", text), "pieceRoot",
+                      "write x,y,z in mm, as 10,0,5");
+  return root;
+}
+
+std::string pieceRootText(const Eigen::Vector3d& root) {
+  return fmt::format("{:.6g},{:.6g},{:.6g}", root.x(), root.y(), root.z());
+}
+
+planar::PlanarDecomposition searchPieces(const geometry::TriangleMesh& part,
+                                         const planar::PlanarOptions& options,
+                                         const base::ParameterValues& values,
+                                         const base::RunContext& ctx) {
+  if (!greedyChosen(values))
+    return planar::beamDecompose(part, options, ctx);
+  planar::GreedyOptions greedy;
+  greedy.clusters = static_cast<std::size_t>(values.integer("pieceClusters"));
+  greedy.root = pieceRoot(values.text("pieceRoot"));
+  return planar::greedyDecompose(part, options, greedy, ctx);
+}
+
+} // namespace voluta::modes

@@ -1,0 +1,75 @@
+#include "modes/platform_body.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "geometry/measures.h"
+#include "modes/platform_choice.h"
+#include "project/content_hash.h"
+#include "project/loaded_part.h"
+
+#include <fmt/format.h>
+
+namespace voluta::modes {
+
+std::string platformText(const project::Choices& choices) {
+  const PlatformChoice platform = platformChoice(choices.platform);
+  if (platform.kind != PlatformKind::Mesh)
+    return fmt::format("platform {}\n", choices.platform);
+  try {
+    return fmt::format("platform mesh {}\n", project::contentHash(base::readFile(platform.file)));
+  } catch (const base::Error&) {
+    return fmt::format("platform mesh {} that cannot be read\n", platform.file);
+  }
+}
+
+std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Choices& choices,
+                                                           const base::RunContext& ctx) {
+  const PlatformChoice platform = platformChoice(choices.platform);
+  if (platform.kind != PlatformKind::Mesh)
+    return nullptr;
+  const std::shared_ptr<const project::LoadedPart> loaded =
+      project::loadPart(platform.file, true, ctx);
+  const auto fail = [&](const char* what, const char* remedy) {
+    throw base::Error(base::ErrorCode::UnusableInput, what, platform.file, remedy);
+  };
+  if (loaded->cells)
+    fail("a platform is a mesh, not a voxel object", "give an STL, OBJ, PLY, OFF or 3MF file");
+  if (!geometry::diagnose(*loaded->mesh, ctx).watertight)
+    fail("the platform's mesh is not closed", "mend it in a modelling program");
+  return loaded->mesh;
+}
+
+Eigen::Isometry3d motionOf(const geometry::TriangleMesh& mesh, double scale,
+                           const geometry::Placement& placement) {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  motion.linear() = placement.rotation.normalized().toRotationMatrix();
+  Eigen::AlignedBox3d box;
+  for (const auto& triangle : mesh.triangles)
+    for (int v : triangle)
+      box.extend(scale * (motion.linear() * mesh.vertices[static_cast<std::size_t>(v)]));
+  motion.translation() =
+      Eigen::Vector3d(placement.centreMm.x(), placement.centreMm.y(), placement.liftMm) -
+      Eigen::Vector3d(box.center().x(), box.center().y(), box.min().z());
+  return motion;
+}
+
+geometry::Placement placementBy(const geometry::TriangleMesh& mesh, double scale,
+                                const Eigen::Isometry3d& motion) {
+  const Eigen::AlignedBox3d box = geometry::bounds(moved(mesh, scale, motion));
+  geometry::Placement placement;
+  if (!motion.linear().isIdentity(0.0))
+    placement.rotation = Eigen::Quaterniond(motion.linear());
+  placement.centreMm = box.center().head<2>();
+  placement.liftMm = box.min().z();
+  return placement;
+}
+
+geometry::TriangleMesh moved(const geometry::TriangleMesh& mesh, double scale,
+                             const Eigen::Isometry3d& motion) {
+  geometry::TriangleMesh out = mesh;
+  for (Eigen::Vector3d& v : out.vertices)
+    v = motion * Eigen::Vector3d(scale * v);
+  return out;
+}
+
+} // namespace voluta::modes

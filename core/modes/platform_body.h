@@ -1,0 +1,32 @@
+// A platform that is a body: its file, and where that puts it and the part.
+#pragma once
+
+#include "geometry/placement.h"
+#include "geometry/triangle_mesh.h"
+#include "project/job.h"
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <string>
+
+namespace voluta::modes {
+
+// The platform as text for keys: a body by its file's content, so that it counts wherever it lies.
+// Throws Error{Usage}.
+std::string platformText(const project::Choices& choices);
+
+// The body of platform mesh:FILE as the file has it, mended; null for others. Throws
+// Error{UnreadableFile, UnusableInput} also where it is not closed; Error{Usage}.
+std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Choices& choices,
+                                                           const base::RunContext& ctx = {});
+
+// The motion of geometry::place: work = motion * (scale * file).
+Eigen::Isometry3d motionOf(const geometry::TriangleMesh& mesh, double scale,
+                           const geometry::Placement& placement);
+// The placement that moves a mesh so.
+geometry::Placement placementBy(const geometry::TriangleMesh& mesh, double scale,
+                                const Eigen::Isometry3d& motion);
+geometry::TriangleMesh moved(const geometry::TriangleMesh& mesh, double scale,
+                             const Eigen::Isometry3d& motion);
+
+} // namespace voluta::modes

@@ -1,0 +1,55 @@
+// What modes take and make: the stages up to the layers, each with its payload, its findings, its
+// part of the report and its seconds (DESIGN §3).
+#pragma once
+
+#include "curved/decomposition.h"
+#include "platform/platform_solid.h"
+#include "geometry/triangle_mesh.h"
+#include "layers/layer_stack.h"
+#include "plan/finding.h"
+#include "planar/decomposition.h"
+#include "project/report.h"
+#include "project/stage.h"
+#include "voxel/solid_voxels.h"
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+namespace voluta::modes {
+
+struct LoadStage {
+  static constexpr project::Stage kStage = project::Stage::Load;
+  double scale = 1.0;
+  std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
+  // Of a text voxel object; null and empty for a mesh.
+  std::shared_ptr<const voxel::SolidVoxels> voxels; // its cells, placed like `part`
+  std::vector<Eigen::Vector2d> platform; // hull of its own platform cells, work frame; empty where
+                                         // it was tipped over
+  project::ModelReport report;           // but for what names the file and its repairs
+  plan::Findings findings;               // of the placement
+  project::Timings timings;
+};
+
+struct DecomposeStage {
+  static constexpr project::Stage kStage = project::Stage::Decompose;
+  platform::PlatformSolid platform; // what material starts on, work frame
+  // What of the placed part is to be printed where the platform takes some of it; null: all.
+  std::shared_ptr<const geometry::TriangleMesh> lessPlatform;
+  std::shared_ptr<const curved::Decomposition> decomposition; // null in modes without voxels
+  std::shared_ptr<const planar::PlanarDecomposition> pieces;  // null in modes without pieces
+  project::DecompositionReport report;
+  plan::Findings findings;
+  project::Timings timings;
+};
+
+struct LayersStage {
+  static constexpr project::Stage kStage = project::Stage::Layers;
+  std::shared_ptr<const layers::LayerStack> layers;
+  project::LayersReport report;
+  double supportVolumeMm3 = 0.0; // of supports that came with the layers
+  plan::Findings findings;
+  project::Timings timings;
+};
+
+} // namespace voluta::modes

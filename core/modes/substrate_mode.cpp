@@ -1,0 +1,228 @@
+#include "modes/substrate_mode.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/number_list.h"
+#include "base/stopwatch.h"
+#include "geometry/convex_polygon.h"
+#include "geometry/measures.h"
+#include "modes/level_choices.h"
+#include "modes/parameter_text.h"
+#include "modes/platform_body.h"
+#include "project/content_hash.h"
+#include "project/loaded_part.h"
+#include "substrate/substrate_layers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+namespace voluta::modes {
+
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+constexpr double kContactShare = 0.5; // of a layer's height: what is no higher stands on z = 0
+
+substrate::LevelShape shapeOf(const ModeChoices& in) {
+  const std::string shape = in.values.text("layerShape");
+  return shape == "sphere"     ? substrate::LevelShape::Sphere
+         : shape == "cylinder" ? substrate::LevelShape::Cylinder
+         : shape == "flatten"  ? substrate::LevelShape::Flatten
+                               : substrate::LevelShape::Offset;
+}
+
+constexpr std::string_view kMeshPrefix = "mesh:";
+
+// The platform's body stands where geometry::place puts it by default; the part goes with it, and
+// so does an end surface.
+Eigen::Isometry3d motionToMiddle(const geometry::TriangleMesh& body, double scale) {
+  return motionOf(body, scale, geometry::Placement{});
+}
+
+substrate::EndSurface endSurface(const ModeChoices& in) {
+  const std::string text = in.values.text("endSurface");
+  substrate::EndSurface end;
+  const auto fail = [&] {
+    throw base::Error(base::ErrorCode::Usage, fmt::format("endSurface '{}' is none", text), {},
+                      "write flat, flat:Z, radius:R or mesh:FILE, in mm");
+  };
+  const std::size_t colon = text.find(':');
+  const std::string word = text.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+  double number = 0.0;
+  if (word == "flat" && colon != std::string::npos) {
+    if (!base::readNumbers(rest, ',', {&number}))
+      fail();
+    end.heightMm = number;
+  } else if (word == "radius") {
+    if (!base::readNumbers(rest, ',', {&number}) || !(number > 0.0))
+      fail();
+    end.radiusMm = number;
+  } else if (text.starts_with(kMeshPrefix) && !rest.empty()) {
+    const auto file = project::loadPart(rest, true, {});
+    const double scale = project::parsedScale(in.choices.scale);
+    const auto body = platformBody(in.choices);
+    if (!body)
+      throw base::Error(base::ErrorCode::Usage,
+                        "endSurface mesh:FILE goes with a platform mesh:FILE", {},
+                        "give --platform mesh:FILE, or endSurface flat:Z");
+    end.mesh = std::make_shared<geometry::MeshQuery>(
+        moved(*file->mesh, scale, motionToMiddle(*body, scale)));
+  } else if (!text.empty() && text != "flat") {
+    fail();
+  }
+  return end;
+}
+
+std::string endText(const ModeChoices& in) {
+  const std::string text = in.values.text("endSurface");
+  if (!text.starts_with(kMeshPrefix))
+    return fmt::format("end {}\n", text);
+  try {
+    return fmt::format("end mesh {}\n",
+                       project::contentHash(base::readFile(text.substr(kMeshPrefix.size()))));
+  } catch (const base::Error&) {
+    return fmt::format("end {} that cannot be read\n", text);
+  }
+}
+
+substrate::SubstrateOptions substrateOptions(const ModeChoices& in) {
+  substrate::SubstrateOptions options;
+  static_cast<substrate::LevelOptions&>(options) = levelOptions(in);
+  options.shape = shapeOf(in);
+  if (const std::string text = in.values.text("layerCentre"); !text.empty()) {
+    Vector3d& c = options.centre.emplace();
+    if (!base::readNumbers(text, ',', {&c.x(), &c.y(), &c.z()}))
+      throw base::Error(base::ErrorCode::Usage,
+                        fmt::format("layerCentre '{:.40}' is no point", text), {},
+                        "write x,y,z in mm");
+  }
+  options.end = endSurface(in);
+  return options;
+}
+
+geometry::Placement placeOnSurface(const geometry::TriangleMesh& part, double scale,
+                                   const ModeChoices& in) {
+  const auto body = platformBody(in.choices);
+  return body ? placementBy(part, scale,
+                            motionToMiddle(*body, project::parsedScale(in.choices.scale)))
+              : geometry::Placement{};
+}
+
+std::string placeKey(const ModeChoices& in) {
+  return platformChoice(in.choices.platform).kind == PlatformKind::Mesh ? platformText(in.choices)
+                                                                        : std::string();
+}
+
+// Corners of what of a mesh is no higher than heightMm.
+std::vector<Vector2d> standing(const geometry::TriangleMesh& mesh, double heightMm) {
+  std::vector<Vector2d> on;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d &p = mesh.corner(t, k), &q = mesh.corner(t, (k + 1) % 3);
+      if (p.z() <= heightMm)
+        on.emplace_back(p.head<2>());
+      if ((p.z() <= heightMm) != (q.z() <= heightMm)) {
+        const double f = (heightMm - p.z()) / (q.z() - p.z());
+        on.emplace_back((1.0 - f) * p.head<2>() + f * q.head<2>());
+      }
+    }
+  return on;
+}
+
+platform::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
+  platform::PlatformSolid platform;
+  if (const auto body = platformBody(in.choices)) {
+    const auto mesh = std::make_shared<geometry::TriangleMesh>(
+        moved(*body, placed.scale, motionToMiddle(*body, placed.scale)));
+    platform.polygon =
+        geometry::convexPolygon(standing(*mesh, kContactShare * in.process.layerHeightMm));
+    platform.mesh = mesh;
+  } else {
+    platform.polygon = platformAround(
+        in.choices.platform, standing(*placed.part, kContactShare * in.process.layerHeightMm));
+  }
+  return platform;
+}
+
+substrate::GroundDistance groundOf(const platform::PlatformSolid& platform) {
+  return platform.mesh ? substrate::distanceFrom(*platform.mesh) : substrate::plateGround();
+}
+
+std::string decomposeKey(const ModeChoices& in) {
+  return platformText(in.choices) + levelText(in) + endText(in) +
+         parameterText({"layerShape", "layerCentre", "overhangAngle"}, in.values);
+}
+
+std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
+                                                const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  ctx.report(0.0, "take the surface out of the part");
+  auto stage = std::make_shared<DecomposeStage>();
+  const substrate::SubstrateOptions options = substrateOptions(input.choices);
+  stage->platform = platformOf(input.placed, input.choices);
+  if (stage->platform.mesh)
+    stage->lessPlatform = std::make_shared<geometry::TriangleMesh>(
+        substrate::partOnBody(*input.placed.part, *stage->platform.mesh));
+  const geometry::TriangleMesh& part =
+      stage->lessPlatform ? *stage->lessPlatform : *input.placed.part;
+  ctx.checkpoint();
+  const substrate::LevelFamily family =
+      substrate::substrateLevels(part, groundOf(stage->platform), options, ctx);
+  const substrate::Overhang overhang =
+      substrate::findOverhang(part, family.ground, family.outward, overhangRule(input.choices));
+  const Vector3d& at = overhang.worstAt;
+  tellLevels(input.choices, family.count, overhang, "surface",
+             fmt::format("({:.4g}, {:.4g}, {:.4g})", at.x(), at.y(), at.z()), *stage);
+  stage->timings.decompose = watch.seconds();
+  return stage;
+}
+
+std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
+                                            const geometry::TriangleMesh& part,
+                                            const ModeChoices& in, const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  const substrate::SubstrateOptions options = substrateOptions(in);
+  const substrate::LevelFamily family =
+      substrate::substrateLevels(part, groundOf(decomposed.platform), options, ctx.sub(0.0, 0.1));
+  substrate::StackedLevels stacked =
+      substrate::stackLevels(part, family, options, ctx.sub(0.1, 1.0));
+  return layersStage(std::move(stacked), watch.seconds());
+}
+
+} // namespace
+
+Mode substrateMode() {
+  Mode mode{"substrate", "On a given surface", decomposeKey, levelLayersKey, decompose, layersOf};
+  mode.platforms = {PlatformKind::Mesh, PlatformKind::Fit, PlatformKind::Disc, PlatformKind::Rect};
+  mode.place = placeOnSurface;
+  mode.placeKey = placeKey;
+  mode.platform = platformOf;
+  return mode;
+}
+
+base::ParameterTable substrateParameters() {
+  return base::ParameterTable({
+      base::choiceParameter("layerShape", "offset", {"offset", "sphere", "cylinder", "flatten"},
+                            "Surface", "shape of layers",
+                            "Mode substrate: at constant distance from the surface, on spheres, on "
+                            "cylinders along x, or from the surface to an end surface, thicker "
+                            "where the way is longer.",
+                            true),
+      base::textParameter(
+          "layerCentre", "Surface", "centre of layers",
+          "Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that "
+          "the part stands on, or below the part."),
+      base::textParameter(
+          "endSurface", "Surface", "end surface",
+          "Layers that flatten end on it: flat (at the part's top), flat:Z, radius:R (a "
+          "wider cylinder) or mesh:FILE, placed with the platform's."),
+  });
+}
+
+} // namespace voluta::modes

@@ -1,0 +1,21 @@
+#include "project/choices.h"
+
+#include "base/error.h"
+#include "base/number_list.h"
+
+#include <fmt/format.h>
+
+namespace voluta::project {
+
+double parsedScale(const std::string& scale) {
+  if (scale == "fit")
+    return 0.0;
+  double value = 0.0;
+  if (!base::readNumbers(scale, ',', {&value}) || value < 1e-4 || value > 1e4)
+    throw base::Error(base::ErrorCode::Usage,
+                      fmt::format("scale '{}' is not a usable factor", scale), {},
+                      "give a number from 0.0001 to 10000, or fit");
+  return value;
+}
+
+} // namespace voluta::project

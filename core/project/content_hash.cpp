@@ -1,0 +1,32 @@
+#include "project/content_hash.h"
+
+#include <cstdint>
+#include <fmt/format.h>
+
+namespace voluta::project {
+
+namespace {
+std::uint64_t hashed(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char byte : bytes) {
+    hash ^= static_cast<unsigned char>(byte);
+    hash *= 0x100000001b3u;
+  }
+  return hash;
+}
+
+template <typename T> std::string_view bytesOf(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+} // namespace
+
+std::string contentHash(std::string_view bytes) {
+  return fmt::format("{:016x}", hashed(bytes));
+}
+
+std::string contentHash(const geometry::TriangleMesh& mesh) {
+  return fmt::format("{}:{:016x}:{}:{:016x}", mesh.vertices.size(), hashed(bytesOf(mesh.vertices)),
+                     mesh.triangles.size(), hashed(bytesOf(mesh.triangles)));
+}
+
+} // namespace voluta::project

@@ -1,0 +1,76 @@
+// The project file: a part, the choices made for it and what was planned (DESIGN §3, §5).
+#pragma once
+
+#include "curved/decomposition.h"
+#include "geometry/placement.h"
+#include "geometry/triangle_mesh.h"
+#include "layers/layer_stack.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "planar/decomposition.h"
+#include "platform/platform_solid.h"
+#include "project/choices.h"
+#include "project/loaded_part.h"
+#include "project/report.h"
+#include "project/stage.h"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace voluta::project {
+
+// What is kept of a stage beside its payload.
+struct StageRecord {
+  std::string key;          // what went in; empty: not made
+  std::size_t findings = 0; // how many of the report's findings are its own; they follow one
+                            // another in the order of the stages
+  Timings timings;          // its own seconds, `total` apart
+};
+
+// Results are null where the plan did not come that far. Copies are cheap: arrays are shared.
+struct Job {
+  std::string partName; // file name without folder
+  std::shared_ptr<const LoadedPart> loaded;
+  Choices choices;
+
+  std::optional<Stage> reached; // last stage that is done; none: nothing planned
+  std::array<StageRecord, kStageCount> stages;
+  Report report; // of all stages that are done
+
+  double scale = 1.0;                                 // what `scale` came to
+  std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
+  platform::PlatformSolid platform;                   // what material starts on, work frame
+  // What of the part is to be printed where the platform takes some of it; null: all of it.
+  std::shared_ptr<const geometry::TriangleMesh> lessPlatform;
+  std::shared_ptr<const curved::Decomposition> decomposition; // also null in modes without voxels
+  std::shared_ptr<const planar::PlanarDecomposition> pieces;  // also null in modes without pieces
+  std::shared_ptr<const layers::LayerStack> layers;
+  std::shared_ptr<const plan::ToolPlan> toolPlan;
+  std::shared_ptr<const plan::Trajectory> trajectory; // also null when nothing is left to print
+
+  // What is to be printed. Precondition: part.
+  const geometry::TriangleMesh& printed() const { return lessPlatform ? *lessPlatform : *part; }
+  // Keys of what is there, to be compared with stageKeys() of what is wanted.
+  StageKeys keys() const;
+};
+
+// The job without the results after `last`; none: without any.
+Job upTo(Job job, std::optional<Stage> last);
+
+// job.voluta as bytes: a line "VOLUTA 2", a line with length and CRC-32 of a JSON header, the
+// header (choices, counts and a table of blocks), then the blocks: little-endian arrays, each with
+// a CRC-32. Good for any thread. Precondition: job.loaded.
+std::string jobBytes(const Job& job);
+// jobBytes into a file, whole or not at all. Throws Error{CannotWrite}.
+void writeJob(const std::filesystem::path& file, const Job& job);
+
+// Also reads "VOLUTA 1", which holds neither the part before it was placed (`loaded` is then made
+// from the placed one) nor decomposition, layers and report.
+// Throws Error{UnreadableFile} that says what is wrong: not a job, a newer version, cut short, a
+// damaged block.
+Job readJob(const std::filesystem::path& file);
+
+} // namespace voluta::project

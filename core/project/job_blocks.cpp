@@ -1,0 +1,452 @@
+#include "project/job_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+namespace voluta::project {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+// Columns of the rows of patches, tool-paths, pieces and their base planes.
+constexpr std::size_t kPatchColumns = 4, kPathColumns = 7, kPieceColumns = 4, kPlaneColumns = 4;
+
+// In the column of periods: a patch without a chart.
+constexpr double kNoChart = -1.0;
+
+[[noreturn]] void contradiction(const char* what) {
+  throw base::Error(base::ErrorCode::UnreadableFile,
+                    std::string("the job file contradicts itself: ") + what, {},
+                    "plan the part again");
+}
+
+// The next `count` of an array that is handed out bit by bit.
+template <typename T> class Portions {
+public:
+  explicit Portions(std::vector<T> all) : all_(std::move(all)) {}
+  std::vector<T> next(std::int64_t count) {
+    if (count < 0 || static_cast<std::size_t>(count) > all_.size() - used_)
+      contradiction("a row beyond its array");
+    const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(used_);
+    used_ += static_cast<std::size_t>(count);
+    return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+  }
+
+private:
+  std::vector<T> all_;
+  std::size_t used_ = 0;
+};
+
+// Numbers, or points.
+template <typename T> bool allFinite(const std::vector<T>& values) {
+  return std::all_of(values.begin(), values.end(), [](const T& value) {
+    if constexpr (std::is_arithmetic_v<T>)
+      return std::isfinite(value);
+    else
+      return value.allFinite();
+  });
+}
+
+bool soundMesh(const geometry::TriangleMesh& mesh) {
+  if (!allFinite(mesh.vertices))
+    return false;
+  for (const auto& triangle : mesh.triangles)
+    for (const int v : triangle)
+      if (v < 0 || static_cast<std::size_t>(v) >= mesh.vertices.size())
+        return false;
+  return true;
+}
+
+bool soundDecomposition(const curved::Decomposition& d) {
+  const Eigen::Vector3i n = d.grid.size;
+  constexpr int kMostCells = 1 << 20; // a side
+  if (n.minCoeff() < 0 || n.maxCoeff() > kMostCells || !d.grid.origin.allFinite() ||
+      !std::isfinite(d.grid.pitch) || d.grid.pitch <= 0.0 || !allFinite(d.platform))
+    return false;
+  const std::size_t cells = d.grid.cellCount();
+  const auto sound = [&](const auto& array) { return array.empty() || array.size() == cells; };
+  return d.rank.size() == cells && d.frontNormal.size() == cells && sound(d.loss) &&
+         sound(d.field) && sound(d.byHead) && sound(d.support) &&
+         std::all_of(d.loss.begin(), d.loss.end(),
+                     [](curved::Loss loss) { return loss <= curved::Loss::Cascade; });
+}
+
+bool soundPieces(const planar::PlanarDecomposition& d) {
+  const auto count = static_cast<int>(d.pieces.size());
+  return std::all_of(d.pieces.begin(), d.pieces.end(), [&](const planar::Piece& piece) {
+    return !piece.solid.mesh.empty() && soundMesh(piece.solid.mesh) && piece.parent >= -1 &&
+           piece.parent < count && std::isfinite(piece.base.offsetMm) &&
+           piece.base.normal.allFinite();
+  });
+}
+
+bool soundToolPlan(const plan::ToolPlan& p) {
+  const std::size_t n = p.waypointCount();
+  if (p.direction.size() != n || p.widthMm.size() != n || p.heightMm.size() != n ||
+      p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction))
+    return false;
+  return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
+    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Support;
+  });
+}
+
+bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) {
+  const std::size_t n = t.pointCount();
+  if (t.dof <= 0 || t.joints.size() != n * static_cast<std::size_t>(t.dof) || t.move.size() != n ||
+      t.waypoint.size() != n || t.extrudedMm3.size() != n || !allFinite(t.joints) ||
+      !allFinite(t.timeS))
+    return false;
+  return std::all_of(t.move.begin(), t.move.end(),
+                     [](plan::MoveKind kind) { return kind <= plan::MoveKind::Joint; }) &&
+         std::all_of(t.waypoint.begin(), t.waypoint.end(), [&](std::size_t w) {
+           return w == plan::kNoWaypoint || (toolPlan && w < toolPlan->waypointCount());
+         });
+}
+
+bool holdsWhatItReached(const Job& job) {
+  std::size_t left = job.report.findings.size();
+  for (const StageRecord& record : job.stages) {
+    if (record.findings > left)
+      return false;
+    left -= record.findings;
+  }
+  const auto reached = [&](Stage stage) { return job.reached && *job.reached >= stage; };
+  return (!reached(Stage::Load) || job.part) && (!reached(Stage::Layers) || job.layers) &&
+         (!reached(Stage::Toolpath) || job.toolPlan) && (!reached(Stage::Replay) || job.trajectory);
+}
+} // namespace
+
+void addMesh(BlockWriter& out, const std::string& name, const geometry::TriangleMesh& mesh) {
+  out.add(name + ".vertices", mesh.vertices);
+  out.add(name + ".triangles", mesh.triangles);
+}
+
+bool hasMesh(const BlockReader& in, const std::string& name) {
+  return in.has(name + ".vertices");
+}
+
+geometry::TriangleMesh getMesh(const BlockReader& in, const std::string& name) {
+  geometry::TriangleMesh mesh;
+  mesh.vertices = in.get<Eigen::Vector3d>(name + ".vertices");
+  mesh.triangles = in.get<std::array<int, 3>>(name + ".triangles");
+  if (!soundMesh(mesh))
+    contradiction("a mesh with corners that are not there");
+  return mesh;
+}
+
+void addDecomposition(BlockWriter& out, const curved::Decomposition& d) {
+  const Eigen::Vector3d& o = d.grid.origin;
+  const Eigen::Vector3i& n = d.grid.size;
+  out.addText("decomposition", Json{{"origin", {o.x(), o.y(), o.z()}},
+                                    {"pitch", d.grid.pitch},
+                                    {"size", {n.x(), n.y(), n.z()}},
+                                    {"epsilonMm", d.epsilonMm},
+                                    {"growth", d.growth},
+                                    {"voxels", d.voxels},
+                                    {"layers", d.layers},
+                                    {"missed", d.missedVoxels},
+                                    {"shadowed", d.shadowedVoxels},
+                                    {"unreached", d.unreachedVoxels},
+                                    {"cascade", d.cascadeVoxels},
+                                    {"byHead", d.headVoxels},
+                                    {"support", d.supportVoxels},
+                                    {"peelS", d.seconds.peel},
+                                    {"growS", d.seconds.grow},
+                                    {"smoothS", d.seconds.smooth}}
+                                   .dump());
+  out.add("decomposition.rank", d.rank);
+  out.add("decomposition.field", d.field);
+  out.add("decomposition.frontNormal", d.frontNormal);
+  out.add("decomposition.platform", d.platform);
+  out.add("decomposition.loss", d.loss);
+  out.add("decomposition.byHead", d.byHead);
+  out.add("decomposition.support", d.support);
+}
+
+curved::Decomposition getDecomposition(const BlockReader& in) {
+  curved::Decomposition d;
+  const Json j = Json::parse(in.text("decomposition"));
+  const Json &o = j.at("origin"), &n = j.at("size");
+  for (int axis = 0; axis < 3; ++axis) {
+    o.at(static_cast<std::size_t>(axis)).get_to(d.grid.origin[axis]);
+    n.at(static_cast<std::size_t>(axis)).get_to(d.grid.size[axis]);
+  }
+  j.at("pitch").get_to(d.grid.pitch);
+  j.at("epsilonMm").get_to(d.epsilonMm);
+  j.at("growth").get_to(d.growth);
+  j.at("voxels").get_to(d.voxels);
+  j.at("layers").get_to(d.layers);
+  j.at("missed").get_to(d.missedVoxels);
+  j.at("shadowed").get_to(d.shadowedVoxels);
+  j.at("unreached").get_to(d.unreachedVoxels);
+  j.at("peelS").get_to(d.seconds.peel);
+  j.at("growS").get_to(d.seconds.grow);
+  j.at("smoothS").get_to(d.seconds.smooth);
+  d.rank = in.get<std::int32_t>("decomposition.rank");
+  d.field = in.get<float>("decomposition.field");
+  d.frontNormal = in.get<Eigen::Vector3f>("decomposition.frontNormal");
+  d.platform = in.get<Eigen::Vector2d>("decomposition.platform");
+  // Projects of before these were kept.
+  d.cascadeVoxels = j.value("cascade", std::size_t{0});
+  d.headVoxels = j.value("byHead", std::size_t{0});
+  d.supportVoxels = j.value("support", std::size_t{0});
+  if (in.has("decomposition.loss"))
+    d.loss = in.get<curved::Loss>("decomposition.loss");
+  if (in.has("decomposition.byHead"))
+    d.byHead = in.get<std::uint8_t>("decomposition.byHead");
+  if (in.has("decomposition.support"))
+    d.support = in.get<std::uint8_t>("decomposition.support");
+  return d;
+}
+
+void addPieces(BlockWriter& out, const planar::PlanarDecomposition& d) {
+  out.addText("pieces", Json{{"riskyBeforeMm2", d.riskyBeforeMm2},
+                             {"riskyMm2", d.riskyMm2},
+                             {"sectionMm2", d.sectionMm2},
+                             {"blocked", d.blockedPieces},
+                             {"searchS", d.seconds.search},
+                             {"cutS", d.seconds.cut}}
+                            .dump());
+  std::vector<std::int64_t> rows;
+  std::vector<double> bases;
+  for (const planar::Piece& piece : d.pieces) {
+    rows.insert(rows.end(), {static_cast<std::int64_t>(piece.solid.mesh.vertices.size()),
+                             static_cast<std::int64_t>(piece.solid.mesh.triangles.size()),
+                             piece.baseTag, piece.parent});
+    const Eigen::Vector3d& n = piece.base.normal;
+    bases.insert(bases.end(), {n.x(), n.y(), n.z(), piece.base.offsetMm});
+  }
+  out.addOwned("pieces.rows", rows);
+  out.addOwned("pieces.bases", bases);
+  out.begin("pieces.vertices", sizeof(Eigen::Vector3d));
+  for (const planar::Piece& piece : d.pieces)
+    out.append(piece.solid.mesh.vertices);
+  out.begin("pieces.triangles", sizeof(std::array<int, 3>));
+  for (const planar::Piece& piece : d.pieces)
+    out.append(piece.solid.mesh.triangles);
+  out.begin("pieces.tags", sizeof(std::int32_t));
+  for (const planar::Piece& piece : d.pieces)
+    out.append(piece.solid.tag);
+}
+
+planar::PlanarDecomposition getPieces(const BlockReader& in) {
+  planar::PlanarDecomposition d;
+  const Json j = Json::parse(in.text("pieces"));
+  j.at("riskyBeforeMm2").get_to(d.riskyBeforeMm2);
+  j.at("riskyMm2").get_to(d.riskyMm2);
+  j.at("sectionMm2").get_to(d.sectionMm2);
+  j.at("blocked").get_to(d.blockedPieces);
+  j.at("searchS").get_to(d.seconds.search);
+  j.at("cutS").get_to(d.seconds.cut);
+  const auto rows = in.get<std::int64_t>("pieces.rows");
+  const auto bases = in.get<double>("pieces.bases");
+  const std::size_t count = rows.size() / kPieceColumns;
+  if (rows.size() != count * kPieceColumns || bases.size() != count * kPlaneColumns)
+    contradiction("rows of pieces");
+  Portions vertices(in.get<Eigen::Vector3d>("pieces.vertices"));
+  Portions triangles(in.get<std::array<int, 3>>("pieces.triangles"));
+  Portions tags(in.get<std::int32_t>("pieces.tags"));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t* row = &rows[i * kPieceColumns];
+    const double* base = &bases[i * kPlaneColumns];
+    planar::Piece piece;
+    piece.solid.mesh.vertices = vertices.next(row[0]);
+    piece.solid.mesh.triangles = triangles.next(row[1]);
+    piece.solid.tag = tags.next(row[1]);
+    piece.baseTag = static_cast<std::int32_t>(row[2]);
+    piece.parent = static_cast<int>(row[3]);
+    piece.base.normal = {base[0], base[1], base[2]};
+    piece.base.offsetMm = base[3];
+    d.pieces.push_back(std::move(piece));
+  }
+  return d;
+}
+
+void addLayers(BlockWriter& out, const layers::LayerStack& stack) {
+  std::vector<std::int64_t> rows{stack.layerCount};
+  for (const layers::Patch& patch : stack.patches)
+    rows.insert(rows.end(), {static_cast<std::int64_t>(patch.surface.vertices.size()),
+                             static_cast<std::int64_t>(patch.surface.triangles.size()), patch.layer,
+                             patch.group});
+  out.addOwned("layers.patches", rows);
+  const auto column = [&](const char* name, std::size_t item, const auto& arrayOf) {
+    out.begin(name, item);
+    for (const layers::Patch& patch : stack.patches)
+      out.append(arrayOf(patch));
+  };
+  using layers::Patch;
+  column(
+      "layers.vertices", sizeof(Eigen::Vector3d),
+      [](const Patch& p) -> const auto& { return p.surface.vertices; });
+  column(
+      "layers.triangles", sizeof(std::array<int, 3>),
+      [](const Patch& p) -> const auto& { return p.surface.triangles; });
+  column(
+      "layers.thickness", sizeof(double),
+      [](const Patch& p) -> const auto& { return p.thicknessMm; });
+  column(
+      "layers.direction", sizeof(Eigen::Vector3d),
+      [](const Patch& p) -> const auto& { return p.direction; });
+  column(
+      "layers.clearDirection", sizeof(Eigen::Vector3d),
+      [](const Patch& p) -> const auto& { return p.clearDirection; });
+  std::vector<std::uint8_t> rims;
+  for (const Patch& patch : stack.patches) {
+    rims.insert(rims.end(), patch.innerRim.begin(), patch.innerRim.end());
+    if (patch.innerRim.empty())
+      rims.insert(rims.end(), patch.surface.vertices.size(), 0);
+  }
+  out.addOwned("layers.innerRim", rims);
+  if (std::ranges::all_of(stack.patches, [](const Patch& p) { return p.chart.empty(); }))
+    return;
+  column(
+      "layers.chart", sizeof(Eigen::Vector2d),
+      [](const Patch& p) -> const auto& { return p.chart.at; });
+  std::vector<double> periods;
+  for (const Patch& patch : stack.patches)
+    periods.push_back(patch.chart.empty() ? kNoChart : patch.chart.periodMm);
+  out.addOwned("layers.chartPeriod", periods);
+}
+
+layers::LayerStack getLayers(const BlockReader& in) {
+  const auto rows = in.get<std::int64_t>("layers.patches");
+  if (rows.size() % kPatchColumns != 1)
+    contradiction("rows of patches");
+  Portions vertices(in.get<Eigen::Vector3d>("layers.vertices"));
+  Portions triangles(in.get<std::array<int, 3>>("layers.triangles"));
+  Portions thickness(in.get<double>("layers.thickness"));
+  Portions direction(in.get<Eigen::Vector3d>("layers.direction"));
+  Portions clearDirection(in.get<Eigen::Vector3d>("layers.clearDirection"));
+  // Projects of before these were kept.
+  const bool hasRims = in.has("layers.innerRim");
+  Portions innerRim(hasRims ? in.get<std::uint8_t>("layers.innerRim")
+                            : std::vector<std::uint8_t>{});
+  const bool hasCharts = in.has("layers.chart");
+  Portions chart(hasCharts ? in.get<Eigen::Vector2d>("layers.chart")
+                           : std::vector<Eigen::Vector2d>{});
+  Portions chartPeriod(hasCharts ? in.get<double>("layers.chartPeriod") : std::vector<double>{});
+  layers::LayerStack stack;
+  stack.layerCount = static_cast<int>(rows[0]);
+  for (std::size_t i = 1; i < rows.size(); i += kPatchColumns) {
+    layers::Patch patch;
+    patch.surface.vertices = vertices.next(rows[i]);
+    patch.surface.triangles = triangles.next(rows[i + 1]);
+    patch.thicknessMm = thickness.next(rows[i]);
+    patch.direction = direction.next(rows[i]);
+    patch.clearDirection = clearDirection.next(rows[i]);
+    if (hasRims)
+      patch.innerRim = innerRim.next(rows[i]);
+    if (const double period = hasCharts ? chartPeriod.next(1).front() : kNoChart; period >= 0.0)
+      patch.chart = {chart.next(rows[i]), period};
+    patch.layer = static_cast<int>(rows[i + 2]);
+    patch.group = static_cast<int>(rows[i + 3]);
+    stack.patches.push_back(std::move(patch));
+  }
+  return stack;
+}
+
+void addToolPlan(BlockWriter& out, const plan::ToolPlan& p) {
+  out.add("plan.position", p.position);
+  out.add("plan.direction", p.direction);
+  out.add("plan.width", p.widthMm);
+  out.add("plan.height", p.heightMm);
+  out.add("plan.speed", p.speedMmPerS);
+  std::vector<std::int64_t> rows;
+  for (const plan::ToolPath& path : p.paths)
+    rows.insert(rows.end(),
+                {static_cast<std::int64_t>(path.first), static_cast<std::int64_t>(path.count),
+                 static_cast<std::int64_t>(path.kind), path.layer, path.patch, path.group,
+                 path.closed ? 1 : 0});
+  out.addOwned("plan.paths", rows);
+}
+
+plan::ToolPlan getToolPlan(const BlockReader& in) {
+  plan::ToolPlan p;
+  p.position = in.get<Eigen::Vector3d>("plan.position");
+  p.direction = in.get<Eigen::Vector3d>("plan.direction");
+  p.widthMm = in.get<float>("plan.width");
+  p.heightMm = in.get<float>("plan.height");
+  p.speedMmPerS = in.get<float>("plan.speed");
+  const std::vector<std::int64_t> rows = in.get<std::int64_t>("plan.paths");
+  for (std::size_t i = 0; i + kPathColumns <= rows.size(); i += kPathColumns) {
+    plan::ToolPath path;
+    path.first = static_cast<std::size_t>(rows[i]);
+    path.count = static_cast<std::size_t>(rows[i + 1]);
+    path.kind = static_cast<plan::PathKind>(rows[i + 2]);
+    path.layer = static_cast<int>(rows[i + 3]);
+    path.patch = static_cast<int>(rows[i + 4]);
+    path.group = static_cast<int>(rows[i + 5]);
+    path.closed = rows[i + 6] != 0;
+    p.paths.push_back(path);
+  }
+  return p;
+}
+
+void addTrajectory(BlockWriter& out, const plan::Trajectory& t) {
+  out.add("trajectory.joints", t.joints);
+  out.add("trajectory.time", t.timeS);
+  std::vector<std::uint8_t> move;
+  const std::vector<std::uint64_t> waypoint(t.waypoint.begin(), t.waypoint.end());
+  for (const plan::MoveKind kind : t.move)
+    move.push_back(static_cast<std::uint8_t>(kind));
+  out.addOwned("trajectory.move", move);
+  out.addOwned("trajectory.waypoint", waypoint);
+  out.add("trajectory.extruded", t.extrudedMm3);
+}
+
+plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
+  plan::Trajectory t;
+  t.dof = dof;
+  t.joints = in.get<double>("trajectory.joints");
+  t.timeS = in.get<double>("trajectory.time");
+  for (const std::uint8_t kind : in.get<std::uint8_t>("trajectory.move"))
+    t.move.push_back(static_cast<plan::MoveKind>(kind));
+  for (const std::uint64_t w : in.get<std::uint64_t>("trajectory.waypoint"))
+    t.waypoint.push_back(static_cast<std::size_t>(w));
+  t.extrudedMm3 = in.get<double>("trajectory.extruded");
+  return t;
+}
+
+void addPlatform(BlockWriter& out, const platform::PlatformSolid& platform) {
+  out.add("platform", platform.polygon);
+  if (platform.rod) {
+    out.add("platform.rod", platform.rod->profile);
+    out.addText("platform.rodSides", std::to_string(platform.rod->sides));
+  }
+  if (platform.mesh)
+    addMesh(out, "platform.mesh", *platform.mesh);
+}
+
+platform::PlatformSolid getPlatform(const BlockReader& in) {
+  platform::PlatformSolid platform(in.get<Eigen::Vector2d>("platform"));
+  if (in.has("platform.rod")) {
+    platform.rod = {in.get<Eigen::Vector2d>("platform.rod"),
+                    Json::parse(in.text("platform.rodSides")).get<int>()};
+    platform::checkRod(*platform.rod);
+  }
+  if (hasMesh(in, "platform.mesh"))
+    platform.mesh = std::make_shared<geometry::TriangleMesh>(getMesh(in, "platform.mesh"));
+  return platform;
+}
+
+bool isConsistent(const Job& job) {
+  if (!allFinite(job.platform.polygon))
+    return false;
+  if (job.decomposition && !soundDecomposition(*job.decomposition))
+    return false;
+  if (job.pieces && !soundPieces(*job.pieces))
+    return false;
+  if (job.layers)
+    for (const layers::Patch& patch : job.layers->patches)
+      if (!soundMesh(patch.surface) || !allFinite(patch.chart.at))
+        return false;
+  if (job.toolPlan && !soundToolPlan(*job.toolPlan))
+    return false;
+  if (job.trajectory && !soundTrajectory(*job.trajectory, job.toolPlan.get()))
+    return false;
+  return holdsWhatItReached(job);
+}
+
+} // namespace voluta::project

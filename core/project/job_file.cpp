@@ -1,0 +1,367 @@
+#include "base/error.h"
+#include "base/files.h"
+#include "project/block_file.h"
+#include "project/content_hash.h"
+#include "project/job.h"
+#include "project/job_blocks.h"
+#include "voxel/voxel_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace voluta::project {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kMagic = "VOLUTA ";
+constexpr int kFormat = 2;
+
+base::Error unreadable(const std::string& what, const std::string& where,
+                       const std::string& remedy = {}) {
+  return base::Error(base::ErrorCode::UnreadableFile, what, where, remedy);
+}
+
+// ---- choices
+
+Json choicesJson(const Choices& c) {
+  const geometry::Placement& p = c.placement;
+  return Json{{"mode", c.mode},
+              {"growth", c.growth},
+              {"platform", c.platform},
+              {"cell", c.cell},
+              {"process", c.process},
+              {"scale", c.scale},
+              {"placement",
+               Json{{"rotation", {p.rotation.w(), p.rotation.x(), p.rotation.y(), p.rotation.z()}},
+                    {"centreMm", {p.centreMm.x(), p.centreMm.y()}},
+                    {"liftMm", p.liftMm}}},
+              {"repair", c.repair},
+              {"formats", c.formats},
+              {"parameters", c.parameters},
+              {"seed", c.seed}};
+}
+
+Choices readChoices(const Json& j, int format) {
+  Choices c;
+  j.at("mode").get_to(c.mode);
+  j.at("growth").get_to(c.growth);
+  j.at("platform").get_to(c.platform);
+  j.at("cell").get_to(c.cell);
+  j.at("process").get_to(c.process);
+  j.at("scale").get_to(c.scale);
+  j.at("formats").get_to(c.formats);
+  j.at("parameters").get_to(c.parameters);
+  j.at("seed").get_to(c.seed);
+  if (format >= 2) {
+    const Json& p = j.at("placement");
+    const Json &q = p.at("rotation"), &centre = p.at("centreMm");
+    c.placement.rotation = Eigen::Quaterniond(q.at(0).get<double>(), q.at(1).get<double>(),
+                                              q.at(2).get<double>(), q.at(3).get<double>());
+    c.placement.centreMm = {centre.at(0).get<double>(), centre.at(1).get<double>()};
+    p.at("liftMm").get_to(c.placement.liftMm);
+    j.at("repair").get_to(c.repair);
+  }
+  return c;
+}
+
+// ---- the part as it came
+
+struct DefectName {
+  const char* key;
+  geometry::Defect geometry::Diagnosis::*defect;
+};
+using geometry::Diagnosis;
+constexpr DefectName kDefectNames[] = {{"boundaryEdges", &Diagnosis::boundaryEdges},
+                                       {"nonManifoldEdges", &Diagnosis::nonManifoldEdges},
+                                       {"misorientedEdges", &Diagnosis::misorientedEdges},
+                                       {"duplicateFaces", &Diagnosis::duplicateFaces},
+                                       {"degenerateFaces", &Diagnosis::degenerateFaces},
+                                       {"selfIntersections", &Diagnosis::selfIntersections},
+                                       {"insideOutComponents", &Diagnosis::insideOutComponents}};
+
+Json pointJson(const Eigen::Vector3d& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
+Eigen::Vector3d point(const Json& j) {
+  return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()};
+}
+
+Json diagnosisJson(const Diagnosis& d) {
+  Json j{{"triangles", d.triangles},   {"vertices", d.vertices},
+         {"components", d.components}, {"boundaryLoops", d.boundaryLoops},
+         {"watertight", d.watertight}, {"volumeMm3", d.volumeMm3},
+         {"areaMm2", d.areaMm2},       {"genus", d.genus ? Json(*d.genus) : Json()}};
+  if (!d.boundsMm.isEmpty())
+    j["boundsMm"] = Json::array({pointJson(d.boundsMm.min()), pointJson(d.boundsMm.max())});
+  for (const DefectName& row : kDefectNames)
+    j[row.key] = Json{{"count", (d.*row.defect).count}, {"at", pointJson((d.*row.defect).at)}};
+  return j;
+}
+
+Diagnosis readDiagnosis(const Json& j) {
+  Diagnosis d;
+  j.at("triangles").get_to(d.triangles);
+  j.at("vertices").get_to(d.vertices);
+  j.at("components").get_to(d.components);
+  j.at("boundaryLoops").get_to(d.boundaryLoops);
+  j.at("watertight").get_to(d.watertight);
+  j.at("volumeMm3").get_to(d.volumeMm3);
+  j.at("areaMm2").get_to(d.areaMm2);
+  if (!j.at("genus").is_null())
+    d.genus = j.at("genus").get<int>();
+  if (j.contains("boundsMm"))
+    d.boundsMm = Eigen::AlignedBox3d(point(j.at("boundsMm").at(0)), point(j.at("boundsMm").at(1)));
+  for (const DefectName& row : kDefectNames) {
+    j.at(row.key).at("count").get_to((d.*row.defect).count);
+    (d.*row.defect).at = point(j.at(row.key).at("at"));
+  }
+  return d;
+}
+
+void addLoaded(BlockWriter& out, const LoadedPart& part) {
+  out.addText("source", Json{{"name", part.name},
+                             {"repair", part.repair},
+                             {"cells", part.cells != nullptr},
+                             {"mended", part.mesh != part.source},
+                             {"readNotes", part.readNotes},
+                             {"notes", part.notes},
+                             {"remains", part.remains},
+                             {"found", diagnosisJson(part.found)},
+                             {"readS", part.readS},
+                             {"repairS", part.repairS}}
+                            .dump(-1, ' ', false, Json::error_handler_t::replace));
+  if (part.cells)
+    out.addText("cells", voxel::writeVoxelText(*part.cells));
+  addMesh(out, "source", *part.source);
+  if (part.mesh != part.source)
+    addMesh(out, "mended", *part.mesh);
+}
+
+std::shared_ptr<const LoadedPart> getLoaded(const BlockReader& in) {
+  auto part = std::make_shared<LoadedPart>();
+  const Json j = Json::parse(in.text("source"));
+  j.at("name").get_to(part->name);
+  j.at("repair").get_to(part->repair);
+  j.at("readNotes").get_to(part->readNotes);
+  j.at("notes").get_to(part->notes);
+  j.at("remains").get_to(part->remains);
+  part->found = readDiagnosis(j.at("found"));
+  j.at("readS").get_to(part->readS);
+  j.at("repairS").get_to(part->repairS);
+  part->source = std::make_shared<geometry::TriangleMesh>(getMesh(in, "source"));
+  part->mesh = j.at("mended").get<bool>()
+                   ? std::make_shared<geometry::TriangleMesh>(getMesh(in, "mended"))
+                   : part->source;
+  if (j.value("cells", false)) {
+    const std::string text = in.text("cells");
+    part->cells = std::make_shared<voxel::VoxelObject>(voxel::readVoxelText(text, part->name));
+    part->hash = contentHash(text);
+  } else {
+    part->units = geometry::guessUnits(*part->mesh);
+    part->hash = contentHash(*part->source);
+  }
+  return part;
+}
+
+// Format 1 has only the placed part: what it was made from, but for where it lay.
+std::shared_ptr<const LoadedPart> loadedFromPlaced(const Job& job) {
+  auto source = std::make_shared<geometry::TriangleMesh>(*job.part);
+  for (Eigen::Vector3d& v : source->vertices)
+    v /= job.scale;
+  auto part = std::make_shared<LoadedPart>();
+  part->name = job.partName;
+  part->readNotes = {"taken from a project of format 1, as it was repaired and placed there"};
+  part->notes = part->readNotes;
+  part->found = geometry::diagnose(*source);
+  part->remains = part->found.sentences();
+  part->units = geometry::guessUnits(*source);
+  part->hash = contentHash(*source);
+  part->source = part->mesh = std::move(source);
+  return part;
+}
+
+// ---- what the stages left
+
+Json recordsJson(const Job& job) {
+  Json all = Json::array();
+  for (const StageRecord& record : job.stages) {
+    Json seconds;
+    for (const TimingName& row : kTimingNames)
+      if (record.timings.*row.seconds != 0.0)
+        seconds[row.key] = record.timings.*row.seconds;
+    all.push_back(Json{{"key", record.key}, {"findings", record.findings}, {"timingS", seconds}});
+  }
+  return all;
+}
+
+void readRecords(const Json& j, Job& job) {
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    StageRecord& record = job.stages[i];
+    j.at(i).at("key").get_to(record.key);
+    j.at(i).at("findings").get_to(record.findings);
+    const Json& seconds = j.at(i).at("timingS");
+    for (const TimingName& row : kTimingNames)
+      if (seconds.is_object() && seconds.contains(row.key))
+        seconds.at(row.key).get_to(record.timings.*row.seconds);
+  }
+}
+
+Json tableJson(const std::vector<BlockRow>& rows) {
+  Json table = Json::array();
+  for (const BlockRow& row : rows)
+    table.push_back(Json{{"name", row.name},
+                         {"offset", row.offset},
+                         {"bytes", row.bytes},
+                         {"item", row.item},
+                         {"crc32", row.crc32}});
+  return table;
+}
+
+std::vector<BlockRow> readTable(const Json& j) {
+  std::vector<BlockRow> table;
+  for (const Json& row : j)
+    table.push_back({row.at("name").get<std::string>(), row.at("offset").get<std::size_t>(),
+                     row.at("bytes").get<std::size_t>(), row.at("item").get<std::size_t>(),
+                     row.at("crc32").get<std::uint32_t>()});
+  return table;
+}
+
+// ---- the file's frame
+
+// Takes a number and the character that ends it off the front; false: there is none.
+bool takeNumber(std::string_view& text, char end, std::size_t& value) {
+  const auto [rest, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto used = static_cast<std::size_t>(rest - text.data());
+  if (status != std::errc{} || used >= text.size() || *rest != end)
+    return false;
+  text.remove_prefix(used + 1);
+  return true;
+}
+
+struct Frame {
+  int format = 0;
+  std::string_view header, body;
+};
+
+Frame frameOf(std::string_view bytes, const std::string& where) {
+  if (!bytes.starts_with(kMagic))
+    throw unreadable("not a Voluta job", where);
+  std::string_view rest = bytes.substr(kMagic.size());
+  std::size_t format = 0, length = 0, crc = 0;
+  if (!takeNumber(rest, '\n', format) || format == 0)
+    throw unreadable("the job file is damaged or cut short in its first line", where);
+  if (format > static_cast<std::size_t>(kFormat))
+    throw unreadable("made by a newer version of Voluta (format " + std::to_string(format) +
+                         "; this one reads up to " + std::to_string(kFormat) + ")",
+                     where, "open it with the version that made it, or install that one");
+  const bool summed = format >= 2; // format 1 has no checksum of its header
+  if (!takeNumber(rest, summed ? ' ' : '\n', length) || (summed && !takeNumber(rest, '\n', crc)) ||
+      length > rest.size())
+    throw unreadable("the job file is cut short", where);
+  Frame frame{static_cast<int>(format), rest.substr(0, length), rest.substr(length)};
+  if (summed && crcOf(frame.header) != crc)
+    throw unreadable("the job file's header is damaged", where);
+  return frame;
+}
+
+Job readFrame(const Frame& frame, const std::string& where) {
+  Job job;
+  const Json header = Json::parse(frame.header);
+  header.at("part").get_to(job.partName);
+  header.at("scale").get_to(job.scale);
+  job.choices = readChoices(header.at("choices"), frame.format);
+  const BlockReader blocks(where, readTable(header.at("blocks")), frame.body);
+  const auto holds = [&](const char* key) { return header.at(key).get<bool>(); };
+  if (frame.format == 1 || holds("placed"))
+    job.part = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "part"));
+  job.platform = getPlatform(blocks);
+  if (hasMesh(blocks, "lessPlatform"))
+    job.lessPlatform = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "lessPlatform"));
+  if (holds("planned"))
+    job.toolPlan = std::make_shared<plan::ToolPlan>(getToolPlan(blocks));
+  if (const int dof = header.at("dof").get<int>(); dof > 0)
+    job.trajectory = std::make_shared<plan::Trajectory>(getTrajectory(blocks, dof));
+  if (frame.format >= 2) {
+    job.loaded = getLoaded(blocks);
+    if (holds("decomposed"))
+      job.decomposition = std::make_shared<curved::Decomposition>(getDecomposition(blocks));
+    if (header.value("pieces", false)) // projects of before there were any have no such key
+      job.pieces = std::make_shared<planar::PlanarDecomposition>(getPieces(blocks));
+    if (holds("layered"))
+      job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
+    job.report = readReportJson(blocks.text("report"));
+    readRecords(header.at("stages"), job);
+    if (!header.at("reached").is_null())
+      job.reached = stageOf(header.at("reached").get<std::string>());
+  }
+  if (!std::isfinite(job.scale) || job.scale <= 0.0 || !isConsistent(job))
+    throw unreadable("the job file contradicts itself", where, "plan the part again");
+  if (!job.loaded)
+    job.loaded = loadedFromPlaced(job);
+  return job;
+}
+} // namespace
+
+std::string jobBytes(const Job& job) {
+  base::require(job.loaded != nullptr, "jobBytes: a job has a part");
+  BlockWriter blocks;
+  addLoaded(blocks, *job.loaded);
+  if (job.part)
+    addMesh(blocks, "part", *job.part);
+  addPlatform(blocks, job.platform);
+  if (job.lessPlatform)
+    addMesh(blocks, "lessPlatform", *job.lessPlatform);
+  if (job.decomposition)
+    addDecomposition(blocks, *job.decomposition);
+  if (job.pieces)
+    addPieces(blocks, *job.pieces);
+  if (job.layers)
+    addLayers(blocks, *job.layers);
+  if (job.toolPlan)
+    addToolPlan(blocks, *job.toolPlan);
+  if (job.trajectory)
+    addTrajectory(blocks, *job.trajectory);
+  blocks.addText("report", reportJson(job.report));
+  const Json header{{"part", job.partName},
+                    {"scale", job.scale},
+                    {"choices", choicesJson(job.choices)},
+                    {"reached", job.reached ? Json(stageName(*job.reached)) : Json()},
+                    {"stages", recordsJson(job)},
+                    {"placed", job.part != nullptr},
+                    {"decomposed", job.decomposition != nullptr},
+                    {"pieces", job.pieces != nullptr},
+                    {"layered", job.layers != nullptr},
+                    {"planned", job.toolPlan != nullptr},
+                    {"dof", job.trajectory ? job.trajectory->dof : 0},
+                    {"blocks", tableJson(blocks.table())}};
+  const std::string text = header.dump(1, ' ', false, Json::error_handler_t::replace);
+  std::string bytes = std::string(kMagic) + std::to_string(kFormat) + "\n" +
+                      std::to_string(text.size()) + " " + std::to_string(crcOf(text)) + "\n";
+  bytes.reserve(bytes.size() + text.size() + blocks.size());
+  bytes += text;
+  blocks.appendTo(bytes);
+  return bytes;
+}
+
+void writeJob(const std::filesystem::path& file, const Job& job) {
+  base::writeFile(file, jobBytes(job));
+}
+
+Job readJob(const std::filesystem::path& file) {
+  const std::string where = file.string();
+  const std::string bytes = base::readFile(file);
+  const Frame frame = frameOf(bytes, where);
+  try {
+    return readFrame(frame, where);
+  } catch (const nlohmann::json::exception& e) {
+    throw unreadable(std::string("the job file's header is damaged: ") + e.what(), where);
+  } catch (const base::Error& e) {
+    if (e.code() == base::ErrorCode::UnreadableFile && !e.context().empty())
+      throw;
+    throw unreadable(e.message(), where, e.remedy());
+  }
+}
+
+} // namespace voluta::project

@@ -1,0 +1,141 @@
+#include "project/loaded_part.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/nearest_name.h"
+#include "base/stopwatch.h"
+#include "geometry/formats/mesh_reader.h"
+#include "geometry/repair/repair.h"
+#include "project/content_hash.h"
+#include "samples/sample_part.h"
+#include "voxel/voxel_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace voluta::project {
+
+namespace {
+constexpr std::string_view kSamplePrefix = "sample:";
+
+using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
+
+// Fills in all that follows from source, readNotes and `repair`.
+void mend(LoadedPart& part, const base::RunContext& ctx) {
+  base::Stopwatch mending;
+  part.notes = part.readNotes;
+  if (part.cells) {
+    part.mesh = part.source;
+    part.found = geometry::diagnose(*part.source, ctx);
+    part.found.selfIntersections = {}; // where cells only touch
+    part.remains.clear();
+    part.repairS = mending.seconds();
+    return;
+  }
+  if (part.repair) {
+    geometry::RepairResult repaired = geometry::repair(*part.source, ctx);
+    part.notes.insert(part.notes.end(), repaired.repairs.begin(), repaired.repairs.end());
+    part.remains = std::move(repaired.remains);
+    part.found = std::move(repaired.found);
+    part.mesh = part.found.clean()
+                    ? part.source
+                    : std::make_shared<geometry::TriangleMesh>(std::move(repaired.mesh));
+  } else {
+    part.mesh = part.source;
+    part.found = geometry::diagnose(*part.source, ctx);
+    part.remains = part.found.sentences();
+  }
+  part.repairS = mending.seconds();
+  if (part.mesh->empty())
+    throw base::Error(base::ErrorCode::UnusableInput, "nothing is left of the mesh after repair",
+                      part.name);
+  part.units = geometry::guessUnits(*part.mesh);
+  if (!part.units.note.empty())
+    part.notes.push_back(part.units.note);
+}
+
+std::shared_ptr<const LoadedPart> mended(LoadedPart part, const base::RunContext& ctx) {
+  mend(part, ctx);
+  return std::make_shared<LoadedPart>(std::move(part));
+}
+void setCells(LoadedPart& part, std::shared_ptr<const voxel::VoxelObject> cells) {
+  part.source = std::make_shared<geometry::TriangleMesh>(voxel::surfaceOf(*cells));
+  part.hash = contentHash(voxel::writeVoxelText(*cells));
+  part.cells = std::move(cells);
+}
+} // namespace
+
+bool isVoxelText(const std::string& name, std::string_view bytes) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".txt" || ending == ".voxels" || voxel::looksLikeVoxelText(bytes);
+}
+
+std::vector<std::string> sampleNames() {
+  return {"vase"};
+}
+
+std::shared_ptr<const LoadedPart> loadedFrom(std::string name, Mesh source,
+                                             std::vector<std::string> readNotes, bool repair,
+                                             const base::RunContext& ctx) {
+  LoadedPart part;
+  part.name = std::move(name);
+  part.hash = contentHash(*source);
+  part.source = std::move(source);
+  part.readNotes = std::move(readNotes);
+  part.repair = repair;
+  return mended(std::move(part), ctx);
+}
+
+std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
+                                             std::shared_ptr<const voxel::VoxelObject> cells,
+                                             bool repair, const base::RunContext& ctx) {
+  LoadedPart part;
+  part.name = std::move(name);
+  part.repair = repair;
+  setCells(part, std::move(cells));
+  return mended(std::move(part), ctx);
+}
+
+std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
+                                           const base::RunContext& ctx) {
+  base::Stopwatch reading;
+  LoadedPart loaded;
+  loaded.repair = repair;
+  if (part.starts_with(kSamplePrefix)) {
+    const std::string name = part.substr(kSamplePrefix.size());
+    if (name != sampleNames().front())
+      throw base::Error(base::ErrorCode::Usage, "unknown sample '" + name + "'", {},
+                        "did you mean " + base::nearestName(name, sampleNames()) + "?");
+    loaded.name = name + ".stl";
+    loaded.source = std::make_shared<geometry::TriangleMesh>(samples::samplePart());
+  } else {
+    const std::string bytes = base::readFile(part);
+    loaded.name = std::filesystem::path(part).filename().string();
+    if (isVoxelText(part, bytes)) {
+      setCells(loaded, std::make_shared<voxel::VoxelObject>(voxel::readVoxelText(bytes, part)));
+    } else {
+      geometry::MeshFile file = geometry::readMesh(bytes, part);
+      loaded.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
+      loaded.readNotes = std::move(file.repairs);
+    }
+  }
+  if (!loaded.cells)
+    loaded.hash = contentHash(*loaded.source);
+  loaded.readS = reading.seconds();
+  ctx.report(0.3, "repair");
+  return mended(std::move(loaded), ctx.sub(0.3, 1.0));
+}
+
+std::shared_ptr<const LoadedPart> withRepair(std::shared_ptr<const LoadedPart> part, bool repair,
+                                             const base::RunContext& ctx) {
+  if (part->repair == repair)
+    return part;
+  LoadedPart again = *part;
+  again.repair = repair;
+  return mended(std::move(again), ctx);
+}
+
+} // namespace voluta::project

@@ -1,0 +1,60 @@
+// A part as it came from its file, before it is placed.
+#pragma once
+
+#include "base/run_context.h"
+#include "geometry/placement.h"
+#include "geometry/repair/diagnosis.h"
+#include "geometry/triangle_mesh.h"
+#include "voxel/voxel_object.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::project {
+
+struct LoadedPart {
+  std::string name; // file name without folder; "vase.stl" for sample:vase
+  std::shared_ptr<const voxel::VoxelObject> cells; // of a text voxel object: then the meshes are
+                                                   // its surface, lengths in cells. Null: a mesh
+  std::shared_ptr<const geometry::TriangleMesh> source; // as read
+  std::shared_ptr<const geometry::TriangleMesh> mesh;   // as used: mended, or `source` itself
+  bool repair = true;                                   // was mending asked for
+  std::vector<std::string> readNotes;                   // what reading left out, a sentence each
+  std::vector<std::string> notes;    // all that was found and mended, readNotes among them
+  std::vector<std::string> remains;  // what could not be mended, a sentence each
+  geometry::Diagnosis found;         // of `source`, before any repair
+  geometry::UnitGuess units;         // of `mesh`
+  std::string hash;                  // of the content of `source` or `cells`, hexadecimal
+  double readS = 0.0, repairS = 0.0; // wall seconds it took
+};
+
+// Parts that the program makes itself, to be named "sample:NAME".
+std::vector<std::string> sampleNames();
+
+// Is it a text voxel object: by the ending .txt or .voxels, or else by the content?
+bool isVoxelText(const std::string& name, std::string_view bytes);
+
+// Reads a part and, where `repair` is true, mends it: a mesh, or a text voxel object, whose surface
+// needs no mending. `part` is a path or "sample:NAME". Throws Error{UnreadableFile, UnusableInput};
+// Error{Usage} for an unknown sample; Cancelled.
+std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
+                                           const base::RunContext& ctx);
+
+// A part from a mesh at hand, e.g. of a project file. Throws as loadPart does.
+std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
+                                             std::shared_ptr<const geometry::TriangleMesh> source,
+                                             std::vector<std::string> readNotes, bool repair,
+                                             const base::RunContext& ctx);
+
+// A part from cells at hand. Throws as loadPart does.
+std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
+                                             std::shared_ptr<const voxel::VoxelObject> cells,
+                                             bool repair, const base::RunContext& ctx);
+
+// `part` itself where it was loaded with that choice; else mended anew, or as it was read.
+std::shared_ptr<const LoadedPart> withRepair(std::shared_ptr<const LoadedPart> part, bool repair,
+                                             const base::RunContext& ctx);
+
+} // namespace voluta::project

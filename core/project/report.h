@@ -1,0 +1,128 @@
+// report.json: what every stage of a plan measured (DESIGN §5). Keys are added, never renamed.
+#pragma once
+
+#include "plan/finding.h"
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+namespace voluta::project {
+
+struct ModelReport {
+  std::string file;
+  double scale = 1.0;
+  std::size_t triangles = 0;
+  bool watertight = false;
+  double volumeMm3 = 0.0;
+  Eigen::AlignedBox3d boundsMm;
+  std::vector<std::string> repairs;
+};
+
+// One piece of planar mode, in print order.
+struct PieceReport {
+  int parent = -1; // index of the piece it stands on; -1: the plate
+  double volumeMm3 = 0.0, riskyAreaMm2 = 0.0;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // that it is printed along
+  std::string material;
+};
+
+struct DecompositionReport {
+  std::string mode, growth;
+  double voxelMm = 0.0;
+  std::size_t voxels = 0;
+  int layers = 0;
+  std::size_t missedVoxels = 0, shadowedVoxels = 0, unreachedVoxels = 0, missedAfterSupports = 0;
+  double supportVolumeMm3 = 0.0;
+  int pieces = 0;
+  double riskyAreaMm2 = 0.0, riskyAreaBeforeMm2 = 0.0;
+  std::vector<PieceReport> pieceList;
+};
+
+struct LayersReport {
+  int count = 0;
+  double areaMm2 = 0.0, thicknessMeanMm = 0.0, thicknessStdMm = 0.0, thicknessP01Mm = 0.0,
+         thicknessP99Mm = 0.0, withinLimitsFraction = 0.0;
+};
+
+struct ToolpathReport {
+  std::size_t paths = 0, waypoints = 0;
+  double lengthMm = 0.0, travelMm = 0.0;
+  std::size_t starts = 0, simpleRegions = 0;
+  double coveredFraction = 0.0, overlapFraction = 0.0;
+  std::size_t gouges = 0;
+  double maxTurnDeg = 0.0, materialMm3 = 0.0;
+};
+
+struct MotionReport {
+  std::string robot, cell;
+  std::size_t waypoints = 0, unreachable = 0, collisions = 0, splits = 0;
+  std::vector<double> maxJerk; // rad/s3 a joint
+  double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0, minClearanceMm = 0.0, durationS = 0.0;
+};
+
+struct ProgramReport {
+  std::string format;
+  bool foreign = false;
+  std::vector<std::string> files;
+  std::size_t bytes = 0;
+  double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
+};
+
+struct ReplayReport {
+  bool passed = false;
+  double coveredFraction = 0.0, unsupportedFraction = 0.0, overfillFraction = 0.0, massRatio = 0.0;
+  std::size_t collisions = 0, limitViolations = 0;
+  double maxDeviationMm = 0.0;
+  struct {
+    double covered = 0.0, unsupported = 0.0, overfill = 0.0, mass = 0.0, deviationMm = 0.0;
+    std::size_t collisions = 0, limitViolations = 0;
+  } thresholds;
+};
+
+// Disjoint wall seconds.
+struct Timings {
+  double load = 0, repair = 0, voxelise = 0, peel = 0, grow = 0, smooth = 0, extract = 0, trim = 0,
+         decompose = 0, toolpath = 0, orient = 0, ik = 0, graph = 0, jerk = 0, collision = 0,
+         transfer = 0, write = 0, replay = 0, total = 0;
+
+  Timings& operator+=(const Timings& more);
+};
+
+// The keys of the report, in its order.
+struct TimingName {
+  const char* key;
+  double Timings::*seconds;
+};
+inline constexpr TimingName kTimingNames[] = {
+    {"load", &Timings::load},           {"repair", &Timings::repair},
+    {"voxelise", &Timings::voxelise},   {"peel", &Timings::peel},
+    {"grow", &Timings::grow},           {"smooth", &Timings::smooth},
+    {"extract", &Timings::extract},     {"trim", &Timings::trim},
+    {"decompose", &Timings::decompose}, {"toolpath", &Timings::toolpath},
+    {"orient", &Timings::orient},       {"ik", &Timings::ik},
+    {"graph", &Timings::graph},         {"jerk", &Timings::jerk},
+    {"collision", &Timings::collision}, {"transfer", &Timings::transfer},
+    {"write", &Timings::write},         {"replay", &Timings::replay},
+    {"total", &Timings::total}};
+
+struct Report {
+  ModelReport model;
+  DecompositionReport decomposition;
+  LayersReport layers;
+  ToolpathReport toolpath;
+  MotionReport motion;
+  std::vector<ProgramReport> programs;
+  ReplayReport replay;
+  plan::Findings findings;
+  Timings timings;
+  double peakRssMb = 0.0;
+  int threads = 1;
+};
+
+// The whole report as JSON text, every key present, in the order of DESIGN §5.
+std::string reportJson(const Report& report);
+// The inverse. Throws Error{UnreadableFile} where keys are missing or of another kind.
+Report readReportJson(const std::string& text);
+
+} // namespace voluta::project
