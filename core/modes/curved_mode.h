@@ -1,7 +1,7 @@
 // Curved layers, as a mode of the road.
 #pragma once
 
-#include "modes/mode_table.h"
+#include "modes/mode.h"
 
 namespace voluta::modes {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/parameters.h"
-#include "modes/mode_table.h"
+#include "modes/mode.h"
 
 namespace voluta::modes {
 

@@ -1,7 +1,7 @@
 // What modes whose layers follow a ground have in common.
 #pragma once
 
-#include "modes/mode_table.h"
+#include "modes/mode.h"
 #include "substrate/level_stack.h"
 #include "substrate/overhang.h"
 

@@ -101,7 +101,9 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
                            const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
   requireRodTurns(dialect, input.cell);
-  return dialect.write(input, ctx);
+  ProgramInput own = input;
+  own.foreign = isForeign(dialect, input.cell);
+  return dialect.write(own, ctx);
 }
 
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,

@@ -11,6 +11,7 @@
 #include "base/run_context.h"
 #include "plan/program.h"
 #include "program/program_input.h"
+#include "program/text.h"
 
 #include <string>
 #include <string_view>
@@ -37,8 +38,6 @@ struct Dialect {
   // files stand alone.
   std::vector<std::string> (*goesOnIn)(std::string_view text) = nullptr;
 };
-
-inline constexpr std::size_t kMaxDefects = 1000;
 
 // In the order in which formats are listed.
 const std::vector<Dialect>& dialects();

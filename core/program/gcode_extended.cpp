@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "program/dialect.h"
 #include "program/motion_targets.h"
 #include "program/text.h"
 
@@ -40,7 +39,7 @@ public:
   GcodeWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), paths_(input.toolPlan) {
     program_.format = "gcode-extended";
-    program_.foreign = isForeign(findDialect("gcode-extended"), input.cell);
+    program_.foreign = input.foreign;
   }
 
   plan::Program write() {

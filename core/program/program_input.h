@@ -23,6 +23,7 @@ struct ProgramInput {
   // A program longer than this is cut into files to be run one after the other, each cut where the
   // extruder is off (URScript; the other formats are streamed and stay one file). 0: one file.
   std::size_t maxLinesPerFile = 0;
+  bool foreign = false; // for a controller that is not the cell's own; writeProgram says so
 };
 
 } // namespace voluta::program

@@ -1,5 +1,4 @@
 #include "base/units.h"
-#include "program/dialect.h"
 #include "program/extruder_outputs.h"
 #include "program/motion_targets.h"
 #include "program/rapid.h"
@@ -41,7 +40,7 @@ public:
         paths_(input.toolPlan), name_(identifierOf(input.name)),
         tool_(heldPlate() ? "tPlate" : "tNozzle"), object_(turnsRod() ? "wRod" : "wPrint") {
     program_.format = "rapid";
-    program_.foreign = isForeign(findDialect("rapid"), input.cell);
+    program_.foreign = input.foreign;
   }
 
   plan::Program write() {

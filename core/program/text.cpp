@@ -1,7 +1,5 @@
 #include "program/text.h"
 
-#include "program/dialect.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>

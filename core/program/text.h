@@ -45,6 +45,8 @@ private:
   std::size_t number_ = 0;
 };
 
+inline constexpr std::size_t kMaxDefects = 1000;
+
 // Collects defects up to kMaxDefects.
 class Defects {
 public:

@@ -1,6 +1,5 @@
 #include "base/error.h"
 #include "base/units.h"
-#include "program/dialect.h"
 #include "program/extruder_outputs.h"
 #include "program/motion_targets.h"
 #include "program/rotation_vector.h"
@@ -28,7 +27,7 @@ public:
       : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
         paths_(input.toolPlan) {
     program_.format = "urscript";
-    program_.foreign = isForeign(findDialect("urscript"), input.cell);
+    program_.foreign = input.foreign;
   }
 
   plan::Program write() {
