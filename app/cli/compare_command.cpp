@@ -95,10 +95,10 @@ std::string headOf(const pipeline::Figure& figure) {
 
 // "auto (reverse)": what was asked for and what it came to.
 std::string growthText(const CompareRow& row) {
-  const std::string& asked = row.combination.growth;
-  const std::string& scheme = row.report.decomposition.growth;
-  if (asked.empty())
+  if (!row.combination.growth)
     return "-";
+  const std::string asked = row.combination.growth->id();
+  const std::string& scheme = row.report.decomposition.growth;
   return scheme.empty() || scheme == asked ? asked : fmt::format("{} ({})", asked, scheme);
 }
 
@@ -136,7 +136,8 @@ void sayTable(const pipeline::Comparison& comparison, const pipeline::Ranking& r
   for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
     const CompareRow& row = comparison.rows[i];
     std::vector<std::string> line{fmt::format("{}{}", i + 1, ranking.best == i ? " best" : ""),
-                                  row.combination.mode, growthText(row), row.combination.platform};
+                                  row.combination.mode, growthText(row),
+                                  row.combination.platform.text()};
     for (const pipeline::Figure& figure : pipeline::figures())
       line.push_back(valueText(figure, row));
     const std::optional<bool> passed = pipeline::replayPassed(row);

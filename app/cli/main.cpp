@@ -2,6 +2,8 @@
 #include "cli/commands.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
+#include "curved/growth_scheme.h"
+#include "project/platform_kinds.h"
 #include "project/version.h"
 
 #include <CLI/CLI.hpp>
@@ -21,6 +23,39 @@ void addRunOptions(CLI::App& command, int& threads, std::string& progress) {
   command.add_option("--threads", threads, "threads to use")->check(CLI::Range(1, 256));
   command.add_option("--progress", progress, "bar, json or none")
       ->check(CLI::IsMember({"bar", "json", "none"}));
+}
+
+std::string growthIds() {
+  std::string ids;
+  for (const curved::GrowthScheme& scheme : curved::growthSchemes())
+    ids += (ids.empty() ? "" : ", ") + scheme.id();
+  return ids;
+}
+
+std::string platformForms() {
+  using enum project::PlatformUse;
+  return project::platformForms({Plate, Rod, Body});
+}
+
+// T is made from the text. What it throws is said as it is.
+template <typename T>
+void addChoice(CLI::App& command, const std::string& name, T& into, const std::string& help) {
+  command.add_option_function<std::string>(
+      name, [&into](const std::string& text) { into = T(text); }, help);
+}
+template <typename T>
+void addChoices(CLI::App& command, const std::string& name, std::vector<T>& into,
+                const std::string& help) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [&into](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts)
+              into.emplace_back(text);
+          },
+          help)
+      ->delimiter(',')
+      ->allow_extra_args(false);
 }
 
 struct Parsed {
@@ -62,9 +97,10 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
   addPlanOptions(*plan, request, *values);
   plan->add_option("-o", values->options.folder, "folder for job, report and programs")->required();
   plan->add_option("--mode", request.choices.mode, "way of building");
-  plan->add_option("--growth", request.choices.growth, "growth scheme of curved mode");
-  plan->add_option("--platform", request.choices.platform,
-                   "disc:D, rect:WxD, fit[:MARGIN]; what material starts on");
+  addChoice(*plan, "--growth", request.choices.growth,
+            "growth scheme of curved mode: " + growthIds());
+  addChoice(*plan, "--platform", request.choices.platform,
+            "what material starts on: " + platformForms());
   addRunOptions(*plan, values->options.threads, values->progress);
   plan->callback([values, &parsed] {
     parsed.run = [values] {
@@ -90,12 +126,16 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
       ->add_option("-o", values->options.folder,
                    "folder for compare.json and, for each row, report, programs and pictures")
       ->required();
-  const auto list = [&](const char* name, std::vector<std::string>& into, const char* help) {
-    compare->add_option(name, into, help)->delimiter(',')->allow_extra_args(false);
-  };
-  list("--modes", compared.modes, "M,...: ways of building; all of them unless given");
-  list("--growths", compared.growths, "G,...: growth schemes of curved mode; auto unless given");
-  list("--platforms", compared.platforms, "P,...: what material starts on; fit:0 unless given");
+  compare
+      ->add_option("--modes", compared.modes, "M,...: ways of building; all of them unless given")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  addChoices(*compare, "--growths", compared.growths,
+             "G,...: growth schemes of curved mode, of " + growthIds() + "; " +
+                 curved::GrowthScheme().id() + " unless given");
+  addChoices(*compare, "--platforms", compared.platforms,
+             "P,...: what material starts on, of " + platformForms() + "; " +
+                 project::Platform().text() + " unless given");
   compare
       ->add_option("--weight", values->weights,
                    "FIGURE=NUMBER in the rule for the best. Rule: " +

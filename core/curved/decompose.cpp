@@ -7,6 +7,7 @@
 #include "curved/convex_front.h"
 #include "curved/field_fit.h"
 #include "curved/flood.h"
+#include "curved/grow.h"
 #include "curved/missed_voxels.h"
 #include "curved/nozzle_reach.h"
 #include "curved/reverse_growth.h"
@@ -183,7 +184,6 @@ base::ParameterTable curvedParameters() {
 Decomposition decompose(const voxel::SolidVoxels& voxels,
                         const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
                         const base::RunContext& ctx, const DecompositionWatch& watch) {
-  checkGrowthScheme(options.growth);
   base::require(options.rounds >= 0 && options.heightMinMm > 0.0 &&
                     options.heightMinMm <= options.layerHeightMm &&
                     options.layerHeightMm <= options.heightMaxMm,
@@ -202,7 +202,7 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
     out.rank[c] = voxels.solid[c] ? -1 : 0;
   out.frontNormal.assign(voxels.grid.cellCount(), Eigen::Vector3f::Zero());
 
-  const bool fits = peels(options.growth) && options.rounds > 0;
+  const bool fits = options.growth.row().peels && options.rounds > 0;
   const Growth growth =
       grow(graph, options.growth, options.forward, ctx.sub(0.0, fits ? 0.15 : 0.9),
            options.head.sections.empty() || !options.headForLosses ? nullptr : &options.head);

@@ -4,7 +4,8 @@
 #include "base/parameters.h"
 #include "base/run_context.h"
 #include "curved/decomposition.h"
-#include "curved/grow.h"
+#include "curved/forward_growth.h"
+#include "curved/growth_scheme.h"
 #include "voxel/solid_voxels.h"
 
 #include <Eigen/Core>
@@ -15,7 +16,7 @@
 namespace voluta::curved {
 
 struct CurvedOptions {
-  std::string growth = "auto";                                      // of growthSchemes()
+  GrowthScheme growth;
   ForwardOptions forward;                                           // of the sources' schemes
   double layerHeightMm = 0.8, heightMinMm = 0.4, heightMaxMm = 1.0; // heights a layer may have
   process::HeadShape head;   // a front of this shape where the flat one does not do; empty: flat
@@ -45,8 +46,7 @@ using DecompositionWatch = std::function<void(const Decomposition&)>;
 // What can't be laid is given up, as little as possible, and stands in findings by group.
 //
 // `platform`: convex polygon on z = 0, mm, counter-clockwise, 3 corners or more.
-// Throws Error{Usage} for an unknown scheme, Error{UnusableInput} when no voxel stands on the
-// platform; Cancelled.
+// Throws Error{UnusableInput} when no voxel stands on the platform; Cancelled.
 Decomposition decompose(const voxel::SolidVoxels& voxels,
                         const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
                         const base::RunContext& ctx, const DecompositionWatch& watch = {});

@@ -6,7 +6,7 @@
 #include "modes/curved_supports.h"
 #include "modes/parameter_text.h"
 #include "modes/part_voxels.h"
-#include "modes/platform_choice.h"
+#include "modes/plate.h"
 
 #include <fmt/format.h>
 
@@ -22,11 +22,11 @@ process::HeadShape frontHead(const ModeChoices& in) {
 }
 
 std::string curvedDecomposeKey(const ModeChoices& in) {
-  std::string key = fmt::format("growth {}\nplatform {}\n{}", in.choices.growth,
-                                in.choices.platform, heightsText(in.process)) +
+  std::string key = fmt::format("growth {}\nplatform {}\n{}", in.choices.growth.id(),
+                                in.choices.platform.text(), heightsText(in.process)) +
                     parameterText(curved::curvedParameters(), in.values) +
                     parameterText(support::supportParameters(), in.values);
-  if (!curved::peels(in.choices.growth))
+  if (!in.choices.growth.row().peels)
     key += parameterText(curved::forwardParameters(), in.values);
   return key + headText(frontHead(in));
 }
@@ -39,7 +39,7 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
   const std::shared_ptr<const PartVoxels> part = input.voxels(ctx.sub(0.0, 0.07));
   const voxel::SolidVoxels& solid = *part->voxels;
   stage->timings.voxelise = part->seconds;
-  stage->platform = platformPolygon(in.choices.platform, solid, input.placed.platform);
+  stage->platform = plateOf(in.choices.platform, solid, input.placed.platform);
 
   curved::CurvedOptions growth;
   growth.growth = in.choices.growth;

@@ -51,12 +51,9 @@ std::vector<Vector2d> within(const platform::RodShape& rod, std::vector<Vector2d
 }
 
 platform::RodShape rodShape(const ModeChoices& in, const robot::CellRod& own) {
-  const PlatformChoice platform = platformChoice(in.choices.platform);
   const int sides = static_cast<int>(in.values.integer("rodSides"));
-  platform::RodShape rod =
-      platform.kind == PlatformKind::Rod
-          ? platform::straightRod(platform.diameterMm, platform.lengthMm, sides)
-          : platform::straightRod(own.diameterMm, own.lengthMm, sides);
+  platform::RodShape rod = in.choices.platform.rod(sides).value_or(
+      platform::straightRod(own.diameterMm, own.lengthMm, sides));
   const std::vector<Vector2d> profile = rodProfile(rodProfileText(in.values.text("rodProfile")));
   if (!profile.empty())
     rod.profile = within(rod, profile);
@@ -78,7 +75,7 @@ Eigen::Isometry3d motionOntoRod(const geometry::TriangleMesh& body, double scale
 
 geometry::Placement placeOnRod(const geometry::TriangleMesh& part, double scale,
                                const ModeChoices& in) {
-  if (const auto body = platformBody(in.choices))
+  if (const auto body = platformBody(in.choices.platform))
     return placementBy(part, scale,
                        motionOntoRod(*body, project::parsedScale(in.choices.scale), in));
   return substrate::placementOnAxis(part, scale, axisOf(part, in));
@@ -100,13 +97,13 @@ double fittingScale(const geometry::TriangleMesh& part, double unitMm, const Mod
 }
 
 std::string placeKey(const ModeChoices& in) {
-  return platformText(in.choices) + parameterText({"rodAxis"}, in.values);
+  return platformText(in.choices.platform) + parameterText({"rodAxis"}, in.values);
 }
 
 platform::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
   platform::PlatformSolid platform;
   platform.rod = rodShape(in, cellRod(in));
-  if (const auto body = platformBody(in.choices))
+  if (const auto body = platformBody(in.choices.platform))
     platform.mesh = std::make_shared<geometry::TriangleMesh>(
         moved(*body, placed.scale, motionOntoRod(*body, placed.scale, in)));
   return platform;
@@ -146,7 +143,7 @@ std::optional<plan::Finding> tooFarOut(const geometry::TriangleMesh& part,
 
 std::string decomposeKey(const ModeChoices& in) {
   const robot::CellRod own = cellRod(in);
-  return platformText(in.choices) +
+  return platformText(in.choices.platform) +
          fmt::format("rod {} x {} up to {}\n", own.diameterMm, own.lengthMm,
                      own.printableRadiusMm) +
          levelText(in) +
@@ -194,8 +191,10 @@ std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
 
 Mode latheMode() {
   Mode mode{"lathe", "Around a rod", decomposeKey, levelLayersKey, decompose, layersOf};
-  mode.platforms = {PlatformKind::Fit, PlatformKind::Rod, PlatformKind::Mesh};
+  mode.platforms = {project::PlatformUse::Rod, project::PlatformUse::Body};
   mode.aroundRod = true;
+  // Castelli 2020, 5.3.1: a rod of 5 mm, 200 mm long, and a nozzle that lays 0.25 mm on it.
+  mode.usual = {"lathe", "fdm-0.35", project::Platform("rod:5x200")};
   mode.place = placeOnRod;
   mode.placeKey = placeKey;
   mode.fittingScale = fittingScale;

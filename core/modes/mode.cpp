@@ -4,6 +4,11 @@
 
 namespace voluta::modes {
 
+Companions usualOnPlate() {
+  const project::Choices first;
+  return {first.cell, first.process, first.platform};
+}
+
 std::string heightsText(const process::Process& p) {
   return fmt::format("layer height {} in [{}, {}]\n", p.layerHeightMm, p.layerHeightMinMm,
                      p.layerHeightMaxMm);

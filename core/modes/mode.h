@@ -9,9 +9,7 @@
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_checks.h"
 #include "modes/part_voxels.h"
-#include "modes/platform_choice.h"
 #include "modes/stages.h"
-#include "pipeline/stages.h"
 #include "platform/platform_solid.h"
 #include "project/job.h"
 #include "process/process.h"
@@ -43,6 +41,14 @@ struct DecomposeInput {
   std::function<void(std::shared_ptr<const curved::Decomposition>)> onPreview;
 };
 
+// What a mode is printed with unless something else is chosen.
+struct Companions {
+  std::string cell, process;
+  project::Platform platform;
+};
+// As Choices begin.
+Companions usualOnPlate();
+
 struct Mode {
   std::string_view id, label;
   // What of the choices goes into each of the two stages, as text for their keys.
@@ -54,8 +60,10 @@ struct Mode {
   std::shared_ptr<const LayersStage> (*layers)(const DecomposeStage&,
                                                const geometry::TriangleMesh& part,
                                                const ModeChoices&, const base::RunContext&);
-  std::vector<PlatformKind> platforms = {PlatformKind::Fit, PlatformKind::Disc, PlatformKind::Rect};
-  bool aroundRod = false; // does it need a cell with a rod
+  std::vector<project::PlatformUse> platforms = {
+      project::PlatformUse::Plate}; // as what it takes one
+  bool aroundRod = false;           // does it need a cell with a rod
+  Companions usual = usualOnPlate();
   // Where a part lies that nobody has placed, for geometry::place with this scale; null: as
   // geometry::Placement's defaults. Decided by the mesh and what placeKey tells.
   geometry::Placement (*place)(const geometry::TriangleMesh&, double scale,
@@ -66,7 +74,7 @@ struct Mode {
   double (*fittingScale)(const geometry::TriangleMesh&, double unitMm,
                          const ModeChoices&) = nullptr;
   // What material starts on, where that does not wait for a decomposition; null: a plate, as
-  // platformPolygon has it.
+  // plateOf() has it.
   platform::PlatformSolid (*platform)(const LoadStage& placed, const ModeChoices&) = nullptr;
   // Parameters whose default is another one in this mode, as text.
   std::vector<std::pair<std::string_view, std::string_view>> defaults = {};

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/number_list.h"
 #include "modes/parameter_text.h"
-#include "pipeline/choices.h"
 #include "planar/published/greedy_decompose.h"
 #include "planar/search/beam_search.h"
 

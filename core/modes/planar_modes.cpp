@@ -8,8 +8,7 @@
 #include "modes/parameter_text.h"
 #include "modes/piece_search.h"
 #include "modes/planar_platform.h"
-#include "modes/platform_choice.h"
-#include "pipeline/choices.h"
+#include "modes/plate.h"
 #include "planar/flat.h"
 #include "planar/given_cuts.h"
 #include "planar/search/beam_search.h"
@@ -81,7 +80,7 @@ std::string planesKey(const char* what, const std::string& planes) {
 
 std::string planarKey(const ModeChoices& in) {
   const std::string cuts = in.values.text("cutPlanes");
-  return fmt::format("platform {}\n{}", in.choices.platform, heightsText(in.process)) +
+  return fmt::format("platform {}\n{}", in.choices.platform.text(), heightsText(in.process)) +
          headText(process::erodedHead(in.process.head, in.process.contactToleranceMm)) +
          carrierText(in.choices, in.process) +
          parameterText({"overhangAngle", "pieceMaterials"}, in.values) +
@@ -161,7 +160,7 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
 }
 
 std::string flatKey(const ModeChoices& in) {
-  return fmt::format("platform {}\n{}", in.choices.platform, heightsText(in.process)) +
+  return fmt::format("platform {}\n{}", in.choices.platform.text(), heightsText(in.process)) +
          parameterText({"overhangAngle", "voxelMm", "pieceMaterials"}, in.values);
 }
 
@@ -191,7 +190,7 @@ std::shared_ptr<const DecomposeStage> decomposeFlat(const DecomposeInput& input,
   const std::shared_ptr<const PartVoxels> part = input.voxels(ctx.sub(0.0, 0.8));
   const voxel::SolidVoxels& solid = *part->voxels;
   stage->timings.voxelise = part->seconds;
-  stage->platform = platformPolygon(in.choices.platform, solid, input.placed.platform);
+  stage->platform = plateOf(in.choices.platform, solid, input.placed.platform);
 
   const base::Stopwatch watch;
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(

@@ -1,7 +1,6 @@
 #include "modes/planar_platform.h"
 
 #include "modes/cell_choice.h"
-#include "modes/platform_choice.h"
 #include "robot/cell.h"
 
 #include <algorithm>
@@ -38,11 +37,11 @@ planar::PlanarPlatform planarPlatform(const project::Choices& choices,
                                       const process::Process& process,
                                       const std::vector<Eigen::Vector2d>& own) {
   planar::PlanarPlatform out = carrierOf(choices, process);
-  const std::optional<double> margin = fitMargin(choices.platform);
+  const std::optional<double> margin = choices.platform.marginMm();
   if (margin && own.empty())
     out.marginMm = *margin;
   else
-    out.polygon = platformAround(choices.platform, own);
+    out.polygon = choices.platform.plateAround(own);
   return out;
 }
 

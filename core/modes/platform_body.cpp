@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "geometry/measures.h"
-#include "modes/platform_choice.h"
 #include "project/content_hash.h"
 #include "project/loaded_part.h"
 
@@ -11,26 +10,24 @@
 
 namespace voluta::modes {
 
-std::string platformText(const project::Choices& choices) {
-  const PlatformChoice platform = platformChoice(choices.platform);
-  if (platform.kind != PlatformKind::Mesh)
-    return fmt::format("platform {}\n", choices.platform);
+std::string platformText(const project::Platform& platform) {
+  if (!platform.isBody())
+    return fmt::format("platform {}\n", platform.text());
   try {
-    return fmt::format("platform mesh {}\n", project::contentHash(base::readFile(platform.file)));
+    return fmt::format("platform mesh {}\n", project::contentHash(base::readFile(platform.file())));
   } catch (const base::Error&) {
-    return fmt::format("platform mesh {} that cannot be read\n", platform.file);
+    return fmt::format("platform mesh {} that cannot be read\n", platform.file());
   }
 }
 
-std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Choices& choices,
+std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Platform& platform,
                                                            const base::RunContext& ctx) {
-  const PlatformChoice platform = platformChoice(choices.platform);
-  if (platform.kind != PlatformKind::Mesh)
+  if (!platform.isBody())
     return nullptr;
   const std::shared_ptr<const project::LoadedPart> loaded =
-      project::loadPart(platform.file, true, ctx);
+      project::loadPart(platform.file(), true, ctx);
   const auto fail = [&](const char* what, const char* remedy) {
-    throw base::Error(base::ErrorCode::UnusableInput, what, platform.file, remedy);
+    throw base::Error(base::ErrorCode::UnusableInput, what, platform.file(), remedy);
   };
   if (loaded->cells)
     fail("a platform is a mesh, not a voxel object", "give an STL, OBJ, PLY, OFF or 3MF file");

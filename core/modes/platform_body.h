@@ -1,9 +1,10 @@
 // A platform that is a body: its file, and where that puts it and the part.
 #pragma once
 
+#include "base/run_context.h"
 #include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
-#include "project/job.h"
+#include "project/platform.h"
 
 #include <Eigen/Geometry>
 #include <memory>
@@ -12,12 +13,11 @@
 namespace voluta::modes {
 
 // The platform as text for keys: a body by its file's content, so that it counts wherever it lies.
-// Throws Error{Usage}.
-std::string platformText(const project::Choices& choices);
+std::string platformText(const project::Platform& platform);
 
-// The body of platform mesh:FILE as the file has it, mended; null for others. Throws
-// Error{UnreadableFile, UnusableInput} also where it is not closed; Error{Usage}.
-std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Choices& choices,
+// A platform's body as the file has it, mended; null for others. Throws
+// Error{UnreadableFile, UnusableInput} also where it is not closed.
+std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Platform& platform,
                                                            const base::RunContext& ctx = {});
 
 // The motion of geometry::place: work = motion * (scale * file).

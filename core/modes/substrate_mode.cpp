@@ -11,6 +11,7 @@
 #include "modes/platform_body.h"
 #include "project/content_hash.h"
 #include "project/loaded_part.h"
+#include "project/platform_kinds.h"
 #include "substrate/substrate_layers.h"
 
 #include <algorithm>
@@ -66,11 +67,12 @@ substrate::EndSurface endSurface(const ModeChoices& in) {
   } else if (text.starts_with(kMeshPrefix) && !rest.empty()) {
     const auto file = project::loadPart(rest, true, {});
     const double scale = project::parsedScale(in.choices.scale);
-    const auto body = platformBody(in.choices);
+    const auto body = platformBody(in.choices.platform);
     if (!body)
       throw base::Error(base::ErrorCode::Usage,
-                        "endSurface mesh:FILE goes with a platform mesh:FILE", {},
-                        "give --platform mesh:FILE, or endSurface flat:Z");
+                        "endSurface mesh:FILE goes with a platform that is a body", {},
+                        "give --platform " + project::platformForms({project::PlatformUse::Body}) +
+                            ", or endSurface flat:Z");
     end.mesh = std::make_shared<geometry::MeshQuery>(
         moved(*file->mesh, scale, motionToMiddle(*body, scale)));
   } else if (!text.empty() && text != "flat") {
@@ -108,15 +110,14 @@ substrate::SubstrateOptions substrateOptions(const ModeChoices& in) {
 
 geometry::Placement placeOnSurface(const geometry::TriangleMesh& part, double scale,
                                    const ModeChoices& in) {
-  const auto body = platformBody(in.choices);
+  const auto body = platformBody(in.choices.platform);
   return body ? placementBy(part, scale,
                             motionToMiddle(*body, project::parsedScale(in.choices.scale)))
               : geometry::Placement{};
 }
 
 std::string placeKey(const ModeChoices& in) {
-  return platformChoice(in.choices.platform).kind == PlatformKind::Mesh ? platformText(in.choices)
-                                                                        : std::string();
+  return in.choices.platform.isBody() ? platformText(in.choices.platform) : std::string();
 }
 
 // Corners of what of a mesh is no higher than heightMm.
@@ -137,15 +138,15 @@ std::vector<Vector2d> standing(const geometry::TriangleMesh& mesh, double height
 
 platform::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
   platform::PlatformSolid platform;
-  if (const auto body = platformBody(in.choices)) {
+  if (const auto body = platformBody(in.choices.platform)) {
     const auto mesh = std::make_shared<geometry::TriangleMesh>(
         moved(*body, placed.scale, motionToMiddle(*body, placed.scale)));
     platform.polygon =
         geometry::convexPolygon(standing(*mesh, kContactShare * in.process.layerHeightMm));
     platform.mesh = mesh;
   } else {
-    platform.polygon = platformAround(
-        in.choices.platform, standing(*placed.part, kContactShare * in.process.layerHeightMm));
+    platform.polygon = in.choices.platform.plateAround(
+        standing(*placed.part, kContactShare * in.process.layerHeightMm));
   }
   return platform;
 }
@@ -155,7 +156,7 @@ substrate::GroundDistance groundOf(const platform::PlatformSolid& platform) {
 }
 
 std::string decomposeKey(const ModeChoices& in) {
-  return platformText(in.choices) + levelText(in) + endText(in) +
+  return platformText(in.choices.platform) + levelText(in) + endText(in) +
          parameterText({"layerShape", "layerCentre", "overhangAngle"}, in.values);
 }
 
@@ -199,7 +200,7 @@ std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
 
 Mode substrateMode() {
   Mode mode{"substrate", "On a given surface", decomposeKey, levelLayersKey, decompose, layersOf};
-  mode.platforms = {PlatformKind::Mesh, PlatformKind::Fit, PlatformKind::Disc, PlatformKind::Rect};
+  mode.platforms = {project::PlatformUse::Body, project::PlatformUse::Plate};
   mode.place = placeOnSurface;
   mode.placeKey = placeKey;
   mode.platform = platformOf;

@@ -2,15 +2,14 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "curved/grow.h"
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
 #include "modes/planar_modes.h"
-#include "modes/platform_choice.h"
 #include "modes/rod_profile.h"
 #include "motion/motion_options.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
+#include "project/platform_kinds.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
@@ -148,22 +147,16 @@ void checkChoices(const project::Choices& choices) {
   for (const program::Dialect& dialect : program::dialects())
     formatIds.emplace_back(dialect.id);
   checkName("mode", choices.mode, modeIds);
-  checkName("growth", choices.growth, curved::growthSchemes());
   checkName("cell", choices.cell, robot::cellIds());
   checkName("process", choices.process, process::processIds());
   for (const std::string& format : choices.formats)
     checkName("format", format, formatIds);
-  const modes::PlatformKind kind = modes::platformChoice(choices.platform).kind;
-  const std::vector<modes::PlatformKind>& taken = modes::findMode(choices.mode).platforms;
-  if (std::find(taken.begin(), taken.end(), kind) == taken.end()) {
-    std::vector<std::string_view> words;
-    for (const modes::PlatformKind one : taken)
-      words.push_back(modes::kPlatformWords[static_cast<std::size_t>(one)]);
+  const std::vector<project::PlatformUse>& taken = modes::findMode(choices.mode).platforms;
+  if (!choices.platform.isForAnyOf(taken))
     throw Error(ErrorCode::Usage,
                 fmt::format("mode {} does not print on platform {}", choices.mode,
-                            modes::kPlatformWords[static_cast<std::size_t>(kind)]),
-                {}, fmt::format("give --platform {}", fmt::join(words, ", ")));
-  }
+                            choices.platform.kind().word),
+                {}, fmt::format("give --platform {}", project::platformForms(taken)));
   const bool laysItself = modes::findMode(choices.mode).place != nullptr;
   if (const auto orient = choices.parameters.find("orient");
       laysItself && orient != choices.parameters.end() && orient->second != "none")
@@ -171,7 +164,7 @@ void checkChoices(const project::Choices& choices) {
                 fmt::format("orient={} turns parts on a plate; mode {} lays them itself",
                             orient->second, choices.mode),
                 {}, "give orient=none");
-  if (project::parsedScale(choices.scale) == 0.0 && kind == modes::PlatformKind::Mesh)
+  if (project::parsedScale(choices.scale) == 0.0 && choices.platform.isBody())
     throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part", {},
                 "give a number");
   const geometry::Placement& place = choices.placement;

@@ -2,10 +2,9 @@
 
 #include "base/outcome.h"
 #include "base/stopwatch.h"
-#include "curved/grow.h"
 #include "modes/mode_table.h"
-#include "modes/platform_choice.h"
 #include "pipeline/choices.h"
+#include "project/platform_kinds.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,18 +14,26 @@ namespace voluta::pipeline {
 
 namespace {
 
-using Text = std::string project::Choices::*;
-
 // Does this choice go into the mode's decomposition?
-bool asksFor(const modes::Mode& mode, const modes::ModeChoices& in, Text choice,
-             const std::vector<std::string>& trials) {
+template <typename T>
+bool asksFor(const modes::Mode& mode, const modes::ModeChoices& in, T project::Choices::*choice,
+             const std::vector<T>& trials) {
   std::set<std::string> keys;
-  for (const std::string& trial : trials) {
+  for (const T& trial : trials) {
     project::Choices choices = in.choices;
     choices.*choice = trial;
     keys.insert(mode.decomposeKey({choices, in.values, in.process}));
   }
   return keys.size() > 1;
+}
+
+// One of each kind that the mode prints on, but for those that need a file.
+std::vector<project::Platform> usualPlatforms(const modes::Mode& mode) {
+  std::vector<project::Platform> platforms;
+  for (const project::PlatformKind* kind : project::platformKindsFor(mode.platforms))
+    if (kind->file.empty())
+      platforms.emplace_back(*kind);
+  return platforms;
 }
 
 // The part once for all; a request that has it is left as it is.
@@ -38,31 +45,32 @@ PlanRequest withPart(PlanRequest request, const base::RunContext& ctx) {
   return request;
 }
 
-bool takes(const modes::Mode& mode, modes::PlatformKind kind) {
-  return std::find(mode.platforms.begin(), mode.platforms.end(), kind) != mode.platforms.end();
+bool takesBodies(const modes::Mode& mode) {
+  return std::find(mode.platforms.begin(), mode.platforms.end(), project::PlatformUse::Body) !=
+         mode.platforms.end();
 }
 
 // For parts of the same kind, in the same cell: on a plate, around a rod, on a surface.
 bool isLike(const modes::Mode& a, const modes::Mode& b) {
-  return a.aroundRod == b.aroundRod &&
-         takes(a, modes::PlatformKind::Mesh) == takes(b, modes::PlatformKind::Mesh);
+  return a.aroundRod == b.aroundRod && takesBodies(a) == takesBodies(b);
 }
 
-bool takesAll(const modes::Mode& mode, const std::vector<std::string>& platforms) {
-  return std::all_of(platforms.begin(), platforms.end(), [&](const std::string& platform) {
-    return takes(mode, modes::platformChoice(platform).kind);
+bool takesAll(const modes::Mode& mode, const std::vector<project::Platform>& platforms) {
+  return std::all_of(platforms.begin(), platforms.end(), [&](const project::Platform& platform) {
+    return platform.isForAnyOf(mode.platforms);
   });
+}
+
+template <typename T> std::vector<T> orOwn(const std::vector<T>& list, const T& own) {
+  return list.empty() ? std::vector<T>{own} : list;
 }
 
 } // namespace
 
 std::vector<Combination> combinations(const CompareOptions& options) {
   const project::Choices& given = options.plan.choices;
-  const auto orOwn = [](const std::vector<std::string>& list, const std::string& own) {
-    return list.empty() ? std::vector<std::string>{own} : list;
-  };
-  const std::vector<std::string> growths = orOwn(options.growths, given.growth),
-                                 platforms = orOwn(options.platforms, given.platform);
+  const std::vector<curved::GrowthScheme> growths = orOwn(options.growths, given.growth);
+  const std::vector<project::Platform> platforms = orOwn(options.platforms, given.platform);
   std::vector<std::string> modeIds = options.modes;
   if (modeIds.empty())
     for (const modes::Mode& mode : modes::modeTable())
@@ -73,16 +81,16 @@ std::vector<Combination> combinations(const CompareOptions& options) {
 
   std::vector<Combination> all;
   for (const std::string& id : modeIds)
-    for (const std::string& platform : platforms)
-      for (const std::string& growth : growths) {
+    for (const project::Platform& platform : platforms)
+      for (const curved::GrowthScheme& growth : growths) {
         const project::Choices choices = choicesOf({id, growth, platform}, given);
         checkChoices(choices);
         const modes::Mode& mode = modes::findMode(id);
         const modes::ModeChoices in{choices, values, process};
         Combination row{id, growth, platform};
         if (!asksFor(mode, in, &project::Choices::growth, curved::growthSchemes()))
-          row.growth.clear();
-        if (!asksFor(mode, in, &project::Choices::platform, {"fit:0", "disc:80"}))
+          row.growth.reset();
+        if (!asksFor(mode, in, &project::Choices::platform, usualPlatforms(mode)))
           row.platform = platforms.front();
         if (std::find(all.begin(), all.end(), row) == all.end())
           all.push_back(row);
@@ -92,8 +100,8 @@ std::vector<Combination> combinations(const CompareOptions& options) {
 
 project::Choices choicesOf(const Combination& combination, project::Choices choices) {
   choices.mode = combination.mode;
-  if (!combination.growth.empty())
-    choices.growth = combination.growth;
+  if (combination.growth)
+    choices.growth = *combination.growth;
   choices.platform = combination.platform;
   return choices;
 }

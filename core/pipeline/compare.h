@@ -17,18 +17,18 @@ namespace voluta::pipeline {
 // One way of building.
 struct Combination {
   std::string mode;
-  std::string growth; // empty: means nothing to the mode
-  std::string platform;
+  std::optional<curved::GrowthScheme> growth; // none: means nothing to the mode
+  project::Platform platform;
 
-  friend bool operator==(const Combination& a, const Combination& b) {
-    return a.mode == b.mode && a.growth == b.growth && a.platform == b.platform;
-  }
+  friend bool operator==(const Combination&, const Combination&) = default;
 };
 
 // A list that is empty stands for what the choices name; `modes` for all modes.
 struct CompareOptions {
   PlanRequest plan;
-  std::vector<std::string> modes, growths, platforms;
+  std::vector<std::string> modes;
+  std::vector<curved::GrowthScheme> growths;
+  std::vector<project::Platform> platforms;
 };
 
 // In the order they are planned: by mode, platform, growth; none twice. Growth schemes and

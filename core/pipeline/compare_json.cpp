@@ -35,9 +35,9 @@ Json rowJson(std::size_t index, const CompareRow& row, const std::optional<doubl
   const project::DecompositionReport& d = row.report.decomposition;
   Json json{{"number", index + 1},
             {"mode", row.combination.mode},
-            {"growth", orNull(row.combination.growth)},
+            {"growth", row.combination.growth ? Json(row.combination.growth->id()) : Json()},
             {"scheme", orNull(d.growth)},
-            {"platform", row.combination.platform},
+            {"platform", row.combination.platform.text()},
             {"state", stateName(row.state())},
             {"reason", orNull(row.reason())},
             {"blocking", row.blocking()},
@@ -86,8 +86,8 @@ std::string compareJson(const Comparison& comparison, const Weights& weights,
 }
 
 std::string rowFolder(std::size_t index, const Combination& combination) {
-  return fmt::format("{}-{}{}{}", index + 1, combination.mode,
-                     combination.growth.empty() ? "" : "-", combination.growth);
+  return fmt::format("{}-{}{}", index + 1, combination.mode,
+                     combination.growth ? "-" + combination.growth->id() : std::string());
 }
 
 std::string_view stateName(RowState state) {

@@ -1,5 +1,4 @@
 #include "pipeline/remedies.h"
-#include "modes/platform_choice.h"
 
 #include "base/parameters.h"
 #include "pipeline/choices.h"
@@ -42,11 +41,11 @@ std::optional<Cure> turnLeastRisky(const plan::Finding&, const project::Choices&
 
 // Room for supports beside the part.
 std::optional<Cure> widenPlatform(const plan::Finding&, const project::Choices& choices) {
-  const std::optional<double> margin = modes::fitMargin(choices.platform);
+  const std::optional<double> margin = choices.platform.marginMm();
   if (!margin || *margin >= kRoomMm)
     return std::nullopt;
   Cure cure{choices, {}};
-  cure.choices.platform = fmt::format("fit:{:g}", kRoomMm);
+  cure.choices.platform = choices.platform.withMarginMm(kRoomMm);
   return cure;
 }
 
@@ -63,10 +62,10 @@ std::optional<Cure> turnPart(const plan::Finding&, const project::Choices& choic
 
 // Voxels are shadowed by a front that spans the platform: the least one is the contact area.
 std::optional<Cure> shrinkPlatform(const plan::Finding&, const project::Choices& choices) {
-  if (choices.platform == "fit" || choices.platform == "fit:0")
-    return std::nullopt;
   Cure cure{choices, {}};
-  cure.choices.platform = "fit:0";
+  cure.choices.platform = project::Platform::madeForPart(0.0);
+  if (cure.choices.platform == choices.platform)
+    return std::nullopt;
   return cure;
 }
 

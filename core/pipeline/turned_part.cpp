@@ -1,5 +1,5 @@
 #include "pipeline/turned_part.h"
-#include "modes/platform_choice.h"
+#include "modes/plate.h"
 
 #include "base/stopwatch.h"
 #include "base/units.h"
@@ -64,7 +64,7 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const project::Choic
   options.quarterTurns = onlyQuarters;
   options.centreMm = choices.placement.centreMm;
   options.platform = [&](const voxel::SolidVoxels& part) {
-    return modes::platformPolygon(choices.platform, part);
+    return modes::plateOf(choices.platform, part);
   };
   const placement::Orientation found = placement::bestOrientation(
       placed, fewestMissed ? placement::Objective::FewestMissed : placement::Objective::LeastRisky,
@@ -83,7 +83,7 @@ std::string turnText(const project::Choices& choices, const base::ParameterValue
     return {};
   return fmt::format("orient {}\nwidth {} mm\noverhang {}\n", orient, values.number("voxelMm"),
                      values.number("overhangAngle")) +
-         (orient == "fewestMissed" ? fmt::format("platform {}\n", choices.platform) : "");
+         (orient == "fewestMissed" ? fmt::format("platform {}\n", choices.platform.text()) : "");
 }
 
 } // namespace voluta::pipeline

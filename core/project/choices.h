@@ -1,7 +1,9 @@
 // What the user chose for a part.
 #pragma once
 
+#include "curved/growth_scheme.h"
 #include "geometry/placement.h"
+#include "project/platform.h"
 
 #include <map>
 #include <string>
@@ -12,8 +14,8 @@ namespace voluta::project {
 // What the user chose; together with the mesh it decides every result.
 struct Choices {
   std::string mode = "curved";
-  std::string growth = "auto";
-  std::string platform = "fit:0";
+  curved::GrowthScheme growth;
+  Platform platform;
   std::string cell = "ur5-fixed";
   std::string process = "fdm-1.0";
   std::string scale = "1"; // a number or "fit"

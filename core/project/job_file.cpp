@@ -28,8 +28,8 @@ base::Error unreadable(const std::string& what, const std::string& where,
 Json choicesJson(const Choices& c) {
   const geometry::Placement& p = c.placement;
   return Json{{"mode", c.mode},
-              {"growth", c.growth},
-              {"platform", c.platform},
+              {"growth", c.growth.id()},
+              {"platform", c.platform.text()},
               {"cell", c.cell},
               {"process", c.process},
               {"scale", c.scale},
@@ -46,8 +46,8 @@ Json choicesJson(const Choices& c) {
 Choices readChoices(const Json& j, int format) {
   Choices c;
   j.at("mode").get_to(c.mode);
-  j.at("growth").get_to(c.growth);
-  j.at("platform").get_to(c.platform);
+  c.growth = curved::GrowthScheme(j.at("growth").get<std::string>());
+  c.platform = Platform(j.at("platform").get<std::string>());
   j.at("cell").get_to(c.cell);
   j.at("process").get_to(c.process);
   j.at("scale").get_to(c.scale);

@@ -32,7 +32,7 @@ public:
   Supporter(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,
             const SupportOptions& options, const base::RunContext& ctx)
       : part_(part), platform_(platform), options_(options), ctx_(ctx),
-        peels_(curved::peels(options.growth)) {
+        peels_(options.growth.row().peels) {
     out_.solid = part;
   }
 
@@ -333,7 +333,6 @@ base::ParameterTable supportParameters() {
 
 Supports supportsFor(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,
                      const SupportOptions& options, const base::RunContext& ctx) {
-  curved::checkGrowthScheme(options.growth);
   base::require(options.rounds >= 1 && options.trials >= 0,
                 "supportsFor: rounds >= 1, trials >= 0");
   base::Stopwatch watch;

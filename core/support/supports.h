@@ -21,7 +21,7 @@ namespace voluta::support {
 base::ParameterTable supportParameters();
 
 struct SupportOptions {
-  std::string growth = "auto"; // of curved::growthSchemes()
+  curved::GrowthScheme growth;
   curved::ForwardOptions forward;
   process::HeadShape head; // as CurvedOptions::head; empty: a flat front
   int rounds = 10;         // of growth and new columns, at most
@@ -47,7 +47,7 @@ struct Supports {
 // misses nothing, that is all it does. The sources' schemes take long: four rounds at most, and
 // nothing is taken away.
 // Growing `solid` by the same scheme misses `missedAfter` voxels of the part.
-// `platform`: as in curved::voxelGraph(). Throws Error{Usage}: the scheme; Cancelled.
+// `platform`: as in curved::voxelGraph(). Throws Cancelled.
 Supports supportsFor(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,
                      const SupportOptions& options, const base::RunContext& ctx);
 

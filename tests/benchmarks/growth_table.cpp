@@ -50,7 +50,7 @@ long peakMb() {
 
 int main(int argc, char** argv) try {
   std::vector<double> counts{100000};
-  std::string scheme = "auto";
+  curved::GrowthScheme scheme;
   int threads = 2, repeat = 5;
   process::HeadShape head;
   std::vector<std::string> files;
@@ -63,7 +63,7 @@ int main(int argc, char** argv) try {
       for (std::string item; std::getline(list, item, ',');)
         counts.push_back(std::stod(item));
     } else if (arg == "--growth") {
-      scheme = next();
+      scheme = curved::GrowthScheme(next());
     } else if (arg == "--threads") {
       threads = std::stoi(next());
     } else if (arg == "--repeat") {
@@ -76,7 +76,7 @@ int main(int argc, char** argv) try {
     }
   }
   const base::RunContext ctx(base::CancelToken{}, threads);
-  std::printf("%s, %d threads, best of %d\n\n", scheme.c_str(), threads, repeat);
+  std::printf("%s, %d threads, best of %d\n\n", scheme.id().c_str(), threads, repeat);
   std::printf("| part | voxels | s | missed | relaxed | ranks | peak MB |\n"
               "|---|---|---|---|---|---|---|\n");
   for (const std::string& file : files) {

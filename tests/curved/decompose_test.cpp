@@ -22,7 +22,7 @@ const base::RunContext kQuiet;
 Decomposition grown(const voxel::SolidVoxels& part, const std::string& growth = "auto",
                     const base::RunContext& ctx = kQuiet) {
   CurvedOptions options;
-  options.growth = growth;
+  options.growth = GrowthScheme(growth);
   return decompose(part, platformFit(part, 0.0), options, ctx);
 }
 

@@ -93,7 +93,7 @@ int main(int argc, char** argv) try {
     else if (arg == "--pitch")
       pitch = std::stod(next());
     else if (arg == "--growth")
-      options.growth = next();
+      options.growth = curved::GrowthScheme(next());
     else if (arg == "--rounds")
       options.rounds = std::stoi(next());
     else if (arg == "--threads")

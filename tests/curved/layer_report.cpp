@@ -111,7 +111,7 @@ int main(int argc, char** argv) try {
     else if (a == "--threads")
       threads = std::stoi(next());
     else if (a == "--growth")
-      growth.growth = next();
+      growth.growth = curved::GrowthScheme(next());
     else if (a == "--rounds")
       growth.rounds = std::stoi(next());
     else if (a == "--vtp")

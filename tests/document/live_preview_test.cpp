@@ -25,7 +25,7 @@ protected:
   }
   void setPlatform(const char* platform) {
     project::Choices choices = document_.choices();
-    choices.platform = platform;
+    choices.platform = project::Platform(platform);
     document_.setChoices(choices, QStringLiteral("platform"));
   }
   bool waitFor(const std::function<bool()>& condition, int ms = 30000) {
@@ -115,13 +115,13 @@ TEST_F(LivePreviewTest, TheLastOfSeveralEditsIsShown) {
     setPlatform(platform);
   ASSERT_TRUE(finished.wait(30000));
   EXPECT_EQ(started.size(), 1) << "one run for edits in a row";
-  EXPECT_EQ(document_.result(Stage::Decompose)->job.choices.platform, "disc:33");
+  EXPECT_EQ(document_.result(Stage::Decompose)->job.choices.platform.text(), "disc:33");
   setPlatform("disc:34");
   live_.refresh();
   ASSERT_TRUE(live_.running());
   setPlatform("disc:35"); // while it runs
   ASSERT_TRUE(waitFor([&] { return !live_.running() && document_.upToDate(Stage::Decompose); }));
-  EXPECT_EQ(document_.result(Stage::Decompose)->job.choices.platform, "disc:35");
+  EXPECT_EQ(document_.result(Stage::Decompose)->job.choices.platform.text(), "disc:35");
 }
 
 TEST_F(LivePreviewTest, UndoBringsThePlanBackWithoutARun) {

@@ -252,7 +252,7 @@ TEST(PlatformEditor, TextGoesInAndComesOut) {
 TEST(PlatformEditor, OffersWhatTheModePrintsOn) {
   forms::PlatformEditor editor;
   editor.setText("disc:90");
-  editor.setKinds({"fit", "rod", "mesh"}, true);
+  editor.setUses({project::PlatformUse::Rod, project::PlatformUse::Body});
   editor.setText("rod:6x150");
   auto* kind = editor.findChild<QComboBox*>("kind");
   EXPECT_EQ(kind->count(), 3);
@@ -261,14 +261,14 @@ TEST(PlatformEditor, OffersWhatTheModePrintsOn) {
   // What is no choice of the mode is there only while it is chosen.
   editor.setText("disc:90");
   EXPECT_EQ(kind->count(), 4);
-  editor.setKinds({"fit", "disc", "rect"}, false);
+  editor.setUses({project::PlatformUse::Plate});
   EXPECT_EQ(kind->count(), 3);
   EXPECT_EQ(editor.text(), "disc:90");
 }
 
 TEST(PlatformEditor, ARodIsRoundHexagonalOrStepped) {
   forms::PlatformEditor editor;
-  editor.setKinds({"fit", "rod", "mesh"}, true);
+  editor.setUses({project::PlatformUse::Rod, project::PlatformUse::Body});
   editor.setText("rod:6x150");
   std::vector<forms::RodProfile> told;
   QObject::connect(&editor, &forms::PlatformEditor::profileChanged,

@@ -1,7 +1,6 @@
 // What is typed: parameters, the platform, the scale.
 #include "fuzz_target.h"
 
-#include "modes/platform_choice.h"
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
 
@@ -27,12 +26,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::expect(base::parseParameter(spec, base::formatParameter(taken)) == taken,
                    "a value comes back from its text");
     });
-  fuzz::takenOrRefused([&] { modes::platformChoice(text); });
+  fuzz::takenOrRefused([&] {
+    const project::Platform platform(text);
+    fuzz::expect(project::Platform(platform.text()) == platform,
+                 "a platform comes back from its text");
+  });
   fuzz::takenOrRefused(
       [&] { fuzz::expect(std::isfinite(project::parsedScale(text)), "a scale is a number"); });
+  fuzz::takenOrRefused([&] { curved::GrowthScheme{text}; });
   fuzz::takenOrRefused([&] {
     project::Choices choices;
-    choices.growth = choices.cell = choices.mode = text;
+    choices.cell = choices.mode = text;
     choices.parameters[text.substr(0, text.find('='))] = value;
     pipeline::checkChoices(choices);
     pipeline::parameterValues(choices);

@@ -70,14 +70,14 @@ TEST_F(LatheWindowTest, CellPlatformAndProcessGoAlongAndComeBack) {
   document().setParameter("walls", "1");
   choose("mode", "curved");
   project::Choices own = document().choices();
-  own.platform = "disc:80";
+  own.platform = project::Platform("disc:80");
   document().setChoices(own, "platform");
   const int edits = document().undoStack()->count();
   choose("mode", "lathe");
   const project::Choices& now = document().choices();
   EXPECT_EQ(now.cell, "lathe");
   EXPECT_EQ(now.process, "fdm-0.35");
-  EXPECT_EQ(now.platform, "rod:5x200");
+  EXPECT_EQ(now.platform.text(), "rod:5x200");
   EXPECT_EQ(now.parameters.at("walls"), "1");
   EXPECT_TRUE(notice().contains("lathe")) << notice().toStdString();
   EXPECT_TRUE(find<QPushButton>("noticeButton")->isHidden());
@@ -88,12 +88,12 @@ TEST_F(LatheWindowTest, CellPlatformAndProcessGoAlongAndComeBack) {
   choose("mode", "flat");
   EXPECT_EQ(document().choices().cell, own.cell);
   EXPECT_EQ(document().choices().process, own.process);
-  EXPECT_EQ(document().choices().platform, "disc:80");
+  EXPECT_EQ(document().choices().platform.text(), "disc:80");
 
   // One step of undo takes back what went along.
   while (document().undoStack()->count() > edits && document().choices().mode != "curved")
     document().undoStack()->undo();
-  EXPECT_EQ(document().choices().platform, "disc:80");
+  EXPECT_EQ(document().choices().platform.text(), "disc:80");
   EXPECT_EQ(document().choices().cell, own.cell);
 }
 
@@ -110,11 +110,11 @@ TEST_F(LatheWindowTest, WhatDoesNotFitIsSaidAndMendedByAButton) {
   EXPECT_FALSE(button->isVisible());
 
   project::Choices plate = document().choices();
-  plate.platform = "disc:60";
+  plate.platform = project::Platform("disc:60");
   document().setChoices(plate, "platform");
   ASSERT_TRUE(button->isVisible());
   QTest::mouseClick(button, Qt::LeftButton);
-  EXPECT_EQ(document().choices().platform, "rod:5x200");
+  EXPECT_EQ(document().choices().platform.text(), "rod:5x200");
 
   // Printing on a surface asks for it, and takes it from a dialog.
   choose("mode", "substrate");
@@ -122,7 +122,7 @@ TEST_F(LatheWindowTest, WhatDoesNotFitIsSaidAndMendedByAButton) {
   const QString body = writePart("half.stl", halfCylinder(40, 60));
   answerFileDialog(body);
   QTest::mouseClick(button, Qt::LeftButton);
-  EXPECT_EQ(document().choices().platform, ("mesh:" + body).toStdString());
+  EXPECT_EQ(document().choices().platform.text(), ("mesh:" + body).toStdString());
   EXPECT_FALSE(button->isVisible());
   ASSERT_TRUE(QFile::remove(body));
   document().setParameter("walls", "3");

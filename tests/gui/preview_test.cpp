@@ -39,7 +39,7 @@ protected:
   }
   void setPlatform(const char* platform) {
     project::Choices choices = document().choices();
-    choices.platform = platform;
+    choices.platform = project::Platform(platform);
     document().setChoices(choices, "platform");
   }
   QPushButton* remedy(const char* id) {
@@ -103,7 +103,7 @@ TEST_F(PreviewTest, TheGrowthListInWordsStartsAPreviewOnThePageOfTheEdit) {
   const QImage before = picture();
   growth->setFocus();
   QTest::keyClick(growth, Qt::Key_End); // greedy
-  ASSERT_EQ(document().choices().growth, "greedy");
+  ASSERT_EQ(document().choices().growth.id(), "greedy");
   EXPECT_EQ(document().state(Stage::Decompose), StageState::OutOfDate);
   ASSERT_TRUE(previewed());
   EXPECT_EQ(document().state(Stage::Layers), StageState::OutOfDate);
@@ -166,7 +166,7 @@ TEST_F(PreviewTest, CanBeTurnedOffAndTheWindowRemembers) {
 
 TEST_F(PreviewTest, AButtonCuresAFindingAndUndoTakesItBack) {
   project::Choices wide = document().choices();
-  wide.platform = "disc:150";
+  wide.platform = project::Platform("disc:150");
   document().setChoices(wide, "platform");
   planLayers(writePart("hook.stl", hook()));
   const auto missed = [&] {
@@ -180,12 +180,12 @@ TEST_F(PreviewTest, AButtonCuresAFindingAndUndoTakesItBack) {
   ASSERT_TRUE(shrink->isVisible());
   EXPECT_EQ(shrink->text(), "Shrink platform");
   QTest::mouseClick(shrink, Qt::LeftButton);
-  EXPECT_EQ(document().choices().platform, "fit:0");
+  EXPECT_EQ(document().choices().platform.text(), "fit:0");
   ASSERT_TRUE(previewed());
   EXPECT_LT(missed(), before);
   EXPECT_EQ(document().undoStack()->undoText(), "Shrink platform");
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(document().choices().platform, "disc:150");
+  EXPECT_EQ(document().choices().platform.text(), "disc:150");
   ASSERT_TRUE(previewed());
   EXPECT_EQ(missed(), before);
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 using namespace voluta;
+using voluta::curved::GrowthScheme;
 using namespace voluta::modes;
 using namespace voluta::pipeline;
 using namespace voluta::project;
@@ -30,7 +31,7 @@ CompareOptions boxOptions(Stage until) {
 
 CompareRow row(double missed, double printTimeS, bool blocked = false) {
   CompareRow made;
-  made.combination = {"curved", "auto", "fit:0"};
+  made.combination = {"curved", GrowthScheme(), {}};
   made.reached = Stage::Replay;
   made.report.decomposition.voxels = 1000;
   made.report.decomposition.missedVoxels = static_cast<std::size_t>(missed);
@@ -52,27 +53,24 @@ CompareRow failedRow() {
 
 TEST(Compare, GrowthSchemesVaryOnlyTheModeThatGrows) {
   CompareOptions options = boxOptions(Stage::Decompose);
-  options.growths = {"reverse", "greedy", "reverse"};
-  options.platforms = {"fit:0", "fit:20"};
+  options.growths = {GrowthScheme("reverse"), GrowthScheme("greedy"), GrowthScheme("reverse")};
+  options.platforms = {Platform::madeForPart(0), Platform::madeForPart(20)};
   const std::vector<Combination> all = combinations(options);
   EXPECT_EQ(all.size(), 2u * 2u + 2u * (kModesOnAPlate - 1));
   for (const Combination& c : all)
-    EXPECT_EQ(c.growth.empty(), c.mode != "curved") << c.mode;
-  EXPECT_EQ(all[0], (Combination{"curved", "reverse", "fit:0"}));
-  EXPECT_EQ(all[3], (Combination{"curved", "greedy", "fit:20"}));
+    EXPECT_EQ(!c.growth, c.mode != "curved") << c.mode;
+  EXPECT_EQ(all[0], (Combination{"curved", GrowthScheme("reverse"), {}}));
+  EXPECT_EQ(all[3], (Combination{"curved", GrowthScheme("greedy"), Platform::madeForPart(20)}));
   // Without lists: every mode as the choices have it.
   const std::vector<Combination> own = combinations(boxOptions(Stage::Decompose));
   ASSERT_EQ(own.size(), kModesOnAPlate);
-  EXPECT_EQ(own[0], (Combination{"curved", "auto", "fit:0"}));
+  EXPECT_EQ(own[0], (Combination{"curved", GrowthScheme(), {}}));
 }
 
 TEST(Compare, UnknownNamesAreToldBeforeAnythingIsPlanned) {
-  for (const auto field :
-       {&CompareOptions::modes, &CompareOptions::growths, &CompareOptions::platforms}) {
-    CompareOptions options = boxOptions(Stage::Decompose);
-    (options.*field) = {"nonsense"};
-    EXPECT_THROW(compare(options, context()), base::Error);
-  }
+  CompareOptions options = boxOptions(Stage::Decompose);
+  options.modes = {"nonsense"};
+  EXPECT_THROW(compare(options, context()), base::Error);
 }
 
 TEST(Compare, RowsAreWhatASinglePlanReportsAndTheTableSaysThat) {

@@ -39,7 +39,7 @@ PlanRequest latheRequest(TriangleMesh part,
   request.choices.mode = "lathe";
   request.choices.cell = "lathe";
   request.choices.process = "fdm-0.35";
-  request.choices.platform = "rod:5x200";
+  request.choices.platform = project::Platform("rod:5x200");
   request.choices.formats = {"rapid"};
   request.choices.parameters = parameters;
   return request;
@@ -112,7 +112,7 @@ protected:
     made.loaded = loaded(std::move(part));
     made.choices.mode = "substrate";
     made.choices.process = "fdm-0.35";
-    made.choices.platform = "mesh:" + file.string();
+    made.choices.platform = project::Platform("mesh:" + file.string());
     made.choices.formats = {"urscript"};
     parameters.insert({"layerHeightMm", "0.2"});
     made.choices.parameters = std::move(parameters);
@@ -196,18 +196,18 @@ TEST(LatheRoad, BadInputIsToldInOneLine) {
     return request;
   };
   using base::ErrorCode;
-  expectRefusal(with([](Choices& c) { c.platform = "rod:12x200"; }, tube), ErrorCode::UnusableInput,
-                "the rod is thicker than the part");
-  expectRefusal(with([](Choices& c) { c.platform = "rod:5x300"; }, tube), ErrorCode::UnusableInput,
-                "the cell has room for 100");
-  expectRefusal(with([](Choices& c) { c.platform = "rod:5x40"; }, tube), ErrorCode::UnusableInput,
-                "beyond an end of the rod");
+  expectRefusal(with([](Choices& c) { c.platform = project::Platform("rod:12x200"); }, tube),
+                ErrorCode::UnusableInput, "the rod is thicker than the part");
+  expectRefusal(with([](Choices& c) { c.platform = project::Platform("rod:5x300"); }, tube),
+                ErrorCode::UnusableInput, "the cell has room for 100");
+  expectRefusal(with([](Choices& c) { c.platform = project::Platform("rod:5x40"); }, tube),
+                ErrorCode::UnusableInput, "beyond an end of the rod");
   expectRefusal(with([](Choices& c) { c.placement.centreMm.y() = 20; }, tube),
                 ErrorCode::UnusableInput, "the part misses the rod");
   expectRefusal(with([](Choices& c) { c.cell = "ur5-fixed"; }, tube), ErrorCode::Usage,
                 "holds none");
-  expectRefusal(with([](Choices& c) { c.platform = "disc:80"; }, tube), ErrorCode::Usage,
-                "does not print on platform disc");
+  expectRefusal(with([](Choices& c) { c.platform = project::Platform("disc:80"); }, tube),
+                ErrorCode::Usage, "does not print on platform disc");
   expectRefusal(with([](Choices& c) { c.parameters["orient"] = "leastRisky"; }, tube),
                 ErrorCode::Usage, "orient=leastRisky");
   expectRefusal(with([](Choices& c) { c.parameters["rodProfile"] = "1,2 x"; }, tube),
@@ -216,7 +216,7 @@ TEST(LatheRoad, BadInputIsToldInOneLine) {
                 ErrorCode::Usage, "beyond process fdm-0.35");
   expectRefusal(with([](Choices&) {}, test::box({-5, -5, -5}, {5, 5, 5})), ErrorCode::UnusableInput,
                 "no clear axis");
-  expectRefusal(with([](Choices& c) { c.platform = "mesh:nowhere.stl"; }, tube),
+  expectRefusal(with([](Choices& c) { c.platform = project::Platform("mesh:nowhere.stl"); }, tube),
                 ErrorCode::UnreadableFile, "no such file");
 }
 
@@ -251,7 +251,7 @@ TEST(LatheRoad, ScaleFitKeepsWithinTheCellsRadiusAndTheRodsLength) {
 TEST(LatheRoad, AProfileIsPutIntoTheRod) {
   PlanRequest request =
       latheRequest(test::revolved(test::tubeSection(), 96), {{"rodProfile", "-10,3 0,3.5"}});
-  request.choices.platform = "fit";
+  request.choices.platform = project::Platform("fit");
   request.until = Stage::Decompose;
   const PlanResult planned = planPart(request, context());
   const std::vector<Eigen::Vector2d> expected{{-100, 2.5}, {-10, 2.5}, {-10, 3},
@@ -268,7 +268,7 @@ TEST(LatheRoad, ABodyOnTheRodIsTakenOutOfThePartToo) {
       p = Eigen::Vector3d(p.y() + 30, p.z() - 7, p.x() + 12);
   base::writeFile(folder / "collar.stl", geometry::writeStl(collar));
   PlanRequest request = latheRequest(part);
-  request.choices.platform = "mesh:" + (folder / "collar.stl").string();
+  request.choices.platform = project::Platform("mesh:" + (folder / "collar.stl").string());
   request.until = Stage::Layers;
   const PlanResult planned = planPart(request, context());
   const double pi = base::kPi;

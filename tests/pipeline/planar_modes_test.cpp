@@ -93,7 +93,7 @@ TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
 TEST(FlatMode, SupportsCarryWhatHangsAndCountApart) {
   PlanRequest flat = request("flat", Stage::Replay);
   flat.loaded = tee();
-  flat.choices.platform = "fit:15";
+  flat.choices.platform = project::Platform("fit:15");
   flat.choices.formats = {"urscript"};
   setParameters(flat.choices, {"supports=auto"});
   const PlanResult result = planPart(flat, context());

@@ -83,8 +83,10 @@ TEST_P(PlatformMisses, GrowWithThePlatformAndStayBelowUniformSlicing) {
   options.plan.choices.parameters["frontShape"] = "flat"; // as the source has it
   options.plan.until = Stage::Decompose;
   options.modes = {"curved", "flat"};
-  options.growths.assign(std::begin(kSchemes), std::end(kSchemes));
-  options.platforms.assign(std::begin(kPlatforms), std::end(kPlatforms));
+  for (const char* scheme : kSchemes)
+    options.growths.emplace_back(scheme);
+  for (const char* platform : kPlatforms)
+    options.platforms.emplace_back(platform);
   const Comparison comparison = compare(options, base::RunContext(base::CancelToken(), 2));
 
   std::map<std::pair<std::string, std::string>, std::size_t> missed; // scheme, platform
@@ -94,7 +96,7 @@ TEST_P(PlatformMisses, GrowWithThePlatformAndStayBelowUniformSlicing) {
     if (row.combination.mode == "flat") {
       EXPECT_EQ(uniformMisses(row), static_cast<double>(GetParam().uniformMisses));
     } else {
-      missed[{row.combination.growth, row.combination.platform}] = count;
+      missed[{row.combination.growth->id(), row.combination.platform.text()}] = count;
     }
   }
   ASSERT_EQ(missed.size(), std::size(kSchemes) * std::size(kPlatforms));

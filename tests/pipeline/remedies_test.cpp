@@ -31,7 +31,7 @@ struct Case {
 Case caseOf(const Remedy& remedy, std::string_view kind) {
   Case one{findingOf(kind), {}};
   if (remedy.id == "shrinkPlatform")
-    one.choices.platform = "disc:80";
+    one.choices.platform = project::Platform("disc:80");
   if (remedy.id == "dropToPlate")
     one.choices.placement.liftMm = 4.0;
   if (remedy.id == "adaptLayers")
@@ -90,7 +90,7 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
 
 TEST(Remedies, AreOfferedForTheirKindsOnly) {
   Choices choices;
-  choices.platform = "rect:90x70";
+  choices.platform = project::Platform("rect:90x70");
   choices.placement.liftMm = 2.0;
   const auto idsFor = [&](std::string_view kind) {
     std::set<std::string_view> ids;
@@ -113,12 +113,13 @@ TEST(Remedies, AreOfferedForTheirKindsOnly) {
 TEST(Remedies, TheContactAreaIsAsSmallAsAPlatformGets) {
   Choices choices;
   for (const char* platform : {"fit", "fit:0"}) {
-    choices.platform = platform;
+    choices.platform = project::Platform(platform);
     for (const Offer& offer : remediesFor(findingOf("shadowedVoxels"), choices))
       EXPECT_NE(offer.id, "shrinkPlatform") << platform;
   }
-  choices.platform = "fit:20";
-  EXPECT_EQ(remediesFor(findingOf("shadowedVoxels"), choices).at(0).cure.choices.platform, "fit:0");
+  choices.platform = project::Platform("fit:20");
+  EXPECT_EQ(remediesFor(findingOf("shadowedVoxels"), choices).at(0).cure.choices.platform.text(),
+            "fit:0");
 }
 
 TEST(Remedies, AThinWallNamesTheWidthThatHoldsIt) {

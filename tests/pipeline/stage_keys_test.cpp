@@ -126,8 +126,8 @@ TEST_F(StageKeysOf, ChoicesReachTheStagesTheyMatterTo) {
   check("scale", 0, [](Choices& c) { c.scale = "0.9"; });
   check("the same scale", kStageCount, [](Choices& c) { c.scale = "1.0"; });
   check("repair of what is whole", kStageCount, [](Choices& c) { c.repair = false; });
-  check("growth", 1, [](Choices& c) { c.growth = "greedy"; });
-  check("platform", 1, [](Choices& c) { c.platform = "disc:80"; });
+  check("growth", 1, [](Choices& c) { c.growth = curved::GrowthScheme("greedy"); });
+  check("platform", 1, [](Choices& c) { c.platform = project::Platform("disc:80"); });
   check("seed", 4, [](Choices& c) { c.seed = 2; });
   check("formats", 5, [](Choices& c) { c.formats = {"csv"}; });
   check("the formats that are meant anyway", kStageCount, [](Choices& c) {
@@ -139,7 +139,7 @@ TEST_F(StageKeysOf, GrowthOptionsMatterToTheSourcesSchemes) {
   const base::ParameterTable table = curved::forwardParameters();
   for (const char* growth : {"guided", "adaptive", "incremental", "greedy"}) {
     PlanRequest request = boxRequest();
-    request.choices.growth = growth;
+    request.choices.growth = curved::GrowthScheme(growth);
     default_ = stageKeys(request);
     for (const base::ParameterSpec& spec : table.specs()) {
       request.choices.parameters = {{spec.key, kParameters.at(spec.key).first}};
@@ -203,9 +203,9 @@ TEST_F(StageKeysOf, APlatformsMeshCountsByItsContent) {
   fs::copy(mesh, copy);
   PlanRequest request = boxRequest();
   request.choices.mode = "substrate";
-  request.choices.platform = "mesh:" + mesh.string();
+  request.choices.platform = project::Platform("mesh:" + mesh.string());
   default_ = stageKeys(request);
-  request.choices.platform = "mesh:" + copy.string();
+  request.choices.platform = project::Platform("mesh:" + copy.string());
   expectChangesFrom(request, kStageCount, "a copy of the file");
   base::writeFile(copy, "two");
   expectChangesFrom(request, 0, "another content"); // the part lies where the body puts it

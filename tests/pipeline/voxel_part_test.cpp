@@ -113,11 +113,11 @@ TEST(VoxelPart, StandsOnItsOwnPlatform) {
   const PlanResult fit = planPart(requestFor(ell(), Stage::Decompose), {});
   expectBox(fit.job.platform.polygon, -1.6, -0.4, 2.4, 0.4);
   PlanRequest wide = requestFor(ell(), Stage::Decompose);
-  wide.choices.platform = "fit:1";
+  wide.choices.platform = project::Platform("fit:1");
   const Eigen::AlignedBox2d widened = boxOf(planPart(wide, {}).job.platform.polygon);
   EXPECT_LE(widened.min().x(), -2.6 + 1e-9);
   EXPECT_GE(widened.max().y(), 1.4 - 1e-9);
-  wide.choices.platform = "rect:10x4";
+  wide.choices.platform = project::Platform("rect:10x4");
   expectBox(planPart(wide, {}).job.platform.polygon, -5, -2, 5, 2);
 }
 
@@ -211,7 +211,8 @@ TEST(VoxelPart, ProjectsKeepItsCells) {
   seedCache(reopened, job);
   PlanRequest again = requestFor(job.loaded, Stage::Decompose);
   EXPECT_EQ(stageKeys(again), stageKeys(requestFor(ell(), Stage::Decompose)));
-  again.choices.growth = "greedy"; // made anew: from the object's cells, not from its surface
+  again.choices.growth =
+      curved::GrowthScheme("greedy"); // made anew: from the object's cells, not from its surface
   const PlanResult other = planPart(again, {}, &reopened);
   EXPECT_EQ(other.job.report.decomposition.voxels, 4u);
   expectBox(other.job.platform.polygon, -1.6, -0.4, 2.4, 0.4);
@@ -239,7 +240,7 @@ TEST(BadVoxels, APartThatDoesNotTouchThePlatformIsToldSo) {
   PlanRequest request = requestFor(ell(), Stage::Decompose);
   request.choices.placement.liftMm = 8.0;
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the platform"));
-  request.choices.platform = "disc:5";
+  request.choices.platform = project::Platform("disc:5");
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the platform"));
 
   request = requestFor(test::loadedBox({0, 0, 0}, {4, 4, 4}), Stage::Decompose);
@@ -247,7 +248,7 @@ TEST(BadVoxels, APartThatDoesNotTouchThePlatformIsToldSo) {
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the plate"));
   request.choices.placement.liftMm = 0.0;
   request.choices.placement.centreMm = {100.0, 0.0};
-  request.choices.platform = "disc:20";
+  request.choices.platform = project::Platform("disc:20");
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the platform"));
 }
 

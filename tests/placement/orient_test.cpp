@@ -56,7 +56,7 @@ std::size_t missedByGrowth(const geometry::TriangleMesh& mesh, double voxelMm) {
   const voxel::SolidVoxels part = voxel::solidVoxels(mesh, voxelMm, kQuiet);
   const curved::VoxelGraph graph =
       curved::voxelGraph(part.grid, part.solid, part.plateLayer(), curved::platformFit(part, 0.0));
-  return part.count - curved::grow(graph, "auto", {}, kQuiet).laid;
+  return part.count - curved::grow(graph, curved::GrowthScheme(), {}, kQuiet).laid;
 }
 
 TEST(Orient, FindsADirectionWithoutLoss) {

@@ -139,7 +139,7 @@ TEST(Supports, WhatNoColumnReachesIsTold) {
 TEST(Supports, OtherSchemesAreSupportedToo) {
   const voxel::SolidVoxels part = toothPart();
   SupportOptions options;
-  options.growth = "greedy";
+  options.growth = curved::GrowthScheme("greedy");
   const Supports s = supportsFor(part, curved::platformFit(part, 0.0), options, kQuiet);
   EXPECT_GT(s.missedBefore, 0u);
   EXPECT_LT(s.missedAfter, s.missedBefore);
@@ -163,7 +163,7 @@ TEST(Supports, ProgressNeverFalls) {
       last = fraction;
     });
     SupportOptions options;
-    options.growth = growth;
+    options.growth = curved::GrowthScheme(growth);
     const voxel::SolidVoxels part = toothPart();
     supportsFor(part, curved::platformFit(part, 0.0), options, ctx);
     EXPECT_EQ(last, 1.0);

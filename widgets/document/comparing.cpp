@@ -28,7 +28,7 @@ std::string Comparing::keyOf(const pipeline::PlanRequest& request) const {
     mode = row.combination.mode;
     pipeline::PlanRequest one = request;
     one.choices = pipeline::choicesOf(row.combination, one.choices);
-    one.choices.growth = "auto"; // is the row's own
+    one.choices.growth = {}; // is the row's own
     key += pipeline::stageKeys(one).back();
   }
   return key;

@@ -20,7 +20,9 @@ class Document;
 
 // What is compared; a list that is empty means what the document has.
 struct ComparedWays {
-  std::vector<std::string> modes, growths, platforms;
+  std::vector<std::string> modes;
+  std::vector<curved::GrowthScheme> growths;
+  std::vector<project::Platform> platforms;
   project::Stage until = project::Stage::Replay;
 };
 

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "modes/mode_table.h"
-#include "modes/platform_choice.h"
 #include "pipeline/choices.h"
 #include "process/process.h"
 
@@ -14,33 +13,7 @@
 namespace voluta::document {
 
 namespace {
-using modes::PlatformKind;
 using project::Choices;
-
-struct Usual {
-  const char *cell, *process, *platform;
-};
-// Castelli 2020, 5.3.1: a rod of 5 mm, 200 mm long, and a nozzle that lays 0.25 mm on it.
-constexpr Usual kAroundRod{"lathe", "fdm-0.35", "rod:5x200"};
-
-Usual usual(bool aroundRod) {
-  static const Choices plate;
-  return aroundRod ? kAroundRod
-                   : Usual{plate.cell.c_str(), plate.process.c_str(), plate.platform.c_str()};
-}
-
-PlatformKind kindOf(const std::string& platform) {
-  return modes::platformChoice(platform).kind;
-}
-
-bool takes(const modes::Mode& mode, const std::string& platform) {
-  try {
-    return std::find(mode.platforms.begin(), mode.platforms.end(), kindOf(platform)) !=
-           mode.platforms.end();
-  } catch (const base::Error&) {
-    return false;
-  }
-}
 
 bool cellFits(const Choices& choices) {
   try {
@@ -61,40 +34,38 @@ Choices ModeSwitch::switched(const Choices& now, const std::string& mode) {
   platforms_[now.mode] = now.platform;
   if (from.aroundRod != to.aroundRod) {
     companions_[from.aroundRod] = {now.cell, now.process, now.placement};
-    const Usual other = usual(to.aroundRod);
     const auto kept = companions_.find(to.aroundRod);
     const Companions with =
-        kept == companions_.end() ? Companions{other.cell, other.process, {}} : kept->second;
-    next.cell = with.cell;
-    next.process = with.process;
-    next.placement = with.placement;
+        kept == companions_.end() ? Companions{to.usual.cell, to.usual.process, {}} : kept->second;
+    next.cell = mode.usual.cell;
+    next.process = mode.usual.process;
+    next.placement = mode.usual.placement;
     if (!platforms_.contains(mode))
-      next.platform = other.platform;
+      next.platform = to.usual.platform;
   }
   const auto platform = platforms_.find(mode);
-  const bool plate = takes(to, next.platform) && from.aroundRod == to.aroundRod;
+  const bool plate = next.platform.isForAnyOf(to.platforms) && from.aroundRod == to.aroundRod;
   if (platform != platforms_.end() &&
-      (!plate || (takes(to, platform->second) && kindOf(platform->second) == PlatformKind::Mesh)))
+      (!plate || (platform->second.isBody() && platform->second.isForAnyOf(to.platforms))))
     next.platform = platform->second;
-  if (!takes(to, next.platform))
-    next.platform = usual(to.aroundRod).platform;
+  if (!next.platform.isForAnyOf(to.platforms))
+    next.platform = to.usual.platform;
   return next;
 }
 
 Choices fitting(Choices choices) {
   const modes::Mode& mode = modes::findMode(choices.mode);
-  const Usual with = usual(mode.aroundRod);
-  if (!takes(mode, choices.platform))
-    choices.platform = with.platform;
+  if (!choices.platform.isForAnyOf(mode.platforms))
+    choices.platform = mode.usual.platform;
   if (mode.place) {
     choices.parameters.erase("orient");
     if (choices.scale == "fit")
       choices.scale = "1";
   }
   if (!cellFits(choices)) {
-    choices.cell = with.cell;
+    choices.cell = mode.usual.cell;
     if (!cellFits(choices))
-      choices.process = with.process;
+      choices.process = mode.usual.process;
   }
   return choices;
 }
@@ -120,7 +91,7 @@ base::ParameterTable parametersFor(const Choices& choices) {
 QString obstacle(const Choices& choices) {
   const auto say = [](const char* text) { return QCoreApplication::translate("ModeSwitch", text); };
   const modes::Mode& mode = modes::findMode(choices.mode);
-  if (!takes(mode, choices.platform))
+  if (!choices.platform.isForAnyOf(mode.platforms))
     return say(
         QT_TRANSLATE_NOOP("ModeSwitch", "This way of building does not print on that platform."));
   const auto orient = choices.parameters.find("orient");
@@ -131,11 +102,10 @@ QString obstacle(const Choices& choices) {
     return say(
         QT_TRANSLATE_NOOP("ModeSwitch", "This way of building needs a scale that is a number."));
   try {
-    if (const auto platform = modes::platformChoice(choices.platform);
-        platform.kind == PlatformKind::Mesh &&
-        !QFileInfo(QString::fromStdString(platform.file)).isFile())
+    if (const project::Platform& platform = choices.platform;
+        platform.isBody() && !QFileInfo(QString::fromStdString(platform.file())).isFile())
       return say(QT_TRANSLATE_NOOP("ModeSwitch", "The platform's file %1 is not there."))
-          .arg(QString::fromStdString(platform.file));
+          .arg(QString::fromStdString(platform.file()));
     pipeline::checkChoices(choices);
     const base::ParameterValues values = pipeline::parameterValues(choices);
     pipeline::chosenProcess(choices, values);

@@ -24,8 +24,8 @@ private:
     std::string cell, process;
     geometry::Placement placement;
   };
-  std::map<bool, Companions> companions_;        // by Mode::aroundRod
-  std::map<std::string, std::string> platforms_; // by mode
+  std::map<bool, Companions> companions_;              // by Mode::aroundRod
+  std::map<std::string, project::Platform> platforms_; // by mode
 };
 
 // The choices with all replaced that does not fit their mode; the same where nothing is to be.

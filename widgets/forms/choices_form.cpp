@@ -135,7 +135,7 @@ void ChoicesForm::setTexts(const ChoiceTexts& texts) {
   choose(cell_.combo, texts.cell);
   choose(process_.combo, texts.process);
   if (const auto at = platforms_.find(texts.mode); at != platforms_.end())
-    platform_->setKinds(at->second.kinds, at->second.aroundRod);
+    platform_->setUses(at->second);
   platform_->setText(texts.platform);
   platform_->setProfile(texts.rod);
   const QSignalBlocker quiet(seed_);

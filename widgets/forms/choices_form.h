@@ -20,15 +20,9 @@ struct ChoiceItem {
   QString id, label, help;
 };
 
-// What a mode prints on, as PlatformEditor has it.
-struct ModePlatforms {
-  QStringList kinds;
-  bool aroundRod = false;
-};
-
 struct ChoiceLists {
   std::vector<ChoiceItem> modes, growths, cells, processes;
-  std::map<QString, ModePlatforms> platforms; // by mode
+  std::map<QString, std::vector<project::PlatformUse>> platforms; // that a mode takes
 };
 
 struct ChoiceTexts {
@@ -78,7 +72,7 @@ private:
   QWidget* noticeRow_ = nullptr;
   QLabel *noticeIcon_ = nullptr, *notice_ = nullptr;
   QPushButton* noticeButton_ = nullptr;
-  std::map<QString, ModePlatforms> platforms_;
+  std::map<QString, std::vector<project::PlatformUse>> platforms_;
 };
 
 } // namespace voluta::forms

@@ -1,8 +1,11 @@
 #include "forms/platform_editor.h"
 
+#include "base/error.h"
 #include "forms/value_boxes.h"
+#include "project/platform_kinds.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -14,34 +17,57 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
 
 namespace voluta::forms {
 
 namespace {
-constexpr double kLargestMm = 5000.0;
-constexpr double kUsualPlateMm = 200.0, kUsualRodMm = 5.0;
 constexpr int kHexagon = 6;
+constexpr std::array<const char*, 3> kBoxNames{"first", "second", "third"};
 
-QString numberText(double value) {
-  return QString::number(value, 'g', 10);
+std::size_t mostFields() {
+  std::size_t most = 0;
+  for (const project::PlatformKind& kind : project::platformKinds())
+    most = std::max(most, kind.fields.size());
+  return most;
+}
+
+QString wordOf(const project::PlatformKind& kind) {
+  return QString::fromUtf8(kind.word.data(), static_cast<qsizetype>(kind.word.size()));
+}
+
+// Of a body: the kind that has one.
+const project::PlatformKind& kindWithFile() {
+  const auto& kinds = project::platformKinds();
+  return *std::find_if(kinds.begin(), kinds.end(),
+                       [](const project::PlatformKind& kind) { return !kind.file.empty(); });
+}
+
+QString translated(std::string_view english) {
+  return QCoreApplication::translate("Core", std::string(english).c_str());
 }
 } // namespace
 
 PlatformEditor::PlatformEditor(QWidget* parent) : QWidget(parent) {
   kind_ = makeCombo(this);
   kind_->setObjectName(QStringLiteral("kind"));
-  const auto box = [this](const char* name) {
-    auto* made = new NumberBox(this);
-    made->setObjectName(QLatin1String(name));
-    made->setUnit(QStringLiteral("mm"));
-    made->setRange(0.0, kLargestMm);
-    made->setMinimumWidth(fontMetrics().averageCharWidth() * 9);
-    connect(made, &QDoubleSpinBox::valueChanged, this, &PlatformEditor::commit);
-    return made;
-  };
-  first_ = box("first");
-  second_ = box("second");
-  times_ = new QLabel(QStringLiteral("×"), this);
+  auto* sizes = new QHBoxLayout;
+  sizes->setSpacing(4);
+  for (std::size_t i = 0; i < mostFields(); ++i) {
+    if (i > 0) {
+      times_.push_back(new QLabel(QStringLiteral("×"), this));
+      sizes->addWidget(times_.back());
+    }
+    auto* box = new NumberBox(this);
+    box->setObjectName(QLatin1String(kBoxNames.at(i)));
+    box->setUnit(QStringLiteral("mm"));
+    box->setMinimumWidth(fontMetrics().averageCharWidth() * 9);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &PlatformEditor::commit);
+    sizes->addWidget(box, 1);
+    sizes_.push_back(box);
+  }
   fileButton_ = new QToolButton(this);
   fileButton_->setObjectName(QStringLiteral("file"));
   fileButton_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -52,11 +78,6 @@ PlatformEditor::PlatformEditor(QWidget* parent) : QWidget(parent) {
   points_ = new QLineEdit(this);
   points_->setObjectName(QStringLiteral("rodPoints"));
 
-  auto* sizes = new QHBoxLayout;
-  sizes->setSpacing(4);
-  sizes->addWidget(first_, 1);
-  sizes->addWidget(times_);
-  sizes->addWidget(second_, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
@@ -85,46 +106,58 @@ PlatformEditor::PlatformEditor(QWidget* parent) : QWidget(parent) {
     profile_.points = points_->text().trimmed();
     commitProfile();
   });
-  setKinds({QStringLiteral("fit"), QStringLiteral("disc"), QStringLiteral("rect")}, false);
+  setUses({project::PlatformUse::Plate});
   shownText_ = text();
 }
 
-QString PlatformEditor::kind() const {
-  return kind_->currentData().toString();
+const project::PlatformKind& PlatformEditor::kind() const {
+  return project::findPlatformKind(kind_->currentData().toString().toStdString());
 }
 
-void PlatformEditor::addKind(const QString& kind) {
-  kind_->addItem(QString(), kind);
+// As the first that it can be of what is asked for.
+project::PlatformKind::As PlatformEditor::used(const project::PlatformKind& kind) const {
+  for (const project::PlatformUse use : uses_)
+    for (const project::PlatformKind::As& as : kind.uses)
+      if (as.use == use)
+        return as;
+  return kind.uses.front();
 }
 
-void PlatformEditor::setKinds(const QStringList& kinds, bool aroundRod) {
-  QStringList now;
-  for (int i = 0; i < kind_->count(); ++i)
-    now << kind_->itemData(i).toString();
-  if (now == kinds && aroundRod == aroundRod_)
+int PlatformEditor::indexOf(const project::PlatformKind& kind) const {
+  return kind_->findData(wordOf(kind));
+}
+
+void PlatformEditor::addKind(const project::PlatformKind& kind) {
+  kind_->addItem(QString(), wordOf(kind));
+}
+
+void PlatformEditor::setUses(const std::vector<project::PlatformUse>& uses) {
+  if (uses == uses_)
     return;
-  aroundRod_ = aroundRod;
   const QSignalBlocker quiet(kind_);
-  const QString chosen = kind();
+  const project::PlatformKind* chosen = uses_.empty() ? nullptr : &kind();
+  uses_ = uses;
   kind_->clear();
-  for (const QString& one : kinds)
-    addKind(one);
-  kind_->setCurrentIndex(std::max(0, kind_->findData(chosen)));
+  for (const project::PlatformKind* one : project::platformKindsFor(uses))
+    addKind(*one);
+  kind_->setCurrentIndex(chosen ? std::max(0, indexOf(*chosen)) : 0);
   retranslate();
 }
 
+void PlatformEditor::setSizes(const std::vector<double>& sizesMm) {
+  for (std::size_t i = 0; i < sizesMm.size(); ++i) {
+    const QSignalBlocker quiet(sizes_[i]);
+    sizes_[i]->setValue(sizesMm[i]);
+  }
+}
+
 void PlatformEditor::chooseKind() {
-  const QString chosen = kind();
-  if (chosen == QLatin1String("mesh")) {
-    showKind();
+  showKind();
+  if (!kind().file.empty()) {
     chooseFile();
     return;
   }
-  const bool rod = chosen == QLatin1String("rod");
-  const QSignalBlocker quietFirst(first_), quietSecond(second_);
-  showKind();
-  first_->setValue(chosen == QLatin1String("fit") ? 0.0 : rod ? kUsualRodMm : kUsualPlateMm);
-  second_->setValue(kUsualPlateMm);
+  setSizes(project::Platform(kind()).sizesMm());
   commit();
 }
 
@@ -139,51 +172,40 @@ void PlatformEditor::chooseFile() {
     return;
   }
   QSettings().setValue(QStringLiteral("open/folder"), QFileInfo(file).absolutePath());
-  setText(QStringLiteral("mesh:") + file);
+  setText(QString::fromStdString(project::Platform(kindWithFile(), file.toStdString()).text()));
   commit();
 }
 
 void PlatformEditor::setText(const QString& text) {
-  const QString kind = text.section(QChar(':'), 0, 0);
-  const QString size = text.section(QChar(':'), 1);
-  bool firstOk = false, secondOk = true;
-  double first = 0.0, second = 0.0;
-  if (kind == QLatin1String("mesh")) {
-    firstOk = !size.isEmpty();
-  } else if (kind == QLatin1String("rect") || kind == QLatin1String("rod")) {
-    first = size.section(QChar('x'), 0, 0).toDouble(&firstOk);
-    second = size.section(QChar('x'), 1).toDouble(&secondOk);
-  } else {
-    first = size.toDouble(&firstOk);
-    firstOk = firstOk || (kind == QLatin1String("fit") && size.isEmpty());
-  }
-  const bool known = kind == QLatin1String("fit") || kind == QLatin1String("disc") ||
-                     kind == QLatin1String("rect") || kind == QLatin1String("rod") ||
-                     kind == QLatin1String("mesh");
-  if (!known || !firstOk || !secondOk)
+  std::optional<project::Platform> platform;
+  try {
+    platform.emplace(text.toStdString());
+  } catch (const base::Error&) {
     return;
-  const QSignalBlocker quietKind(kind_), quietFirst(first_), quietSecond(second_);
+  }
+  const QSignalBlocker quiet(kind_);
   shownText_ = text;
-  if (kind == QLatin1String("mesh"))
-    file_ = size;
-  if (kind_->findData(kind) < 0) {
-    addKind(kind);
+  if (!platform->file().empty())
+    file_ = QString::fromStdString(platform->file());
+  if (indexOf(platform->kind()) < 0) {
+    addKind(platform->kind());
     retranslate();
   }
-  kind_->setCurrentIndex(kind_->findData(kind));
+  kind_->setCurrentIndex(indexOf(platform->kind()));
   showKind();
-  first_->setValue(first);
-  second_->setValue(second);
+  setSizes(platform->sizesMm());
 }
 
 QString PlatformEditor::text() const {
-  const QString chosen = kind();
-  if (chosen == QLatin1String("mesh"))
-    return chosen + QChar(':') + file_;
-  QString text = chosen + QChar(':') + numberText(first_->value());
-  if (chosen == QLatin1String("rect") || chosen == QLatin1String("rod"))
-    text += QChar('x') + numberText(second_->value());
-  return text;
+  const project::PlatformKind& chosen = kind();
+  if (!chosen.file.empty())
+    return file_.isEmpty()
+               ? shownText_
+               : QString::fromStdString(project::Platform(chosen, file_.toStdString()).text());
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < chosen.fields.size(); ++i)
+    sizes.push_back(std::clamp(sizes_[i]->value(), chosen.fields[i].least, chosen.fields[i].most));
+  return QString::fromStdString(project::Platform(chosen, sizes).text());
 }
 
 void PlatformEditor::setProfile(const RodProfile& profile) {
@@ -200,34 +222,30 @@ void PlatformEditor::setProfile(const RodProfile& profile) {
 }
 
 void PlatformEditor::showKind() {
-  const QString chosen = kind();
-  const bool mesh = chosen == QLatin1String("mesh"), rod = chosen == QLatin1String("rod");
-  const bool ownRod = chosen == QLatin1String("fit") && aroundRod_;
-  const bool two = chosen == QLatin1String("rect") || rod;
-  const QSignalBlocker quiet(first_), quietSecond(second_);
-  first_->setMinimum(rod ? 0.1 : chosen == QLatin1String("fit") ? 0.0 : 1.0);
-  second_->setMinimum(1.0);
-  first_->setVisible(!mesh && !ownRod);
-  times_->setVisible(two);
-  second_->setVisible(two);
-  fileButton_->setVisible(mesh);
+  const project::PlatformKind& chosen = kind();
+  const std::size_t shown = used(chosen).sized ? chosen.fields.size() : 0;
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
+    sizes_[i]->setVisible(i < shown);
+    if (i > 0)
+      times_[i - 1]->setVisible(i < shown);
+    if (i >= chosen.fields.size())
+      continue;
+    const project::PlatformField& field = chosen.fields[i];
+    const QSignalBlocker quiet(sizes_[i]);
+    sizes_[i]->setRange(field.least, field.most);
+    sizes_[i]->setToolTip(translated(field.label));
+    sizes_[i]->setAccessibleName(translated(field.label));
+  }
+  fileButton_->setVisible(!chosen.file.empty());
   fileButton_->setText(file_.isEmpty() ? tr("Choose a file…") : QFileInfo(file_).fileName());
   fileButton_->setToolTip(file_.isEmpty() ? tr("A closed mesh, in the same place as in the part's "
                                                "file")
                                           : tr("%1\nClick to choose another one").arg(file_));
-  const QString name = chosen == QLatin1String("fit") ? tr("Margin around what stands on the plate")
-                       : two && !rod                  ? tr("Width (X)")
-                                                      : tr("Diameter");
-  first_->setToolTip(name);
-  first_->setAccessibleName(name);
-  const QString other = rod ? tr("Length") : tr("Depth (Y)");
-  second_->setToolTip(other);
-  second_->setAccessibleName(other);
   showProfile();
 }
 
 void PlatformEditor::showProfile() {
-  const bool rod = kind() == QLatin1String("rod") || (kind() == QLatin1String("fit") && aroundRod_);
+  const bool rod = used(kind()).use == project::PlatformUse::Rod;
   shape_->setVisible(rod);
   points_->setVisible(rod && shape_->currentData().toInt() < 0);
 }
@@ -242,15 +260,10 @@ void PlatformEditor::commitProfile() {
 }
 
 void PlatformEditor::retranslate() {
-  for (int i = 0; i < kind_->count(); ++i) {
-    const QString kind = kind_->itemData(i).toString();
-    kind_->setItemText(i, kind == QLatin1String("fit")
-                              ? (aroundRod_ ? tr("Rod of the cell") : tr("Contact area, margin"))
-                          : kind == QLatin1String("disc") ? tr("Disc, diameter")
-                          : kind == QLatin1String("rect") ? tr("Rectangle")
-                          : kind == QLatin1String("rod")  ? tr("Rod, diameter × length")
-                                                          : tr("Body from a file"));
-  }
+  for (int i = 0; i < kind_->count(); ++i)
+    kind_->setItemText(
+        i, translated(
+               used(project::findPlatformKind(kind_->itemData(i).toString().toStdString())).label));
   for (int i = 0; i < shape_->count(); ++i) {
     const int sides = shape_->itemData(i).toInt();
     shape_->setItemText(i, sides < 0           ? tr("Stepped: points x,radius")

@@ -1,9 +1,11 @@
-// The platform as its text: "fit:MARGIN", "disc:DIAMETER", "rect:WIDTHxDEPTH",
-// "rod:DIAMETERxLENGTH" or "mesh:FILE", in mm; and of a rod, what is across it.
+// The platform: one of the kinds there are, with its sizes or its file; and of a rod, what is
+// across it.
 #pragma once
 
-#include <QStringList>
+#include "project/platform.h"
+
 #include <QWidget>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -28,11 +30,10 @@ class PlatformEditor : public QWidget {
 public:
   explicit PlatformEditor(QWidget* parent = nullptr);
 
-  // The kinds to choose from, of "fit", "disc", "rect", "rod", "mesh". `aroundRod`: "fit" is then
-  // the cell's own rod. Emits nothing.
-  void setKinds(const QStringList& kinds, bool aroundRod);
-  // Emits nothing; a text that is none of the forms leaves all as it is. A kind that is not to be
-  // chosen from is added.
+  // The kinds to choose from: those that can be used so. Emits nothing.
+  void setUses(const std::vector<project::PlatformUse>& uses);
+  // Emits nothing; a text that is no platform leaves all as it is. A kind that is not to be chosen
+  // from is added.
   void setText(const QString& text);
   QString text() const;
   // Emits nothing.
@@ -49,25 +50,27 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
-  QString kind() const;
-  void addKind(const QString& kind);
+  const project::PlatformKind& kind() const;
+  project::PlatformKind::As used(const project::PlatformKind& kind) const;
+  int indexOf(const project::PlatformKind& kind) const;
+  void addKind(const project::PlatformKind& kind);
   void chooseKind();
   void showKind();
+  void setSizes(const std::vector<double>& sizesMm);
   void showProfile();
   void commit();
   void commitProfile();
   void retranslate();
 
   QComboBox* kind_ = nullptr;
-  NumberBox* first_ = nullptr;
-  NumberBox* second_ = nullptr;
-  QLabel* times_ = nullptr;
+  std::vector<NumberBox*> sizes_; // as many as any kind has fields
+  std::vector<QLabel*> times_;    // before each but the first
   QToolButton* fileButton_ = nullptr;
   QComboBox* shape_ = nullptr;
   QLineEdit* points_ = nullptr;
   QString shownText_, file_;
   RodProfile profile_;
-  bool aroundRod_ = false;
+  std::vector<project::PlatformUse> uses_;
 };
 
 } // namespace voluta::forms

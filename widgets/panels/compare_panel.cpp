@@ -23,7 +23,7 @@ namespace {
 constexpr double kLargestWeight = 100.0;
 constexpr int kShownPlatforms = 3;
 // Contact area, and how far it may reach out: the sources compare three sizes.
-constexpr const char* kOffered[] = {"fit:0", "fit:20", "fit:60"};
+constexpr double kOfferedMarginsMm[] = {0.0, 20.0, 60.0};
 
 QLabel* title(QWidget* parent) {
   auto* label = new QLabel(parent);
@@ -44,8 +44,8 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   platforms_ = new QListWidget(this);
   platforms_->setObjectName(QStringLiteral("platforms"));
   platforms_->setSpacing(2);
-  for (const char* platform : kOffered)
-    addPlatform(QLatin1String(platform), false);
+  for (const double margin : kOfferedMarginsMm)
+    addPlatform(QString::fromStdString(project::Platform::madeForPart(margin).text()), false);
   connect(platforms_, &QListWidget::itemChanged, this, &ComparePanel::changed);
   auto* remove = new QShortcut(QKeySequence::Delete, platforms_, [this] {
     delete platforms_->currentItem();
@@ -230,20 +230,20 @@ std::vector<std::string> ComparePanel::modes() const {
   return ids;
 }
 
-std::vector<std::string> ComparePanel::growths() const {
-  std::vector<std::string> ids;
+std::vector<curved::GrowthScheme> ComparePanel::growths() const {
+  std::vector<curved::GrowthScheme> schemes;
   for (const Tick& tick : growths_)
     if (tick.box->isChecked())
-      ids.push_back(tick.id);
-  return ids;
+      schemes.emplace_back(tick.id);
+  return schemes;
 }
 
-std::vector<std::string> ComparePanel::platforms() const {
-  std::vector<std::string> texts;
+std::vector<project::Platform> ComparePanel::platforms() const {
+  std::vector<project::Platform> platforms;
   for (int i = 0; i < platforms_->count(); ++i)
     if (platforms_->item(i)->checkState() == Qt::Checked)
-      texts.push_back(platforms_->item(i)->data(Qt::UserRole).toString().toStdString());
-  return texts;
+      platforms.emplace_back(platforms_->item(i)->data(Qt::UserRole).toString().toStdString());
+  return platforms;
 }
 
 project::Stage ComparePanel::until() const {

@@ -42,7 +42,9 @@ public:
   // What the list shows for "fit:20".
   void setPlatformTexts(std::function<QString(const QString&)> text);
 
-  std::vector<std::string> modes() const, growths() const, platforms() const;
+  std::vector<std::string> modes() const;
+  std::vector<curved::GrowthScheme> growths() const;
+  std::vector<project::Platform> platforms() const;
   project::Stage until() const;
   // How many rows it comes to; 0: nothing can be run.
   void setCount(int count);

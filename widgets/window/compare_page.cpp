@@ -107,8 +107,8 @@ QString modeLabel(const std::string& id) {
 
 QString wayText(const pipeline::Combination& way) {
   QStringList parts{modeLabel(way.mode)};
-  if (!way.growth.empty())
-    parts << growthTexts(way.growth).label;
+  if (way.growth)
+    parts << coreLabel(way.growth->row().label);
   parts << platformText(way.platform);
   return parts.join(QStringLiteral(", "));
 }
@@ -129,9 +129,10 @@ ComparePage::ComparePage(document::Document& document, document::Comparing& comp
     : QWidget(parent), document_(document), comparing_(comparing) {
   panel_ = new panels::ComparePanel;
   panel_->setObjectName("comparePanel");
-  panel_->setPlatformTexts(
-      [](const QString& platform) { return platformText(platform.toStdString()); });
-  panel_->setPlatform(QString::fromStdString(document_.choices().platform));
+  panel_->setPlatformTexts([](const QString& platform) {
+    return platformText(project::Platform(platform.toStdString()));
+  });
+  panel_->setPlatform(QString::fromStdString(document_.choices().platform.text()));
   table_ = new panels::CompareTable(this);
   table_->setObjectName("compareTable");
   empty_ = new QLabel(this);
@@ -173,7 +174,7 @@ ComparePage::ComparePage(document::Document& document, document::Comparing& comp
     showState();
   });
   connect(&document_, &document::Document::choicesChanged, this, [this] {
-    panel_->setPlatform(QString::fromStdString(document_.choices().platform));
+    panel_->setPlatform(QString::fromStdString(document_.choices().platform.text()));
     showModes();
     showCount();
     showRanking();
@@ -194,7 +195,7 @@ void ComparePage::setLists(const std::vector<forms::ChoiceItem>& modes,
 // Those that can build the part in the chosen cell, on what is chosen to print on.
 void ComparePage::showModes() {
   const auto takesBody = [](const modes::Mode& mode) {
-    return std::find(mode.platforms.begin(), mode.platforms.end(), modes::PlatformKind::Mesh) !=
+    return std::find(mode.platforms.begin(), mode.platforms.end(), project::PlatformUse::Body) !=
            mode.platforms.end();
   };
   const modes::Mode& chosen = modes::findMode(document_.choices().mode);
@@ -238,8 +239,8 @@ panels::CompareEntry ComparePage::entryOf(std::size_t index) const {
   const pipeline::Ranking& ranking = comparing_.ranking();
   panels::CompareEntry entry;
   entry.way = modeLabel(row.combination.mode);
-  if (!row.combination.growth.empty())
-    entry.growth = growthTexts(row.combination.growth).label;
+  if (row.combination.growth)
+    entry.growth = coreLabel(row.combination.growth->row().label);
   entry.platform = platformText(row.combination.platform);
   entry.inUse = pipeline::choicesOf(row.combination, document_.choices()).growth ==
                     document_.choices().growth &&

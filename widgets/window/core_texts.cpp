@@ -15,28 +15,38 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "On a given surface"),
     QT_TRANSLATE_NOOP("Core", "Extended G-code (nozzle direction as nX nY nZ)"),
     QT_TRANSLATE_NOOP("Core", "Joint table (CSV)"),
-};
-
-struct GrowthText {
-  std::string_view id;
-  const char *label, *help;
-};
-constexpr GrowthText kGrowths[] = {
-    {"auto", QT_TRANSLATE_NOOP("Core", "Automatic"),
-     QT_TRANSLATE_NOOP("Core", "Peels the part and keeps the best of several passes")},
-    {"reverse", QT_TRANSLATE_NOOP("Core", "Peeling, turned round"),
-     QT_TRANSLATE_NOOP("Core", "Takes voxels off from outside while the rest keeps its support; "
-                               "printed in the opposite order")},
-    {"guided", QT_TRANSLATE_NOOP("Core", "Guided by peeling"),
-     QT_TRANSLATE_NOOP("Core", "Grows from the platform, held back by the peeling field")},
-    {"adaptive", QT_TRANSLATE_NOOP("Core", "Halved layers"),
-     QT_TRANSLATE_NOOP("Core", "Grows from the platform; a layer that would cut voxels off is "
-                               "halved until it does not")},
-    {"incremental", QT_TRANSLATE_NOOP("Core", "Voxel by voxel"),
-     QT_TRANSLATE_NOOP("Core", "Grows from the platform; a layer takes each voxel that cuts off "
-                               "no other")},
-    {"greedy", QT_TRANSLATE_NOOP("Core", "Greedy"),
-     QT_TRANSLATE_NOOP("Core", "Grows from the platform by whole layers, whatever they cut off")},
+    QT_TRANSLATE_NOOP("Core", "Automatic"),
+    QT_TRANSLATE_NOOP("Core", "Peels the part and keeps the best of several passes"),
+    QT_TRANSLATE_NOOP("Core", "Peeling, turned round"),
+    QT_TRANSLATE_NOOP("Core", "Takes voxels off from outside while the rest keeps its support; "
+                              "printed in the opposite order"),
+    QT_TRANSLATE_NOOP("Core", "Guided by peeling"),
+    QT_TRANSLATE_NOOP("Core", "Grows from the platform, held back by the peeling field"),
+    QT_TRANSLATE_NOOP("Core", "Halved layers"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "Grows from the platform; a layer that would cut voxels off is halved until it does not"),
+    QT_TRANSLATE_NOOP("Core", "Voxel by voxel"),
+    QT_TRANSLATE_NOOP("Core",
+                      "Grows from the platform; a layer takes each voxel that cuts off no other"),
+    QT_TRANSLATE_NOOP("Core", "Greedy"),
+    QT_TRANSLATE_NOOP("Core", "Grows from the platform by whole layers, whatever they cut off"),
+    QT_TRANSLATE_NOOP("Core", "Contact area, margin"),
+    QT_TRANSLATE_NOOP("Core", "Rod of the cell"),
+    QT_TRANSLATE_NOOP("Core", "Disc, diameter"),
+    QT_TRANSLATE_NOOP("Core", "Rectangle"),
+    QT_TRANSLATE_NOOP("Core", "Rod, diameter × length"),
+    QT_TRANSLATE_NOOP("Core", "Body from a file"),
+    QT_TRANSLATE_NOOP("Core", "Margin around what stands on the plate"),
+    QT_TRANSLATE_NOOP("Core", "Diameter"),
+    QT_TRANSLATE_NOOP("Core", "Width (X)"),
+    QT_TRANSLATE_NOOP("Core", "Depth (Y)"),
+    QT_TRANSLATE_NOOP("Core", "Length"),
+    QT_TRANSLATE_NOOP("Core", "contact area"),
+    QT_TRANSLATE_NOOP("Core", "contact area + %1 mm"),
+    QT_TRANSLATE_NOOP("Core", "disc, %1 mm"),
+    QT_TRANSLATE_NOOP("Core", "rod, %1 mm"),
+    QT_TRANSLATE_NOOP("Core", "%1 mm"),
 };
 
 struct RemedyHelp {
@@ -71,13 +81,6 @@ QString coreLabel(std::string_view english) {
   return translated(std::string(english).c_str());
 }
 
-GrowthTexts growthTexts(std::string_view id) {
-  for (const GrowthText& row : kGrowths)
-    if (row.id == id)
-      return {translated(row.label), translated(row.help)};
-  return {coreLabel(id), {}};
-}
-
 RemedyTexts remedyTexts(const pipeline::Offer& offer) {
   QString label = coreLabel(offer.label), help;
   if (!offer.cure.value.empty() && label.contains("%1"))
@@ -88,24 +91,18 @@ RemedyTexts remedyTexts(const pipeline::Offer& offer) {
   return {label, help};
 }
 
-QString platformText(const std::string& platform) {
-  const QString text = QString::fromStdString(platform);
-  const QString size = text.section(':', 1);
-  if (text.startsWith("fit"))
-    return size.isEmpty() || size == "0"
-               ? QCoreApplication::translate("Core", "contact area")
-               : QCoreApplication::translate("Core", "contact area + %1 mm").arg(size);
-  if (text.startsWith("disc"))
-    return QCoreApplication::translate("Core", "disc, %1 mm").arg(size);
-  if (text.startsWith("rect"))
-    return QCoreApplication::translate("Core", "%1 mm")
-        .arg(QString(size).replace('x', QString::fromUtf8(" × ")));
-  if (text.startsWith("rod"))
-    return QCoreApplication::translate("Core", "rod, %1 mm")
-        .arg(QString(size).replace('x', QString::fromUtf8(" × ")));
-  if (text.startsWith("mesh"))
-    return QFileInfo(size).fileName();
-  return text;
+QString platformText(const project::Platform& platform) {
+  if (!platform.file().empty())
+    return QFileInfo(QString::fromStdString(platform.file())).fileName();
+  const project::PlatformKind& kind = platform.kind();
+  QStringList sizes;
+  bool sized = kind.plain.empty();
+  for (const double mm : platform.sizesMm()) {
+    sizes << QString::number(mm);
+    sized = sized || mm != 0.0;
+  }
+  return sized ? coreLabel(kind.shown).arg(sizes.join(QStringLiteral(" × ")))
+               : coreLabel(kind.plain);
 }
 
 } // namespace voluta::window

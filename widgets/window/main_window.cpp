@@ -4,7 +4,6 @@
 #include "forms/choices_form.h"
 #include "forms/parameter_form.h"
 #include "modes/mode_table.h"
-#include "modes/platform_choice.h"
 #include "panels/export_panel.h"
 #include "panels/findings_panel.h"
 #include "panels/layer_info.h"
@@ -67,16 +66,11 @@ forms::ChoiceLists choiceLists() {
   forms::ChoiceLists lists;
   for (const modes::Mode& mode : modes::modeTable()) {
     lists.modes.push_back(item(mode.id, mode.label));
-    forms::ModePlatforms& platforms = lists.platforms[lists.modes.back().id];
-    platforms.aroundRod = mode.aroundRod;
-    for (const modes::PlatformKind kind : mode.platforms) {
-      const std::string_view word = modes::kPlatformWords[static_cast<std::size_t>(kind)];
-      platforms.kinds << QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
-    }
+    lists.platforms[lists.modes.back().id] = mode.platforms;
   }
-  for (const std::string& growth : curved::growthSchemes())
-    lists.growths.push_back(
-        {QString::fromStdString(growth), growthTexts(growth).label, growthTexts(growth).help});
+  for (const curved::GrowthScheme& growth : curved::growthSchemes())
+    lists.growths.push_back({QString::fromStdString(growth.id()), coreLabel(growth.row().label),
+                             coreLabel(growth.row().help)});
   for (const std::string& cell : robot::cellIds())
     lists.cells.push_back(item(cell));
   for (const std::string& process : process::processIds())

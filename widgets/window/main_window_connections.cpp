@@ -206,9 +206,9 @@ void MainWindow::connectPages() {
               return;
             }
             if (field == "growth")
-              c.growth = value;
+              c.growth = curved::GrowthScheme(value);
             else if (field == "platform")
-              c.platform = value;
+              c.platform = project::Platform(value);
             else if (field == "cell")
               c.cell = value;
             else if (field == "process")

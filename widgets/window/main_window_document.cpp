@@ -134,8 +134,8 @@ void MainWindow::showStates() {
 
 void MainWindow::showChoices() {
   const project::Choices& c = document_.choices();
-  choices_->setTexts({QString::fromStdString(c.mode), QString::fromStdString(c.growth),
-                      QString::fromStdString(c.platform), QString::fromStdString(c.cell),
+  choices_->setTexts({QString::fromStdString(c.mode), QString::fromStdString(c.growth.id()),
+                      QString::fromStdString(c.platform.text()), QString::fromStdString(c.cell),
                       QString::fromStdString(c.process), c.seed, rodProfileOf(c)});
   parameters_->setDefaults(document::parametersFor(c));
   parameters_->setValues(c.parameters);

@@ -4,7 +4,6 @@
 
 #include "forms/choices_form.h"
 #include "modes/mode_table.h"
-#include "modes/platform_choice.h"
 #include "window/core_texts.h"
 #include "window/touch_dialog.h"
 
@@ -35,12 +34,12 @@ QString changesOf(const project::Choices& from, const project::Choices& to) {
 
 // Is the platform a body whose file has gone?
 bool bodyIsMissing(const project::Choices& choices) {
-  return choices.platform.starts_with("mesh:") &&
-         !QFileInfo(named(choices.platform).section(':', 1)).isFile();
+  return choices.platform.isBody() && !QFileInfo(named(choices.platform.file())).isFile();
 }
 
 bool wantsBody(const project::Choices& choices) {
-  return choices.mode == "substrate" && !choices.platform.starts_with("mesh:");
+  return modes::findMode(choices.mode).platforms.front() == project::PlatformUse::Body &&
+         !choices.platform.isBody();
 }
 } // namespace
 

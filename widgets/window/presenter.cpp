@@ -2,7 +2,7 @@
 
 #include "geometry/measures.h"
 #include "modes/mode_table.h"
-#include "modes/platform_choice.h"
+#include "modes/plate.h"
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"
 #include "voxel/solid_voxels.h"
@@ -27,10 +27,10 @@ platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
   const base::ParameterValues values = pipeline::parameterValues(choices);
   if (const auto platform = modes::findMode(choices.mode).platform)
     return platform(placed, {choices, values, pipeline::chosenProcess(choices, values)});
-  return modes::platformPolygon(choices.platform,
-                                modes::fitMargin(choices.platform)
-                                    ? voxel::solidVoxels(*placed.part, values.number("voxelMm"), {})
-                                    : voxel::SolidVoxels{});
+  return modes::plateOf(choices.platform,
+                        choices.platform.marginMm()
+                            ? voxel::solidVoxels(*placed.part, values.number("voxelMm"), {})
+                            : voxel::SolidVoxels{});
 }
 
 // Where the part lies: as the user has placed it, or as the mode lays it where nobody has.
@@ -46,7 +46,7 @@ geometry::Placement placementOf(const project::LoadedPart& source, const project
 
 // What of the choices the platform is made from.
 std::string platformKey(const project::Choices& choices) {
-  std::string key = choices.mode + '|' + choices.platform + '|' + choices.cell;
+  std::string key = choices.mode + '|' + choices.platform.text() + '|' + choices.cell;
   for (const char* parameter : {"voxelMm", "rodSides", "rodProfile", "rodAxis"})
     if (const auto at = choices.parameters.find(parameter); at != choices.parameters.end())
       key += '|' + at->first + '=' + at->second;

@@ -1,0 +1,32 @@
+// The scheme of growth that was chosen.
+#pragma once
+
+#include "curved/growth_row.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::curved {
+
+class GrowthScheme {
+public:
+  GrowthScheme(); // automatic
+  // Throws Error{Usage} for an unknown id, naming the nearest.
+  explicit GrowthScheme(std::string_view id);
+  // Precondition: a row of growthRows().
+  explicit GrowthScheme(const GrowthRow& row) : row_(&row) {}
+
+  std::string id() const { return std::string(row_->id); }
+  const GrowthRow& row() const { return *row_; }
+
+  friend bool operator==(const GrowthScheme&, const GrowthScheme&) = default;
+
+private:
+  const GrowthRow* row_;
+};
+
+// All there are, in the order they are offered.
+std::vector<GrowthScheme> growthSchemes();
+
+} // namespace voluta::curved

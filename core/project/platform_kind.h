@@ -1,0 +1,48 @@
+// A kind of platform: what a user types of it, and the body that comes of it.
+#pragma once
+
+#include "platform/rod_shape.h"
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+namespace voluta::project {
+
+// What may carry a part: a plate, the rod of a lathe, or any body.
+enum class PlatformUse { Plate, Rod, Body };
+
+// A length that goes with a kind, mm, both limits among what is allowed.
+struct PlatformField {
+  std::string_view name;  // "DIAMETER", as in "disc:DIAMETER"
+  std::string_view label; // English: "Diameter"
+  double least, most, usual;
+};
+
+struct PlatformKind {
+  struct As {
+    PlatformUse use;
+    std::string_view label; // English: what it is called there
+    bool sized = true;      // false: the fields mean nothing there
+  };
+
+  std::string_view word;       // before the colon
+  std::vector<As> uses;        // the first is what it is without a word about it
+  std::string_view shown;      // English, in few words: "disc, %1 mm"; %1 ... are the fields
+  std::string_view plain = {}; // the same where all fields are 0; empty: no other
+  std::vector<PlatformField> fields = {}; // after the colon, with an x between
+  bool bare = false;                      // the word alone has the usual sizes
+  bool madeForPart = false;   // its first field is the margin around what of the part stands on it
+  std::string_view file = {}; // "FILE": a path after the colon instead of fields; empty: none
+
+  // Of a plate, about the origin: its corners, convex, counter-clockwise, mm. `standing`: points of
+  // the part on the plate; only those that are made for the part ask for them, and these for at
+  // least one. Null: no plate.
+  std::vector<Eigen::Vector2d> (*plate)(const std::vector<double>& sizesMm,
+                                        std::vector<Eigen::Vector2d> standing) = nullptr;
+  // Of a rod, with so many sides (0: round). Null: no rod of its own; where it is used as one, it
+  // stands for the cell's.
+  platform::RodShape (*rod)(const std::vector<double>& sizesMm, int sides) = nullptr;
+};
+
+} // namespace voluta::project
