@@ -75,6 +75,50 @@ sioni</translation>
 <context>
     <name>Core</name>
     <message>
+        <source>Contact area, margin</source>
+        <translation>Area di contatto, margine</translation>
+    </message>
+    <message>
+        <source>Rod of the cell</source>
+        <translation>Barra della cella</translation>
+    </message>
+    <message>
+        <source>Disc, diameter</source>
+        <translation>Disco, diametro</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rettangolo</translation>
+    </message>
+    <message>
+        <source>Rod, diameter × length</source>
+        <translation>Barra, diametro × lunghezza</translation>
+    </message>
+    <message>
+        <source>Body from a file</source>
+        <translation>Corpo da un file</translation>
+    </message>
+    <message>
+        <source>Margin around what stands on the plate</source>
+        <translation>Margine attorno a ciò che poggia sul piatto</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diametro</translation>
+    </message>
+    <message>
+        <source>Width (X)</source>
+        <translation>Larghezza (X)</translation>
+    </message>
+    <message>
+        <source>Depth (Y)</source>
+        <translation>Profondità (Y)</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Lunghezza</translation>
+    </message>
+    <message>
         <source>Curved layers</source>
         <translation>Strati curvi</translation>
     </message>
@@ -1298,34 +1342,6 @@ sioni</translation>
 <context>
     <name>voluta::forms::PlatformEditor</name>
     <message>
-        <source>Margin around what stands on the plate</source>
-        <translation>Margine attorno a ciò che poggia sul piatto</translation>
-    </message>
-    <message>
-        <source>Diameter</source>
-        <translation>Diametro</translation>
-    </message>
-    <message>
-        <source>Width (X)</source>
-        <translation>Larghezza (X)</translation>
-    </message>
-    <message>
-        <source>Depth (Y)</source>
-        <translation>Profondità (Y)</translation>
-    </message>
-    <message>
-        <source>Contact area, margin</source>
-        <translation>Area di contatto, margine</translation>
-    </message>
-    <message>
-        <source>Disc, diameter</source>
-        <translation>Disco, diametro</translation>
-    </message>
-    <message>
-        <source>Rectangle</source>
-        <translation>Rettangolo</translation>
-    </message>
-    <message>
         <source>Body to print on</source>
         <translation>Corpo su cui stampare</translation>
     </message>
@@ -1346,22 +1362,6 @@ sioni</translation>
 Click to choose another one</source>
         <translation>%1
 Fai clic per sceglierne un altro</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Lunghezza</translation>
-    </message>
-    <message>
-        <source>Rod of the cell</source>
-        <translation>Barra della cella</translation>
-    </message>
-    <message>
-        <source>Rod, diameter × length</source>
-        <translation>Barra, diametro × lunghezza</translation>
-    </message>
-    <message>
-        <source>Body from a file</source>
-        <translation>Corpo da un file</translation>
     </message>
     <message>
         <source>Stepped: points x,radius</source>
