@@ -27,8 +27,8 @@ Growth growByPeeling(const GrowthInput& in, const base::RunContext& ctx) {
   Peeling best = peelAll(graph, {}, first, ctx.sub(0.0, 0.5));
   out.peelSeconds = watch.seconds();
   const bool enough = best.abandoned == 0 || (graph.size() > kManyVoxels &&
-                                            static_cast<double>(best.abandoned) <=
-                                                kFewMissed * static_cast<double>(graph.size()));
+                                              static_cast<double>(best.abandoned) <=
+                                                  kFewMissed * static_cast<double>(graph.size()));
   if (!enough) {
     struct Pass {
       double sheet;

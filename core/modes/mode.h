@@ -11,9 +11,9 @@
 #include "modes/part_voxels.h"
 #include "modes/stages.h"
 #include "platform/platform_solid.h"
-#include "project/job.h"
 #include "process/process.h"
 #include "project/choices.h"
+#include "project/job.h"
 
 #include <functional>
 #include <memory>

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "curved/decomposition.h"
-#include "platform/platform_solid.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "plan/finding.h"
 #include "planar/decomposition.h"
+#include "platform/platform_solid.h"
 #include "project/report.h"
 #include "project/stage.h"
 #include "voxel/solid_voxels.h"
