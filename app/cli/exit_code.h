@@ -1,4 +1,4 @@
-// What the command line ends with (DESIGN §5).
+// What the command line ends with (docs/design.md, Command line).
 #pragma once
 
 #include "base/error.h"

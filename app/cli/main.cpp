@@ -1,4 +1,4 @@
-// voluta-cli: everything that the window can do, without one (DESIGN §5).
+// voluta-cli: everything that the window can do, without one (docs/design.md, Command line).
 #include "cli/commands.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"

@@ -24,7 +24,7 @@ bool waitOrInterrupted(const std::function<bool()>& done);
 
 // Runs `work` and returns what it ends with. After an interrupt it is given 0.4 s to stop; work
 // that is still inside a library call then is left behind: `abandon` tidies up and the process
-// ends with exit code 5 (DESIGN §3: a cancel is done within 0.5 s).
+// ends with exit code 5 (docs/design.md, Progress and cancel).
 template <typename F>
 auto runInterruptibly(F work, int threads, base::ProgressSink sink,
                       const std::function<void()>& abandon) {

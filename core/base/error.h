@@ -1,4 +1,4 @@
-// Errors that stop a stage (DESIGN §3): broken preconditions and what cannot go on.
+// Errors that stop a stage (docs/design.md, Errors): broken preconditions and what cannot go on.
 // What cannot be printed, reached or verified is never an error but a plan::Finding.
 #pragma once
 

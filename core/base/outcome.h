@@ -1,4 +1,4 @@
-// The edge of a job: everything a stage can end with, as a value (DESIGN §3).
+// The edge of a job: everything a stage can end with, as a value (docs/design.md, Errors).
 #pragma once
 
 #include "base/error.h"

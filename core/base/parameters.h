@@ -1,5 +1,6 @@
 // Parameters declared once: form, validation, project file, command line and manual come from the
-// same table (DESIGN §3). A module exports its table and turns values into a typed struct.
+// same table (docs/design.md, Parameters). A module exports its table and turns values into a typed
+// struct.
 #pragma once
 
 #include <map>

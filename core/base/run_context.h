@@ -1,4 +1,5 @@
-// What a running stage knows of the world: progress, cancel, threads (DESIGN §3).
+// What a running stage knows of the world: progress, cancel, threads
+// (docs/design.md, Progress and cancel).
 #pragma once
 
 #include <atomic>

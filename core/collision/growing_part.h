@@ -1,4 +1,5 @@
-// The part as it grows: one grid of "first filled at waypoint i", good for any moment (DESIGN §3).
+// The part as it grows: one grid of "first filled at waypoint i", good for any moment
+// (docs/design.md, The road).
 #pragma once
 
 #include "collision/fill_times.h"

@@ -57,6 +57,8 @@ struct LayersResult {
 // it lies in. Sum of area x thickness is the part's volume but for what the findings tell;
 // thickness beyond the limits is left as it is. `part` faces outward and stands on the plate, mm.
 // Preconditions: positive heights, heightMin <= heightMax. Throws Cancelled.
+// Example:
+//   const curved::LayersResult layers = curved::curvedLayers(order, part, {}, ctx);
 LayersResult curvedLayers(const Decomposition& decomposition, const geometry::TriangleMesh& part,
                           const LayerOptions& options, const base::RunContext& ctx,
                           std::vector<SupportPatch> supports = {});

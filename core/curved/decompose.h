@@ -47,6 +47,9 @@ using DecompositionWatch = std::function<void(const Decomposition&)>;
 //
 // `platform`: convex polygon on z = 0, mm, counter-clockwise, 3 corners or more.
 // Throws Error{UnusableInput} when no voxel stands on the platform; Cancelled.
+// Example:
+//   const std::vector<Eigen::Vector2d> plate = curved::platformFit(voxels, 0.0);
+//   const curved::Decomposition order = curved::decompose(voxels, plate, {}, ctx);
 Decomposition decompose(const voxel::SolidVoxels& voxels,
                         const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
                         const base::RunContext& ctx, const DecompositionWatch& watch = {});

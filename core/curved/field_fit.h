@@ -30,7 +30,7 @@ struct FitOptions {
 // Minimises  sum over faces (d_e field - T . e)^2 + sum screen (field - target)^2  with field = 0
 // on the platform, in turn with T = unit(grad field) clamp(|grad field|) where the direction is
 // lightly smoothed and, near downward surfaces, turned onto the cone about the normal in which
-// layers still meet the surface well (local-global as in Liu et al. 2008; growth.md).
+// layers still meet the surface well (local-global as in Liu et al. 2008; docs/growth.md).
 class FieldFit {
 public:
   FieldFit(const VoxelGraph& graph, const base::RunContext& ctx);

@@ -1,5 +1,5 @@
 // Growth found backwards: peel voxels off the convex front while all that remains stays supported,
-// then turn the order round (references: growth.md; the peeling of dissertation 3.4.4, which
+// then turn the order round (docs/growth.md; the peeling of dissertation 3.4.4, which
 // ignores support, taken further).
 #pragma once
 

@@ -1,4 +1,4 @@
-// The field that layers are cut from: alternating guided growth and refit (growth.md).
+// The field that layers are cut from: alternating guided growth and refit (docs/growth.md).
 #pragma once
 
 #include "base/run_context.h"
@@ -21,9 +21,9 @@ struct SmoothField {
 
 // From the geodesic distance to the platform along the ranks of a growth (> 0, one a voxel, valid),
 // `rounds` >= 1 times at most: take pits out of the field, let a guided reverse growth lower it
-// where the front could not be reached otherwise, fit a smooth field to that (growth.md). Overhang
-// is given way to step by step while too much stays inaccessible. Roofs may lag behind the front a
-// little, so that layers meet them at an angle and each wall there lies on the one before.
+// where the front could not be reached otherwise, fit a smooth field to that (docs/growth.md).
+// Overhang is given way to step by step while too much stays inaccessible. Roofs may lag behind the
+// front a little, so that layers meet them at an angle and each wall there lies on the one before.
 // Where too many roofs are left all the same and there is a `head` (null: a flat front), as many
 // rounds follow in which they may lag as far as that head reaches past what is laid before them.
 // Keeps the best round by FieldScore::total(); ends early when one is good enough. Throws

@@ -1,4 +1,5 @@
-// What every mode ends in: ordered layers of patches (DESIGN §3). From here on there is one road.
+// What every mode ends in: ordered layers of patches. From here on there is one road
+// (docs/design.md, The road).
 #pragma once
 
 #include "geometry/triangle_mesh.h"

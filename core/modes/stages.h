@@ -1,5 +1,5 @@
 // What modes take and make: the stages up to the layers, each with its payload, its findings, its
-// part of the report and its seconds (DESIGN §3).
+// part of the report and its seconds (docs/design.md, Stages).
 #pragma once
 
 #include "curved/decomposition.h"

@@ -57,6 +57,11 @@ struct MotionResult {
 // every point; at the end it rests at a whole turn where it runs on.
 // `part` must have been grown from `plan`. The same result for any number of threads.
 // Throws Cancelled. Preconditions: part and plan belong together; process is the cell's.
+// Example:
+//   const double pitch = collision::growingPitch(toolPlan, process);
+//   const collision::GrowingPart growing(toolPlan, pitch, ctx);
+//   const motion::MotionResult moved =
+//       motion::planMotion(toolPlan, cell, process, growing, {}, ctx);
 MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
                         const process::Process& process, const collision::GrowingPart& part,
                         const MotionOptions& options, const base::RunContext& ctx);

@@ -1,4 +1,4 @@
-// trajectory.csv of the debug output (DESIGN §5).
+// trajectory.csv of the debug output (docs/design.md, Command line).
 #pragma once
 
 #include "plan/trajectory.h"

@@ -1,4 +1,4 @@
-// What a plan leaves in its folder (DESIGN §5).
+// What a plan leaves in its folder (docs/design.md, Command line).
 #pragma once
 
 #include "base/run_context.h"

@@ -1,4 +1,4 @@
-// The whole road (DESIGN §3): the one place that knows every stage.
+// The whole road (docs/design.md, The road): the one place that knows every stage.
 #pragma once
 
 #include "base/parameters.h"
@@ -48,6 +48,13 @@ using PreviewObserver =
 // took when it was made, `total` what this plan took.
 // Throws Error{Usage}: unknown names, values out of range; Error{UnreadableFile, UnusableInput}:
 // the part. Whatever cannot be printed, reached or verified is in job.report.findings.
+// Example:
+//   pipeline::PlanRequest request;
+//   request.part = "sample:vase";
+//   request.choices.mode = "flat";
+//   request.until = project::Stage::Layers;
+//   pipeline::PlanResult result = pipeline::planPart(request, ctx);
+//   pipeline::writeOutputs(result, save, ctx);
 PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx,
                     StageCache* cache = nullptr, const StageObserver& onStage = {},
                     const PreviewObserver& onPreview = {});

@@ -1,4 +1,4 @@
-// What goes into each stage, as text (DESIGN §3: cached by what went in).
+// What goes into each stage, as text (docs/design.md, Stages: cached by what went in).
 #pragma once
 
 #include "base/parameters.h"

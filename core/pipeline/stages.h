@@ -1,5 +1,5 @@
 // Each stage as a pure function from what goes in to a value that can be kept: its payload, its
-// findings, its part of the report and its seconds (DESIGN §3).
+// findings, its part of the report and its seconds (docs/design.md, Stages).
 #pragma once
 
 #include "base/parameters.h"

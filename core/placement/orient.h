@@ -1,4 +1,4 @@
-// Which way down: a search over orientations with a stated objective (DESIGN §4, Place).
+// Which way down: a search over orientations with a stated objective (docs/design.md, Stages).
 #pragma once
 
 #include "base/parameters.h"

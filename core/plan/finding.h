@@ -1,4 +1,4 @@
-// What cannot be printed, reached or verified, as data (DESIGN §3): never an error.
+// What cannot be printed, reached or verified, as data (docs/design.md, Findings): never an error.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // The registry of program formats: one row a dialect, each with its writer and its reader
-// (DESIGN §4 Programs). A new dialect is a file and a row.
+// (docs/design.md, Programs). A new dialect is a file and a row.
 //
 // Common to all writers: the same input gives the same bytes; one motion a line; one program motion
 // for each Trajectory point, in order, so that a verifier can match them one to one. What the
@@ -47,7 +47,7 @@ const Dialect& findDialect(std::string_view id);
 // of its name. nullptr: none.
 const Dialect* detectDialect(std::string_view fileName, std::string_view text);
 
-// Is a program in this dialect foreign to the cell (DESIGN §4: Cartesian, for another controller)?
+// Is a program in this dialect foreign to the cell: Cartesian, for another controller?
 bool isForeign(const Dialect& dialect, const robot::Cell& cell);
 
 // Throws Error{Usage}: the cell turns a rod and the dialect knows no external axis.
@@ -55,6 +55,10 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell);
 
 // findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing throws as
 // requireRodTurns too.
+// Example:
+//   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
+//   const plan::Program program = program::writeProgram("urscript", input, ctx);
+//   const plan::ReadProgram read = program::readProgram("urscript", program.files, process, ctx);
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,
                            const base::RunContext& ctx = {});
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,

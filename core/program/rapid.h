@@ -1,4 +1,4 @@
-// RAPID for ABB controllers (references: robots.md; ABB, Technical reference manual, RAPID
+// RAPID for ABB controllers (docs/programs.md; ABB, Technical reference manual, RAPID
 // Instructions, Functions and Data types).
 //
 // Written: a module with the tool, the work object and `main`; CR LF ends every line. mm, degrees,

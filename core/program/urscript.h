@@ -1,4 +1,4 @@
-// URScript for Universal Robots controllers (references: robots.md §3; URScript manual).
+// URScript for Universal Robots controllers (docs/programs.md; URScript manual).
 //
 // Written: one function with a set-up (set_tcp with the cell's flange_T_moved, set_payload), the
 // trajectory and an end, then its call. Metres, radians, seconds. Per point one line:

@@ -1,4 +1,5 @@
-// The project file: a part, the choices made for it and what was planned (DESIGN §3, §5).
+// The project file: a part, the choices made for it and what was planned
+// (docs/design.md, Project file).
 #pragma once
 
 #include "curved/decomposition.h"

@@ -1,4 +1,5 @@
-// report.json: what every stage of a plan measured (DESIGN §5). Keys are added, never renamed.
+// report.json: what every stage of a plan measured (docs/design.md, Report). Keys are added, never
+// renamed.
 #pragma once
 
 #include "plan/finding.h"
@@ -120,7 +121,7 @@ struct Report {
   int threads = 1;
 };
 
-// The whole report as JSON text, every key present, in the order of DESIGN §5.
+// The whole report as JSON text, every key present, in the order of docs/design.md, Report.
 std::string reportJson(const Report& report);
 // The inverse. Throws Error{UnreadableFile} where keys are missing or of another kind.
 Report readReportJson(const std::string& text);

@@ -1,4 +1,4 @@
-// The verdict on a program that was read back from its text (DESIGN §4 Replay).
+// The verdict on a program that was read back from its text (docs/design.md, Replay).
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -31,7 +31,7 @@ struct ReplayInput {
   const platform::PlatformSolid& platform; // what the first beads are laid on
 };
 
-// What a program has to keep to (DESIGN §4).
+// What a program has to keep to (docs/design.md, Replay).
 struct ReplayThresholds {
   double coveredMin = 0.97;      // share of the part's volume inside beads
   double unsupportedMax = 0.005; // share of bead length with nothing beneath
@@ -85,6 +85,9 @@ struct Verification {
 // Programs whose targets are ToolPoint carry no arm: limits and the arm's clearances are then not
 // checked (armChecked == false), the nozzle's path, the head and the beads are.
 // The result does not depend on the number of threads.
+// Example:
+//   const replay::Verification verdict =
+//       replay::replayProgram({read, toolPlan, trajectory, cell, process, part, plate}, {}, ctx);
 Verification replayProgram(const ReplayInput& input, const ReplayThresholds& thresholds,
                            const base::RunContext& ctx);
 

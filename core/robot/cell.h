@@ -1,6 +1,6 @@
 // A cell: robot, nozzle, platform, obstacles as a tree of bodies with a work frame and a tool
-// frame (DESIGN §3). Planners know only work_T_tool; whether the nozzle or the plate moves is the
-// cell's own affair (RoboFDM eq. 2.3: T_E^B = T_N^B T_O^N (T_O^P)^-1 (T_P^E)^-1).
+// frame (docs/design.md, The road). Planners know only work_T_tool; whether the nozzle or the plate
+// moves is the cell's own affair (RoboFDM eq. 2.3: T_E^B = T_N^B T_O^N (T_O^P)^-1 (T_P^E)^-1).
 //
 // Work frame: origin at the centre of the platform's top, z out of it; of a rod: origin on its axis
 // in the middle of its free length, x along it, and the frame turns with it.

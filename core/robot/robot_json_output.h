@@ -1,4 +1,5 @@
-// Poses and joints as JSON text, for `voluta-cli robot` (DESIGN §5): degrees and mm.
+// Poses and joints as JSON text, degrees and mm, for `voluta-cli robot`
+// (docs/design.md, Command line).
 #pragma once
 
 #include "robot/robot_model.h"

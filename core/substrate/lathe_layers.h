@@ -37,6 +37,10 @@ std::vector<double> latheBounds(const geometry::TriangleMesh& part, const RodSur
 // latheBounds as levels, stacked (stackLevels). `part`: see partAroundRod. Throws
 // Error{UnusableInput} as latheBounds, and where nothing of the part lies on the rod; Cancelled.
 // Same result for any number of threads.
+// Example:
+//   const substrate::RodSurface rod(platform::straightRod(5.0, 200.0));
+//   const geometry::TriangleMesh around = substrate::partAroundRod(tube, rod);
+//   const substrate::LatheLayers wound = substrate::latheLayers(around, rod, {}, ctx);
 LatheLayers latheLayers(const geometry::TriangleMesh& part, const RodSurface& rod,
                         const LatheOptions& options, const base::RunContext& ctx);
 

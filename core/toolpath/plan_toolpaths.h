@@ -49,6 +49,10 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
                    const process::Process& process);
 
 // coverPatch for every patch, assemble, orientDirections. Throws Cancelled, Error{Usage}.
+// Example:
+//   toolpath::ToolpathOptions options;
+//   options.platform = plate;
+//   const toolpath::ToolpathResult made = toolpath::planToolpaths(stack, process, options, ctx);
 ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Process& process,
                              const ToolpathOptions& options, const base::RunContext& ctx);
 

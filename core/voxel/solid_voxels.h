@@ -33,6 +33,8 @@ inline constexpr double kGrazeShare = 1e-3;
 // `mesh` stands on the plate, mm; pitch > 0, mm.
 // Throws Error{UnusableInput} for an empty mesh and Error{Usage} when the grid would have more
 // cells than maxCells (it names the least pitch that fits); Cancelled.
+// Example:
+//   const voxel::SolidVoxels voxels = voxel::solidVoxels(part, 0.8, ctx);
 SolidVoxels solidVoxels(const geometry::TriangleMesh& mesh, double pitch,
                         const base::RunContext& ctx, std::size_t maxCells = 400'000'000);
 

@@ -1,5 +1,5 @@
-// The house of DESIGN §2, held by reading every #include: directions between modules, no Qt and no
-// VTK in core, no planner in replay.
+// The house (docs/design.md, The house), held by reading every #include: directions between
+// modules, no Qt and no VTK in core, no planner in replay.
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@ using namespace voluta;
 
 namespace {
 
-// DESIGN §5, word for word: a key that goes missing breaks other people's programs.
+// docs/design.md, Report, word for word: a key that goes missing breaks other people's programs.
 const std::map<std::string, std::vector<std::string>> kKeys = {
     {"model", {"file", "scale", "triangles", "watertight", "volumeMm3", "boundsMm", "repairs"}},
     {"decomposition",

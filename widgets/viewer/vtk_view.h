@@ -1,5 +1,6 @@
-// The Qt side of the viewport (DESIGN §7): a QOpenGLWidget that owns a VTK render window. VTK
-// renders only inside paintGL; whoever changes the scene asks for a frame with requestFrame().
+// The Qt side of the viewport (docs/design.md, Viewport): a QOpenGLWidget that owns a VTK render
+// window. VTK renders only inside paintGL; whoever changes the scene asks for a frame with
+// requestFrame().
 #pragma once
 
 #include <QOpenGLWidget>

@@ -1,5 +1,5 @@
-// The window: one flow of four pages about one viewport (DESIGN §6). Puts the parts together;
-// what they do is their own.
+// The window: one flow of four pages about one viewport (docs/design.md, Window). Puts the parts
+// together; what they do is their own.
 #pragma once
 
 #include "document/autosave.h"

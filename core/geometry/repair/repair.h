@@ -29,6 +29,10 @@ struct RepairResult {
 // Cancels between steps and within the long ones.
 // Precondition (Error{Internal}): indices in range, coordinates finite.
 // Throws Error{UnusableInput}: nothing with area is left.
+// Example:
+//   const geometry::MeshFile file = geometry::readMesh(stl);
+//   const geometry::RepairResult mended = geometry::repair(file.mesh);
+//   const geometry::TriangleMesh part = geometry::placeOnPlate(mended.mesh, 1.0);
 RepairResult repair(const TriangleMesh& mesh, const base::RunContext& ctx = {});
 
 } // namespace voluta::geometry

@@ -20,6 +20,8 @@ namespace voluta::planar {
 // all of a piece past what is printed before it. `part` is closed, faces outward and stands on z =
 // 0. Same result for any number of threads. Throws Error{UnusableInput} where the part is not
 // closed; Cancelled.
+// Example:
+//   const planar::PlanarDecomposition pieces = planar::beamDecompose(part, {}, ctx);
 PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const PlanarOptions& options,
                                   const base::RunContext& ctx);
 

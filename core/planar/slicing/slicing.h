@@ -54,6 +54,9 @@ layers::LevelSurface sectionSurface(const Section& section, double edgeMm,
 // bead is left out and told, and so is what begins in the air. Throws Error{UnusableInput} where a
 // section's edges cross each other (a mesh that cuts itself there); Cancelled. Same result for any
 // number of threads.
+// Example:
+//   const planar::PlanarDecomposition pieces = planar::beamDecompose(part, {}, ctx);
+//   const planar::SliceResult sliced = planar::slicePieces(pieces.pieces, {}, ctx);
 SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
                         const base::RunContext& ctx);
 
