@@ -2,6 +2,393 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="it_IT" sourcelanguage="en">
 <context>
+    <name>Commands</name>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Es&amp;ci</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Chiudi la finestra</translation>
+    </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>Sc&amp;orciatoie…</translation>
+    </message>
+    <message>
+        <source>See and change the keys</source>
+        <translation>Vedi e cambia le scorciatoie</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>Tema sc&amp;uro</translation>
+    </message>
+    <message>
+        <source>Light text on dark ground</source>
+        <translation>Testo chiaro su fondo scuro</translation>
+    </message>
+    <message>
+        <source>P&amp;icture…</source>
+        <translation>&amp;Immagine…</translation>
+    </message>
+    <message>
+        <source>Save the viewport as a PNG</source>
+        <translation>Salva la vista come PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>Schermo &amp;intero</translation>
+    </message>
+    <message>
+        <source>The whole screen</source>
+        <translation>Tutto lo schermo</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Scorciatoie</translation>
+    </message>
+    <message>
+        <source>All keys at a glance</source>
+        <translation>Tutte le scorciatoie</translation>
+    </message>
+    <message>
+        <source>&amp;About Voluta</source>
+        <translation>&amp;Informazioni su Voluta</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Versione e licenza</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Confronta</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Esporta</translation>
+    </message>
+    <message>
+        <source>Robot &amp;programs…</source>
+        <translation>&amp;Programmi robot…</translation>
+    </message>
+    <message>
+        <source>Write the chosen programs into a folder</source>
+        <translation>Scrivi i programmi scelti in una cartella</translation>
+    </message>
+    <message>
+        <source>&amp;Layers</source>
+        <translation>&amp;Strati</translation>
+    </message>
+    <message>
+        <source>Go to this page</source>
+        <translation>Vai a questa pagina</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Sposta</translation>
+    </message>
+    <message>
+        <source>Move the part with handles</source>
+        <translation>Sposta il pezzo con le maniglie</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Ruota</translation>
+    </message>
+    <message>
+        <source>Turn the part with handles</source>
+        <translation>Ruota il pezzo con le maniglie</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>S&amp;cala</translation>
+    </message>
+    <message>
+        <source>Scale the part with handles</source>
+        <translation>Scala il pezzo con le maniglie</translation>
+    </message>
+    <message>
+        <source>&amp;Lay on face</source>
+        <translation>&amp;Appoggia su faccia</translation>
+    </message>
+    <message>
+        <source>Click the face to lie on the plate</source>
+        <translation>Fai clic sulla faccia da appoggiare sul piatto</translation>
+    </message>
+    <message>
+        <source>&amp;Drop to plate</source>
+        <translation>Abbassa sul &amp;piatto</translation>
+    </message>
+    <message>
+        <source>Lowest point on the plate</source>
+        <translation>Punto più basso sul piatto</translation>
+    </message>
+    <message>
+        <source>&amp;Centre</source>
+        <translation>C&amp;entra</translation>
+    </message>
+    <message>
+        <source>Middle of the part over the plate&apos;s</source>
+        <translation>Centro del pezzo sul centro del piatto</translation>
+    </message>
+    <message>
+        <source>Place on touched &amp;points…</source>
+        <translation>Posa su &amp;punti toccati…</translation>
+    </message>
+    <message>
+        <source>Moves the part to a cylinder found by touching it</source>
+        <translation>Porta il pezzo su un cilindro trovato toccandolo</translation>
+    </message>
+    <message>
+        <source>&amp;Prepare</source>
+        <translation>&amp;Prepara</translation>
+    </message>
+    <message>
+        <source>Reset all &amp;parameters</source>
+        <translation>Ripristina &amp;tutti i parametri</translation>
+    </message>
+    <message>
+        <source>Every parameter back to its default</source>
+        <translation>Ogni parametro al valore predefinito</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate</source>
+        <translation>Si&amp;mula</translation>
+    </message>
+    <message>
+        <source>&amp;New project</source>
+        <translation>&amp;Nuovo progetto</translation>
+    </message>
+    <message>
+        <source>Begin without a part</source>
+        <translation>Comincia senza pezzo</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Apri…</translation>
+    </message>
+    <message>
+        <source>Open a mesh or a project</source>
+        <translation>Apri una mesh o un progetto</translation>
+    </message>
+    <message>
+        <source>Vase</source>
+        <translation>Vaso</translation>
+    </message>
+    <message>
+        <source>A fluted vase, 60 mm high</source>
+        <translation>Un vaso scanalato alto 60 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Salva</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Salva il progetto</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Salva con n&amp;ome…</translation>
+    </message>
+    <message>
+        <source>Save the project under a name</source>
+        <translation>Salva il progetto con un altro nome</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Pianifica</translation>
+    </message>
+    <message>
+        <source>From the part to checked robot programs</source>
+        <translation>Dal pezzo ai programmi robot verificati</translation>
+    </message>
+    <message>
+        <source>Plan as far as the &amp;layers</source>
+        <translation>Pianifica fino agli &amp;strati</translation>
+    </message>
+    <message>
+        <source>Stops before tool-paths and motion</source>
+        <translation>Si ferma prima di percorsi utensile e movimento</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Interrompi</translation>
+    </message>
+    <message>
+        <source>Stop; the last results stay on show</source>
+        <translation>Ferma; gli ultimi risultati restano in vista</translation>
+    </message>
+    <message>
+        <source>&amp;Update voxels while editing</source>
+        <translation>&amp;Aggiorna i voxel mentre si modifica</translation>
+    </message>
+    <message>
+        <source>Once planned, voxels follow the settings; layers and paths wait for Plan</source>
+        <translation>Dopo un piano i voxel seguono le impostazioni; strati e percorsi attendono Pianifica</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Fronte</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Retro</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Destra</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Sinistra</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>So&amp;pra</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>S&amp;otto</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>Obli&amp;qua</translation>
+    </message>
+    <message>
+        <source>Look from there</source>
+        <translation>Guarda da questo lato</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;File</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Modifica</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vista</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Esegui</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;sporta</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>Fi&amp;nestra</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aiuto</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Apri &amp;recenti</translation>
+    </message>
+    <message>
+        <source>Sa&amp;mples</source>
+        <translation>&amp;Esempi</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Lingua</translation>
+    </message>
+    <message>
+        <source>Show &amp;everything</source>
+        <translation>Mostra &amp;tutto</translation>
+    </message>
+    <message>
+        <source>Everything in sight</source>
+        <translation>Tutto in vista</translation>
+    </message>
+    <message>
+        <source>&amp;Section plane</source>
+        <translation>Piano di se&amp;zione</translation>
+    </message>
+    <message>
+        <source>Cut the picture open</source>
+        <translation>Apri la vista con un taglio</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>&amp;Legenda</translation>
+    </message>
+    <message>
+        <source>What the colours of the picture say</source>
+        <translation>Che cosa dicono i colori dell&apos;immagine</translation>
+    </message>
+    <message>
+        <source>&amp;Unrolled layer</source>
+        <translation>Strato &amp;srotolato</translation>
+    </message>
+    <message>
+        <source>Layers around an axis laid flat, beside the picture</source>
+        <translation>Gli strati intorno a un asse distesi in piano, accanto all’immagine</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Avvia o metti in pausa</translation>
+    </message>
+    <message>
+        <source>Runs the time-line</source>
+        <translation>Fa scorrere la simulazione</translation>
+    </message>
+    <message>
+        <source>Next move</source>
+        <translation>Movimento successivo</translation>
+    </message>
+    <message>
+        <source>One move on</source>
+        <translation>Avanti di un movimento</translation>
+    </message>
+    <message>
+        <source>Previous move</source>
+        <translation>Movimento precedente</translation>
+    </message>
+    <message>
+        <source>One move back</source>
+        <translation>Indietro di un movimento</translation>
+    </message>
+    <message>
+        <source>Next layer</source>
+        <translation>Strato successivo</translation>
+    </message>
+    <message>
+        <source>One layer on</source>
+        <translation>Avanti di uno strato</translation>
+    </message>
+    <message>
+        <source>Previous layer</source>
+        <translation>Strato precedente</translation>
+    </message>
+    <message>
+        <source>One layer back</source>
+        <translation>Indietro di uno strato</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Salva l&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Immagini (*.png)</translation>
+    </message>
+    <message>
+        <source>About Voluta</source>
+        <translation>Informazioni su Voluta</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Prints with a robot arm: layers without support, tool-paths, a motion checked against the part as it grows, and programs that were read back and replayed.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Stampa con un braccio robot: strati senza supporto, percorsi utensile, un movimento controllato rispetto al pezzo che cresce e programmi riletti, rieseguiti e verificati.&lt;/p&gt;&lt;p&gt;Software libero con licenza GNU General Public License, versione 3 o successiva.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>Compare</name>
     <message>
         <source>Missed
@@ -2209,7 +2596,93 @@ Fai clic per sceglierne un altro</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::ChoicesEditor</name>
+    <message>
+        <source>growth</source>
+        <translation>crescita</translation>
+    </message>
+    <message>
+        <source>platform</source>
+        <translation>piattaforma</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>cella</translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation>processo</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>seme</translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation>cella %1</translation>
+    </message>
+    <message>
+        <source>platform %1</source>
+        <translation>piattaforma %1</translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation>processo %1</translation>
+    </message>
+    <message>
+        <source>scale %1</source>
+        <translation>scala %1</translation>
+    </message>
+    <message>
+        <source>the part as it lies</source>
+        <translation>il pezzo come sta</translation>
+    </message>
+    <message>
+        <source>shape of the rod</source>
+        <translation>forma della barra</translation>
+    </message>
+    <message>
+        <source>way of building</source>
+        <translation>modo di costruire</translation>
+    </message>
+    <message>
+        <source>Choose the file…</source>
+        <translation>Scegli il file…</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Usa %1</translation>
+    </message>
+    <message>
+        <source>Which body is printed on? Without one it is the plate.</source>
+        <translation>Su quale corpo si stampa? Senza, è il piatto.</translation>
+    </message>
+    <message>
+        <source>Choose the body…</source>
+        <translation>Scegli il corpo…</translation>
+    </message>
+    <message>
+        <source>Changed with it: %1.</source>
+        <translation>Cambiati insieme: %1.</translation>
+    </message>
+    <message>
+        <source>what fits the way of building</source>
+        <translation>ciò che va col modo di costruire</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::ComparePage</name>
+    <message>
+        <source>Nothing can be compared</source>
+        <translation>Non c&apos;è nulla da confrontare</translation>
+    </message>
+    <message>
+        <source>Adopted: %1. Press Plan.</source>
+        <translation>Adottato: %1. Premi Pianifica.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::CompareView</name>
     <message>
         <source>way of building</source>
         <translation>modo di costruire</translation>
@@ -2278,23 +2751,46 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::ExportPage</name>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Apri prima un pezzo.</translation>
+    </message>
+    <message>
+        <source>Planning is under way.</source>
+        <translation>Pianificazione in corso.</translation>
+    </message>
+    <message>
+        <source>Nothing is planned yet. Press Plan.</source>
+        <translation>Ancora niente di pianificato. Premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>A project keeps the plan, not the programs. Press Plan to write them.</source>
+        <translation>Un progetto conserva il piano, non i programmi. Premi Pianifica per scriverli.</translation>
+    </message>
+    <message>
+        <source>The programs are out of date. Press Plan.</source>
+        <translation>I programmi non sono aggiornati. Premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>program formats</source>
+        <translation>formati dei programmi</translation>
+    </message>
+    <message>
+        <source>Files written to %1: %2</source>
+        <translation>File scritti in %1: %2</translation>
+    </message>
+    <message>
+        <source>; refused and not written: %1</source>
+        <translation>; respinti e non scritti: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is exported</source>
+        <translation>Niente è stato esportato</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::FlowBar</name>
-    <message>
-        <source>Prepare</source>
-        <translation>Prepara</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Strati</translation>
-    </message>
-    <message>
-        <source>Simulate</source>
-        <translation>Simula</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Esporta</translation>
-    </message>
     <message>
         <source>nothing yet</source>
         <translation>ancora niente</translation>
@@ -2315,9 +2811,16 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>blocked: see the findings</source>
         <translation>bloccato: vedi le segnalazioni</translation>
     </message>
+</context>
+<context>
+    <name>voluta::window::LayersPage</name>
     <message>
-        <source>Compare</source>
-        <translation>Confronta</translation>
+        <source>Growth is replayed: all layers</source>
+        <translation>Si rivede la crescita: tutti gli strati</translation>
+    </message>
+    <message>
+        <source>Pieces are shown whole</source>
+        <translation>I pezzi sono mostrati interi</translation>
     </message>
 </context>
 <context>
@@ -2329,350 +2832,6 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Findings</source>
         <translation>Segnalazioni</translation>
-    </message>
-    <message>
-        <source>Settings</source>
-        <translation>Impostazioni</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Pezzo</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;File</translation>
-    </message>
-    <message>
-        <source>&amp;New project</source>
-        <translation>&amp;Nuovo progetto</translation>
-    </message>
-    <message>
-        <source>Begin without a part</source>
-        <translation>Comincia senza pezzo</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>&amp;Apri…</translation>
-    </message>
-    <message>
-        <source>Open a mesh or a project</source>
-        <translation>Apri una mesh o un progetto</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>Apri &amp;recenti</translation>
-    </message>
-    <message>
-        <source>Sa&amp;mples</source>
-        <translation>&amp;Esempi</translation>
-    </message>
-    <message>
-        <source>Vase</source>
-        <translation>Vaso</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Salva</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>Salva il progetto</translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation>Salva con n&amp;ome…</translation>
-    </message>
-    <message>
-        <source>Save the project under a name</source>
-        <translation>Salva il progetto con un altro nome</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>Es&amp;ci</translation>
-    </message>
-    <message>
-        <source>Close the window</source>
-        <translation>Chiudi la finestra</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Modifica</translation>
-    </message>
-    <message>
-        <source>&amp;Move</source>
-        <translation>&amp;Sposta</translation>
-    </message>
-    <message>
-        <source>Move the part with handles</source>
-        <translation>Sposta il pezzo con le maniglie</translation>
-    </message>
-    <message>
-        <source>&amp;Turn</source>
-        <translation>&amp;Ruota</translation>
-    </message>
-    <message>
-        <source>Turn the part with handles</source>
-        <translation>Ruota il pezzo con le maniglie</translation>
-    </message>
-    <message>
-        <source>&amp;Scale</source>
-        <translation>S&amp;cala</translation>
-    </message>
-    <message>
-        <source>Scale the part with handles</source>
-        <translation>Scala il pezzo con le maniglie</translation>
-    </message>
-    <message>
-        <source>&amp;Lay on face</source>
-        <translation>&amp;Appoggia su faccia</translation>
-    </message>
-    <message>
-        <source>Click the face to lie on the plate</source>
-        <translation>Fai clic sulla faccia da appoggiare sul piatto</translation>
-    </message>
-    <message>
-        <source>&amp;Drop to plate</source>
-        <translation>Abbassa sul &amp;piatto</translation>
-    </message>
-    <message>
-        <source>Lowest point on the plate</source>
-        <translation>Punto più basso sul piatto</translation>
-    </message>
-    <message>
-        <source>drop to plate</source>
-        <translation>abbassamento sul piatto</translation>
-    </message>
-    <message>
-        <source>&amp;Centre</source>
-        <translation>C&amp;entra</translation>
-    </message>
-    <message>
-        <source>Middle of the part over the plate&apos;s</source>
-        <translation>Centro del pezzo sul centro del piatto</translation>
-    </message>
-    <message>
-        <source>centre</source>
-        <translation>centratura</translation>
-    </message>
-    <message>
-        <source>Reset all &amp;parameters</source>
-        <translation>Ripristina &amp;tutti i parametri</translation>
-    </message>
-    <message>
-        <source>Every parameter back to its default</source>
-        <translation>Ogni parametro al valore predefinito</translation>
-    </message>
-    <message>
-        <source>&amp;Keys…</source>
-        <translation>Sc&amp;orciatoie…</translation>
-    </message>
-    <message>
-        <source>See and change the keys</source>
-        <translation>Vedi e cambia le scorciatoie</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Vista</translation>
-    </message>
-    <message>
-        <source>Show &amp;everything</source>
-        <translation>Mostra &amp;tutto</translation>
-    </message>
-    <message>
-        <source>Everything in sight</source>
-        <translation>Tutto in vista</translation>
-    </message>
-    <message>
-        <source>&amp;Front</source>
-        <translation>&amp;Fronte</translation>
-    </message>
-    <message>
-        <source>&amp;Back</source>
-        <translation>&amp;Retro</translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation>&amp;Destra</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>&amp;Sinistra</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>So&amp;pra</translation>
-    </message>
-    <message>
-        <source>B&amp;ottom</source>
-        <translation>S&amp;otto</translation>
-    </message>
-    <message>
-        <source>&amp;Oblique</source>
-        <translation>Obli&amp;qua</translation>
-    </message>
-    <message>
-        <source>Look from there</source>
-        <translation>Guarda da questo lato</translation>
-    </message>
-    <message>
-        <source>&amp;Section plane</source>
-        <translation>Piano di se&amp;zione</translation>
-    </message>
-    <message>
-        <source>Cut the picture open</source>
-        <translation>Apri la vista con un taglio</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>Tema sc&amp;uro</translation>
-    </message>
-    <message>
-        <source>Light text on dark ground</source>
-        <translation>Testo chiaro su fondo scuro</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Lingua</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Esegui</translation>
-    </message>
-    <message>
-        <source>&amp;Plan</source>
-        <translation>&amp;Pianifica</translation>
-    </message>
-    <message>
-        <source>From the part to checked robot programs</source>
-        <translation>Dal pezzo ai programmi robot verificati</translation>
-    </message>
-    <message>
-        <source>Plan as far as the &amp;layers</source>
-        <translation>Pianifica fino agli &amp;strati</translation>
-    </message>
-    <message>
-        <source>Stops before tool-paths and motion</source>
-        <translation>Si ferma prima di percorsi utensile e movimento</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Interrompi</translation>
-    </message>
-    <message>
-        <source>Stop; the last results stay on show</source>
-        <translation>Ferma; gli ultimi risultati restano in vista</translation>
-    </message>
-    <message>
-        <source>Play or pause</source>
-        <translation>Avvia o metti in pausa</translation>
-    </message>
-    <message>
-        <source>Runs the time-line</source>
-        <translation>Fa scorrere la simulazione</translation>
-    </message>
-    <message>
-        <source>Next move</source>
-        <translation>Movimento successivo</translation>
-    </message>
-    <message>
-        <source>One move on</source>
-        <translation>Avanti di un movimento</translation>
-    </message>
-    <message>
-        <source>Previous move</source>
-        <translation>Movimento precedente</translation>
-    </message>
-    <message>
-        <source>One move back</source>
-        <translation>Indietro di un movimento</translation>
-    </message>
-    <message>
-        <source>Next layer</source>
-        <translation>Strato successivo</translation>
-    </message>
-    <message>
-        <source>One layer on</source>
-        <translation>Avanti di uno strato</translation>
-    </message>
-    <message>
-        <source>Previous layer</source>
-        <translation>Strato precedente</translation>
-    </message>
-    <message>
-        <source>One layer back</source>
-        <translation>Indietro di uno strato</translation>
-    </message>
-    <message>
-        <source>E&amp;xport</source>
-        <translation>E&amp;sporta</translation>
-    </message>
-    <message>
-        <source>Robot &amp;programs…</source>
-        <translation>&amp;Programmi robot…</translation>
-    </message>
-    <message>
-        <source>Write the chosen programs into a folder</source>
-        <translation>Scrivi i programmi scelti in una cartella</translation>
-    </message>
-    <message>
-        <source>P&amp;icture…</source>
-        <translation>&amp;Immagine…</translation>
-    </message>
-    <message>
-        <source>Save the viewport as a PNG</source>
-        <translation>Salva la vista come PNG</translation>
-    </message>
-    <message>
-        <source>&amp;Window</source>
-        <translation>Fi&amp;nestra</translation>
-    </message>
-    <message>
-        <source>&amp;Prepare</source>
-        <translation>&amp;Prepara</translation>
-    </message>
-    <message>
-        <source>&amp;Layers</source>
-        <translation>&amp;Strati</translation>
-    </message>
-    <message>
-        <source>&amp;Simulate</source>
-        <translation>Si&amp;mula</translation>
-    </message>
-    <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Esporta</translation>
-    </message>
-    <message>
-        <source>Go to this page</source>
-        <translation>Vai a questa pagina</translation>
-    </message>
-    <message>
-        <source>&amp;Full screen</source>
-        <translation>Schermo &amp;intero</translation>
-    </message>
-    <message>
-        <source>The whole screen</source>
-        <translation>Tutto lo schermo</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Aiuto</translation>
-    </message>
-    <message>
-        <source>&amp;Keys</source>
-        <translation>&amp;Scorciatoie</translation>
-    </message>
-    <message>
-        <source>All keys at a glance</source>
-        <translation>Tutte le scorciatoie</translation>
-    </message>
-    <message>
-        <source>&amp;About Voluta</source>
-        <translation>&amp;Informazioni su Voluta</translation>
-    </message>
-    <message>
-        <source>Version and licence</source>
-        <translation>Versione e licenza</translation>
     </message>
     <message>
         <source>Undo %1</source>
@@ -2691,69 +2850,96 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Ripeti</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Apri</translation>
-    </message>
-    <message>
-        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;All files (*)</source>
-        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;Tutti i file (*)</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>Salva l&apos;immagine</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Immagini (*.png)</translation>
     </message>
     <message>
         <source>%1 cannot be written. Choose another folder.</source>
         <translation>Impossibile scrivere %1. Scegli un&apos;altra cartella.</translation>
     </message>
     <message>
-        <source>Voluta projects (*.voluta)</source>
-        <translation>Progetti Voluta (*.voluta)</translation>
+        <source>Rod</source>
+        <translation>Barra</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PartHandles</name>
+    <message>
+        <source>drop to plate</source>
+        <translation>abbassamento sul piatto</translation>
     </message>
     <message>
-        <source>About Voluta</source>
-        <translation>Informazioni su Voluta</translation>
+        <source>centre</source>
+        <translation>centratura</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Prints with a robot arm: layers without support, tool-paths, a motion checked against the part as it grows, and programs that were read back and replayed.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Stampa con un braccio robot: strati senza supporto, percorsi utensile, un movimento controllato rispetto al pezzo che cresce e programmi riletti, rieseguiti e verificati.&lt;/p&gt;&lt;p&gt;Software libero con licenza GNU General Public License, versione 3 o successiva.&lt;/p&gt;</translation>
+        <source>lay on face</source>
+        <translation>appoggio su faccia</translation>
     </message>
     <message>
-        <source>way of building</source>
-        <translation>modalità</translation>
+        <source>place on touched points</source>
+        <translation>posa su punti toccati</translation>
     </message>
     <message>
-        <source>growth</source>
-        <translation>crescita</translation>
+        <source>move</source>
+        <translation>spostamento</translation>
     </message>
     <message>
-        <source>platform</source>
-        <translation>piattaforma</translation>
+        <source>turn</source>
+        <translation>rotazione</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PictureArea</name>
+    <message>
+        <source>The viewport needs OpenGL 3.2; this display offers %1. Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1. Planning and export work without a picture.</source>
+        <translation>La vista richiede OpenGL 3.2; questo schermo offre %1. Aggiorna il driver grafico o imposta LIBGL_ALWAYS_SOFTWARE=1. Pianificazione ed esportazione funzionano anche senza vista.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PieceCuts</name>
+    <message>
+        <source>keep cuts</source>
+        <translation>tagli tenuti</translation>
     </message>
     <message>
-        <source>cell</source>
-        <translation>cella</translation>
+        <source>search for cuts</source>
+        <translation>ricerca dei tagli</translation>
     </message>
     <message>
-        <source>process</source>
-        <translation>processo</translation>
+        <source>move cut</source>
+        <translation>spostamento del taglio</translation>
     </message>
     <message>
-        <source>seed</source>
-        <translation>seme</translation>
+        <source>pick root</source>
+        <translation>scelta della radice</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PreparePage</name>
+    <message>
+        <source>repair the mesh</source>
+        <translation>riparazione della mesh</translation>
     </message>
     <message>
-        <source>Cancelled. The last results stay on show.</source>
-        <translation>Interrotto. Gli ultimi risultati restano in vista.</translation>
+        <source>mesh as read</source>
+        <translation>mesh come letta</translation>
     </message>
     <message>
-        <source>The run has stopped</source>
-        <translation>Calcolo interrotto</translation>
+        <source>Settings</source>
+        <translation>Impostazioni</translation>
     </message>
+    <message>
+        <source>Part</source>
+        <translation>Pezzo</translation>
+    </message>
+    <message>
+        <source>Not a value for this parameter</source>
+        <translation>Valore non valido per questo parametro</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::ProjectFiles</name>
     <message>
         <source>Opening %1</source>
         <translation>Apertura di %1</translation>
@@ -2783,24 +2969,24 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Apri recenti</translation>
     </message>
     <message>
-        <source>The viewport needs OpenGL 3.2; this display offers %1. Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1. Planning and export work without a picture.</source>
-        <translation>La vista richiede OpenGL 3.2; questo schermo offre %1. Aggiorna il driver grafico o imposta LIBGL_ALWAYS_SOFTWARE=1. Pianificazione ed esportazione funzionano anche senza vista.</translation>
+        <source>Open</source>
+        <translation>Apri</translation>
     </message>
     <message>
-        <source>repair the mesh</source>
-        <translation>riparazione della mesh</translation>
+        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;All files (*)</source>
+        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;Tutti i file (*)</translation>
     </message>
     <message>
-        <source>mesh as read</source>
-        <translation>mesh come letta</translation>
+        <source>Opened %1</source>
+        <translation>Aperto %1</translation>
     </message>
     <message>
-        <source>Not a value for this parameter</source>
-        <translation>Valore non valido per questo parametro</translation>
+        <source>Save the project</source>
+        <translation>Salva il progetto</translation>
     </message>
     <message>
-        <source>program formats</source>
-        <translation>formati dei programmi</translation>
+        <source>Voluta projects (*.voluta)</source>
+        <translation>Progetti Voluta (*.voluta)</translation>
     </message>
     <message>
         <source>Recover unsaved work</source>
@@ -2830,9 +3016,16 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>“%1” has changes that are not saved.</source>
         <translation>“%1” ha modifiche non salvate.</translation>
     </message>
+</context>
+<context>
+    <name>voluta::window::Runs</name>
     <message>
         <source>%1 voxels, %2 missed</source>
         <translation>%1 voxel, %2 mancati</translation>
+    </message>
+    <message>
+        <source>%1 pieces, %2 mm² need support</source>
+        <translation>%1 pezzi, %2 mm² da supportare</translation>
     </message>
     <message>
         <source>%1 layers</source>
@@ -2855,80 +3048,40 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>verifica non superata</translation>
     </message>
     <message>
-        <source>Out of date: %1</source>
-        <translation>Non aggiornato: %1</translation>
-    </message>
-    <message>
-        <source>Open a part first.</source>
-        <translation>Apri prima un pezzo.</translation>
-    </message>
-    <message>
-        <source>Planning is under way.</source>
-        <translation>Pianificazione in corso.</translation>
-    </message>
-    <message>
-        <source>Nothing is planned yet. Press Plan.</source>
-        <translation>Ancora niente di pianificato. Premi Pianifica.</translation>
-    </message>
-    <message>
-        <source>The programs are out of date. Press Plan.</source>
-        <translation>I programmi non sono aggiornati. Premi Pianifica.</translation>
-    </message>
-    <message>
-        <source>move</source>
-        <translation>spostamento</translation>
-    </message>
-    <message>
-        <source>turn</source>
-        <translation>rotazione</translation>
-    </message>
-    <message>
-        <source>lay on face</source>
-        <translation>appoggio su faccia</translation>
-    </message>
-    <message>
-        <source>; refused and not written: %1</source>
-        <translation>; respinti e non scritti: %1</translation>
-    </message>
-    <message>
-        <source>Nothing is exported</source>
-        <translation>Niente è stato esportato</translation>
-    </message>
-    <message>
-        <source>A fluted vase, 60 mm high</source>
-        <translation>Un vaso scanalato alto 60 mm</translation>
-    </message>
-    <message>
-        <source>Opened %1</source>
-        <translation>Aperto %1</translation>
-    </message>
-    <message>
-        <source>Done.</source>
-        <translation>Fatto.</translation>
+        <source>Ready. Press Plan.</source>
+        <translation>Pronto. Premi Pianifica.</translation>
     </message>
     <message>
         <source>Done. Findings that block: %1.</source>
         <translation>Fatto. Segnalazioni bloccanti: %1.</translation>
     </message>
     <message>
-        <source>Files written to %1: %2</source>
-        <translation>File scritti in %1: %2</translation>
+        <source>Done.</source>
+        <translation>Fatto.</translation>
     </message>
     <message>
-        <source>A project keeps the plan, not the programs. Press Plan to write them.</source>
-        <translation>Un progetto conserva il piano, non i programmi. Premi Pianifica per scriverli.</translation>
-    </message>
-    <message>
-        <source>&amp;Update voxels while editing</source>
-        <translation>&amp;Aggiorna i voxel mentre si modifica</translation>
-    </message>
-    <message>
-        <source>Once planned, voxels follow the settings; layers and paths wait for Plan</source>
-        <translation>Dopo un piano i voxel seguono le impostazioni; strati e percorsi attendono Pianifica</translation>
+        <source>The pieces follow the settings. Press Plan for layers and paths.</source>
+        <translation>I pezzi seguono le impostazioni. Premi Pianifica per strati e percorsi.</translation>
     </message>
     <message>
         <source>The voxels follow the settings. Press Plan for layers and paths.</source>
         <translation>I voxel seguono le impostazioni. Premi Pianifica per strati e percorsi.</translation>
+    </message>
+    <message>
+        <source>Press Plan for layers and paths.</source>
+        <translation>Premi Pianifica per strati e percorsi.</translation>
+    </message>
+    <message>
+        <source>Cancelled. The last results stay on show.</source>
+        <translation>Interrotto. Gli ultimi risultati restano in vista.</translation>
+    </message>
+    <message>
+        <source>The run has stopped</source>
+        <translation>Calcolo interrotto</translation>
+    </message>
+    <message>
+        <source>Compared. Select a row to adopt it.</source>
+        <translation>Confronto fatto. Seleziona una riga per adottarla.</translation>
     </message>
     <message>
         <source>Preview: %1, %2 growth steps</source>
@@ -2943,144 +3096,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Anteprima: %1. Premi Pianifica.</translation>
     </message>
     <message>
-        <source>Growth is replayed: all layers</source>
-        <translation>Si rivede la crescita: tutti gli strati</translation>
-    </message>
-    <message>
-        <source>The pieces follow the settings. Press Plan for layers and paths.</source>
-        <translation>I pezzi seguono le impostazioni. Premi Pianifica per strati e percorsi.</translation>
-    </message>
-    <message>
-        <source>%1 pieces, %2 mm² need support</source>
-        <translation>%1 pezzi, %2 mm² da supportare</translation>
-    </message>
-    <message>
-        <source>Pieces are shown whole</source>
-        <translation>I pezzi sono mostrati interi</translation>
-    </message>
-    <message>
-        <source>keep cuts</source>
-        <translation>tagli tenuti</translation>
-    </message>
-    <message>
-        <source>search for cuts</source>
-        <translation>ricerca dei tagli</translation>
-    </message>
-    <message>
-        <source>move cut</source>
-        <translation>spostamento del taglio</translation>
-    </message>
-    <message>
-        <source>pick root</source>
-        <translation>scelta della radice</translation>
-    </message>
-    <message>
-        <source>&amp;Compare</source>
-        <translation>&amp;Confronta</translation>
-    </message>
-    <message>
-        <source>Nothing can be compared</source>
-        <translation>Non c&apos;è nulla da confrontare</translation>
-    </message>
-    <message>
-        <source>Compared. Select a row to adopt it.</source>
-        <translation>Confronto fatto. Seleziona una riga per adottarla.</translation>
-    </message>
-    <message>
-        <source>Adopted: %1. Press Plan.</source>
-        <translation>Adottato: %1. Premi Pianifica.</translation>
-    </message>
-    <message>
-        <source>&amp;Legend</source>
-        <translation>&amp;Legenda</translation>
-    </message>
-    <message>
-        <source>What the colours of the picture say</source>
-        <translation>Che cosa dicono i colori dell&apos;immagine</translation>
-    </message>
-    <message>
-        <source>Unrolled layer</source>
-        <translation>Strato srotolato</translation>
-    </message>
-    <message>
-        <source>Place on touched &amp;points…</source>
-        <translation>Posa su &amp;punti toccati…</translation>
-    </message>
-    <message>
-        <source>Moves the part to a cylinder found by touching it</source>
-        <translation>Porta il pezzo su un cilindro trovato toccandolo</translation>
-    </message>
-    <message>
-        <source>&amp;Unrolled layer</source>
-        <translation>Strato &amp;srotolato</translation>
-    </message>
-    <message>
-        <source>Layers around an axis laid flat, beside the picture</source>
-        <translation>Gli strati intorno a un asse distesi in piano, accanto all’immagine</translation>
-    </message>
-    <message>
-        <source>Press Plan for layers and paths.</source>
-        <translation>Premi Pianifica per strati e percorsi.</translation>
-    </message>
-    <message>
-        <source>cell %1</source>
-        <translation>cella %1</translation>
-    </message>
-    <message>
-        <source>platform %1</source>
-        <translation>piattaforma %1</translation>
-    </message>
-    <message>
-        <source>process %1</source>
-        <translation>processo %1</translation>
-    </message>
-    <message>
-        <source>scale %1</source>
-        <translation>scala %1</translation>
-    </message>
-    <message>
-        <source>the part as it lies</source>
-        <translation>il pezzo come sta</translation>
-    </message>
-    <message>
-        <source>shape of the rod</source>
-        <translation>forma della barra</translation>
-    </message>
-    <message>
-        <source>Choose the file…</source>
-        <translation>Scegli il file…</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>Usa %1</translation>
-    </message>
-    <message>
-        <source>Which body is printed on? Without one it is the plate.</source>
-        <translation>Su quale corpo si stampa? Senza, è il piatto.</translation>
-    </message>
-    <message>
-        <source>Choose the body…</source>
-        <translation>Scegli il corpo…</translation>
-    </message>
-    <message>
-        <source>Changed with it: %1.</source>
-        <translation>Cambiati insieme: %1.</translation>
-    </message>
-    <message>
-        <source>what fits the way of building</source>
-        <translation>ciò che va col modo di costruire</translation>
-    </message>
-    <message>
-        <source>place on touched points</source>
-        <translation>posa su punti toccati</translation>
-    </message>
-    <message>
-        <source>Layer %1 of %2</source>
-        <translation>Strato %1 di %2</translation>
-    </message>
-    <message>
-        <source>Rod</source>
-        <translation>Barra</translation>
+        <source>Out of date: %1</source>
+        <translation>Non aggiornato: %1</translation>
     </message>
 </context>
 <context>
@@ -3204,6 +3221,17 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>→ around, ↑ along [mm]</source>
         <translation>→ intorno, ↑ lungo [mm]</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::UnrolledDock</name>
+    <message>
+        <source>Layer %1 of %2</source>
+        <translation>Strato %1 di %2</translation>
+    </message>
+    <message>
+        <source>Unrolled layer</source>
+        <translation>Strato srotolato</translation>
     </message>
 </context>
 <context>

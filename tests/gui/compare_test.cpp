@@ -16,7 +16,6 @@ namespace voluta::test {
 namespace {
 
 using panels::CompareState;
-using window::Page;
 using window::PageState;
 
 class CompareTest : public WindowTest {

@@ -21,7 +21,6 @@ namespace voluta::test {
 namespace {
 
 using project::Stage;
-using window::Page;
 
 class GrowthTest : public WindowTest {
 protected:
@@ -157,7 +156,7 @@ TEST_F(GrowthTest, AFindingOfMissedVoxelsFliesThereAndLooksThroughTheRest) {
   const QImage before = picture();
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                     list->visualRect(list->model()->index(0, 0)).center());
-  EXPECT_EQ(window().page(), Page::Layers);
+  EXPECT_EQ(page(), Page::Layers);
   EXPECT_TRUE(view().voxels);
   EXPECT_TRUE(view().seeThrough);
   ASSERT_TRUE(view().marker);

@@ -25,7 +25,6 @@ namespace voluta::test {
 namespace {
 
 using project::Stage;
-using window::Page;
 
 class LatheWindowTest : public WindowTest {
 protected:

@@ -24,7 +24,6 @@ namespace voluta::test {
 namespace {
 
 using project::Stage;
-using window::Page;
 
 constexpr const char* kCuts = R"([{"point": [4, 0, 20], "normal": [1, 0, 0]},
                                   {"point": [-4, 0, 20], "normal": [-1, 0, 0]}])";
@@ -370,7 +369,7 @@ TEST_F(PiecesTest, AProjectOfPiecesOpensWithoutVoxels) {
     return document().name() == "tee" && window().presenter().hasPieces() &&
            !window().presenter().busy();
   }));
-  EXPECT_EQ(window().page(), Page::Layers);
+  EXPECT_EQ(page(), Page::Layers);
   EXPECT_TRUE(document().upToDate(Stage::Decompose));
   QTest::mouseClick(find<QToolButton>("subject4"), Qt::LeftButton);
   EXPECT_TRUE(view().pieces);

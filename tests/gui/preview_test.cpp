@@ -20,7 +20,6 @@ namespace {
 
 using document::StageState;
 using project::Stage;
-using window::Page;
 
 class PreviewTest : public WindowTest {
 protected:

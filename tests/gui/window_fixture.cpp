@@ -96,10 +96,10 @@ void WindowTest::clickToolBar(const char* actionName) {
   QTest::mouseClick(button, Qt::LeftButton);
 }
 
-void WindowTest::choosePage(window::Page page) {
+void WindowTest::choosePage(const char* page) {
   auto* flow = find<window::FlowBar>("flowBar");
   QTest::mouseClick(flow, Qt::LeftButton, {}, flow->segment(page).center());
-  EXPECT_EQ(window().page(), page);
+  EXPECT_EQ(this->page(), page);
 }
 
 void WindowTest::answerBox(const char* name, QMessageBox::ButtonRole role) {

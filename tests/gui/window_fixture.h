@@ -3,6 +3,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "gui/watchdog.h"
+#include "window/flow_bar.h"
 #include "window/main_window.h"
 
 #include <QImage>
@@ -19,6 +20,15 @@ class QToolBar;
 namespace voluta::test {
 
 WatchedApplication& application();
+
+// Ids of the pages.
+struct Page {
+  static constexpr const char* Prepare = "prepare";
+  static constexpr const char* Layers = "layers";
+  static constexpr const char* Simulate = "simulate";
+  static constexpr const char* Export = "export";
+  static constexpr const char* Compare = "compare";
+};
 
 class WindowTest : public testing::Test {
 protected:
@@ -40,7 +50,8 @@ protected:
   // By the mouse: menu bar, then the entry.
   void clickMenu(const char* menu, const char* action);
   void clickToolBar(const char* action);
-  void choosePage(window::Page page);
+  void choosePage(const char* page);
+  QString page() const { return window_->pages().page().id(); }
   // Once a box of that name ("": any) is up, clicks its button of that role.
   void answerBox(const char* name, QMessageBox::ButtonRole role);
   // Once a file dialog is up, enters the file.

@@ -24,7 +24,6 @@ namespace {
 
 using document::StageState;
 using project::Stage;
-using window::Page;
 using window::PageState;
 
 geometry::TriangleMesh smallBox(double side = 9.0) {
@@ -74,7 +73,7 @@ TEST_F(WindowTest, OpensThroughTheFileMenuPlansAndShowsTheRoad) {
   EXPECT_GT(differingShare(empty, part), 0.05);
 
   clickToolBar("plan");
-  EXPECT_EQ(window().page(), Page::Layers);
+  EXPECT_EQ(page(), Page::Layers);
   EXPECT_TRUE(find<QAction>("cancel")->isEnabled());
   ASSERT_TRUE(planned(Stage::Replay));
   EXPECT_TRUE(window().presenter().hasVoxels());
@@ -184,7 +183,7 @@ TEST_F(WindowTest, AFindingTakesCameraSlidersAndRobotThere) {
   choosePage(Page::Prepare);
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                     list->visualRect(list->model()->index(0, 0)).center());
-  EXPECT_NE(window().page(), Page::Prepare);
+  EXPECT_NE(page(), Page::Prepare);
 }
 
 TEST_F(WindowTest, RefusedProgramsAreWrittenOnlyOnTheUsersWord) {
@@ -278,7 +277,7 @@ TEST_F(WindowTest, TheLanguageChangesWhileItRuns) {
   italian->trigger();
   QCoreApplication::processEvents();
   EXPECT_NE(plan->text(), english);
-  EXPECT_EQ(window::pageName(Page::Prepare), QString("Prepara"));
+  EXPECT_EQ(window().pages().find(Page::Prepare)->title(), QString("Prepara"));
   find<QAction>("language_en")->trigger();
   QCoreApplication::processEvents();
   EXPECT_EQ(plan->text(), english);
@@ -288,12 +287,12 @@ TEST_F(WindowTest, TheLanguageChangesWhileItRuns) {
 TEST_F(WindowTest, FitsASmallScreenInEveryLanguage) {
   for (const char* language : {"language_it", "language_en"}) {
     find<QAction>(language)->trigger();
-    for (const Page page : {Page::Prepare, Page::Layers, Page::Simulate, Page::Export}) {
-      window().setPage(page);
+    for (const char* page : {Page::Prepare, Page::Layers, Page::Simulate, Page::Export}) {
+      window().pages().show(*window().pages().find(page));
       QCoreApplication::processEvents();
       const QSize least = window().minimumSizeHint();
-      EXPECT_LE(least.width(), 853) << language << " page " << static_cast<int>(page);
-      EXPECT_LE(least.height(), 533) << language << " page " << static_cast<int>(page);
+      EXPECT_LE(least.width(), 853) << language << " page " << page;
+      EXPECT_LE(least.height(), 533) << language << " page " << page;
     }
   }
 }

@@ -8,12 +8,17 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolTip>
+#include <algorithm>
 
 namespace voluta::window {
 
 namespace {
 constexpr int kHeight = 30, kPadding = 14, kGlyph = 12, kGap = 8;
-constexpr int kApart = 10; // Compare from the flow
+constexpr int kApart = 10; // what is beside it from the flow
+
+std::size_t indexAt(int index) {
+  return static_cast<std::size_t>(index);
+}
 
 // A shape a state, so that no state is told by colour alone.
 void paintGlyph(QPainter& painter, const QRectF& r, PageState state, const QPalette& palette,
@@ -53,124 +58,140 @@ void paintGlyph(QPainter& painter, const QRectF& r, PageState state, const QPale
 }
 } // namespace
 
-QString pageName(Page page) {
-  switch (page) {
-  case Page::Prepare:
-    return FlowBar::tr("Prepare");
-  case Page::Layers:
-    return FlowBar::tr("Layers");
-  case Page::Simulate:
-    return FlowBar::tr("Simulate");
-  case Page::Export:
-    return FlowBar::tr("Export");
-  default:
-    return FlowBar::tr("Compare");
-  }
-}
-
-QString stateName(PageState state) {
-  switch (state) {
-  case PageState::Nothing:
-    return FlowBar::tr("nothing yet");
-  case PageState::Running:
-    return FlowBar::tr("running");
-  case PageState::Done:
-    return FlowBar::tr("done");
-  case PageState::OutOfDate:
-    return FlowBar::tr("out of date");
-  default:
-    return FlowBar::tr("blocked: see the findings");
-  }
-}
-
 FlowBar::FlowBar(QWidget* parent) : QWidget(parent) {
   setObjectName("flowBar");
   setFocusPolicy(Qt::TabFocus);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
-void FlowBar::setPage(Page page) {
-  page_ = page;
-  setAccessibleName(pageName(page));
+void FlowBar::setSteps(const std::vector<FlowStep>& steps) {
+  const QString page = segments_.empty() ? QString() : segments_[indexAt(page_)].step.id;
+  std::vector<Segment> segments;
+  for (const FlowStep& step : steps)
+    segments.push_back({step, state(step.id)});
+  segments_ = std::move(segments);
+  page_ = 0;
+  setPage(page);
+  updateGeometry();
   update();
 }
 
-void FlowBar::setState(Page page, PageState state) {
-  states_[static_cast<std::size_t>(page)] = state;
+int FlowBar::indexOf(const QString& id) const {
+  const auto at = std::find_if(segments_.begin(), segments_.end(),
+                               [&](const Segment& segment) { return segment.step.id == id; });
+  return at == segments_.end() ? -1 : static_cast<int>(at - segments_.begin());
+}
+
+void FlowBar::setPage(const QString& id) {
+  const int index = indexOf(id);
+  if (index < 0)
+    return;
+  page_ = index;
+  setAccessibleName(segments_[indexAt(index)].step.title);
   update();
 }
 
-int FlowBar::segmentWidth(int page) const {
-  return fontMetrics().horizontalAdvance(pageName(static_cast<Page>(page))) + 2 * kPadding +
-         kGlyph + kGap;
+void FlowBar::setState(const QString& id, PageState state) {
+  if (const int index = indexOf(id); index >= 0)
+    segments_[indexAt(index)].state = state;
+  update();
+}
+
+PageState FlowBar::state(const QString& id) const {
+  const int index = indexOf(id);
+  return index < 0 ? PageState::Nothing : segments_[indexAt(index)].state;
+}
+
+int FlowBar::segmentWidth(const Segment& segment) const {
+  return fontMetrics().horizontalAdvance(segment.step.title) + 2 * kPadding + kGlyph + kGap;
 }
 
 QSize FlowBar::sizeHint() const {
-  int width = 1 + kApart;
-  for (int i = 0; i < kPageCount; ++i)
-    width += segmentWidth(i);
-  return {width, std::max(kHeight, fontMetrics().height() + 12)};
+  const QRect last = rectOf(static_cast<int>(segments_.size()) - 1);
+  return {last.right() + 2, std::max(kHeight, fontMetrics().height() + 12)};
 }
 
-QRect FlowBar::segment(Page page) const {
-  int x = page == Page::Compare ? kApart : 0;
-  for (int i = 0; i < static_cast<int>(page); ++i)
-    x += segmentWidth(i);
-  return {x, 0, segmentWidth(static_cast<int>(page)), height()};
+QRect FlowBar::segment(const QString& id) const {
+  return rectOf(indexOf(id));
+}
+
+QRect FlowBar::rectOf(int index) const {
+  if (index < 0)
+    return {};
+  int x = 0;
+  for (int i = 0; i <= index; ++i) {
+    const Segment& segment = segments_[indexAt(i)];
+    if (segment.step.aside && i > 0 && !segments_[indexAt(i - 1)].step.aside)
+      x += kApart;
+    if (i < index)
+      x += segmentWidth(segment);
+  }
+  return {x, 0, segmentWidth(segments_[indexAt(index)]), height()};
+}
+
+void FlowBar::paintSegment(QPainter& painter, int index) const {
+  const Segment& segment = segments_[indexAt(index)];
+  const QRect r = rectOf(index);
+  const bool chosen = index == page_;
+  paintGlyph(painter,
+             QRectF(r.left() + kPadding, r.center().y() - kGlyph / 2 + 0.5, kGlyph, kGlyph),
+             segment.state, palette(), chosen);
+  painter.setPen(chosen ? palette().highlightedText().color() : palette().text().color());
+  painter.drawText(r.adjusted(kPadding + kGlyph + kGap, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                   segment.step.title);
+  if (index > 0 && segments_[indexAt(index - 1)].step.aside == segment.step.aside) {
+    painter.setPen(palette().mid().color());
+    painter.drawLine(r.left(), 1, r.left(), height() - 2);
+  }
 }
 
 void FlowBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRect aside = segment(Page::Compare), flow(0, 0, aside.left() - kApart, height());
+  QRect flow, aside;
+  const int count = static_cast<int>(segments_.size());
+  for (int i = 0; i < count; ++i) {
+    QRect& part = segments_[indexAt(i)].step.aside ? aside : flow;
+    part |= rectOf(i);
+  }
   QPainterPath outline;
   for (const QRect& r : {flow, aside})
-    outline.addRoundedRect(QRectF(r).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+    if (!r.isEmpty())
+      outline.addRoundedRect(QRectF(r).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
   painter.fillPath(outline, palette().base());
   painter.save();
   painter.setClipPath(outline);
-  painter.fillRect(segment(page_), palette().highlight());
+  painter.fillRect(rectOf(count > 0 ? page_ : -1), palette().highlight());
   painter.restore();
-  for (int i = 0; i < kPageCount; ++i) {
-    const auto page = static_cast<Page>(i);
-    const QRect r = segment(page);
-    const bool chosen = page == page_;
-    paintGlyph(painter,
-               QRectF(r.left() + kPadding, r.center().y() - kGlyph / 2 + 0.5, kGlyph, kGlyph),
-               state(page), palette(), chosen);
-    painter.setPen(chosen ? palette().highlightedText().color() : palette().text().color());
-    painter.drawText(r.adjusted(kPadding + kGlyph + kGap, 0, 0, 0),
-                     Qt::AlignVCenter | Qt::AlignLeft, pageName(page));
-    if (i > 0 && page != Page::Compare) {
-      painter.setPen(palette().mid().color());
-      painter.drawLine(r.left(), 1, r.left(), height() - 2);
-    }
-  }
+  for (int i = 0; i < count; ++i)
+    paintSegment(painter, i);
   painter.setPen(QPen(hasFocus() ? palette().highlight().color() : palette().mid().color(),
                       hasFocus() ? 2.0 : 1.0));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(outline);
 }
 
-void FlowBar::choose(Page page) {
-  if (page == page_)
+void FlowBar::choose(int index) {
+  if (index == page_)
     return;
-  setPage(page);
-  emit pageChosen(page);
+  const QString id = segments_[indexAt(index)].step.id;
+  setPage(id);
+  emit pageChosen(id);
 }
 
 void FlowBar::mousePressEvent(QMouseEvent* event) {
-  for (int i = 0; i < kPageCount; ++i)
-    if (segment(static_cast<Page>(i)).contains(event->pos()))
-      choose(static_cast<Page>(i));
+  for (int i = 0; i < static_cast<int>(segments_.size()); ++i)
+    if (rectOf(i).contains(event->pos())) {
+      choose(i);
+      return;
+    }
 }
 
 void FlowBar::keyPressEvent(QKeyEvent* event) {
-  const int at = static_cast<int>(page_);
-  if (event->key() == Qt::Key_Right && at + 1 < kPageCount)
-    choose(static_cast<Page>(at + 1));
-  else if (event->key() == Qt::Key_Left && at > 0)
-    choose(static_cast<Page>(at - 1));
+  if (event->key() == Qt::Key_Right && page_ + 1 < static_cast<int>(segments_.size()))
+    choose(page_ + 1);
+  else if (event->key() == Qt::Key_Left && page_ > 0)
+    choose(page_ - 1);
   else
     QWidget::keyPressEvent(event);
 }
@@ -184,17 +205,16 @@ void FlowBar::changeEvent(QEvent* event) {
 }
 
 bool FlowBar::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip) {
-    const auto* help = static_cast<QHelpEvent*>(event);
-    for (int i = 0; i < kPageCount; ++i) {
-      const auto page = static_cast<Page>(i);
-      if (segment(page).contains(help->pos()))
-        QToolTip::showText(help->globalPos(),
-                           QString("%1: %2").arg(pageName(page), stateName(state(page))), this);
+  if (event->type() != QEvent::ToolTip)
+    return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  for (int i = 0; i < static_cast<int>(segments_.size()); ++i)
+    if (rectOf(i).contains(help->pos())) {
+      const Segment& segment = segments_[indexAt(i)];
+      QToolTip::showText(help->globalPos(),
+                         QString("%1: %2").arg(segment.step.title, stateName(segment.state)), this);
     }
-    return true;
-  }
-  return QWidget::event(event);
+  return true;
 }
 
 } // namespace voluta::window

@@ -1,21 +1,18 @@
-// Prepare, Layers, Simulate, Export: the pages of one flow and how far each has come; beside them
-// Compare, which is no step of it.
+// The pages of one flow and how far each has come; beside them those that are no step of it.
 #pragma once
+
+#include "window/page_state.h"
 
 #include <QString>
 #include <QWidget>
-#include <array>
+#include <vector>
 
 namespace voluta::window {
 
-enum class Page { Prepare, Layers, Simulate, Export, Compare };
-inline constexpr int kPageCount = 5;
-
-// What the results of a page are worth.
-enum class PageState { Nothing, Running, Done, OutOfDate, Blocked };
-
-QString pageName(Page page);
-QString stateName(PageState state);
+struct FlowStep {
+  QString id, title;
+  bool aside = false; // beside the flow; these come last
+};
 
 class FlowBar : public QWidget {
   Q_OBJECT
@@ -23,19 +20,21 @@ class FlowBar : public QWidget {
 public:
   explicit FlowBar(QWidget* parent = nullptr);
 
-  Page page() const { return page_; }
-  PageState state(Page page) const { return states_[static_cast<std::size_t>(page)]; }
-  // Emits nothing.
-  void setPage(Page page);
-  void setState(Page page, PageState state);
+  // Keeps page and states where the new steps have them. Emits nothing.
+  void setSteps(const std::vector<FlowStep>& steps);
+  // Emits nothing. An unknown id changes nothing.
+  void setPage(const QString& id);
+  void setState(const QString& id, PageState state);
+  // Nothing: of an unknown one too.
+  PageState state(const QString& id) const;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
   // In widget coordinates; for tests and tool tips.
-  QRect segment(Page page) const;
+  QRect segment(const QString& id) const;
 
 signals:
-  void pageChosen(voluta::window::Page page);
+  void pageChosen(const QString& id);
 
 protected:
   void paintEvent(QPaintEvent*) override;
@@ -45,11 +44,18 @@ protected:
   bool event(QEvent* event) override;
 
 private:
-  int segmentWidth(int page) const;
-  void choose(Page page);
+  struct Segment {
+    FlowStep step;
+    PageState state = PageState::Nothing;
+  };
+  int indexOf(const QString& id) const; // -1: unknown
+  int segmentWidth(const Segment& segment) const;
+  QRect rectOf(int index) const;
+  void paintSegment(QPainter& painter, int index) const;
+  void choose(int index);
 
-  Page page_ = Page::Prepare;
-  std::array<PageState, kPageCount> states_{};
+  std::vector<Segment> segments_;
+  int page_ = 0;
 };
 
 } // namespace voluta::window

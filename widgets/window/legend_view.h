@@ -16,6 +16,7 @@ public:
   void setLegend(const scene::Legend& legend);
   // Hidden where the user does not want it.
   void setWanted(bool wanted);
+  bool isWanted() const { return wanted_; }
   QSize sizeHint() const override;
 
 protected:

@@ -1,52 +1,46 @@
 #include "window/main_window.h"
 
-#include "curved/decompose.h"
-#include "forms/choices_form.h"
-#include "forms/parameter_form.h"
 #include "modes/mode_table.h"
-#include "panels/export_panel.h"
 #include "panels/findings_panel.h"
-#include "panels/layer_info.h"
-#include "panels/mesh_panel.h"
-#include "panels/pieces_panel.h"
-#include "panels/placement_panel.h"
-#include "process/process.h"
-#include "robot/cell.h"
-#include "timeline/joint_plots.h"
+#include "panels/object_tree.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
-#include "window/compare_page.h"
 #include "window/core_texts.h"
-#include "window/legend_view.h"
-#include "window/program_preview.h"
-#include "window/spacing_view.h"
+#include "window/findings_presenter.h"
+#include "window/flow_bar.h"
+#include "window/icons.h"
+#include "window/shell_commands.h"
+#include "window/shortcuts_dialog.h"
 #include "window/status_line.h"
 #include "window/welcome.h"
 
+#include <QApplication>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QLabel>
 #include <QLocale>
+#include <QMessageBox>
+#include <QMimeData>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
-#include <QStackedWidget>
-#include <QTabWidget>
 #include <QTimer>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <algorithm>
 
 namespace voluta::window {
 
+using project::Stage;
+
 namespace {
 constexpr int kPanelWidth = 340, kTreeWidth = 300;
+constexpr int kTreeHeight = 200, kFindingsHeight = 400;
+// Of the column, with the unrolled layer in it.
+constexpr int kTreeShare = 150, kFindingsShare = 130, kUnrolledShare = 460;
 constexpr int kLayoutVersion = 1;
-constexpr const char* kPageArea = "pageArea";
 constexpr int kMostPanelShare = 3; // of the window's width: a third
-
-scene::Theme sceneTheme(Appearance appearance) {
-  return appearance == Appearance::Dark ? scene::darkTheme() : scene::lightTheme();
-}
 
 // What the pages have to have for nothing to be cut off, the bar that scrolls them included.
 int neededWidth(const QStackedWidget& pages) {
@@ -57,55 +51,48 @@ int neededWidth(const QStackedWidget& pages) {
   return needed;
 }
 
-forms::ChoiceItem item(std::string_view id, std::string_view label = {}) {
-  const QString name = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
-  return {name, label.empty() ? coreLabel(id) : coreLabel(label), {}};
+QString sizeText(const Eigen::Vector3d& v) {
+  const QLocale locale;
+  return QString::fromUtf8("%1 × %2 × %3 mm")
+      .arg(locale.toString(v.x(), 'f', 1), locale.toString(v.y(), 'f', 1),
+           locale.toString(v.z(), 'f', 1));
 }
 
-forms::ChoiceLists choiceLists() {
-  forms::ChoiceLists lists;
-  for (const modes::Mode& mode : modes::modeTable()) {
-    lists.modes.push_back(item(mode.id, mode.label));
-    lists.platforms[lists.modes.back().id] = mode.platforms;
-  }
-  for (const curved::GrowthScheme& growth : curved::growthSchemes())
-    lists.growths.push_back({QString::fromStdString(growth.id()), coreLabel(growth.row().label),
-                             coreLabel(growth.row().help)});
-  for (const std::string& cell : robot::cellIds())
-    lists.cells.push_back(item(cell));
-  for (const std::string& process : process::processIds())
-    lists.processes.push_back(item(process));
-  return lists;
+QDockWidget* dock(const char* name, QWidget* content, QMainWindow& window,
+                  Qt::DockWidgetArea area) {
+  auto* made = new QDockWidget(&window);
+  made->setObjectName(name);
+  made->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  made->setWidget(content);
+  window.addDockWidget(area, made);
+  return made;
 }
 } // namespace
 
 MainWindow::MainWindow(Appearance appearance, QWidget* parent)
-    : QMainWindow(parent), planning_(document_), live_(document_, planning_),
-      opening_(document_, planning_), saving_(document_), comparing_(document_),
-      autosave_(std::make_unique<document::Autosave>(document_)), appearance_(appearance) {
+    : QMainWindow(parent), planning_(document_), live_(document_, planning_), comparing_(document_),
+      files_(document_, planning_, *this),
+      runs_(document_, planning_, live_, comparing_, files_.opening()), appearance_(appearance),
+      area_(new PictureArea(appearance, this)),
+      presenter_(new Presenter(document_, area_->viewport(), this)), status_(new StatusLine(this)),
+      tree_(new panels::ObjectTree(this)), findings_(new panels::FindingsPanel(this)),
+      unrolled_(new UnrolledDock(document_, *presenter_, area_->layers(), this)),
+      summary_(new QLabel(this)), findingsPresenter_(std::make_unique<FindingsPresenter>(
+                                      document_, planning_, live_, *findings_, area_->timeline())),
+      commands_(new CommandTable(*this, area_->viewport())) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
-  planning_.setStartsOver(true);
-  live_.setEnabled(QSettings().value("plan/livePreview", true).toBool());
-  buildCentre();
-  presenter_ = new Presenter(document_, *viewport_, this);
-  preview_ = new ProgramPreview(this);
-  buildPages();
-  buildDocks();
-  status_ = new StatusLine(this);
+  pages_ = std::make_unique<PageStack>(
+      WorkspaceParts{document_, planning_, live_, files_.opening(), comparing_, viewport(),
+                     area_->layers(), area_->timeline(), *tree_, *presenter_, picture_},
+      area_, area_->legend(), *unrolled_, this);
+  setCentralWidget(pages_->centres());
   setStatusBar(status_);
-  buildMenus();
-  buildToolBar();
-  connectDocument();
-  connectPages();
-  connectGrowth();
-  connectPieces();
-  connectModes();
+  buildDocks();
+  buildCommands();
+  listen();
   retranslate();
-  showChoices();
-  showPart();
-  showStates();
-  setPage(Page::Prepare);
+  pages_->show(pages_->page());
   resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value("window/geometry").toByteArray());
@@ -114,207 +101,280 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::buildCentre() {
-  viewport_ = new viewer::Viewport(sceneTheme(appearance_), this);
-  legend_ = new LegendView(viewport_);
-  viewport_->setLegendWidget(legend_);
-  welcome_ = new Welcome(viewport_);
-  layers_ = new timeline::LayerRangeSlider(this);
-  layers_->setObjectName("layerSlider");
-  timeline_ = new timeline::TimelineBar(this);
-  timeline_->setObjectName("timeline");
-  auto* centre = new QWidget(this);
-  auto* column = new QVBoxLayout(centre);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(0);
-  row->addWidget(viewport_, 1);
-  row->addWidget(layers_);
-  column->addLayout(row, 1);
-  column->addWidget(timeline_);
-  centre_ = new QStackedWidget(this);
-  centre_->addWidget(centre);
-  setCentralWidget(centre_);
-}
-
-QScrollArea* MainWindow::scrolled(QWidget* content) {
-  auto* area = new QScrollArea(this);
-  area->setObjectName(kPageArea);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setWidget(content);
-  return area;
-}
-
-void MainWindow::buildPages() {
-  placement_ = new panels::PlacementPanel(this);
-  placement_->setObjectName("placement");
-  mesh_ = new panels::MeshPanel(this);
-  choices_ = new forms::ChoicesForm(this);
-  choices_->setObjectName("choices");
-  parameters_ = new forms::ParameterForm(pipeline::allParameters(), this);
-  parameters_->setObjectName("parameters");
-  parameters_->setHeader(choices_);
-  auto* part = new QWidget(this);
-  auto* partColumn = new QVBoxLayout(part);
-  partColumn->setContentsMargins(0, 0, 0, 0);
-  partColumn->addWidget(placement_);
-  partColumn->addWidget(mesh_);
-  partColumn->addStretch(1);
-  prepareTabs_ = new QTabWidget(this);
-  prepareTabs_->setObjectName("prepareTabs");
-  prepareTabs_->setDocumentMode(true);
-  prepareTabs_->addTab(parameters_, QString());
-  prepareTabs_->addTab(scrolled(part), QString());
-
-  options_ = new ViewOptions(this);
-  options_->setObjectName("viewOptions");
-  layerInfo_ = new panels::LayerInfo(this);
-  auto* layerPage = new QWidget(this);
-  auto* layerColumn = new QVBoxLayout(layerPage);
-  layerColumn->setContentsMargins(0, 0, 0, 0);
-  layerColumn->addWidget(options_);
-  piecesPanel_ = new panels::PiecesPanel(this);
-  piecesPanel_->setObjectName("pieces");
-  layerColumn->addWidget(piecesPanel_);
-  layerColumn->addWidget(layerInfo_);
-  spacing_ = new SpacingView(this);
-  layerColumn->addWidget(spacing_);
-  layerColumn->addStretch(1);
-
-  plots_ = new timeline::JointPlots(this);
-  plots_->setObjectName("plots");
-  export_ = new panels::ExportPanel(this);
-  export_->setObjectName("export");
-  export_->setFolder(QSettings().value("export/folder").toString());
-
-  pages_ = new QStackedWidget(this);
-  pages_->addWidget(prepareTabs_);
-  pages_->addWidget(scrolled(layerPage));
-  QScrollArea* plots = scrolled(plots_);
-  plots->setObjectName("plotsArea"); // may be tight: it is scrolled
-  pages_->addWidget(plots);
-  pages_->addWidget(scrolled(export_));
-  buildCompare();
-}
-
 void MainWindow::buildDocks() {
-  const auto dock = [this](const char* name, QWidget* content, Qt::DockWidgetArea area) {
-    auto* made = new QDockWidget(this);
-    made->setObjectName(name);
-    made->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
-    made->setWidget(content);
-    addDockWidget(area, made);
-    return made;
-  };
-  tree_ = new panels::ObjectTree(this);
   tree_->setObjectName("tree");
-  findings_ = new panels::FindingsPanel(this);
   findings_->setObjectName("findings");
-  partDock_ = dock("partDock", tree_, Qt::LeftDockWidgetArea);
-  findingsDock_ = dock("findingsDock", findings_, Qt::LeftDockWidgetArea);
-  auto* page = new QWidget(this);
-  auto* column = new QVBoxLayout(page);
+  partDock_ = dock("partDock", tree_, *this, Qt::LeftDockWidgetArea);
+  findingsDock_ = dock("findingsDock", findings_, *this, Qt::LeftDockWidgetArea);
+  auto* side = new QWidget(this);
+  auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(pages_, 1);
-  summary_ = new QLabel(page);
+  column->addWidget(pages_->sides(), 1);
   summary_->setObjectName("summary");
   summary_->setWordWrap(true);
   summary_->setContentsMargins(10, 6, 10, 6);
   column->addWidget(summary_);
-  pageDock_ = dock("pageDock", page, Qt::RightDockWidgetArea);
+  pageDock_ = dock("pageDock", side, *this, Qt::RightDockWidgetArea);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  buildUnrolled();
+  addDockWidget(Qt::LeftDockWidgetArea, unrolled_);
+  unrolled_->hide();
+  // Its own share of the column once; then it is the user's.
+  connect(unrolled_, &UnrolledDock::firstShown, this, [this] {
+    resizeDocks({partDock_, findingsDock_, unrolled_}, {kTreeShare, kFindingsShare, kUnrolledShare},
+                Qt::Vertical);
+  });
   resizeDocks({partDock_, pageDock_}, {kTreeWidth, kPanelWidth}, Qt::Horizontal);
-  resizeDocks({partDock_, findingsDock_}, {200, 400}, Qt::Vertical);
+  resizeDocks({partDock_, findingsDock_}, {kTreeHeight, kFindingsHeight}, Qt::Vertical);
 }
 
-void MainWindow::setPage(Page page) {
-  lookingAtMissed_ = false;
-  flow_->setPage(page);
-  pages_->setCurrentIndex(static_cast<int>(page));
-  centre_->setCurrentIndex(page == Page::Compare ? 1 : 0);
-  layers_->setVisible(page == Page::Layers);
-  timeline_->setVisible(page != Page::Prepare && page != Page::Compare);
-  timeline_->setMode(page == Page::Layers ? timeline::BarMode::Moves : timeline::BarMode::Time);
-  if (page != Page::Prepare)
-    setTool(viewer::Tool::None);
-  tools_->setEnabled(page == Page::Prepare && document_.source());
-  pageDock_->setWindowTitle(pageName(page));
-  showMoves();
-  showView();
-  const bool inCell = page == Page::Simulate || page == Page::Export;
-  if (inCell != framedInCell_) {
-    framedInCell_ = inCell;
-    viewport_->frameAll();
+void MainWindow::buildCommands() {
+  commands_->add(files_.commands());
+  commands_->add(ownCommands());
+  commands_->add(pages_->commands());
+  commands_->add(viewCommands(*area_, picture_, *unrolled_, [this] { pages_->showView(); }));
+  commands_->add(languageCommands());
+  commands_->add(runs_.commands());
+  commands_->add(timelineCommands(area_->timeline()));
+  for (QDockWidget* one : {partDock_, findingsDock_, pageDock_})
+    commands_->add({one->toggleViewAction(), "windowMenu", 1});
+  commands_->build(commandMenus(), pages_->flow());
+  files_.setRecentMenu(commands_->menu("recentMenu"));
+}
+
+std::vector<Command> MainWindow::ownCommands() {
+  QUndoStack* edits = document_.undoStack();
+  return {
+      {"quit",
+       "fileMenu",
+       2,
+       QT_TRANSLATE_NOOP("Commands", "&Quit"),
+       QT_TRANSLATE_NOOP("Commands", "Close the window"),
+       {QKeySequence("Ctrl+Q")},
+       [this] { close(); }},
+      {"undo",
+       "editMenu",
+       0,
+       nullptr,
+       nullptr,
+       {QKeySequence::Undo},
+       [edits] { edits->undo(); },
+       [edits] { return edits->canUndo(); },
+       {},
+       "undo",
+       BarGroup::Undo,
+       [edits] { return edits->canUndo() ? tr("Undo %1").arg(edits->undoText()) : tr("Undo"); }},
+      {"redo",
+       "editMenu",
+       0,
+       nullptr,
+       nullptr,
+       {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")},
+       [edits] { edits->redo(); },
+       [edits] { return edits->canRedo(); },
+       {},
+       "redo",
+       BarGroup::Undo,
+       [edits] { return edits->canRedo() ? tr("Redo %1").arg(edits->redoText()) : tr("Redo"); }},
+      {"shortcuts",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "&Keys…"),
+       QT_TRANSLATE_NOOP("Commands", "See and change the keys"),
+       {},
+       [this] { editShortcuts(); }},
+      {"dark",
+       "viewMenu",
+       2,
+       QT_TRANSLATE_NOOP("Commands", "&Dark"),
+       QT_TRANSLATE_NOOP("Commands", "Light text on dark ground"),
+       {},
+       [this] { switchAppearance(); },
+       {},
+       [this] { return appearance_ == Appearance::Dark; }},
+      {"exportPicture",
+       "exportMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "P&icture…"),
+       QT_TRANSLATE_NOOP("Commands", "Save the viewport as a PNG"),
+       {},
+       [this] {
+         savePicture(*area_, document_.name(), [this](const QString& file) {
+           tell(tr("Save the picture"),
+                tr("%1 cannot be written. Choose another folder.").arg(file));
+         });
+       }},
+      {"fullScreen",
+       "windowMenu",
+       2,
+       QT_TRANSLATE_NOOP("Commands", "&Full screen"),
+       QT_TRANSLATE_NOOP("Commands", "The whole screen"),
+       {QKeySequence("F11")},
+       [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); }},
+      {"helpKeys",
+       "helpMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Keys"),
+       QT_TRANSLATE_NOOP("Commands", "All keys at a glance"),
+       {QKeySequence("F1")},
+       [this] { editShortcuts(); }},
+      {"about",
+       "helpMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&About Voluta"),
+       QT_TRANSLATE_NOOP("Commands", "Version and licence"),
+       {},
+       [this] { showAbout(*this); }},
+  };
+}
+
+void MainWindow::listen() {
+  const auto title = [this] { setWindowTitle(document_.name() + "[*] – Voluta"); };
+  connect(&document_, &document::Document::nameChanged, this, title);
+  connect(&document_, &document::Document::dirtyChanged, this,
+          [this](bool dirty) { setWindowModified(dirty); });
+  title();
+  connect(document_.undoStack(), &QUndoStack::indexChanged, commands_, &CommandTable::refresh);
+  connect(&document_, &document::Document::choicesChanged, this, &MainWindow::showObjects);
+  connect(&document_, &document::Document::sourceChanged, this, &MainWindow::showObjects);
+  connect(&document_, &document::Document::resultChanged, this, &MainWindow::showObjects);
+  connect(presenter_, &Presenter::partDrawn, this, &MainWindow::showObjects);
+  const auto states = [this] { pages_->showStates(); };
+  connect(&document_, &document::Document::stateChanged, this, states);
+  connect(&runs_, &Runs::changed, this, states);
+  connect(&runs_, &Runs::planAsked, this, &MainWindow::plan);
+  connect(&runs_, &Runs::progressed, status_, &StatusLine::showProgress);
+  connect(&runs_, &Runs::said, status_, &StatusLine::showIdle);
+  connect(&runs_, &Runs::told, this, &MainWindow::tell);
+  connect(&files_, &ProjectFiles::said, status_, &StatusLine::showIdle);
+  connect(&files_, &ProjectFiles::told, this, &MainWindow::tell);
+  connect(&files_, &ProjectFiles::opened, this, [this](bool project) {
+    picture_.setMarker(std::nullopt);
+    if (project && document_.result(Stage::Layers))
+      pages_->showPageOf(Stage::Layers);
+    else
+      pages_->showFirst();
+  });
+  connect(&files_, &ProjectFiles::cleared, pages_.get(), &PageStack::showFirst);
+  connect(pages_.get(), &PageStack::statesShown, this, &MainWindow::showStates);
+  connect(pages_.get(), &PageStack::said, status_, &StatusLine::showIdle);
+  connect(pages_.get(), &PageStack::told, this, &MainWindow::tell);
+  connect(findings_, &panels::FindingsPanel::activated, pages_.get(), &PageStack::goTo);
+  connect(&area_->welcome(), &Welcome::openRequested, &files_, &ProjectFiles::choose);
+  connect(&area_->welcome(), &Welcome::sampleRequested, this, [this] { open("sample:vase"); });
+}
+
+void MainWindow::showStates() {
+  commands_->refresh();
+  summary_->setText(runs_.summary());
+  pageDock_->setWindowTitle(pages_->page().title());
+}
+
+void MainWindow::showObjects() {
+  using panels::SceneItem;
+  const project::Choices& c = document_.choices();
+  const auto source = document_.source();
+  Welcome& welcome = area_->welcome();
+  welcome.setVisible(!source || welcome.hasMessage());
+  const Eigen::AlignedBox3d& box = presenter_->partBox();
+  const QString size =
+      source ? sizeText(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval())
+             : QString();
+  tree_->setText(SceneItem::Part, source ? QString::fromStdString(source->name) : QString(), size);
+  tree_->setText(SceneItem::Platform, {}, platformText(c.platform));
+  tree_->setText(SceneItem::Cell, {}, QString::fromStdString(c.cell));
+  tree_->setText(SceneItem::Plate, modes::findMode(c.mode).aroundRod ? tr("Rod") : QString(), {});
+  status_->setPart(size);
+  status_->setCell(QString::fromStdString(c.cell));
+}
+
+void MainWindow::plan(Stage until) {
+  if (!document_.source()) {
+    files_.choose();
+    return;
   }
-  showExport();
+  if (until == Stage::Replay)
+    pages_->showResults();
+  else
+    pages_->showPageOf(until);
+  planning_.plan(until);
 }
 
-void MainWindow::showLists() {
-  const forms::ChoiceLists lists = choiceLists();
-  choices_->setLists(lists);
-  compare_->setLists(lists.modes, lists.growths);
+void MainWindow::switchAppearance() {
+  appearance_ = appearance_ == Appearance::Dark ? Appearance::Light : Appearance::Dark;
+  applyAppearance(*qobject_cast<QApplication*>(QCoreApplication::instance()), appearance_);
+  viewport().scene().setTheme(sceneTheme(appearance_));
+  viewport().requestFrame();
+  QSettings().setValue("window/appearance", appearanceName(appearance_));
+}
+
+void MainWindow::editShortcuts() {
+  ShortcutsDialog dialog(commands_->actions(), this);
+  if (dialog.exec() == QDialog::Accepted)
+    commands_->retranslate();
+}
+
+void MainWindow::tell(const QString& title, const QString& message) {
+  auto* box = new QMessageBox(QMessageBox::Warning, title, message, QMessageBox::Ok, this);
+  box->setObjectName("messageBox");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
 }
 
 void MainWindow::retranslate() {
   setLocale(QLocale()); // of the language: widgets keep the one that they were made with
-  showLists();
   partDock_->setWindowTitle(tr("Part and cell"));
   findingsDock_->setWindowTitle(tr("Findings"));
-  pageDock_->setWindowTitle(pageName(flow_->page()));
-  unrolledDock_->setWindowTitle(tr("Unrolled layer"));
-  prepareTabs_->setTabText(0, tr("Settings"));
-  prepareTabs_->setTabText(1, tr("Part"));
-  for (const auto& [menu, text] : menus_)
-    menu->setTitle(tr(text));
-  for (const Command& c : commands_) {
-    c.action->setText(tr(c.text));
-    const QString keys = c.action->shortcut().toString(QKeySequence::NativeText);
-    const QString tip = tr(c.tip);
-    c.action->setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
-  }
-  retranslateUndo();
-  showStates();
-  showChoices();
-  showExport();
-  showView();
+  unrolled_->retranslate();
+  pages_->retranslate();
+  commands_->retranslate();
+  showObjects();
+  pages_->showStates();
   // Longer words get room, where there is some; the layouts know of them only later.
   QTimer::singleShot(0, this, [this] {
-    if (const int wide = std::min(neededWidth(*pages_), width() / kMostPanelShare);
+    if (const int wide = std::min(neededWidth(*pages_->sides()), width() / kMostPanelShare);
         wide > pageDock_->width())
       resizeDocks({pageDock_}, {wide}, Qt::Horizontal);
   });
 }
 
 void MainWindow::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange && flow_)
+  if (event->type() == QEvent::LanguageChange && pageDock_)
     retranslate();
-  if (event->type() == QEvent::PaletteChange && flow_)
-    redrawIcons();
+  if (event->type() == QEvent::PaletteChange && pageDock_)
+    commands_->redrawIcons();
   QMainWindow::changeEvent(event);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!closing_ && document_.dirty()) {
     event->ignore();
-    afterSaved([this] {
+    files_.afterSaved([this] {
       closing_ = true;
       close();
     });
     return;
   }
-  planning_.cancel();
-  live_.cancel();
-  comparing_.cancel();
-  opening_.cancel();
+  runs_.cancelAll();
   QSettings settings;
   settings.setValue("window/geometry", saveGeometry());
   settings.setValue("window/state", saveState(kLayoutVersion));
-  autosave_.reset();
+  files_.end();
   QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls())
+    event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) {
+      event->acceptProposedAction();
+      open(url.toLocalFile());
+      return;
+    }
 }
 
 } // namespace voluta::window

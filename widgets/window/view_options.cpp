@@ -47,17 +47,34 @@ bool offers(LayerSubject subject, scene::ColourBy colourBy) {
 } // namespace
 
 ViewOptions::ViewOptions(QWidget* parent) : QWidget(parent) {
-  build();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  auto* subjects = new QGridLayout;
+  buildSubjects(*subjects);
+  column->addLayout(subjects);
+  const auto box = [&](const char* name) {
+    auto* made = new QCheckBox(this);
+    made->setObjectName(name);
+    column->addWidget(made);
+    return made;
+  };
+  part_ = box("partSurface");
+  travels_ = box("travels");
+  beads_ = box("beads");
+  front_ = box("front");
+  ghosts_ = box("ghosts");
+  auto* plane = new QGridLayout;
+  buildPlane(*plane);
+  column->addLayout(plane);
+  listen();
   retranslate();
   setChoices(choices_);
+  setLook(look_);
   setAvailable(false, false, false, false);
 }
 
-void ViewOptions::build() {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  auto* grid = new QGridLayout;
-  grid->setColumnStretch(1, 1);
+void ViewOptions::buildSubjects(QGridLayout& grid) {
+  grid.setColumnStretch(1, 1);
   subjectLabel_ = new QLabel(this);
   colourLabel_ = new QLabel(this);
   subjects_ = new QButtonGroup(this);
@@ -84,23 +101,15 @@ void ViewOptions::build() {
   colourBy_->setObjectName("colourBy");
   for (const scene::ColourByRow& entry : scene::colourByTable())
     colourBy_->addItem(QString(), static_cast<int>(entry.colourBy));
-  grid->addWidget(subjectLabel_, 0, 0, 1, 2);
-  grid->addLayout(row, 1, 0, 1, 2);
-  grid->addWidget(colourLabel_, 2, 0);
-  grid->addWidget(colourBy_, 2, 1);
-  column->addLayout(grid);
-  part_ = new QCheckBox(this);
-  travels_ = new QCheckBox(this);
-  beads_ = new QCheckBox(this);
-  front_ = new QCheckBox(this);
-  front_->setObjectName("front");
-  ghosts_ = new QCheckBox(this);
-  ghosts_->setObjectName("ghosts");
+  grid.addWidget(subjectLabel_, 0, 0, 1, 2);
+  grid.addLayout(row, 1, 0, 1, 2);
+  grid.addWidget(colourLabel_, 2, 0);
+  grid.addWidget(colourBy_, 2, 1);
+}
+
+void ViewOptions::buildPlane(QGridLayout& grid) {
   section_ = new QCheckBox(this);
   section_->setObjectName("section");
-  for (QCheckBox* box : {part_, travels_, beads_, front_, ghosts_})
-    column->addWidget(box);
-  auto* plane = new QGridLayout;
   axis_ = new QComboBox(this);
   axis_->addItems({"X", "Y", "Z"});
   place_ = new QSlider(Qt::Horizontal, this);
@@ -108,12 +117,14 @@ void ViewOptions::build() {
   place_->setRange(0, kPlaceSteps);
   flip_ = new QToolButton(this);
   flip_->setCheckable(true);
-  plane->addWidget(section_, 0, 0, 1, 3);
-  plane->addWidget(axis_, 1, 0);
-  plane->addWidget(place_, 1, 1);
-  plane->addWidget(flip_, 1, 2);
-  plane->setColumnStretch(1, 1);
-  column->addLayout(plane);
+  grid.addWidget(section_, 0, 0, 1, 3);
+  grid.addWidget(axis_, 1, 0);
+  grid.addWidget(place_, 1, 1);
+  grid.addWidget(flip_, 1, 2);
+  grid.setColumnStretch(1, 1);
+}
+
+void ViewOptions::listen() {
   connect(subjects_, &QButtonGroup::idClicked, this, &ViewOptions::read);
   for (QComboBox* combo : {colourBy_, axis_})
     connect(combo, &QComboBox::currentIndexChanged, this, &ViewOptions::read);
@@ -163,19 +174,25 @@ void ViewOptions::setChoices(const ViewChoices& choices) {
   filling_ = true;
   choices_ = choices;
   subjects_->button(static_cast<int>(choices.subject))->setChecked(true);
-  colourBy_->setCurrentIndex(colourBy_->findData(static_cast<int>(choices.colourBy)));
   part_->setChecked(choices.part);
   travels_->setChecked(choices.travels);
-  beads_->setChecked(choices.beads);
   front_->setChecked(choices.front);
   ghosts_->setChecked(choices.ghosts);
-  section_->setChecked(choices.section);
-  axis_->setCurrentIndex(choices.sectionAxis);
-  place_->setValue(static_cast<int>(choices.sectionPlace * kPlaceSteps));
-  flip_->setChecked(choices.sectionFlipped);
+  filling_ = false;
+}
+
+void ViewOptions::setLook(const Look& look) {
+  filling_ = true;
+  look_ = look;
+  colourBy_->setCurrentIndex(colourBy_->findData(static_cast<int>(look.colourBy)));
+  beads_->setChecked(look.beads);
+  section_->setChecked(look.section);
+  axis_->setCurrentIndex(look.sectionAxis);
+  place_->setValue(static_cast<int>(look.sectionPlace * kPlaceSteps));
+  flip_->setChecked(look.sectionFlipped);
   for (QWidget* widget :
        {static_cast<QWidget*>(axis_), static_cast<QWidget*>(place_), static_cast<QWidget*>(flip_)})
-    widget->setEnabled(choices.section);
+    widget->setEnabled(look.section);
   filling_ = false;
 }
 
@@ -207,18 +224,20 @@ void ViewOptions::read() {
     return;
   ViewChoices now;
   now.subject = static_cast<LayerSubject>(subjects_->checkedId());
-  now.colourBy = static_cast<scene::ColourBy>(colourBy_->currentData().toInt());
   now.part = part_->isChecked();
   now.travels = travels_->isChecked();
-  now.beads = beads_->isChecked();
   now.front = front_->isChecked();
   now.ghosts = ghosts_->isChecked();
-  now.section = section_->isChecked();
-  now.sectionAxis = axis_->currentIndex();
-  now.sectionPlace = static_cast<double>(place_->value()) / kPlaceSteps;
-  now.sectionFlipped = flip_->isChecked();
+  Look look = look_;
+  look.colourBy = static_cast<scene::ColourBy>(colourBy_->currentData().toInt());
+  look.beads = beads_->isChecked();
+  look.section = section_->isChecked();
+  look.sectionAxis = axis_->currentIndex();
+  look.sectionPlace = static_cast<double>(place_->value()) / kPlaceSteps;
+  look.sectionFlipped = flip_->isChecked();
   setChoices(now);
-  emit changed(choices_);
+  setLook(look);
+  emit changed();
 }
 
 } // namespace voluta::window

@@ -1,13 +1,14 @@
 // What the Layers page shows and how it is coloured; the section plane.
 #pragma once
 
-#include "scene/view_state.h"
+#include "window/picture.h"
 
 #include <QWidget>
 
 class QButtonGroup;
 class QCheckBox;
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QSlider;
 class QToolButton;
@@ -18,14 +19,11 @@ namespace voluta::window {
 enum class LayerSubject { Furthest, Voxels, Layers, Paths, Pieces };
 inline constexpr int kLayerSubjectCount = 5;
 
+// Beside the Look of the picture.
 struct ViewChoices {
   LayerSubject subject = LayerSubject::Furthest;
-  scene::ColourBy colourBy = scene::ColourBy::Layer;
-  bool part = false, travels = false, beads = true;
+  bool part = false, travels = false;
   bool front = true, ghosts = false; // while growth is replayed
-  bool section = false, sectionFlipped = false;
-  int sectionAxis = 0;       // x, y, z
-  double sectionPlace = 0.5; // share of the part's box along the axis
 };
 
 class ViewOptions : public QWidget {
@@ -35,26 +33,31 @@ public:
   explicit ViewOptions(QWidget* parent = nullptr);
 
   const ViewChoices& choices() const { return choices_; }
-  // Emits nothing.
+  const Look& look() const { return look_; }
+  // None of these emits.
   void setChoices(const ViewChoices& choices);
+  void setLook(const Look& look);
   // A mode has either voxels or pieces; only one of them is offered.
   void setAvailable(bool voxels, bool pieces, bool layers, bool paths);
   // What is on show, never Furthest: only colourings that it has are offered.
   void setShown(LayerSubject subject);
 
 signals:
-  void changed(const voluta::window::ViewChoices& choices);
+  void changed();         // choices, look
   void dragging(bool on); // the section plane is being moved
 
 protected:
   void changeEvent(QEvent* event) override;
 
 private:
-  void build();
+  void buildSubjects(QGridLayout& grid);
+  void buildPlane(QGridLayout& grid);
+  void listen();
   void read();
   void retranslate();
 
   ViewChoices choices_;
+  Look look_;
   LayerSubject shown_ = LayerSubject::Furthest;
   bool filling_ = false;
   QLabel *subjectLabel_, *colourLabel_;

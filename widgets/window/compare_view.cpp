@@ -1,5 +1,6 @@
-#include "window/compare_page.h"
+#include "window/compare_view.h"
 
+#include "forms/colours.h"
 #include "modes/mode_table.h"
 #include "panels/finding_texts.h"
 #include "panels/findings_model.h"
@@ -124,9 +125,15 @@ QString whyText(const pipeline::CompareRow& row) {
 }
 } // namespace
 
-ComparePage::ComparePage(document::Document& document, document::Comparing& comparing,
+CompareView::CompareView(document::Document& document, document::Comparing& comparing,
                          QWidget* parent)
     : QWidget(parent), document_(document), comparing_(comparing) {
+  build();
+  listen();
+  retranslate();
+}
+
+void CompareView::build() {
   panel_ = new panels::ComparePanel;
   panel_->setObjectName("comparePanel");
   panel_->setPlatformTexts([](const QString& platform) {
@@ -156,19 +163,21 @@ ComparePage::ComparePage(document::Document& document, document::Comparing& comp
   column->setSpacing(0);
   column->addLayout(shown_, 1);
   column->addLayout(bottom);
+}
 
-  connect(panel_, &panels::ComparePanel::changed, this, &ComparePage::showCount);
+void CompareView::listen() {
+  connect(panel_, &panels::ComparePanel::changed, this, &CompareView::showCount);
   connect(panel_, &panels::ComparePanel::weightsChanged, this,
           [this] { comparing_.setWeights(panel_->weights()); });
-  connect(panel_, &panels::ComparePanel::runAsked, this, &ComparePage::run);
+  connect(panel_, &panels::ComparePanel::runAsked, this, &CompareView::run);
   connect(panel_, &panels::ComparePanel::cancelAsked, &comparing_, &document::Comparing::cancel);
-  connect(table_, &panels::CompareTable::rowActivated, this, &ComparePage::adopt);
-  connect(table_, &panels::CompareTable::rowSelected, this, &ComparePage::showState);
+  connect(table_, &panels::CompareTable::rowActivated, this, &CompareView::adopt);
+  connect(table_, &panels::CompareTable::rowSelected, this, &CompareView::showState);
   connect(adopt_, &QPushButton::clicked, this, [this] { adopt(table_->selectedRow()); });
-  connect(&comparing_, &document::Comparing::rowsChanged, this, &ComparePage::showAll);
-  connect(&comparing_, &document::Comparing::rowChanged, this, &ComparePage::showRow);
-  connect(&comparing_, &document::Comparing::rankingChanged, this, &ComparePage::showRanking);
-  connect(&comparing_, &document::Comparing::started, this, &ComparePage::showRanking);
+  connect(&comparing_, &document::Comparing::rowsChanged, this, &CompareView::showAll);
+  connect(&comparing_, &document::Comparing::rowChanged, this, &CompareView::showRow);
+  connect(&comparing_, &document::Comparing::rankingChanged, this, &CompareView::showRanking);
+  connect(&comparing_, &document::Comparing::started, this, &CompareView::showRanking);
   connect(&comparing_, &document::Comparing::ended, this, [this] {
     showRanking();
     showState();
@@ -179,11 +188,10 @@ ComparePage::ComparePage(document::Document& document, document::Comparing& comp
     showCount();
     showRanking();
   });
-  connect(&document_, &document::Document::sourceChanged, this, &ComparePage::showRanking);
-  retranslate();
+  connect(&document_, &document::Document::sourceChanged, this, &CompareView::showRanking);
 }
 
-void ComparePage::setLists(const std::vector<forms::ChoiceItem>& modes,
+void CompareView::setLists(const std::vector<forms::ChoiceItem>& modes,
                            const std::vector<forms::ChoiceItem>& growths) {
   modes_ = modes;
   growths_ = growths;
@@ -193,7 +201,7 @@ void ComparePage::setLists(const std::vector<forms::ChoiceItem>& modes,
 }
 
 // Those that can build the part in the chosen cell, on what is chosen to print on.
-void ComparePage::showModes() {
+void CompareView::showModes() {
   const auto takesBody = [](const modes::Mode& mode) {
     return std::find(mode.platforms.begin(), mode.platforms.end(), project::PlatformUse::Body) !=
            mode.platforms.end();
@@ -214,18 +222,19 @@ void ComparePage::showModes() {
   panel_->setLists(fitting, growths_);
 }
 
-document::ComparedWays ComparePage::ways() const {
+document::ComparedWays CompareView::ways() const {
   return {panel_->modes(), panel_->growths(), panel_->platforms(), panel_->until()};
 }
 
-void ComparePage::run() {
+void CompareView::run() {
   if (!document_.source() || !document_.sourceReady())
     return;
-  comparing_.setPictures([dark = dark_](const project::Job& job) { return pictureOf(job, dark); });
+  comparing_.setPictures(
+      [dark = forms::isDark(palette())](const project::Job& job) { return pictureOf(job, dark); });
   comparing_.run(ways());
 }
 
-void ComparePage::adopt(int row) {
+void CompareView::adopt(int row) {
   if (row < 0 || row >= static_cast<int>(comparing_.rows().size()))
     return;
   const document::Comparing::Row& chosen = comparing_.rows()[static_cast<std::size_t>(row)];
@@ -234,7 +243,7 @@ void ComparePage::adopt(int row) {
   emit adopted(wayText(chosen.combination), chosen.result);
 }
 
-panels::CompareEntry ComparePage::entryOf(std::size_t index) const {
+panels::CompareEntry CompareView::entryOf(std::size_t index) const {
   const document::Comparing::Row& row = comparing_.rows()[index];
   const pipeline::Ranking& ranking = comparing_.ranking();
   panels::CompareEntry entry;
@@ -286,32 +295,32 @@ panels::CompareEntry ComparePage::entryOf(std::size_t index) const {
   return entry;
 }
 
-std::vector<panels::CompareEntry> ComparePage::entries() const {
+std::vector<panels::CompareEntry> CompareView::entries() const {
   std::vector<panels::CompareEntry> all;
   for (std::size_t i = 0; i < comparing_.rows().size(); ++i)
     all.push_back(entryOf(i));
   return all;
 }
 
-void ComparePage::showAll() {
+void CompareView::showAll() {
   table_->setEntries(entries());
   shown_->setCurrentIndex(comparing_.rows().empty() ? 0 : 1);
   showState();
 }
 
-void ComparePage::showRow(int row) {
+void CompareView::showRow(int row) {
   if (row < static_cast<int>(table_->entries().size()))
     table_->setEntry(row, entryOf(static_cast<std::size_t>(row)));
   showState();
 }
 
-void ComparePage::showRanking() {
+void CompareView::showRanking() {
   if (table_->entries().size() == comparing_.rows().size())
     table_->updateEntries(entries());
   showState();
 }
 
-void ComparePage::showState() {
+void CompareView::showState() {
   const pipeline::Ranking& ranking = comparing_.ranking();
   const auto& rows = comparing_.rows();
   QString text;
@@ -334,7 +343,7 @@ void ComparePage::showState() {
   panel_->setState(document_.source() && document_.sourceReady(), comparing_.running());
 }
 
-void ComparePage::showCount() {
+void CompareView::showCount() {
   int count = 0;
   const document::ComparedWays chosen = ways();
   if (!chosen.modes.empty()) {
@@ -350,7 +359,7 @@ void ComparePage::showCount() {
   panel_->setCount(count);
 }
 
-void ComparePage::retranslate() {
+void CompareView::retranslate() {
   empty_->setText(tr("Which way of building suits this part?\nTick what to compare at the right, "
                      "then press Compare."));
   adopt_->setText(tr("Adopt this way"));
@@ -360,7 +369,7 @@ void ComparePage::retranslate() {
   showRanking();
 }
 
-void ComparePage::changeEvent(QEvent* event) {
+void CompareView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange)
     retranslate();
   QWidget::changeEvent(event);

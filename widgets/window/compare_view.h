@@ -1,4 +1,4 @@
-// The Compare page: the table in the middle, what is compared beside it.
+// Ways of building compared: the table in the middle, what is compared beside it.
 #pragma once
 
 #include "document/comparing.h"
@@ -15,16 +15,15 @@ class QStackedLayout;
 
 namespace voluta::window {
 
-class ComparePage : public QWidget {
+class CompareView : public QWidget {
   Q_OBJECT
 
 public:
   // `document` and `comparing` outlive this; the panel is made here, to be put beside it.
-  ComparePage(document::Document& document, document::Comparing& comparing,
+  CompareView(document::Document& document, document::Comparing& comparing,
               QWidget* parent = nullptr);
 
   panels::ComparePanel* panel() { return panel_; }
-  void setDark(bool dark) { dark_ = dark; }
   void setLists(const std::vector<forms::ChoiceItem>& modes,
                 const std::vector<forms::ChoiceItem>& growths);
 
@@ -36,6 +35,8 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
+  void build();
+  void listen();
   document::ComparedWays ways() const;
   panels::CompareEntry entryOf(std::size_t row) const;
   std::vector<panels::CompareEntry> entries() const;
@@ -58,7 +59,6 @@ private:
   QPushButton* adopt_ = nullptr;
   std::vector<forms::ChoiceItem> modes_, growths_; // all there are
   QStringList listed_;                             // modes that are offered
-  bool dark_ = false;
 };
 
 } // namespace voluta::window

@@ -1,0 +1,85 @@
+#include "window/findings_presenter.h"
+
+#include "document/document.h"
+#include "document/live_preview.h"
+#include "document/planning.h"
+#include "pipeline/remedies.h"
+#include "timeline/timeline_bar.h"
+#include "window/core_texts.h"
+
+#include <algorithm>
+
+namespace voluta::window {
+
+using project::Stage;
+
+FindingsPresenter::FindingsPresenter(document::Document& document, document::Planning& planning,
+                                     document::LivePreview& live, panels::FindingsPanel& panel,
+                                     timeline::TimelineBar& timeline)
+    : document_(document), planning_(planning), live_(live), panel_(panel), timeline_(timeline) {
+  panel_.setRemedies([this](const plan::Finding& finding) { return remediesOf(finding); });
+  connect(&panel_, &panels::FindingsPanel::remedyChosen, this, &FindingsPresenter::apply);
+  connect(&document, &document::Document::resultChanged, this, &FindingsPresenter::show);
+  connect(&document, &document::Document::previewChanged, this, &FindingsPresenter::show);
+  connect(&planning, &document::Planning::failed, this, &FindingsPresenter::show);
+  connect(&live, &document::LivePreview::failed, this, &FindingsPresenter::show);
+}
+
+void FindingsPresenter::show() {
+  const auto result = document_.lastResult();
+  panel_.setPlanned(document_.preview() ||
+                    (result && result->job.reached && *result->job.reached > Stage::Load));
+  panel_.setFindings(present());
+  std::vector<timeline::Mark> marks;
+  if (result)
+    for (const plan::Finding& finding : result->job.report.findings)
+      if (finding.whenS)
+        marks.push_back({*finding.whenS, finding.blocking, QString::fromStdString(finding.reason)});
+  timeline_.setMarks(std::move(marks));
+}
+
+plan::Findings FindingsPresenter::present() const {
+  plan::Findings findings;
+  if (const document::Failure* failure = document_.failure()) {
+    plan::Finding stopped;
+    stopped.stage = project::stageName(failure->stage);
+    stopped.kind = pipeline::kStopped;
+    stopped.reason = failure->error.what();
+    findings.push_back(stopped);
+  }
+  plan::Findings more;
+  if (const auto& preview = document_.preview())
+    more = preview->decomposition->findings;
+  else if (const auto result = document_.presentResult())
+    more = result->job.report.findings;
+  findings.insert(findings.end(), more.begin(), more.end());
+  return findings;
+}
+
+std::vector<panels::RemedyButton>
+FindingsPresenter::remediesOf(const plan::Finding& finding) const {
+  std::vector<panels::RemedyButton> buttons;
+  for (const pipeline::Offer& offer : pipeline::remediesFor(finding, document_.choices())) {
+    const RemedyTexts texts = remedyTexts(offer);
+    buttons.push_back({QString::fromUtf8(offer.id.data(), static_cast<qsizetype>(offer.id.size())),
+                       texts.label, texts.help});
+  }
+  return buttons;
+}
+
+void FindingsPresenter::apply(const plan::Finding& finding, const QString& remedy) {
+  for (const pipeline::Offer& offer : pipeline::remediesFor(finding, document_.choices())) {
+    if (remedy.toStdString() != offer.id)
+      continue;
+    document_.setChoices(offer.cure.choices, remedyTexts(offer).label);
+    const auto before = document_.lastResult();
+    if (live_.enabled() && document_.result(Stage::Decompose))
+      live_.refresh();
+    else
+      planning_.plan(std::max(Stage::Layers, before ? before->job.reached.value_or(Stage::Layers)
+                                                    : Stage::Layers));
+    return;
+  }
+}
+
+} // namespace voluta::window

@@ -1,0 +1,44 @@
+// The findings that count now, in their panel and on the time-line, and what cures them.
+#pragma once
+
+#include "panels/findings_panel.h"
+#include "plan/finding.h"
+
+#include <QObject>
+#include <vector>
+
+namespace voluta::document {
+class Document;
+class LivePreview;
+class Planning;
+} // namespace voluta::document
+namespace voluta::timeline {
+class TimelineBar;
+}
+
+namespace voluta::window {
+
+class FindingsPresenter : public QObject {
+  Q_OBJECT
+
+public:
+  // All outlives this.
+  FindingsPresenter(document::Document& document, document::Planning& planning,
+                    document::LivePreview& live, panels::FindingsPanel& panel,
+                    timeline::TimelineBar& timeline);
+
+private:
+  void show();
+  // Of what counts now: preview, result, and the error that a run ended in.
+  plan::Findings present() const;
+  std::vector<panels::RemedyButton> remediesOf(const plan::Finding& finding) const;
+  void apply(const plan::Finding& finding, const QString& remedy);
+
+  document::Document& document_;
+  document::Planning& planning_;
+  document::LivePreview& live_;
+  panels::FindingsPanel& panel_;
+  timeline::TimelineBar& timeline_;
+};
+
+} // namespace voluta::window

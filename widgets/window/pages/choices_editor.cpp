@@ -1,0 +1,176 @@
+#include "window/pages/choices_editor.h"
+
+#include "curved/decompose.h"
+#include "document/document.h"
+#include "modes/mode_table.h"
+#include "process/process.h"
+#include "robot/cell.h"
+#include "window/core_texts.h"
+
+#include <QFileInfo>
+
+namespace voluta::window {
+
+namespace {
+QString named(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+forms::ChoiceItem item(std::string_view id, std::string_view label = {}) {
+  const QString name = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
+  return {name, label.empty() ? coreLabel(id) : coreLabel(label), {}};
+}
+
+// What undo says of a choice.
+QString editNameOf(const QString& field) {
+  if (field == "growth")
+    return ChoicesEditor::tr("growth");
+  if (field == "platform")
+    return ChoicesEditor::tr("platform");
+  if (field == "cell")
+    return ChoicesEditor::tr("cell");
+  if (field == "process")
+    return ChoicesEditor::tr("process");
+  return ChoicesEditor::tr("seed");
+}
+
+// What `to` has other than `from`, in words.
+QString changesOf(const project::Choices& from, const project::Choices& to) {
+  QStringList parts;
+  if (to.cell != from.cell)
+    parts << ChoicesEditor::tr("cell %1").arg(named(to.cell));
+  if (to.platform != from.platform)
+    parts << ChoicesEditor::tr("platform %1").arg(platformText(to.platform));
+  if (to.process != from.process)
+    parts << ChoicesEditor::tr("process %1").arg(named(to.process));
+  if (to.scale != from.scale)
+    parts << ChoicesEditor::tr("scale %1").arg(named(to.scale));
+  if (to.parameters != from.parameters)
+    parts << ChoicesEditor::tr("the part as it lies");
+  return parts.join(QStringLiteral(", "));
+}
+
+// Is the platform a body whose file has gone?
+bool bodyIsMissing(const project::Choices& choices) {
+  return choices.platform.isBody() && !QFileInfo(named(choices.platform.file())).isFile();
+}
+
+bool wantsBody(const project::Choices& choices) {
+  return modes::findMode(choices.mode).platforms.front() == project::PlatformUse::Body &&
+         !choices.platform.isBody();
+}
+
+// As typed; what cannot be read is for the run to say.
+forms::RodProfile rodProfileOf(const project::Choices& choices) {
+  const auto text = [&](const char* key) {
+    const auto at = choices.parameters.find(key);
+    return at == choices.parameters.end() ? QString() : QString::fromStdString(at->second);
+  };
+  return {text("rodSides").toInt(), text("rodProfile")};
+}
+} // namespace
+
+forms::ChoiceLists choiceLists() {
+  forms::ChoiceLists lists;
+  for (const modes::Mode& mode : modes::modeTable()) {
+    lists.modes.push_back(item(mode.id, mode.label));
+    lists.platforms[lists.modes.back().id] = mode.platforms;
+  }
+  for (const curved::GrowthScheme& growth : curved::growthSchemes())
+    lists.growths.push_back(
+        {named(growth.id()), coreLabel(growth.row().label), coreLabel(growth.row().help)});
+  for (const std::string& cell : robot::cellIds())
+    lists.cells.push_back(item(cell));
+  for (const std::string& process : process::processIds())
+    lists.processes.push_back(item(process));
+  return lists;
+}
+
+ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
+    : QObject(parent), document_(document), form_(new forms::ChoicesForm) {
+  form_->setObjectName("choices");
+  connect(form_, &forms::ChoicesForm::changed, this, &ChoicesEditor::change);
+  connect(form_, &forms::ChoicesForm::noticePressed, this, &ChoicesEditor::pressNotice);
+  connect(form_, &forms::ChoicesForm::rodProfileChanged, this, &ChoicesEditor::changeRod);
+}
+
+void ChoicesEditor::retranslate() {
+  form_->setLists(choiceLists());
+  show();
+}
+
+void ChoicesEditor::show() {
+  const project::Choices& c = document_.choices();
+  form_->setTexts({named(c.mode), named(c.growth.id()), named(c.platform.text()), named(c.cell),
+                   named(c.process), c.seed, rodProfileOf(c)});
+  showNotice();
+}
+
+void ChoicesEditor::change(const QString& field, const QString& text) {
+  project::Choices c = document_.choices();
+  const std::string value = text.toStdString();
+  if (field == "mode") {
+    switchMode(value);
+    return;
+  }
+  if (field == "growth")
+    c.growth = curved::GrowthScheme(value);
+  else if (field == "platform")
+    c.platform = project::Platform(value);
+  else if (field == "cell")
+    c.cell = value;
+  else if (field == "process")
+    c.process = value;
+  else if (field == "seed")
+    c.seed = text.toInt();
+  document_.setChoices(c, editNameOf(field));
+}
+
+void ChoicesEditor::changeRod(const forms::RodProfile& profile) {
+  project::Choices c = document_.choices();
+  c.parameters.erase("rodSides");
+  c.parameters.erase("rodProfile");
+  if (profile.sides > 0)
+    c.parameters["rodSides"] = std::to_string(profile.sides);
+  if (!profile.points.isEmpty())
+    c.parameters["rodProfile"] = profile.points.toStdString();
+  document_.setChoices(c, tr("shape of the rod"));
+}
+
+void ChoicesEditor::switchMode(const std::string& mode) {
+  const project::Choices before = document_.choices();
+  const project::Choices now = modeSwitch_.switched(before, mode);
+  wentAlong_ = {mode, changesOf(before, now)};
+  document_.setChoices(now, tr("way of building"));
+  showNotice();
+}
+
+void ChoicesEditor::showNotice() {
+  const project::Choices& choices = document_.choices();
+  if (const QString obstacle = document::obstacle(choices); !obstacle.isEmpty()) {
+    const project::Choices mended = document::fitting(choices);
+    const QString changes = changesOf(choices, mended);
+    form_->setNotice(obstacle,
+                     bodyIsMissing(choices) ? tr("Choose the file…")
+                     : changes.isEmpty()    ? QString()
+                                            : tr("Use %1").arg(changes),
+                     true);
+  } else if (wantsBody(choices)) {
+    form_->setNotice(tr("Which body is printed on? Without one it is the plate."),
+                     tr("Choose the body…"), false);
+  } else if (wentAlong_.first == choices.mode && !wentAlong_.second.isEmpty()) {
+    form_->setNotice(tr("Changed with it: %1.").arg(wentAlong_.second), {}, false);
+  } else {
+    form_->setNotice({}, {}, false);
+  }
+}
+
+void ChoicesEditor::pressNotice() {
+  const project::Choices& choices = document_.choices();
+  if (bodyIsMissing(choices) || wantsBody(choices))
+    form_->choosePlatformFile();
+  else
+    document_.setChoices(document::fitting(choices), tr("what fits the way of building"));
+}
+
+} // namespace voluta::window

@@ -1,0 +1,256 @@
+#include "window/pages/export_page.h"
+
+#include "base/files.h"
+#include "document/document.h"
+#include "document/planning.h"
+#include "panels/export_panel.h"
+#include "pipeline/outputs.h"
+#include "program/dialect.h"
+#include "window/core_texts.h"
+#include "window/pages/cell_view.h"
+#include "window/presenter.h"
+#include "window/program_preview.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QScrollArea>
+#include <QSettings>
+#include <algorithm>
+#include <utility>
+
+namespace voluta::window {
+
+using project::Stage;
+
+namespace {
+constexpr const char* kFolder = "export/folder";
+using Checked = std::shared_ptr<const pipeline::CheckedProgram>;
+
+QString formatOf(const Checked& checked) {
+  return QString::fromStdString(checked->program.format);
+}
+
+// null: no program of that format.
+Checked findProgram(const pipeline::PlanResult& result, const QString& format) {
+  const auto at = std::find_if(result.checked.begin(), result.checked.end(),
+                               [&](const Checked& one) { return formatOf(one) == format; });
+  return at == result.checked.end() ? nullptr : *at;
+}
+
+// A result's files stay where they are; the panels hold on to the result through them.
+std::vector<panels::ExportFile> exportFiles(const Checked& checked) {
+  std::vector<panels::ExportFile> files;
+  for (const plan::ProgramFile& file : checked->program.files)
+    files.push_back({QString::fromStdString(pipeline::writtenName(*checked, file)),
+                     std::shared_ptr<const std::string>(checked, &file.text)});
+  return files;
+}
+
+int writeFiles(const std::vector<Checked>& programs, const std::string& folder,
+               const base::RunContext& ctx) {
+  base::StagedFolder staged(folder);
+  int files = 0;
+  for (const Checked& program : programs)
+    for (const plan::ProgramFile& file : program->program.files) {
+      ctx.checkpoint();
+      base::writeFile(staged.path() / pipeline::writtenName(*program, file), file.text);
+      ++files;
+    }
+  staged.commit();
+  return files;
+}
+} // namespace
+
+ExportPage::ExportPage(const Workspace& workspace)
+    : Page({"export", QT_TRANSLATE_NOOP("Commands", "&Export")}, workspace),
+      panel_(new panels::ExportPanel), side_(scrolled(panel_)), preview_(new ProgramPreview(this)) {
+  panel_->setObjectName("export");
+  panel_->setFolder(QSettings().value(kFolder).toString());
+  listenToPanel();
+  listenToRuns();
+}
+
+void ExportPage::listenToPanel() {
+  using panels::ExportPanel;
+  connect(panel_, &ExportPanel::exportRequested, this,
+          [this](const QString& folder, const QStringList& formats, bool includeRefused) {
+            place({folder, formats, includeRefused});
+          });
+  connect(panel_, &ExportPanel::formatsChanged, this, &ExportPage::setFormats);
+  connect(panel_, &ExportPanel::folderChanged, this,
+          [](const QString& folder) { QSettings().setValue(kFolder, folder); });
+  connect(panel_, &ExportPanel::previewFormatChanged, this, &ExportPage::showPreview);
+  connect(panel_, &ExportPanel::lineClicked, this, &ExportPage::goToLine);
+  connect(preview_, &ProgramPreview::linesReady, this, &ExportPage::showLine);
+  connect(&work().timeline, &timeline::TimelineBar::timeChanged, this, &ExportPage::showLine);
+}
+
+void ExportPage::listenToRuns() {
+  connect(&work().document, &document::Document::resultChanged, this, &ExportPage::show);
+  document::Planning* planning = &work().planning;
+  connect(planning, &document::Planning::finished, this, [this] {
+    show();
+    if (const auto order = std::exchange(pending_, std::nullopt))
+      write(*order);
+  });
+  connect(planning, &document::Planning::cancelled, this, [this] { pending_.reset(); });
+  connect(planning, &document::Planning::failed, this, [this] { pending_.reset(); });
+}
+
+std::vector<Command> ExportPage::commands() {
+  return {{"exportPrograms",
+           "exportMenu",
+           0,
+           QT_TRANSLATE_NOOP("Commands", "Robot &programs…"),
+           QT_TRANSLATE_NOOP("Commands", "Write the chosen programs into a folder"),
+           {QKeySequence("Ctrl+E")},
+           [this] { work().shell.show(*this); },
+           {},
+           {},
+           "export"}};
+}
+
+void ExportPage::draw(scene::ViewState& view) {
+  drawCellAtWork(view, work());
+}
+
+void ExportPage::show() {
+  if (!isShown())
+    return;
+  panel_->setFormats(formats());
+  panel_->setChecked(chosenFormats());
+  // Beside the part, until the user says where.
+  if (panel_->folder().isEmpty() && work().document.source()) {
+    const QFileInfo part(work().document.sourcePath());
+    panel_->setFolder(part.isFile() ? part.absolutePath() : QDir::homePath());
+  }
+  panel_->setBlockedReason(whyNot());
+  showPreview();
+}
+
+std::vector<panels::ExportFormat> ExportPage::formats() const {
+  const auto result = work().document.result(Stage::Replay);
+  const auto motion = work().document.result(Stage::Motion);
+  const auto cell = motion ? motion->cell : nullptr;
+  std::vector<panels::ExportFormat> formats;
+  for (const program::Dialect& dialect : program::dialects()) {
+    panels::ExportFormat format;
+    format.id = QString::fromUtf8(dialect.id.data(), static_cast<qsizetype>(dialect.id.size()));
+    format.label = coreLabel(dialect.label);
+    format.foreign = cell && program::isForeign(dialect, *cell);
+    if (const Checked program = result ? findProgram(*result, format.id) : nullptr) {
+      format.state = program->passed ? panels::VerdictState::Passed : panels::VerdictState::Refused;
+      if (!program->passed)
+        format.whyRefused = QString::fromStdString(program->failed);
+      format.verdict = program->verdict;
+      format.files = exportFiles(program);
+    }
+    formats.push_back(std::move(format));
+  }
+  return formats;
+}
+
+// As the choices say, else those that were planned.
+QStringList ExportPage::chosenFormats() const {
+  QStringList chosen;
+  for (const std::string& id : work().document.choices().formats)
+    chosen << QString::fromStdString(id);
+  const auto result = work().document.result(Stage::Replay);
+  if (chosen.isEmpty() && result)
+    for (const Checked& program : result->checked)
+      chosen << formatOf(program);
+  return chosen;
+}
+
+QString ExportPage::whyNot() const {
+  const document::Document& document = work().document;
+  const auto result = document.result(Stage::Replay);
+  if (!document.source())
+    return tr("Open a part first.");
+  if (work().planning.running())
+    return tr("Planning is under way.");
+  if (!result)
+    return tr("Nothing is planned yet. Press Plan.");
+  if (result->checked.empty())
+    return tr("A project keeps the plan, not the programs. Press Plan to write them.");
+  if (!document.upToDate(Stage::Replay))
+    return tr("The programs are out of date. Press Plan.");
+  return {};
+}
+
+void ExportPage::showPreview() {
+  const auto result = work().document.result(Stage::Replay);
+  preview_->setProgram(result ? findProgram(*result, panel_->previewFormat()) : nullptr,
+                       result ? result->job.trajectory : nullptr);
+}
+
+void ExportPage::showLine() {
+  const auto& clock = work().presenter.clock();
+  if (!isShown() || !clock)
+    return;
+  if (const auto line = preview_->lineAt(*clock, work().timeline.timeS()))
+    panel_->showLine(line->file, line->line);
+}
+
+void ExportPage::goToLine(int file, qulonglong line) {
+  const auto& clock = work().presenter.clock();
+  if (!clock)
+    return;
+  if (const auto time = preview_->timeOf(*clock, static_cast<std::uint32_t>(file),
+                                         static_cast<std::uint32_t>(line)))
+    work().timeline.setTimeS(*time);
+}
+
+void ExportPage::setFormats(const QStringList& ids) {
+  project::Choices c = work().document.choices();
+  c.formats.clear();
+  for (const QString& id : ids)
+    c.formats.push_back(id.toStdString());
+  work().document.setChoices(c, tr("program formats"));
+}
+
+void ExportPage::place(const Order& order) {
+  const auto result = work().document.result(Stage::Replay);
+  const bool there =
+      result && work().document.upToDate(Stage::Replay) &&
+      std::all_of(order.formats.begin(), order.formats.end(),
+                  [&](const QString& id) { return findProgram(*result, id) != nullptr; });
+  if (there) {
+    write(order);
+    return;
+  }
+  pending_ = order;
+  work().planning.plan(Stage::Replay);
+}
+
+void ExportPage::write(const Order& order) {
+  const auto result = work().document.result(Stage::Replay);
+  if (!result)
+    return;
+  std::vector<Checked> chosen;
+  QStringList refused;
+  for (const Checked& program : result->checked) {
+    if (!order.formats.contains(formatOf(program)))
+      continue;
+    if (program->passed || order.includeRefused)
+      chosen.push_back(program);
+    else
+      refused << formatOf(program);
+  }
+  writing_.run([chosen, folder = order.folder.toStdString()](
+                   const base::RunContext& ctx) { return writeFiles(chosen, folder, ctx); },
+               [this, folder = order.folder, refused](base::Outcome<int> outcome) {
+                 if (const int* files = std::get_if<int>(&outcome)) {
+                   QString text = tr("Files written to %1: %2").arg(folder).arg(*files);
+                   if (!refused.isEmpty())
+                     text += tr("; refused and not written: %1").arg(refused.join(", "));
+                   work().shell.say(text);
+                 } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
+                   work().shell.tell(tr("Nothing is exported"),
+                                     QString::fromStdString(error->what()));
+                 }
+               },
+               1);
+}
+
+} // namespace voluta::window

@@ -1,0 +1,62 @@
+// Export: programs with the verdict of their replay, written into a folder.
+#pragma once
+
+#include "jobs/job_runner.h"
+#include "panels/format_list.h"
+#include "window/pages/page.h"
+
+#include <QStringList>
+
+namespace voluta::panels {
+class ExportPanel;
+}
+
+namespace voluta::window {
+
+class ProgramPreview;
+
+class ExportPage : public Page {
+  Q_OBJECT
+
+public:
+  explicit ExportPage(const Workspace& workspace);
+
+  QWidget* side() override { return side_; }
+  PageLayout layout() const override { return {false, timeline::BarMode::Time, true}; }
+  std::vector<Command> commands() override;
+  std::vector<project::Stage> stages() const override { return {project::Stage::Replay}; }
+  void retranslate() override { show(); }
+
+  void draw(scene::ViewState& view) override;
+
+protected:
+  void entered() override { show(); }
+
+private:
+  // What the user has asked for.
+  struct Order {
+    QString folder;
+    QStringList formats;
+    bool includeRefused = false;
+  };
+  void listenToPanel();
+  void listenToRuns();
+  void show();
+  std::vector<panels::ExportFormat> formats() const;
+  QStringList chosenFormats() const;
+  QString whyNot() const;
+  void showPreview();
+  void showLine();
+  void goToLine(int file, qulonglong line);
+  void setFormats(const QStringList& ids);
+  void place(const Order& order);
+  void write(const Order& order);
+
+  panels::ExportPanel* panel_;
+  QWidget* side_;
+  ProgramPreview* preview_;
+  jobs::JobRunner writing_;
+  std::optional<Order> pending_; // waits for its programs to be planned
+};
+
+} // namespace voluta::window

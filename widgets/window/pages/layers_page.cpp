@@ -1,0 +1,297 @@
+#include "window/pages/layers_page.h"
+
+#include "document/document.h"
+#include "panels/layer_info.h"
+#include "panels/object_tree.h"
+#include "panels/pieces_panel.h"
+#include "timeline/layer_range_slider.h"
+#include "window/picture.h"
+#include "window/presenter.h"
+#include "window/spacing_view.h"
+
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace voluta::window {
+
+using project::Stage;
+
+namespace {
+constexpr double kLeastRadiusMm = 30.0; // enough of the part around to know the place
+// A group of n voxels is seen with as much around it: radius in widths of a cube of n voxels.
+constexpr double kAroundGroup = 3.0;
+constexpr double kPartOpacity = 0.25; // over what was planned
+
+// Whose bead passes nearest.
+int nearestLayer(const plan::ToolPlan& plan, const Eigen::Vector3d& place) {
+  double best = std::numeric_limits<double>::infinity();
+  int layer = 0;
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      if (const double d = (plan.position[i] - place).squaredNorm(); d < best) {
+        best = d;
+        layer = path.layer;
+      }
+  return layer;
+}
+} // namespace
+
+LayersPage::LayersPage(const Workspace& workspace)
+    : Page({"layers", QT_TRANSLATE_NOOP("Commands", "&Layers")}, workspace),
+      pieces_(workspace, [this] { return isShown() && subject() == LayerSubject::Pieces; }),
+      options_(new ViewOptions), info_(new panels::LayerInfo), spacing_(new SpacingView) {
+  build();
+  listenToBars();
+  listenToDrawings();
+}
+
+void LayersPage::build() {
+  options_->setObjectName("viewOptions");
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* panel : {static_cast<QWidget*>(options_), static_cast<QWidget*>(pieces_.panel()),
+                         static_cast<QWidget*>(info_), static_cast<QWidget*>(spacing_)})
+    column->addWidget(panel);
+  column->addStretch(1);
+  side_ = scrolled(content);
+}
+
+void LayersPage::listenToBars() {
+  connect(options_, &ViewOptions::changed, this, [this] {
+    lookingAtMissed_ = false;
+    work().picture.setLook(options_->look());
+    work().shell.showView();
+  });
+  connect(options_, &ViewOptions::dragging, &work().viewport, &viewer::Viewport::setDragging);
+  connect(&work().picture, &Picture::lookChanged, this,
+          [this] { options_->setLook(work().picture.look()); });
+  timeline::LayerRangeSlider& layers = work().layers;
+  connect(&layers, &timeline::LayerRangeSlider::rangeChanged, this, [this] {
+    lookingAtMissed_ = false;
+    showMoves();
+    work().shell.showView();
+    showMeasures(work().layers.last());
+  });
+  using timeline::TimelineBar;
+  connect(&work().timeline, &TimelineBar::moveChanged, this, [this] { work().shell.showView(); });
+  connect(&work().timeline, &TimelineBar::stepChanged, this, [this] {
+    lookingAtMissed_ = false;
+    work().shell.showView();
+  });
+  connect(&work().timeline, &TimelineBar::layerStepRequested, this, [this](int step) {
+    timeline::LayerRangeSlider& slider = work().layers;
+    const int last = std::clamp(slider.last() + step, 0, std::max(0, slider.layerCount() - 1));
+    slider.setRange(slider.single() ? last : std::min(slider.first(), last), last);
+  });
+}
+
+void LayersPage::listenToDrawings() {
+  Presenter& presenter = work().presenter;
+  for (const auto drawn : {&Presenter::voxelsDrawn, &Presenter::layersDrawn, &Presenter::pathsDrawn,
+                           &Presenter::factsReady})
+    connect(&presenter, drawn, this, &LayersPage::showCount);
+  connect(&presenter.pieces(), &PiecesPresenter::drawn, this, &LayersPage::showCount);
+  connect(&presenter.voxels(), &VoxelPresenter::replayReady, this, [this] {
+    work().timeline.setStepCount(work().presenter.voxels().steps());
+    work().shell.showView();
+  });
+  connect(&work().document, &document::Document::stateChanged, this, [this] {
+    const document::Document& document = work().document;
+    const std::array<bool, 3> now{document.voxelsAhead(), document.voxelsInPlace(),
+                                  document.ahead(Stage::Layers)};
+    if (std::exchange(newest_, now) != now)
+      showCount();
+  });
+}
+
+std::vector<Stage> LayersPage::stages() const {
+  return {Stage::Decompose, Stage::Layers, Stage::Toolpath};
+}
+
+void LayersPage::entered() {
+  lookingAtMissed_ = false;
+  showMoves();
+}
+
+void LayersPage::left() {
+  work().viewport.setTool(viewer::Tool::None);
+  pieces_.showHandles();
+  VoxelPresenter& voxels = work().presenter.voxels();
+  voxels.setReplayWanted(false);
+  voxels.setFrontStep(std::nullopt);
+}
+
+LayerSubject LayersPage::subject() const {
+  const LayerSubject chosen = options_->choices().subject;
+  const Presenter& presenter = work().presenter;
+  const bool pieces = presenter.hasPieces();
+  // A mode has either voxels or pieces: what was chosen for another one says nothing.
+  const bool missing =
+      chosen == LayerSubject::Pieces ? !pieces : chosen == LayerSubject::Voxels && pieces;
+  if (chosen != LayerSubject::Furthest && !missing)
+    return chosen;
+  const LayerSubject decomposed = pieces ? LayerSubject::Pieces : LayerSubject::Voxels;
+  // Modes without voxels and pieces show their last layers until there are new ones.
+  const bool ahead = work().document.voxelsAhead() && (pieces || presenter.hasVoxels());
+  return ahead                                  ? decomposed
+         : work().document.ahead(Stage::Layers) ? LayerSubject::Layers
+         : presenter.hasPaths()                 ? LayerSubject::Paths
+         : presenter.hasLayers()                ? LayerSubject::Layers
+                                                : decomposed;
+}
+
+void LayersPage::choose(LayerSubject subject) {
+  ViewChoices choices = options_->choices();
+  choices.subject = subject;
+  options_->setChoices(choices);
+}
+
+bool LayersPage::replaysGrowth() const {
+  return subject() == LayerSubject::Voxels && work().presenter.voxels().steps() > 0 &&
+         work().timeline.step() < work().timeline.stepCount();
+}
+
+// The bar under the viewport and the layer slider serve what is on show.
+void LayersPage::showGrowth(LayerSubject subject) {
+  const bool voxels = subject == LayerSubject::Voxels, pieces = subject == LayerSubject::Pieces;
+  options_->setShown(subject);
+  pieces_.panel()->setVisible(pieces);
+  info_->setVisible(!pieces);
+  work().timeline.setMode(voxels ? timeline::BarMode::Steps : timeline::BarMode::Moves);
+  VoxelPresenter& presented = work().presenter.voxels();
+  presented.setColouring(work().picture.look().colourBy);
+  presented.setReplayWanted(voxels);
+  const bool replayed = replaysGrowth();
+  presented.setFrontStep(
+      replayed && options_->choices().front ? std::optional(work().timeline.step()) : std::nullopt);
+  work().layers.setEnabled(!replayed && !pieces);
+  work().layers.setToolTip(replayed ? tr("Growth is replayed: all layers")
+                           : pieces ? tr("Pieces are shown whole")
+                                    : QString());
+}
+
+void LayersPage::draw(scene::ViewState& view) {
+  const LayerSubject shown = subject();
+  showGrowth(shown);
+  const Presenter& presenter = work().presenter;
+  const ViewChoices& chosen = options_->choices();
+  const timeline::LayerRangeSlider& layers = work().layers;
+  view.voxels = shown == LayerSubject::Voxels && presenter.hasVoxels();
+  view.layers = shown == LayerSubject::Layers && presenter.hasLayers();
+  view.paths = shown == LayerSubject::Paths && presenter.hasPaths();
+  view.pieces = shown == LayerSubject::Pieces && presenter.hasPieces();
+  if (view.pieces)
+    pieces_.draw(view);
+  const bool planned = view.voxels || view.pieces || view.layers || view.paths;
+  view.part = (chosen.part && work().tree.isShown(panels::SceneItem::Part)) || !planned;
+  view.partOpacity = planned ? kPartOpacity : 1.0;
+  view.travels = chosen.travels;
+  view.firstLayer = layers.first();
+  view.lastLayer = layers.layerCount() > 0 ? layers.last() : scene::kAllLayers;
+  view.seeThrough = lookingAtMissed_;
+  if (replaysGrowth()) {
+    view.growthStep = work().timeline.step();
+    view.front = chosen.front;
+    view.ghosts = chosen.ghosts;
+  }
+  if (view.paths && work().timeline.move() < presenter.movesOf(layers.last()))
+    view.moves = static_cast<std::size_t>(work().timeline.move());
+}
+
+std::optional<Laid> LayersPage::laid() const {
+  const int layer = work().layers.last();
+  const auto& moves = work().presenter.waypointsOf(layer);
+  const int move = work().timeline.move();
+  const bool partly = planOfLayers(work().document) &&
+                      work().timeline.mode() == timeline::BarMode::Moves &&
+                      move < static_cast<int>(moves.size());
+  return Laid{layer, partly ? moves[static_cast<std::size_t>(move)] : kAllLaid};
+}
+
+void LayersPage::goToWaypoint(const plan::ToolPath& path, std::size_t waypoint) {
+  timeline::LayerRangeSlider& layers = work().layers;
+  layers.setRange(layers.single() ? path.layer : std::min(layers.first(), path.layer), path.layer);
+  const auto& moves = work().presenter.waypointsOf(path.layer);
+  const auto at = std::find(moves.begin(), moves.end(), waypoint);
+  work().timeline.setMove(static_cast<int>(at - moves.begin()) + 1);
+}
+
+bool LayersPage::goTo(const plan::Finding& finding) {
+  lookingAtMissed_ = false;
+  if (lookAtMissed(finding))
+    return true;
+  if (pieces_.concerns(finding)) {
+    choose(LayerSubject::Pieces);
+    pieces_.lookAt(finding);
+    return true;
+  }
+  const auto result = work().document.result(Stage::Toolpath);
+  if (finding.where && result && result->job.toolPlan && work().presenter.hasPaths())
+    work().layers.setRange(0, nearestLayer(*result->job.toolPlan, *finding.where));
+  return false;
+}
+
+// Flies to a group of missed voxels, the others made see-through; false: the finding is no such.
+bool LayersPage::lookAtMissed(const plan::Finding& finding) {
+  const VoxelPresenter& presented = work().presenter.voxels();
+  if (finding.stage != project::stageName(Stage::Decompose) || !finding.where ||
+      presented.missed() == 0)
+    return false;
+  choose(LayerSubject::Voxels);
+  work().timeline.setStep(work().timeline.stepCount());
+  work().layers.setRange(0, std::max(0, work().layers.layerCount() - 1));
+  lookingAtMissed_ = true;
+  work().shell.showView();
+  const double group =
+      std::cbrt(static_cast<double>(finding.count)) * presented.pitchMm() * kAroundGroup;
+  work().viewport.lookAt(*finding.where, std::max(kLeastRadiusMm, group));
+  return true;
+}
+
+void LayersPage::clicked(const std::optional<scene::Hit>& hit) {
+  if (work().viewport.tool() == viewer::Tool::PickPoint || subject() == LayerSubject::Pieces)
+    return; // pieces_ has it
+  work().shell.chooseWaypoint(
+      hit && hit->what == scene::Hit::What::Path ? std::optional(hit->waypoint) : std::nullopt);
+}
+
+void LayersPage::hovered(const std::optional<scene::Hit>& hit) {
+  showMeasures(hit && hit->layer >= 0 ? hit->layer : work().layers.last());
+}
+
+void LayersPage::showCount() {
+  const Presenter& presenter = work().presenter;
+  const auto facts = presenter.facts();
+  const int count = presenter.layerCount();
+  spacing_->setSpacing(facts ? facts->spacing : LayerSpacing{});
+  options_->setAvailable(presenter.hasVoxels(), presenter.hasPieces(), presenter.hasLayers(),
+                         presenter.hasPaths());
+  const bool known = facts && static_cast<int>(facts->topsMm.size()) == count;
+  work().layers.setLayers(count, known ? facts->topsMm : std::vector<double>{},
+                          facts && facts->radii);
+  showMoves();
+  work().shell.showView();
+  showMeasures(work().layers.last());
+}
+
+void LayersPage::showMoves() {
+  if (isShown())
+    work().timeline.setMoveCount(work().presenter.movesOf(work().layers.last()));
+}
+
+void LayersPage::showMeasures(int layer) {
+  // Layers of other voxels than those on show have nothing to say.
+  const bool stale = work().document.voxelsAhead() && work().presenter.hasVoxels();
+  const auto facts = stale ? nullptr : work().presenter.facts();
+  if (facts && layer >= 0 && layer < static_cast<int>(facts->measures.size()))
+    info_->setMeasures(facts->measures[static_cast<std::size_t>(layer)]);
+  else
+    info_->setMeasures(std::nullopt);
+}
+
+} // namespace voluta::window

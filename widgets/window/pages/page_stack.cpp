@@ -1,0 +1,220 @@
+#include "window/pages/page_stack.h"
+
+#include "document/document.h"
+#include "panels/object_tree.h"
+#include "timeline/layer_range_slider.h"
+#include "window/flow_bar.h"
+#include "window/legend_view.h"
+#include "window/pages/page_table.h"
+#include "window/picture.h"
+#include "window/presenter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voluta::window {
+
+using project::Stage;
+
+namespace {
+constexpr double kFindingRadiusMm = 15.0;
+constexpr int kFirstKey = 5; // F5
+
+bool showsResultsOf(const Page& page, Stage stage) {
+  const std::vector<Stage> stages = page.stages();
+  return std::find(stages.begin(), stages.end(), stage) != stages.end();
+}
+
+bool isColoured(const scene::ViewState& view) {
+  return !view.materialColour && (view.voxels || view.pieces || view.layers || view.paths);
+}
+} // namespace
+
+PageStack::PageStack(const WorkspaceParts& workspace, QWidget* picture, LegendView& legend,
+                     UnrolledDock& unrolled, QWidget* parent)
+    : QObject(parent), workspace_(workspace), legend_(legend), unrolled_(unrolled),
+      flow_(new FlowBar(parent)), sides_(new QStackedWidget(parent)),
+      centres_(new QStackedWidget(parent)), pages_(makePages(Workspace{workspace, *this})) {
+  centres_->addWidget(picture);
+  for (const auto& page : pages_) {
+    sides_->addWidget(page->side());
+    if (QWidget* centre = page->centre())
+      centres_->addWidget(centre);
+  }
+  page_ = pages_.front().get();
+  connect(flow_, &FlowBar::pageChosen, this, [this](const QString& id) { show(*find(id)); });
+  listenToViewport();
+  listenToPresenter();
+  listenToBars();
+}
+
+PageStack::~PageStack() = default;
+
+void PageStack::forInputs(const std::function<void(ViewportInput&)>& does) {
+  for (ViewportInput* input : page_->inputs())
+    does(*input);
+}
+
+void PageStack::listenToViewport() {
+  using viewer::Viewport;
+  Viewport* viewport = &workspace_.viewport;
+  connect(viewport, &Viewport::clicked, this, [this](const std::optional<scene::Hit>& hit) {
+    forInputs([&](ViewportInput& input) { input.clicked(hit); });
+  });
+  connect(viewport, &Viewport::hovered, this, [this](const std::optional<scene::Hit>& hit) {
+    forInputs([&](ViewportInput& input) { input.hovered(hit); });
+  });
+  connect(viewport, &Viewport::gizmoStarted, this,
+          [this] { forInputs([](ViewportInput& input) { input.gizmoStarted(); }); });
+  connect(viewport, &Viewport::gizmoDragged, this,
+          [this](const viewer::GizmoChange& change, bool finished) {
+            forInputs([&](ViewportInput& input) { input.gizmoDragged(change, finished); });
+          });
+  connect(viewport, &Viewport::toolChanged, this, [this] {
+    showView();
+    showStates();
+  });
+}
+
+void PageStack::listenToPresenter() {
+  Presenter* presenter = &workspace_.presenter;
+  connect(presenter, &Presenter::partDrawn, this, [this](bool another) {
+    workspace_.viewport.scene().setPartPreview(Eigen::Affine3d::Identity());
+    if (!workspace_.presenter.partBox().isEmpty())
+      workspace_.viewport.setGizmoCentre(workspace_.presenter.partBox().center());
+    showView();
+    if (another)
+      workspace_.viewport.frameAll();
+  });
+  connect(presenter, &Presenter::motionReady, this, [this] {
+    workspace_.timeline.setClock(workspace_.presenter.clock());
+    showView();
+  });
+}
+
+void PageStack::listenToBars() {
+  connect(&workspace_.timeline, &timeline::TimelineBar::timeChanged, this, [this] {
+    if (page_->layout().timeline == timeline::BarMode::Time)
+      showView();
+  });
+  connect(&workspace_.picture, &Picture::lookChanged, this, &PageStack::showView);
+  connect(&workspace_.tree, &panels::ObjectTree::visibilityChanged, this, &PageStack::showView);
+  connect(&unrolled_, &UnrolledDock::chosen, this, &PageStack::chooseWaypoint);
+  connect(&unrolled_, &UnrolledDock::wantedChanged, this, [this] {
+    showView();
+    showStates();
+  });
+  connect(&workspace_.document, &document::Document::resultChanged, this, [this](Stage stage) {
+    if (stage == Stage::Layers || stage == Stage::Toolpath)
+      unrolled_.showLaid(page_->laid());
+  });
+}
+
+std::vector<Command> PageStack::commands() {
+  std::vector<Command> all;
+  int key = kFirstKey;
+  for (const auto& page : pages_) {
+    for (Command& command : page->commands())
+      all.push_back(std::move(command));
+    all.push_back({"page_" + page->id(),
+                   "windowMenu",
+                   0,
+                   page->info().name,
+                   QT_TRANSLATE_NOOP("Commands", "Go to this page"),
+                   {QKeySequence(QString("F%1").arg(key++))},
+                   [this, page = page.get()] { show(*page); }});
+  }
+  return all;
+}
+
+Page* PageStack::find(const QString& id) const {
+  const auto at = std::find_if(pages_.begin(), pages_.end(),
+                               [&](const auto& page) { return page->id() == id; });
+  return at == pages_.end() ? nullptr : at->get();
+}
+
+void PageStack::show(Page& page) {
+  page_->leave();
+  page_ = &page;
+  flow_->setPage(page.id());
+  sides_->setCurrentWidget(page.side());
+  centres_->setCurrentWidget(page.centre() ? page.centre() : centres_->widget(0));
+  const PageLayout layout = page.layout();
+  workspace_.layers.setVisible(layout.layerSlider);
+  workspace_.timeline.setVisible(layout.timeline.has_value());
+  workspace_.timeline.setMode(layout.timeline.value_or(timeline::BarMode::Time));
+  page.enter();
+  showView();
+  if (std::exchange(inCell_, layout.inCell) != layout.inCell)
+    workspace_.viewport.frameAll();
+  showStates();
+}
+
+void PageStack::showPageOf(Stage stage) {
+  for (const auto& page : pages_)
+    if (showsResultsOf(*page, stage)) {
+      show(*page);
+      return;
+    }
+}
+
+void PageStack::showResults() {
+  const std::vector<Stage> stages = page_->stages();
+  if (std::none_of(stages.begin(), stages.end(), [](Stage one) { return one > Stage::Load; }))
+    showPageOf(Stage::Layers);
+}
+
+void PageStack::goTo(const plan::Finding& finding) {
+  workspace_.picture.setMarker(finding.where);
+  const auto best =
+      std::max_element(pages_.begin(), pages_.end(), [&](const auto& a, const auto& b) {
+        return a->interest(finding) < b->interest(finding);
+      });
+  show(**best);
+  if ((*best)->goTo(finding))
+    return;
+  showView();
+  if (finding.where)
+    workspace_.viewport.lookAt(*finding.where, kFindingRadiusMm);
+}
+
+void PageStack::chooseWaypoint(std::optional<std::size_t> waypoint) {
+  if (!unrolled_.isVisible())
+    return;
+  const auto plan = planOfLayers(workspace_.document);
+  const plan::ToolPath* path = plan && waypoint ? pathOf(*plan, *waypoint) : nullptr;
+  unrolled_.choose(path ? waypoint : std::nullopt);
+  if (path)
+    page_->goToWaypoint(*path, *waypoint);
+  showView();
+}
+
+void PageStack::showView() {
+  scene::ViewState view = workspace_.picture.base(workspace_.presenter.partBox());
+  view.platform = workspace_.tree.isShown(panels::SceneItem::Platform);
+  page_->draw(view);
+  unrolled_.mark(view);
+  workspace_.viewport.setView(view);
+  unrolled_.showLaid(page_->laid());
+  page_->drawn();
+  legend_.setLegend(isColoured(workspace_.viewport.view()) ? workspace_.viewport.scene().legend()
+                                                           : scene::Legend{});
+}
+
+void PageStack::showStates() {
+  for (const auto& page : pages_)
+    flow_->setState(page->id(), page->state());
+  emit statesShown();
+}
+
+void PageStack::retranslate() {
+  std::vector<FlowStep> steps;
+  for (const auto& page : pages_)
+    steps.push_back({page->id(), page->title(), page->info().aside});
+  flow_->setSteps(steps);
+  for (const auto& page : pages_)
+    page->retranslate();
+  showView();
+}
+
+} // namespace voluta::window

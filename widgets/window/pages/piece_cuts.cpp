@@ -1,0 +1,293 @@
+#include "window/pages/piece_cuts.h"
+
+#include "document/document.h"
+#include "geometry/measures.h"
+#include "modes/piece_search.h"
+#include "modes/planar_modes.h"
+#include "panels/pieces_panel.h"
+#include "scene/camera.h"
+#include "window/picture.h"
+#include "window/presenter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace voluta::window {
+
+using project::Stage;
+
+namespace {
+constexpr const char* kCuts = "cutPlanes";
+constexpr const char* kRoot = "pieceRoot";
+constexpr const char* kScheme = "planarScheme";
+constexpr double kFaceRadiusMm = 20.0; // of the part around a face that is looked at
+constexpr double kLeastFacing = 0.3;   // cosine between a face and the eye that it is seen well by
+// Of the part's diagonal, at the slider's end: between two pieces, and from the first to the last.
+constexpr double kExplodeShare = 0.4, kExplodeAllShare = 1.0;
+
+QColor colourOf(const scene::Colour& c) {
+  return QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]),
+                          static_cast<float>(c[2]));
+}
+
+std::string chosenText(const project::Choices& choices, const char* key) {
+  const auto chosen = choices.parameters.find(key);
+  return chosen == choices.parameters.end() ? std::string() : chosen->second;
+}
+
+// The plane of `cut` turned and moved.
+planar::GivenCut moved(const planar::GivenCut& cut, const viewer::GizmoChange& change) {
+  planar::GivenCut out;
+  out.point = cut.point + change.moveMm;
+  out.plane.normal = (change.turn * cut.plane.normal).normalized();
+  out.plane.offsetMm = out.plane.normal.dot(out.point);
+  return out;
+}
+
+// Outward, of the face whose middle is nearest.
+Eigen::Vector3d faceNormal(const std::vector<planar::Piece>& pieces, const Eigen::Vector3d& place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  for (const planar::Piece& piece : pieces) {
+    const geometry::TriangleMesh& mesh = piece.solid.mesh;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Eigen::Vector3d middle =
+          (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+      if (const double d = (middle - place).squaredNorm(); d < nearest) {
+        nearest = d;
+        normal = geometry::triangleNormal(mesh, t);
+      }
+    }
+  }
+  return normal;
+}
+
+bool same(const planar::GivenCut& a, const planar::GivenCut& b) {
+  return (a.plane.normal - b.plane.normal).norm() < 1e-9 &&
+         std::abs(a.plane.offsetMm - b.plane.offsetMm) < 1e-6;
+}
+} // namespace
+
+PieceCuts::PieceCuts(const Workspace& workspace, std::function<bool()> shown)
+    : work_(workspace), shown_(std::move(shown)), panel_(new panels::PiecesPanel) {
+  panel_->setObjectName("pieces");
+  listen();
+}
+
+void PieceCuts::listen() {
+  PiecesPresenter& pieces = work_.presenter.pieces();
+  connect(&work_.document, &document::Document::choicesChanged, this, &PieceCuts::showCuts);
+  connect(&pieces, &PiecesPresenter::drawn, this, &PieceCuts::showPieces);
+  connect(&pieces, &PiecesPresenter::estimated, this,
+          [this](double riskyMm2, bool exact, const QString& problem) {
+            panel_->setEstimate({riskyMm2, exact, problem});
+          });
+  connect(&work_.viewport, &viewer::Viewport::toolChanged, this, &PieceCuts::changeTool);
+  using panels::PiecesPanel;
+  connect(panel_, &PiecesPanel::selectionChanged, this, &PieceCuts::select);
+  connect(panel_, &PiecesPanel::viewChanged, this, [this] {
+    Look look = work_.picture.look();
+    look.pieceNumbers = panel_->numbers();
+    work_.picture.setLook(look);
+    work_.shell.showView();
+  });
+  connect(panel_, &PiecesPanel::dragging, this, [this](bool on) {
+    work_.viewport.setDragging(on);
+    if (!on) // what was moved out of the picture is in it again
+      work_.viewport.frameAll();
+  });
+  connect(panel_, &PiecesPanel::keepCutsRequested, this, [this] {
+    setCuts(QString::fromStdString(planar::givenCutsText(work_.presenter.pieces().cuts())),
+            tr("keep cuts"));
+  });
+  connect(panel_, &PiecesPanel::searchRequested, this,
+          [this] { setCuts({}, tr("search for cuts")); });
+  connect(panel_, &PiecesPanel::rootPicking, this, [this](bool on) {
+    if (on)
+      select(-1);
+    work_.viewport.setTool(on && work_.document.source() ? viewer::Tool::PickPoint
+                                                         : viewer::Tool::None);
+  });
+}
+
+double PieceCuts::explodeMm() const {
+  const Eigen::AlignedBox3d& box = work_.presenter.partBox();
+  if (box.isEmpty())
+    return 0.0;
+  const int storeys = work_.presenter.pieces().storeys();
+  const double share = std::min(kExplodeShare, kExplodeAllShare / std::max(1, storeys - 1));
+  return panel_->explodeShare() * share * box.diagonal().norm();
+}
+
+void PieceCuts::draw(scene::ViewState& view) const {
+  view.explodeMm = explodeMm();
+  view.basePlanes = panel_->basePlanes();
+  if (panel_->selected() >= 0)
+    view.piece = static_cast<std::size_t>(panel_->selected());
+  view.moved_T_base = movedBase();
+}
+
+// The list follows what is drawn; the piece that was chosen is so by its cut.
+void PieceCuts::showPieces() {
+  const auto result = work_.document.result(Stage::Decompose);
+  const PiecesPresenter& drawn = work_.presenter.pieces();
+  std::vector<panels::PieceRow> rows;
+  double before = 0.0;
+  if (result && drawn.count() > 0) {
+    const project::DecompositionReport& report = result->job.report.decomposition;
+    before = report.riskyAreaBeforeMm2;
+    for (std::size_t i = 0; i < report.pieceList.size(); ++i) {
+      const project::PieceReport& piece = report.pieceList[i];
+      rows.push_back({piece.parent, colourOf(scene::pieceColour(static_cast<int>(i))),
+                      piece.volumeMm3, piece.riskyAreaMm2, QString::fromStdString(piece.material)});
+    }
+  }
+  const int chosen = drawn.pieceOf(chosenCut_);
+  panel_->setPieces(std::move(rows), before);
+  panel_->select(chosen);
+  if (chosen < 0)
+    chosenCut_ = -1;
+  showCuts();
+}
+
+// The user's cuts where there are as many as pieces on show were cut off, else those on show.
+void PieceCuts::showCuts() {
+  const std::string text = chosenText(work_.document.choices(), kCuts);
+  cuts_ = work_.presenter.pieces().cuts();
+  if (!text.empty())
+    try {
+      std::vector<planar::GivenCut> own = planar::readGivenCuts(modes::planesText(text), kCuts);
+      if (own.size() == cuts_.size())
+        cuts_ = std::move(own);
+    } catch (const base::Error&) {
+      // The run that meets it says what is wrong with it.
+    }
+  panel_->setOwnCuts(!text.empty());
+  // The scheme that asks for a root, where it is asked at all.
+  panel_->setRootOffered(text.empty() && chosenText(work_.document.choices(), kScheme) == "greedy");
+  if (work_.document.upToDate(Stage::Decompose)) {
+    work_.presenter.pieces().dropEstimate();
+    panel_->clearEstimate();
+  }
+}
+
+void PieceCuts::select(int piece) {
+  panel_->select(piece);
+  chosenCut_ = work_.presenter.pieces().cutOf(piece);
+  work_.shell.showView();
+}
+
+// Where the chosen piece's plane is now, off where it was when the pieces were made.
+std::optional<Eigen::Isometry3d> PieceCuts::movedBase() const {
+  const std::vector<planar::GivenCut>& shown = work_.presenter.pieces().cuts();
+  const auto cut = static_cast<std::size_t>(chosenCut_);
+  if (chosenCut_ < 0 || cut >= cuts_.size() || cut >= shown.size() || same(cuts_[cut], shown[cut]))
+    return std::nullopt;
+  const planar::Plane& plane = cuts_[cut].plane;
+  const Eigen::Vector3d from = shown[cut].point;
+  const Eigen::Vector3d to = from - plane.heightOf(from) * plane.normal;
+  Eigen::Isometry3d moved_T_base = Eigen::Isometry3d::Identity();
+  moved_T_base.translate(to);
+  moved_T_base.rotate(Eigen::Quaterniond::FromTwoVectors(shown[cut].plane.normal, plane.normal));
+  moved_T_base.translate(-from);
+  return moved_T_base;
+}
+
+void PieceCuts::showHandles() {
+  if (work_.viewport.tool() != viewer::Tool::None &&
+      work_.viewport.tool() != viewer::Tool::CutPlane)
+    return;
+  const auto cut = static_cast<std::size_t>(chosenCut_);
+  const bool there = shown_() && chosenCut_ >= 0 && cut < cuts_.size();
+  panel_->setHandles(there);
+  if (!there) {
+    if (std::exchange(handles_, false)) {
+      work_.viewport.setTool(viewer::Tool::None);
+      if (!work_.presenter.partBox().isEmpty())
+        work_.viewport.setGizmoCentre(work_.presenter.partBox().center());
+    }
+    return;
+  }
+  const planar::Plane& plane = cuts_[cut].plane;
+  const Eigen::Vector3d shown = work_.presenter.pieces().cuts()[cut].point;
+  work_.viewport.setGizmoCentre(shown - plane.heightOf(shown) * plane.normal +
+                                    work_.presenter.pieces().planeOffset(
+                                        work_.presenter.pieces().pieceOf(chosenCut_), explodeMm()),
+                                scene::baseAxes(plane.normal));
+  handles_ = true;
+  work_.viewport.setTool(viewer::Tool::CutPlane);
+}
+
+void PieceCuts::gizmoDragged(const viewer::GizmoChange& change, bool finished) {
+  const auto placed = work_.document.result(Stage::Load);
+  const auto cut = static_cast<std::size_t>(chosenCut_);
+  if (chosenCut_ < 0 || cut >= cuts_.size() || cutsBeforeDrag_.size() != cuts_.size())
+    return;
+  cuts_[cut] = moved(cutsBeforeDrag_[cut], change);
+  const bool changed = !same(cuts_[cut], cutsBeforeDrag_[cut]);
+  if (changed && placed)
+    work_.presenter.pieces().estimate(placed->job.part, work_.document.choices(), cuts_, finished);
+  if (finished && changed)
+    setCuts(QString::fromStdString(planar::givenCutsText(cuts_)), tr("move cut"));
+  work_.shell.showView();
+}
+
+void PieceCuts::setCuts(const QString& text, const QString& editName) {
+  project::Choices choices = work_.document.choices();
+  if (text.isEmpty())
+    choices.parameters.erase(kCuts);
+  else
+    choices.parameters[kCuts] = text.toStdString();
+  work_.document.setChoices(choices, editName);
+}
+
+void PieceCuts::pickRoot(const Eigen::Vector3d& point) {
+  project::Choices choices = work_.document.choices();
+  choices.parameters[kRoot] = modes::pieceRootText(point);
+  work_.document.setChoices(choices, tr("pick root"));
+}
+
+bool PieceCuts::concerns(const plan::Finding& finding) const {
+  const auto result = work_.document.result(Stage::Decompose);
+  return finding.stage == project::stageName(Stage::Decompose) && finding.where &&
+         work_.presenter.hasPieces() && result && result->job.pieces;
+}
+
+void PieceCuts::lookAt(const plan::Finding& finding) {
+  viewer::Viewport& viewport = work_.viewport;
+  panel_->setExplodeShare(0.0); // the place is on the part
+  select(-1);
+  const auto pieces = work_.document.result(Stage::Decompose)->job.pieces;
+  const Eigen::Vector3d normal = faceNormal(pieces->pieces, *finding.where);
+  const Eigen::Vector3d eye = scene::towardsEye(viewport.scene().renderer()).normalized();
+  if (normal.dot(eye) < kLeastFacing) {
+    // About from where the user looks, as far as that side goes.
+    Eigen::Vector3d level(eye.x(), eye.y(), 0.0);
+    if (level.norm() < 1e-3 || level.normalized().dot(normal) < -0.5)
+      level = Eigen::Vector3d(normal.x(), normal.y(), 0.0);
+    viewport.viewFrom(level.norm() > 1e-3 ? (normal + 1.5 * level.normalized()).eval() : normal);
+  }
+  viewport.lookAt(*finding.where, kFaceRadiusMm);
+}
+
+void PieceCuts::clicked(const std::optional<scene::Hit>& hit) {
+  using What = scene::Hit::What;
+  if (work_.viewport.tool() == viewer::Tool::PickPoint) {
+    if (hit && (hit->what == What::Part || hit->what == What::Piece)) {
+      work_.viewport.setTool(viewer::Tool::None);
+      pickRoot(hit->point);
+    }
+  } else if (shown_()) {
+    select(hit && hit->what == What::Piece ? static_cast<int>(hit->piece) : -1);
+  }
+}
+
+void PieceCuts::changeTool(viewer::Tool tool) {
+  panel_->setPickingRoot(tool == viewer::Tool::PickPoint);
+  if (tool == viewer::Tool::None && shown_() && chosenCut_ >= 0) // given up by a key
+    select(-1);
+}
+
+} // namespace voluta::window

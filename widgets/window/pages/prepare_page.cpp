@@ -1,0 +1,162 @@
+#include "window/pages/prepare_page.h"
+
+#include "document/document.h"
+#include "document/opening.h"
+#include "forms/parameter_form.h"
+#include "modes/mode_table.h"
+#include "panels/mesh_panel.h"
+#include "panels/object_tree.h"
+#include "panels/placement_panel.h"
+#include "window/mesh_summary.h"
+#include "window/presenter.h"
+
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace voluta::window {
+
+using project::Stage;
+
+PreparePage::PreparePage(const Workspace& workspace)
+    : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
+      handles_(workspace, *this), choices_(new ChoicesEditor(workspace.document, this)) {
+  build();
+  listen();
+}
+
+void PreparePage::build() {
+  placement_ = new panels::PlacementPanel;
+  placement_->setObjectName("placement");
+  mesh_ = new panels::MeshPanel;
+  parameters_ = new forms::ParameterForm(pipeline::allParameters());
+  parameters_->setObjectName("parameters");
+  parameters_->setHeader(choices_->form());
+  auto* part = new QWidget;
+  auto* column = new QVBoxLayout(part);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(placement_);
+  column->addWidget(mesh_);
+  column->addStretch(1);
+  tabs_ = new QTabWidget;
+  tabs_->setObjectName("prepareTabs");
+  tabs_->setDocumentMode(true);
+  tabs_->addTab(parameters_, QString());
+  tabs_->addTab(scrolled(part), QString());
+}
+
+void PreparePage::listen() {
+  document::Document& document = work().document;
+  connect(&document, &document::Document::choicesChanged, this, &PreparePage::showChoices);
+  connect(&document, &document::Document::sourceChanged, this, &PreparePage::showPart);
+  connect(&document, &document::Document::resultChanged, this, &PreparePage::showPart);
+  connect(&work().presenter, &Presenter::partDrawn, this, [this] {
+    placement_->setPlacement(handles_.placed());
+    showPart();
+  });
+  connect(&work().viewport, &viewer::Viewport::toolChanged, this,
+          [this](viewer::Tool tool) { placement_->setLayOnFace(tool == viewer::Tool::LayFlat); });
+
+  using panels::PlacementPanel;
+  connect(placement_, &PlacementPanel::placementChanged, &document, &document::Document::place);
+  connect(placement_, &PlacementPanel::scaleChanged, &document, &document::Document::setScale);
+  connect(placement_, &PlacementPanel::layOnFaceToggled, this,
+          [this](bool on) { handles_.setTool(on ? viewer::Tool::LayFlat : viewer::Tool::None); });
+  connect(mesh_, &panels::MeshPanel::repairToggled, this, [this](bool repair) {
+    project::Choices choices = work().document.choices();
+    choices.repair = repair;
+    work().document.setChoices(choices, repair ? tr("repair the mesh") : tr("mesh as read"));
+  });
+  using forms::ParameterForm;
+  connect(parameters_, &ParameterForm::changed, this, &PreparePage::setParameter);
+  connect(parameters_, &ParameterForm::resetRequested, &document,
+          &document::Document::resetParameter);
+  connect(parameters_, &ParameterForm::resetAllRequested, &document,
+          &document::Document::resetParameters);
+}
+
+QWidget* PreparePage::side() {
+  return tabs_;
+}
+
+std::vector<Command> PreparePage::commands() {
+  std::vector<Command> commands = handles_.commands();
+  commands.push_back({"resetParameters",
+                      "editMenu",
+                      2,
+                      QT_TRANSLATE_NOOP("Commands", "Reset all &parameters"),
+                      QT_TRANSLATE_NOOP("Commands", "Every parameter back to its default"),
+                      {},
+                      [this] { work().document.resetParameters(); },
+                      {},
+                      {},
+                      "reset"});
+  return commands;
+}
+
+PageState PreparePage::state() const {
+  return work().opening.running() ? PageState::Running : Page::state();
+}
+
+void PreparePage::retranslate() {
+  tabs_->setTabText(0, tr("Settings"));
+  tabs_->setTabText(1, tr("Part"));
+  choices_->retranslate();
+  showChoices();
+}
+
+void PreparePage::left() {
+  work().viewport.setTool(viewer::Tool::None);
+}
+
+void PreparePage::draw(scene::ViewState& view) {
+  const bool part = work().tree.isShown(panels::SceneItem::Part);
+  // While the part is handled it is in sight itself.
+  const bool made = part && work().document.voxelsAhead() && work().document.voxelsInPlace() &&
+                    work().viewport.tool() == viewer::Tool::None;
+  view.voxels = made && work().presenter.hasVoxels();
+  view.pieces = made && work().presenter.hasPieces();
+  view.part = part && !view.voxels && !view.pieces;
+}
+
+int PreparePage::interest(const plan::Finding& finding) const {
+  return finding.stage == project::stageName(Stage::Load) ? 2 : 0;
+}
+
+void PreparePage::setParameter(const QString& key, const QString& text) {
+  try {
+    work().document.setParameter(key, text);
+  } catch (const base::Error& error) {
+    showChoices();
+    work().shell.tell(tr("Not a value for this parameter"), QString::fromStdString(error.what()));
+  }
+}
+
+void PreparePage::showChoices() {
+  const project::Choices& c = work().document.choices();
+  choices_->show();
+  parameters_->setDefaults(document::parametersFor(c));
+  parameters_->setValues(c.parameters);
+  placement_->setOnPlate(!modes::findMode(c.mode).aroundRod);
+  placement_->setPlacement(handles_.placed());
+  mesh_->setRepair(c.repair);
+  showPart();
+}
+
+void PreparePage::showPart() {
+  const document::Document& document = work().document;
+  const auto source = document.source();
+  const auto placed = document.result(Stage::Load);
+  placement_->setEnabled(static_cast<bool>(source));
+  placement_->setScale(QString::fromStdString(document.choices().scale),
+                       placed && document.upToDate(Stage::Load) ? placed->job.scale : 0.0);
+  if (!source) {
+    mesh_->setSummary(std::nullopt);
+    return;
+  }
+  const Eigen::AlignedBox3d& box = work().presenter.partBox();
+  placement_->setSizeMm(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval());
+  mesh_->setSummary(meshSummary(*source));
+}
+
+} // namespace voluta::window

@@ -1,0 +1,54 @@
+// Prepare: the part laid where it is to be printed, and all that is chosen for it.
+#pragma once
+
+#include "window/pages/choices_editor.h"
+#include "window/pages/page.h"
+#include "window/pages/part_handles.h"
+
+class QTabWidget;
+
+namespace voluta::forms {
+class ParameterForm;
+}
+namespace voluta::panels {
+class MeshPanel;
+class PlacementPanel;
+} // namespace voluta::panels
+
+namespace voluta::window {
+
+class PreparePage : public Page {
+  Q_OBJECT
+
+public:
+  explicit PreparePage(const Workspace& workspace);
+
+  QWidget* side() override;
+  std::vector<Command> commands() override;
+  std::vector<ViewportInput*> inputs() override { return {&handles_}; }
+  std::vector<project::Stage> stages() const override { return {project::Stage::Load}; }
+  PageState state() const override;
+  void retranslate() override;
+
+  void draw(scene::ViewState& view) override;
+  int interest(const plan::Finding& finding) const override;
+
+protected:
+  void left() override;
+
+private:
+  void build();
+  void listen();
+  void setParameter(const QString& key, const QString& text);
+  void showChoices();
+  void showPart();
+
+  PartHandles handles_;
+  ChoicesEditor* choices_;
+  panels::PlacementPanel* placement_;
+  panels::MeshPanel* mesh_;
+  forms::ParameterForm* parameters_;
+  QTabWidget* tabs_;
+};
+
+} // namespace voluta::window

@@ -1,0 +1,27 @@
+#include "window/picture.h"
+
+namespace voluta::window {
+
+void Picture::setLook(const Look& look) {
+  if (look == look_)
+    return;
+  look_ = look;
+  emit lookChanged();
+}
+
+scene::ViewState Picture::base(const Eigen::AlignedBox3d& partBox) const {
+  scene::ViewState view;
+  view.marker = marker_;
+  view.pieceNumbers = look_.pieceNumbers;
+  view.colourBy = look_.colourBy;
+  view.beads = look_.beads;
+  view.sectionOn = look_.section && !partBox.isEmpty();
+  if (view.sectionOn) {
+    view.sectionNormal =
+        (look_.sectionFlipped ? -1.0 : 1.0) * Eigen::Vector3d::Unit(look_.sectionAxis);
+    view.sectionOrigin = partBox.min() + look_.sectionPlace * partBox.sizes();
+  }
+  return view;
+}
+
+} // namespace voluta::window

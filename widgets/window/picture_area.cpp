@@ -1,0 +1,47 @@
+#include "window/picture_area.h"
+
+#include "timeline/layer_range_slider.h"
+#include "timeline/timeline_bar.h"
+#include "viewer/viewport.h"
+#include "window/legend_view.h"
+#include "window/welcome.h"
+
+#include <QVBoxLayout>
+
+namespace voluta::window {
+
+scene::Theme sceneTheme(Appearance appearance) {
+  return appearance == Appearance::Dark ? scene::darkTheme() : scene::lightTheme();
+}
+
+PictureArea::PictureArea(Appearance appearance, QWidget* parent)
+    : QWidget(parent), viewport_(new viewer::Viewport(sceneTheme(appearance), this)),
+      legend_(new LegendView(viewport_)), welcome_(new Welcome(viewport_)),
+      layers_(new timeline::LayerRangeSlider(this)), timeline_(new timeline::TimelineBar(this)) {
+  viewport_->setLegendWidget(legend_);
+  layers_->setObjectName("layerSlider");
+  timeline_->setObjectName("timeline");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  row->addWidget(viewport_, 1);
+  row->addWidget(layers_);
+  column->addLayout(row, 1);
+  column->addWidget(timeline_);
+  // What is dragged moves fast, with less detail.
+  using viewer::Viewport;
+  connect(layers_, &timeline::LayerRangeSlider::dragging, viewport_, &Viewport::setDragging);
+  connect(timeline_, &timeline::TimelineBar::dragging, viewport_, &Viewport::setDragging);
+  connect(timeline_, &timeline::TimelineBar::playingChanged, viewport_, &Viewport::setDragging);
+  connect(viewport_, &viewer::VtkView::openGlMissing, this, [this](const QString& found) {
+    welcome_->setMessage(tr("The viewport needs OpenGL 3.2; this display offers %1. Update the "
+                            "graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1. Planning and export "
+                            "work without a picture.")
+                             .arg(found));
+    welcome_->show();
+  });
+}
+
+} // namespace voluta::window

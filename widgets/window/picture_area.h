@@ -1,0 +1,44 @@
+// The viewport with what lies over it and the bars beside and under it.
+#pragma once
+
+#include "scene/theme.h"
+#include "window/theme.h"
+
+#include <QWidget>
+
+namespace voluta::timeline {
+class LayerRangeSlider;
+class TimelineBar;
+} // namespace voluta::timeline
+namespace voluta::viewer {
+class Viewport;
+}
+
+namespace voluta::window {
+
+class LegendView;
+class Welcome;
+
+scene::Theme sceneTheme(Appearance appearance);
+
+class PictureArea : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PictureArea(Appearance appearance, QWidget* parent = nullptr);
+
+  viewer::Viewport& viewport() { return *viewport_; }
+  LegendView& legend() { return *legend_; }
+  Welcome& welcome() { return *welcome_; }
+  timeline::LayerRangeSlider& layers() { return *layers_; }
+  timeline::TimelineBar& timeline() { return *timeline_; }
+
+private:
+  viewer::Viewport* viewport_;
+  LegendView* legend_;
+  Welcome* welcome_;
+  timeline::LayerRangeSlider* layers_;
+  timeline::TimelineBar* timeline_;
+};
+
+} // namespace voluta::window

@@ -1,0 +1,248 @@
+#include "window/project_files.h"
+
+#include "document/document.h"
+#include "document/planning.h"
+#include "document/recovery.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <utility>
+
+namespace voluta::window {
+
+using document::Opening;
+
+namespace {
+constexpr const char* kOpenFolder = "open/folder";
+constexpr const char* kSaveFolder = "save/folder";
+
+QString nameOf(const QString& path) {
+  return QFileInfo(path).fileName();
+}
+} // namespace
+
+ProjectFiles::ProjectFiles(document::Document& document, document::Planning& planning,
+                           QWidget& window)
+    : document_(document), planning_(planning), window_(window), opening_(document, planning),
+      saving_(document), autosave_(std::make_unique<document::Autosave>(document)) {
+  listen();
+}
+
+ProjectFiles::~ProjectFiles() = default;
+
+void ProjectFiles::listen() {
+  connect(&opening_, &Opening::started, this,
+          [this](const QString& path) { emit said(tr("Opening %1").arg(nameOf(path))); });
+  connect(&opening_, &Opening::opened, this, &ProjectFiles::noteOpened);
+  connect(&opening_, &Opening::repaired, this, [this] {
+    emit said(tr("Ready. Press Plan."));
+    planning_.plan(project::Stage::Load);
+  });
+  connect(&opening_, &Opening::cancelled, this, [this] { emit said(tr("Cancelled.")); });
+  connect(&opening_, &Opening::failed, this, [this](const QString& path, const QString& message) {
+    emit said(message);
+    emit told(tr("%1 cannot be opened").arg(nameOf(path)), message);
+  });
+  connect(&saving_, &document::Saving::saved, this, [this](const QString& file) {
+    recent_.add(file);
+    emit said(tr("Saved %1").arg(nameOf(file)));
+    if (auto then = std::exchange(afterSave_, nullptr))
+      then();
+  });
+  connect(&saving_, &document::Saving::failed, this,
+          [this](const QString& file, const QString& message) {
+            afterSave_ = nullptr;
+            emit told(tr("%1 is not saved").arg(nameOf(file)), message);
+          });
+  connect(autosave_.get(), &document::Autosave::failed, this, &ProjectFiles::said);
+  connect(&recent_, &document::RecentFiles::changed, this, &ProjectFiles::showRecent);
+  connect(
+      &recent_, &document::RecentFiles::dead, this,
+      [this](const QString&, const QString& message) { emit told(tr("Open recent"), message); });
+}
+
+std::vector<Command> ProjectFiles::commands() {
+  return {
+      {"new",
+       "fileMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&New project"),
+       QT_TRANSLATE_NOOP("Commands", "Begin without a part"),
+       {QKeySequence::New},
+       [this] { newProject(); }},
+      {"open",
+       "fileMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Open…"),
+       QT_TRANSLATE_NOOP("Commands", "Open a mesh or a project"),
+       {QKeySequence::Open},
+       [this] { choose(); },
+       {},
+       {},
+       "open",
+       BarGroup::File},
+      {"sampleVase",
+       "samplesMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "Vase"),
+       QT_TRANSLATE_NOOP("Commands", "A fluted vase, 60 mm high"),
+       {},
+       [this] { open("sample:vase"); }},
+      {"save",
+       "fileMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "&Save"),
+       QT_TRANSLATE_NOOP("Commands", "Save the project"),
+       {QKeySequence::Save},
+       [this] { save(); },
+       {},
+       {},
+       "save",
+       BarGroup::File},
+      {"saveAs",
+       "fileMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "Save &as…"),
+       QT_TRANSLATE_NOOP("Commands", "Save the project under a name"),
+       {QKeySequence("Ctrl+Shift+S")},
+       [this] { saveAs(); }},
+  };
+}
+
+void ProjectFiles::setRecentMenu(QMenu* menu) {
+  recentMenu_ = menu;
+  showRecent();
+}
+
+void ProjectFiles::showRecent() {
+  if (!recentMenu_)
+    return;
+  recentMenu_->clear();
+  for (const QString& file : recent_.files()) {
+    QAction* action = recentMenu_->addAction(nameOf(file).replace('&', "&&"));
+    action->setToolTip(file);
+    connect(action, &QAction::triggered, this, [this, file] {
+      if (recent_.check(file))
+        open(file);
+    });
+  }
+  recentMenu_->setEnabled(!recentMenu_->isEmpty());
+}
+
+void ProjectFiles::open(const QString& path) {
+  const auto start = [this, path] {
+    planning_.cancel();
+    opening_.open(path);
+  };
+  // Another part is an edit, which undo takes back; another project is not.
+  if (path.endsWith(".voluta", Qt::CaseInsensitive))
+    afterSaved(start);
+  else
+    start();
+}
+
+void ProjectFiles::choose() {
+  const QString file =
+      QFileDialog::getOpenFileName(&window_, tr("Open"), QSettings().value(kOpenFolder).toString(),
+                                   tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.txt "
+                                      "*.voxels *.voluta);;All files (*)"));
+  if (file.isEmpty())
+    return;
+  QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());
+  open(file);
+}
+
+void ProjectFiles::noteOpened(const QString& path, bool project) {
+  if (!path.startsWith("sample:"))
+    recent_.add(path);
+  if (project)
+    emit said(tr("Opened %1").arg(nameOf(path)));
+  emit opened(project);
+}
+
+void ProjectFiles::newProject() {
+  afterSaved([this] {
+    planning_.cancel();
+    opening_.cancel();
+    document_.clear();
+    emit cleared();
+  });
+}
+
+void ProjectFiles::save() {
+  if (document_.projectFile().isEmpty())
+    saveAs();
+  else
+    saving_.save();
+}
+
+void ProjectFiles::saveAs() {
+  QSettings settings;
+  const QString folder = settings.value(kSaveFolder).toString();
+  const QString file = QFileDialog::getSaveFileName(&window_, tr("Save the project"),
+                                                    (folder.isEmpty() ? QString() : folder + '/') +
+                                                        document_.name() + ".voluta",
+                                                    tr("Voluta projects (*.voluta)"));
+  if (file.isEmpty()) {
+    afterSave_ = nullptr;
+    return;
+  }
+  settings.setValue(kSaveFolder, QFileInfo(file).absolutePath());
+  saving_.saveAs(file);
+}
+
+void ProjectFiles::offerRecovered() {
+  const std::vector<document::Recovered> left = document::recoverable();
+  if (left.empty())
+    return;
+  const document::Recovered& latest = left.front();
+  QMessageBox box(QMessageBox::Question, tr("Recover unsaved work"),
+                  tr("Voluta ended unexpectedly. “%1” was kept on %2.")
+                      .arg(latest.name, QLocale().toString(latest.time, QLocale::ShortFormat)),
+                  QMessageBox::NoButton, &window_);
+  box.setObjectName("recoverBox");
+  QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+  QPushButton* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+  box.addButton(tr("Later"), QMessageBox::RejectRole);
+  box.exec();
+  if (box.clickedButton() == recover) {
+    // The copy stays until the document holds it.
+    connect(
+        &opening_, &Opening::opened, autosave_.get(), [this, latest] { autosave_->adopt(latest); },
+        Qt::SingleShotConnection);
+    opening_.openRecovered(latest);
+  } else if (box.clickedButton() == discard) {
+    document::discardRecovered(latest);
+  }
+}
+
+void ProjectFiles::afterSaved(std::function<void()> then) {
+  if (!document_.dirty()) {
+    then();
+    return;
+  }
+  QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
+                  tr("“%1” has changes that are not saved.").arg(document_.name()),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+  box.setObjectName("unsavedBox");
+  box.setDefaultButton(QMessageBox::Save);
+  const int answer = box.exec();
+  if (answer == QMessageBox::Discard) {
+    then();
+  } else if (answer == QMessageBox::Save) {
+    afterSave_ = std::move(then);
+    save();
+  }
+}
+
+void ProjectFiles::end() {
+  opening_.cancel();
+  autosave_.reset();
+}
+
+} // namespace voluta::window

@@ -1,0 +1,256 @@
+#include "window/runs.h"
+
+#include "project/report.h"
+#include "window/status_line.h"
+
+#include <QLocale>
+#include <QSettings>
+#include <algorithm>
+
+namespace voluta::window {
+
+using project::Stage;
+
+namespace {
+constexpr const char* kLivePreview = "plan/livePreview";
+
+QString voxelsText(std::size_t voxels, std::size_t missed) {
+  const QLocale locale;
+  return Runs::tr("%1 voxels, %2 missed")
+      .arg(locale.toString(static_cast<qulonglong>(voxels)),
+           locale.toString(static_cast<qulonglong>(missed)));
+}
+
+QString figuresText(const project::Report& r, Stage reached) {
+  const QLocale locale;
+  QStringList parts;
+  if (r.decomposition.voxels > 0)
+    parts << voxelsText(r.decomposition.voxels, r.decomposition.missedAfterSupports);
+  if (r.decomposition.mode == "planar")
+    parts << Runs::tr("%1 pieces, %2 mm² need support")
+                 .arg(r.decomposition.pieces)
+                 .arg(locale.toString(r.decomposition.riskyAreaMm2, 'f', 0));
+  if (r.layers.count > 0)
+    parts << Runs::tr("%1 layers").arg(r.layers.count);
+  if (r.toolpath.waypoints > 0)
+    parts << Runs::tr("%1 waypoints")
+                 .arg(locale.toString(static_cast<qulonglong>(r.toolpath.waypoints)));
+  if (r.toolpath.materialMm3 > 0)
+    parts << Runs::tr("%1 cm³").arg(locale.toString(r.toolpath.materialMm3 / 1000.0, 'f', 1));
+  if (r.motion.durationS > 0)
+    parts << durationText(r.motion.durationS);
+  if (reached == Stage::Replay)
+    parts << (r.replay.passed ? Runs::tr("replay passed") : Runs::tr("replay not passed"));
+  return parts.join(", ");
+}
+
+// null: nothing beyond the first stage.
+std::shared_ptr<const pipeline::PlanResult>
+planned(const std::shared_ptr<const pipeline::PlanResult>& result) {
+  return result && result->job.reached && *result->job.reached != Stage::Load ? result : nullptr;
+}
+
+QString invitation(const document::Document& document) {
+  return document.source() ? Runs::tr("Ready. Press Plan.") : QString();
+}
+
+// How the run that has just ended went, in a few words: the figures stand beside the page.
+QString endText(const document::Document& document) {
+  const auto result = planned(document.lastResult());
+  if (!result)
+    return invitation(document);
+  const plan::Findings& findings = result->job.report.findings;
+  const auto blocking = std::count_if(findings.begin(), findings.end(),
+                                      [](const plan::Finding& f) { return f.blocking; });
+  return blocking > 0 ? Runs::tr("Done. Findings that block: %1.").arg(blocking)
+                      : Runs::tr("Done.");
+}
+
+QString previewEndText(const document::Document& document) {
+  const auto result = document.result(Stage::Decompose);
+  return result && result->job.pieces
+             ? Runs::tr("The pieces follow the settings. Press Plan for layers and paths.")
+         : result && result->job.decomposition
+             ? Runs::tr("The voxels follow the settings. Press Plan for layers and paths.")
+             : Runs::tr("Press Plan for layers and paths.");
+}
+} // namespace
+
+Runs::Runs(document::Document& document, document::Planning& planning, document::LivePreview& live,
+           document::Comparing& comparing, document::Opening& opening)
+    : document_(document), planning_(planning), live_(live), comparing_(comparing),
+      opening_(opening) {
+  planning_.setStartsOver(true);
+  live_.setEnabled(QSettings().value(kLivePreview, true).toBool());
+  listenToPlanning();
+  listenToPreview();
+  listenToOthers();
+}
+
+void Runs::listenToPlanning() {
+  using document::Planning;
+  connect(&planning_, &Planning::started, this, &Runs::changed);
+  connect(&planning_, &Planning::progressed, this, &Runs::progressed);
+  connect(&planning_, &Planning::finished, this, [this] {
+    emit said(endText(document_));
+    emit changed();
+  });
+  connect(&planning_, &Planning::cancelled, this, [this] {
+    emit changed();
+    emit said(tr("Cancelled. The last results stay on show."));
+  });
+  connect(&planning_, &Planning::failed, this, [this](Stage, const QString& message) {
+    emit changed();
+    emit said(message);
+    emit told(tr("The run has stopped"), message);
+  });
+  connect(&document_, &document::Document::edited, this, &Runs::layPart);
+  // An edit may have come when a run was as good as done. Queued: it is still at telling its end.
+  connect(
+      &planning_, &Planning::finished, this,
+      [this] {
+        if (!document_.key(Stage::Load).empty() && !document_.upToDate(Stage::Load))
+          layPart();
+      },
+      Qt::QueuedConnection);
+}
+
+// The first stage is quick: the part lies where the numbers say without a word from the user.
+void Runs::layPart() {
+  if (!planning_.running() && document_.source() && document_.sourceReady())
+    planning_.plan(Stage::Load);
+}
+
+void Runs::listenToPreview() {
+  using document::LivePreview;
+  connect(&live_, &LivePreview::started, this, &Runs::changed);
+  connect(&live_, &LivePreview::progressed, this, &Runs::progressed);
+  connect(&live_, &LivePreview::finished, this, [this] {
+    emit said(previewEndText(document_));
+    emit changed();
+  });
+  connect(&live_, &LivePreview::cancelled, this, [this] {
+    emit said(tr("Cancelled. The last results stay on show."));
+    emit changed();
+  });
+  connect(&live_, &LivePreview::failed, this, [this](const QString& message) {
+    emit said(message);
+    emit changed();
+  });
+}
+
+void Runs::listenToOthers() {
+  using document::Comparing;
+  using document::Opening;
+  connect(&comparing_, &Comparing::started, this, &Runs::changed);
+  connect(&comparing_, &Comparing::progressed, this, [this](const jobs::Progress& progress) {
+    if (!planning_.running() && !live_.running() && !opening_.running())
+      emit progressed(progress);
+  });
+  connect(&opening_, &Opening::started, this, &Runs::changed);
+  connect(&opening_, &Opening::progressed, this, &Runs::progressed);
+  // Queued: while they tell how it ended they are still at it.
+  connect(
+      &comparing_, &Comparing::ended, this,
+      [this] {
+        if (!planning_.running() && !live_.running())
+          emit said(tr("Compared. Select a row to adopt it."));
+        emit changed();
+      },
+      Qt::QueuedConnection);
+  connect(&opening_, &Opening::opened, this, &Runs::changed, Qt::QueuedConnection);
+  connect(&opening_, &Opening::repaired, this, &Runs::changed, Qt::QueuedConnection);
+  connect(&opening_, &Opening::cancelled, this, &Runs::changed, Qt::QueuedConnection);
+  connect(&opening_, &Opening::failed, this, &Runs::changed, Qt::QueuedConnection);
+}
+
+std::vector<Command> Runs::commands() {
+  const auto part = [this] { return static_cast<bool>(document_.source()); };
+  return {
+      {"plan",
+       "runMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Plan"),
+       QT_TRANSLATE_NOOP("Commands", "From the part to checked robot programs"),
+       {QKeySequence("Ctrl+R")},
+       [this] { emit planAsked(Stage::Replay); },
+       part,
+       {},
+       "plan",
+       BarGroup::Run},
+      {"planLayers",
+       "runMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "Plan as far as the &layers"),
+       QT_TRANSLATE_NOOP("Commands", "Stops before tool-paths and motion"),
+       {QKeySequence("Ctrl+L")},
+       [this] { emit planAsked(Stage::Layers); },
+       part},
+      {"cancel",
+       "runMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Cancel"),
+       QT_TRANSLATE_NOOP("Commands", "Stop; the last results stay on show"),
+       {QKeySequence("Ctrl+.")},
+       [this] { cancel(); },
+       [this] { return busy(); },
+       {},
+       "cancel",
+       BarGroup::Run},
+      {"livePreview",
+       "runMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Update voxels while editing"),
+       QT_TRANSLATE_NOOP(
+           "Commands", "Once planned, voxels follow the settings; layers and paths wait for Plan"),
+       {},
+       [this] {
+         live_.setEnabled(!live_.enabled());
+         QSettings().setValue(kLivePreview, live_.enabled());
+       },
+       {},
+       [this] { return live_.enabled(); }},
+  };
+}
+
+bool Runs::busy() const {
+  return planning_.running() || opening_.running() || live_.running() || comparing_.running();
+}
+
+void Runs::cancel() {
+  if (planning_.running())
+    planning_.cancel();
+  else if (live_.running())
+    live_.cancel();
+  else if (opening_.running())
+    opening_.cancel();
+  else if (comparing_.running())
+    comparing_.cancel();
+}
+
+void Runs::cancelAll() {
+  planning_.cancel();
+  live_.cancel();
+  comparing_.cancel();
+  opening_.cancel();
+}
+
+QString Runs::summary() const {
+  if (const auto& preview = document_.preview()) {
+    const curved::Decomposition& d = *preview->decomposition;
+    const QString counts = voxelsText(d.voxels, d.missedVoxels);
+    return d.field.empty() ? tr("Preview: %1, %2 growth steps").arg(counts).arg(d.layers)
+                           : tr("Preview: %1, layers are being improved").arg(counts);
+  }
+  const auto result = planned(document_.presentResult());
+  QString text =
+      result ? figuresText(result->job.report, *result->job.reached) : invitation(document_);
+  if (result && document_.voxelsAhead() && !planning_.running())
+    text = tr("Preview: %1. Press Plan.").arg(text);
+  const auto shown = document_.presentResult();
+  if (shown && shown->job.reached && !document_.upToDate(*shown->job.reached))
+    text = tr("Out of date: %1").arg(text);
+  return text;
+}
+
+} // namespace voluta::window

@@ -1,0 +1,209 @@
+#include "window/shell_commands.h"
+
+#include "project/version.h"
+#include "timeline/timeline_bar.h"
+#include "viewer/viewport.h"
+#include "window/language.h"
+#include "window/legend_view.h"
+#include "window/picture.h"
+#include "window/picture_area.h"
+#include "window/unrolled_dock.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QSettings>
+
+namespace voluta::window {
+
+namespace {
+constexpr const char* kLegend = "view/legend";
+
+std::vector<Command> sideCommands(viewer::Viewport& viewport) {
+  struct Side {
+    const char *id, *text, *keys;
+    Eigen::Vector3d from;
+  };
+  static const Side kSides[] = {
+      {"viewFront", QT_TRANSLATE_NOOP("Commands", "&Front"), "1", {0, -1, 0}},
+      {"viewBack", QT_TRANSLATE_NOOP("Commands", "&Back"), "Ctrl+1", {0, 1, 0}},
+      {"viewRight", QT_TRANSLATE_NOOP("Commands", "&Right"), "3", {1, 0, 0}},
+      {"viewLeft", QT_TRANSLATE_NOOP("Commands", "&Left"), "Ctrl+3", {-1, 0, 0}},
+      {"viewTop", QT_TRANSLATE_NOOP("Commands", "&Top"), "7", {0, 0, 1}},
+      {"viewBottom", QT_TRANSLATE_NOOP("Commands", "B&ottom"), "Ctrl+7", {0, 0, -1}},
+      {"viewOblique", QT_TRANSLATE_NOOP("Commands", "&Oblique"), "0", {0.55, -0.7, 0.45}},
+  };
+  std::vector<Command> commands;
+  for (const Side& side : kSides)
+    commands.push_back({side.id,
+                        "viewMenu",
+                        0,
+                        side.text,
+                        QT_TRANSLATE_NOOP("Commands", "Look from there"),
+                        {QKeySequence(side.keys)},
+                        [&viewport, from = side.from] { viewport.viewFrom(from); }});
+  return commands;
+}
+} // namespace
+
+const std::vector<CommandMenu>& commandMenus() {
+  static const std::vector<CommandMenu> kMenus{
+      {"fileMenu", QT_TRANSLATE_NOOP("Commands", "&File")},
+      {"editMenu", QT_TRANSLATE_NOOP("Commands", "&Edit")},
+      {"viewMenu", QT_TRANSLATE_NOOP("Commands", "&View")},
+      {"runMenu", QT_TRANSLATE_NOOP("Commands", "&Run")},
+      {"exportMenu", QT_TRANSLATE_NOOP("Commands", "E&xport")},
+      {"windowMenu", QT_TRANSLATE_NOOP("Commands", "&Window")},
+      {"helpMenu", QT_TRANSLATE_NOOP("Commands", "&Help")},
+      {"recentMenu", QT_TRANSLATE_NOOP("Commands", "Open &recent"), "fileMenu", 0},
+      {"samplesMenu", QT_TRANSLATE_NOOP("Commands", "Sa&mples"), "fileMenu", 0},
+      {"languageMenu", QT_TRANSLATE_NOOP("Commands", "&Language"), "viewMenu", 2},
+  };
+  return kMenus;
+}
+
+std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledDock& unrolled,
+                                  const std::function<void()>& showView) {
+  LegendView& legend = area.legend();
+  legend.setWanted(QSettings().value(kLegend, true).toBool());
+  std::vector<Command> commands{{"frameAll",
+                                 "viewMenu",
+                                 0,
+                                 QT_TRANSLATE_NOOP("Commands", "Show &everything"),
+                                 QT_TRANSLATE_NOOP("Commands", "Everything in sight"),
+                                 {QKeySequence("Home")},
+                                 [&area] { area.viewport().frameAll(); },
+                                 {},
+                                 {},
+                                 "frame",
+                                 BarGroup::View}};
+  for (Command& side : sideCommands(area.viewport()))
+    commands.push_back(std::move(side));
+  commands.push_back({"toggleSection",
+                      "viewMenu",
+                      1,
+                      QT_TRANSLATE_NOOP("Commands", "&Section plane"),
+                      QT_TRANSLATE_NOOP("Commands", "Cut the picture open"),
+                      {QKeySequence("X")},
+                      [&picture] {
+                        Look look = picture.look();
+                        look.section = !look.section;
+                        picture.setLook(look);
+                      },
+                      {},
+                      {},
+                      "section",
+                      BarGroup::View});
+  commands.push_back({"toggleLegend",
+                      "viewMenu",
+                      1,
+                      QT_TRANSLATE_NOOP("Commands", "&Legend"),
+                      QT_TRANSLATE_NOOP("Commands", "What the colours of the picture say"),
+                      {QKeySequence("L")},
+                      [&legend] {
+                        legend.setWanted(!legend.isWanted());
+                        QSettings().setValue(kLegend, legend.isWanted());
+                      },
+                      {},
+                      [&legend] { return legend.isWanted(); }});
+  commands.push_back(
+      {"toggleUnrolled",
+       "viewMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "&Unrolled layer"),
+       QT_TRANSLATE_NOOP("Commands", "Layers around an axis laid flat, beside the picture"),
+       {QKeySequence("U")},
+       [&unrolled, showView] {
+         unrolled.setWanted(!unrolled.wanted());
+         showView();
+       },
+       [&unrolled] { return unrolled.offered(); },
+       [&unrolled] { return unrolled.wanted(); }});
+  return commands;
+}
+
+std::vector<Command> timelineCommands(timeline::TimelineBar& bar) {
+  return {
+      {"play",
+       "runMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "Play or pause"),
+       QT_TRANSLATE_NOOP("Commands", "Runs the time-line"),
+       {QKeySequence("Space")},
+       [&bar] { bar.togglePlay(); }},
+      {"nextMove",
+       "runMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "Next move"),
+       QT_TRANSLATE_NOOP("Commands", "One move on"),
+       {QKeySequence(".")},
+       [&bar] { bar.nextMove(); }},
+      {"previousMove",
+       "runMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "Previous move"),
+       QT_TRANSLATE_NOOP("Commands", "One move back"),
+       {QKeySequence(",")},
+       [&bar] { bar.previousMove(); }},
+      {"nextLayer",
+       "runMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "Next layer"),
+       QT_TRANSLATE_NOOP("Commands", "One layer on"),
+       {QKeySequence("PgUp")},
+       [&bar] { bar.nextLayer(); }},
+      {"previousLayer",
+       "runMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "Previous layer"),
+       QT_TRANSLATE_NOOP("Commands", "One layer back"),
+       {QKeySequence("PgDown")},
+       [&bar] { bar.previousLayer(); }},
+  };
+}
+
+std::vector<Command> languageCommands() {
+  std::vector<Command> commands;
+  for (const Language& language : languagesThere()) {
+    Command command{"language_" + language.code, "languageMenu"};
+    command.does = [code = language.code] {
+      QSettings().setValue("window/language", code);
+      chooseLanguage(code);
+    };
+    command.checked = [code = language.code] { return code == chosenLanguage(); };
+    command.says = [name = language.name] { return name; }; // in itself, not translated
+    commands.push_back(std::move(command));
+  }
+  return commands;
+}
+
+void savePicture(PictureArea& area, const QString& name,
+                 const std::function<void(const QString&)>& failed) {
+  const auto text = [](const char* source) {
+    return QCoreApplication::translate("Commands", source);
+  };
+  QString file = QFileDialog::getSaveFileName(
+      &area, text(QT_TRANSLATE_NOOP("Commands", "Save the picture")), name + ".png",
+      text(QT_TRANSLATE_NOOP("Commands", "Pictures (*.png)")));
+  if (file.isEmpty())
+    return;
+  if (QFileInfo(file).suffix().isEmpty())
+    file += ".png";
+  if (!area.viewport().grabFrame().save(file, "PNG"))
+    failed(file);
+}
+
+void showAbout(QWidget& window) {
+  QMessageBox::about(
+      &window, QCoreApplication::translate("Commands", "About Voluta"),
+      QCoreApplication::translate(
+          "Commands",
+          "<h3>Voluta %1</h3><p>Prints with a robot arm: layers without support, tool-paths, a "
+          "motion checked against the part as it grows, and programs that were read back and "
+          "replayed.</p><p>Free software under the GNU General Public License, version 3 or "
+          "later.</p>")
+          .arg(project::kVersion));
+}
+
+} // namespace voluta::window
