@@ -3,6 +3,7 @@
 #pragma once
 
 #include "curved/decomposition.h"
+#include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "plan/finding.h"
@@ -21,6 +22,7 @@ namespace voluta::modes {
 struct LoadStage {
   static constexpr project::Stage kStage = project::Stage::Load;
   double scale = 1.0;
+  geometry::Placement placement;                      // what the choices' came to
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
   // Of a text voxel object; null and empty for a mesh.
   std::shared_ptr<const voxel::SolidVoxels> voxels; // its cells, placed like `part`

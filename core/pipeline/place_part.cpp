@@ -5,14 +5,18 @@
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
 #include "modes/mode_table.h"
+#include "modes/parameter_text.h"
+#include "modes/plate.h"
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
 #include "robot/cell.h"
+#include "voxel/solid_voxels.h"
 #include "voxel/voxel_object.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace voluta::pipeline {
 
@@ -80,6 +84,33 @@ bool isUntouched(const geometry::Placement& p) {
 }
 } // namespace
 
+geometry::Placement placementByHandOrMode(const geometry::TriangleMesh& mesh, double scale,
+                                          const modes::ModeChoices& in) {
+  const geometry::Placement& own = in.choices.placement;
+  const auto place = modes::findMode(in.choices.mode).place;
+  return place && isUntouched(own) ? place(mesh, scale, in) : own;
+}
+
+platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
+                                        const project::Choices& choices) {
+  const base::ParameterValues values = parameterValues(choices);
+  if (const auto platform = modes::findMode(choices.mode).platform)
+    return platform(placed, {choices, values, chosenProcess(choices, values)});
+  const bool asksForCells = choices.platform.marginMm() && placed.platform.empty();
+  const voxel::SolidVoxels cells =
+      !asksForCells   ? voxel::SolidVoxels{}
+      : placed.voxels ? *placed.voxels
+                      : voxel::solidVoxels(*placed.part, values.number("voxelMm"), {});
+  return modes::plateOf(choices.platform, cells, placed.platform);
+}
+
+std::string plannedPlatformKey(const project::Choices& choices) {
+  return fmt::format("mode {}\nplatform {}\ncell {}\n", choices.mode, choices.platform.text(),
+                     choices.cell) +
+         modes::parameterText({"voxelMm", "rodSides", "rodProfile", "rodAxis"},
+                              parameterValues(choices));
+}
+
 std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loaded,
                                                   const project::Choices& choices,
                                                   const process::Process& process,
@@ -97,25 +128,22 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
                : fittingScale(*loaded.mesh, unit, how, fittingCell(choices, process));
   };
   const auto place = [&](const geometry::Placement& how) {
+    stage->placement = how;
     stage->scale = scaleFor(how);
     stage->part = std::make_shared<geometry::TriangleMesh>(
         geometry::place(*loaded.mesh, stage->scale * unit, how));
   };
-  geometry::Placement placement = choices.placement;
-  if (mode.place && isUntouched(placement))
-    placement = mode.place(*loaded.mesh, scaleFor(placement) * unit, in);
-  place(placement);
+  place(placementByHandOrMode(*loaded.mesh, scaleFor(choices.placement) * unit, in));
   if (values.text("orient") != "none") {
     TurnedPart turned = turnedPart(*stage->part, choices, values,
                                    loaded.cells ? stage->scale * unit : values.number("voxelMm"),
                                    loaded.cells != nullptr, ctx);
-    placement = turned.placement;
-    place(placement);
+    place(turned.placement);
     stage->findings = std::move(turned.findings);
     stage->timings.decompose = turned.seconds;
   }
   if (loaded.cells)
-    placeCells(loaded, stage->scale * unit, placement, ctx, *stage);
+    placeCells(loaded, stage->scale * unit, stage->placement, ctx, *stage);
   const geometry::Diagnosis diagnosis = geometry::diagnose(*stage->part);
   stage->report.scale = stage->scale;
   stage->report.triangles = stage->part->triangles.size();

@@ -81,7 +81,9 @@ private:
     placed_ = taken<modes::LoadStage>(
         [&] { return loadStage(*loaded_, choices_, *process_, ctx_.sub(0.0, 0.03)); });
     const auto& stage = placed_;
+    result_.placed = stage;
     job().scale = stage->scale;
+    job().placement = stage->placement;
     job().part = stage->part;
     report().model = stage->report;
     report().model.file = loaded_->name;
@@ -247,6 +249,13 @@ PlanResult resultOf(project::Job job) {
         robot::loadCell(job.choices.cell, *result.process, job.platform));
   result.debug = values.boolean("output.debug");
   result.keepRefused = values.boolean("output.refused");
+  if (job.part) {
+    if (!job.placement)
+      job.placement =
+          placementByHandOrMode(*job.loaded->mesh, job.scale * unitMm(*job.loaded, job.choices),
+                                {job.choices, values, *result.process});
+    result.placed = loadStageOf(job);
+  }
   result.job = std::move(job);
   return result;
 }

@@ -27,7 +27,8 @@ struct PlanRequest {
 
 // Copies are cheap: whatever is large is shared.
 struct PlanResult {
-  project::Job job; // choices, results and report
+  project::Job job;                               // choices, results and report
+  std::shared_ptr<const modes::LoadStage> placed; // null before Load is done
   std::shared_ptr<const process::Process> process;
   std::shared_ptr<const robot::Cell> cell; // with the job's platform; null before Decompose is done
   std::vector<std::shared_ptr<const CheckedProgram>> checked; // one a format, refused ones too

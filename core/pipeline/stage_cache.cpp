@@ -46,6 +46,14 @@ void StageCache::clear() {
   dropped.swap(shelves_);
 }
 
+std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job) {
+  auto load = std::make_shared<modes::LoadStage>();
+  load->scale = job.scale;
+  load->placement = job.placement.value_or(job.choices.placement);
+  load->part = job.part;
+  return load;
+}
+
 void seedCache(StageCache& cache, const project::Job& job) {
   if (!job.reached)
     return;
@@ -65,9 +73,7 @@ void seedCache(StageCache& cache, const project::Job& job) {
     if (whole && *job.reached >= T::kStage && !record.key.empty())
       cache.keep<T>(record.key, stage);
   };
-  auto load = std::make_shared<modes::LoadStage>();
-  load->scale = job.scale;
-  load->part = job.part;
+  auto load = loadStageOf(job);
   seed(load, job.report.model, nullptr);
   auto decompose = std::make_shared<modes::DecomposeStage>();
   decompose->platform = job.platform;

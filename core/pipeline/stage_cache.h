@@ -12,6 +12,9 @@
 #include <utility>
 #include <vector>
 
+namespace voluta::modes {
+struct LoadStage;
+}
 namespace voluta::project {
 struct Job;
 }
@@ -48,6 +51,8 @@ private:
       shelves_;
 };
 
+// What a job read from disk holds of its first stage: not the cells of a voxel object.
+std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job);
 // Puts what a job read from disk holds into the cache, so that a plan of the same choices makes
 // only what is not in the file (the programs).
 void seedCache(StageCache& cache, const project::Job& job);

@@ -7,6 +7,7 @@
 #include "curved/decomposition.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
+#include "modes/mode.h"
 #include "modes/stages.h"
 #include "plan/finding.h"
 #include "plan/program.h"
@@ -75,6 +76,16 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
                                                   const project::Choices& choices,
                                                   const process::Process& process,
                                                   const base::RunContext& ctx = {});
+// Where the mesh lies before any search for a better place: as the user has laid it, else as the
+// mode does.
+geometry::Placement placementByHandOrMode(const geometry::TriangleMesh& mesh, double scale,
+                                          const modes::ModeChoices& in);
+// What material will start on, as far as that can be told before a decomposition: what the mode
+// builds on, else the plate. Throws Error{Usage, UnusableInput}: the platform.
+platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
+                                        const project::Choices& choices);
+// What of the choices it is made from, as text. Throws Error{Usage}: a parameter.
+std::string plannedPlatformKey(const project::Choices& choices);
 // Defects that could not be mended, as findings.
 plan::Findings remainingDefects(const project::LoadedPart& loaded);
 

@@ -13,6 +13,7 @@ Job upTo(Job job, std::optional<Stage> last) {
   const auto keeps = [&](Stage stage) { return last && stage <= *last; };
   if (!keeps(Stage::Load)) {
     job.scale = 1.0;
+    job.placement.reset();
     job.part = nullptr;
     job.report.model = {};
   }

@@ -41,7 +41,10 @@ struct Job {
   std::array<StageRecord, kStageCount> stages;
   Report report; // of all stages that are done
 
-  double scale = 1.0;                                 // what `scale` came to
+  double scale = 1.0; // what `scale` came to
+  // How `part` lies, also where the mode or a search has laid it; none: not placed, or read from a
+  // project that did not keep it yet.
+  std::optional<geometry::Placement> placement;
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
   platform::PlatformSolid platform;                   // what material starts on, work frame
   // What of the part is to be printed where the platform takes some of it; null: all of it.

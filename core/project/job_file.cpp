@@ -25,18 +25,30 @@ base::Error unreadable(const std::string& what, const std::string& where,
 
 // ---- choices
 
+Json placementJson(const geometry::Placement& p) {
+  return Json{{"rotation", {p.rotation.w(), p.rotation.x(), p.rotation.y(), p.rotation.z()}},
+              {"centreMm", {p.centreMm.x(), p.centreMm.y()}},
+              {"liftMm", p.liftMm}};
+}
+
+geometry::Placement readPlacement(const Json& j) {
+  const Json &q = j.at("rotation"), &centre = j.at("centreMm");
+  geometry::Placement p;
+  p.rotation = Eigen::Quaterniond(q.at(0).get<double>(), q.at(1).get<double>(),
+                                  q.at(2).get<double>(), q.at(3).get<double>());
+  p.centreMm = {centre.at(0).get<double>(), centre.at(1).get<double>()};
+  j.at("liftMm").get_to(p.liftMm);
+  return p;
+}
+
 Json choicesJson(const Choices& c) {
-  const geometry::Placement& p = c.placement;
   return Json{{"mode", c.mode},
               {"growth", c.growth.id()},
               {"platform", c.platform.text()},
               {"cell", c.cell},
               {"process", c.process},
               {"scale", c.scale},
-              {"placement",
-               Json{{"rotation", {p.rotation.w(), p.rotation.x(), p.rotation.y(), p.rotation.z()}},
-                    {"centreMm", {p.centreMm.x(), p.centreMm.y()}},
-                    {"liftMm", p.liftMm}}},
+              {"placement", placementJson(c.placement)},
               {"repair", c.repair},
               {"formats", c.formats},
               {"parameters", c.parameters},
@@ -55,12 +67,7 @@ Choices readChoices(const Json& j, int format) {
   j.at("parameters").get_to(c.parameters);
   j.at("seed").get_to(c.seed);
   if (format >= 2) {
-    const Json& p = j.at("placement");
-    const Json &q = p.at("rotation"), &centre = p.at("centreMm");
-    c.placement.rotation = Eigen::Quaterniond(q.at(0).get<double>(), q.at(1).get<double>(),
-                                              q.at(2).get<double>(), q.at(3).get<double>());
-    c.placement.centreMm = {centre.at(0).get<double>(), centre.at(1).get<double>()};
-    p.at("liftMm").get_to(c.placement.liftMm);
+    c.placement = readPlacement(j.at("placement"));
     j.at("repair").get_to(c.repair);
   }
   return c;
@@ -293,6 +300,8 @@ Job readFrame(const Frame& frame, const std::string& where) {
       job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
     job.report = readReportJson(blocks.text("report"));
     readRecords(header.at("stages"), job);
+    if (header.contains("placement"))
+      job.placement = readPlacement(header.at("placement"));
     if (!header.at("reached").is_null())
       job.reached = stageOf(header.at("reached").get<std::string>());
   }
@@ -324,18 +333,20 @@ std::string jobBytes(const Job& job) {
   if (job.trajectory)
     addTrajectory(blocks, *job.trajectory);
   blocks.addText("report", reportJson(job.report));
-  const Json header{{"part", job.partName},
-                    {"scale", job.scale},
-                    {"choices", choicesJson(job.choices)},
-                    {"reached", job.reached ? Json(stageName(*job.reached)) : Json()},
-                    {"stages", recordsJson(job)},
-                    {"placed", job.part != nullptr},
-                    {"decomposed", job.decomposition != nullptr},
-                    {"pieces", job.pieces != nullptr},
-                    {"layered", job.layers != nullptr},
-                    {"planned", job.toolPlan != nullptr},
-                    {"dof", job.trajectory ? job.trajectory->dof : 0},
-                    {"blocks", tableJson(blocks.table())}};
+  Json header{{"part", job.partName},
+              {"scale", job.scale},
+              {"choices", choicesJson(job.choices)},
+              {"reached", job.reached ? Json(stageName(*job.reached)) : Json()},
+              {"stages", recordsJson(job)},
+              {"placed", job.part != nullptr},
+              {"decomposed", job.decomposition != nullptr},
+              {"pieces", job.pieces != nullptr},
+              {"layered", job.layers != nullptr},
+              {"planned", job.toolPlan != nullptr},
+              {"dof", job.trajectory ? job.trajectory->dof : 0},
+              {"blocks", tableJson(blocks.table())}};
+  if (job.placement)
+    header["placement"] = placementJson(*job.placement);
   const std::string text = header.dump(1, ' ', false, Json::error_handler_t::replace);
   std::string bytes = std::string(kMagic) + std::to_string(kFormat) + "\n" +
                       std::to_string(text.size()) + " " + std::to_string(crcOf(text)) + "\n";

@@ -137,7 +137,7 @@ TEST_F(LatheWindowTest, TheRodIsOnShowBeforeAPlanAndThePartLiesOnIt) {
   ASSERT_TRUE(planned(Stage::Load));
   ASSERT_TRUE(waitFor([&] { return window().presenter().partBox().sizes().x() > 15.0; }));
   EXPECT_NEAR(window().presenter().partBox().center().norm(), 0.0, 1e-3);
-  EXPECT_LT(window().presenter().placement().liftMm, -3.0);
+  EXPECT_LT(document().result(Stage::Load)->job.placement->liftMm, -3.0);
   // Looked at from the front, the middle of the picture is the part; on the rod beside it,
   // platform.
   const QImage shown = picture();

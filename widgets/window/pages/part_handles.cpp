@@ -89,11 +89,11 @@ std::vector<Command> PartHandles::commands() {
 }
 
 geometry::Placement PartHandles::placed() const {
-  const geometry::Placement& own = work_.document.choices().placement;
-  return Presenter::isUntouched(own) && work_.document.upToDate(Stage::Load) &&
-                 !work_.presenter.partBox().isEmpty()
-             ? work_.presenter.placement()
-             : own;
+  const document::Document& document = work_.document;
+  const auto shown = document.result(Stage::Load);
+  return shown && document.upToDate(Stage::Load)
+             ? shown->job.placement.value_or(document.choices().placement)
+             : document.choices().placement;
 }
 
 void PartHandles::setTool(Tool tool) {

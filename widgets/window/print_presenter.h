@@ -1,0 +1,71 @@
+// What is printed, in the viewport: layers, tool-paths, the robot's motion, and what is known of
+// each layer.
+#pragma once
+
+#include "document/document.h"
+#include "jobs/job_runner.h"
+#include "panels/layer_info.h"
+#include "timeline/clock.h"
+#include "viewer/viewport.h"
+#include "window/layer_spacing.h"
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+namespace voluta::window {
+
+// What the Layers page knows of the layers on show.
+struct LayerFacts {
+  std::vector<panels::LayerMeasures> measures;
+  std::vector<double> topsMm; // heights, or radii about an axis
+  bool radii = false;
+  LayerSpacing spacing;
+};
+
+class PrintPresenter : public QObject {
+  Q_OBJECT
+
+public:
+  // Both outlive this.
+  PrintPresenter(document::Document& document, viewer::Viewport& viewport);
+  ~PrintPresenter() override;
+
+  // Of the drawings on show; 0: none.
+  int patchLayers() const { return patchLayers_; }
+  int pathLayers() const { return pathLayers_; }
+  const std::shared_ptr<const timeline::Clock>& clock() const { return clock_; }
+  const std::shared_ptr<const LayerFacts>& facts() const { return facts_; }
+  // Waypoints of a layer in print order, as moves count them.
+  const std::vector<std::uint32_t>& waypointsOf(int layer) const;
+  bool busy() const;
+
+signals:
+  void layersDrawn();
+  void pathsDrawn();
+  void motionReady();
+  void factsReady();
+
+private:
+  void show(project::Stage stage);
+  void drop(project::Stage stage);
+  void drawLayers(const std::shared_ptr<const layers::LayerStack>& stack,
+                  const process::Process& process);
+  void drawPaths(const std::shared_ptr<const plan::ToolPlan>& plan);
+  void swapPaths(const std::shared_ptr<const scene::PathsDrawing>& drawing);
+  void drawMotion();
+  void gatherFacts();
+
+  document::Document& document_;
+  viewer::Viewport& viewport_;
+  std::unique_ptr<jobs::JobRunner> drawingLayers_, drawingPaths_, gathering_;
+  std::shared_ptr<const timeline::Clock> clock_;
+  std::shared_ptr<const LayerFacts> facts_;
+  std::shared_ptr<const scene::PathsDrawing> paths_;
+  // What was drawn last, so that the same data is never drawn twice.
+  std::shared_ptr<const layers::LayerStack> drawnLayers_;
+  std::shared_ptr<const plan::ToolPlan> drawnPaths_;
+  int patchLayers_ = 0, pathLayers_ = 0;
+};
+
+} // namespace voluta::window
