@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <sys/resource.h>
 
 namespace voluta::base {
 
@@ -47,6 +48,12 @@ std::uint64_t availableMemory() {
   const std::uint64_t remaining =
       limit == kUnknown || used == kUnknown ? kUnknown : limit - std::min(limit, used);
   return std::min(free == 0 ? kUnknown : free, remaining);
+}
+
+double peakResidentMb() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0; // Linux gives KiB
 }
 
 } // namespace voluta::base

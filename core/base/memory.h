@@ -1,4 +1,4 @@
-// How much memory the machine can still give.
+// How much memory the machine can still give, and what was taken of it.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,9 @@ namespace voluta::base {
 // Bytes that can be taken without swapping: what the kernel calls available, or what the control
 // group of this process leaves, if that is less. The largest number where neither is known.
 std::uint64_t availableMemory();
+
+// The most that this process has held at once, in MiB.
+double peakResidentMb();
 
 // The number after `key` in text like that of /proc/meminfo, times 1024; 0: not there.
 std::uint64_t kibibytesOf(std::string_view text, std::string_view key);

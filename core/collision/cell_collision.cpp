@@ -179,29 +179,33 @@ std::optional<Contact> CellCollision::bodies(const Frames& base_T_frame,
   return std::nullopt;
 }
 
-bool CellCollision::collides(const robot::JointVector& q, double marginMm) const {
-  Frames frames;
-  cell_.framePoses(q, frames);
-  Margins margins;
-  margins.bodiesMm = marginMm;
-  return bodies(frames, margins).has_value();
+// Calls visit(body, its index, work_T_body) for those that may meet the part but the head; ends
+// where it returns true.
+template <typename Visit>
+void CellCollision::forBodiesAgainstPart(const Frames& base_T_frame, Visit&& visit) const {
+  const Isometry3d work_T_base =
+      base_T_frame[static_cast<std::size_t>(cell_.workFrame())].inverse(Eigen::Isometry);
+  for (const int i : cell_.bodiesAgainstPart()) {
+    const robot::Body& body = cell_.bodies()[static_cast<std::size_t>(i)];
+    if (body.role != robot::BodyRole::Head &&
+        visit(body, i, work_T_base * base_T_frame[static_cast<std::size_t>(body.frame)]))
+      return;
+  }
 }
 
 std::optional<Contact> CellCollision::bodiesAndPart(const Frames& base_T_frame,
                                                     const GrowingPart& part, std::size_t before,
                                                     const Margins& margins) const {
-  const Isometry3d work_T_base =
-      base_T_frame[static_cast<std::size_t>(cell_.workFrame())].inverse(Eigen::Isometry);
-  for (const int i : cell_.bodiesAgainstPart()) {
-    const robot::Body& body = cell_.bodies()[static_cast<std::size_t>(i)];
-    if (body.role == robot::BodyRole::Head)
-      continue;
-    const Isometry3d work_T_body = work_T_base * base_T_frame[static_cast<std::size_t>(body.frame)];
+  std::optional<Contact> contact;
+  forBodiesAgainstPart(base_T_frame, [&](const robot::Body& body, int i, const Isometry3d& pose) {
     for (const robot::Shape& shape : body.shapes)
-      if (part.touches(shape, work_T_body, margins.partMm, before))
-        return Contact{i, kPrintedPart};
-  }
-  return std::nullopt;
+      if (part.touches(shape, pose, margins.partMm, before)) {
+        contact = Contact{i, kPrintedPart};
+        return true;
+      }
+    return false;
+  });
+  return contact;
 }
 
 bool CellCollision::headTouchesPart(const Isometry3d& work_T_tool, const GrowingPart& part,
@@ -232,14 +236,6 @@ std::optional<Contact> CellCollision::any(const Frames& base_T_frame, const Grow
   return bodiesAndPart(base_T_frame, part, before, margins);
 }
 
-bool CellCollision::touchesPart(const robot::JointVector& q, const GrowingPart& part,
-                                std::size_t before, const Margins& margins) const {
-  Frames frames;
-  cell_.framePoses(q, frames);
-  return headTouchesPart(cell_.work_T_tool(q), part, before, margins.headMm) ||
-         bodiesAndPart(frames, part, before, margins).has_value();
-}
-
 double CellCollision::clearance(const Frames& base_T_frame, double capMm) const {
   double least = capMm;
   for (const auto& [a, b] : cell_.checkedPairs()) {
@@ -257,17 +253,12 @@ double CellCollision::clearance(const Frames& base_T_frame, double capMm) const 
 
 double CellCollision::clearanceToPart(const Frames& base_T_frame, const GrowingPart& part,
                                       std::size_t before, double capMm) const {
-  const Isometry3d work_T_base =
-      base_T_frame[static_cast<std::size_t>(cell_.workFrame())].inverse(Eigen::Isometry);
   double least = capMm;
-  for (const int i : cell_.bodiesAgainstPart()) {
-    const robot::Body& body = cell_.bodies()[static_cast<std::size_t>(i)];
-    if (body.role == robot::BodyRole::Head)
-      continue;
-    const Isometry3d work_T_body = work_T_base * base_T_frame[static_cast<std::size_t>(body.frame)];
+  forBodiesAgainstPart(base_T_frame, [&](const robot::Body& body, int, const Isometry3d& pose) {
     for (const robot::Shape& shape : body.shapes)
-      least = std::min(least, part.distance(shape, work_T_body, least, before));
-  }
+      least = std::min(least, part.distance(shape, pose, least, before));
+    return false;
+  });
   return least;
 }
 

@@ -47,7 +47,6 @@ public:
   // each other go through FCL as polyhedra around them (at most 0.25 % too large); all else is
   // exact.
   std::optional<Contact> bodies(const Frames& base_T_frame, const Margins& margins) const;
-  bool collides(const robot::JointVector& q, double marginMm) const;
 
   // The first of cell.bodiesAgainstPart() but the head that comes closer than margins.partMm to
   // a cell filled before waypoint `before`.
@@ -65,8 +64,6 @@ public:
   // All of the above.
   std::optional<Contact> any(const Frames& base_T_frame, const GrowingPart& part,
                              std::size_t before, const Margins& margins) const;
-  bool touchesPart(const robot::JointVector& q, const GrowingPart& part, std::size_t before,
-                   const Margins& margins) const;
 
   // Least distance between bodies of a checked pair, and of bodies to the part, the head's to
   // plate and part left out (it is meant to be there); never more than capMm. mm.
@@ -84,6 +81,8 @@ private:
                   const Eigen::Isometry3d& base_T_b, double enough) const;
   double distance(const Assembly& a, const Eigen::Isometry3d& base_T_a, const Assembly& b,
                   const Eigen::Isometry3d& base_T_b, double enough) const;
+  template <typename Visit>
+  void forBodiesAgainstPart(const Frames& base_T_frame, Visit&& visit) const;
   bool isHeadAndPlatform(int a, int b) const;
 
   const robot::Cell& cell_;

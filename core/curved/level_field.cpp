@@ -119,7 +119,6 @@ LevelField::LevelField(const Decomposition& d, const base::RunContext& ctx) : gr
         printed.push_back(v);
       }
   ctx.checkpoint();
-  printedCount_ = printed.size();
   if (d.field.empty())
     smoothRanks(value_, printed, isPrinted, neighbour_, ctx);
   for (int v : printed)

@@ -57,7 +57,6 @@ public:
 
   // Largest and smallest value over printed voxels; 0 when there are none.
   double maxPrinted() const { return maxPrinted_; }
-  std::size_t printedCount() const { return printedCount_; }
 
 private:
   enum class Kind : std::uint8_t { Far, Printed, Ring, SplitRing };
@@ -86,7 +85,6 @@ private:
   std::vector<int> splitVoxel_;              // sorted
   std::vector<Group> groups_;
   double maxPrinted_ = 0.0;
-  std::size_t printedCount_ = 0;
 };
 
 } // namespace voluta::curved

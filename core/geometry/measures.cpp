@@ -52,28 +52,6 @@ Eigen::AlignedBox3d bounds(const TriangleMesh& mesh) {
   return box;
 }
 
-Vector3d centreOfMass(const TriangleMesh& mesh) {
-  if (mesh.empty())
-    return Vector3d::Zero();
-  const Vector3d origin = bounds(mesh).center();
-  Vector3d solid = Vector3d::Zero(), surface = Vector3d::Zero();
-  double solidSum = 0.0, surfaceSum = 0.0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vector3d corners =
-        mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2) - 3.0 * origin;
-    const Vector3d vector = areaVector(mesh, t);
-    const double tetrahedron = (mesh.corner(t, 0) - origin).dot(vector) / 3.0;
-    solid += tetrahedron * corners / 4.0;
-    solidSum += tetrahedron;
-    surface += vector.norm() * corners / 3.0;
-    surfaceSum += vector.norm();
-  }
-  const double size = bounds(mesh).diagonal().norm();
-  if (std::abs(solidSum) > 1e-9 * size * size * size)
-    return origin + solid / solidSum;
-  return surfaceSum > 0.0 ? Vector3d(origin + surface / surfaceSum) : origin;
-}
-
 std::vector<Vector3d> vertexNormals(const TriangleMesh& mesh) {
   std::vector<Vector3d> normals(mesh.vertices.size(), Vector3d::Zero());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -84,27 +62,6 @@ std::vector<Vector3d> vertexNormals(const TriangleMesh& mesh) {
     n = length > 0.0 ? Vector3d(n / length) : Vector3d(Vector3d::Zero());
   }
   return normals;
-}
-
-EdgeStatistics edgeStatistics(const TriangleMesh& mesh) {
-  std::vector<double> lengths;
-  const std::vector<HalfEdge> edges = sortedHalfEdges(mesh);
-  forEachEdge(edges, [&](std::size_t begin, std::size_t) {
-    lengths.push_back((mesh.vertices[static_cast<std::size_t>(edges[begin].low)] -
-                       mesh.vertices[static_cast<std::size_t>(edges[begin].high)])
-                          .norm());
-  });
-  EdgeStatistics s;
-  if (lengths.empty())
-    return s;
-  std::sort(lengths.begin(), lengths.end());
-  s.count = lengths.size();
-  s.shortest = lengths.front();
-  s.longest = lengths.back();
-  s.median = lengths[lengths.size() / 2];
-  for (const double length : lengths)
-    s.mean += length / static_cast<double>(lengths.size());
-  return s;
 }
 
 Components components(const TriangleMesh& mesh) {

@@ -22,19 +22,8 @@ Eigen::Vector3d triangleNormal(const TriangleMesh& mesh, std::size_t triangle);
 // Bounding box of the vertices that triangles use, mm; empty (isEmpty()) for an empty mesh.
 Eigen::AlignedBox3d bounds(const TriangleMesh& mesh);
 
-// Centre of mass of the enclosed solid at uniform density, mm. Where the volume vanishes (open or
-// flat), the centroid of the surface; zero for an empty mesh.
-Eigen::Vector3d centreOfMass(const TriangleMesh& mesh);
-
 // Area-weighted unit normals at the vertices; zero at a vertex without triangles.
 std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh);
-
-// Lengths of the edges, each counted once, mm. All zero for an empty mesh.
-struct EdgeStatistics {
-  std::size_t count = 0;
-  double shortest = 0.0, mean = 0.0, median = 0.0, longest = 0.0;
-};
-EdgeStatistics edgeStatistics(const TriangleMesh& mesh);
 
 // Triangles that hang together by shared edges.
 struct Components {

@@ -61,6 +61,13 @@ Vector3d closestPointOnTriangle(const Vector3d& p, const Vector3d& a, const Vect
   return a + ratio(vb, whole) * ab + ratio(vc, whole) * ac;
 }
 
+double distanceToSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+  const Vector3d d = b - a;
+  const double n = d.squaredNorm();
+  const double t = n > 0.0 ? std::clamp((p - a).dot(d) / n, 0.0, 1.0) : 0.0;
+  return (p - a - t * d).norm();
+}
+
 double solidAngle(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const Vector3d pa = a - p, pb = b - p, pc = c - p;
   const double la = pa.norm(), lb = pb.norm(), lc = pc.norm();

@@ -1,4 +1,4 @@
-// One triangle against a point or a segment.
+// One triangle or segment against a point, one triangle against a segment.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,6 +10,10 @@ namespace voluta::geometry {
 // degenerate triangles too.
 Eigen::Vector3d closestPointOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                        const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
+// From p to the segment ab, which may be a point.
+double distanceToSegment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                         const Eigen::Vector3d& b);
 
 // Signed solid angle of abc seen from p, in (-2 pi, 2 pi]; positive when p is behind a
 // counter-clockwise triangle (van Oosterom and Strackee 1983, eq. 8).

@@ -1,5 +1,6 @@
 #include "layers/absorb.h"
 
+#include "base/index.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
@@ -15,9 +16,7 @@ namespace {
 
 constexpr double kHardly = 0.05;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 // What a patch is asked again and again; made when a sliver first comes near.
 struct Host {

@@ -1,6 +1,8 @@
 #include "layers/clean_surface.h"
 
+#include "base/index.h"
 #include "geometry/edges.h"
+#include "geometry/triangle_queries.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,9 +24,7 @@ constexpr double kCrease = 0.85; // cosine: edges sharper than this are not flip
 
 using Triangle = std::array<int, 3>;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 Eigen::Vector3d twiceArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                           const Eigen::Vector3d& c) {
@@ -34,14 +34,6 @@ Eigen::Vector3d twiceArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 double shapeOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
   return sides > 0.0 ? 2.0 * std::sqrt(3.0) * twiceArea(a, b, c).norm() / sides : 0.0;
-}
-
-double distanceToSegment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                         const Eigen::Vector3d& b) {
-  const Eigen::Vector3d d = b - a;
-  const double n = d.squaredNorm();
-  const double t = n > 0.0 ? std::clamp((p - a).dot(d) / n, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
 }
 
 // What a round looks up, built anew for each: of the triangles it was given, those around each
@@ -271,7 +263,8 @@ private:
       const auto& along = ring.along[at(u)];
       const int other = along[0] == v ? along[1] : along[0];
       if (other < 0 || other == v ||
-          distanceToSegment(point(u), point(other), point(v)) > options_.boundaryToleranceMm)
+          geometry::distanceToSegment(point(u), point(other), point(v)) >
+              options_.boundaryToleranceMm)
         return -1.0;
     }
     // Link condition: u and v may share no neighbour but those across their edge.

@@ -1,5 +1,6 @@
 #include "layers/follow_top.h"
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
@@ -27,9 +28,7 @@ constexpr double kStartShare = 0.1; // of a height: so far below a vertex the wa
 constexpr double kOff = 0.05;       // mm; heights this far from the right one split an edge
 constexpr int kRounds = 4;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 LevelSurface surfaceOf(const Patch& p) {
   LevelSurface s;

@@ -1,5 +1,6 @@
 #include "layers/layer_checks.h"
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
@@ -13,9 +14,7 @@ namespace voluta::layers {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 constexpr std::size_t kMostSamples = 400; // a patch
 constexpr double kRounding = 1e-9;        // mm

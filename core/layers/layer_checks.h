@@ -27,7 +27,7 @@ struct HeightLimits {
 };
 LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& limits = {});
 
-// Each entry is for the patch of the same index.
+// A checker for tests: each entry is for the patch of the same index.
 struct BoundaryCheck {
   double farthestMm = 0.0; // of a boundary vertex from the part's surface
   double onSurface = 1.0;  // share of the boundary's length whose ends are within the tolerance

@@ -1,8 +1,10 @@
 #include "layers/patches.h"
 
+#include "base/index.h"
 #include "base/units.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
+#include "geometry/triangle_queries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +13,7 @@ namespace voluta::layers {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 // One vertex for each fan of triangles at it that hangs together by edges.
 void splitTouchingFans(LevelSurface& s) {
@@ -60,14 +60,6 @@ void splitTouchingFans(LevelSurface& s) {
   }
 }
 
-double distanceToSegment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                         const Eigen::Vector3d& b) {
-  const Eigen::Vector3d d = b - a;
-  const double n = d.squaredNorm();
-  const double t = n > 0.0 ? std::clamp((p - a).dot(d) / n, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
-
 // Is every point of the patch nearer to its boundary than `distance`?
 bool narrower(const geometry::TriangleMesh& mesh, double distance) {
   const std::vector<geometry::HalfEdge> edges = geometry::sortedHalfEdges(mesh);
@@ -84,8 +76,8 @@ bool narrower(const geometry::TriangleMesh& mesh, double distance) {
     return false;
   const auto isNear = [&](const Eigen::Vector3d& p) {
     return std::any_of(boundary.begin(), boundary.end(), [&](const std::pair<int, int>& edge) {
-      return distanceToSegment(p, mesh.vertices[at(edge.first)], mesh.vertices[at(edge.second)]) <
-             distance;
+      return geometry::distanceToSegment(p, mesh.vertices[at(edge.first)],
+                                         mesh.vertices[at(edge.second)]) < distance;
     });
   };
   if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), isNear))

@@ -1,5 +1,6 @@
 #include "layers/stack_query.h"
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "geometry/measures.h"
 
@@ -9,9 +10,7 @@ namespace voluta::layers {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "layers/trim.h"
 
+#include "base/index.h"
 #include "geometry/edges.h"
 #include "layers/polygon_fill.h"
 
@@ -22,9 +23,7 @@ constexpr double kShortChord = 5e-3; // mm
 constexpr double kOnSurface = 2e-3;  // mm
 constexpr double kWellInside = 1e-4; // barycentric
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 std::uint64_t edgeKey(int a, int b) {
   return static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32 |

@@ -1,6 +1,7 @@
 #include "pipeline/outputs.h"
 
 #include "base/files.h"
+#include "base/memory.h"
 #include "base/stopwatch.h"
 #include "curved/vti_writer.h"
 #include "geometry/formats/mesh_reader.h"
@@ -9,17 +10,9 @@
 #include "planar/given_cuts.h"
 #include "toolpath/vtp_writer.h"
 
-#include <sys/resource.h>
-
 namespace voluta::pipeline {
 
 namespace {
-double peakResidentMb() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0; // Linux gives KiB
-}
-
 void writePieces(const std::vector<planar::Piece>& pieces, const std::filesystem::path& folder,
                  const base::RunContext& ctx) {
   std::error_code failed; // writing into it says so
@@ -73,7 +66,7 @@ void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
   ctx.checkpoint();
   result.job.report.timings.write += writing.seconds();
   result.job.report.timings.total += writing.seconds();
-  result.job.report.peakRssMb = peakResidentMb();
+  result.job.report.peakRssMb = base::peakResidentMb();
   base::writeFile(folder / "report.json", project::reportJson(result.job.report));
 }
 

@@ -17,10 +17,6 @@ constexpr double beadArea(double widthMm, double heightMm) {
 constexpr double hatchOf(double widthMm, double heightMm) {
   return widthMm - kRoundLoss * heightMm;
 }
-// Inverse of hatchOf in the width.
-constexpr double widthOfHatch(double hatchMm, double heightMm) {
-  return hatchMm + kRoundLoss * heightMm;
-}
 // Width of the bead of a given section area. Precondition: height > 0.
 constexpr double widthOfArea(double areaMm2, double heightMm) {
   return areaMm2 / heightMm + kRoundLoss * heightMm;

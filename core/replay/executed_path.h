@@ -77,7 +77,7 @@ struct ExecutedPath {
 ExecutedPath executeProgram(const plan::ReadProgram& program, const robot::Cell& cell,
                             const base::RunContext& ctx);
 
-// A program of ToolPoint motions only, without a cell.
+// A program of ToolPoint motions only, without a cell: for tests of how motions run.
 ExecutedPath executeToolPoints(const plan::ReadProgram& program, const base::RunContext& ctx);
 
 } // namespace voluta::replay

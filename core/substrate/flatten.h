@@ -18,9 +18,10 @@ struct FlatteningCircle {
 
 // `layers` + 1 circles from `start` outwards: each layer is topThicknessMm thick at the top and
 // sideThicknessMm at the polar angle sideAngle of the circle below it (radians from the horizontal,
-// in (0, pi/2)), measured along that circle's radius (Castelli 2020, 5.2.3).
-// Preconditions: a start that is no plane, positive thicknesses, layers >= 0. Throws
-// Error{UnusableInput} naming the layer after which no such circle exists.
+// in (0, pi/2)), measured along that circle's radius (Castelli 2020, 5.2.3). The published rule,
+// for tests to hold levels to; plans go by flatteningToPlane. Preconditions: a start that is no
+// plane, positive thicknesses, layers >= 0. Throws Error{UnusableInput} naming the layer after
+// which no such circle exists.
 std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
                                                 double topThicknessMm, double sideThicknessMm,
                                                 double sideAngle, int layers);

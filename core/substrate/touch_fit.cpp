@@ -54,28 +54,4 @@ CircleFit circleThrough(const std::vector<Eigen::Vector2d>& points) {
   return fit;
 }
 
-CylinderFit cylinderPose(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& axis) {
-  const Eigen::Vector3d x = axis.normalized();
-  const Eigen::Vector3d across = Eigen::Vector3d::UnitZ().cross(x);
-  base::require(axis.allFinite() && across.norm() > 1e-6, "an axis that does not stand upright");
-  Eigen::Matrix3d rotation;
-  rotation.col(0) = x;
-  rotation.col(1) = across.normalized();
-  rotation.col(2) = x.cross(rotation.col(1));
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points)
-    mean += p / static_cast<double>(points.size());
-  std::vector<Eigen::Vector2d> seen;
-  for (const Eigen::Vector3d& p : points)
-    seen.push_back((rotation.transpose() * (p - mean)).tail<2>());
-  const CircleFit circle = circleThrough(seen);
-  CylinderFit fit;
-  fit.base_T_cylinder.linear() = rotation;
-  fit.base_T_cylinder.translation() =
-      mean + circle.centre.x() * rotation.col(1) + circle.centre.y() * rotation.col(2);
-  fit.radiusMm = circle.radiusMm;
-  fit.rmsMm = circle.rmsMm;
-  return fit;
-}
-
 } // namespace voluta::substrate

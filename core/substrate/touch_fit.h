@@ -18,15 +18,4 @@ struct CircleFit {
 // finite.
 CircleFit circleThrough(const std::vector<Eigen::Vector2d>& points);
 
-struct CylinderFit {
-  // x along the axis, z as near to the base's z as that allows, origin on the axis beside the
-  // middle of the points.
-  Eigen::Isometry3d base_T_cylinder = Eigen::Isometry3d::Identity();
-  double radiusMm = 0.0, rmsMm = 0.0;
-};
-
-// The cylinder with its axis along `axis` that touched points lie on: circleThrough what is seen
-// along the axis. Precondition: an axis that is not zero, and not along z. Throws as circleThrough.
-CylinderFit cylinderPose(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& axis);
-
 } // namespace voluta::substrate

@@ -1,5 +1,6 @@
 #include "toolpath/gap_fill.h"
 
+#include "base/index.h"
 #include "toolpath/curve_tools.h"
 #include "toolpath/regions.h"
 #include "toolpath/surface_fields.h"
@@ -13,9 +14,7 @@
 namespace voluta::toolpath {
 
 namespace {
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 constexpr double kEdge = 0.18;       // hatches: the spine ends this far from the gap's end
 constexpr double kWorthwhile = 0.28; // hatches: half width of the least gap that gets a bead

@@ -1,3 +1,4 @@
+#include "base/index.h"
 #include "base/units.h"
 #include "toolpath/infill.h"
 #include "toolpath/line_cover.h"
@@ -26,9 +27,7 @@ constexpr double kMostBend = 0.09;   // rad: an angle may be so far off for the 
 constexpr double kOnChart = 1e-8;    // mm
 constexpr double kOffSurface = 0.02; // mm: a place of the chart that the surface doesn't have
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 Vector2d chartAt(const PatchSurface& s, const SurfacePoint& p) {
   return s.chart.blend(s.triangles[at(p.triangle)], s.barycentric(p));

@@ -1,3 +1,4 @@
+#include "base/index.h"
 #include "base/units.h"
 #include "toolpath/infill.h"
 #include "toolpath/line_cover.h"
@@ -12,9 +13,7 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 // A function of (nearly) unit gradient whose isolines are the lines.
 std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {

@@ -1,5 +1,6 @@
 #include "toolpath/line_cover.h"
 
+#include "base/index.h"
 #include "toolpath/curve_tools.h"
 #include "toolpath/surface_fields.h"
 
@@ -10,9 +11,7 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 constexpr double kOpenEnd = 0.08;  // hatches from the region's edge to an end that isn't joined
 constexpr double kJoinedEnd = 0.5; // and to the bead that joins two lines

@@ -1,6 +1,7 @@
 #include "toolpath/patch_surface.h"
 
 #include "base/error.h"
+#include "base/index.h"
 #include "geometry/triangle_queries.h"
 
 #include <Eigen/Geometry>
@@ -13,9 +14,7 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 // Splits every edge longer than the limit once; returns whether any was.
 class EdgeSplitter {

@@ -1,6 +1,7 @@
 #include "toolpath/periodic_isolines.h"
 
 #include "base/error.h"
+#include "base/index.h"
 
 #include <algorithm>
 #include <array>
@@ -12,9 +13,7 @@ namespace voluta::toolpath {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 constexpr double kSamePlace = 1e-6; // mm
 

@@ -1,5 +1,7 @@
 #include "toolpath/surface_fields.h"
 
+#include "base/index.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -12,9 +14,7 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 Vector3d closestOnSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d ab = b - a;

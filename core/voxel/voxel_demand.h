@@ -17,7 +17,8 @@ struct VoxelDemand {
   double bytes() const { return kBytesPerCell * cells + kBytesPerVoxel * voxels; }
 };
 
-// About what solidVoxels(mesh, pitch) will make: the mesh's volume and half a voxel on its surface.
+// About what solidVoxels(mesh, pitch) will make, as checkVoxelDemand goes by it: the mesh's volume
+// and half a voxel on its surface.
 // Preconditions (Error{Internal}): pitch > 0, mesh not empty.
 VoxelDemand voxelDemand(const geometry::TriangleMesh& mesh, double pitch);
 

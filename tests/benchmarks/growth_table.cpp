@@ -2,6 +2,7 @@
 // One row of Markdown for each part and number of voxels: best time of all runs for the order of
 // growth (everything but voxelising), what is missed, ranks, peak memory of the process so far; and
 // for each part the exponent of time over voxels, fitted over the rows with at least 20 ms.
+#include "base/memory.h"
 #include "base/stopwatch.h"
 #include "curved/grow.h"
 #include "curved/platform.h"
@@ -10,8 +11,6 @@
 #include "helpers/voxel_width.h"
 #include "process/process.h"
 #include "voxel/solid_voxels.h"
-
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -38,12 +37,6 @@ double exponent(const std::vector<std::array<double, 2>>& rows) {
     xy += u * v;
   }
   return (n * xy - x * y) / (n * xx - x * x);
-}
-
-long peakMb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss / 1024;
 }
 
 } // namespace
@@ -99,7 +92,7 @@ int main(int argc, char** argv) try {
       if (best >= 0.02)
         rows.push_back({static_cast<double>(voxels.count), best});
       std::printf("| %s | %zu | %.3f | %zu | %zu | %d | %ld |\n", name.c_str(), voxels.count, best,
-                  voxels.count - growth.laid, growth.relaxed, growth.ranks, peakMb());
+                  voxels.count - growth.laid, growth.relaxed, growth.ranks, base::peakResidentMb());
       std::fflush(stdout);
     }
     if (rows.size() >= 2)

@@ -1,6 +1,7 @@
 // Pieces of planar mode in the window: chosen in tree and viewport, moved apart, their cuts
 // dragged by handles; projects of planar mode, which have no voxels.
 #include "gui/window_fixture.h"
+#include "helpers/octagon_prism.h"
 #include "helpers/shapes.h"
 #include "panels/findings_panel.h"
 #include "panels/pieces_panel.h"
@@ -30,23 +31,7 @@ constexpr const char* kCuts = R"([{"point": [4, 0, 20], "normal": [1, 0, 0]},
 
 // A leg of 8 x 8 x 16 with a bar of 32 x 8 x 8 across its top.
 geometry::TriangleMesh tee() {
-  geometry::TriangleMesh m;
-  const double outline[][2] = {{-4, 0},  {4, 0},    {4, 16},   {16, 16},
-                               {16, 24}, {-16, 24}, {-16, 16}, {-4, 16}};
-  for (const double y : {-4.0, 4.0})
-    for (const auto& p : outline)
-      m.vertices.emplace_back(p[0], y, p[1]);
-  const int front[][3] = {{0, 1, 2}, {0, 2, 7}, {2, 3, 4}, {2, 4, 7}, {7, 4, 5}, {7, 5, 6}};
-  for (const auto& t : front) {
-    m.triangles.push_back({t[0], t[1], t[2]});
-    m.triangles.push_back({t[0] + 8, t[2] + 8, t[1] + 8});
-  }
-  for (int i = 0; i < 8; ++i) {
-    const int j = (i + 1) % 8;
-    m.triangles.push_back({i, i + 8, j + 8});
-    m.triangles.push_back({i, j + 8, j});
-  }
-  return m;
+  return test::tee(16, 32);
 }
 
 class PiecesTest : public WindowTest {

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
+#include "helpers/mesh_measures.h"
 #include "helpers/temporary_folder.h"
 #include "project/job.h"
 #include "voxel/voxel_object.h"
@@ -113,7 +114,7 @@ TEST(Lossless, TurnedItNeedsNoSupport) {
     EXPECT_EQ(countOf(plan.job.report, "turned"), 1u) << asCells;
     EXPECT_EQ(countOf(plan.job.report, "newCells"), 0u) << asCells;
     EXPECT_TRUE(nothingBlocks(plan.job.report)) << asCells;
-    EXPECT_LT(geometry::centreOfMass(*plan.job.part).z(), 9.5) << "the beam is not below";
+    EXPECT_LT(test::centreOfMass(*plan.job.part).z(), 9.5) << "the beam is not below";
     EXPECT_NEAR(plan.job.report.model.boundsMm.min().z(), 0.0, 1e-9);
   }
 }

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "helpers/octagon_prism.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
@@ -30,26 +31,10 @@ PlanRequest request(const std::string& mode, Stage until = Stage::Layers) {
   return r;
 }
 
-// A T: a leg of 8 x 8 x 12 with a bar of 32 x 8 x 8 on it, standing through each other's faces.
+// A T: a leg of 8 x 8 x 12 with a bar of 32 x 8 x 8 on it.
 std::shared_ptr<const LoadedPart> tee() {
-  geometry::TriangleMesh m;
-  const double profile[][2] = {{-4, 0},  {4, 0},    {4, 12},   {16, 12},
-                               {16, 20}, {-16, 20}, {-16, 12}, {-4, 12}};
-  for (const double y : {-4.0, 4.0})
-    for (const auto& p : profile)
-      m.vertices.emplace_back(p[0], y, p[1]);
-  const std::array<int, 3> front[] = {{0, 1, 2}, {0, 2, 7}, {7, 2, 5},
-                                      {7, 5, 6}, {2, 3, 4}, {2, 4, 5}};
-  for (const auto& t : front) {
-    m.triangles.push_back(t);
-    m.triangles.push_back({t[0] + 8, t[2] + 8, t[1] + 8});
-  }
-  for (int i = 0; i < 8; ++i) {
-    const int j = (i + 1) % 8;
-    m.triangles.push_back({i, i + 8, j + 8});
-    m.triangles.push_back({i, j + 8, j});
-  }
-  return loadedFrom("tee.stl", std::make_shared<geometry::TriangleMesh>(m), {}, true, {});
+  return loadedFrom("tee.stl", std::make_shared<geometry::TriangleMesh>(test::tee(12, 32)), {},
+                    true, {});
 }
 
 TEST(FlatMode, ABoxIsSlicedFromThePlateToItsTopAndPassesReplay) {

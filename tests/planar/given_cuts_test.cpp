@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
+#include "helpers/octagon_prism.h"
 #include "planar/search/beam_search.h"
 
 #include <gtest/gtest.h>
@@ -15,48 +16,29 @@ using geometry::TriangleMesh;
 
 constexpr double kBeadMm = 1.2;
 
-// An octagon of x and z, 2 `half` deep along y.
-TriangleMesh prism(const std::array<Eigen::Vector2d, 8>& outline,
-                   const std::array<std::array<int, 3>, 6>& triangles, double half) {
-  TriangleMesh m;
-  for (const double y : {-half, half})
-    for (const Eigen::Vector2d& p : outline)
-      m.vertices.emplace_back(p.x(), y, p.y());
-  for (const auto& t : triangles) {
-    m.triangles.push_back(t);
-    m.triangles.push_back({t[0] + 8, t[2] + 8, t[1] + 8});
-  }
-  for (int i = 0; i < 8; ++i) {
-    const int j = (i + 1) % 8;
-    m.triangles.push_back({i, i + 8, j + 8});
-    m.triangles.push_back({i, j + 8, j});
-  }
-  return m;
-}
-
 // A leg of 8 x 8 x 20 with a bar of 40 x 8 x 8 across its top, of one piece.
 TriangleMesh tee() {
-  return prism({{{-4, 0}, {4, 0}, {4, 20}, {20, 20}, {20, 28}, {-20, 28}, {-20, 20}, {-4, 20}}},
-               {{{0, 1, 2}, {0, 2, 7}, {2, 3, 4}, {2, 4, 7}, {7, 4, 5}, {7, 5, 6}}}, 4);
+  return test::tee(20, 40);
 }
 
 // Two posts on a foot.
 TriangleMesh fork() {
-  return prism({{{-20, 0}, {20, 0}, {20, 25}, {10, 25}, {10, 5}, {-10, 5}, {-10, 25}, {-20, 25}}},
-               {{{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}, {0, 5, 6}, {0, 6, 7}}}, 5);
+  return test::octagonPrism(
+      {{{-20, 0}, {20, 0}, {20, 25}, {10, 25}, {10, 5}, {-10, 5}, {-10, 25}, {-20, 25}}},
+      {{{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}, {0, 5, 6}, {0, 6, 7}}}, 5);
 }
 
 GivenCut cut(const Vector3d& point, const Vector3d& normal) {
   return {point, {normal.normalized(), normal.normalized().dot(point)}};
 }
 
-PlanarDecomposition taken(const TriangleMesh& part, const std::vector<GivenCut>& cuts) {
+PlanarDecomposition decomposed(const TriangleMesh& part, const std::vector<GivenCut>& cuts) {
   return decomposeByCuts(part, cuts, {}, kBeadMm, {});
 }
 
 std::string refusal(const TriangleMesh& part, const std::vector<GivenCut>& cuts) {
   try {
-    taken(part, cuts);
+    decomposed(part, cuts);
   } catch (const base::Error& e) {
     EXPECT_EQ(e.code(), base::ErrorCode::UnusableInput);
     return e.what();
@@ -66,7 +48,7 @@ std::string refusal(const TriangleMesh& part, const std::vector<GivenCut>& cuts)
 
 TEST(GivenCuts, ATeesArmsArePrintedSideways) {
   const PlanarDecomposition d =
-      taken(tee(), {cut({4, 0, 24}, {1, 0, 0}), cut({-4, 0, 24}, {-1, 0, 0})});
+      decomposed(tee(), {cut({4, 0, 24}, {1, 0, 0}), cut({-4, 0, 24}, {-1, 0, 0})});
   ASSERT_EQ(d.pieces.size(), 3u);
   EXPECT_NEAR(d.riskyBeforeMm2, 2 * 16 * 8, 1e-9);
   EXPECT_NEAR(d.riskyMm2, 0.0, 1e-9);
@@ -83,13 +65,13 @@ TEST(GivenCuts, ATeesArmsArePrintedSideways) {
 
 TEST(GivenCuts, OnlyWhatHangsOnTheSectionNearestToThePointIsCutOff) {
   const TriangleMesh part = fork();
-  const PlanarDecomposition right = taken(part, {cut({12, 0, 15}, {0, 0, 1})});
+  const PlanarDecomposition right = decomposed(part, {cut({12, 0, 15}, {0, 0, 1})});
   ASSERT_EQ(right.pieces.size(), 2u);
   EXPECT_GT(geometry::bounds(right.pieces[1].solid.mesh).min().x(), 9.9);
   EXPECT_NEAR(geometry::volume(right.pieces[1].solid.mesh), 10 * 10 * 10, 1e-9);
   // The same plane once more, for the other post.
   const PlanarDecomposition both =
-      taken(part, {cut({12, 0, 15}, {0, 0, 1}), cut({-12, 0, 15}, {0, 0, 1})});
+      decomposed(part, {cut({12, 0, 15}, {0, 0, 1}), cut({-12, 0, 15}, {0, 0, 1})});
   ASSERT_EQ(both.pieces.size(), 3u);
   EXPECT_NEAR(both.sectionMm2, 2 * 100.0, 1e-9);
 }
@@ -101,7 +83,7 @@ TEST(GivenCuts, WhatASearchFoundComesBackFromItsPlanes) {
   const std::vector<GivenCut> cuts =
       readGivenCuts(givenCutsText(cutsOf(found.pieces)), "the search's");
   ASSERT_EQ(cuts.size(), found.pieces.size() - 1);
-  const PlanarDecomposition again = taken(part, cuts);
+  const PlanarDecomposition again = decomposed(part, cuts);
   ASSERT_EQ(again.pieces.size(), found.pieces.size());
   EXPECT_NEAR(again.riskyMm2, found.riskyMm2, 1e-3);
   EXPECT_NEAR(again.sectionMm2, found.sectionMm2, 1e-3);

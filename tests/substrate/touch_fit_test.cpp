@@ -62,22 +62,5 @@ TEST(TouchFit, PointsOnALineAreTold) {
   EXPECT_THROW(substrate::circleThrough({{0, 0}, {1, NAN}, {2, 1}}), base::Error);
 }
 
-TEST(TouchFit, CylinderLiesWhereItWasTouched) {
-  const Eigen::Vector3d axis = Eigen::Vector3d(3, 1, 0.2).normalized();
-  const Eigen::Vector3d on(400, 20, 350);
-  const Eigen::Vector3d side = axis.unitOrthogonal(), up = axis.cross(side);
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 7; ++i)
-    points.push_back(on + 8.0 * i * axis +
-                     20.0 * (std::cos(0.5 * i) * side + std::sin(0.5 * i) * up));
-  const auto fit = substrate::cylinderPose(points, axis);
-  EXPECT_NEAR(fit.radiusMm, 20.0, 1e-9);
-  EXPECT_NEAR(fit.rmsMm, 0.0, 1e-9);
-  EXPECT_NEAR((fit.base_T_cylinder.linear().col(0) - axis).norm(), 0.0, 1e-12);
-  EXPECT_NEAR(axis.cross(fit.base_T_cylinder.translation() - on).norm(), 0.0, 1e-9);
-  EXPECT_NEAR(fit.base_T_cylinder.linear().determinant(), 1.0, 1e-12);
-  EXPECT_GT(fit.base_T_cylinder.linear()(2, 2), 0.9);
-}
-
 } // namespace
 } // namespace voluta

@@ -1,5 +1,6 @@
 // voxel_report [--voxels N | --pitch MM] [--threads N] STL... Prints what voxelising real parts
 // costs, and whether the cells contain them by the tests' own check.
+#include "base/memory.h"
 #include "base/stopwatch.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
@@ -11,20 +12,11 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <sys/resource.h>
 #include <vector>
 
 using namespace voluta;
 
-namespace {
-
-double peakMb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-} // namespace
+namespace {} // namespace
 
 int main(int argc, char** argv) try {
   double pitch = 0.8, wanted = 0.0;
@@ -53,7 +45,7 @@ int main(int argc, char** argv) try {
       voxels = voxel::solidVoxels(mesh, width, ctx);
       best = std::min(best, watch.seconds());
     }
-    const double peak = peakMb();
+    const double peak = base::peakResidentMb();
     const test::Containment found = test::checkContainment(mesh, voxels, 40'000, 1);
     std::printf("%s: pitch %.4f, %zu of %zu cells, %.3f s (best of 5, %d threads), peak %.0f MB\n",
                 file.substr(file.find_last_of('/') + 1).c_str(), width, voxels.count,

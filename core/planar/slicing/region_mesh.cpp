@@ -1,5 +1,6 @@
 #include "planar/slicing/region_mesh.h"
 
+#include "base/index.h"
 #include "planar/constrained_triangulation.h"
 
 #include <algorithm>
@@ -16,9 +17,7 @@ using Eigen::Vector2d;
 
 constexpr double kClear = 0.6; // of the spacing, between inner points and the boundary's
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 // The least index of a point at the same place, for each.
 std::vector<int> firstAtPlace(const std::vector<Vector2d>& points) {

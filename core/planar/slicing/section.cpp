@@ -1,6 +1,7 @@
 #include "planar/slicing/section.h"
 
 #include "base/error.h"
+#include "base/index.h"
 #include "geometry/measures.h"
 
 #include <algorithm>
@@ -16,10 +17,6 @@ namespace {
 
 constexpr double kOnPlane = 1e-9; // of the mesh's size
 
-std::size_t asIndex(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 } // namespace
 
 double areaOf(const Section& section) {
@@ -29,7 +26,7 @@ double areaOf(const Section& section) {
   double twice = 0.0;
   for (const auto& e : section.edges)
     twice += section.plane.normal.dot(
-        (section.points[asIndex(e[0])] - middle).cross(section.points[asIndex(e[1])] - middle));
+        (section.points[base::at(e[0])] - middle).cross(section.points[base::at(e[1])] - middle));
   return 0.5 * twice;
 }
 
@@ -39,11 +36,11 @@ Sections::Sections(const geometry::TriangleMesh& closed, const Vector3d& normal)
   height_.reserve(closed.vertices.size());
   for (const Vector3d& v : closed.vertices)
     height_.push_back(normal.dot(v));
-  lowest_ = highest_ = height_[asIndex(closed.triangles.front()[0])];
+  lowest_ = highest_ = height_[base::at(closed.triangles.front()[0])];
   for (const auto& t : closed.triangles)
     for (const int v : t) {
-      lowest_ = std::min(lowest_, height_[asIndex(v)]);
-      highest_ = std::max(highest_, height_[asIndex(v)]);
+      lowest_ = std::min(lowest_, height_[base::at(v)]);
+      highest_ = std::max(highest_, height_[base::at(v)]);
     }
   onPlane_ = kOnPlane * geometry::bounds(closed).diagonal().norm();
 
@@ -56,9 +53,9 @@ Sections::Sections(const geometry::TriangleMesh& closed, const Vector3d& normal)
   for (std::size_t i = 0; i < closed.triangles.size(); ++i) {
     const auto& t = closed.triangles[i];
     const auto [low, high] =
-        std::minmax({height_[asIndex(t[0])], height_[asIndex(t[1])], height_[asIndex(t[2])]});
+        std::minmax({height_[base::at(t[0])], height_[base::at(t[1])], height_[base::at(t[2])]});
     for (int s = slabOf(low - onPlane_); s <= slabOf(high + onPlane_); ++s)
-      slabs_[asIndex(s)].push_back(static_cast<int>(i));
+      slabs_[base::at(s)].push_back(static_cast<int>(i));
   }
 }
 
@@ -68,7 +65,7 @@ Section Sections::at(double offsetMm) const {
   if (offsetMm < lowest_ - onPlane_ || offsetMm > highest_ + onPlane_)
     return out;
   const auto heightOf = [&](int v) {
-    const double h = height_[asIndex(v)] - offsetMm;
+    const double h = height_[base::at(v)] - offsetMm;
     return std::abs(h) <= onPlane_ ? 0.0 : h;
   };
   std::unordered_map<std::uint64_t, int> known; // points by the edge, or twice the vertex
@@ -84,15 +81,15 @@ Section Sections::at(double offsetMm) const {
                               static_cast<std::uint32_t>(b);
     const auto [found, fresh] = known.try_emplace(key, static_cast<int>(out.points.size()));
     if (fresh) {
-      const Vector3d &p = mesh_.vertices[asIndex(a)], &q = mesh_.vertices[asIndex(b)];
+      const Vector3d &p = mesh_.vertices[base::at(a)], &q = mesh_.vertices[base::at(b)];
       out.points.push_back(a == b ? p : Vector3d(p + ha / (ha - hb) * (q - p)));
     }
     return found->second;
   };
   const int slab = std::clamp(static_cast<int>((offsetMm - lowest_) / slab_), 0,
                               static_cast<int>(slabs_.size()) - 1);
-  for (const int i : slabs_[asIndex(slab)]) {
-    const auto& t = mesh_.triangles[asIndex(i)];
+  for (const int i : slabs_[base::at(slab)]) {
+    const auto& t = mesh_.triangles[base::at(i)];
     int first = -1, last = -1;
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];

@@ -1,5 +1,6 @@
 #include "planar/slicing/slicing.h"
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "geometry/measures.h"
@@ -27,9 +28,7 @@ namespace {
 
 constexpr double kBlockingShare = 0.005; // of the volume not laid
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 std::optional<LevelSurface> surfaceOf(const Section& section, double edgeMm,
                                       const base::RunContext& ctx) {

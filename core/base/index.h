@@ -1,0 +1,13 @@
+// Indices that files and meshes keep as int, for containers.
+#pragma once
+
+#include <cstddef>
+
+namespace voluta::base {
+
+// Precondition, not checked: i >= 0.
+constexpr std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+} // namespace voluta::base
