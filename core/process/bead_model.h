@@ -17,6 +17,10 @@ constexpr double beadArea(double widthMm, double heightMm) {
 constexpr double hatchOf(double widthMm, double heightMm) {
   return widthMm - kRoundLoss * heightMm;
 }
+// Inverse of hatchOf in the width: for tests that lay beads a hatch apart.
+constexpr double widthOfHatch(double hatchMm, double heightMm) {
+  return hatchMm + kRoundLoss * heightMm;
+}
 // Width of the bead of a given section area. Precondition: height > 0.
 constexpr double widthOfArea(double areaMm2, double heightMm) {
   return areaMm2 / heightMm + kRoundLoss * heightMm;

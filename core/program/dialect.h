@@ -37,6 +37,11 @@ struct Dialect {
   // Names of the files, next to it, that a file of a program goes on in; nullptr: a dialect whose
   // files stand alone.
   std::vector<std::string> (*goesOnIn)(std::string_view text) = nullptr;
+  // For the tests that damage texts. What a line that is only a remark begins with, and whether
+  // line i of a text may be missing without a change of what the program does, though it is no
+  // remark (loads, heat, what holds anyway); nullptr: no such line.
+  std::string_view remark;
+  bool (*mayBeMissing)(const std::vector<std::string>& lines, std::size_t i) = nullptr;
 };
 
 // In the order in which formats are listed.

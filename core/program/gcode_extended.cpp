@@ -397,4 +397,14 @@ bool looksLikeExtendedGcode(std::string_view text) {
   return false;
 }
 
+bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::size_t i) {
+  // E is 0 before the prime, not behind it.
+  if (lines[i] == "G92 E0")
+    return lines[i - 1].find("prime") == std::string::npos;
+  for (const char* word : {"G21", "G90", "M82", "G28", "M104 S2", "M109"})
+    if (lines[i].find(word) != std::string::npos)
+      return true;
+  return primes(lines, i);
+}
+
 } // namespace voluta::program

@@ -29,5 +29,6 @@ plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunConte
 plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
                                     const process::Process& process, const base::RunContext& ctx);
 bool looksLikeExtendedGcode(std::string_view text);
+bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::size_t i); // Dialect
 
 } // namespace voluta::program

@@ -57,6 +57,7 @@ plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx)
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx);
 bool looksLikeRapid(std::string_view text);
+bool mayBeMissingInRapid(const std::vector<std::string>& lines, std::size_t i); // Dialect
 // The modules that a list (.pgf) names, or that a module loads.
 std::vector<std::string> filesOfRapid(std::string_view text);
 

@@ -26,6 +26,15 @@ bool looksLikeRapid(std::string_view text) {
   return sameWord(RapidTokens(head).next().text, "module");
 }
 
+bool mayBeMissingInRapid(const std::vector<std::string>& lines, std::size_t i) {
+  if (lines[i].find("ConfJ") == std::string::npos)
+    return primes(lines, i);
+  // About motions by joints: nothing where there is none.
+  return std::none_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.find("MoveJ ") != std::string::npos;
+  });
+}
+
 std::vector<std::string> filesOfRapid(std::string_view text) {
   std::vector<std::string> names;
   if (isModuleList(text)) {

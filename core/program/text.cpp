@@ -108,4 +108,14 @@ void Defects::add(std::size_t file, std::size_t line, std::string reason) {
     list_.push_back({file, line, "and more from here on"});
 }
 
+bool primes(const std::vector<std::string>& lines, std::size_t i) {
+  constexpr std::size_t kLines = 4;
+  if (lines[i].find("; prime") != std::string::npos)
+    return true;
+  for (std::size_t k = i; k-- > 0 && i - k <= kLines;)
+    if (lines[k].find(" prime") != std::string::npos)
+      return true;
+  return false;
+}
+
 } // namespace voluta::program

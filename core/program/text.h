@@ -57,4 +57,7 @@ private:
   std::vector<plan::ProgramDefect>& list_;
 };
 
+// Line i primes the nozzle: it says so, or stands within four lines of the remark that does.
+bool primes(const std::vector<std::string>& lines, std::size_t i);
+
 } // namespace voluta::program

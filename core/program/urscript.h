@@ -32,5 +32,6 @@ plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& c
 plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
                                const process::Process& process, const base::RunContext& ctx);
 bool looksLikeUrscript(std::string_view text);
+bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i); // Dialect
 
 } // namespace voluta::program

@@ -452,4 +452,9 @@ bool looksLikeUrscript(std::string_view text) {
           head.find("movep(") != std::string_view::npos);
 }
 
+bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i) {
+  return lines[i].find("set_payload") != std::string::npos ||
+         lines[i].find("sleep(") != std::string::npos || primes(lines, i);
+}
+
 } // namespace voluta::program

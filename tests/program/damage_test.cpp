@@ -2,6 +2,7 @@
 #include "program_fixture.h"
 
 #include "program/dialect.h"
+#include "program/text_damage.h"
 
 #include <algorithm>
 #include <random>
@@ -27,67 +28,25 @@ protected:
     std::erase_if(all, [](const Dialect& d) { return GetParam() && !d.turnsRods; });
     return all;
   }
-  static std::vector<std::string> linesOf(const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t at = 0; at < text.size();) {
-      const std::size_t end = text.find('\n', at);
-      lines.push_back(text.substr(at, end - at));
-      at = end + 1;
-    }
-    return lines;
-  }
-  static std::string textOf(const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines)
-      text += line + "\n";
-    return text;
-  }
-
-  static bool sameMotion(const plan::ProgramMotion& a, const plan::ProgramMotion& b) {
-    return a.target == b.target && a.jointInterpolated == b.jointInterpolated &&
-           a.joints == b.joints && a.externals == b.externals &&
-           a.frame_T_tcp.matrix() == b.frame_T_tcp.matrix() && a.position == b.position &&
-           a.direction == b.direction && a.speedMmPerS == b.speedMmPerS &&
-           a.jointSpeedRadPerS == b.jointSpeedRadPerS && a.durationS == b.durationS &&
-           a.blendMm == b.blendMm && a.extruding == b.extruding && a.flowMm3PerS == b.flowMm3PerS &&
-           a.volumeMm3 == b.volumeMm3;
-  }
   static bool seen(const plan::ReadProgram& whole, const plan::ReadProgram& damaged) {
     if (!damaged.defects.empty() || !damaged.complete ||
         damaged.motions.size() != whole.motions.size() ||
         damaged.flange_T_tcp.matrix() != whole.flange_T_tcp.matrix())
       return true;
     for (std::size_t i = 0; i < whole.motions.size(); ++i)
-      if (!sameMotion(whole.motions[i], damaged.motions[i]))
+      if (!test::sameMotion(whole.motions[i], damaged.motions[i]))
         return true;
     return false;
   }
 
-  // Lines that mean nothing to what is printed, each with its reason.
-  static bool idle(const std::vector<std::string>& lines, std::size_t i) {
+  // Lines that mean nothing to what is printed: remarks but the mark at the end, and those that the
+  // dialect names.
+  static bool idle(const Dialect& dialect, const std::vector<std::string>& lines, std::size_t i) {
     const std::string& line = lines[i];
     const std::size_t first = line.find_first_not_of(' ');
-    if (line == "# end" || line == "; end")
-      return false;
-    // Nothing to say where no motion is one that it is about.
-    if (line.find("ConfJ") != std::string::npos)
-      return std::none_of(lines.begin(), lines.end(), [](const std::string& other) {
-        return other.find("MoveJ ") != std::string::npos;
-      });
-    if (line[first] == '#' || line[first] == ';' || line[first] == '!')
-      return true;                                                          // comments
-    for (const char* word : {"set_payload", "sleep(",                       // not motion
-                             "G21", "G90", "M82", "G28", "M104 S2", "M109", // the default, or heat
-                             "G92 E0"}) // E starts at 0, or behind the prime
-      if (line.find(word) != std::string::npos)
-        return line != "G92 E0" || lines[i - 1].find("prime") == std::string::npos;
-    // The prime, and outputs that say what already holds, are no part of a path.
-    if (line.find("; prime") != std::string::npos)
-      return true;
-    for (std::size_t k = i; k-- > 0 && i - k <= 4;)
-      if (lines[k].find(" prime") != std::string::npos)
-        return true;
-    return false;
+    if (line.substr(first).starts_with(dialect.remark))
+      return i + 1 < lines.size();
+    return dialect.mayBeMissing && dialect.mayBeMissing(lines, i);
   }
 };
 
@@ -95,40 +54,49 @@ TEST_P(Damage, noLineIsMissedUnnoticed) {
   for (const Dialect& d : ofThisCell()) {
     const plan::Program program = writeProgram(d.id, input());
     const plan::ReadProgram whole = readProgram(d.id, program.files, process_);
-    const auto lines = linesOf(program.files[0].text);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (idle(lines, i))
+    const test::ProgramText text = test::textOf(program);
+    for (std::size_t i = 0; i < text.lines.size(); ++i) {
+      if (idle(d, text.lines, i))
         continue;
-      auto fewer = lines;
-      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-      const auto damaged = readProgram(d.id, {{"damaged", textOf(fewer)}}, process_);
-      EXPECT_TRUE(seen(whole, damaged)) << d.id << " without line " << i + 1 << ": " << lines[i];
+      test::ProgramText fewer = text;
+      fewer.lines.erase(fewer.lines.begin() + static_cast<std::ptrdiff_t>(i));
+      EXPECT_TRUE(seen(whole, test::read(fewer, process_)))
+          << d.id << " without line " << i + 1 << ": " << text.lines[i];
     }
   }
 }
 
+// In each motion's line the numbers that say where it goes are found by a change too small to be
+// refused; then a digit of each is changed.
 TEST_P(Damage, noDigitChangesUnnoticed) {
+  constexpr double kHardly = 1e-6;
+  constexpr std::size_t kEach = 3, kTargetNumbers = 6;
   std::mt19937_64 random(21);
   for (const Dialect& d : ofThisCell()) {
     const plan::Program program = writeProgram(d.id, input());
     const plan::ReadProgram whole = readProgram(d.id, program.files, process_);
-    const auto lines = linesOf(program.files[0].text);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (idle(lines, i) ||
-          (lines[i].find("mov") == std::string::npos && lines[i].find("Move") == std::string::npos))
-        continue;
-      auto changed = lines;
-      std::string& line = changed[i];
-      // The target: in RAPID what stands before the configuration.
-      const std::size_t from = line.find('['), second = line.find("],[");
-      const std::size_t end = std::min(
-          {line.size(), line.find(",a="), line.find("],[", second + 1), line.find("\\NoEOffs")});
-      std::size_t at = from + random() % (end - from);
-      while (line[at] < '0' || line[at] > '9')
-        at = from + random() % (end - from);
-      line[at] = line[at] == '9' ? '1' : static_cast<char>(line[at] + 1);
-      const auto damaged = readProgram(d.id, {{"damaged", textOf(changed)}}, process_);
-      EXPECT_TRUE(seen(whole, damaged)) << line;
+    test::ProgramText text = test::textOf(program);
+    for (std::size_t i = 1; i < whole.motions.size(); i += kEach) {
+      std::string& line = text.lines[whole.motions[i].line - 1];
+      const std::string as = line;
+      std::size_t found = 0;
+      for (const auto& where : test::numbersIn(as)) {
+        line = test::withNumber(as, where, std::stod(as.substr(where.first)) + kHardly);
+        const plan::ReadProgram moved = test::read(text, process_);
+        if (!moved.defects.empty() || moved.motions.size() != whole.motions.size() ||
+            test::sameTarget(moved.motions[i], whole.motions[i]))
+          continue;
+        ++found;
+        line = as;
+        std::size_t at = where.first;
+        do
+          at = where.first + random() % (where.second - where.first);
+        while (line[at] < '0' || line[at] > '9');
+        line[at] = line[at] == '9' ? '1' : static_cast<char>(line[at] + 1);
+        EXPECT_TRUE(seen(whole, test::read(text, process_))) << d.id << ": " << line;
+      }
+      line = as;
+      EXPECT_GE(found, kTargetNumbers) << d.id << ": " << as;
     }
   }
 }

@@ -91,7 +91,7 @@ TEST_F(Dialects, readBackEveryTarget) {
       SCOPED_TRACE(d.id);
       const plan::Program program = writeProgram(d.id, input());
       EXPECT_EQ(program.format, d.id);
-      EXPECT_EQ(program.foreign, d.id == "gcode-extended" || d.id == "rapid");
+      EXPECT_EQ(program.foreign, isForeign(d, *cell_));
       EXPECT_EQ(std::count_if(program.files.begin(), program.files.end(),
                               [&](const auto& f) { return f.name.ends_with(d.extension); }),
                 1);

@@ -121,7 +121,7 @@ TEST(Depositor, ACylinderOfTwentyRings) {
 std::vector<BeadPiece> solidBox(double side, int lines, int layers, double height,
                                 double flow = 1.0, int leaveOutLine = -1) {
   std::vector<BeadPiece> pieces;
-  const double hatch = side / lines, width = hatch + process::kRoundLoss * height;
+  const double hatch = side / lines, width = process::widthOfHatch(hatch, height);
   for (int k = 0; k < layers; ++k)
     for (int l = 0; l < lines; ++l) {
       if (l == leaveOutLine)

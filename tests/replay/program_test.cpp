@@ -2,6 +2,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "program/dialect.h"
+#include "program/text_damage.h"
 #include "replay/scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
@@ -9,8 +10,8 @@
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
+#include <optional>
 #include <regex>
-#include <sstream>
 
 namespace voluta::replay {
 namespace {
@@ -20,42 +21,23 @@ const test::Scene& scene() {
   return s;
 }
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);)
-    lines.push_back(line);
-  return lines;
-}
-
-struct Text {
-  std::string name;
-  std::vector<std::string> lines;
-};
-Text textOf(const std::string& format) {
+test::ProgramText textOf(const std::string& format) {
   const test::Scene& s = scene();
-  const plan::Program program =
-      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"});
-  return {program.files.at(0).name, linesOf(program.files.at(0).text)};
+  return test::textOf(
+      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"}));
 }
 
-Verification verify(const std::string& format, const Text& text, const test::Scene& s,
-                    const base::RunContext& ctx = {}) {
-  std::string joined;
-  for (const std::string& line : text.lines)
-    joined += line + "\n";
-  const plan::ReadProgram read = program::readProgram(format, {{text.name, joined}}, s.process);
-  return replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-                       ReplayThresholds{}, ctx);
+Verification verify(const test::ProgramText& text, const base::RunContext& ctx = {}) {
+  const test::Scene& s = scene();
+  return replayProgram(
+      {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+      ReplayThresholds{}, ctx);
 }
 
 // Line (1-based) of each trajectory point.
-std::vector<std::size_t> motionLines(const std::string& format, const Text& text) {
-  std::string joined;
-  for (const std::string& line : text.lines)
-    joined += line + "\n";
+std::vector<std::size_t> motionLines(const test::ProgramText& text) {
   std::vector<std::size_t> lines;
-  for (const auto& m : program::readProgram(format, {{text.name, joined}}, scene().process).motions)
+  for (const auto& m : test::read(text, scene().process).motions)
     lines.push_back(m.line);
   return lines;
 }
@@ -83,177 +65,113 @@ protected:
         << "line " << line << "\n"
         << told(v);
   }
-  // Every finding about the text is at that line or the next motion's.
-  using Damage = std::function<std::size_t(Text&, std::size_t line, std::size_t point)>;
+  // Every finding about the text is at the line that `damage` gives or the next motion's.
+  using Damage = std::function<std::optional<std::size_t>(test::ProgramText&, std::size_t point)>;
   void damageFivePlaces(const Damage& damage) {
-    const Text whole = textOf(GetParam());
-    const std::vector<std::size_t> lines = motionLines(GetParam(), whole);
-    ASSERT_EQ(lines.size(), scene().trajectory.pointCount());
+    const test::ProgramText whole = textOf(GetParam());
+    ASSERT_EQ(motionLines(whole).size(), scene().trajectory.pointCount());
     for (const std::size_t point : places()) {
-      Text text = whole;
-      const std::size_t at = damage(text, lines[point], point);
-      SCOPED_TRACE(GetParam() + " line " + std::to_string(at) + ": " +
-                   (at <= text.lines.size() ? text.lines[at - 1] : ""));
-      expectNamed(verify(GetParam(), text, scene()), at);
+      test::ProgramText text = whole;
+      const std::optional<std::size_t> at = damage(text, point);
+      ASSERT_TRUE(at) << GetParam() << " point " << point;
+      SCOPED_TRACE(GetParam() + " line " + std::to_string(*at) + ": " +
+                   (*at <= text.lines.size() ? text.lines[*at - 1] : ""));
+      expectNamed(verify(text), *at);
     }
   }
 };
 
-// Replaces the number behind `key` by f(number).
-void change(std::string& line, const std::string& key, const std::function<double(double)>& f) {
-  const std::size_t at = line.find(key);
-  ASSERT_NE(at, std::string::npos) << key << " in " << line;
-  std::size_t used = 0;
-  const double value = std::stod(line.substr(at + key.size()), &used);
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.7f", f(value));
-  line = line.substr(0, at + key.size()) + buffer + line.substr(at + key.size() + used);
-}
-void changeField(std::string& line, std::size_t field, const std::function<double(double)>& f) {
-  std::size_t at = 0;
-  for (std::size_t k = 0; k < field; ++k)
-    at = line.find(',', at) + 1;
-  std::string head = line.substr(0, at), tail = line.substr(line.find(',', at));
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.7f", f(std::stod(line.substr(at))));
-  line = head + buffer + tail;
-}
-
 TEST_P(EachDialect, TheUndamagedProgramPasses) {
-  const Verification v = verify(GetParam(), textOf(GetParam()), scene());
+  const test::ProgramText text = textOf(GetParam());
+  const Verification v = verify(text);
   EXPECT_TRUE(v.passed) << told(v);
   EXPECT_TRUE(v.findings.empty()) << told(v);
   EXPECT_GE(v.coveredFraction, 0.98);
   EXPECT_NEAR(v.massRatio, 1.0, 0.005);
   EXPECT_LT(v.maxDeviationMm, 0.03);
   EXPECT_EQ(v.unsupportedFraction, 0.0);
-  EXPECT_EQ(v.armChecked, GetParam() != "gcode-extended");
+  const plan::ReadProgram program = test::read(text, scene().process);
+  EXPECT_EQ(v.armChecked, program.motions.front().target != plan::TargetKind::ToolPoint);
   EXPECT_EQ(v.places.size(), v.findings.size());
 }
 
 TEST_P(EachDialect, AMovedWaypoint) {
-  damageFivePlaces([&](Text& text, std::size_t line, std::size_t) {
-    std::string& l = text.lines[line - 1];
-    if (GetParam() == "urscript")
-      change(l, "movel(p[", [](double x) { return x + 0.002; });
-    else if (GetParam() == "rapid")
-      change(l, "MoveL [[", [](double x) { return x + 2.0; });
-    else if (GetParam() == "csv") // 2 mm at a lever of some 600 mm
-      changeField(l, 1, [](double x) { return x + 0.25; });
-    else
-      change(l, " X", [](double x) { return x + 2.0; });
-    return line;
+  damageFivePlaces([](test::ProgramText& text, std::size_t point) {
+    return test::moveTarget(text, point, scene().process);
   });
 }
 
 TEST_P(EachDialect, TenWaypointsDeleted) {
-  damageFivePlaces([&](Text& text, std::size_t line, std::size_t) {
+  damageFivePlaces([](test::ProgramText& text, std::size_t point) {
     // Ten lines with motions; outputs and comments between them stay.
-    const std::vector<std::size_t> lines = motionLines(GetParam(), text);
-    auto it = std::find(lines.begin(), lines.end(), line);
-    std::vector<std::size_t> gone(it, it + 10);
-    for (auto g = gone.rbegin(); g != gone.rend(); ++g)
-      text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(*g - 1));
+    const std::vector<std::size_t> lines = motionLines(text);
+    const std::size_t first = lines[point];
+    for (std::size_t n = point + 10; n-- > point;)
+      text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(lines[n] - 1));
     // The place is the line of the motion that follows the gap.
-    const std::vector<std::size_t> left = motionLines(GetParam(), text);
-    return *std::lower_bound(left.begin(), left.end(), line);
+    const std::vector<std::size_t> remaining = motionLines(text);
+    return *std::lower_bound(remaining.begin(), remaining.end(), first);
   });
 }
 
 TEST_P(EachDialect, TwoWaypointsSwapped) {
-  damageFivePlaces([&](Text& text, std::size_t line, std::size_t) {
-    const std::vector<std::size_t> lines = motionLines(GetParam(), text);
-    const std::size_t next = *(std::find(lines.begin(), lines.end(), line) + 1);
-    std::swap(text.lines[line - 1], text.lines[next - 1]);
-    return line;
-  });
-}
-
-TEST_P(EachDialect, OneSpeedTimesTen) {
-  damageFivePlaces([&](Text& text, std::size_t line, std::size_t point) {
-    std::string& l = text.lines[line - 1];
-    const auto tenfold = [](double x) { return 10 * x; };
-    if (GetParam() == "urscript") {
-      if (l.find(",v=") != std::string::npos)
-        change(l, ",v=", tenfold);
-      else
-        change(l, ",t=", [](double x) { return x / 10; });
-    } else if (GetParam() == "rapid") {
-      if (l.find("\\T:=") == std::string::npos)
-        change(l, "]],[", tenfold);
-      else
-        change(l, "\\T:=", [](double x) { return x / 10; });
-    } else if (GetParam() == "csv") {
-      const double dt = scene().trajectory.timeS[point] - scene().trajectory.timeS[point - 1];
-      changeField(l, 0, [&](double x) { return x - 0.9 * dt; });
-    } else {
-      change(l, " F", tenfold);
-    }
-    return line;
-  });
-}
-
-TEST_P(EachDialect, TheExtruderLeftOnOverATravel) {
-  damageFivePlaces([&](Text& text, std::size_t line, std::size_t) {
-    if (GetParam() == "urscript" || GetParam() == "rapid") {
-      const bool urscript = GetParam() == "urscript";
-      const char* off = urscript ? "digital_out(0,False)" : "SetDO doExtruder,0;";
-      for (std::size_t l = line; l < text.lines.size(); ++l)
-        if (text.lines[l].find(off) != std::string::npos) {
-          text.lines[l] = urscript ? "  set_standard_digital_out(0,True)" : "SetDO doExtruder,1;\r";
-          return l + 1;
-        }
-      return std::size_t{0};
-    }
-    const std::vector<std::size_t> lines = motionLines(GetParam(), text);
-    auto it = std::find(lines.begin(), lines.end(), line);
-    std::size_t point = static_cast<std::size_t>(it - lines.begin());
-    while (scene().trajectory.move[point] == plan::MoveKind::Print)
-      ++point;
-    std::string& travel = text.lines[lines[point] - 1];
-    if (GetParam() == "csv") {
-      changeField(travel, 7, [](double x) { return x + 2.0; });
-    } else {
-      const std::string& before = text.lines[lines[point - 1] - 1];
-      const double e = std::stod(before.substr(before.find(" E") + 2));
-      travel += " E" + std::to_string(e + 0.8);
-    }
+  damageFivePlaces([](test::ProgramText& text, std::size_t point) {
+    const std::vector<std::size_t> lines = motionLines(text);
+    std::swap(text.lines[lines[point] - 1], text.lines[lines[point + 1] - 1]);
     return lines[point];
   });
 }
 
+TEST_P(EachDialect, OneSpeedTimesTen) {
+  damageFivePlaces([](test::ProgramText& text, std::size_t point) {
+    return test::tenfoldSpeed(text, point, scene().process);
+  });
+}
+
+TEST_P(EachDialect, TheExtruderLeftOnOverATravel) {
+  damageFivePlaces([](test::ProgramText& text, std::size_t point) {
+    return test::extrudeOverTravel(text, point, scene().process);
+  });
+}
+
 TEST_P(EachDialect, AFileCutShort) {
-  damageFivePlaces([](Text& text, std::size_t line, std::size_t) {
+  damageFivePlaces([](test::ProgramText& text, std::size_t point) {
+    const std::size_t line = motionLines(text)[point];
     text.lines.resize(line);
     return line;
   });
   // In the middle of a line, and only the end's last line missing.
-  Text text = textOf(GetParam());
-  const std::vector<std::size_t> lines = motionLines(GetParam(), text);
+  test::ProgramText text = textOf(GetParam());
+  const std::vector<std::size_t> lines = motionLines(text);
   text.lines.resize(lines[100]);
   text.lines.back() = text.lines.back().substr(0, 15);
-  expectNamed(verify(GetParam(), text, scene()), lines[100]);
+  expectNamed(verify(text), lines[100]);
   text = textOf(GetParam());
   text.lines.pop_back();
-  EXPECT_FALSE(verify(GetParam(), text, scene()).passed);
+  EXPECT_FALSE(verify(text).passed);
   text.lines.clear();
-  EXPECT_FALSE(verify(GetParam(), text, scene()).passed);
+  EXPECT_FALSE(verify(text).passed);
 }
 
 TEST_P(EachDialect, ThreadsDoNotMatter) {
-  const Text text = textOf(GetParam());
-  const Verification a = verify(GetParam(), text, scene());
-  const Verification b = verify(GetParam(), text, scene(), base::RunContext({}, 2));
+  const test::ProgramText text = textOf(GetParam());
+  const Verification a = verify(text);
+  const Verification b = verify(text, base::RunContext({}, 2));
   EXPECT_EQ(told(a), told(b));
   EXPECT_EQ(a.coveredFraction, b.coveredFraction);
   EXPECT_EQ(a.maxDeviationMm, b.maxDeviationMm);
 }
 
-INSTANTIATE_TEST_SUITE_P(Replay, EachDialect,
-                         ::testing::Values("urscript", "gcode-extended", "rapid", "csv"),
-                         [](const auto& i) {
-                           return std::regex_replace(i.param, std::regex("-"), "_");
-                         });
+std::vector<std::string> dialectIds() {
+  std::vector<std::string> ids;
+  for (const program::Dialect& dialect : program::dialects())
+    ids.emplace_back(dialect.id);
+  return ids;
+}
+
+INSTANTIATE_TEST_SUITE_P(Replay, EachDialect, ::testing::ValuesIn(dialectIds()), [](const auto& i) {
+  return std::regex_replace(i.param, std::regex("-"), "_");
+});
 
 // ---- what a program can do wrong though its text is as planned
 

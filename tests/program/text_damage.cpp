@@ -1,0 +1,184 @@
+#include "program/text_damage.h"
+
+#include "program/dialect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <regex>
+#include <sstream>
+
+namespace voluta::test {
+
+namespace {
+
+using plan::ProgramMotion, plan::ReadProgram;
+
+constexpr double kLeastMm = 1.0, kMostMm = 4.0;     // a target beside the one it was
+constexpr double kLeastRad = 2e-3, kMostRad = 1e-2; // the same of one joint, at a lever of 0.5 m
+
+double durationOf(const ProgramMotion& m) {
+  return m.durationS > 0.0 ? m.durationS : m.speedMmPerS > 0.0 ? 1.0 / m.speedMmPerS : 0.0;
+}
+
+// A little beside: by length, or where there is none by a joint's angle.
+bool isBeside(const ProgramMotion& a, const ProgramMotion& b) {
+  if (a.target != b.target)
+    return false;
+  if (a.target == plan::TargetKind::Joints) {
+    double turned = 0.0;
+    for (std::size_t k = 0; k < a.joints.size(); ++k)
+      turned += std::abs(a.joints[k] - b.joints[k]);
+    return turned > kLeastRad && turned < kMostRad;
+  }
+  const double moved = (a.frame_T_tcp.translation() - b.frame_T_tcp.translation()).norm() +
+                       (a.position - b.position).norm();
+  return moved > kLeastMm && moved < kMostMm;
+}
+
+bool isSound(const ReadProgram& program) {
+  return program.defects.empty() && program.complete;
+}
+
+// All targets but that of motion `except` are as they were.
+bool sameTargets(const ReadProgram& a, const ReadProgram& b, std::size_t except) {
+  if (!isSound(b) || a.motions.size() != b.motions.size())
+    return false;
+  for (std::size_t i = 0; i < a.motions.size(); ++i)
+    if (i != except && !sameTarget(a.motions[i], b.motions[i]))
+      return false;
+  return true;
+}
+
+// Tries each number of a line with each of the values that `others` makes of it.
+template <typename Others, typename Fits>
+bool changeNumber(std::string& line, Others&& others, Fits&& fits) {
+  const std::string whole = line;
+  for (const auto& where : numbersIn(whole))
+    for (const double value : others(std::stod(whole.substr(where.first)))) {
+      line = withNumber(whole, where, value);
+      if (fits())
+        return true;
+    }
+  line = whole;
+  return false;
+}
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+} // namespace
+
+ProgramText textOf(const plan::Program& program) {
+  ProgramText text{program.format, program.files.at(0).name, {}};
+  std::istringstream in(program.files[0].text);
+  for (std::string line; std::getline(in, line);)
+    text.lines.push_back(line);
+  return text;
+}
+
+ReadProgram read(const ProgramText& text, const process::Process& process) {
+  std::string joined;
+  for (const std::string& line : text.lines)
+    joined += line + "\n";
+  return program::readProgram(text.format, {{text.name, joined}}, process);
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> numbersIn(std::string_view line) {
+  static const std::regex kNumber(R"([-+]?\d+(\.\d*)?([eE][-+]?\d+)?)");
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (std::cregex_iterator it(line.data(), line.data() + line.size(), kNumber), end; it != end;
+       ++it)
+    found.emplace_back(it->position(), it->position() + it->length());
+  return found;
+}
+
+std::string withNumber(const std::string& line, std::pair<std::size_t, std::size_t> where,
+                       double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.9f", value);
+  return line.substr(0, where.first) + buffer + line.substr(where.second);
+}
+
+bool sameTarget(const ProgramMotion& a, const ProgramMotion& b) {
+  return a.target == b.target && a.jointInterpolated == b.jointInterpolated &&
+         a.joints == b.joints && a.externals == b.externals &&
+         a.frame_T_tcp.matrix() == b.frame_T_tcp.matrix() && a.position == b.position &&
+         a.direction == b.direction;
+}
+
+bool sameMotion(const ProgramMotion& a, const ProgramMotion& b) {
+  return sameTarget(a, b) && a.speedMmPerS == b.speedMmPerS &&
+         a.jointSpeedRadPerS == b.jointSpeedRadPerS && a.durationS == b.durationS &&
+         a.blendMm == b.blendMm && a.extruding == b.extruding && a.flowMm3PerS == b.flowMm3PerS &&
+         a.volumeMm3 == b.volumeMm3;
+}
+
+std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
+                                      const process::Process& process) {
+  const ReadProgram whole = read(text, process);
+  const std::size_t line = whole.motions.at(motion).line;
+  // In mm, in m and in degrees.
+  const auto others = [](double x) { return std::vector{x + 2.0, x + 0.002, x + 0.25}; };
+  const bool found = changeNumber(text.lines.at(line - 1), others, [&] {
+    const ReadProgram changed = read(text, process);
+    return sameTargets(whole, changed, motion) &&
+           isBeside(whole.motions[motion], changed.motions[motion]);
+  });
+  return found ? std::optional(line) : std::nullopt;
+}
+
+std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
+                                        const process::Process& process) {
+  const ReadProgram whole = read(text, process);
+  const std::size_t line = whole.motions.at(motion).line;
+  const double before = durationOf(whole.motions[motion]);
+  // A speed, a time, and a time from the program's beginning.
+  const auto others = [&](double x) { return std::vector{10.0 * x, 0.1 * x, x - 0.9 * before}; };
+  const bool found = changeNumber(text.lines.at(line - 1), others, [&] {
+    const ReadProgram changed = read(text, process);
+    return sameTargets(whole, changed, kNone) &&
+           std::abs(durationOf(changed.motions[motion]) / before - 0.1) < 1e-3;
+  });
+  return found ? std::optional(line) : std::nullopt;
+}
+
+std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t motion,
+                                             const process::Process& process) {
+  const ReadProgram whole = read(text, process);
+  std::size_t travel = motion;
+  while (travel < whole.motions.size() && whole.motions[travel].extruding)
+    ++travel;
+  if (travel == motion || travel == whole.motions.size())
+    return std::nullopt;
+  const auto lays = [&] {
+    const ReadProgram changed = read(text, process);
+    return sameTargets(whole, changed, kNone) && changed.motions[travel].extruding;
+  };
+  const std::size_t before = whole.motions[travel - 1].line, line = whole.motions[travel].line;
+  // What switches the extruder off between them is missing,
+  for (std::size_t l = before + 1; l < line; ++l) {
+    const std::string off = text.lines[l - 1];
+    text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1));
+    if (lays())
+      return l;
+    text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1), off);
+  }
+  // or the travel's line tells an amount,
+  std::string& own = text.lines.at(line - 1);
+  if (changeNumber(
+          own, [](double x) { return std::vector{x + 2.0}; }, lays))
+    return line;
+  // or is given the word for one from the line before.
+  const std::string without = own;
+  std::istringstream words(text.lines.at(before - 1));
+  for (std::string word; words >> word;)
+    for (const auto& where : numbersIn(word)) {
+      own = without + " " + withNumber(word, where, std::stod(word.substr(where.first)) + 0.8);
+      if (lays())
+        return line;
+    }
+  own = without;
+  return std::nullopt;
+}
+
+} // namespace voluta::test

@@ -1,0 +1,49 @@
+// Damage to the text of a program, the same for every dialect: what is changed is found by what the
+// dialect's own reader makes of the change, so that the text stays one that a controller would run.
+#pragma once
+
+#include "plan/program.h"
+#include "process/process.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace voluta::test {
+
+// The first file of a program, line by line without their ends.
+struct ProgramText {
+  std::string format; // id of its dialect
+  std::string name;
+  std::vector<std::string> lines;
+};
+ProgramText textOf(const plan::Program& program);
+plan::ReadProgram read(const ProgramText& text, const process::Process& process);
+
+// Where numbers stand in a line: first character, and the one behind the last.
+std::vector<std::pair<std::size_t, std::size_t>> numbersIn(std::string_view line);
+// The line with the number there replaced.
+std::string withNumber(const std::string& line, std::pair<std::size_t, std::size_t> where,
+                       double value);
+
+// Both motions go to the same place in the same way, whatever their speed and material.
+bool sameTarget(const plan::ProgramMotion& a, const plan::ProgramMotion& b);
+bool sameMotion(const plan::ProgramMotion& a, const plan::ProgramMotion& b);
+
+// Each changes the text at motion `motion` and gives the line (1-based) that the damage is at;
+// nothing where no such change can be read. The text is without defects before and after.
+// Its target lies about 2 mm beside the one it was.
+std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
+                                      const process::Process& process);
+// It takes a tenth of its time.
+std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
+                                        const process::Process& process);
+// The next travel behind it lays material.
+std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t motion,
+                                             const process::Process& process);
+
+} // namespace voluta::test
