@@ -39,7 +39,7 @@ std::vector<std::int32_t> redFirstOrder(const std::vector<Cell>& cells, std::siz
 
 } // namespace
 
-GridSolver::GridSolver(const VoxelGraph& graph) {
+GridSolver::Level GridSolver::finestLevel(const VoxelGraph& graph, std::vector<Cell>& placed) {
   const std::size_t n = graph.size();
   std::vector<Cell> cells(n);
   for (std::size_t v = 0; v < n; ++v)
@@ -49,7 +49,7 @@ GridSolver::GridSolver(const VoxelGraph& graph) {
   finest.neighbour.resize(n);
   finest.weight.resize(n);
   finest.tie.resize(n);
-  std::vector<Cell> placed(n);
+  placed.resize(n);
   for (std::size_t v = 0; v < n; ++v) {
     const auto at = static_cast<std::size_t>(place_[v]);
     placed[at] = cells[v];
@@ -60,60 +60,66 @@ GridSolver::GridSolver(const VoxelGraph& graph) {
       finest.weight[at][s] = w < 0 ? 0.0f : 1.0f;
     }
   }
-  levels_.push_back(std::move(finest));
+  return finest;
+}
 
+// Which cell of two each way a cell is in, and what that takes from it. `placed`: of the cells of
+// the fine level, then of the coarse one's. `size` as they.
+GridSolver::Level GridSolver::coarserLevel(Level& fine, std::vector<Cell>& placed,
+                                           Eigen::Vector3i& size) {
+  const voxel::VoxelGrid half{.size = (size + Eigen::Vector3i::Ones()) / 2};
+  const auto indexOf = [&](const Cell& c) { return half.index(c[0] / 2, c[1] / 2, c[2] / 2); };
+  std::vector<std::int32_t> number(half.cellCount(), -1);
+  std::vector<Cell> cells;
+  for (const Cell& c : placed)
+    if (std::int32_t& at = number[indexOf(c)]; at < 0) {
+      at = 0;
+      cells.push_back({c[0] / 2, c[1] / 2, c[2] / 2});
+    }
+  std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+    return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
+  });
+  Level coarse;
+  const std::vector<std::int32_t> place = redFirstOrder(cells, coarse.reds);
+  std::vector<Cell> coarsePlaced(cells.size());
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const Cell doubled{2 * cells[c][0], 2 * cells[c][1], 2 * cells[c][2]};
+    number[indexOf(doubled)] = place[c];
+    coarsePlaced[static_cast<std::size_t>(place[c])] = cells[c];
+  }
+  fine.coarse.resize(fine.size());
+  for (std::size_t c = 0; c < fine.size(); ++c)
+    fine.coarse[c] = number[indexOf(placed[c])];
+  sumUp(fine, cells.size(), coarse);
+  placed = std::move(coarsePlaced);
+  size = half.size;
+  return coarse;
+}
+
+void GridSolver::sumUp(const Level& fine, std::size_t cells, Level& coarse) {
+  coarse.neighbour.assign(cells, {-1, -1, -1, -1, -1, -1});
+  coarse.weight.assign(cells, {});
+  coarse.tie.assign(cells, 0.0f);
+  for (std::size_t c = 0; c < fine.size(); ++c) {
+    const auto parent = static_cast<std::size_t>(fine.coarse[c]);
+    coarse.tie[parent] += 0.5f * fine.tie[c];
+    for (std::size_t s = 0; s < 6; ++s) {
+      const std::int32_t w = fine.neighbour[c][s];
+      if (w < 0 || fine.coarse[static_cast<std::size_t>(w)] == fine.coarse[c])
+        continue;
+      coarse.neighbour[parent][s] = fine.coarse[static_cast<std::size_t>(w)];
+      coarse.weight[parent][s] += 0.5f * fine.weight[c][s];
+    }
+  }
+}
+
+GridSolver::GridSolver(const VoxelGraph& graph) {
+  std::vector<Cell> placed;
+  levels_.push_back(finestLevel(graph, placed));
   Eigen::Vector3i size = graph.grid.size;
   while (levels_.back().size() > kCoarsest && levels_.size() < 12) {
-    Level& fine = levels_.back();
-    const Eigen::Vector3i half = (size + Eigen::Vector3i::Ones()) / 2;
-    const auto indexOf = [&](const Cell& c) {
-      return static_cast<std::size_t>(c[0] / 2) +
-             static_cast<std::size_t>(half.x()) *
-                 (static_cast<std::size_t>(c[1] / 2) +
-                  static_cast<std::size_t>(half.y()) * static_cast<std::size_t>(c[2] / 2));
-    };
-    std::vector<std::int32_t> number(static_cast<std::size_t>(half.x()) *
-                                         static_cast<std::size_t>(half.y()) *
-                                         static_cast<std::size_t>(half.z()),
-                                     -1);
-    std::vector<Cell> coarseCells;
-    for (const Cell& c : placed)
-      if (std::int32_t& at = number[indexOf(c)]; at < 0) {
-        at = 0;
-        coarseCells.push_back({c[0] / 2, c[1] / 2, c[2] / 2});
-      }
-    std::sort(coarseCells.begin(), coarseCells.end(), [](const Cell& a, const Cell& b) {
-      return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
-    });
-    Level coarse;
-    const std::vector<std::int32_t> coarsePlace = redFirstOrder(coarseCells, coarse.reds);
-    std::vector<Cell> coarsePlaced(coarseCells.size());
-    for (std::size_t c = 0; c < coarseCells.size(); ++c) {
-      const Cell doubled{2 * coarseCells[c][0], 2 * coarseCells[c][1], 2 * coarseCells[c][2]};
-      number[indexOf(doubled)] = coarsePlace[c];
-      coarsePlaced[static_cast<std::size_t>(coarsePlace[c])] = coarseCells[c];
-    }
-    const std::size_t m = coarseCells.size();
-    coarse.neighbour.assign(m, {-1, -1, -1, -1, -1, -1});
-    coarse.weight.assign(m, {});
-    coarse.tie.assign(m, 0.0f);
-    fine.coarse.resize(fine.size());
-    for (std::size_t c = 0; c < fine.size(); ++c)
-      fine.coarse[c] = number[indexOf(placed[c])];
-    for (std::size_t c = 0; c < fine.size(); ++c) {
-      const auto parent = static_cast<std::size_t>(fine.coarse[c]);
-      coarse.tie[parent] += 0.5f * fine.tie[c];
-      for (std::size_t s = 0; s < 6; ++s) {
-        const std::int32_t w = fine.neighbour[c][s];
-        if (w < 0 || fine.coarse[static_cast<std::size_t>(w)] == fine.coarse[c])
-          continue;
-        coarse.neighbour[parent][s] = fine.coarse[static_cast<std::size_t>(w)];
-        coarse.weight[parent][s] += 0.5f * fine.weight[c][s];
-      }
-    }
+    Level coarse = coarserLevel(levels_.back(), placed, size);
     levels_.push_back(std::move(coarse));
-    placed = std::move(coarsePlaced);
-    size = half;
   }
   for (Level& level : levels_) {
     level.x.resize(level.size());
@@ -121,8 +127,8 @@ GridSolver::GridSolver(const VoxelGraph& graph) {
     level.r.resize(level.size());
   }
   for (std::vector<float>* v : {&rhs_, &value_, &residual_, &direction_, &product_})
-    v->resize(n);
-  setScreen(std::vector<float>(n, 0.0f));
+    v->resize(graph.size());
+  setScreen(std::vector<float>(graph.size(), 0.0f));
 }
 
 void GridSolver::setScreen(const std::vector<float>& screen) {

@@ -42,6 +42,10 @@ private:
     std::size_t size() const { return tie.size(); }
   };
 
+  using Cell = std::array<std::int32_t, 3>;
+  Level finestLevel(const VoxelGraph& graph, std::vector<Cell>& placed);
+  static Level coarserLevel(Level& fine, std::vector<Cell>& placed, Eigen::Vector3i& size);
+  static void sumUp(const Level& fine, std::size_t cells, Level& coarse);
   void smooth(Level& level, bool redFirst, const base::RunContext& ctx) const;
   void sweep(Level& level, std::size_t begin, std::size_t end, const base::RunContext& ctx) const;
   void residual(Level& level, const base::RunContext& ctx) const;

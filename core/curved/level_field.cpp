@@ -168,13 +168,12 @@ void LevelField::extrapolate(const std::vector<int>& printed, const base::RunCon
 
   const auto printedAround = [&](int v) {
     std::uint32_t mask = 0;
-    const int nx = grid_.size.x() + 2, ny = grid_.size.y() + 2, nz = grid_.size.z() + 2;
-    const int x = v % nx, y = v / nx % ny, z = v / (nx * ny);
+    const voxel::VoxelGrid padded{.size = grid_.size + Eigen::Vector3i::Constant(2)};
+    const Eigen::Vector3i at = padded.cell(static_cast<std::size_t>(v));
     for (int n = 0; n < 27; ++n) {
       const Eigen::Vector3i o = offsetOf(n);
       // Printed voxels never lie on the padding, so nothing is lost by staying off its far side.
-      if (x + o.x() < 0 || y + o.y() < 0 || z + o.z() < 0 || x + o.x() >= nx || y + o.y() >= ny ||
-          z + o.z() >= nz)
+      if (!padded.contains(at.x() + o.x(), at.y() + o.y(), at.z() + o.z()))
         continue;
       if (kind_[static_cast<std::size_t>(v + neighbour_[static_cast<std::size_t>(n)])] ==
           Kind::Printed)

@@ -38,23 +38,19 @@ NozzleReach::NozzleReach(const VoxelGraph& graph, const process::HeadShape& head
   base::require(!head.sections.empty(), "NozzleReach: a head has sections");
   for (const process::HeadSection& s : head.sections)
     sections_.push_back({s.zMm / graph.grid.pitch, s.radiusMm / graph.grid.pitch});
-  Eigen::Vector3i size = graph.grid.size;
+  voxel::VoxelGrid blocks{.size = graph.grid.size};
   for (;;) {
-    levels_.push_back({size, std::vector<std::uint16_t>(static_cast<std::size_t>(size.x()) *
-                                                            static_cast<std::size_t>(size.y()) *
-                                                            static_cast<std::size_t>(size.z()),
-                                                        0)});
-    if (size.maxCoeff() == 1)
+    levels_.push_back({blocks, std::vector<std::uint16_t>(blocks.cellCount(), 0)});
+    if (blocks.size.maxCoeff() == 1)
       break;
-    size = ((size.array() + 1) / 2).matrix();
+    blocks.size = ((blocks.size.array() + 1) / 2).matrix();
   }
 }
 
 void NozzleReach::count(std::size_t v, int by) {
   Eigen::Vector3i c(graph_.cell[v][0], graph_.cell[v][1], graph_.cell[v][2]);
   for (Level& level : levels_) {
-    std::uint16_t& some = level.some[static_cast<std::size_t>(
-        c.x() + level.size.x() * (c.y() + static_cast<std::ptrdiff_t>(level.size.y()) * c.z()))];
+    std::uint16_t& some = level.some[level.blocks.index(c.x(), c.y(), c.z())];
     const bool before = some > 0;
     some = static_cast<std::uint16_t>(some + by);
     if (before == (some > 0))
@@ -103,10 +99,7 @@ bool NozzleReach::clear(std::size_t v, const Eigen::Vector3d& d) const {
   while (count > 0) {
     const Block block = open[--count];
     const Level& level = levels_[static_cast<std::size_t>(block.level)];
-    if (level.some[static_cast<std::size_t>(
-            block.at.x() +
-            level.size.x() *
-                (block.at.y() + static_cast<std::ptrdiff_t>(level.size.y()) * block.at.z()))] == 0)
+    if (level.some[level.blocks.index(block.at.x(), block.at.y(), block.at.z())] == 0)
       continue;
     const double width = std::ldexp(1.0, block.level);
     const Eigen::Vector3d centre =
@@ -126,7 +119,7 @@ bool NozzleReach::clear(std::size_t v, const Eigen::Vector3d& d) const {
     const Level& finer = levels_[static_cast<std::size_t>(block.level - 1)];
     for (int c = 0; c < 8; ++c) {
       const Eigen::Vector3i child = 2 * block.at + Eigen::Vector3i(c & 1, c >> 1 & 1, c >> 2);
-      if ((child.array() < finer.size.array()).all())
+      if ((child.array() < finer.blocks.size.array()).all())
         open[count++] = {block.level - 1, child};
     }
   }

@@ -39,7 +39,7 @@ private:
   double radiusAt(double z) const;
 
   struct Level {
-    Eigen::Vector3i size;
+    voxel::VoxelGrid blocks;         // their number along each axis
     std::vector<std::uint16_t> some; // children, or voxels, that are not empty
   };
   const VoxelGraph& graph_;

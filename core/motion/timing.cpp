@@ -37,24 +37,21 @@ double cornerSpeed(const Eigen::Vector3d& in, const Eigen::Vector3d& out, double
   return std::sqrt(acceleration * cut * sine / (1.0 - sine));
 }
 
-} // namespace
+// Between points: a way that arm and nozzle go together, and how fast.
+struct Segments {
+  std::vector<double> length, cap, ramp; // mm, mm/s, mm/s2
+};
 
-std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits) {
-  std::vector<double> times(points.size(), 0.0);
-  if (points.size() < 2)
-    return times;
-  const std::size_t n = points.size() - 1; // segments
-  const Eigen::Index dof = points.front().q.size();
-  base::require(static_cast<std::size_t>(dof) <= limits.joints.size(), "limits for every joint");
-  const Eigen::Index arm = limits.arm > 0 ? limits.arm : dof;
-  const double a = limits.accelerationMmPerS2;
-
-  std::vector<double> length(n), cap(n), corner(n + 1, 1e9), ramp(n, a);
+Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& limits) {
+  const std::size_t n = points.size() - 1;
+  const Eigen::Index dof = points.front().q.size(), arm = limits.arm > 0 ? limits.arm : dof;
+  Segments s{std::vector<double>(n), std::vector<double>(n),
+             std::vector<double>(n, limits.accelerationMmPerS2)};
   for (std::size_t i = 0; i < n; ++i) {
     const TimedPoint &from = points[i], &to = points[i + 1];
     const double way = (to.tip - from.tip).norm();
     const robot::JointVector dq = (to.q - from.q).cwiseAbs();
-    length[i] = std::max(1e-6, std::hypot(way, kMmPerRad * dq.head(arm).maxCoeff()));
+    s.length[i] = std::max(1e-6, std::hypot(way, kMmPerRad * dq.head(arm).maxCoeff()));
     double least = kLeastSeconds; // seconds
     for (Eigen::Index j = 0; j < dof; ++j) {
       const double fraction = limits.jointFraction * (to.jointMove ? kTravelJointSpeed : 1.0);
@@ -63,69 +60,105 @@ std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingL
     }
     if (!to.jointMove && to.speedMmPerS > 0.0)
       least = std::max(least, way / to.speedMmPerS);
-    cap[i] = length[i] / least;
+    s.cap[i] = s.length[i] / least;
     // A rod turns with the way, so that its acceleration is the way's.
     for (Eigen::Index j = arm; j < dof; ++j)
       if (dq[j] > 0.0)
-        ramp[i] = std::min(ramp[i], limits.jointFraction *
-                                        limits.joints[static_cast<std::size_t>(j)].acceleration *
-                                        length[i] / dq[j]);
+        s.ramp[i] =
+            std::min(s.ramp[i], limits.jointFraction *
+                                    limits.joints[static_cast<std::size_t>(j)].acceleration *
+                                    s.length[i] / dq[j]);
   }
+  return s;
+}
+
+// At each point, mm/s.
+std::vector<double> cornerSpeeds(const std::vector<TimedPoint>& points,
+                                 const std::vector<double>& length, const TimingLimits& limits) {
+  const std::size_t n = length.size();
+  std::vector<double> corner(n + 1, 1e9);
   corner[0] = corner[n] = 0.0;
   for (std::size_t i = 1; i < n; ++i) {
     if (points[i].stop)
       corner[i] = 0.0;
     else if (!points[i].jointMove && !points[i + 1].jointMove) {
       // In terms of the tip's speed; the profile's runs on the longer, mixed way.
-      const double tip = cornerSpeed(points[i].tip - points[i - 1].tip,
-                                     points[i + 1].tip - points[i].tip, limits.cornerMm, a);
+      const double tip =
+          cornerSpeed(points[i].tip - points[i - 1].tip, points[i + 1].tip - points[i].tip,
+                      limits.cornerMm, limits.accelerationMmPerS2);
       const double wayIn = (points[i].tip - points[i - 1].tip).norm();
       corner[i] = wayIn > 1e-9 ? tip * length[i - 1] / wayIn : 1e9;
     }
   }
+  return corner;
+}
 
-  std::vector<double> v(n + 1), dt(n);
-  for (int round = 0; round < kRounds; ++round) {
-    v[0] = v[n] = 0.0;
-    for (std::size_t i = 1; i < n; ++i)
-      v[i] = std::min({corner[i], cap[i - 1], cap[i]});
-    for (std::size_t i = 1; i <= n; ++i)
-      v[i] = std::min(v[i], std::sqrt(v[i - 1] * v[i - 1] + 2.0 * ramp[i - 1] * length[i - 1]));
-    for (std::size_t i = n; i-- > 0;)
-      v[i] = std::min(v[i], std::sqrt(v[i + 1] * v[i + 1] + 2.0 * ramp[i] * length[i]));
-    for (std::size_t i = 0; i < n; ++i)
-      dt[i] = rampTime(length[i], v[i], v[i + 1], cap[i], ramp[i]);
-
-    bool kept = true;
-    std::vector<double> scale(n, 1.0);
-    for (std::size_t i = 0; i <= n; ++i) {
-      const double between = i == 0   ? 0.5 * dt[0]
-                             : i == n ? 0.5 * dt[n - 1]
-                                      : 0.5 * (dt[i - 1] + dt[i]);
-      double worst = 0.0;
-      for (Eigen::Index j = 0; j < dof; ++j) {
-        const double in = i == 0 ? 0.0 : (points[i].q[j] - points[i - 1].q[j]) / dt[i - 1];
-        const double out = i == n ? 0.0 : (points[i + 1].q[j] - points[i].q[j]) / dt[i];
-        worst = std::max(worst, std::abs(out - in) / between /
-                                    limits.joints[static_cast<std::size_t>(j)].acceleration);
-      }
-      worst /= limits.jointFraction;
-      if (worst <= 1.0)
-        continue;
-      kept = false;
-      const double s = std::clamp(0.98 / std::sqrt(worst), 0.5, 0.98);
-      if (i > 0)
-        scale[i - 1] = std::min(scale[i - 1], s);
-      if (i < n)
-        scale[i] = std::min(scale[i], s);
-    }
-    if (kept)
-      break;
-    for (std::size_t i = 0; i < n; ++i)
-      if (scale[i] < 1.0)
-        cap[i] = scale[i] * std::min(cap[i], length[i] / dt[i] * 1.0);
-  }
+// Seconds of each segment, by ramps that look ahead and back.
+void setDurations(const Segments& s, const std::vector<double>& corner, std::vector<double>& dt) {
+  const std::size_t n = s.length.size();
+  std::vector<double> v(n + 1);
+  v[0] = v[n] = 0.0;
+  for (std::size_t i = 1; i < n; ++i)
+    v[i] = std::min({corner[i], s.cap[i - 1], s.cap[i]});
+  for (std::size_t i = 1; i <= n; ++i)
+    v[i] = std::min(v[i], std::sqrt(v[i - 1] * v[i - 1] + 2.0 * s.ramp[i - 1] * s.length[i - 1]));
+  for (std::size_t i = n; i-- > 0;)
+    v[i] = std::min(v[i], std::sqrt(v[i + 1] * v[i + 1] + 2.0 * s.ramp[i] * s.length[i]));
   for (std::size_t i = 0; i < n; ++i)
+    dt[i] = rampTime(s.length[i], v[i], v[i + 1], s.cap[i], s.ramp[i]);
+}
+
+// Lowers caps where joints would be accelerated too hard; false: nowhere.
+bool lowerCaps(const std::vector<TimedPoint>& points, const TimingLimits& limits,
+               const std::vector<double>& dt, Segments& segments) {
+  const std::size_t n = dt.size();
+  const Eigen::Index dof = points.front().q.size();
+  bool lowered = false;
+  std::vector<double> scale(n, 1.0);
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double between = i == 0   ? 0.5 * dt[0]
+                           : i == n ? 0.5 * dt[n - 1]
+                                    : 0.5 * (dt[i - 1] + dt[i]);
+    double worst = 0.0;
+    for (Eigen::Index j = 0; j < dof; ++j) {
+      const double in = i == 0 ? 0.0 : (points[i].q[j] - points[i - 1].q[j]) / dt[i - 1];
+      const double out = i == n ? 0.0 : (points[i + 1].q[j] - points[i].q[j]) / dt[i];
+      worst = std::max(worst, std::abs(out - in) / between /
+                                  limits.joints[static_cast<std::size_t>(j)].acceleration);
+    }
+    worst /= limits.jointFraction;
+    if (worst <= 1.0)
+      continue;
+    lowered = true;
+    const double s = std::clamp(0.98 / std::sqrt(worst), 0.5, 0.98);
+    if (i > 0)
+      scale[i - 1] = std::min(scale[i - 1], s);
+    if (i < n)
+      scale[i] = std::min(scale[i], s);
+  }
+  for (std::size_t i = 0; lowered && i < n; ++i)
+    if (scale[i] < 1.0)
+      segments.cap[i] = scale[i] * std::min(segments.cap[i], segments.length[i] / dt[i] * 1.0);
+  return lowered;
+}
+
+} // namespace
+
+std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits) {
+  std::vector<double> times(points.size(), 0.0);
+  if (points.size() < 2)
+    return times;
+  base::require(static_cast<std::size_t>(points.front().q.size()) <= limits.joints.size(),
+                "limits for every joint");
+  Segments segments = segmentsOf(points, limits);
+  const std::vector<double> corner = cornerSpeeds(points, segments.length, limits);
+  std::vector<double> dt(segments.length.size());
+  for (int round = 0; round < kRounds; ++round) {
+    setDurations(segments, corner, dt);
+    if (!lowerCaps(points, limits, dt, segments))
+      break;
+  }
+  for (std::size_t i = 0; i < dt.size(); ++i)
     times[i + 1] = times[i] + dt[i];
   return times;
 }

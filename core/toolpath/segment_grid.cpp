@@ -39,7 +39,7 @@ SegmentGrid::SegmentGrid(std::vector<Segment> segments, double reachMm)
     for (int z = lo.z(); z <= hi.z(); ++z)
       for (int y = lo.y(); y <= hi.y(); ++y)
         for (int x = lo.x(); x <= hi.x(); ++x)
-          f(static_cast<std::size_t>((z * size_.y() + y) * size_.x() + x));
+          f(cellAt(x, y, z));
   };
   start_.assign(static_cast<std::size_t>(size_.prod()) + 1, 0);
   for (const Segment& s : segments_)

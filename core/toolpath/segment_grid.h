@@ -1,6 +1,8 @@
 // Nearest segment of a set of short ones.
 #pragma once
 
+#include "voxel/voxel_grid.h"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -45,10 +47,13 @@ private:
     for (int z = lo.z(); z <= hi.z(); ++z)
       for (int y = lo.y(); y <= hi.y(); ++y)
         for (int x = lo.x(); x <= hi.x(); ++x) {
-          const auto c = static_cast<std::size_t>((z * size_.y() + y) * size_.x() + x);
+          const auto c = cellAt(x, y, z);
           for (int i = start_[c]; i < start_[c + 1]; ++i)
             f(entry_[static_cast<std::size_t>(i)]);
         }
+  }
+  std::size_t cellAt(int x, int y, int z) const {
+    return voxel::VoxelGrid{.size = size_}.index(x, y, z);
   }
   std::pair<double, double> measure(int segment, const Eigen::Vector3d& p) const;
 

@@ -18,15 +18,9 @@ struct VoxelObject {
   std::vector<std::uint8_t> solid;                // per cell 1 where the part is; x runs fastest
   std::vector<std::array<int, 2>> platform;       // columns (i, j) of the platform, by j, then i
 
-  std::size_t index(int i, int j, int k) const {
-    return static_cast<std::size_t>(i) +
-           static_cast<std::size_t>(size.x()) *
-               (static_cast<std::size_t>(j) +
-                static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(k));
-  }
+  std::size_t index(int i, int j, int k) const { return VoxelGrid{.size = size}.index(i, j, k); }
   bool solidAt(int i, int j, int k) const {
-    return i >= 0 && j >= 0 && k >= 0 && i < size.x() && j < size.y() && k < size.z() &&
-           solid[index(i, j, k)] != 0;
+    return VoxelGrid{.size = size}.contains(i, j, k) && solid[index(i, j, k)] != 0;
   }
 };
 

@@ -104,20 +104,11 @@ int upperCorner(const Side& s) {
   return 4 * s.face + (s.forward ? (s.side + 1) % 4 : s.side);
 }
 
-} // namespace
-
-geometry::TriangleMesh surfaceOf(const VoxelObject& object) {
-  base::require(object.solid.size() == static_cast<std::size_t>(object.size.x()) *
-                                           static_cast<std::size_t>(object.size.y()) *
-                                           static_cast<std::size_t>(object.size.z()),
-                "surfaceOf: one entry a cell");
-  const std::vector<Face> faces = boundaryFaces(object);
-  base::require(faces.size() < (1u << 28), "surfaceOf: fewer than 2^28 faces");
-  std::vector<Side> sides = sidesOf(faces);
-
-  // Where four faces meet at an edge, two cells touch there: the faces of one cell belong together.
-  std::vector<std::size_t> doubled; // first side of each such edge
-  Corners corners(faces.size());
+// Which corners become one vertex; the first side of each edge at which four faces meet, so that
+// the next one is the same cell's: two cells touch there, and the faces of each belong together.
+std::vector<std::size_t> joinCorners(const std::vector<Face>& faces, std::vector<Side>& sides,
+                                     Corners& corners) {
+  std::vector<std::size_t> doubled;
   for (std::size_t begin = 0; begin < sides.size();) {
     std::size_t end = begin;
     while (end < sides.size() && sides[end].edge == sides[begin].edge)
@@ -137,8 +128,12 @@ geometry::TriangleMesh surfaceOf(const VoxelObject& object) {
     }
     begin = end;
   }
+  return doubled;
+}
 
-  geometry::TriangleMesh mesh;
+// Adds the vertices; gives that of each corner.
+std::vector<int> addVertices(const std::vector<Face>& faces, Corners& corners,
+                             geometry::TriangleMesh& mesh) {
   std::vector<int> vertexOf(4 * faces.size(), -1);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const std::array<Cell, 4> at = cornersOf(faces[f]);
@@ -152,7 +147,14 @@ geometry::TriangleMesh surfaceOf(const VoxelObject& object) {
       vertexOf[corner] = vertexOf[root];
     }
   }
-  std::vector<int> middleOf(4 * faces.size(), -1); // of a side: its extra vertex
+  return vertexOf;
+}
+
+// Adds a vertex in the middle of each doubled edge that shares both ends with another sheet's;
+// gives that of each side, -1: none.
+std::vector<int> addMiddles(const std::vector<Side>& sides, const std::vector<std::size_t>& doubled,
+                            const std::vector<int>& vertexOf, geometry::TriangleMesh& mesh) {
+  std::vector<int> middleOf(vertexOf.size(), -1);
   for (const std::size_t first : doubled) {
     const Side *s = &sides[first], *other = &sides[first + 2];
     const auto vertex = [&](int corner) { return vertexOf[static_cast<std::size_t>(corner)]; };
@@ -169,28 +171,45 @@ geometry::TriangleMesh surfaceOf(const VoxelObject& object) {
       mesh.vertices.push_back(middle);
     }
   }
+  return middleOf;
+}
 
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const int* v = &vertexOf[4 * f];
-    const int* middle = &middleOf[4 * f];
-    if (std::all_of(middle, middle + 4, [](int m) { return m < 0; })) {
-      mesh.triangles.push_back({v[0], v[1], v[2]});
-      mesh.triangles.push_back({v[0], v[2], v[3]});
-      continue;
-    }
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    std::vector<int> around;
-    for (std::size_t c = 0; c < 4; ++c) {
-      centre += 0.25 * mesh.vertices[static_cast<std::size_t>(v[c])];
-      around.push_back(v[c]);
-      if (middle[c] >= 0)
-        around.push_back(middle[c]);
-    }
-    const int hub = static_cast<int>(mesh.vertices.size());
-    mesh.vertices.push_back(centre);
-    for (std::size_t c = 0; c < around.size(); ++c)
-      mesh.triangles.push_back({hub, around[c], around[(c + 1) % around.size()]});
+// Two triangles, or a fan about its centre where a side has a middle. Four entries each.
+void addFace(const int* v, const int* middle, geometry::TriangleMesh& mesh) {
+  if (std::all_of(middle, middle + 4, [](int m) { return m < 0; })) {
+    mesh.triangles.push_back({v[0], v[1], v[2]});
+    mesh.triangles.push_back({v[0], v[2], v[3]});
+    return;
   }
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  std::vector<int> around;
+  for (std::size_t c = 0; c < 4; ++c) {
+    centre += 0.25 * mesh.vertices[static_cast<std::size_t>(v[c])];
+    around.push_back(v[c]);
+    if (middle[c] >= 0)
+      around.push_back(middle[c]);
+  }
+  const int hub = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.push_back(centre);
+  for (std::size_t c = 0; c < around.size(); ++c)
+    mesh.triangles.push_back({hub, around[c], around[(c + 1) % around.size()]});
+}
+
+} // namespace
+
+geometry::TriangleMesh surfaceOf(const VoxelObject& object) {
+  base::require(object.solid.size() == VoxelGrid{.size = object.size}.cellCount(),
+                "surfaceOf: one entry a cell");
+  const std::vector<Face> faces = boundaryFaces(object);
+  base::require(faces.size() < (1u << 28), "surfaceOf: fewer than 2^28 faces");
+  std::vector<Side> sides = sidesOf(faces);
+  Corners corners(faces.size());
+  const std::vector<std::size_t> doubled = joinCorners(faces, sides, corners);
+  geometry::TriangleMesh mesh;
+  const std::vector<int> vertexOf = addVertices(faces, corners, mesh);
+  const std::vector<int> middleOf = addMiddles(sides, doubled, vertexOf, mesh);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    addFace(&vertexOf[4 * f], &middleOf[4 * f], mesh);
   return mesh;
 }
 

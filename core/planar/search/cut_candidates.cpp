@@ -115,109 +115,146 @@ void sortFalling(std::vector<Entry>& entries) {
     entries[i] = from[i].entry;
 }
 
-void sweep(const geometry::TriangleMesh& mesh, const FaceTable& f, const Vector3d& normal,
-           const RiskRule& rule, const CandidateOptions& options, std::vector<CutCandidate>& out) {
-  constexpr double kLevel = 1e-6; // mm: corners so near in height are at one offset
-  const std::size_t n = f.area.size();
-  std::vector<double> height(mesh.vertices.size());
-  for (std::size_t v = 0; v < height.size(); ++v)
-    height[v] = normal.dot(mesh.vertices[v]);
-  // A face is above a plane when its lowest corner is.
-  std::vector<Entry> order(n);
-  double lowest = 1e300;
-  for (std::size_t t = 0; t < n; ++t) {
-    const auto& c = mesh.triangles[t];
-    const double low =
-        std::min({height[static_cast<std::size_t>(c[0])], height[static_cast<std::size_t>(c[1])],
-                  height[static_cast<std::size_t>(c[2])]});
-    order[t] = {low, static_cast<int>(t)};
-    lowest = std::min(lowest, low);
+// A plane of one normal that falls through a piece, face by face.
+class Sweep {
+public:
+  Sweep(const geometry::TriangleMesh& mesh, const FaceTable& faces, const Vector3d& normal,
+        const RiskRule& rule, const CandidateOptions& options)
+      : mesh_(mesh), faces_(faces), options_(options), normal_(normal),
+        riskyCosine_(-std::sin(rule.overhangRad)), height_(mesh.vertices.size()),
+        sets_(faces.area.size()), part_(faces.area.size()), above_(faces.area.size(), 0) {
+    for (std::size_t v = 0; v < height_.size(); ++v)
+      height_[v] = normal.dot(mesh.vertices[v]);
   }
-  sortFalling(order);
-  const double riskyCosine = -std::sin(rule.overhangRad); // risky below this cosine
-  geometry::UnionFind sets(n);
-  std::vector<Above> part(n);
-  std::vector<std::uint8_t> above(n, 0);
-  std::vector<int> fresh; // roots with a best to keep
-  std::vector<CutCandidate> found;
-  const auto keep = [&] {
-    for (const int r : fresh) {
-      Above& p = part[static_cast<std::size_t>(r)];
-      if (sets.find(r) != r || p.bestGain < options.leastMm2)
+
+  std::vector<CutCandidate> run() {
+    constexpr double kLevel = 1e-6; // mm: corners so near in height are at one offset
+    double lowest = 1e300;
+    const std::vector<Entry> order = fallingFaces(lowest);
+    double kept = order.empty() ? 0.0 : order.front().low;
+    for (std::size_t begin = 0; begin < order.size();) {
+      std::size_t end = begin;
+      const double level = order[begin].low;
+      if (level <= lowest + kLevel)
+        break;
+      for (; end < order.size() && order[end].low > level - kLevel; ++end)
+        add(order[end].face);
+      for (std::size_t i = begin; i < end; ++i)
+        noteGain(sets_.find(order[i].face), level);
+      begin = end;
+      if (kept - level >= options_.stepMm) {
+        keep();
+        kept = level;
+      }
+    }
+    keep();
+    return strongest();
+  }
+
+private:
+  // A face is above a plane when its lowest corner is.
+  std::vector<Entry> fallingFaces(double& lowest) const {
+    std::vector<Entry> order(faces_.area.size());
+    for (std::size_t t = 0; t < order.size(); ++t) {
+      const auto& c = mesh_.triangles[t];
+      const double low = std::min({height_[static_cast<std::size_t>(c[0])],
+                                   height_[static_cast<std::size_t>(c[1])],
+                                   height_[static_cast<std::size_t>(c[2])]});
+      order[t] = {low, static_cast<int>(t)};
+      lowest = std::min(lowest, low);
+    }
+    sortFalling(order);
+    return order;
+  }
+
+  // The face is above the plane from now on, and hangs together with its neighbours there.
+  void add(int face) {
+    const auto t = static_cast<std::size_t>(face);
+    above_[t] = 1;
+    Above& own = part_[t];
+    own.before = faces_.risky[t];
+    own.after =
+        !faces_.laid[t] && faces_.normal[t].dot(normal_) < riskyCosine_ ? faces_.area[t] : 0.0;
+    own.stands = faces_.stands[t] ? faces_.area[t] : 0.0;
+    own.top = face;
+    for (const int w : faces_.neighbour[t]) {
+      if (w < 0 || !above_[static_cast<std::size_t>(w)])
+        continue;
+      const int a = sets_.find(face), b = sets_.find(w);
+      if (sets_.join(a, b))
+        merge(a, b);
+    }
+  }
+
+  double heightOf(int face) const {
+    return height_[static_cast<std::size_t>(mesh_.triangles[static_cast<std::size_t>(face)][0])];
+  }
+
+  // What was counted of two roots, one of which is the root of both now.
+  void merge(int a, int b) {
+    const auto root = static_cast<std::size_t>(sets_.find(a));
+    const auto other = static_cast<std::size_t>(root == static_cast<std::size_t>(a) ? b : a);
+    Above &p = part_[root], &q = part_[other];
+    const bool higher = heightOf(p.top) >= heightOf(q.top);
+    p.before += q.before;
+    p.after += q.after;
+    p.stands += q.stands;
+    p.top = higher ? p.top : q.top;
+    p.bestGain = -1.0;
+  }
+
+  void noteGain(int root, double level) {
+    Above& p = part_[static_cast<std::size_t>(root)];
+    const double gain = p.before - p.after - options_.footPrice * p.stands;
+    if (p.stands > options_.maxContactLossMm2 || gain < options_.leastMm2 || gain <= p.bestGain)
+      return;
+    if (p.bestGain < 0.0)
+      fresh_.push_back(root);
+    p.bestGain = gain;
+    p.bestAfter = p.after;
+    p.bestOffset = level;
+  }
+
+  void keep() {
+    for (const int r : fresh_) {
+      Above& p = part_[static_cast<std::size_t>(r)];
+      if (sets_.find(r) != r || p.bestGain < options_.leastMm2)
         continue;
       CutCandidate c;
-      c.plane = {normal, p.bestOffset};
+      c.plane = {normal_, p.bestOffset};
       c.gainMm2 = p.bestGain;
       c.afterMm2 = p.bestAfter;
       c.top = p.top;
-      found.push_back(c);
+      found_.push_back(c);
       p.bestGain = -1.0;
     }
-    fresh.clear();
-  };
-  double kept = order.empty() ? 0.0 : order.front().low;
-  for (std::size_t begin = 0; begin < n;) {
-    std::size_t end = begin;
-    const double level = order[begin].low;
-    if (level <= lowest + kLevel)
-      break;
-    for (; end < n && order[end].low > level - kLevel; ++end) {
-      const auto t = static_cast<std::size_t>(order[end].face);
-      above[t] = 1;
-      Above& own = part[t];
-      own.before = f.risky[t];
-      own.after = !f.laid[t] && f.normal[t].dot(normal) < riskyCosine ? f.area[t] : 0.0;
-      own.stands = f.stands[t] ? f.area[t] : 0.0;
-      own.top = static_cast<int>(t);
-      for (const int w : f.neighbour[t]) {
-        if (w < 0 || !above[static_cast<std::size_t>(w)])
-          continue;
-        const int a = sets.find(static_cast<int>(t)), b = sets.find(w);
-        if (!sets.join(a, b))
-          continue;
-        const auto root = static_cast<std::size_t>(sets.find(a));
-        const auto other = root == static_cast<std::size_t>(a) ? static_cast<std::size_t>(b)
-                                                               : static_cast<std::size_t>(a);
-        Above &p = part[root], &q = part[other];
-        const bool higher =
-            height[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(p.top)][0])] >=
-            height[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(q.top)][0])];
-        p.before += q.before;
-        p.after += q.after;
-        p.stands += q.stands;
-        p.top = higher ? p.top : q.top;
-        p.bestGain = -1.0;
-      }
-    }
-    for (std::size_t i = begin; i < end; ++i) {
-      const int r = sets.find(order[i].face);
-      Above& p = part[static_cast<std::size_t>(r)];
-      const double gain = p.before - p.after - options.footPrice * p.stands;
-      if (p.stands > options.maxContactLossMm2 || gain < options.leastMm2 || gain <= p.bestGain)
-        continue;
-      if (p.bestGain < 0.0)
-        fresh.push_back(r);
-      p.bestGain = gain;
-      p.bestAfter = p.after;
-      p.bestOffset = level;
-    }
-    begin = end;
-    if (kept - level >= options.stepMm) {
-      keep();
-      kept = level;
-    }
+    fresh_.clear();
   }
-  keep();
-  std::stable_sort(found.begin(), found.end(), [](const CutCandidate& a, const CutCandidate& b) {
-    return a.gainMm2 > b.gainMm2;
-  });
-  if (found.size() > options.perNormal)
-    found.resize(options.perNormal);
-  for (CutCandidate& c : found)
-    for (int k = 0; k < 3; ++k)
-      c.topMm += mesh.corner(static_cast<std::size_t>(c.top), k) / 3.0;
-  out = std::move(found);
-}
+
+  std::vector<CutCandidate> strongest() {
+    std::stable_sort(
+        found_.begin(), found_.end(),
+        [](const CutCandidate& a, const CutCandidate& b) { return a.gainMm2 > b.gainMm2; });
+    if (found_.size() > options_.perNormal)
+      found_.resize(options_.perNormal);
+    for (CutCandidate& c : found_)
+      for (int k = 0; k < 3; ++k)
+        c.topMm += mesh_.corner(static_cast<std::size_t>(c.top), k) / 3.0;
+    return std::move(found_);
+  }
+
+  const geometry::TriangleMesh& mesh_;
+  const FaceTable& faces_;
+  const CandidateOptions& options_;
+  Vector3d normal_;
+  double riskyCosine_; // risky below it
+  std::vector<double> height_;
+  geometry::UnionFind sets_;
+  std::vector<Above> part_; // per root
+  std::vector<std::uint8_t> above_;
+  std::vector<int> fresh_; // roots with a best to keep
+  std::vector<CutCandidate> found_;
+};
 
 } // namespace
 
@@ -229,7 +266,7 @@ std::vector<CutCandidate> cutCandidates(const Piece& piece, const FaceTable& fac
   base::parallelChunks(ctx, normals.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (!isRisky(normals[i], piece.base.normal, rule))
-        sweep(piece.solid.mesh, faces, normals[i], rule, options, found[i]);
+        found[i] = Sweep(piece.solid.mesh, faces, normals[i], rule, options).run();
   });
   std::vector<CutCandidate> all;
   for (const auto& of : found)
