@@ -387,6 +387,22 @@
         <source>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Prints with a robot arm: layers without support, tool-paths, a motion checked against the part as it grows, and programs that were read back and replayed.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Stampa con un braccio robot: strati senza supporto, percorsi utensile, un movimento controllato rispetto al pezzo che cresce e programmi riletti, rieseguiti e verificati.&lt;/p&gt;&lt;p&gt;Software libero con licenza GNU General Public License, versione 3 o successiva.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Undo %1</source>
+        <translation>Annulla: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>Ripeti: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Ripeti</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -2832,22 +2848,6 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Findings</source>
         <translation>Segnalazioni</translation>
-    </message>
-    <message>
-        <source>Undo %1</source>
-        <translation>Annulla: %1</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annulla</translation>
-    </message>
-    <message>
-        <source>Redo %1</source>
-        <translation>Ripeti: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Ripeti</translation>
     </message>
     <message>
         <source>Save the picture</source>

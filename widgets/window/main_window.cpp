@@ -130,6 +130,7 @@ void MainWindow::buildDocks() {
 
 void MainWindow::buildCommands() {
   commands_->add(files_.commands());
+  commands_->add(undoCommands(*document_.undoStack()));
   commands_->add(ownCommands());
   commands_->add(pages_->commands());
   commands_->add(viewCommands(*area_, picture_, *unrolled_, [this] { pages_->showView(); }));
@@ -143,7 +144,6 @@ void MainWindow::buildCommands() {
 }
 
 std::vector<Command> MainWindow::ownCommands() {
-  QUndoStack* edits = document_.undoStack();
   return {
       {"quit",
        "fileMenu",
@@ -152,30 +152,6 @@ std::vector<Command> MainWindow::ownCommands() {
        QT_TRANSLATE_NOOP("Commands", "Close the window"),
        {QKeySequence("Ctrl+Q")},
        [this] { close(); }},
-      {"undo",
-       "editMenu",
-       0,
-       nullptr,
-       nullptr,
-       {QKeySequence::Undo},
-       [edits] { edits->undo(); },
-       [edits] { return edits->canUndo(); },
-       {},
-       "undo",
-       BarGroup::Undo,
-       [edits] { return edits->canUndo() ? tr("Undo %1").arg(edits->undoText()) : tr("Undo"); }},
-      {"redo",
-       "editMenu",
-       0,
-       nullptr,
-       nullptr,
-       {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")},
-       [edits] { edits->redo(); },
-       [edits] { return edits->canRedo(); },
-       {},
-       "redo",
-       BarGroup::Undo,
-       [edits] { return edits->canRedo() ? tr("Redo %1").arg(edits->redoText()) : tr("Redo"); }},
       {"shortcuts",
        "editMenu",
        3,

@@ -14,11 +14,16 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSettings>
+#include <QUndoStack>
 
 namespace voluta::window {
 
 namespace {
 constexpr const char* kLegend = "view/legend";
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("Commands", text);
+}
 
 std::vector<Command> sideCommands(viewer::Viewport& viewport) {
   struct Side {
@@ -61,6 +66,44 @@ const std::vector<CommandMenu>& commandMenus() {
       {"languageMenu", QT_TRANSLATE_NOOP("Commands", "&Language"), "viewMenu", 2},
   };
   return kMenus;
+}
+
+std::vector<Command> undoCommands(QUndoStack& edits) {
+  const auto says = [](bool can, const char* one, const char* none, const QString& edit) {
+    return can ? translated(one).arg(edit) : translated(none);
+  };
+  return {
+      {"undo",
+       "editMenu",
+       0,
+       nullptr,
+       nullptr,
+       {QKeySequence::Undo},
+       [&edits] { edits.undo(); },
+       [&edits] { return edits.canUndo(); },
+       {},
+       "undo",
+       BarGroup::Undo,
+       [&edits, says] {
+         return says(edits.canUndo(), QT_TRANSLATE_NOOP("Commands", "Undo %1"),
+                     QT_TRANSLATE_NOOP("Commands", "Undo"), edits.undoText());
+       }},
+      {"redo",
+       "editMenu",
+       0,
+       nullptr,
+       nullptr,
+       {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")},
+       [&edits] { edits.redo(); },
+       [&edits] { return edits.canRedo(); },
+       {},
+       "redo",
+       BarGroup::Undo,
+       [&edits, says] {
+         return says(edits.canRedo(), QT_TRANSLATE_NOOP("Commands", "Redo %1"),
+                     QT_TRANSLATE_NOOP("Commands", "Redo"), edits.redoText());
+       }},
+  };
 }
 
 std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledDock& unrolled,
@@ -180,12 +223,9 @@ std::vector<Command> languageCommands() {
 
 void savePicture(PictureArea& area, const QString& name,
                  const std::function<void(const QString&)>& failed) {
-  const auto text = [](const char* source) {
-    return QCoreApplication::translate("Commands", source);
-  };
   QString file = QFileDialog::getSaveFileName(
-      &area, text(QT_TRANSLATE_NOOP("Commands", "Save the picture")), name + ".png",
-      text(QT_TRANSLATE_NOOP("Commands", "Pictures (*.png)")));
+      &area, translated(QT_TRANSLATE_NOOP("Commands", "Save the picture")), name + ".png",
+      translated(QT_TRANSLATE_NOOP("Commands", "Pictures (*.png)")));
   if (file.isEmpty())
     return;
   if (QFileInfo(file).suffix().isEmpty())
@@ -196,13 +236,14 @@ void savePicture(PictureArea& area, const QString& name,
 
 void showAbout(QWidget& window) {
   QMessageBox::about(
-      &window, QCoreApplication::translate("Commands", "About Voluta"),
-      QCoreApplication::translate(
-          "Commands",
-          "<h3>Voluta %1</h3><p>Prints with a robot arm: layers without support, tool-paths, a "
-          "motion checked against the part as it grows, and programs that were read back and "
-          "replayed.</p><p>Free software under the GNU General Public License, version 3 or "
-          "later.</p>")
+      &window, translated(QT_TRANSLATE_NOOP("Commands", "About Voluta")),
+      translated(
+          QT_TRANSLATE_NOOP(
+              "Commands",
+              "<h3>Voluta %1</h3><p>Prints with a robot arm: layers without support, tool-paths, a "
+              "motion checked against the part as it grows, and programs that were read back and "
+              "replayed.</p><p>Free software under the GNU General Public License, version 3 or "
+              "later.</p>"))
           .arg(project::kVersion));
 }
 

@@ -6,6 +6,8 @@
 #include <functional>
 #include <vector>
 
+class QUndoStack;
+
 namespace voluta::timeline {
 class TimelineBar;
 }
@@ -19,6 +21,7 @@ class UnrolledDock;
 // The menus of the window in their order, and what is inside them.
 const std::vector<CommandMenu>& commandMenus();
 
+std::vector<Command> undoCommands(QUndoStack& edits);
 // `showView`: called when more or less is to be seen.
 std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledDock& unrolled,
                                   const std::function<void()>& showView);

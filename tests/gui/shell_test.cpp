@@ -1,0 +1,106 @@
+// The shell: every page has its place in flow bar, menu and dock, every command in a menu and in
+// the list of keys.
+#include "gui/window_fixture.h"
+#include "helpers/shapes.h"
+
+#include <QAction>
+#include <QDialog>
+#include <QDockWidget>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QTest>
+#include <QTimer>
+#include <QUndoStack>
+
+namespace voluta::test {
+namespace {
+
+using project::Stage;
+
+constexpr const char* kPages[] = {Page::Prepare, Page::Layers, Page::Simulate, Page::Export,
+                                  Page::Compare};
+
+TEST_F(WindowTest, EveryPageHasItsPlaceInFlowMenuAndDock) {
+  auto* flow = find<window::FlowBar>("flowBar");
+  auto* dock = find<QDockWidget>("pageDock");
+  int key = Qt::Key_F5;
+  for (const char* id : kPages) {
+    window::Page* one = window().pages().find(id);
+    ASSERT_NE(one, nullptr) << id;
+    EXPECT_FALSE(flow->segment(id).isEmpty()) << id;
+    EXPECT_FALSE(one->isShown() && one->id() != page());
+    auto* action = find<QAction>((QString("page_") + id).toUtf8().constData());
+    EXPECT_EQ(action->shortcut(), QKeySequence(key++)) << id;
+    action->trigger();
+    EXPECT_EQ(page(), id);
+    EXPECT_TRUE(one->isShown());
+    EXPECT_TRUE(one->side()->isVisible()) << id;
+    EXPECT_EQ(dock->windowTitle(), one->title());
+    EXPECT_FALSE(one->title().contains('&'));
+    EXPECT_EQ(window().viewport().isVisible(), one->centre() == nullptr) << id;
+  }
+}
+
+TEST_F(WindowTest, EveryCommandIsInAMenuAndInTheListOfKeys) {
+  QSet<QString> listed;
+  QTimer::singleShot(200, &window(), [&] {
+    auto* dialog = window().findChild<QDialog*>("shortcutsDialog");
+    ASSERT_NE(dialog, nullptr);
+    const auto* table = dialog->findChild<QTableWidget*>();
+    for (int row = 0; row < table->rowCount(); ++row)
+      listed.insert(table->item(row, 0)->text());
+    dialog->reject();
+  });
+  find<QAction>("shortcuts")->trigger();
+  int commands = 0;
+  for (const QMenu* menu : window().findChildren<QMenu*>())
+    for (const QAction* action : menu->actions()) {
+      if (!action->property("defaultShortcut").isValid())
+        continue; // a line, a menu, a dock
+      ++commands;
+      EXPECT_TRUE(listed.contains(action->text().remove('&')))
+          << action->objectName().toStdString();
+    }
+  EXPECT_GT(commands, 45);
+  EXPECT_EQ(listed.contains("Undo"), true);
+}
+
+TEST_F(WindowTest, CommandsCanBeUsedWhereTheyMeanSomething) {
+  auto* move = find<QAction>("toolMove");
+  EXPECT_FALSE(move->isEnabled()) << "no part";
+  openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
+  EXPECT_TRUE(move->isEnabled());
+  move->trigger();
+  EXPECT_TRUE(move->isChecked());
+  EXPECT_EQ(window().viewport().tool(), viewer::Tool::Move);
+  find<QAction>("toolTurn")->trigger();
+  EXPECT_FALSE(move->isChecked());
+  choosePage(Page::Layers);
+  EXPECT_FALSE(move->isEnabled());
+  EXPECT_FALSE(find<QAction>("toolTurn")->isChecked()) << "left with its page";
+  EXPECT_EQ(window().viewport().tool(), viewer::Tool::None);
+}
+
+TEST_F(WindowTest, AFindingIsShownByThePageThatShowsItBest) {
+  openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
+  plan::Finding finding;
+  const auto shownFor = [&](const char* stage, std::optional<double> whenS) {
+    finding.stage = stage;
+    finding.whenS = whenS;
+    window().pages().goTo(finding);
+    return page().toStdString();
+  };
+  EXPECT_EQ(shownFor("motion", 1.0), Page::Layers) << "there is no motion yet";
+  EXPECT_EQ(shownFor("load", {}), Page::Prepare);
+  EXPECT_EQ(shownFor("toolpath", {}), Page::Layers);
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  EXPECT_EQ(shownFor("motion", {}), Page::Simulate);
+  EXPECT_EQ(shownFor("replay", 1.5), Page::Simulate);
+  EXPECT_EQ(shownFor("decompose", {}), Page::Layers);
+  EXPECT_EQ(shownFor("load", {}), Page::Prepare);
+}
+
+} // namespace
+} // namespace voluta::test

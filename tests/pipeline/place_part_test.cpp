@@ -1,0 +1,86 @@
+// Where a part came to lie and what it will stand on, as the window asks for them.
+#include "geometry/placement.h"
+#include "helpers/lathe_parts.h"
+#include "helpers/temporary_folder.h"
+#include "pipeline/box_request.h"
+#include "pipeline/choices.h"
+
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using pipeline::PlanRequest;
+using pipeline::PlanResult;
+using project::Stage;
+
+namespace {
+
+PlanResult placed(PlanRequest request) {
+  request.until = Stage::Load;
+  return pipeline::planPart(request, {});
+}
+
+// Upright, as it comes from a drawing.
+PlanRequest tubeOnRod() {
+  geometry::TriangleMesh tube = test::revolved(test::tubeSection(), 48);
+  for (Eigen::Vector3d& p : tube.vertices)
+    p = Eigen::Vector3d(p.y(), p.z(), p.x());
+  PlanRequest request;
+  request.loaded = project::loadedFrom(
+      "tube.stl", std::make_shared<geometry::TriangleMesh>(std::move(tube)), {}, true, {});
+  request.choices.mode = "lathe";
+  request.choices.cell = "lathe";
+  request.choices.process = "fdm-0.35";
+  request.choices.platform = project::Platform("rod:5x200");
+  return request;
+}
+
+// The part is where the placement says.
+void expectLaid(const PlanResult& result) {
+  ASSERT_TRUE(result.job.placement);
+  const double scale = result.job.scale * pipeline::unitMm(*result.job.loaded, result.job.choices);
+  const auto part = geometry::place(*result.job.loaded->mesh, scale, *result.job.placement);
+  ASSERT_EQ(part.vertices.size(), result.job.part->vertices.size());
+  for (std::size_t i = 0; i < part.vertices.size(); ++i)
+    EXPECT_LT((part.vertices[i] - result.job.part->vertices[i]).norm(), 1e-9);
+}
+
+TEST(PlacePart, WhereTheModeLaidItIsKept) {
+  const PlanResult result = placed(tubeOnRod());
+  expectLaid(result);
+  EXPECT_LT(result.job.placement->liftMm, -1.0) << "around the rod, below z = 0";
+  const test::TemporaryFolder folder;
+  project::writeJob(folder / "tube.voluta", result.job);
+  project::Job back = project::readJob(folder / "tube.voluta");
+  ASSERT_TRUE(back.placement);
+  EXPECT_EQ(back.placement->rotation.coeffs(), result.job.placement->rotation.coeffs());
+  EXPECT_EQ(back.placement->liftMm, result.job.placement->liftMm);
+  // Projects of before it was kept.
+  back.placement.reset();
+  expectLaid(pipeline::resultOf(back));
+}
+
+TEST(PlacePart, WhereASearchLaidItIsTold) {
+  expectLaid(placed(test::boxRequest({{"orient", "leastRisky"}})));
+}
+
+TEST(PlacePart, WhatIsPlannedToStandOnIsWhatTheDecompositionStandsOn) {
+  for (const char* platform : {"fit:0", "fit:2", "disc:40", "rect:30x40"}) {
+    PlanRequest request = test::boxRequest();
+    request.choices.platform = project::Platform(platform);
+    request.until = Stage::Decompose;
+    const PlanResult result = pipeline::planPart(request, {});
+    const auto planned = pipeline::plannedPlatform(*result.placed, request.choices);
+    EXPECT_EQ(planned.polygon, result.job.platform.polygon) << platform;
+  }
+}
+
+TEST(PlacePart, AnotherPlatformHasAnotherKey) {
+  project::Choices choices;
+  const std::string key = pipeline::plannedPlatformKey(choices);
+  choices.parameters["walls"] = "1";
+  EXPECT_EQ(pipeline::plannedPlatformKey(choices), key);
+  choices.platform = project::Platform("disc:40");
+  EXPECT_NE(pipeline::plannedPlatformKey(choices), key);
+}
+
+} // namespace
