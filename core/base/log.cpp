@@ -1,45 +1,49 @@
 #include "base/log.h"
 
-#include <spdlog/sinks/stdout_sinks.h>
+#include "base/error.h"
+
+#include <algorithm>
+#include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/spdlog.h>
+#include <string>
 
 namespace voluta::base {
 
 namespace {
+constexpr std::size_t kOlderFiles = 2;
+
 spdlog::level::level_enum toSpdlog(LogLevel level) {
   switch (level) {
-  case LogLevel::Debug:
-    return spdlog::level::debug;
   case LogLevel::Info:
     return spdlog::level::info;
   case LogLevel::Warning:
     return spdlog::level::warn;
   case LogLevel::Error:
-    return spdlog::level::err;
-  case LogLevel::Off:
     break;
   }
-  return spdlog::level::off;
-}
-
-spdlog::logger& logger() {
-  static const std::shared_ptr<spdlog::logger> instance = [] {
-    auto made = std::make_shared<spdlog::logger>("voluta",
-                                                 std::make_shared<spdlog::sinks::stderr_sink_mt>());
-    made->set_level(spdlog::level::warn);
-    made->set_pattern("%l: %v");
-    return made;
-  }();
-  return *instance;
+  return spdlog::level::err;
 }
 } // namespace
 
-void setLogLevel(LogLevel level) {
-  logger().set_level(toSpdlog(level));
+Log::Log(const std::filesystem::path& file, std::size_t mostBytes) {
+  try {
+    logger_ = std::make_shared<spdlog::logger>(
+        "voluta", std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), mostBytes,
+                                                                         kOlderFiles));
+  } catch (const spdlog::spdlog_ex& e) {
+    throw Error(ErrorCode::CannotWrite, e.what(), file.string());
+  }
+  logger_->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
+  logger_->flush_on(spdlog::level::trace);
+  logger_->set_error_handler([](const std::string&) {});
 }
 
-void log(LogLevel level, std::string_view message) {
-  logger().log(toSpdlog(level), message);
+void Log::write(LogLevel level, std::string_view message) const {
+  if (!logger_)
+    return;
+  std::string line(message);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  logger_->log(toSpdlog(level), line);
 }
 
 } // namespace voluta::base
