@@ -45,44 +45,59 @@ void PlacementPanel::build() {
   turnLabel_ = new QLabel(this);
   grid->addWidget(moveLabel_, 0, 1);
   grid->addWidget(turnLabel_, 0, 2, 1, 3);
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto at = static_cast<std::size_t>(axis);
-    const QString name = QLatin1String(kAxes[at]);
-    axis_[at] = new QLabel(name, this);
-    move_[at] = new forms::NumberBox(this);
-    move_[at]->setObjectName(QStringLiteral("move") + name);
-    move_[at]->setUnit(QStringLiteral("mm"));
-    move_[at]->setDecimals(3);
-    move_[at]->setRange(axis == 2 ? 0.0 : -kFarthestMm, kFarthestMm);
-    connect(move_[at], &QDoubleSpinBox::valueChanged, this,
-            [this, axis](double mm) { moved(axis, mm); });
-    turn_[at] = new forms::NumberBox(this);
-    turn_[at]->setObjectName(QStringLiteral("turn") + name);
-    turn_[at]->setUnit(QStringLiteral("°"));
-    turn_[at]->setDecimals(3);
-    turn_[at]->setRange(-360.0, 360.0);
-    turn_[at]->setSingleStep(5.0);
-    connect(turn_[at], &QDoubleSpinBox::valueChanged, this,
-            [this, axis](double angle) { turned(axis, angle); });
-    const auto quarter = [&](const QString& text, double angle) {
-      auto* button = new QToolButton(this);
-      button->setText(text);
-      connect(button, &QToolButton::clicked, this, [this, axis, angle] { turnBy(axis, angle); });
-      return button;
-    };
-    less_[at] = quarter(QStringLiteral("−90"), -90.0);
-    less_[at]->setObjectName(QStringLiteral("less") + name);
-    more_[at] = quarter(QStringLiteral("+90"), 90.0);
-    more_[at]->setObjectName(QStringLiteral("more") + name);
-    for (forms::NumberBox* box : {move_[at], turn_[at]})
-      box->setMinimumWidth(fontMetrics().averageCharWidth() * 8);
-    grid->addWidget(axis_[at], axis + 1, 0);
-    grid->addWidget(move_[at], axis + 1, 1);
-    grid->addWidget(turn_[at], axis + 1, 2);
-    grid->addWidget(less_[at], axis + 1, 3);
-    grid->addWidget(more_[at], axis + 1, 4);
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    buildAxis(axis, *grid);
+  buildScale(*grid);
+  sizeLabel_ = new QLabel(this);
+  size_ = new QLabel(this);
+  size_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* sizeRow = new QHBoxLayout;
+  sizeRow->addWidget(sizeLabel_);
+  sizeRow->addWidget(size_, 1, Qt::AlignRight);
+  grid->addLayout(sizeRow, 7, 0, 1, 5);
+  buildButtons(*grid);
+  listenToButtons();
+}
 
+void PlacementPanel::buildAxis(int axis, QGridLayout& grid) {
+  const auto at = static_cast<std::size_t>(axis);
+  const QString name = QLatin1String(kAxes[at]);
+  axis_[at] = new QLabel(name, this);
+  move_[at] = new forms::NumberBox(this);
+  move_[at]->setObjectName(QStringLiteral("move") + name);
+  move_[at]->setUnit(QStringLiteral("mm"));
+  move_[at]->setDecimals(3);
+  move_[at]->setRange(axis == 2 ? 0.0 : -kFarthestMm, kFarthestMm);
+  connect(move_[at], &QDoubleSpinBox::valueChanged, this,
+          [this, axis](double mm) { moved(axis, mm); });
+  turn_[at] = new forms::NumberBox(this);
+  turn_[at]->setObjectName(QStringLiteral("turn") + name);
+  turn_[at]->setUnit(QStringLiteral("°"));
+  turn_[at]->setDecimals(3);
+  turn_[at]->setRange(-360.0, 360.0);
+  turn_[at]->setSingleStep(5.0);
+  connect(turn_[at], &QDoubleSpinBox::valueChanged, this,
+          [this, axis](double angle) { turned(axis, angle); });
+  const auto quarter = [&](const QString& text, double angle) {
+    auto* button = new QToolButton(this);
+    button->setText(text);
+    connect(button, &QToolButton::clicked, this, [this, axis, angle] { turnBy(axis, angle); });
+    return button;
+  };
+  less_[at] = quarter(QStringLiteral("−90"), -90.0);
+  less_[at]->setObjectName(QStringLiteral("less") + name);
+  more_[at] = quarter(QStringLiteral("+90"), 90.0);
+  more_[at]->setObjectName(QStringLiteral("more") + name);
+  for (forms::NumberBox* box : {move_[at], turn_[at]})
+    box->setMinimumWidth(fontMetrics().averageCharWidth() * 8);
+  grid.addWidget(axis_[at], axis + 1, 0);
+  grid.addWidget(move_[at], axis + 1, 1);
+  grid.addWidget(turn_[at], axis + 1, 2);
+  grid.addWidget(less_[at], axis + 1, 3);
+  grid.addWidget(more_[at], axis + 1, 4);
+}
+
+void PlacementPanel::buildScale(QGridLayout& grid) {
   percentLabel_ = new QLabel(this);
   percent_ = new forms::NumberBox(this);
   percent_->setObjectName(QStringLiteral("percent"));
@@ -116,18 +131,12 @@ void PlacementPanel::build() {
     box->setMinimumWidth(fontMetrics().averageCharWidth() * 8);
   scaleRow->addWidget(percent_, 1);
   scaleRow->addWidget(scale_, 1);
-  grid->addWidget(percentLabel_, 4, 0, 1, 5);
-  grid->addLayout(scaleRow, 5, 0, 1, 5);
-  grid->addWidget(fit_, 6, 0, 1, 5);
+  grid.addWidget(percentLabel_, 4, 0, 1, 5);
+  grid.addLayout(scaleRow, 5, 0, 1, 5);
+  grid.addWidget(fit_, 6, 0, 1, 5);
+}
 
-  sizeLabel_ = new QLabel(this);
-  size_ = new QLabel(this);
-  size_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* sizeRow = new QHBoxLayout;
-  sizeRow->addWidget(sizeLabel_);
-  sizeRow->addWidget(size_, 1, Qt::AlignRight);
-  grid->addLayout(sizeRow, 7, 0, 1, 5);
-
+void PlacementPanel::buildButtons(QGridLayout& grid) {
   const auto button = [this](const char* name) {
     auto* made = new QPushButton(this);
     made->setObjectName(QLatin1String(name));
@@ -145,8 +154,10 @@ void PlacementPanel::build() {
   buttons->addWidget(layOnFace_, 0, 1);
   buttons->addWidget(centre_, 1, 0);
   buttons->addWidget(reset_, 1, 1);
-  grid->addLayout(buttons, 8, 0, 1, 5);
+  grid.addLayout(buttons, 8, 0, 1, 5);
+}
 
+void PlacementPanel::listenToButtons() {
   connect(drop_, &QPushButton::clicked, this, [this] {
     geometry::Placement next = placement_;
     next.liftMm = 0.0;

@@ -7,6 +7,7 @@
 #include <QWidget>
 #include <array>
 
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -47,6 +48,10 @@ protected:
 
 private:
   void build();
+  void buildAxis(int axis, QGridLayout& grid);
+  void buildScale(QGridLayout& grid);
+  void buildButtons(QGridLayout& grid);
+  void listenToButtons();
   void showPlacement();
   void showScale();
   void showSize();
