@@ -42,7 +42,7 @@ bool isSound(const ReadProgram& program) {
 
 // All targets but that of motion `except` are as they were.
 bool sameTargets(const ReadProgram& a, const ReadProgram& b, std::size_t except) {
-  if (!isSound(b) || a.motions.size() != b.motions.size())
+  if (a.motions.size() != b.motions.size())
     return false;
   for (std::size_t i = 0; i < a.motions.size(); ++i)
     if (i != except && !sameTarget(a.motions[i], b.motions[i]))
@@ -121,7 +121,7 @@ std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
   const auto others = [](double x) { return std::vector{x + 2.0, x + 0.002, x + 0.25}; };
   const bool found = changeNumber(text.lines.at(line - 1), others, [&] {
     const ReadProgram changed = read(text, process);
-    return sameTargets(whole, changed, motion) &&
+    return isSound(changed) && sameTargets(whole, changed, motion) &&
            isBeside(whole.motions[motion], changed.motions[motion]);
   });
   return found ? std::optional(line) : std::nullopt;
@@ -136,7 +136,7 @@ std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
   const auto others = [&](double x) { return std::vector{10.0 * x, 0.1 * x, x - 0.9 * before}; };
   const bool found = changeNumber(text.lines.at(line - 1), others, [&] {
     const ReadProgram changed = read(text, process);
-    return sameTargets(whole, changed, kNone) &&
+    return isSound(changed) && sameTargets(whole, changed, kNone) &&
            std::abs(durationOf(changed.motions[motion]) / before - 0.1) < 1e-3;
   });
   return found ? std::optional(line) : std::nullopt;
