@@ -89,8 +89,8 @@ std::string valueText(const pipeline::Figure& figure, const CompareRow& row) {
 }
 
 std::string headOf(const pipeline::Figure& figure) {
-  return figure.unit.empty() ? std::string(figure.label)
-                             : fmt::format("{} {}", figure.label, figure.unit);
+  return figure.unit.empty() ? base::english(figure.label)
+                             : fmt::format("{} {}", base::english(figure.label), figure.unit);
 }
 
 // "auto (reverse)": what was asked for and what it came to.
@@ -153,7 +153,7 @@ void sayTable(const pipeline::Comparison& comparison, const pipeline::Ranking& r
 void sayVerdict(const pipeline::Comparison& comparison, const pipeline::Ranking& ranking,
                 const pipeline::Weights& weights) {
   for (std::size_t i = 0; i < comparison.rows.size(); ++i)
-    if (const std::string reason = comparison.rows[i].reason(); !reason.empty())
+    if (const std::string reason = base::english(comparison.rows[i].reason()); !reason.empty())
       fmt::print("{}: {}{}\n", i + 1, reason,
                  comparison.rows[i].blocking() > 1
                      ? fmt::format("; {} findings more", comparison.rows[i].blocking() - 1)

@@ -86,9 +86,10 @@ ExitCode inspectCommand(const InspectOptions& options) {
   const geometry::RepairResult repaired = geometry::repair(file.mesh, {});
   Json found = diagnosisJson(geometry::diagnose(file.mesh));
   Json mended = diagnosisJson(geometry::diagnose(repaired.mesh));
-  std::vector<std::string> repairs = file.repairs;
-  repairs.insert(repairs.end(), repaired.repairs.begin(), repaired.repairs.end());
-  const std::string note = geometry::guessUnits(file.mesh).note;
+  std::vector<std::string> repairs = base::english(file.repairs);
+  for (const base::Message& repair : repaired.repairs)
+    repairs.push_back(base::english(repair));
+  const std::string note = base::english(geometry::guessUnits(file.mesh).note);
   if (options.json) {
     const Json all{{"file", options.part}, {"format", file.format},
                    {"unitNote", note},     {"asRead", std::move(found)},

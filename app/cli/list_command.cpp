@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 Json listModes() {
   Json rows = Json::array();
   for (const modes::Mode& mode : modes::modeTable())
-    rows.push_back(Json{{"id", mode.id}, {"label", mode.label}});
+    rows.push_back(Json{{"id", mode.id}, {"label", base::english(mode.label)}});
   return rows;
 }
 
@@ -49,7 +49,7 @@ Json listFormats() {
   Json rows = Json::array();
   for (const program::Dialect& dialect : program::dialects())
     rows.push_back(
-        Json{{"id", dialect.id}, {"label", dialect.label}, {"extension", dialect.extension}});
+        Json{{"id", dialect.id}, {"label", base::english(dialect.label)}, {"extension", dialect.extension}});
   return rows;
 }
 
@@ -69,17 +69,17 @@ Json listParameters() {
   const base::ParameterTable table = pipeline::allParameters();
   Json rows = Json::array();
   for (const base::ParameterSpec& spec : table.specs()) {
-    Json row{{"id", spec.key},      {"label", spec.label},
-             {"group", spec.group}, {"type", types[static_cast<std::size_t>(spec.type)]},
+    Json row{{"id", spec.key},      {"label", spec.label.english()},
+             {"group", spec.group.english()}, {"type", types[static_cast<std::size_t>(spec.type)]},
              {"unit", spec.unit},   {"default", valueJson(spec.defaultValue)}};
     if (spec.type == base::ParameterType::Number || spec.type == base::ParameterType::Integer) {
       row["min"] = spec.minimum;
       row["max"] = spec.maximum;
     }
-    if (!spec.choices.empty())
-      row["choices"] = spec.choices;
+    for (const base::Choice& choice : spec.choices)
+      row["choices"].push_back(choice.id);
     row["simple"] = spec.simple;
-    row["help"] = spec.help;
+    row["help"] = spec.help.english();
     rows.push_back(std::move(row));
   }
   return rows;
@@ -121,8 +121,8 @@ ExitCode listCommand(const ListOptions& options) {
       fmt::print("{}\n", textOf(row));
     return kDone;
   }
-  throw base::Error(base::ErrorCode::Usage, fmt::format("cannot list '{}'", options.what), {},
-                    "did you mean " + base::nearestName(options.what, known) + "?");
+  throw base::Error(base::ErrorCode::Usage, base::message("cannot list '{what}'"_text, options.what), {},
+                    base::didYouMean(options.what, known));
 }
 
 } // namespace voluta::cli

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/outputs.h"
+#include "plan/finding_kinds.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,8 @@ void sayFindings(const plan::Findings& findings) {
                                 ? fmt::format(" at ({:.1f}, {:.1f}, {:.1f})", first->where->x(),
                                               first->where->y(), first->where->z())
                                 : "";
-  fmt::print(stderr, "{}: {}{} ({}){}\n", first->stage, first->reason, where, first->remedy,
+  fmt::print(stderr, "{}: {}{} ({}){}\n", plan::stageName(plan::stageOf(*first)),
+             plan::englishReason(*first), where, plan::englishRemedy(*first),
              blocking > 1 ? fmt::format("; {} findings more in report.json", blocking - 1) : "");
 }
 

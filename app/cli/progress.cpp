@@ -29,13 +29,14 @@ void writeJsonLine(double fraction, std::string_view what) {
 base::ProgressSink progressSink(ProgressStyle style) {
   if (style == ProgressStyle::None || (style == ProgressStyle::Bar && !::isatty(STDERR_FILENO)))
     return {};
-  return [style, last = Clock::time_point{}, stage = std::string()](double fraction,
-                                                                    std::string_view what) mutable {
+  return [style, last = Clock::time_point{}, stage = base::Message()](
+             double fraction, const base::Message& message) mutable {
     const Clock::time_point now = Clock::now();
-    if (what == stage && now - last < std::chrono::milliseconds(100))
+    if (message == stage && now - last < std::chrono::milliseconds(100))
       return;
     last = now;
-    stage = what;
+    stage = message;
+    const std::string what = base::english(message);
     style == ProgressStyle::Bar ? drawBar(fraction, what) : writeJsonLine(fraction, what);
   };
 }

@@ -11,7 +11,8 @@ namespace {
 std::vector<double> numbers(std::string_view text, std::size_t count, const char* what) {
   const auto wrong = [&] {
     return base::Error(base::ErrorCode::Usage,
-                       fmt::format("'{}' is not {} comma separated numbers", text, count), what);
+                       base::message("'{text}' is not {count} comma separated numbers"_text, text, count),
+                       std::string(what));
   };
   std::vector<double> values;
   while (true) {

@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
+#include "plan/finding_kinds.h"
 
 #include <fmt/format.h>
 
@@ -25,12 +26,12 @@ ExitCode verifyCommand(const VerifyOptions& options) {
              result.replay.limitViolations, result.replay.maxDeviationMm);
   const plan::Finding* first = nullptr;
   for (const plan::Finding& f : result.findings) {
-    fmt::print("{}: {}\n", f.kind, f.reason);
+    fmt::print("{}: {}\n", plan::kindWord(f), plan::englishReason(f));
     if (f.blocking && !first)
       first = &f;
   }
   if (first)
-    fmt::print(stderr, "{}: {}\n", options.program.string(), first->reason);
+    fmt::print(stderr, "{}: {}\n", options.program.string(), plan::englishReason(*first));
   return result.replay.passed && !first ? kDone : kNotAll;
 }
 

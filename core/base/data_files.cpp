@@ -5,7 +5,6 @@
 #include "base/nearest_name.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace voluta::base {
 
@@ -20,11 +19,10 @@ std::vector<std::string> dataFileIds(const std::string& folder) {
 }
 
 std::filesystem::path dataFile(const std::string& folder, const std::string& id,
-                               const std::string& what) {
+                               Text unknown) {
   const std::vector<std::string> ids = dataFileIds(folder);
   if (std::find(ids.begin(), ids.end(), id) == ids.end())
-    throw Error(ErrorCode::Usage, fmt::format("unknown {} '{}'", what, id), {},
-                ids.empty() ? "" : "did you mean " + nearestName(id, ids) + "?");
+    throw Error(ErrorCode::Usage, Message(unknown, {id}), {}, didYouMean(id, ids));
   return resourceFolder() / folder / (id + ".json");
 }
 

@@ -1,28 +1,36 @@
 #include "base/error.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace voluta::base {
 
 namespace {
-std::string oneLine(const std::string& message, const std::string& context,
-                    const std::string& remedy) {
-  std::string line = context.empty() ? message : context + ": " + message;
-  if (!remedy.empty())
-    line += " (" + remedy + ")";
-  for (char& c : line)
-    if (c == '\n' || c == '\r')
-      c = ' ';
-  return line;
+std::string inOneLine(std::string text) {
+  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
 }
 } // namespace
 
-Error::Error(ErrorCode code, std::string message, std::string context, std::string remedy)
+Error::Error(ErrorCode code, Message message, Value context, Message remedy)
     : code_(code), message_(std::move(message)), context_(std::move(context)),
-      remedy_(std::move(remedy)), line_(oneLine(message_, context_, remedy_)) {}
+      remedy_(std::move(remedy)), line_(inOneLine(english(whole()))) {}
+
+Message Error::whole() const {
+  if (context_.empty())
+    return remedy_.empty() ? message_
+                           : base::message("{what} ({remedy})"_text, message_, remedy_);
+  return remedy_.empty()
+             ? base::message("{where}: {what}"_text, context_, message_)
+             : base::message("{where}: {what} ({remedy})"_text, context_, message_, remedy_);
+}
+
+Message lineOf(std::string_view file, long long line) {
+  return message("{file}, line {line}"_text, file, std::to_string(line));
+}
 
 void failPrecondition(std::string_view what) {
-  throw Error(ErrorCode::Internal, "broken precondition: " + std::string(what));
+  throw Error(ErrorCode::Internal, message("broken precondition: {what}"_text, what));
 }
 
 } // namespace voluta::base

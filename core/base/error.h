@@ -2,6 +2,8 @@
 // What cannot be printed, reached or verified is never an error but a plan::Finding.
 #pragma once
 
+#include "base/text.h"
+
 #include <exception>
 #include <string>
 #include <string_view>
@@ -17,22 +19,31 @@ enum class ErrorCode {
   Internal        // a broken precondition: a mistake in the program
 };
 
-// What cannot go on. `message` says what, `context` where (a file, a line, a key), `remedy` what
-// would help; the latter two may be empty. what() is "context: message (remedy)", in one line.
+// What cannot go on. `message` says what, `context` where (a file, a line, a key: a name, or a
+// sentence of names), `remedy` what would help; the latter two may be empty. what() is
+// "context: message (remedy)" in English, in one line.
 class Error : public std::exception {
 public:
-  Error(ErrorCode code, std::string message, std::string context = {}, std::string remedy = {});
+  Error(ErrorCode code, Message message, Value context = {}, Message remedy = {});
 
   ErrorCode code() const { return code_; }
-  const std::string& message() const { return message_; }
-  const std::string& context() const { return context_; }
-  const std::string& remedy() const { return remedy_; }
+  const Message& message() const { return message_; }
+  const Value& context() const { return context_; }
+  const Message& remedy() const { return remedy_; }
+  // All of it, to be told in any language.
+  Message whole() const;
   const char* what() const noexcept override { return line_.c_str(); }
 
 private:
   ErrorCode code_;
-  std::string message_, context_, remedy_, line_;
+  Message message_;
+  Value context_;
+  Message remedy_;
+  std::string line_;
 };
+
+// The context "file, line 12". Lines are counted as editors count them, in every language.
+Message lineOf(std::string_view file, long long line);
 
 // Thrown by RunContext::checkpoint() once the run was cancelled. Not an Error.
 struct Cancelled {};

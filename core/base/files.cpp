@@ -18,8 +18,9 @@ namespace voluta::base {
 namespace fs = std::filesystem;
 
 namespace {
-Error cannotWrite(const fs::path& path, const std::string& why) {
-  return Error(ErrorCode::CannotWrite, "cannot be written: " + why, path.string());
+Error cannotWrite(const fs::path& path, const Value& why) {
+  return Error(ErrorCode::CannotWrite, message("cannot be written: {why}"_text, why),
+               path.string());
 }
 
 std::string systemReason(int code) {
@@ -39,16 +40,17 @@ fs::path existingFolder(fs::path path) {
 std::string readFile(const fs::path& path) {
   std::error_code status;
   if (!fs::exists(path, status))
-    throw Error(ErrorCode::UnreadableFile, "no such file", path.string());
+    throw Error(ErrorCode::UnreadableFile, "no such file"_text, path.string());
   if (fs::is_directory(path, status))
-    throw Error(ErrorCode::UnreadableFile, "is a directory, not a file", path.string());
+    throw Error(ErrorCode::UnreadableFile, "is a directory, not a file"_text, path.string());
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw Error(ErrorCode::UnreadableFile, "cannot be read: " + systemReason(errno), path.string());
+    throw Error(ErrorCode::UnreadableFile, message("cannot be read: {why}"_text, systemReason(errno)),
+                path.string());
   std::ostringstream bytes;
   bytes << in.rdbuf();
   if (in.bad())
-    throw Error(ErrorCode::UnreadableFile, "cannot be read to its end", path.string());
+    throw Error(ErrorCode::UnreadableFile, "cannot be read to its end"_text, path.string());
   return std::move(bytes).str();
 }
 
@@ -91,7 +93,7 @@ StagedFolder::StagedFolder(fs::path target) : target_(fs::absolute(target).lexic
     throw cannotWrite(target_, systemReason(errno));
   const fs::path standing = existingFolder(target_);
   if (!fs::is_directory(standing, status))
-    throw cannotWrite(standing, "it is a file, not a folder");
+    throw cannotWrite(standing, "it is a file, not a folder"_text);
   const fs::path beside = standing == target_ ? target_.parent_path() : standing;
   std::string pattern = (beside / fmt::format(".{}.XXXXXX", target_.filename().string())).string();
   if (!::mkdtemp(pattern.data()))
@@ -133,8 +135,8 @@ fs::path resourceFolder() {
   const fs::path self = fs::read_symlink("/proc/self/exe", status);
   const fs::path folder = self.parent_path().parent_path() / "share" / "voluta";
   if (!fs::is_directory(folder, status))
-    throw Error(ErrorCode::UnreadableFile, "the program's data folder is missing", folder.string(),
-                "set VOLUTA_RESOURCES");
+    throw Error(ErrorCode::UnreadableFile, "the program's data folder is missing"_text,
+                folder.string(), message("set {variable}"_text, "VOLUTA_RESOURCES"_name));
   return folder;
 }
 

@@ -22,27 +22,30 @@ JsonNode JsonNode::readFile(const std::filesystem::path& file) {
   try {
     *root = json::parse(bytes);
   } catch (const json::exception& e) {
-    throw Error(ErrorCode::UnreadableFile, std::string("not JSON: ") + e.what(), file.string());
+    throw Error(ErrorCode::UnreadableFile, message("not JSON: {why}"_text, std::string(e.what())),
+                file.string());
   }
   JsonNode node(root, root.get(), file.string(), "");
   if (!root->is_object())
-    node.fail("must be an object");
+    node.fail("must be an object"_text);
   return node;
 }
 
-void JsonNode::fail(const std::string& what) const {
+void JsonNode::fail(const Message& what) const {
   throw Error(ErrorCode::UnusableInput,
-              key_.empty() ? "the file's top " + what : fmt::format("'{}' {}", key_, what), file_);
+              key_.empty() ? message("the file's top {what}"_text, what)
+                           : message("'{key}' {what}"_text, key_, what),
+              file_);
 }
 
 JsonNode JsonNode::at(std::string_view key) const {
   if (!value_->is_object())
-    fail("must be an object");
+    fail("must be an object"_text);
   const std::string name(key);
   JsonNode child(root_, nullptr, file_, key_.empty() ? name : key_ + "." + name);
   const auto found = value_->find(name);
   if (found == value_->end())
-    child.fail("is missing");
+    child.fail("is missing"_text);
   child.value_ = &*found;
   return child;
 }
@@ -53,55 +56,55 @@ bool JsonNode::has(std::string_view key) const {
 
 void JsonNode::allowOnly(std::initializer_list<std::string_view> keys) const {
   if (!value_->is_object())
-    fail("must be an object");
+    fail("must be an object"_text);
   for (const auto& [key, value] : value_->items())
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
       const std::vector<std::string> names(keys.begin(), keys.end());
       const std::string path = key_.empty() ? key : key_ + "." + key;
-      throw Error(ErrorCode::UnusableInput, fmt::format("unknown key '{}'", path), file_,
-                  "did you mean " + nearestName(key, names) + "?");
+      throw Error(ErrorCode::UnusableInput, message("unknown key '{key}'"_text, path), file_,
+                  didYouMean(key, names));
     }
 }
 
 std::string JsonNode::text() const {
   if (!value_->is_string())
-    fail("must be a text");
+    fail("must be a text"_text);
   return value_->get<std::string>();
 }
 
 double JsonNode::number() const {
   if (!value_->is_number())
-    fail("must be a number");
+    fail("must be a number"_text);
   const double number = value_->get<double>();
   if (!std::isfinite(number))
-    fail("must be a finite number");
+    fail("must be a finite number"_text);
   return number;
 }
 
 int JsonNode::integer() const {
   const double value = number();
   if (value != std::floor(value) || std::abs(value) > 1e6)
-    fail("must be a whole number");
+    fail("must be a whole number"_text);
   return static_cast<int>(value);
 }
 
 double JsonNode::positive() const {
   const double value = number();
   if (value <= 0.0)
-    fail("must be greater than 0");
+    fail("must be greater than 0"_text);
   return value;
 }
 
 double JsonNode::notNegative() const {
   const double value = number();
   if (value < 0.0)
-    fail("must not be negative");
+    fail("must not be negative"_text);
   return value;
 }
 
 std::vector<JsonNode> JsonNode::items() const {
   if (!value_->is_array())
-    fail("must be a list");
+    fail("must be a list"_text);
   std::vector<JsonNode> items;
   for (std::size_t i = 0; i < value_->size(); ++i)
     items.push_back(JsonNode(root_, &(*value_)[i], file_, fmt::format("{}[{}]", key_, i)));

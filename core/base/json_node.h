@@ -33,7 +33,7 @@ public:
   double positive() const;             // number() > 0
   double notNegative() const;          // number() >= 0
 
-  [[noreturn]] void fail(const std::string& what) const; // "'key' what"
+  [[noreturn]] void fail(const Message& what) const; // "'key' what"
 
 private:
   JsonNode(std::shared_ptr<const nlohmann::json> root, const nlohmann::json* value,

@@ -38,4 +38,9 @@ std::string nearestName(std::string_view word, const std::vector<std::string>& c
   return best;
 }
 
+Message didYouMean(std::string_view word, const std::vector<std::string>& candidates) {
+  return candidates.empty() ? Message()
+                            : message("did you mean {name}?"_text, nearestName(word, candidates));
+}
+
 } // namespace voluta::base

@@ -23,12 +23,12 @@ template <typename F> auto outcomeOf(F&& f) noexcept -> Outcome<std::invoke_resu
   } catch (const Error& e) {
     return e;
   } catch (const std::bad_alloc&) {
-    return Error(ErrorCode::Internal, "out of memory", {},
-                 "try a larger voxelMm or a smaller part");
+    return Error(ErrorCode::Internal, "out of memory"_text, {},
+                 "try a larger voxelMm or a smaller part"_text);
   } catch (const std::exception& e) {
-    return Error(ErrorCode::Internal, e.what());
+    return Error(ErrorCode::Internal, message("{what}"_text, std::string(e.what())));
   } catch (...) {
-    return Error(ErrorCode::Internal, "unknown failure");
+    return Error(ErrorCode::Internal, "unknown failure"_text);
   }
 }
 

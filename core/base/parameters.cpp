@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
@@ -12,22 +13,31 @@ namespace voluta::base {
 
 namespace {
 ParameterSpec makeSpec(std::string key, ParameterType type, std::string unit, ParameterValue value,
-                       std::string group, std::string label, std::string help, bool simple) {
+                       Text group, Text label, Text help, bool simple) {
   ParameterSpec spec;
   spec.key = std::move(key);
   spec.type = type;
   spec.unit = std::move(unit);
   spec.defaultValue = std::move(value);
-  spec.group = std::move(group);
-  spec.label = std::move(label);
-  spec.help = std::move(help);
+  spec.group = group;
+  spec.label = label;
+  spec.help = help;
   spec.simple = simple;
   return spec;
 }
 
-std::string rangeOf(const ParameterSpec& spec) {
-  return fmt::format("{:g} to {:g}{}{}", spec.minimum, spec.maximum, spec.unit.empty() ? "" : " ",
-                     spec.unit);
+Message giveRange(const ParameterSpec& spec) {
+  return spec.unit.empty()
+             ? message("give {least} to {most}"_text, number(spec.minimum), number(spec.maximum))
+             : message("give {least} to {most} {unit}"_text, number(spec.minimum),
+                       number(spec.maximum), spec.unit);
+}
+
+std::vector<std::string> idsOf(const std::vector<Choice>& choices) {
+  std::vector<std::string> ids;
+  for (const Choice& choice : choices)
+    ids.push_back(choice.id);
+  return ids;
 }
 
 template <typename T> bool parseWhole(std::string_view text, T& value) {
@@ -37,43 +47,43 @@ template <typename T> bool parseWhole(std::string_view text, T& value) {
 } // namespace
 
 ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue,
-                              double minimum, double maximum, std::string group, std::string label,
-                              std::string help, bool simple) {
+                              double minimum, double maximum, Text group, Text label,
+                              Text help, bool simple) {
   ParameterSpec spec =
       makeSpec(std::move(key), ParameterType::Number, std::move(unit), defaultValue,
-               std::move(group), std::move(label), std::move(help), simple);
+               group, label, help, simple);
   spec.minimum = minimum;
   spec.maximum = maximum;
   return spec;
 }
 
 ParameterSpec integerParameter(std::string key, long long defaultValue, long long minimum,
-                               long long maximum, std::string group, std::string label,
-                               std::string help, bool simple) {
+                               long long maximum, Text group, Text label,
+                               Text help, bool simple) {
   ParameterSpec spec = makeSpec(std::move(key), ParameterType::Integer, "", defaultValue,
-                                std::move(group), std::move(label), std::move(help), simple);
+                                group, label, help, simple);
   spec.minimum = static_cast<double>(minimum);
   spec.maximum = static_cast<double>(maximum);
   return spec;
 }
 
-ParameterSpec booleanParameter(std::string key, bool defaultValue, std::string group,
-                               std::string label, std::string help, bool simple) {
-  return makeSpec(std::move(key), ParameterType::Boolean, "", defaultValue, std::move(group),
-                  std::move(label), std::move(help), simple);
+ParameterSpec booleanParameter(std::string key, bool defaultValue, Text group,
+                               Text label, Text help, bool simple) {
+  return makeSpec(std::move(key), ParameterType::Boolean, "", defaultValue, group,
+                  label, help, simple);
 }
 
-ParameterSpec textParameter(std::string key, std::string group, std::string label, std::string help,
+ParameterSpec textParameter(std::string key, Text group, Text label, Text help,
                             bool simple) {
-  return makeSpec(std::move(key), ParameterType::Text, "", std::string(), std::move(group),
-                  std::move(label), std::move(help), simple);
+  return makeSpec(std::move(key), ParameterType::Text, "", std::string(), group,
+                  label, help, simple);
 }
 
 ParameterSpec choiceParameter(std::string key, std::string defaultValue,
-                              std::vector<std::string> choices, std::string group,
-                              std::string label, std::string help, bool simple) {
+                              std::vector<Choice> choices, Text group,
+                              Text label, Text help, bool simple) {
   ParameterSpec spec = makeSpec(std::move(key), ParameterType::Choice, "", std::move(defaultValue),
-                                std::move(group), std::move(label), std::move(help), simple);
+                                group, label, help, simple);
   spec.choices = std::move(choices);
   return spec;
 }
@@ -102,24 +112,27 @@ void ParameterTable::append(const ParameterTable& other) {
 }
 
 ParameterValue parseParameter(const ParameterSpec& spec, std::string_view text) {
-  const auto wrong = [&](const std::string& why, const std::string& remedy) {
-    return Error(ErrorCode::Usage, fmt::format("'{}' {}", text, why), spec.key, remedy);
+  const auto wrong = [&](Message why, Message remedy) {
+    return Error(ErrorCode::Usage, std::move(why), spec.key, std::move(remedy));
+  };
+  const auto outOfRange = [&] {
+    return wrong(message("'{value}' is out of range"_text, text), giveRange(spec));
   };
   switch (spec.type) {
   case ParameterType::Number: {
     double value = 0.0;
     if (!parseWhole(text, value) || !std::isfinite(value))
-      throw wrong("is not a number", "give " + rangeOf(spec));
+      throw wrong(message("'{value}' is not a number"_text, text), giveRange(spec));
     if (value < spec.minimum || value > spec.maximum)
-      throw wrong("is out of range", "give " + rangeOf(spec));
+      throw outOfRange();
     return value;
   }
   case ParameterType::Integer: {
     long long value = 0;
     if (!parseWhole(text, value))
-      throw wrong("is not a whole number", "give " + rangeOf(spec));
+      throw wrong(message("'{value}' is not a whole number"_text, text), giveRange(spec));
     if (static_cast<double>(value) < spec.minimum || static_cast<double>(value) > spec.maximum)
-      throw wrong("is out of range", "give " + rangeOf(spec));
+      throw outOfRange();
     return value;
   }
   case ParameterType::Boolean:
@@ -127,13 +140,16 @@ ParameterValue parseParameter(const ParameterSpec& spec, std::string_view text) 
       return true;
     if (text == "false" || text == "off" || text == "0" || text == "no")
       return false;
-    throw wrong("is neither true nor false", "give true or false");
-  case ParameterType::Choice:
-    for (const std::string& choice : spec.choices)
-      if (choice == text)
-        return std::string(text);
-    throw wrong("is not one of " + fmt::format("{}", fmt::join(spec.choices, ", ")),
-                "did you mean " + nearestName(text, spec.choices) + "?");
+    throw wrong(message("'{value}' is neither true nor false"_text, text),
+                "give true or false"_text);
+  case ParameterType::Choice: {
+    const std::vector<std::string> ids = idsOf(spec.choices);
+    if (std::find(ids.begin(), ids.end(), text) != ids.end())
+      return std::string(text);
+    throw wrong(message("'{value}' is not one of {choices}"_text, text,
+                        fmt::format("{}", fmt::join(ids, ", "))),
+                didYouMean(text, ids));
+  }
   case ParameterType::Text:
     return std::string(text);
   }
@@ -160,8 +176,8 @@ void ParameterValues::set(std::string_view key, std::string_view text) {
     std::vector<std::string> keys;
     for (const ParameterSpec& known : table_.specs())
       keys.push_back(known.key);
-    throw Error(ErrorCode::Usage, fmt::format("unknown parameter '{}'", key), {},
-                "did you mean " + nearestName(key, keys) + "?");
+    throw Error(ErrorCode::Usage, message("unknown parameter '{key}'"_text, key), {},
+                didYouMean(key, keys));
   }
   changed_[spec->key] = parseParameter(*spec, text);
 }
@@ -169,7 +185,7 @@ void ParameterValues::set(std::string_view key, std::string_view text) {
 void ParameterValues::setAssignment(std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos || equals == 0)
-    throw Error(ErrorCode::Usage, fmt::format("'{}' is not key=value", assignment));
+    throw Error(ErrorCode::Usage, message("'{text}' is not key=value"_text, assignment));
   set(assignment.substr(0, equals), assignment.substr(equals + 1));
 }
 

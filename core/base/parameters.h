@@ -3,6 +3,8 @@
 // struct.
 #pragma once
 
+#include "base/text.h"
+
 #include <map>
 #include <string>
 #include <string_view>
@@ -15,33 +17,38 @@ using ParameterValue = std::variant<double, long long, bool, std::string>;
 
 enum class ParameterType { Number, Integer, Boolean, Choice, Text };
 
+struct Choice {
+  std::string id; // as it is typed
+  Text label;
+};
+
 struct ParameterSpec {
   std::string key; // unique over all tables, camelCase
   ParameterType type = ParameterType::Number;
   std::string unit; // "mm", "mm/s", "deg", "" for none
   ParameterValue defaultValue;
   double minimum = 0.0, maximum = 0.0; // inclusive; Number and Integer
-  std::vector<std::string> choices;    // Choice
-  std::string group;                   // heading in the form
-  std::string label;                   // a few words
-  std::string help;                    // one sentence or two
+  std::vector<base::Choice> choices;   // Choice
+  Text group;                          // heading in the form
+  Text label;                          // a few words
+  Text help;                           // one sentence or two
   bool simple = false;                 // shown in the simple form too
 };
 
 ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue,
-                              double minimum, double maximum, std::string group, std::string label,
-                              std::string help, bool simple = false);
+                              double minimum, double maximum, Text group, Text label,
+                              Text help, bool simple = false);
 ParameterSpec integerParameter(std::string key, long long defaultValue, long long minimum,
-                               long long maximum, std::string group, std::string label,
-                               std::string help, bool simple = false);
-ParameterSpec booleanParameter(std::string key, bool defaultValue, std::string group,
-                               std::string label, std::string help, bool simple = false);
+                               long long maximum, Text group, Text label,
+                               Text help, bool simple = false);
+ParameterSpec booleanParameter(std::string key, bool defaultValue, Text group,
+                               Text label, Text help, bool simple = false);
 // Empty by default.
-ParameterSpec textParameter(std::string key, std::string group, std::string label, std::string help,
+ParameterSpec textParameter(std::string key, Text group, Text label, Text help,
                             bool simple = false);
 ParameterSpec choiceParameter(std::string key, std::string defaultValue,
-                              std::vector<std::string> choices, std::string group,
-                              std::string label, std::string help, bool simple = false);
+                              std::vector<Choice> choices, Text group,
+                              Text label, Text help, bool simple = false);
 
 class ParameterTable {
 public:

@@ -17,7 +17,7 @@ void RunContext::checkpoint() const {
     throw Cancelled{};
 }
 
-void RunContext::report(double fraction, std::string_view what) const {
+void RunContext::report(double fraction, const Message& what) const {
   checkpoint();
   if (sink_)
     sink_(lo_ + (hi_ - lo_) * std::clamp(fraction, 0.0, 1.0), what);

@@ -2,11 +2,11 @@
 // (docs/design.md, Progress and cancel).
 #pragma once
 
+#include "base/text.h"
+
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <string>
-#include <string_view>
 
 namespace voluta::base {
 
@@ -21,9 +21,9 @@ private:
   std::shared_ptr<std::atomic<bool>> flag_;
 };
 
-// Progress of the whole run: fraction in [0,1] and the name of what is being done. Called from
+// Progress of the whole run: fraction in [0,1] and what is being done, a few words. Called from
 // the thread that runs the stage, never from workers.
-using ProgressSink = std::function<void(double fraction, std::string_view what)>;
+using ProgressSink = std::function<void(double fraction, const Message& what)>;
 
 // A small value, passed to every stage as const&. Copies share the cancel token and the sink.
 class RunContext {
@@ -41,7 +41,7 @@ public:
   void checkpoint() const;
 
   // Reports `fraction` in [0,1] of this context's own span, and checkpoints.
-  void report(double fraction, std::string_view what) const;
+  void report(double fraction, const Message& what) const;
 
   // A context for a part of the work that covers [lo, hi] of this one's span.
   RunContext sub(double lo, double hi) const;

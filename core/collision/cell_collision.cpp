@@ -262,9 +262,9 @@ double CellCollision::clearanceToPart(const Frames& base_T_frame, const GrowingP
   return least;
 }
 
-std::string CellCollision::nameOf(int body) const {
-  return body == kPrintedPart ? "printed part"
-                              : cell_.bodies()[static_cast<std::size_t>(body)].name;
+base::Value CellCollision::nameOf(int body) const {
+  return body == kPrintedPart ? "printed part"_text
+                              : robot::nameOf(cell_.bodies()[static_cast<std::size_t>(body)]);
 }
 
 } // namespace voluta::collision

@@ -72,7 +72,7 @@ public:
                          double capMm) const;
 
   // "forearm", "platform", "printed part", ...
-  std::string nameOf(int body) const;
+  base::Value nameOf(int body) const;
 
 private:
   struct Solid;

@@ -57,8 +57,8 @@ voxel::VoxelGrid gridAround(const plan::ToolPlan& plan, const std::vector<std::u
   const Vector3d cells = ((high - grid.origin) / pitch).array().ceil();
   if (cells.x() * cells.y() * cells.z() > static_cast<double>(kMostCells))
     throw base::Error(base::ErrorCode::UnusableInput,
-                      "the part is too large for a collision grid of this fineness", {},
-                      "scale the part down");
+                      "the part is too large for a collision grid of this fineness"_text, {},
+                      "scale the part down"_text);
   grid.size = cells.cast<int>();
   return grid;
 }

@@ -99,7 +99,7 @@ std::vector<float> coarseField(const VoxelGraph& graph,
       smoothField(coarse, rank, limits, rounds, head, {}, ctx.sub(0.0, 0.9)).field;
   const std::vector<Eigen::Vector3f> gradient = fieldGradient(coarse, field, ctx);
 
-  ctx.report(0.9, "field");
+  ctx.report(0.9, "field"_text);
   std::vector<float> fine(graph.size(), kUnset);
   base::parallelChunks(ctx, graph.size(), 16384, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {

@@ -15,6 +15,7 @@
 #include "layers/part_boundary.h"
 #include "layers/patches.h"
 #include "layers/trim.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,14 +120,11 @@ void reportDropped(LayersResult& result, const std::vector<layers::DroppedPiece>
   }
   if (largest == nullptr)
     return;
-  result.findings.push_back(layers::layerFinding(
-      "droppedPieces", largest->centre, dropped.size(),
-      fmt::format("{} pieces of layers are too small for a bead or would begin in the air and are "
-                  "not laid ({:.1f} mm3 in all, the largest {:.1f} mm3)",
-                  dropped.size(), result.droppedVolumeMm3, largest->volumeMm3),
-      "a narrower bead or a lower layer height follows finer detail; support carries "
-      "what begins in the air",
-      false));
+  result.findings.push_back(plan::makeFinding(plan::FindingKind::DroppedPieces,
+                                              {{"pieces", dropped.size()},
+                                               {"volume", base::mm3(result.droppedVolumeMm3)},
+                                               {"largest", base::mm3(largest->volumeMm3)}},
+                                              largest->centre, dropped.size()));
 }
 
 void reportUnsupported(LayersResult& result, const std::vector<layers::SupportCheck>& support,
@@ -147,12 +145,10 @@ void reportUnsupported(LayersResult& result, const std::vector<layers::SupportCh
   result.unsupportedFraction = whole > 0.0 ? loose / whole : 0.0;
   if (first == nullptr)
     return;
-  result.findings.push_back(layers::layerFinding(
-      "unsupportedPatches", first->unsupportedAt, result.unsupportedPatches,
-      fmt::format("{} patches ({:.1f} mm2) begin in the air: neither the plate nor an "
-                  "earlier layer is under them",
-                  result.unsupportedPatches, area),
-      "turn the part, enlarge the platform or add supports", false));
+  result.findings.push_back(
+      plan::makeFinding(plan::FindingKind::UnsupportedPatches,
+                        {{"patches", result.unsupportedPatches}, {"area", base::mm2(area)}},
+                        first->unsupportedAt, result.unsupportedPatches));
 }
 
 } // namespace
@@ -165,7 +161,7 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
                 "positive layer heights and bead width");
   LayersResult result;
   base::Stopwatch extractClock;
-  ctx.report(0.0, "cutting layers from the field");
+  ctx.report(0.0, "cutting layers from the field"_text);
   const LevelField field(d, ctx);
   result.spacingMm = o.fitSpacing ? fittedSpacing(field, part, o.layerHeightMm) : o.layerHeightMm;
   const double side = kBeadsToChange * o.beadWidthMm;
@@ -178,7 +174,7 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
   result.seconds.extract = extractClock.seconds();
 
   base::Stopwatch trimClock;
-  ctx.report(0.3, "trimming layers on the part");
+  ctx.report(0.3, "trimming layers on the part"_text);
   const layers::PartBoundary boundary(part, d.grid.pitch, ctx);
   const std::vector<int> component = componentsOf(d, ctx);
   std::vector<layers::PatchesOfLevel> patches(levels.size());
@@ -224,10 +220,10 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
             std::back_inserter(absorbed.dropped));
   result.mergedPieces = absorbed.merged + absorbedIslands.merged;
   result.mergedVolumeMm3 = absorbed.mergedVolumeMm3 + absorbedIslands.mergedVolumeMm3;
-  ctx.report(0.8, "ending layers on the surface");
+  ctx.report(0.8, "ending layers on the surface"_text);
   layers::followTop(result.stack, boundary,
                     {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
-  ctx.report(0.9, "checking layers");
+  ctx.report(0.9, "checking layers"_text);
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   result.volumeMm3 = result.statistics.volumeMm3();
   reportDropped(result, absorbed.dropped);

@@ -147,7 +147,7 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
     }
   }
 
-  ctx.report(0.95, "front");
+  ctx.report(0.95, "front"_text);
   std::vector<std::int32_t> level(laid.size());
   for (std::size_t v = 0; v < laid.size(); ++v)
     level[v] = static_cast<std::int32_t>(
@@ -168,16 +168,16 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
 
 base::ParameterTable curvedParameters() {
   return base::ParameterTable({
-      base::numberParameter("voxelMm", "mm", 0.8, 0.1, 10.0, "Layers", "Voxel width",
-                            "Width of the voxels that growth works on; layers are not bound to it.",
+      base::numberParameter("voxelMm", "mm", 0.8, 0.1, 10.0, "Layers"_text, "Voxel width"_text,
+                            "Width of the voxels that growth works on; layers are not bound to it."_text,
                             true),
-      base::choiceParameter("frontShape", "auto", {"auto", "flat", "nozzle"}, "Layers", "Front",
+      base::choiceParameter("frontShape", "auto", {{"auto", "auto"_text}, {"flat", "flat"_text}, {"nozzle", "nozzle"_text}}, "Layers"_text, "Front"_text,
                             "Shape of the head that must clear all that is printed earlier: a flat "
                             "one as wide as needed, or the head as it is: where voxels would be "
-                            "lost otherwise (nozzle) and under wide roofs (nozzle and auto)."),
-      base::integerParameter("fieldRounds", 8, 0, 30, "Layers", "Field rounds",
+                            "lost otherwise (nozzle) and under wide roofs (nozzle and auto)."_text),
+      base::integerParameter("fieldRounds", 8, 0, 30, "Layers"_text, "Field rounds"_text,
                              "How often growth and smooth field are fitted to each other at "
-                             "most. 0: layers from the ranks."),
+                             "most. 0: layers from the ranks."_text),
   });
 }
 
@@ -190,8 +190,8 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
                 "decompose: rounds >= 0, 0 < heightMin <= layerHeight <= heightMax");
   const VoxelGraph graph = voxelGraph(voxels.grid, voxels.solid, voxels.plateLayer(), platform);
   if (std::find(graph.onPlatform.begin(), graph.onPlatform.end(), 1) == graph.onPlatform.end())
-    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the platform", {},
-                      "drop it to the plate or choose a platform under it");
+    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the platform"_text, {},
+                      "drop it to the plate or choose a platform under it"_text);
 
   Decomposition out;
   out.grid = voxels.grid;
@@ -231,7 +231,7 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
       }
   out.headVoxels = static_cast<std::size_t>(
       std::count_if(out.byHead.begin(), out.byHead.end(), [](std::uint8_t b) { return b != 0; }));
-  ctx.report(1.0, "growth");
+  ctx.report(1.0, "growth"_text);
   return out;
 }
 

@@ -39,7 +39,7 @@ public:
     while (!layer_.empty()) {
       lay();
       laid += layer_.size();
-      growing.report(static_cast<double>(laid) / static_cast<double>(graph_.size()), "growth");
+      growing.report(static_cast<double>(laid) / static_cast<double>(graph_.size()), "growth"_text);
       advance();
     }
     return std::move(out_);
@@ -252,22 +252,22 @@ ForwardGrowth forwardGrowth(const VoxelGraph& graph, ForwardScheme scheme,
 base::ParameterTable forwardParameters() {
   return base::ParameterTable({
       base::integerParameter(
-          "growthIsp", 1, 0, 1000000, "Layers", "Shadowed per layer",
+          "growthIsp", 1, 0, 1000000, "Layers"_text, "Shadowed per layer"_text,
           "Growth incremental, adaptive, guided: a layer takes voxels as long as it cuts off fewer "
-          "than this many others. 1: none. 0: fewer than the whole layer would."),
+          "than this many others. 1: none. 0: fewer than the whole layer would."_text),
       base::choiceParameter(
-          "growthQueue", "flooding", {"flooding", "insertion"}, "Layers", "Order of trying",
+          "growthQueue", "flooding", {{"flooding", "flooding"_text}, {"insertion", "insertion"_text}}, "Layers"_text, "Order of trying"_text,
           "Growth incremental: a layer's voxels are tried outwards from the first "
-          "one (flooding) or in the order they were found (insertion)."),
-      base::choiceParameter("growthBoundary", "outside", {"outside", "inside"}, "Layers",
-                            "Voxels on the front",
+          "one (flooding) or in the order they were found (insertion)."_text),
+      base::choiceParameter("growthBoundary", "outside", {{"outside", "outside"_text}, {"inside", "inside"_text}}, "Layers"_text,
+                            "Voxels on the front"_text,
                             "The sources' schemes: whether a voxel that lies exactly on the convex "
-                            "front can still be laid (outside) or is cut off by it (inside)."),
-      base::choiceParameter("growthSacrifice", "layer", {"layer", "least"}, "Layers",
-                            "Where nothing is safe",
+                            "front can still be laid (outside) or is cut off by it (inside)."_text),
+      base::choiceParameter("growthSacrifice", "layer", {{"layer", "layer"_text}, {"least", "least"_text}}, "Layers"_text,
+                            "Where nothing is safe"_text,
                             "Growth incremental, adaptive, guided: where every voxel of a layer "
                             "would cut others off, lay all of it as the source does (layer) or "
-                            "only what cuts off fewest (least)."),
+                            "only what cuts off fewest (least)."_text),
   });
 }
 

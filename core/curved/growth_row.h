@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "base/text.h"
 #include "curved/forward_growth.h"
 #include "curved/voxel_graph.h"
 #include "process/process.h"
@@ -38,8 +39,8 @@ struct GrowthInput {
 
 struct GrowthRow {
   std::string_view id;    // as it is typed
-  std::string_view label; // English, in plain words
-  std::string_view help;  // English, a sentence
+  base::Text label;       // in plain words
+  base::Text help;        // a sentence
   // Does it peel: then ForwardOptions mean nothing to it, and a field is fitted to its ranks.
   bool peels = false;
   // Fills in all but `laid`. What holds of the ranks says grow(). Throws Cancelled.

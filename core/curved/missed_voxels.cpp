@@ -3,6 +3,7 @@
 #include "curved/convex_front.h"
 #include "curved/flood.h"
 #include "curved/voxel_graph.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <array>
@@ -161,37 +162,25 @@ private:
   std::vector<Group> groups_;
 };
 
-std::string place(const Eigen::Vector3d& p) {
-  return fmt::format("({:.0f}, {:.0f}, {:.0f})", p.x(), p.y(), p.z());
-}
-
 plan::Finding findingOf(const Group& group) {
-  plan::Finding finding;
-  finding.stage = "decompose";
-  finding.where = group.centre;
-  finding.count = group.voxels.size();
-  const std::size_t own = finding.count - group.cascade;
+  using plan::FindingKind;
+  const std::size_t own = group.voxels.size() - group.cascade;
+  std::vector<plan::NamedValue> values{{"voxels", own}};
+  FindingKind kind = FindingKind::Unreached;
   if (group.loss == Loss::Shadowed) {
-    finding.kind = "shadowedVoxels";
-    finding.reason =
-        fmt::format("{} shadowed: ", own == 1 ? "1 voxel is" : fmt::format("{} voxels are", own));
-    finding.reason +=
-        group.coveredAt > 0
-            ? fmt::format("from step {} on they lie inside the front, under its facet between {}, "
-                          "{} and {} mm",
-                          group.coveredAt, place(group.cover[0]), place(group.cover[1]),
-                          place(group.cover[2]))
-            : std::string("inside the front before they were reached");
-    if (group.cascade > 0)
-      finding.reason += fmt::format("; {} more hang on them", group.cascade);
-    finding.remedy = "turn the part, make the platform smaller or add supports";
-  } else {
-    finding.kind = "unreachedVoxels";
-    finding.reason = fmt::format("{} unreached: no path through the part from the platform",
-                                 own == 1 ? "1 voxel is" : fmt::format("{} voxels are", own));
-    finding.remedy = "a larger platform, supports, or join this piece to the part";
+    const bool covered = group.coveredAt > 0, more = group.cascade > 0;
+    kind = covered ? (more ? FindingKind::ShadowedUnderFacetAndMore : FindingKind::ShadowedUnderFacet)
+                   : (more ? FindingKind::ShadowedUnreachedAndMore : FindingKind::ShadowedUnreached);
+    if (covered) {
+      values.push_back({"step", group.coveredAt});
+      values.push_back({"a", plan::pointOf(group.cover[0])});
+      values.push_back({"b", plan::pointOf(group.cover[1])});
+      values.push_back({"c", plan::pointOf(group.cover[2])});
+    }
+    if (more)
+      values.push_back({"more", group.cascade});
   }
-  return finding;
+  return plan::makeFinding(kind, std::move(values), group.centre, group.voxels.size());
 }
 
 } // namespace
@@ -217,27 +206,21 @@ void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decompositi
   for (std::size_t g = 0; g < std::min(kMostListed, groups.size()); ++g)
     decomposition.findings.push_back(findingOf(groups[g]));
   if (groups.size() > kMostListed) {
-    plan::Finding rest = findingOf(groups[kMostListed]);
-    rest.kind = "missedVoxels";
-    rest.count = 0;
+    const Group& largest = groups[kMostListed];
+    std::size_t voxels = 0;
     for (std::size_t g = kMostListed; g < groups.size(); ++g)
-      rest.count += groups[g].voxels.size();
-    rest.reason = std::to_string(rest.count) + " more voxels are missed in " +
-                  std::to_string(groups.size() - kMostListed) +
-                  " smaller groups; this is the largest";
-    decomposition.findings.push_back(rest);
+      voxels += groups[g].voxels.size();
+    decomposition.findings.push_back(plan::makeFinding(
+        largest.loss == Loss::Shadowed ? plan::FindingKind::MoreShadowed
+                                       : plan::FindingKind::MoreUnreached,
+        {{"voxels", voxels}, {"groups", groups.size() - kMostListed}}, largest.centre, voxels));
   }
   if (belowPlate > 0) {
     for (std::size_t c = 0; c < decomposition.rank.size(); ++c)
       if (voxels.solid[c] && decomposition.rank[c] < 0 && graph.voxelAt[c] < 0)
         decomposition.loss[c] = Loss::Unreached;
-    plan::Finding below;
-    below.stage = "decompose";
-    below.kind = "unreachedVoxels";
-    below.count = belowPlate;
-    below.reason = std::to_string(belowPlate) + " voxels lie below the plate";
-    below.remedy = "drop the part to the plate";
-    decomposition.findings.push_back(below);
+    decomposition.findings.push_back(plan::makeFinding(
+        plan::FindingKind::BelowPlate, {{"voxels", belowPlate}}, std::nullopt, belowPlate));
   }
 }
 

@@ -21,7 +21,7 @@ std::vector<std::int32_t> peelingField(const VoxelGraph& graph, const base::RunC
       front.remove(static_cast<std::size_t>(v));
     }
     ctx.report(1.0 - static_cast<double>(front.count()) / static_cast<double>(graph.size()),
-               "peeling");
+               "peeling"_text);
   }
   return peeled;
 }

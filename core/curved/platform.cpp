@@ -29,8 +29,8 @@ std::vector<Eigen::Vector2d> platformFit(const voxel::SolidVoxels& voxels, doubl
       }
     }
   if (corners.empty())
-    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate", {},
-                      "drop it to the plate");
+    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate"_text, {},
+                      "drop it to the plate"_text);
   return geometry::convexPolygon(std::move(corners), marginMm);
 }
 

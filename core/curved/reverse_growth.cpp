@@ -67,7 +67,7 @@ private:
   }
 
   void reportProgress() const {
-    ctx_.report(1.0 - static_cast<double>(front_.count()) / static_cast<double>(start_), "growth");
+    ctx_.report(1.0 - static_cast<double>(front_.count()) / static_cast<double>(start_), "growth"_text);
   }
 
   void lowerLevels() {

@@ -106,7 +106,7 @@ public:
     std::vector<std::int32_t> deep;
     double before = 0.0;
     for (int round = 0; round < rounds_; ++round) {
-      ctx.report((round + 0.5) / (rounds_ + 0.5), "field");
+      ctx.report((round + 0.5) / (rounds_ + 0.5), "field"_text);
       field = flood(graph_, {}, field, kPitSlope, ctx, Steps::FacesFirst).value;
       const FieldScore score =
           scoreField(graph_, field, fit_.normals(), limits_, front.head, deep, ctx);
@@ -168,13 +168,13 @@ SmoothField smoothField(const VoxelGraph& graph, const std::vector<std::int32_t>
                         const base::RunContext& ctx) {
   base::require(rounds >= 1 && graph.size() > 0 && rank.size() == graph.size(),
                 "smoothField: a round and a voxel or more, a rank each");
-  ctx.report(0.0, "field");
+  ctx.report(0.0, "field"_text);
   Rounds all(graph, rank, limits, rounds, improved, ctx);
   const bool hasHead = head != nullptr;
   all.run({nullptr, kRoofFlat, true, hasHead ? kRoofs : 1.0}, ctx.sub(0.0, hasHead ? 0.6 : 1.0));
   if (hasHead && all.last().roofs > kRoofs)
     all.run({head, kRoofByHead, false, 1.0}, ctx.sub(0.6, 1.0));
-  ctx.report(1.0, "field");
+  ctx.report(1.0, "field"_text);
   return all.take();
 }
 

@@ -58,18 +58,19 @@ UnitGuess guessUnits(const TriangleMesh& mesh) {
   if (mesh.empty())
     return guess;
   guess.longestSideMm = bounds(mesh).sizes().maxCoeff();
-  const auto suggest = [&](const char* unit, const char* words, double scale) {
+  const auto suggest = [&](const char* unit, base::Text words, double scale) {
     guess.unit = unit;
     guess.scale = scale;
-    guess.note = fmt::format("longest side {:.4g} mm: perhaps the file is in {} (scale {:g})",
-                             guess.longestSideMm, words, scale);
+    guess.note = base::message(
+        "longest side {longest:.4g}: perhaps the file is in {unit} (scale {scale})"_text,
+        base::mm(guess.longestSideMm), words, base::number(scale));
   };
   if (guess.longestSideMm > 10000.0)
-    suggest("um", "micrometres", 0.001);
+    suggest("um", "micrometres"_text, 0.001);
   else if (guess.longestSideMm < 2.0 && guess.longestSideMm >= 0.02)
-    suggest("m", "metres", 1000.0);
+    suggest("m", "metres"_text, 1000.0);
   else if (guess.longestSideMm < 2.0)
-    suggest("inch", "inches", 25.4);
+    suggest("inch", "inches"_text, 25.4);
   return guess;
 }
 

@@ -1,22 +1,8 @@
 #include "layers/layer_findings.h"
 
-#include <fmt/format.h>
-#include <utility>
+#include "plan/finding_kinds.h"
 
 namespace voluta::layers {
-
-plan::Finding layerFinding(const char* kind, const Eigen::Vector3d& where, std::size_t count,
-                           std::string reason, std::string remedy, bool blocking) {
-  plan::Finding f;
-  f.stage = "layers";
-  f.kind = kind;
-  f.where = where;
-  f.count = count;
-  f.reason = std::move(reason);
-  f.remedy = std::move(remedy);
-  f.blocking = blocking;
-  return f;
-}
 
 NotLaid notLaid(const std::vector<DroppedPiece>& dropped) {
   NotLaid sum;
@@ -37,12 +23,13 @@ std::optional<plan::Finding> sliversFinding(const NotLaid& slivers, double laidM
   if (slivers.pieces == 0)
     return std::nullopt;
   const double whole = laidMm3 + slivers.volumeMm3;
-  return layerFinding("slivers", slivers.largestAt, slivers.pieces,
-                      fmt::format("{} pieces of layers are too small for a bead or would begin in "
-                                  "the air, {:.3g} mm3 of {:.3g}: they are not laid",
-                                  slivers.pieces, slivers.volumeMm3, whole),
-                      "use a finer nozzle, or print the part larger",
-                      slivers.volumeMm3 > blockingShare * whole);
+  plan::Finding finding = plan::makeFinding(plan::FindingKind::Slivers,
+                                            {{"pieces", slivers.pieces},
+                                             {"volume", base::mm3(slivers.volumeMm3)},
+                                             {"whole", base::mm3(whole)}},
+                                            slivers.largestAt, slivers.pieces);
+  finding.blocking = slivers.volumeMm3 > blockingShare * whole;
+  return finding;
 }
 
 InAir patchesInAir(const std::vector<SupportCheck>& support, const IslandOptions& options) {

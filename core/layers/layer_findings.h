@@ -8,14 +8,9 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace voluta::layers {
-
-// Of stage "layers".
-plan::Finding layerFinding(const char* kind, const Eigen::Vector3d& where, std::size_t count,
-                           std::string reason, std::string remedy, bool blocking);
 
 // Pieces of layers that are not laid.
 struct NotLaid {

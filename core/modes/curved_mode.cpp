@@ -35,7 +35,7 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
                                                       const base::RunContext& ctx) {
   const ModeChoices& in = input.choices;
   auto stage = std::make_shared<DecomposeStage>();
-  ctx.report(0.0, "voxelise");
+  ctx.report(0.0, "voxelise"_text);
   const std::shared_ptr<const PartVoxels> part = input.voxels(ctx.sub(0.0, 0.07));
   const voxel::SolidVoxels& solid = *part->voxels;
   stage->timings.voxelise = part->seconds;
@@ -111,7 +111,7 @@ std::shared_ptr<const LayersStage> curvedLayersOf(const DecomposeStage& decompos
 } // namespace
 
 Mode curvedMode() {
-  return {"curved",        "Curved layers", curvedDecomposeKey,
+  return {"curved",        "Curved layers"_text, curvedDecomposeKey,
           curvedLayersKey, decomposeCurved, curvedLayersOf};
 }
 

@@ -8,6 +8,7 @@
 #include "modes/parameter_text.h"
 #include "modes/platform_body.h"
 #include "modes/rod_profile.h"
+#include "plan/finding_kinds.h"
 #include "robot/cell.h"
 #include "substrate/lathe_layers.h"
 #include "substrate/rod_axis.h"
@@ -28,9 +29,8 @@ robot::CellRod cellRod(const ModeChoices& in) {
   const robot::Cell cell = cellOnAnyPlatform(in.choices, in.process);
   if (!cell.rod())
     throw base::Error(base::ErrorCode::Usage,
-                      fmt::format("mode {} prints around a rod, and cell {} holds none",
-                                  in.choices.mode, in.choices.cell),
-                      {}, "give --cell lathe");
+                      base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text, in.choices.mode, in.choices.cell),
+                      {}, "give --cell lathe"_text);
   return *cell.rod();
 }
 
@@ -130,15 +130,10 @@ std::optional<plan::Finding> tooFarOut(const geometry::TriangleMesh& part,
   constexpr double kSlackMm = 1e-6;
   if (farthest.tail<2>().norm() <= own.printableRadiusMm + kSlackMm)
     return std::nullopt;
-  plan::Finding f;
-  f.stage = "decompose";
-  f.kind = "beyondCell";
-  f.where = farthest;
-  f.reason = fmt::format("the part reaches {:.4g} mm from the rod's axis, the cell prints up to "
-                         "{:g} mm",
-                         farthest.tail<2>().norm(), own.printableRadiusMm);
-  f.remedy = "print the part smaller (scale)";
-  return f;
+  return plan::makeFinding(plan::FindingKind::BeyondCell,
+                           {{"reach", base::mm(farthest.tail<2>().norm())},
+                            {"limit", base::mm(own.printableRadiusMm)}},
+                           farthest);
 }
 
 std::string decomposeKey(const ModeChoices& in) {
@@ -154,7 +149,7 @@ std::string decomposeKey(const ModeChoices& in) {
 std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
                                                 const base::RunContext& ctx) {
   const base::Stopwatch watch;
-  ctx.report(0.0, "take the rod out of the part");
+  ctx.report(0.0, "take the rod out of the part"_text);
   auto stage = std::make_shared<DecomposeStage>();
   const robot::CellRod own = cellRod(input.choices);
   stage->platform = platformOf(input.placed, input.choices);
@@ -168,10 +163,7 @@ std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
       substrate::latheOverhang(*left, rod, options, overhangRule(input.choices));
   tellLevels(input.choices,
              static_cast<int>(substrate::latheBounds(*left, rod, options).size()) - 1, overhang,
-             "rod",
-             fmt::format("x = {:.4g} mm, radius {:.4g} mm", overhang.worstAt.x(),
-                         overhang.worstAt.tail<2>().norm()),
-             *stage);
+             substrate::GroundKind::Rod, *stage);
   if (auto finding = tooFarOut(*left, own))
     stage->findings.push_back(std::move(*finding));
   stage->timings.decompose = watch.seconds();
@@ -190,7 +182,7 @@ std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
 } // namespace
 
 Mode latheMode() {
-  Mode mode{"lathe", "Around a rod", decomposeKey, levelLayersKey, decompose, layersOf};
+  Mode mode{"lathe", "Around a rod"_text, decomposeKey, levelLayersKey, decompose, layersOf};
   mode.platforms = {project::PlatformUse::Rod, project::PlatformUse::Body};
   mode.aroundRod = true;
   // Castelli 2020, 5.3.1: a rod of 5 mm, 200 mm long, and a nozzle that lays 0.25 mm on it.
@@ -205,25 +197,25 @@ Mode latheMode() {
 
 base::ParameterTable latheParameters() {
   return base::ParameterTable({
-      base::choiceParameter("rodAxis", "auto", {"auto", "x", "y", "z"}, "Rod", "axis of the part",
+      base::choiceParameter("rodAxis", "auto", {{"auto", "auto"_text}, {"x", "x"_text}, {"y", "y"_text}, {"z", "z"_text}}, "Rod"_text, "axis of the part"_text,
                             "Which of the part's own axes is laid on the rod; auto: the one that "
-                            "its sides run along.",
+                            "its sides run along."_text,
                             true),
-      base::integerParameter("rodSides", 0, 0, 64, "Rod", "sides of the rod",
-                             "0: a round rod; 3 or more: a prism, measured over its corners.",
+      base::integerParameter("rodSides", 0, 0, 64, "Rod"_text, "sides of the rod"_text,
+                             "0: a round rod; 3 or more: a prism, measured over its corners."_text,
                              true),
       base::textParameter(
-          "rodProfile", "Rod", "profile of the rod",
+          "rodProfile", "Rod"_text, "profile of the rod"_text,
           "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a "
-          "step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight."),
-      base::choiceParameter("rodLayers", "radius", {"radius", "offset"}, "Rod",
-                            "layers around the rod",
+          "step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight."_text),
+      base::choiceParameter("rodLayers", "radius", {{"radius", "radius"_text}, {"offset", "offset"_text}}, "Rod"_text,
+                            "layers around the rod"_text,
                             "At constant radius about the axis, or at constant distance from the "
-                            "rod's profile.",
+                            "rod's profile."_text,
                             true),
-      base::numberParameter("firstLayerMm", "mm", 0.0, 0.0, 10.0, "Layers", "first layer",
+      base::numberParameter("firstLayerMm", "mm", 0.0, 0.0, 10.0, "Layers"_text, "first layer"_text,
                             "Modes lathe and substrate: height of the layer on the ground; 0: as "
-                            "high as the others."),
+                            "high as the others."_text),
   });
 }
 

@@ -14,9 +14,10 @@ substrate::LevelOptions levelOptions(const ModeChoices& in) {
   const double first = in.values.number("firstLayerMm");
   if (first != 0.0 && (first < p.layerHeightMinMm || first > p.layerHeightMaxMm))
     throw base::Error(
-        base::ErrorCode::Usage, fmt::format("{:g} mm is beyond process {}", first, p.id),
-        "firstLayerMm",
-        fmt::format("give 0, or {:g} to {:g} mm", p.layerHeightMinMm, p.layerHeightMaxMm));
+        base::ErrorCode::Usage, base::message("{value} is beyond process {process}"_text, base::mm(first), p.id),
+        "firstLayerMm"_name,
+        base::message("give 0, or {least#} to {most}"_text, base::mm(p.layerHeightMinMm),
+                      base::mm(p.layerHeightMaxMm)));
   return {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm, first, p.beadWidthMm};
 }
 
@@ -35,13 +36,13 @@ std::string levelLayersKey(const ModeChoices&) {
 }
 
 void tellLevels(const ModeChoices& in, int layers, const substrate::Overhang& overhang,
-                const std::string& ground, const std::string& at, DecomposeStage& stage) {
+                substrate::GroundKind ground, DecomposeStage& stage) {
   project::DecompositionReport& r = stage.report;
   r.mode = in.choices.mode;
   r.pieces = 1;
   r.layers = layers;
   r.riskyAreaMm2 = r.riskyAreaBeforeMm2 = overhang.areaMm2;
-  if (auto finding = substrate::overhangFinding(overhang, overhangRule(in), ground, at))
+  if (auto finding = substrate::overhangFinding(overhang, overhangRule(in), ground))
     stage.findings.push_back(std::move(*finding));
 }
 

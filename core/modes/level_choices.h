@@ -20,10 +20,9 @@ substrate::OverhangRule overhangRule(const ModeChoices& in);
 std::string levelLayersKey(const ModeChoices&);
 
 // Puts a decomposition into so many layers, and what of the part leans out over them, into the
-// stage's report and findings. `ground`, `at`: what layers lie on, and where it leans out most, in
-// words.
+// stage's report and findings.
 void tellLevels(const ModeChoices& in, int layers, const substrate::Overhang& overhang,
-                const std::string& ground, const std::string& at, DecomposeStage& stage);
+                substrate::GroundKind ground, DecomposeStage& stage);
 
 std::shared_ptr<const LayersStage> layersStage(substrate::StackedLevels stacked, double seconds);
 

@@ -4,6 +4,7 @@
 
 #include "base/parameters.h"
 #include "base/run_context.h"
+#include "base/text.h"
 #include "curved/decomposition.h"
 #include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
@@ -50,7 +51,8 @@ struct Companions {
 Companions usualOnPlate();
 
 struct Mode {
-  std::string_view id, label;
+  std::string_view id;
+  base::Text label;
   // What of the choices goes into each of the two stages, as text for their keys.
   std::string (*decomposeKey)(const ModeChoices&);
   std::string (*layersKey)(const ModeChoices&);

@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "base/stopwatch.h"
+#include "plan/finding_kinds.h"
 #include "voxel/voxel_demand.h"
 #include "voxel/wall_thickness.h"
 
@@ -15,29 +16,16 @@ namespace {
 constexpr std::size_t kMostListed = 5;
 constexpr double kLeastVoxelMm = 0.1; // of the parameter voxelMm
 
-void addRemedy(plan::Finding& finding, double thicknessMm) {
-  const double fits = std::floor(100.0 * thicknessMm + 1e-6) / 100.0;
-  if (fits < kLeastVoxelMm) {
-    finding.remedy = fmt::format("thicken the wall to {:g} mm or more", kLeastVoxelMm);
-    finding.remedyMm = std::nullopt;
-  } else {
-    finding.remedy = fmt::format("a voxel width of at most {:g} mm", fits);
-    finding.remedyMm = fits;
-  }
-}
-
-plan::Finding findingOf(const voxel::ThinPlace& place, double voxelMm) {
-  plan::Finding finding;
-  finding.stage = "decompose";
-  finding.kind = "thinWalls";
-  finding.where = place.at;
-  finding.count = place.facets;
-  finding.reason = fmt::format("a wall {:.2f} mm thick ({:.2f} mm at its thinnest) is thinner than "
-                               "a voxel of {:g} mm",
-                               place.usualMm, place.leastMm, voxelMm);
-  addRemedy(finding, place.usualMm);
-  finding.blocking = false;
-  return finding;
+// Which of the two kinds, and what it needs beside its own values: the voxel width that would do, or
+// none does.
+plan::Finding thinFinding(plan::FindingKind fits, plan::FindingKind tooThin, double thicknessMm,
+                   std::vector<plan::NamedValue> values, const voxel::ThinPlace& place,
+                   std::size_t facets) {
+  const double width = std::floor(100.0 * thicknessMm + 1e-6) / 100.0;
+  const bool none = width < kLeastVoxelMm;
+  values.push_back(none ? plan::NamedValue{"least", base::mm(kLeastVoxelMm)}
+                        : plan::NamedValue{"fits", base::mm(width)});
+  return plan::makeFinding(none ? tooThin : fits, std::move(values), place.at, facets);
 }
 } // namespace
 
@@ -63,21 +51,25 @@ plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxel
   const std::vector<voxel::ThinPlace> places = voxel::thinPlaces(part, voxelMm, ctx);
   plan::Findings findings;
   for (std::size_t p = 0; p < std::min(kMostListed, places.size()); ++p)
-    findings.push_back(findingOf(places[p], voxelMm));
+    findings.push_back(thinFinding(plan::FindingKind::ThinWall, plan::FindingKind::WallTooThin,
+                            places[p].usualMm,
+                            {{"usual", base::mm(places[p].usualMm)},
+                             {"thinnest", base::mm(places[p].leastMm)},
+                             {"voxel", base::mm(voxelMm)}},
+                            places[p], places[p].facets));
   if (places.size() <= kMostListed)
     return findings;
-  plan::Finding rest = findingOf(places[kMostListed], voxelMm);
   double thinnest = places[kMostListed].usualMm;
-  rest.count = 0;
+  std::size_t facets = 0;
   for (std::size_t p = kMostListed; p < places.size(); ++p) {
-    rest.count += places[p].facets;
+    facets += places[p].facets;
     thinnest = std::min(thinnest, places[p].usualMm);
   }
-  rest.reason = fmt::format("{} smaller places are thinner than a voxel of {:g} mm; this is the "
-                            "largest, the thinnest is {:.2f} mm thick",
-                            places.size() - kMostListed, voxelMm, thinnest);
-  addRemedy(rest, thinnest);
-  findings.push_back(rest);
+  findings.push_back(thinFinding(plan::FindingKind::ThinWalls, plan::FindingKind::WallsTooThin, thinnest,
+                          {{"places", places.size() - kMostListed},
+                           {"voxel", base::mm(voxelMm)},
+                           {"thinnest", base::mm(thinnest)}},
+                          places[kMostListed], facets));
   return findings;
 }
 

@@ -24,7 +24,7 @@ std::shared_ptr<const PartVoxels> partVoxels(const LoadStage& placed, double vox
                                              const base::RunContext& ctx);
 
 // Places whose walls are thinner than a voxel of `voxelMm`: five findings at most for the largest,
-// and one for the rest. None of them blocks; `remedyMm` is the voxel
+// and one for the rest. None of them blocks; the value "fits" is the voxel
 // width that holds the wall, none where no voxel is that narrow. Precondition: voxelMm > 0. Throws
 // Cancelled.
 plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxelMm,

@@ -22,17 +22,17 @@ bool greedyChosen(const base::ParameterValues& values) {
 
 base::ParameterTable pieceSearchParameters() {
   return base::ParameterTable({
-      base::choiceParameter("planarScheme", "beam", {"beam", kGreedy}, "Pieces", "scheme",
+      base::choiceParameter("planarScheme", "beam", {{"beam", "beam"_text}, {kGreedy, "greedy"_text}}, "Pieces"_text, "scheme"_text,
                             "Mode planar: beam keeps several partial results and asks of the "
                             "head's true shape; greedy is the published scheme, by the part's "
-                            "skeleton.",
+                            "skeleton."_text,
                             true),
-      base::integerParameter("pieceClusters", 0, 0, 12, "Pieces", "thicknesses",
+      base::integerParameter("pieceClusters", 0, 0, 12, "Pieces"_text, "thicknesses"_text,
                              "Scheme greedy: how many thicknesses the part's branches are told "
-                             "apart by. 0: as many as stand apart."),
-      base::textParameter("pieceRoot", "Pieces", "root",
+                             "apart by. 0: as many as stand apart."_text),
+      base::textParameter("pieceRoot", "Pieces"_text, "root"_text,
                           "Scheme greedy: x,y,z (mm) of a place on what is printed first; it must "
-                          "stand on the plate. Empty: what stands on it with most area."),
+                          "stand on the plate. Empty: what stands on it with most area."_text),
   });
 }
 
@@ -47,8 +47,8 @@ std::optional<Eigen::Vector3d> pieceRoot(const std::string& text) {
     return std::nullopt;
   Eigen::Vector3d root;
   if (!base::readNumbers(text, ',', {&root.x(), &root.y(), &root.z()}))
-    throw base::Error(base::ErrorCode::Usage, fmt::format("\"{}\" is no point", text), "pieceRoot",
-                      "write x,y,z in mm, as 10,0,5");
+    throw base::Error(base::ErrorCode::Usage, base::message("\"{text}\" is no point"_text, text), "pieceRoot"_name,
+                      "write x,y,z in mm, as 10,0,5"_text);
   return root;
 }
 

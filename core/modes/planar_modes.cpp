@@ -9,6 +9,7 @@
 #include "modes/piece_search.h"
 #include "modes/planar_platform.h"
 #include "modes/plate.h"
+#include "plan/finding_kinds.h"
 #include "planar/flat.h"
 #include "planar/given_cuts.h"
 #include "planar/search/beam_search.h"
@@ -89,15 +90,9 @@ std::string planarKey(const ModeChoices& in) {
 
 // Motion says which waypoints.
 plan::Finding blockedPieces(const planar::PlanarDecomposition& d) {
-  plan::Finding f;
-  f.stage = "decompose";
-  f.kind = "blockedPieces";
-  f.count = d.blockedPieces;
-  f.reason = fmt::format("{} of {} pieces: something printed before is in the head's way",
-                         d.blockedPieces, d.pieces.size());
-  f.remedy = "give other cuts (cutPlanes), turn the part, or use curved mode";
-  f.blocking = false;
-  return f;
+  return plan::makeFinding(plan::FindingKind::BlockedPieces,
+                           {{"blocked", d.blockedPieces}, {"pieces", d.pieces.size()}},
+                           std::nullopt, d.blockedPieces);
 }
 
 // What holds all pieces to the plate may be much less than what the part stands on.
@@ -107,24 +102,17 @@ std::optional<plan::Finding> smallFoot(const geometry::TriangleMesh& part,
   constexpr double kLeastShare = 0.5;
   const double whole = planar::baseArea(planar::wholePart(part, rule), rule);
   double left = 0.0;
-  std::optional<plan::Finding> f;
+  std::optional<Eigen::Vector3d> foot;
   for (const planar::Piece& piece : pieces)
     if (piece.baseTag == planar::kPlate) {
-      if (!f)
-        f.emplace().where = geometry::bounds(piece.solid.mesh).center();
+      if (!foot)
+        foot = geometry::bounds(piece.solid.mesh).center();
       left += planar::baseArea(piece, rule);
     }
-  if (!f || left >= kLeastShare * whole)
+  if (!foot || left >= kLeastShare * whole)
     return std::nullopt;
-  f->stage = "decompose";
-  f->kind = "smallFoot";
-  f->count = 1;
-  f->reason = fmt::format("all pieces are held to the plate by {:.3g} mm2, of {:.3g} that the part "
-                          "stands on uncut",
-                          left, whole);
-  f->remedy = "lay the part on a larger face, or give other cuts (cutPlanes)";
-  f->blocking = false;
-  return f;
+  return plan::makeFinding(plan::FindingKind::SmallFoot,
+                           {{"foot", base::mm2(left)}, {"whole", base::mm2(whole)}}, foot);
 }
 
 std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& input,
@@ -144,11 +132,11 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
                                              options, in.process.beadWidthMm, ctx));
   stage->platform = planar::plateOf(pieces->pieces, options);
   if (stage->platform.polygon.size() < 3)
-    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate", {},
-                      "drop it to the plate");
+    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate"_text, {},
+                      "drop it to the plate"_text);
   tellPieces(*pieces, in, *stage);
   const plan::Findings left = planar::overhangFindings(
-      pieces->pieces, options.rule, "add supports (supports=auto), cut there, or use curved mode");
+      pieces->pieces, options.rule, planar::Overhangs::Pieces);
   stage->findings.insert(stage->findings.end(), left.begin(), left.end());
   if (const auto foot = smallFoot(*input.placed.part, pieces->pieces, options.rule))
     stage->findings.push_back(*foot);
@@ -166,27 +154,22 @@ std::string flatKey(const ModeChoices& in) {
 
 plan::Finding uniformMissesFinding(const planar::UniformMisses& misses,
                                    const voxel::SolidVoxels& solid) {
-  plan::Finding f;
-  f.stage = "decompose";
-  f.kind = "uniformMisses";
-  f.count = misses.count;
-  for (std::size_t c = 0; c < misses.missed.size() && !f.where; ++c)
+  std::optional<Eigen::Vector3d> where;
+  for (std::size_t c = 0; c < misses.missed.size() && !where; ++c)
     if (misses.missed[c] != 0) {
       const Eigen::Vector3i cell = solid.grid.cell(c);
-      f.where = solid.grid.centre(cell.x(), cell.y(), cell.z());
+      where = solid.grid.centre(cell.x(), cell.y(), cell.z());
     }
-  f.reason =
-      fmt::format("{} of {} voxels have nothing printed under them", misses.count, solid.count);
-  f.remedy = "turn the part (orient=leastRisky), or use planar or curved mode";
-  f.blocking = false;
-  return f;
+  return plan::makeFinding(plan::FindingKind::UniformMisses,
+                           {{"missed", misses.count}, {"voxels", solid.count}}, where,
+                           misses.count);
 }
 
 std::shared_ptr<const DecomposeStage> decomposeFlat(const DecomposeInput& input,
                                                     const base::RunContext& ctx) {
   const ModeChoices& in = input.choices;
   auto stage = std::make_shared<DecomposeStage>();
-  ctx.report(0.0, "voxelise");
+  ctx.report(0.0, "voxelise"_text);
   const std::shared_ptr<const PartVoxels> part = input.voxels(ctx.sub(0.0, 0.8));
   const voxel::SolidVoxels& solid = *part->voxels;
   stage->timings.voxelise = part->seconds;
@@ -249,37 +232,37 @@ std::shared_ptr<const LayersStage> flatLayers(const DecomposeStage& decomposed,
 } // namespace
 
 Mode planarMode() {
-  return {"planar", "Planar pieces", planarKey, sliceKey, decomposePlanar, planarLayers};
+  return {"planar", "Planar pieces"_text, planarKey, sliceKey, decomposePlanar, planarLayers};
 }
 
 Mode flatMode() {
-  return {"flat", "Flat layers", flatKey, flatLayersKey, decomposeFlat, flatLayers};
+  return {"flat", "Flat layers"_text, flatKey, flatLayersKey, decomposeFlat, flatLayers};
 }
 
 base::ParameterTable planarModeParameters() {
   base::ParameterTable table({
-      base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Pieces", "overhang angle",
+      base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Pieces"_text, "overhang angle"_text,
                             "How far a face may lean over from the upright without support, in "
-                            "every mode but curved.",
+                            "every mode but curved."_text,
                             true),
       base::textParameter(
-          "pieceMaterials", "Pieces", "materials of pieces",
+          "pieceMaterials", "Pieces"_text, "materials of pieces"_text,
           "Mode planar: a material or filament for each piece, separated by commas; from "
-          "the first again where there are more pieces. Empty: the process's."),
+          "the first again where there are more pieces. Empty: the process's."_text),
       base::textParameter(
-          "cutPlanes", "Pieces", "cutting planes",
+          "cutPlanes", "Pieces"_text, "cutting planes"_text,
           "Mode planar: a JSON file, or its text, with a point and a normal for each "
-          "plane that cuts the part, in turn. Empty: they are searched for."),
-      base::booleanParameter("adaptiveLayers", false, "Layers", "adaptive layers",
+          "plane that cuts the part, in turn. Empty: they are searched for."_text),
+      base::booleanParameter("adaptiveLayers", false, "Layers"_text, "adaptive layers"_text,
                              "Modes planar and flat: thinner layers where the surface leans, "
-                             "within the process's limits."),
-      base::numberParameter("cuspMm", "mm", 0.3, 0.05, 2.0, "Layers", "step height",
+                             "within the process's limits."_text),
+      base::numberParameter("cuspMm", "mm", 0.3, 0.05, 2.0, "Layers"_text, "step height"_text,
                             "Adaptive layers: how far the edges of layers may stand out of the "
-                            "surface."),
+                            "surface."_text),
       base::textParameter(
-          "layerPlanes", "Layers", "planes of layers",
+          "layerPlanes", "Layers"_text, "planes of layers"_text,
           "Mode flat: a JSON file, or its text, with the plane or quadrilateral of each "
-          "layer. Empty: layers along z."),
+          "layer. Empty: layers along z."_text),
   });
   table.append(pieceSearchParameters());
   return table;

@@ -26,13 +26,13 @@ std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Platfo
     return nullptr;
   const std::shared_ptr<const project::LoadedPart> loaded =
       project::loadPart(platform.file(), true, ctx);
-  const auto fail = [&](const char* what, const char* remedy) {
+  const auto fail = [&](const base::Message& what, const base::Message& remedy) {
     throw base::Error(base::ErrorCode::UnusableInput, what, platform.file(), remedy);
   };
   if (loaded->cells)
-    fail("a platform is a mesh, not a voxel object", "give an STL, OBJ, PLY, OFF or 3MF file");
+    fail("a platform is a mesh, not a voxel object"_text, "give an STL, OBJ, PLY, OFF or 3MF file"_text);
   if (!geometry::diagnose(*loaded->mesh, ctx).watertight)
-    fail("the platform's mesh is not closed", "mend it in a modelling program");
+    fail("the platform's mesh is not closed"_text, "mend it in a modelling program"_text);
   return loaded->mesh;
 }
 

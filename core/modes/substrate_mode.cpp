@@ -49,8 +49,8 @@ substrate::EndSurface endSurface(const ModeChoices& in) {
   const std::string text = in.values.text("endSurface");
   substrate::EndSurface end;
   const auto fail = [&] {
-    throw base::Error(base::ErrorCode::Usage, fmt::format("endSurface '{}' is none", text), {},
-                      "write flat, flat:Z, radius:R or mesh:FILE, in mm");
+    throw base::Error(base::ErrorCode::Usage, base::message("endSurface '{text}' is none"_text, text), {},
+                      "write flat, flat:Z, radius:R or mesh:FILE, in mm"_text);
   };
   const std::size_t colon = text.find(':');
   const std::string word = text.substr(0, colon);
@@ -70,9 +70,9 @@ substrate::EndSurface endSurface(const ModeChoices& in) {
     const auto body = platformBody(in.choices.platform);
     if (!body)
       throw base::Error(base::ErrorCode::Usage,
-                        "endSurface mesh:FILE goes with a platform that is a body", {},
-                        "give --platform " + project::platformForms({project::PlatformUse::Body}) +
-                            ", or endSurface flat:Z");
+                        "endSurface mesh:FILE goes with a platform that is a body"_text, {},
+                        base::message("give --platform {platforms}, or endSurface flat:Z"_text,
+                                      project::platformForms({project::PlatformUse::Body})));
     end.mesh = std::make_shared<geometry::MeshQuery>(
         moved(*file->mesh, scale, motionToMiddle(*body, scale)));
   } else if (!text.empty() && text != "flat") {
@@ -101,8 +101,8 @@ substrate::SubstrateOptions substrateOptions(const ModeChoices& in) {
     Vector3d& c = options.centre.emplace();
     if (!base::readNumbers(text, ',', {&c.x(), &c.y(), &c.z()}))
       throw base::Error(base::ErrorCode::Usage,
-                        fmt::format("layerCentre '{:.40}' is no point", text), {},
-                        "write x,y,z in mm");
+                        base::message("layerCentre '{text}' is no point"_text, text.substr(0, 40)), {},
+                        "write x,y,z in mm"_text);
   }
   options.end = endSurface(in);
   return options;
@@ -163,7 +163,7 @@ std::string decomposeKey(const ModeChoices& in) {
 std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
                                                 const base::RunContext& ctx) {
   const base::Stopwatch watch;
-  ctx.report(0.0, "take the surface out of the part");
+  ctx.report(0.0, "take the surface out of the part"_text);
   auto stage = std::make_shared<DecomposeStage>();
   const substrate::SubstrateOptions options = substrateOptions(input.choices);
   stage->platform = platformOf(input.placed, input.choices);
@@ -177,9 +177,7 @@ std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
       substrate::substrateLevels(part, groundOf(stage->platform), options, ctx);
   const substrate::Overhang overhang =
       substrate::findOverhang(part, family.ground, family.outward, overhangRule(input.choices));
-  const Vector3d& at = overhang.worstAt;
-  tellLevels(input.choices, family.count, overhang, "surface",
-             fmt::format("({:.4g}, {:.4g}, {:.4g})", at.x(), at.y(), at.z()), *stage);
+  tellLevels(input.choices, family.count, overhang, substrate::GroundKind::Surface, *stage);
   stage->timings.decompose = watch.seconds();
   return stage;
 }
@@ -199,7 +197,7 @@ std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
 } // namespace
 
 Mode substrateMode() {
-  Mode mode{"substrate", "On a given surface", decomposeKey, levelLayersKey, decompose, layersOf};
+  Mode mode{"substrate", "On a given surface"_text, decomposeKey, levelLayersKey, decompose, layersOf};
   mode.platforms = {project::PlatformUse::Body, project::PlatformUse::Plate};
   mode.place = placeOnSurface;
   mode.placeKey = placeKey;
@@ -209,20 +207,20 @@ Mode substrateMode() {
 
 base::ParameterTable substrateParameters() {
   return base::ParameterTable({
-      base::choiceParameter("layerShape", "offset", {"offset", "sphere", "cylinder", "flatten"},
-                            "Surface", "shape of layers",
+      base::choiceParameter("layerShape", "offset", {{"offset", "offset"_text}, {"sphere", "sphere"_text}, {"cylinder", "cylinder"_text}, {"flatten", "flatten"_text}},
+                            "Surface"_text, "shape of layers"_text,
                             "Mode substrate: at constant distance from the surface, on spheres, on "
                             "cylinders along x, or from the surface to an end surface, thicker "
-                            "where the way is longer.",
+                            "where the way is longer."_text,
                             true),
       base::textParameter(
-          "layerCentre", "Surface", "centre of layers",
+          "layerCentre", "Surface"_text, "centre of layers"_text,
           "Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that "
-          "the part stands on, or below the part."),
+          "the part stands on, or below the part."_text),
       base::textParameter(
-          "endSurface", "Surface", "end surface",
+          "endSurface", "Surface"_text, "end surface"_text,
           "Layers that flatten end on it: flat (at the part's top), flat:Z, radius:R (a "
-          "wider cylinder) or mesh:FILE, placed with the platform's."),
+          "wider cylinder) or mesh:FILE, placed with the platform's."_text),
   });
 }
 

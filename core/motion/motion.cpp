@@ -12,6 +12,7 @@
 #include "motion/rod_turn.h"
 #include "motion/timing.h"
 #include "motion/transfer.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +129,7 @@ private:
     for (std::size_t p = 0; p < plan_.paths.size(); ++p) {
       const plan::ToolPath& path = plan_.paths[p];
       ctx.report(static_cast<double>(path.first) / static_cast<double>(plan_.waypointCount()),
-                 "motion");
+                 "motion"_text);
       const std::size_t runsBefore = runs.size(), end = path.first + path.count;
       for (std::size_t b = path.first, e = b; b < end; b = e) {
         if (head[b] != Refusal::None) {
@@ -287,7 +288,7 @@ private:
   }
 
   void verify(const base::RunContext& ctx) {
-    ctx.report(0.0, "checking the motion");
+    ctx.report(0.0, "checking the motion"_text);
     check_ = checkTrajectory(result_.trajectory, scene_, headBefore_, kClearanceCapMm, ctx);
     result_.statistics.minClearanceMm = check_.minClearanceMm;
   }
@@ -315,38 +316,29 @@ private:
     s.collisions += unapproached_.size() + check_.collisions.size();
 
     result_.findings = findingsOf(refused_, scene_, [&](std::size_t w) { return timeOf[w]; });
-    const auto add = [&](std::string kind, std::size_t waypoint, double when, std::size_t count,
-                         std::string reason, std::string remedy) {
-      plan::Finding f;
-      f.stage = "motion";
-      f.kind = std::move(kind);
+    const auto add = [&](plan::FindingKind kind, std::size_t waypoint, double when,
+                         std::size_t count, std::vector<plan::NamedValue> values) {
+      plan::Finding f = plan::makeFinding(kind, std::move(values), std::nullopt, count);
       if (waypoint < plan_.waypointCount())
         f.where = plan_.position[waypoint];
       f.whenS = when;
-      f.count = count;
-      f.reason = std::move(reason);
-      f.remedy = std::move(remedy);
       result_.findings.push_back(std::move(f));
     };
     if (!unapproached_.empty())
-      add("transfer", unapproached_.front(), timeOf[unapproached_.front()], unapproached_.size(),
-          placeOf(scene_, unapproached_.front()) +
-              fmt::format(": no way to {} path piece(s) was found that keeps clear of everything",
-                          blockedRuns_),
-          "turn the part, or allow less clearance");
+      add(plan::FindingKind::NoWayTo, unapproached_.front(), timeOf[unapproached_.front()],
+          unapproached_.size(),
+          {{"place", placeOf(scene_, unapproached_.front())}, {"pieces", blockedRuns_}});
     if (stranded_)
-      add("transfer", plan_.waypointCount(), s.durationS, 1,
-          "no way back to the home position was found that keeps clear of everything",
-          "move the robot by hand when the part is done, or allow less clearance");
+      add(plan::FindingKind::NoWayHome, plan_.waypointCount(), s.durationS, 1, {});
     if (!check_.collisions.empty()) {
       const TrajectoryCollision& c = check_.collisions.front();
       std::size_t waypoint = plan::kNoWaypoint;
       for (std::size_t i = c.point; i < t.pointCount() && waypoint == plan::kNoWaypoint; ++i)
         waypoint = t.waypoint[i];
-      add("collision", waypoint, t.timeS[c.point], check_.collisions.size(),
-          fmt::format("{} meets {} in the finished motion", collision_.nameOf(c.contact.first),
-                      collision_.nameOf(c.contact.second)),
-          "turn the part, or allow less clearance");
+      add(plan::FindingKind::CollisionInMotion, waypoint, t.timeS[c.point],
+          check_.collisions.size(),
+          {{"first", collision_.nameOf(c.contact.first)},
+           {"second", collision_.nameOf(c.contact.second)}});
     }
   }
 

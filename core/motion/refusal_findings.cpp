@@ -1,7 +1,7 @@
 #include "motion/refusal_findings.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <map>
 
 namespace voluta::motion {
@@ -17,66 +17,49 @@ const plan::ToolPath* pathOf(const plan::ToolPlan& plan, std::size_t waypoint) {
   return after == plan.paths.begin() ? nullptr : &*(after - 1);
 }
 
-std::string kindOf(Refusal why) {
+// Of a place by itself, and of the first of further ones.
+struct Kinds {
+  plan::FindingKind one, more;
+};
+
+Kinds kindsOf(Refusal why) {
+  using enum plan::FindingKind;
   switch (why) {
   case Refusal::Unreachable:
-    return "unreachable";
+    return {Unreachable, MoreUnreachable};
   case Refusal::NoConnection:
-    return "unconnected";
+    return {Unconnected, MoreUnconnected};
   case Refusal::BeyondRod:
-    return "beyondRod";
+    return {BeyondRod, MoreBeyondRod};
+  case Refusal::HeadPart:
+    return {HeadInPart, MoreHeadInPart};
+  case Refusal::HeadPlatform:
+    return {HeadInPlatform, MoreHeadInPlatform};
   default:
-    return "collision";
+    return {Collision, MoreCollisions};
   }
 }
 
-std::string reasonOf(const Refused& r, const MotionScene& scene) {
-  switch (r.why) {
-  case Refusal::Unreachable:
-    return "the robot cannot bring this place under the nozzle: out of reach, or beyond a joint's "
-           "limits, however the part is turned about the nozzle";
-  case Refusal::NoConnection:
-    return "the robot can be here, but cannot come from or go on to a neighbouring place without "
-           "lifting";
-  case Refusal::HeadPart:
-    return "the print head would cut into what is printed already";
-  case Refusal::HeadPlatform:
-    return "the print head would cut into the platform";
-  case Refusal::BeyondRod:
-    return fmt::format("the cell prints up to {:g} mm from the rod's axis and {:g} mm from its "
-                       "middle",
-                       scene.cell.rod()->printableRadiusMm, 0.5 * scene.cell.rod()->lengthMm);
-  default:
-    return fmt::format("{} would meet {}, however the part is turned about the nozzle",
-                       scene.collision.nameOf(r.contact.first),
-                       scene.collision.nameOf(r.contact.second));
+std::vector<plan::NamedValue> valuesOf(const Refused& r, const MotionScene& scene) {
+  std::vector<plan::NamedValue> values{{"place", placeOf(scene, r.waypoint)}};
+  if (r.why == Refusal::BeyondRod) {
+    values.push_back({"radius", base::mm(scene.cell.rod()->printableRadiusMm)});
+    values.push_back({"along", base::mm(0.5 * scene.cell.rod()->lengthMm)});
+  } else if (kindsOf(r.why).one == plan::FindingKind::Collision) {
+    values.push_back({"first", scene.collision.nameOf(r.contact.first)});
+    values.push_back({"second", scene.collision.nameOf(r.contact.second)});
   }
-}
-
-std::string remedyOf(Refusal why) {
-  switch (why) {
-  case Refusal::Unreachable:
-    return "scale the part down (--scale fit), turn it, or use a larger robot";
-  case Refusal::NoConnection:
-    return "turn the part about the vertical, or try more turns (redundancySamples)";
-  case Refusal::HeadPart:
-    return "use a slimmer print head or thinner layers";
-  case Refusal::HeadPlatform:
-    return "use a smaller platform or place the part higher";
-  case Refusal::BeyondRod:
-    return "scale the part down, or move it along the rod";
-  default:
-    return "turn the part, use a smaller platform, or allow less clearance";
-  }
+  return values;
 }
 
 } // namespace
 
-std::string placeOf(const MotionScene& scene, std::size_t waypoint) {
+base::Message placeOf(const MotionScene& scene, std::size_t waypoint) {
   const Eigen::Vector3d& p = scene.plan.position[waypoint];
   const plan::ToolPath* path = pathOf(scene.plan, waypoint);
-  return fmt::format("layer {}, x {:.1f} y {:.1f} z {:.1f}", path != nullptr ? path->layer : 0,
-                     p.x(), p.y(), p.z());
+  return base::message("layer {layer}, x {x:.1f} y {y:.1f} z {z:.1f}"_text,
+                       path != nullptr ? path->layer : 0, base::number(p.x()),
+                       base::number(p.y()), base::number(p.z()));
 }
 
 plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene& scene,
@@ -89,22 +72,17 @@ plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene
                     refused[e].why == r.why && refused[e].contact.first == r.contact.first &&
                     refused[e].contact.second == r.contact.second;)
       ++e;
-    plan::Finding finding;
-    finding.stage = "motion";
-    finding.kind = kindOf(r.why);
-    finding.where = scene.plan.position[r.waypoint];
+    const bool own = findings.size() < kMostFindings;
+    plan::Finding finding =
+        plan::makeFinding(own ? kindsOf(r.why).one : kindsOf(r.why).more, valuesOf(r, scene),
+                          scene.plan.position[r.waypoint], e - b);
     finding.whenS = whenS(r.waypoint);
-    finding.count = e - b;
-    finding.reason = placeOf(scene, r.waypoint) + ": " + reasonOf(r, scene);
-    finding.remedy = remedyOf(r.why);
-    if (findings.size() < kMostFindings) {
-      findings.push_back(finding);
+    if (own) {
+      findings.push_back(std::move(finding));
       continue;
     }
     const auto [at, isNew] = rest.emplace(r.why, finding);
-    if (isNew)
-      at->second.reason = "and further places, the first at " + finding.reason;
-    else
+    if (!isNew)
       at->second.count += finding.count;
   }
   for (const auto& [why, finding] : rest)

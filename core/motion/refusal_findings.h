@@ -16,6 +16,6 @@ plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene
                           const std::function<double(std::size_t)>& whenS);
 
 // "layer 12, x 3.1 y -4.0 z 20.2"
-std::string placeOf(const MotionScene& scene, std::size_t waypoint);
+base::Message placeOf(const MotionScene& scene, std::size_t waypoint);
 
 } // namespace voluta::motion

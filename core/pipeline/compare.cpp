@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
+#include "plan/finding_kinds.h"
 #include "project/platform_kinds.h"
 
 #include <algorithm>
@@ -117,12 +118,13 @@ std::size_t CompareRow::blocking() const {
                                                 [](const auto& f) { return f.blocking; }));
 }
 
-std::string CompareRow::reason() const {
+base::Message CompareRow::reason() const {
   if (!error.empty())
     return error;
   for (const plan::Finding& f : report.findings)
     if (f.blocking)
-      return fmt::format("{}: {}", f.stage, f.reason);
+      return base::message("{stage}: {reason}"_text, plan::stageName(plan::stageOf(f)),
+                           plan::reasonOf(f));
   return {};
 }
 
@@ -160,7 +162,7 @@ Comparison compare(const CompareOptions& options, const base::RunContext& ctx,
       throw base::Cancelled{};
     std::shared_ptr<PlanResult> result;
     if (const auto* error = std::get_if<base::Error>(&outcome)) {
-      row.error = error->what();
+      row.error = error->whole();
       row.errorCode = error->code();
     } else {
       result = std::make_shared<PlanResult>(std::move(std::get<PlanResult>(outcome)));

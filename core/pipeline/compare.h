@@ -46,7 +46,7 @@ enum class RowState {
 
 struct CompareRow {
   Combination combination;
-  std::string error;                     // one line: why it could not be planned; empty: it was
+  base::Message error;                   // why it could not be planned; empty: it was
   base::ErrorCode errorCode{};           // of `error`
   std::optional<project::Stage> reached; // the last stage that was done
   project::Report report;                // of what was planned
@@ -55,8 +55,8 @@ struct CompareRow {
   RowState state() const;
   // Findings that block.
   std::size_t blocking() const;
-  // The first of them in one line, or the error; empty: it is clear.
-  std::string reason() const;
+  // The first of them with its stage, or the error; empty: it is clear.
+  base::Message reason() const;
 };
 
 struct Comparison {

@@ -1,6 +1,7 @@
 // What ways of building are judged by, and the rule that ranks them.
 #pragma once
 
+#include "base/text.h"
 #include "pipeline/compare.h"
 
 #include <map>
@@ -14,7 +15,8 @@ namespace voluta::pipeline {
 // A figure of a row, from its report: one row of the table a figure.
 struct Figure {
   std::string_view key;   // in compare.json
-  std::string_view label; // English: a column's head
+  base::Text label;       // in full
+  base::Text head;        // of a column: short, broken where a narrow one may be
   std::string_view unit;  // "" for counts; "%" for shares, which are fractions of 1
   double weight;          // in the rule unless the user sets another; 0: only shown
   // None: means nothing to the mode, or the road did not come so far.

@@ -39,7 +39,7 @@ Json rowJson(std::size_t index, const CompareRow& row, const std::optional<doubl
             {"scheme", orNull(d.growth)},
             {"platform", row.combination.platform.text()},
             {"state", stateName(row.state())},
-            {"reason", orNull(row.reason())},
+            {"reason", orNull(base::english(row.reason()))},
             {"blocking", row.blocking()},
             {"score", orNull(score)}};
   for (const Figure& figure : figures())

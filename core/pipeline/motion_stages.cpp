@@ -3,6 +3,7 @@
 #include "collision/growing_part.h"
 #include "motion/motion.h"
 #include "pipeline/stages.h"
+#include "plan/finding_kinds.h"
 #include "toolpath/plan_toolpaths.h"
 
 namespace voluta::pipeline {
@@ -46,9 +47,7 @@ motionStage(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platf
   r.robot = cell.robot().id;
   r.cell = cell.id();
   if (toolPlan.paths.empty()) {
-    stage->findings = {{"motion", "nothingToPrint", std::nullopt, std::nullopt, 1,
-                        "no tool-path is left to move along",
-                        "choose a smaller voxelMm or beadWidthMm"}};
+    stage->findings = {plan::makeFinding(plan::FindingKind::NothingToPrint)};
     return stage;
   }
   base::Stopwatch depositing;

@@ -51,7 +51,7 @@ std::string writtenName(const CheckedProgram& program, const plan::ProgramFile& 
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx) {
   base::Stopwatch writing;
-  ctx.report(0.0, "write files");
+  ctx.report(0.0, "write files"_text);
   project::writeJob(folder / "job.voluta", result.job);
   for (const auto& checked : result.checked) {
     if (!checked->passed && !result.keepRefused)

@@ -10,6 +10,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
+#include "plan/finding_kinds.h"
 #include "robot/cell.h"
 #include "voxel/solid_voxels.h"
 #include "voxel/voxel_object.h"
@@ -35,16 +36,6 @@ double fittingScale(const geometry::TriangleMesh& mesh, double unit,
   return std::min(1.0, robot::reachableBallRadius(cell, kReachTiltRad) / radius);
 }
 
-plan::Finding newCells(const std::string& why) {
-  plan::Finding finding;
-  finding.stage = "load";
-  finding.kind = "newCells";
-  finding.reason = "the voxel object is " + why + ": its surface is cut into new cells";
-  finding.remedy = "turn it by quarter turns and lift it by whole cells to keep its own";
-  finding.blocking = false;
-  return finding;
-}
-
 // The object's cells and platform where `stage.part` has come to lie.
 void placeCells(const project::LoadedPart& loaded, double pitch,
                 const geometry::Placement& placement, const base::RunContext& ctx,
@@ -59,8 +50,8 @@ void placeCells(const project::LoadedPart& loaded, double pitch,
   if (turned || lifted) {
     stage.voxels =
         std::make_shared<voxel::SolidVoxels>(voxel::solidVoxels(*stage.part, pitch, ctx));
-    stage.findings.push_back(newCells(turned ? "turned by other than quarter turns"
-                                             : "lifted by other than whole cells"));
+    stage.findings.push_back(plan::makeFinding(turned ? plan::FindingKind::CellsTurned
+                                                       : plan::FindingKind::CellsLifted));
   } else {
     stage.voxels = std::make_shared<voxel::SolidVoxels>(
         voxel::solidVoxels(object, quarter.cast<int>(), pitch, placement.centreMm,
@@ -155,15 +146,8 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
 
 plan::Findings remainingDefects(const project::LoadedPart& loaded) {
   plan::Findings findings;
-  for (const std::string& defect : loaded.remains) {
-    plan::Finding finding;
-    finding.stage = "load";
-    finding.kind = "meshDefect";
-    finding.reason = defect;
-    finding.remedy = "mend the mesh in a modelling program if the result looks wrong";
-    finding.blocking = false;
-    findings.push_back(std::move(finding));
-  }
+  for (const base::Message& defect : loaded.remains)
+    findings.push_back(plan::makeFinding(plan::FindingKind::MeshDefect, {{"defect", defect}}));
   return findings;
 }
 

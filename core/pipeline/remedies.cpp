@@ -3,8 +3,10 @@
 #include "base/parameters.h"
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace voluta::pipeline {
@@ -14,7 +16,7 @@ namespace {
 constexpr double kRoomMm = 20.0;
 
 // None where the value is what it is already, or no stage knows the parameter.
-std::optional<Cure> withParameter(const project::Choices& choices, const std::string& key,
+std::optional<project::Choices> withParameter(const project::Choices& choices, const std::string& key,
                                   const std::string& value) {
   const base::ParameterTable table = allParameters();
   const base::ParameterSpec* spec = table.find(key);
@@ -26,94 +28,104 @@ std::optional<Cure> withParameter(const project::Choices& choices, const std::st
                               : chosen->second;
   if (now == value)
     return std::nullopt;
-  Cure cure{choices, value};
-  cure.choices.parameters[key] = value;
-  return cure;
+  project::Choices changed = choices;
+  changed.parameters[key] = value;
+  return changed;
 }
 
-std::optional<Cure> addSupports(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> addSupports(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "supports", "auto");
 }
 
-std::optional<Cure> turnLeastRisky(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> turnLeastRisky(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "orient", "leastRisky");
 }
 
 // Room for supports beside the part.
-std::optional<Cure> widenPlatform(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> widenPlatform(const plan::Finding&, const project::Choices& choices) {
   const std::optional<double> margin = choices.platform.marginMm();
   if (!margin || *margin >= kRoomMm)
     return std::nullopt;
-  Cure cure{choices, {}};
-  cure.choices.platform = choices.platform.withMarginMm(kRoomMm);
-  return cure;
+  project::Choices changed = choices;
+  changed.platform = choices.platform.withMarginMm(kRoomMm);
+  return changed;
 }
 
 // The parameter is for layers that are planes.
-std::optional<Cure> adaptLayers(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> adaptLayers(const plan::Finding&, const project::Choices& choices) {
   if (choices.mode != "planar" && choices.mode != "flat")
     return std::nullopt;
   return withParameter(choices, "adaptiveLayers", "true");
 }
 
-std::optional<Cure> turnPart(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> turnPart(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "orient", "fewestMissed");
 }
 
 // Voxels are shadowed by a front that spans the platform: the least one is the contact area.
-std::optional<Cure> shrinkPlatform(const plan::Finding&, const project::Choices& choices) {
-  Cure cure{choices, {}};
-  cure.choices.platform = project::Platform::madeForPart(0.0);
-  if (cure.choices.platform == choices.platform)
+std::optional<project::Choices> shrinkPlatform(const plan::Finding&,
+                                               const project::Choices& choices) {
+  project::Choices changed = choices;
+  changed.platform = project::Platform::madeForPart(0.0);
+  if (changed.platform == choices.platform)
     return std::nullopt;
-  return cure;
+  return changed;
 }
 
-std::optional<Cure> narrowVoxels(const plan::Finding& finding, const project::Choices& choices) {
-  const std::optional<double> width = finding.remedyMm;
-  if (!width || *width >= parameterValues(choices).number("voxelMm"))
+std::optional<project::Choices> narrowVoxels(const plan::Finding& finding,
+                                             const project::Choices& choices) {
+  const auto* fits = std::get_if<base::Quantity>(&finding.value("fits")->data());
+  if (!fits || fits->number >= parameterValues(choices).number("voxelMm"))
     return std::nullopt;
-  return withParameter(choices, "voxelMm", base::formatParameter(*width));
+  return withParameter(choices, "voxelMm", base::formatParameter(fits->number));
 }
 
-std::optional<Cure> dropToPlate(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> dropToPlate(const plan::Finding&, const project::Choices& choices) {
   if (choices.placement.liftMm == 0.0)
     return std::nullopt;
-  Cure cure{choices, {}};
-  cure.choices.placement.liftMm = 0.0;
-  return cure;
+  project::Choices changed = choices;
+  changed.placement.liftMm = 0.0;
+  return changed;
 }
 
 } // namespace
 
-const std::vector<Remedy>& remedies() {
-  static const std::vector<Remedy> kRemedies{
-      {"dropToPlate", "Drop to plate", {"unreachedVoxels", kStopped}, dropToPlate},
-      {"shrinkPlatform", "Shrink platform", {"shadowedVoxels", "missedVoxels"}, shrinkPlatform},
-      {"addSupports",
-       "Add supports",
-       {"shadowedVoxels", "unreachedVoxels", "missedVoxels", "overhang", "beginsInAir"},
-       addSupports},
-      {"widenPlatform", "Widen the platform", {"unheldOverhang"}, widenPlatform},
-      {"adaptLayers", "Adapt the layers", {"uncovered"}, adaptLayers},
-      {"turnLeastRisky",
-       "Turn the part",
-       {"overhang", "beginsInAir", "uniformMisses", "unheldOverhang"},
-       turnLeastRisky},
-      {"turnPart",
-       "Turn the part",
-       {"shadowedVoxels", "unreachedVoxels", "missedVoxels"},
-       turnPart},
-      {"narrowVoxels", "Use voxel width %1 mm", {"thinWalls"}, narrowVoxels}};
+std::span<const Remedy> remedies() {
+  using enum plan::RemedyId;
+  static constexpr auto kRemedies = std::to_array<Remedy>(
+      {{DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowest point on the plate"_text,
+        dropToPlate},
+       {ShrinkPlatform, "shrinkPlatform", "Shrink platform"_text,
+        "To the area that the part stands on: the front spans less"_text, shrinkPlatform},
+       {AddSupports, "addSupports", "Add supports"_text,
+        "Thin columns that break off, as few as can be"_text, addSupports},
+       {WidenPlatform, "widenPlatform", "Widen the platform"_text,
+        "By 20 mm all round, so that supports have something to stand on"_text, widenPlatform},
+       {AdaptLayers, "adaptLayers", "Adapt the layers"_text,
+        "Lower ones where the surface leans: steps leave less of it empty"_text, adaptLayers},
+       {TurnLeastRisky, "turnLeastRisky", "Turn the part"_text,
+        "Searches the way to lie in which least area needs support"_text, turnLeastRisky},
+       {TurnPart, "turnPart", "Turn the part"_text,
+        "Searches the way to lie in which fewest voxels are missed"_text, turnPart},
+       {NarrowVoxels, "narrowVoxels", "Use voxel width {fits}"_text,
+        "Narrow enough for this wall; narrower voxels take longer"_text, narrowVoxels}});
   return kRemedies;
 }
 
 std::vector<Offer> remediesFor(const plan::Finding& finding, const project::Choices& choices) {
+  const std::span<const plan::RemedyId> cures = plan::rowOf(finding.kind).cures;
   std::vector<Offer> offers;
-  for (const Remedy& remedy : remedies())
-    if (std::find(remedy.kinds.begin(), remedy.kinds.end(), finding.kind) != remedy.kinds.end())
-      if (std::optional<Cure> cure = remedy.cure(finding, choices))
-        offers.push_back({remedy.id, remedy.label, std::move(*cure)});
+  for (const Remedy& remedy : remedies()) {
+    if (std::find(cures.begin(), cures.end(), remedy.id) == cures.end())
+      continue;
+    std::optional<project::Choices> cured = remedy.cure(finding, choices);
+    if (!cured)
+      continue;
+    base::Message label(remedy.label);
+    for (const std::string_view name : base::placeNames(remedy.label.english()))
+      label.values.push_back(*finding.value(name));
+    offers.push_back({&remedy, std::move(label), std::move(*cured)});
+  }
   return offers;
 }
 

@@ -3,8 +3,6 @@
 #include "base/stopwatch.h"
 #include "program/dialect.h"
 
-#include <fmt/format.h>
-
 namespace voluta::pipeline {
 
 namespace {
@@ -15,7 +13,7 @@ TextLine textLine(std::size_t file, std::size_t line) {
 
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
                     const ProgramStageInput& in, const base::RunContext& ctx) {
-  ctx.report(0.0, "replay " + format);
+  ctx.report(0.0, base::message("replay {format}"_text, format));
   ReadBack back;
   back.read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
   back.verdict = replay::replayProgram(
@@ -45,23 +43,25 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   return r;
 }
 
-std::string failedThresholds(const replay::Verification& verdict) {
-  std::string text;
+std::vector<base::Message> failedThresholds(const replay::Verification& verdict) {
+  std::vector<base::Message> failed;
   for (const replay::ThresholdResult& result : verdict.results)
     if (!result.passed)
-      text += fmt::format("{}{} {:.4g} (limit {:.4g})", text.empty() ? "" : ", ", result.name,
-                          result.value, result.limit);
+      failed.push_back(base::message("{threshold} {value:.4g} (limit {limit:.4g})"_text,
+                                     result.name, base::number(result.value),
+                                     base::number(result.limit)));
   if (verdict.deviations > 0)
-    text += fmt::format("{}{} places where the text is not what was planned",
-                        text.empty() ? "" : ", ", verdict.deviations);
-  return text.empty() ? "passed" : text;
+    failed.push_back(base::message("{places} place where the text is not what was planned|"
+                                   "{places} places where the text is not what was planned"_plural,
+                                   verdict.deviations));
+  return failed;
 }
 
 std::shared_ptr<const CheckedProgram>
 programStage(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx) {
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;
-  ctx.report(0.0, "write " + format);
+  ctx.report(0.0, base::message("write {format}"_text, format));
   checked->program = program::writeProgram(
       format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name}, ctx.sub(0.0, 0.1));
   checked->timings.write = writing.seconds();
@@ -79,7 +79,7 @@ programStage(const std::string& format, const ProgramStageInput& in, const base:
   checked->maxDeviationRad = verdict.maxDeviationRad;
   // Lines are of this program's text, and there are several programs.
   for (plan::Finding& finding : verdict.findings)
-    finding.reason = fmt::format("{}: {}", format, finding.reason);
+    finding.program.format = format;
   checked->findings = std::move(verdict.findings);
   for (const replay::TextPlace& place : verdict.places)
     checked->findingLines.push_back(textLine(place.file, place.line));

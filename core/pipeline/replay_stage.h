@@ -23,7 +23,7 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
 
 project::ReplayReport replayReport(const replay::Verification& verdict);
 
-// "coveredFraction 0.9512 (limit 0.97), ..." of what failed; "passed" when nothing did.
-std::string failedThresholds(const replay::Verification& verdict);
+// "coveredFraction 0.9512 (limit 0.97)" and the like, of what failed.
+std::vector<base::Message> failedThresholds(const replay::Verification& verdict);
 
 } // namespace voluta::pipeline

@@ -5,6 +5,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
 #include "pipeline/stage_keys.h"
+#include "plan/finding_kinds.h"
 #include "program/dialect.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ public:
     job().choices = choices_;
     report().threads = ctx.threads();
     report().decomposition.mode = choices_.mode;
-    ctx.report(0.0, "load");
+    ctx.report(0.0, "load"_text);
     loaded_ = request.loaded
                   ? project::withRepair(request.loaded, choices_.repair, ctx.sub(0.0, 0.03))
                   : project::loadPart(request.part, choices_.repair, ctx.sub(0.0, 0.03));
@@ -202,10 +203,9 @@ private:
     if (first || !checked.passed)
       findings.insert(findings.end(), checked.findings.begin(), checked.findings.end());
     if (!checked.passed)
-      findings.push_back({"replay", "programRefused", std::nullopt, std::nullopt, 1,
-                          fmt::format("the {} program is not handed over: {}",
-                                      checked.program.format, checked.failed),
-                          "see the findings before this one"});
+      findings.push_back(
+          plan::makeFinding(plan::FindingKind::ProgramRefused,
+                            {{"format", checked.program.format}, {"failed", checked.failed}}));
   }
 
   base::Stopwatch whole_;

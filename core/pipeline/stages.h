@@ -54,10 +54,10 @@ struct CheckedProgram {
   static constexpr project::Stage kStage = project::Stage::Replay;
   plan::Program program; // files named as if it passed
   project::ReplayReport verdict;
-  plan::Findings findings;            // each reason begins with the format
+  plan::Findings findings;            // of this format
   std::vector<TextLine> findingLines; // of each finding
   bool passed = false;
-  std::string failed; // the thresholds that were not kept; "passed" when all were
+  std::vector<base::Message> failed; // the thresholds that were not kept
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
   std::vector<TextLine> motionLines; // of each motion, as its reader found it
   project::Timings timings;

@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "pipeline/choices.h"
 #include "placement/orient.h"
+#include "plan/finding_kinds.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -15,35 +16,28 @@ namespace {
 
 constexpr double kSame = 1e-6; // rad
 
-std::string turnIn(const Eigen::Quaterniond& turn) {
-  const Eigen::AngleAxisd by(turn);
-  const auto clean = [](double x) { return std::round(100.0 * x) / 100.0 + 0.0; };
-  return fmt::format("{:.0f} degrees about ({:g}, {:g}, {:g})", base::radiansToDegrees(by.angle()),
-                     clean(by.axis().x()), clean(by.axis().y()), clean(by.axis().z()));
-}
-
-// What was looked at, now and before.
-std::string won(const placement::Orientation& found, bool fewestMissed) {
-  const std::string area = fmt::format("{:.0f} mm2 overhang instead of {:.0f}",
-                                       found.score.riskyMm2, found.before.riskyMm2);
-  if (!fewestMissed)
-    return area;
-  return fmt::format("one pass of growth misses {} voxels of {:.2f} mm instead of {}, {}",
-                     found.missed, found.searchMm, found.missedBefore, area);
-}
-
 plan::Finding findingOf(const placement::Orientation& found, bool fewestMissed, bool turned) {
-  plan::Finding f;
-  f.stage = "load";
-  f.kind = turned ? "turned" : "notTurned";
-  f.count = found.tried;
-  f.reason = turned ? fmt::format("the part is turned by {}: {}", turnIn(found.turn),
-                                  won(found, fewestMissed))
-                    : fmt::format("the part stays as it lies: none of {} ways that stand is better",
-                                  found.tried);
-  f.remedy = turned ? "orient=none leaves it as it was put" : "put it another way by hand";
-  f.blocking = false;
-  return f;
+  using plan::FindingKind;
+  if (!turned)
+    return plan::makeFinding(FindingKind::NotTurned, {{"ways", found.tried}}, std::nullopt,
+                             found.tried);
+  const Eigen::AngleAxisd by(found.turn);
+  const auto clean = [](double x) { return base::number(std::round(100.0 * x) / 100.0 + 0.0); };
+  std::vector<plan::NamedValue> values{
+      {"angle", base::degrees(base::radiansToDegrees(by.angle()))},
+      {"x", clean(by.axis().x())},
+      {"y", clean(by.axis().y())},
+      {"z", clean(by.axis().z())},
+      {"overhang", base::mm2(found.score.riskyMm2)},
+      {"overhangBefore", base::mm2(found.before.riskyMm2)}};
+  if (fewestMissed) {
+    values.push_back({"missed", found.missed});
+    values.push_back({"voxel", base::mm(found.searchMm)});
+    values.push_back({"missedBefore", found.missedBefore});
+  }
+  return plan::makeFinding(fewestMissed ? FindingKind::TurnedFewestMissed
+                                        : FindingKind::TurnedLeastRisky,
+                           std::move(values), std::nullopt, found.tried);
 }
 
 } // namespace

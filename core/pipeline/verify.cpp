@@ -33,12 +33,12 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
   std::string text = base::readFile(program);
   const project::Job planned = project::readJob(job);
   if (!planned.part || !planned.toolPlan || !planned.trajectory)
-    throw base::Error(base::ErrorCode::UnusableInput, "the job holds no motion to verify against",
-                      job.string(), "plan it without --until");
+    throw base::Error(base::ErrorCode::UnusableInput, "the job holds no motion to verify against"_text,
+                      job.string(), "plan it without --until"_text);
   const program::Dialect* dialect = program::detectDialect(program.filename().string(), text);
   if (!dialect)
-    throw base::Error(base::ErrorCode::UnusableInput, "not a program in any known format",
-                      program.string(), "see: list formats");
+    throw base::Error(base::ErrorCode::UnusableInput, "not a program in any known format"_text,
+                      program.string(), "see: list formats"_text);
   const std::vector<plan::ProgramFile> files = filesOf(program, *dialect, std::move(text));
   const process::Process process = chosenProcess(planned.choices, parameterValues(planned.choices));
   const robot::Cell cell = robot::loadCell(planned.choices.cell, process, planned.platform);

@@ -207,11 +207,11 @@ private:
 
 base::ParameterTable orientParameters() {
   return base::ParameterTable({
-      base::choiceParameter("orient", "none", {"none", "leastRisky", "fewestMissed"}, "Placement",
-                            "Turn the part",
+      base::choiceParameter("orient", "none", {{"none", "none"_text}, {"leastRisky", "least risky"_text}, {"fewestMissed", "fewest missed"_text}}, "Placement"_text,
+                            "Turn the part"_text,
                             "Looks for a better way for the part to lie, from where it was put: "
                             "with the least overhanging area, or with the fewest voxels missed by "
-                            "growth.",
+                            "growth."_text,
                             true),
   });
 }
@@ -222,7 +222,7 @@ Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective object
   OrientSearch search(mesh, options, ctx);
   Orientation out =
       objective == Objective::LeastRisky ? search.leastRisky() : search.fewestMissed();
-  ctx.report(1.0, "orientation");
+  ctx.report(1.0, "orientation"_text);
   return out;
 }
 

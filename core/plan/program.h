@@ -1,6 +1,8 @@
 // A robot program as data: what a writer makes and what a reader finds in its text.
 #pragma once
 
+#include "base/text.h"
+
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <string>
@@ -54,7 +56,7 @@ struct ProgramMotion {
 // Something in the text that the reader could not make sense of, or that is missing at its end.
 struct ProgramDefect {
   std::size_t file = 0, line = 0; // 1-based
-  std::string reason;
+  base::Message reason;
 };
 
 struct ReadProgram {

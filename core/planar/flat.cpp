@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -55,23 +56,10 @@ std::vector<Place> riskyPlaces(const Piece& piece, const RiskRule& rule) {
   return places;
 }
 
-plan::Finding overhang(std::size_t count, const Vector3d& at, std::string reason,
-                       const std::string& remedy) {
-  plan::Finding f;
-  f.stage = "decompose";
-  f.kind = "overhang";
-  f.where = at;
-  f.count = count;
-  f.reason = std::move(reason);
-  f.remedy = remedy;
-  f.blocking = false;
-  return f;
-}
-
 } // namespace
 
 plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule,
-                                const std::string& remedy) {
+                                Overhangs of) {
   std::vector<Place> places;
   for (const Piece& piece : pieces) {
     const std::vector<Place> more = riskyPlaces(piece, rule);
@@ -80,38 +68,37 @@ plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule
   }
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.areaMm2 > b.areaMm2; });
+  using plan::FindingKind;
+  const bool flat = of == Overhangs::Flat;
   plan::Findings findings;
   for (std::size_t i = 0; i < std::min(kMostListed, places.size()); ++i)
-    findings.push_back(
-        overhang(1, places[i].at,
-                 fmt::format("{:.3g} mm2 lean over by more than {:g} degrees", places[i].areaMm2,
-                             base::radiansToDegrees(rule.overhangRad)),
-                 remedy));
+    findings.push_back(plan::makeFinding(
+        flat ? FindingKind::OverhangOfFlat : FindingKind::OverhangOfPieces,
+        {{"area", base::mm2(places[i].areaMm2)},
+         {"angle", base::degrees(base::radiansToDegrees(rule.overhangRad))}},
+        places[i].at));
   if (places.size() > kMostListed) {
     double rest = 0.0;
     for (std::size_t i = kMostListed; i < places.size(); ++i)
       rest += places[i].areaMm2;
-    findings.push_back(overhang(places.size() - kMostListed, places[kMostListed].at,
-                                fmt::format("{} smaller places lean over too far, {:.3g} mm2 "
-                                            "together; this is the largest of them",
-                                            places.size() - kMostListed, rest),
-                                remedy));
+    findings.push_back(plan::makeFinding(
+        flat ? FindingKind::OverhangsOfFlat : FindingKind::OverhangsOfPieces,
+        {{"places", places.size() - kMostListed}, {"area", base::mm2(rest)}}, places[kMostListed].at,
+        places.size() - kMostListed));
   }
   return findings;
 }
 
 PlanarDecomposition flatDecomposition(const geometry::TriangleMesh& part, const RiskRule& rule) {
   if (!isClosed(part))
-    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed", {},
-                      "repair it, or use curved mode, which takes any mesh");
+    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed"_text, {},
+                      "repair it, or use curved mode, which takes any mesh"_text);
   PlanarDecomposition out;
   Piece whole;
   whole.solid = tagged(part);
   out.pieces.push_back(std::move(whole));
   out.riskyBeforeMm2 = out.riskyMm2 = riskyArea(out.pieces.front(), rule);
-  out.findings = overhangFindings(
-      out.pieces, rule,
-      "turn the part (orient=leastRisky), add supports, or use planar or curved mode");
+  out.findings = overhangFindings(out.pieces, rule, Overhangs::Flat);
   return out;
 }
 

@@ -13,10 +13,11 @@ namespace voluta::planar {
 // Throws Error{UnusableInput} where the part is not closed.
 PlanarDecomposition flatDecomposition(const geometry::TriangleMesh& part, const RiskRule& rule);
 
-// Where faces that need support hang together: one finding ("overhang") for each of the five
-// largest places, one for the rest (at the largest of them), with what would help. Where: on the
-// faces, near their middle. None of them blocks.
+// Where faces that need support hang together: one finding for each of the five largest places, one
+// for the rest (at the largest of them). Where: on the faces, near their middle. None of them
+// blocks. What would help is not the same for pieces and for a part in flat layers.
+enum class Overhangs { Pieces, Flat };
 plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule,
-                                const std::string& remedy);
+                                Overhangs of);
 
 } // namespace voluta::planar

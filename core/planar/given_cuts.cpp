@@ -69,8 +69,8 @@ double thinnest(const Piece& piece) {
   return least;
 }
 
-[[noreturn]] void wrongCut(std::size_t index, const std::string& what, const char* remedy) {
-  throw base::Error(base::ErrorCode::UnusableInput, what, fmt::format("cut {}", index + 1), remedy);
+[[noreturn]] void wrongCut(std::size_t index, const base::Message& what, const base::Message& remedy) {
+  throw base::Error(base::ErrorCode::UnusableInput, what, base::message("cut {number}"_text, index + 1), remedy);
 }
 
 // The place where a cut's plane meets what is left nearest to its point.
@@ -90,7 +90,7 @@ std::optional<Place> placeOf(const GivenCut& cut, std::int32_t tag,
     try {
       sides = cutByPlane(pieces[p].solid, cut.plane, tag);
     } catch (const base::Error& e) {
-      wrongCut(index, e.message(), "move or tilt the plane a little");
+      wrongCut(index, e.message(), "move or tilt the plane a little"_text);
     }
     for (std::size_t s = 0; s < sides.above.size(); ++s) {
       const geometry::TriangleMesh section =
@@ -108,8 +108,8 @@ std::optional<Place> placeOf(const GivenCut& cut, std::int32_t tag,
 void requireBead(const Piece& piece, std::size_t index, double leastMm) {
   if (const double mm = thinnest(piece); mm < leastMm)
     wrongCut(index,
-             fmt::format("leaves a piece {:.2g} mm thin, less than a bead's {:g} mm", mm, leastMm),
-             "move the plane, or leave it out");
+             base::message("leaves a piece {thickness:.2g} thin, less than a bead's {least}"_text, base::mm(mm), base::mm(leastMm)),
+             "move the plane, or leave it out"_text);
 }
 
 } // namespace
@@ -118,9 +118,9 @@ std::vector<GivenCut> readGivenCuts(const std::string& json, const std::string& 
   std::vector<GivenCut> cuts;
   for (const UserPlane& p : readUserPlanes(json, where)) {
     if (!p.corners.empty())
-      throw base::Error(base::ErrorCode::UnusableInput, "a quadrilateral does not cut a part",
-                        fmt::format("{}, entry {}", where, cuts.size() + 1),
-                        "give planes: {\"point\": [x, y, z], \"normal\": [x, y, z]}");
+      throw base::Error(base::ErrorCode::UnusableInput, "a quadrilateral does not cut a part"_text,
+                        base::message("{where}, entry {number}"_text, where, cuts.size() + 1),
+                        "give planes: {\"point\": [x, y, z], \"normal\": [x, y, z]}"_text);
     cuts.push_back({p.point, p.plane});
   }
   return cuts;
@@ -172,19 +172,19 @@ std::vector<Piece> cutApart(Piece whole, const std::vector<GivenCut>& cuts, cons
   std::vector<Piece> pieces;
   pieces.push_back(std::move(whole));
   for (std::size_t i = 0; i < cuts.size(); ++i) {
-    ctx.report(static_cast<double>(i) / static_cast<double>(cuts.size()), "cutting");
+    ctx.report(static_cast<double>(i) / static_cast<double>(cuts.size()), "cutting"_text);
     const auto tag = static_cast<std::int32_t>(i);
     const auto place = placeOf(cuts[i], tag, pieces, i);
     if (!place)
-      wrongCut(i, "the plane misses the part", "move it to where it crosses the part");
+      wrongCut(i, "the plane misses the part"_text, "move it to where it crosses the part"_text);
     Piece& piece = pieces[place->piece];
     const Wanted wanted = [&](const TaggedMesh& solid) {
       return solid.mesh.vertices == place->solid.vertices;
     };
     std::optional<PieceCut> cut = splitPiece(piece, cuts[i].plane, tag, wanted, rule);
     if (!cut)
-      wrongCut(i, "leaves a piece that stands on nothing",
-               "move the plane, or turn its normal to the side that is to be cut off");
+      wrongCut(i, "leaves a piece that stands on nothing"_text,
+               "move the plane, or turn its normal to the side that is to be cut off"_text);
     requireBead(cut->below, i, leastMm);
     piece = std::move(cut->below);
     for (Piece& above : cut->above) {
@@ -199,8 +199,8 @@ PlanarDecomposition decomposeByCuts(const geometry::TriangleMesh& part,
                                     const std::vector<GivenCut>& cuts, const PlanarOptions& options,
                                     double leastMm, const base::RunContext& ctx) {
   if (part.empty() || !isClosed(part))
-    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed", {},
-                      "repair it, or use curved mode, which takes any mesh");
+    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed"_text, {},
+                      "repair it, or use curved mode, which takes any mesh"_text);
   const base::Stopwatch watch;
   PlanarDecomposition out;
   Piece whole = wholePart(part, options.rule);
@@ -213,7 +213,7 @@ PlanarDecomposition decomposeByCuts(const geometry::TriangleMesh& part,
     out.sectionMm2 += piece.baseTag == kPlate ? 0.0 : baseArea(piece, options.rule);
   }
   out.seconds.cut = watch.seconds();
-  ctx.report(1.0, "pieces");
+  ctx.report(1.0, "pieces"_text);
   return out;
 }
 

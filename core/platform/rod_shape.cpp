@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kLeastSides = 180;
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw base::Error(base::ErrorCode::UnusableInput, what, "rod profile",
-                    "give pairs of x and radius in mm, x ascending");
+[[noreturn]] void refuse(const base::Message& what) {
+  throw base::Error(base::ErrorCode::UnusableInput, what, "rod profile"_text,
+                    "give pairs of x and radius in mm, x ascending"_text);
 }
 
 // Of a side's middle to its corners.
@@ -34,19 +34,19 @@ RodShape straightRod(double diameterMm, double lengthMm, int sides) {
 void checkRod(const RodShape& rod) {
   const auto& p = rod.profile;
   if (p.size() < 2)
-    refuse("a rod needs two points at least");
+    refuse("a rod needs two points at least"_text);
   if (rod.sides < 0 || rod.sides == 1 || rod.sides == 2)
-    refuse("a rod is round or has three sides at least");
+    refuse("a rod is round or has three sides at least"_text);
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!p[i].allFinite() || p[i].y() <= 0.0)
-      refuse(fmt::format("the radius at point {} is not positive", i + 1));
+      refuse(base::message("the radius at point {i} is not positive"_text, i + 1));
     if (i > 0 && p[i].x() < p[i - 1].x())
-      refuse(fmt::format("x runs back at point {}", i + 1));
+      refuse(base::message("x runs back at point {i}"_text, i + 1));
     if (i > 1 && p[i].x() == p[i - 2].x())
-      refuse(fmt::format("point {} is the third one at x = {:.6g} mm", i + 1, p[i].x()));
+      refuse(base::message("point {i} is the third one at x = {x:.6g} mm"_text, i + 1, base::number(p[i].x())));
   }
   if (p[1].x() == p[0].x() || p[p.size() - 2].x() == p.back().x())
-    refuse("a step at the end of the rod");
+    refuse("a step at the end of the rod"_text);
 }
 
 double radiusAt(const RodShape& rod, double x, double angle) {

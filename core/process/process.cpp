@@ -18,9 +18,9 @@ void readRange(const JsonNode& node, double& usual, double& least, double& most)
   usual = node.at("default").positive();
   most = node.at("max").positive();
   if (usual < least)
-    node.at("default").fail("is below 'min'");
+    node.at("default").fail("is below 'min'"_text);
   if (usual > most)
-    node.at("default").fail("is above 'max'");
+    node.at("default").fail("is above 'max'"_text);
 }
 
 HeadShape readHead(const JsonNode& list) {
@@ -28,14 +28,14 @@ HeadShape readHead(const JsonNode& list) {
   for (const JsonNode& item : list.items()) {
     const std::vector<JsonNode> pair = item.items();
     if (pair.size() != 2)
-      item.fail("must be a pair of height and radius");
+      item.fail("must be a pair of height and radius"_text);
     const HeadSection section{pair[0].notNegative(), pair[1].notNegative()};
     if (head.sections.empty() ? section.zMm != 0.0 : section.zMm < head.sections.back().zMm)
-      item.fail("does not rise from z = 0");
+      item.fail("does not rise from z = 0"_text);
     head.sections.push_back(section);
   }
   if (head.sections.size() < 2)
-    list.fail("must have two sections at least");
+    list.fail("must have two sections at least"_text);
   return head;
 }
 } // namespace
@@ -78,7 +78,7 @@ std::vector<std::string> processIds() {
 }
 
 Process loadProcess(const std::string& id) {
-  return readProcess(base::dataFile("processes", id, "process"));
+  return readProcess(base::dataFile("processes", id, "unknown process '{id}'"_text));
 }
 
 } // namespace voluta::process

@@ -13,7 +13,7 @@ namespace voluta::program {
 const std::vector<Dialect>& dialects() {
   static const std::vector<Dialect> table = {
       {.id = "urscript",
-       .label = "URScript (Universal Robots)",
+       .label = "URScript (Universal Robots)"_text,
        .extension = "script",
        .controller = "urscript",
        .needsJoints = false,
@@ -24,7 +24,7 @@ const std::vector<Dialect>& dialects() {
        .remark = "#",
        .mayBeMissing = mayBeMissingInUrscript},
       {.id = "gcode-extended",
-       .label = "Extended G-code (nozzle direction as nX nY nZ)",
+       .label = "Extended G-code (nozzle direction as nX nY nZ)"_text,
        .extension = "gcode",
        .controller = "gcode-extended",
        .needsJoints = false,
@@ -34,7 +34,7 @@ const std::vector<Dialect>& dialects() {
        .remark = ";",
        .mayBeMissing = mayBeMissingInExtendedGcode},
       {.id = "rapid",
-       .label = "RAPID (ABB)",
+       .label = "RAPID (ABB)"_text,
        .extension = "mod",
        .controller = "rapid",
        .needsJoints = false,
@@ -45,7 +45,7 @@ const std::vector<Dialect>& dialects() {
        .remark = "!",
        .mayBeMissing = mayBeMissingInRapid},
       {.id = "csv",
-       .label = "Joint table (CSV)",
+       .label = "Joint table (CSV)"_text,
        .extension = "csv",
        .controller = "",
        .needsJoints = true,
@@ -64,8 +64,8 @@ const Dialect& findDialect(std::string_view id) {
       return d;
     ids.emplace_back(d.id);
   }
-  throw base::Error(base::ErrorCode::Usage, joined({"unknown format '", id, "'"}), {},
-                    joined({"did you mean '", base::nearestName(id, ids), "'?"}));
+  throw base::Error(base::ErrorCode::Usage, base::message("unknown format '{id}'"_text, id), {},
+                    base::message("did you mean '{name}'?"_text, base::nearestName(id, ids)));
 }
 
 const Dialect* detectDialect(std::string_view fileName, std::string_view text) {
@@ -97,11 +97,10 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
   std::string others;
   for (const Dialect& other : dialects())
     if (other.turnsRods)
-      others += joined({others.empty() ? "take " : ", ", other.id});
+      others += joined({others.empty() ? "" : ", ", other.id});
   throw base::Error(base::ErrorCode::Usage,
-                    joined({"format ", dialect.id, " knows no external axis: it cannot turn the ",
-                            cell.externalAxes().front().name, " of cell ", cell.id()}),
-                    {}, others);
+                    base::message("format {format} knows no external axis: it cannot turn the {axis} of cell {cell}"_text, dialect.id, cell.externalAxes().front().name, cell.id()),
+                    {}, others.empty() ? base::Message() : base::message("take {formats}"_text, others));
 }
 
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,

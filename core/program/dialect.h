@@ -9,6 +9,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "base/text.h"
 #include "plan/program.h"
 #include "program/program_input.h"
 #include "program/text.h"
@@ -21,7 +22,7 @@ namespace voluta::program {
 
 struct Dialect {
   std::string_view id;
-  std::string_view label;
+  base::Text label;
   std::string_view extension;  // without the dot
   std::string_view controller; // RobotModel::controller it is native to; empty: any robot's
   bool needsJoints = false;    // its targets are joint values, so it is bound to the cell's robot

@@ -48,7 +48,7 @@ public:
     start();
     for (std::size_t i = 0; i < n; ++i) {
       if (i % 4096 == 0)
-        ctx_.report(static_cast<double>(i) / static_cast<double>(n), "gcode-extended");
+        ctx_.report(static_cast<double>(i) / static_cast<double>(n), base::message("{format}"_text, "gcode-extended"_name));
       motion(i);
     }
     out_ += "M104 S0\nM84\n";
@@ -167,12 +167,12 @@ public:
       --file_; // what is missing is missing at the end of the last file
     out_.complete = cold_ && motorsOff_ && ended_;
     if (!out_.complete)
-      defect("the end sequence (M104 S0, M84, '; end') is missing: the file was cut short");
+      defect("the end sequence (M104 S0, M84, '; end') is missing: the file was cut short"_text);
     return std::move(out_);
   }
 
 private:
-  void defect(std::string reason) { defects_.add(file_, line_, std::move(reason)); }
+  void defect(base::Message reason) { defects_.add(file_, line_, std::move(reason)); }
 
   void readLine(std::string_view line) {
     if (trimmed(line) == kEnd) {
@@ -188,12 +188,12 @@ private:
     if (code.empty())
       return;
     if (ended_)
-      defect("text behind the end");
+      defect("text behind the end"_text);
     Words words;
     if (code.starts_with("M117"))
       return;
     if (!wordsOf(code, words)) {
-      defect(joined({"not understood: '", code.substr(0, 60), "'"}));
+      defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
       return;
     }
     execute(words);
@@ -206,7 +206,7 @@ private:
     text.remove_prefix(kDiameterNote.size());
     double diameter = 0.0;
     if (!takeNumber(text, diameter) || diameter < 0.1 || diameter > 20.0)
-      defect("not a filament's diameter");
+      defect("not a filament's diameter"_text);
     else
       filamentMm2_ = filamentArea(diameter);
   }
@@ -247,7 +247,7 @@ private:
   void execute(Words& w) {
     w['N'].reset();
     if (w['G'] && w['M']) {
-      defect("two commands in one line");
+      defect("two commands in one line"_text);
       return;
     }
     if (w['G'])
@@ -255,7 +255,7 @@ private:
     else if (w['M'])
       executeM(*w['M'], w);
     else if (!w['T'])
-      defect("a line without a command");
+      defect("a line without a command"_text);
   }
 
   void executeG(double g, Words& w) {
@@ -264,11 +264,11 @@ private:
     else if (g == 92.0)
       setPosition(w);
     else if (g == 20.0)
-      defect("inches are not understood");
+      defect("inches are not understood"_text);
     else if (g == 91.0)
-      defect("relative positions are not understood");
+      defect("relative positions are not understood"_text);
     else if (g != 4.0 && g != 21.0 && g != 28.0 && g != 90.0)
-      defect("a G command that is not known to the reader");
+      defect("a G command that is not known to the reader"_text);
   }
 
   void executeM(double m, Words& w) {
@@ -279,12 +279,12 @@ private:
     else if (m == 84.0 || m == 18.0)
       motorsOff_ = true;
     else if (m != 109.0 && m != 140.0 && m != 190.0 && m != 106.0 && m != 107.0)
-      defect("an M command that is not known to the reader");
+      defect("an M command that is not known to the reader"_text);
   }
 
   void setPosition(Words& w) {
     if (w.any("XYZ"))
-      defect("a shifted origin is not understood");
+      defect("a shifted origin is not understood"_text);
     if (w['E'])
       e_ = farthestE_ = *w['E'];
   }
@@ -293,12 +293,13 @@ private:
     for (const char c :
          {'A', 'B', 'C', 'D', 'H', 'I', 'J', 'K', 'L', 'O', 'P', 'Q', 'R', 'S', 'T', 'U', 'V', 'W'})
       if (w[c]) {
-        defect(std::string("a motion with a word ") + c + " is not understood");
+        defect(base::message("a motion with a word {letter} is not understood"_text,
+                             std::string(1, c)));
         return;
       }
     if (w['F']) {
       if (!(*w['F'] > 0.0)) {
-        defect("a speed that is not above 0");
+        defect("a speed that is not above 0"_text);
         return;
       }
       mmPerS_ = *w['F'] / 60.0;
@@ -326,7 +327,7 @@ private:
     m.volumeMm3 = pushedMm * filamentMm2_;
     m.extruding = pushedMm > 0.0;
     if (mmPerS_ == 0.0)
-      defect("a motion before any speed (F)");
+      defect("a motion before any speed (F)"_text);
     out_.motions.push_back(std::move(m));
     cold_ = motorsOff_ = ended_ = false;
   }
@@ -341,19 +342,19 @@ private:
       }
     }
     if (!known_[0] || !known_[1] || !known_[2]) {
-      defect("a motion before X, Y and Z are all known");
+      defect("a motion before X, Y and Z are all known"_text);
       return false;
     }
     if (!turns)
       return true;
     if (!w.direction[0] || !w.direction[1] || !w.direction[2]) {
-      defect("a direction needs nX, nY and nZ");
+      defect("a direction needs nX, nY and nZ"_text);
       return false;
     }
     const Eigen::Vector3d n(*w.direction[0], *w.direction[1], *w.direction[2]);
     const double length = n.norm();
     if (!(std::abs(length - 1.0) <= kDirectionTolerance))
-      defect("a direction whose length is not 1");
+      defect("a direction whose length is not 1"_text);
     if (!(length > 0.1 && length < 10.0))
       return false;
     direction_ = n / length;

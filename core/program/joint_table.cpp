@@ -52,7 +52,7 @@ public:
   }
 
 private:
-  void defect(std::string reason) { defects_.add(file_, line_, std::move(reason)); }
+  void defect(base::Message reason) { defects_.add(file_, line_, std::move(reason)); }
 
   void readFile(std::string_view text) {
     LineReader lines(text);
@@ -68,7 +68,7 @@ private:
       if (line.empty())
         continue;
       if (ended)
-        defect("text behind the end");
+        defect("text behind the end"_text);
       if (line.front() == '#')
         ended = ended || line == kEnd;
       else if (joints_ == 0)
@@ -77,9 +77,9 @@ private:
         row(line);
     }
     if (joints_ == 0)
-      defect("the header line is missing");
+      defect("the header line is missing"_text);
     if (!ended)
-      defect("the line '# end' is missing: the file was cut short");
+      defect("the line '# end' is missing: the file was cut short"_text);
     out_.complete = ended && headed_ && (file_ == 0 || out_.complete);
   }
 
@@ -87,7 +87,7 @@ private:
     joints_ = jointsOfHeader(line);
     headed_ = joints_ > 0;
     if (!headed_) {
-      defect("not the header of a joint table");
+      defect("not the header of a joint table"_text);
       // Rows can still be read when the columns are as many as a header has.
       const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
       joints_ = commas > 3 && commas - 3 <= 8 ? commas - 3 : 0;
@@ -110,17 +110,17 @@ private:
     good = good && takeField(rest, extruded) && takeField(rest, waypoint);
     m.jointInterpolated = rest == "joint";
     if (!good || !(rest == "print" || rest == "linear" || rest == "joint")) {
-      defect("not a row of the table");
+      defect("not a row of the table"_text);
       return;
     }
     if (waypoint < -1.0 || waypoint != std::floor(waypoint))
-      defect("a waypoint's number is a whole number from -1");
+      defect("a waypoint's number is a whole number from -1"_text);
     m.durationS = time - time_;
     m.volumeMm3 = extruded - extruded_;
     if (m.durationS < 0.0 || time < 0.0)
-      defect("time runs backwards");
+      defect("time runs backwards"_text);
     if (m.volumeMm3 < 0.0 || extruded < 0.0)
-      defect("extruded material becomes less");
+      defect("extruded material becomes less"_text);
     m.durationS = std::max(0.0, m.durationS);
     m.volumeMm3 = std::max(0.0, m.volumeMm3);
     m.extruding = rest == "print" || m.volumeMm3 > 0.0;
@@ -162,7 +162,7 @@ plan::Program writeJointTable(const ProgramInput& input, const base::RunContext&
   out += ",extruded_mm3,waypoint,move\n";
   for (std::size_t i = 0; i < t.pointCount(); ++i) {
     if (i % 4096 == 0)
-      ctx.report(static_cast<double>(i) / static_cast<double>(t.pointCount()), "csv");
+      ctx.report(static_cast<double>(i) / static_cast<double>(t.pointCount()), base::message("{format}"_text, "csv"_name));
     appendFixed(out, t.timeS[i], 6);
     for (int k = 0; k < t.dof; ++k) {
       out += ',';

@@ -45,8 +45,7 @@ public:
     file_ = files.empty() ? 0 : files.size() - 1;
     if (modules_ == 0 || modules_ - 1 < calls_.size()) {
       defect(modules_ == 0
-                 ? "there is no module"
-                 : joined({"the module with ", calls_[modules_ - 1].procedure, " is not here"}));
+                 ? "there is no module"_text : base::message("the module with {procedure} is not here"_text, calls_[modules_ - 1].procedure));
       complete = false;
     }
     out_.complete = complete;
@@ -62,7 +61,7 @@ private:
     RapidData data;
   };
 
-  void defect(std::string reason) { defects_.add(file_, line_, std::move(reason)); }
+  void defect(base::Message reason) { defects_.add(file_, line_, std::move(reason)); }
 
   // Every line ends with CR LF; the first that doesn't is told. false: the last one has no end.
   bool linesEnd(std::string_view text) {
@@ -72,13 +71,13 @@ private:
       const bool pair =
           lf ? i > 0 && text[i - 1] == '\r' : !cr || (i + 1 < text.size() && text[i + 1] == '\n');
       if (!pair && !told)
-        defect("a line does not end with CR LF");
+        defect("a line does not end with CR LF"_text);
       told = told || !pair;
       line_ += lf ? 1 : 0;
     }
     const bool ended = !text.empty() && text.back() == '\n';
     if (!ended)
-      defect("the last line has no end: the file was cut short");
+      defect("the last line has no end: the file was cut short"_text);
     return ended;
   }
 
@@ -100,13 +99,13 @@ private:
       } else if (std::string_view name = line; open && !closed && takeModule(name)) {
         if (std::none_of(files.begin(), files.end(),
                          [&](const auto& f) { return f.name.ends_with(name); }))
-          defect(joined({"the module ", name.substr(0, 60), " is not here"}));
+          defect(base::message("the module {name} is not here"_text, name.substr(0, 60)));
       } else {
-        defect(joined({"not understood: '", line.substr(0, 60), "'"}));
+        defect(base::message("not understood: '{code}'"_text, line.substr(0, 60)));
       }
     }
     if (!closed)
-      defect("the list of modules has no end");
+      defect("the list of modules has no end"_text);
     return closed;
   }
 
@@ -164,9 +163,9 @@ private:
     line_ = token_.line;
     bool runs = false, ended = false;
     if (!takeWord("module") || !takeName(name))
-      defect("a module begins with MODULE and its name");
+      defect("a module begins with MODULE and its name"_text);
     if (!attributes())
-      defect("not a module's attributes");
+      defect("not a module's attributes"_text);
     while (!ended && token_.kind != RapidTokenKind::End) {
       line_ = token_.line;
       if (takeWord("endmodule"))
@@ -176,21 +175,21 @@ private:
       else if (isWord("pers") || isWord("const") || isWord("var") || isWord("local"))
         whole([&] { return declaration(); });
       else if (takeWord("endproc"))
-        defect("ENDPROC closes no procedure");
+        defect("ENDPROC closes no procedure"_text);
       else
-        whole([&] { return fail("a statement outside the procedure"); });
+        whole([&] { return fail("a statement outside the procedure"_text); });
     }
     line_ = token_.line;
     if (ended && token_.kind != RapidTokenKind::End)
-      defect("text behind ENDMODULE");
+      defect("text behind ENDMODULE"_text);
     if (!ended)
-      defect("ENDMODULE is missing: the file was cut short");
+      defect("ENDMODULE is missing: the file was cut short"_text);
     if (!procedure_)
-      defect("the module has no procedure");
+      defect("the module has no procedure"_text);
     if (!outputs_.ended())
-      defect("the extruder is not set off behind the last motion");
+      defect("the extruder is not set off behind the last motion"_text);
     if (!loaded_.empty())
-      defect(joined({"'", loaded_, "' is not unloaded"}));
+      defect(base::message("'{loaded}' is not unloaded"_text, loaded_));
     ++modules_;
     return ended && procedureEnded_ && runs && outputs_.ended() && loaded_.empty();
   }
@@ -212,17 +211,17 @@ private:
     std::string name;
     bool runs = takeName(name) && takeMark('(') && takeMark(')');
     if (!runs)
-      defect("not the head of a procedure");
+      defect("not the head of a procedure"_text);
     if (procedure_)
-      defect("a second procedure; only one is read");
+      defect("a second procedure; only one is read"_text);
     if (runs && modules_ == 0 && name != "main") {
-      defect("the first module has no procedure main");
+      defect("the first module has no procedure main"_text);
       runs = false;
     }
     if (runs && modules_ > 0 &&
         (modules_ - 1 >= calls_.size() || calls_[modules_ - 1].procedure != name ||
          !file.ends_with(calls_[modules_ - 1].file))) {
-      defect("this module is not the one that main runs next");
+      defect("this module is not the one that main runs next"_text);
       runs = false;
     }
     procedure_ = true;
@@ -238,11 +237,11 @@ private:
     }
     procedureEnded_ = false;
     line_ = token_.line;
-    defect("the procedure has no ENDPROC");
+    defect("the procedure has no ENDPROC"_text);
     return runs;
   }
 
-  bool fail(std::string reason) {
+  bool fail(base::Message reason) {
     reason_ = std::move(reason);
     return false;
   }
@@ -254,15 +253,15 @@ private:
   // Runs the parser of one statement; where it fails, says why and goes on behind the semicolon.
   template <typename Parse> void whole(Parse parse) {
     const char* begin = token_.begin;
-    reason_.clear();
+    reason_ = {};
     closed_ = false;
     if (parse())
       return;
     if (reason_.empty()) {
       const std::string_view code(begin, static_cast<std::size_t>(textEnd_ - begin));
-      reason_ =
-          joined({"not understood: '",
-                  code.substr(0, std::min<std::size_t>(60, code.find_first_of("\r\n"))), "'"});
+      reason_ = base::message(
+          "not understood: '{code}'"_text,
+          code.substr(0, std::min<std::size_t>(60, code.find_first_of("\r\n"))));
     }
     defect(std::move(reason_));
     while (!closed_ && token_.kind != RapidTokenKind::End && !isWord("endproc") &&
@@ -311,17 +310,17 @@ private:
       if (const auto known = declared_.find(name); known != declared_.end()) {
         data = known->second.data;
         return known->second.type == type ||
-               fail(joined({"'", name.substr(0, 40), "' is no ", type}));
+               fail(base::message("'{name}' is no {type}"_text, name.substr(0, 40), type));
       }
       if (auto given = predeclaredRapid(type, name)) {
         data = std::move(*given);
         return true;
       }
-      return fail(joined({"'", name.substr(0, 40), "' is not declared as ", type}));
+      return fail(base::message("'{name}' is not declared as {type}"_text, name.substr(0, 40), type));
     }
     data = {};
     return literal(data) &&
-           (data.shape == rapidShape(type) || fail(joined({"a ", type, " has other parts"})));
+           (data.shape == rapidShape(type) || fail(base::message("a {type} has other parts"_text, type)));
   }
 
   bool declaration() {
@@ -332,19 +331,19 @@ private:
     if (!takeName(type) || !takeName(name))
       return false;
     if (rapidShape(type).empty())
-      return fail(joined({"data of the type ", type.substr(0, 40), " is not known to the reader"}));
+      return fail(base::message("data of the type {type} is not known to the reader"_text, type.substr(0, 40)));
     RapidData data;
     if (!takeAssign() || !value(type, data) || !takeEnd())
       return false;
     // Both say whether the robot holds it; what it holds must be the tool.
     if (type == "tooldata" && data.numbers[0] != 1.0)
-      return fail("a tool that the robot does not hold is not read");
+      return fail("a tool that the robot does not hold is not read"_text);
     if (type == "wobjdata" && data.numbers[0] != 0.0)
-      return fail("a work object that the robot holds is not read");
+      return fail("a work object that the robot holds is not read"_text);
     if (type == "wobjdata" && isMoved(data) == data.text.empty())
-      return fail("a work object is moved by the mechanical unit that it names, or stands still");
+      return fail("a work object is moved by the mechanical unit that it names, or stands still"_text);
     return declared_.try_emplace(std::move(name), Declared{type, std::move(data)}).second ||
-           fail("a name is declared twice");
+           fail("a name is declared twice"_text);
   }
 
   // Does a mechanical unit move the work object?
@@ -356,9 +355,9 @@ private:
     const Eigen::Quaterniond turn(numbers[at + 3], numbers[at + 4], numbers[at + 5],
                                   numbers[at + 6]);
     if (!(mm.cwiseAbs().maxCoeff() <= kMostMm))
-      return fail("a position far outside any robot's reach");
+      return fail("a position far outside any robot's reach"_text);
     if (!(std::abs(turn.norm() - 1.0) <= kTurnTolerance))
-      return fail("a quaternion whose length is not 1");
+      return fail("a quaternion whose length is not 1"_text);
     pose = Eigen::Isometry3d::Identity();
     pose.linear() = turn.normalized().toRotationMatrix();
     pose.translation() = mm;
@@ -389,14 +388,14 @@ private:
     std::string text;
     if (word == "waittime")
       return takeNumberToken(number) && takeEnd() &&
-             (number >= 0.0 || fail("WaitTime needs its seconds"));
+             (number >= 0.0 || fail("WaitTime needs its seconds"_text));
     if (word == "accset")
       return takeNumberToken(number) && takeMark(',') && takeNumberToken(number) && takeEnd();
     if (word == "tperase")
       return takeEnd();
     if (word == "tpwrite")
       return takeText(text) && takeEnd();
-    return fail(joined({"'", word.substr(0, 40), "' is not known to the reader"}));
+    return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
   }
 
   template <typename Take> bool output(std::string_view signal, Take take) {
@@ -408,13 +407,13 @@ private:
   }
   bool digital(double value) {
     if (value != 0.0 && value != 1.0)
-      return fail("a digital output is 0 or 1");
+      return fail("a digital output is 0 or 1"_text);
     outputs_.turn(value == 1.0);
     return true;
   }
   bool analogue(double value) {
     if (!(value >= 0.0 && value <= 1.0))
-      return fail("an analogue output outside 0..1");
+      return fail("an analogue output outside 0..1"_text);
     outputs_.flow(value);
     return true;
   }
@@ -447,9 +446,9 @@ private:
         !takeText(file) || !takeEnd())
       return false;
     if (loads && !loaded_.empty())
-      return fail(joined({"'", loaded_, "' is not unloaded"}));
+      return fail(base::message("'{loaded}' is not unloaded"_text, loaded_));
     if (!loads && (loaded_ != file || !called_))
-      return fail("what is unloaded was not loaded and run");
+      return fail("what is unloaded was not loaded and run"_text);
     loaded_ = loads ? file : "";
     called_ = false;
     return !file.empty();
@@ -459,7 +458,7 @@ private:
     if (!takeMark('%') || !takeText(name) || !takeMark('%') || !takeEnd())
       return false;
     if (loaded_.empty() || called_ || modules_ > 0)
-      return fail("a call of what was not loaded");
+      return fail("a call of what was not loaded"_text);
     called_ = true;
     calls_.push_back({inSmallLetters(name), loaded_});
     return true;
@@ -493,9 +492,9 @@ private:
         !speedOf(m, speed.numbers, timed))
       return false;
     if (!absolute && !(m.jointInterpolated ? jointOff_ : linearOff_))
-      defect("the arm's configuration is supervised: ConfL\\Off, ConfJ\\Off");
+      defect("the arm's configuration is supervised: ConfL\\Off, ConfJ\\Off"_text);
     if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
-      defect("the extruder's outputs are not set before this motion");
+      defect("the extruder's outputs are not set before this motion"_text);
     last_ = absolute ? std::nullopt : std::optional(m.frame_T_tcp);
     lastKind_ = m.target;
     lastExternal_ = m.externals;
@@ -510,16 +509,15 @@ private:
     const double degrees = target[first];
     if (std::any_of(target.begin() + static_cast<std::ptrdiff_t>(first) + 1, target.end(),
                     [](double external) { return external != kUnused; }))
-      return fail("external axes other than eax_a are not read");
+      return fail("external axes other than eax_a are not read"_text);
     if (isMoved(object) != (degrees != kUnused))
-      return fail(isMoved(object) ? "eax_a is missing: an external axis moves the work object"
-                                  : "an external axis that moves no work object is not read");
+      return fail(isMoved(object) ? "eax_a is missing: an external axis moves the work object"_text : "an external axis that moves no work object is not read"_text);
     if (!isMoved(object))
       return true;
     if (!(std::abs(degrees) <= kMostExternalDegrees))
-      return fail("an external axis far outside any limit");
+      return fail("an external axis far outside any limit"_text);
     if (!activeUnits_.contains(object.text))
-      defect(joined({"the mechanical unit '", object.text, "' is not active: ActUnit"}));
+      defect(base::message("the mechanical unit '{text}' is not active: ActUnit"_text, object.text));
     m.externals = {base::degreesToRadians(degrees)};
     return true;
   }
@@ -534,7 +532,7 @@ private:
       m.target = plan::TargetKind::Joints;
       for (std::size_t k = 0; k < 6; ++k) {
         if (!(std::abs(target[k]) <= kMostDegrees))
-          return fail("a joint value far outside any limit");
+          return fail("a joint value far outside any limit"_text);
         m.joints.push_back(base::degreesToRadians(target[k]));
       }
       m.joints.insert(m.joints.end(), m.externals.begin(), m.externals.end());
@@ -543,13 +541,13 @@ private:
         return false;
       for (std::size_t k = 7; k < 11; ++k)
         if (!(std::abs(target[k]) <= 100.0 && target[k] == std::floor(target[k])))
-          return fail("a configuration is whole quarters of a turn");
+          return fail("a configuration is whole quarters of a turn"_text);
       // The user frame of one that moves is the mechanical unit's own.
       m.target = isMoved(object) ? plan::TargetKind::WorkPose : plan::TargetKind::FlangePose;
       m.frame_T_tcp = (isMoved(object) ? workToUnit() : user) * frame * pose;
     }
     if (toolSet_ && !tcp.isApprox(out_.flange_T_tcp, 1e-9))
-      return fail("a second, different tool");
+      return fail("a second, different tool"_text);
     out_.flange_T_tcp = tcp;
     toolSet_ = true;
     return true;
@@ -558,11 +556,11 @@ private:
   bool zoneOf(plan::ProgramMotion& m, const std::vector<double>& zone) {
     for (std::size_t k = 1; k < 7; ++k)
       if (!(zone[k] >= 0.0 && zone[k] <= kMostMm))
-        return fail("a zone is no sensible number");
+        return fail("a zone is no sensible number"_text);
     if (zone[0] == 1.0)
       return true;
     if (zone[2] < zone[1] || zone[3] < zone[1])
-      return fail("a zone of the turn or the external axes inside the TCP's");
+      return fail("a zone of the turn or the external axes inside the TCP's"_text);
     m.blendMm = zone[1];
     return true;
   }
@@ -570,10 +568,10 @@ private:
   bool speedOf(plan::ProgramMotion& m, const std::vector<double>& speed, bool timed) {
     for (const double v : speed)
       if (!(v > 0.0 && v <= kMostMm))
-        return fail("a speed is no sensible number");
+        return fail("a speed is no sensible number"_text);
     if (timed)
       return (m.durationS > 0.0 && m.durationS <= kMostSeconds) ||
-             fail("a time is no sensible number");
+             fail("a time is no sensible number"_text);
     m.speedMmPerS = speed[0];
     if (m.jointInterpolated || !last_ || lastKind_ != m.target)
       return true;
@@ -600,7 +598,7 @@ private:
   RapidTokens tokens_{{}};
   RapidToken token_;
   const char* textEnd_ = nullptr;
-  std::string reason_;
+  base::Message reason_;
   bool closed_ = false; // the statement's semicolon was taken
   std::map<std::string, Declared, std::less<>> declared_;
   std::vector<Call> calls_; // by main, in order

@@ -101,11 +101,11 @@ bool LineReader::next(std::string_view& line) {
   return true;
 }
 
-void Defects::add(std::size_t file, std::size_t line, std::string reason) {
+void Defects::add(std::size_t file, std::size_t line, base::Message reason) {
   if (list_.size() + 1 < kMaxDefects)
     list_.push_back({file, line, std::move(reason)});
   else if (list_.size() + 1 == kMaxDefects)
-    list_.push_back({file, line, "and more from here on"});
+    list_.push_back({file, line, "and more from here on"_text});
 }
 
 bool primes(const std::vector<std::string>& lines, std::size_t i) {

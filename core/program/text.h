@@ -51,7 +51,7 @@ inline constexpr std::size_t kMaxDefects = 1000;
 class Defects {
 public:
   explicit Defects(std::vector<plan::ProgramDefect>& list) : list_(list) {}
-  void add(std::size_t file, std::size_t line, std::string reason);
+  void add(std::size_t file, std::size_t line, base::Message reason);
 
 private:
   std::vector<plan::ProgramDefect>& list_;

@@ -186,7 +186,7 @@ public:
   }
 
 private:
-  void defect(std::string reason) { defects_.add(file_, line_, std::move(reason)); }
+  void defect(base::Message reason) { defects_.add(file_, line_, std::move(reason)); }
 
   bool readFile(std::string_view text) {
     defined_ = {};
@@ -204,11 +204,11 @@ private:
         statement(code);
     }
     if (inside_)
-      defect(joined({"the function '", defined_, "' has no end"}));
+      defect(base::message("the function '{defined}' has no end"_text, defined_));
     else if (!called_)
-      defect(defined_.empty() ? "no function is defined" : "the function is never called");
+      defect(defined_.empty() ? "no function is defined"_text : "the function is never called"_text);
     if (!outputs_.ended())
-      defect("the extruder is not set off behind the last motion");
+      defect("the extruder is not set off behind the last motion"_text);
     return called_ && outputs_.ended();
   }
 
@@ -222,21 +222,21 @@ private:
     if (word == "end") {
       scanner.blanks();
       if (!inside_ || !scanner.rest.empty())
-        defect("'end' closes no function");
+        defect("'end' closes no function"_text);
       closed_ = inside_;
       inside_ = false;
       return;
     }
     Call call;
     if (!Scanner{code}.call(call)) {
-      defect(joined({"not understood: '", code.substr(0, 60), "'"}));
+      defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
       return;
     }
     if (!inside_) {
       if (closed_ && call.name == defined_ && call.count == 0 && !called_)
         called_ = true;
       else
-        defect(joined({"'", call.name.substr(0, 40), "' is called outside the function"}));
+        defect(base::message("'{name}' is called outside the function"_text, call.name.substr(0, 40)));
       return;
     }
     inFunction(call);
@@ -248,9 +248,9 @@ private:
         !name.empty() && scanner.take('(') && scanner.take(')') && scanner.take(':');
     scanner.blanks();
     if (!header || !scanner.rest.empty())
-      defect("not the head of a function");
+      defect("not the head of a function"_text);
     else if (inside_ || !defined_.empty())
-      defect("a second function; only one is read");
+      defect("a second function; only one is read"_text);
     if (header && !inside_ && defined_.empty()) {
       defined_ = name;
       inside_ = true;
@@ -271,18 +271,18 @@ private:
     else if (name == "sleep")
       sleep(call);
     else if (std::find(kHarmless.begin(), kHarmless.end(), name) == kHarmless.end())
-      defect(joined({"'", name.substr(0, 40), "' is not known to the reader"}));
+      defect(base::message("'{name}' is not known to the reader"_text, name.substr(0, 40)));
   }
 
   bool poseOf(const Value& value, Eigen::Isometry3d& pose) {
     if (value.kind != ValueKind::Pose || value.count != 6) {
-      defect("a pose p[x,y,z,rx,ry,rz] is needed");
+      defect("a pose p[x,y,z,rx,ry,rz] is needed"_text);
       return false;
     }
     const Eigen::Vector3d metres(value.list[0], value.list[1], value.list[2]);
     const Eigen::Vector3d turn(value.list[3], value.list[4], value.list[5]);
     if (metres.cwiseAbs().maxCoeff() > kMaxMetres || turn.cwiseAbs().maxCoeff() > kMaxJointRad) {
-      defect("a pose far outside any robot's reach");
+      defect("a pose far outside any robot's reach"_text);
       return false;
     }
     pose = Eigen::Isometry3d::Identity();
@@ -299,7 +299,7 @@ private:
     if (!value)
       return absent;
     if (value->kind != ValueKind::Number || !(value->number >= 0.0) || value->number > limit) {
-      defect(joined({"argument ", key, " is no sensible number"}));
+      defect(base::message("argument {key} is no sensible number"_text, key));
       return std::nullopt;
     }
     return value->number;
@@ -316,7 +316,7 @@ private:
         twice = twice || (!name.empty() && call.arguments[k].name == name);
       seenNamed = seenNamed || (!name.empty() && i > 0);
       if (!known || twice) {
-        defect(joined({"an argument of ", call.name, " is unknown or given twice"}));
+        defect(base::message("an argument of {name} is unknown or given twice"_text, call.name));
         return false;
       }
     }
@@ -329,7 +329,7 @@ private:
     m.line = line_;
     if (call.count == 0 || !argumentsKnown(call)) {
       if (call.count == 0)
-        defect("a motion without a target");
+        defect("a motion without a target"_text);
       return;
     }
     const bool process = call.name == "movep"; // movep(pose, a, v, r): no t
@@ -337,13 +337,13 @@ private:
     const Value& target = call.arguments[0].value;
     if (target.kind == ValueKind::List) {
       if (target.count < 6) {
-        defect("a target of fewer than six joints");
+        defect("a target of fewer than six joints"_text);
         return;
       }
       m.target = plan::TargetKind::Joints;
       for (std::size_t k = 0; k < target.count; ++k)
         if (std::abs(target.list[k]) > kMaxJointRad) {
-          defect("a joint value far outside any limit");
+          defect("a joint value far outside any limit"_text);
           return;
         }
       m.joints.assign(target.list.begin(),
@@ -353,7 +353,7 @@ private:
       if (!poseOf(target, m.frame_T_tcp))
         return;
       if (!tcpSet_)
-        defect("a pose before set_tcp: whose pose is it?");
+        defect("a pose before set_tcp: whose pose is it?"_text);
       tcpSet_ = true; // said once
     }
     // The controller's defaults (URScript manual): a 1.2 m/s2 or 1.4 rad/s2, v 0.25 m/s or
@@ -365,7 +365,7 @@ private:
     if (!a || !v || !t || !r)
       return;
     if (!(*a > 0.0) || (!(*v > 0.0) && !(*t > 0.0))) {
-      defect("a motion that never gets anywhere: no speed or acceleration");
+      defect("a motion that never gets anywhere: no speed or acceleration"_text);
       return;
     }
     m.durationS = *t;
@@ -374,7 +374,7 @@ private:
       (m.jointInterpolated ? m.jointSpeedRadPerS : m.speedMmPerS) =
           m.jointInterpolated ? *v : *v * 1000.0;
     if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
-      defect("the extruder's outputs are not set before this motion");
+      defect("the extruder's outputs are not set before this motion"_text);
     out_.motions.push_back(std::move(m));
   }
 
@@ -383,7 +383,7 @@ private:
     if (call.count != 2 || call.arguments[0].value.kind != ValueKind::Number ||
         call.arguments[1].value.kind != kind || call.arguments[0].value.number < 0.0 ||
         call.arguments[0].value.number > 31.0) {
-      defect("an output needs its number and a value");
+      defect("an output needs its number and a value"_text);
       return false;
     }
     channel = static_cast<int>(call.arguments[0].value.number);
@@ -403,7 +403,7 @@ private:
     if (!outputOf(call, ValueKind::Number, channel, value) || channel != 0)
       return;
     if (value < 0.0 || value > 1.0) {
-      defect("an analogue output outside 0..1");
+      defect("an analogue output outside 0..1"_text);
       return;
     }
     outputs_.flow(value);
@@ -412,18 +412,18 @@ private:
     Eigen::Isometry3d tcp;
     if (call.count != 1 || !poseOf(call.arguments[0].value, tcp)) {
       if (call.count != 1)
-        defect("set_tcp needs one pose");
+        defect("set_tcp needs one pose"_text);
       return;
     }
     if (everSet_ && !tcp.isApprox(out_.flange_T_tcp, 1e-9))
-      defect("a second, different TCP");
+      defect("a second, different TCP"_text);
     out_.flange_T_tcp = tcp;
     tcpSet_ = everSet_ = true;
   }
   void sleep(const Call& call) {
     if (call.count != 1 || call.arguments[0].value.kind != ValueKind::Number ||
         call.arguments[0].value.number < 0.0)
-      defect("sleep needs its seconds");
+      defect("sleep needs its seconds"_text);
   }
 
   const process::Process& process_;

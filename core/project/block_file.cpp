@@ -39,20 +39,20 @@ void BlockWriter::appendTo(std::string& file) const {
 }
 
 std::string_view BlockReader::checked(const std::string& name, std::size_t item) const {
-  const auto unreadable = [&](const std::string& what) {
-    return base::Error(base::ErrorCode::UnreadableFile, what, where_, "plan the part again");
+  const auto unreadable = [&](const base::Message& what) {
+    return base::Error(base::ErrorCode::UnreadableFile, what, where_, "plan the part again"_text);
   };
   for (const BlockRow& row : table_) {
     if (row.name != name)
       continue;
     if (row.offset > bytes_.size() || row.bytes > bytes_.size() - row.offset)
-      throw unreadable("the job file is cut short");
+      throw unreadable("the job file is cut short"_text);
     const std::string_view block = bytes_.substr(row.offset, row.bytes);
     if (row.item != item || block.size() % item != 0 || crcOf(block) != row.crc32)
-      throw unreadable("block '" + name + "' of the job file is damaged");
+      throw unreadable(base::message("block '{name}' of the job file is damaged"_text, name));
     return block;
   }
-  throw unreadable("the job file lacks '" + name + "'");
+  throw unreadable(base::message("the job file lacks '{name}'"_text, name));
 }
 
 } // namespace voluta::project

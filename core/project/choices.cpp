@@ -13,8 +13,8 @@ double parsedScale(const std::string& scale) {
   double value = 0.0;
   if (!base::readNumbers(scale, ',', {&value}) || value < 1e-4 || value > 1e4)
     throw base::Error(base::ErrorCode::Usage,
-                      fmt::format("scale '{}' is not a usable factor", scale), {},
-                      "give a number from 0.0001 to 10000, or fit");
+                      base::message("scale '{scale}' is not a usable factor"_text, scale), {},
+                      "give a number from 0.0001 to 10000, or fit"_text);
   return value;
 }
 

@@ -16,10 +16,10 @@ constexpr std::size_t kPatchColumns = 4, kPathColumns = 7, kPieceColumns = 4, kP
 // In the column of periods: a patch without a chart.
 constexpr double kNoChart = -1.0;
 
-[[noreturn]] void contradiction(const char* what) {
+[[noreturn]] void contradiction(const base::Message& what) {
   throw base::Error(base::ErrorCode::UnreadableFile,
-                    std::string("the job file contradicts itself: ") + what, {},
-                    "plan the part again");
+                    base::message("the job file contradicts itself: {what}"_text, what), {},
+                    "plan the part again"_text);
 }
 
 // The next `count` of an array that is handed out bit by bit.
@@ -28,7 +28,7 @@ public:
   explicit Portions(std::vector<T> all) : all_(std::move(all)) {}
   std::vector<T> next(std::int64_t count) {
     if (count < 0 || static_cast<std::size_t>(count) > all_.size() - used_)
-      contradiction("a row beyond its array");
+      contradiction("a row beyond its array"_text);
     const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(used_);
     used_ += static_cast<std::size_t>(count);
     return {begin, begin + static_cast<std::ptrdiff_t>(count)};
@@ -132,7 +132,7 @@ geometry::TriangleMesh getMesh(const BlockReader& in, const std::string& name) {
   mesh.vertices = in.get<Eigen::Vector3d>(name + ".vertices");
   mesh.triangles = in.get<std::array<int, 3>>(name + ".triangles");
   if (!soundMesh(mesh))
-    contradiction("a mesh with corners that are not there");
+    contradiction("a mesh with corners that are not there"_text);
   return mesh;
 }
 
@@ -244,7 +244,7 @@ planar::PlanarDecomposition getPieces(const BlockReader& in) {
   const auto bases = in.get<double>("pieces.bases");
   const std::size_t count = rows.size() / kPieceColumns;
   if (rows.size() != count * kPieceColumns || bases.size() != count * kPlaneColumns)
-    contradiction("rows of pieces");
+    contradiction("rows of pieces"_text);
   Portions vertices(in.get<Eigen::Vector3d>("pieces.vertices"));
   Portions triangles(in.get<std::array<int, 3>>("pieces.triangles"));
   Portions tags(in.get<std::int32_t>("pieces.tags"));
@@ -313,7 +313,7 @@ void addLayers(BlockWriter& out, const layers::LayerStack& stack) {
 layers::LayerStack getLayers(const BlockReader& in) {
   const auto rows = in.get<std::int64_t>("layers.patches");
   if (rows.size() % kPatchColumns != 1)
-    contradiction("rows of patches");
+    contradiction("rows of patches"_text);
   Portions vertices(in.get<Eigen::Vector3d>("layers.vertices"));
   Portions triangles(in.get<std::array<int, 3>>("layers.triangles"));
   Portions thickness(in.get<double>("layers.thickness"));

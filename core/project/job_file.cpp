@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kMagic = "VOLUTA ";
 constexpr int kFormat = 2;
 
-base::Error unreadable(const std::string& what, const std::string& where,
-                       const std::string& remedy = {}) {
+base::Error unreadable(const base::Message& what, const std::string& where,
+                       const base::Message& remedy = {}) {
   return base::Error(base::ErrorCode::UnreadableFile, what, where, remedy);
 }
 
@@ -127,14 +127,42 @@ Diagnosis readDiagnosis(const Json& j) {
   return d;
 }
 
+// What earlier versions do not look for: sentences as data, to be told in any language. They read the
+// English beside it.
+void addTold(BlockWriter& out, const Job& job) {
+  Json facts = Json::array();
+  for (const plan::Finding& finding : job.report.findings)
+    facts.push_back(factJson(finding));
+  out.addText("told", Json{{"findings", std::move(facts)},
+                           {"repairs", messagesJson(job.report.model.repairs)},
+                           {"readNotes", messagesJson(job.loaded->readNotes)},
+                           {"notes", messagesJson(job.loaded->notes)},
+                           {"remains", messagesJson(job.loaded->remains)}}
+                          .dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+// As it was told, in whatever language is wanted now; files of before have English only.
+void getTold(const BlockReader& in, Job& job, LoadedPart& part) {
+  if (!in.has("told"))
+    return;
+  const Json j = Json::parse(in.text("told"));
+  const Json& facts = j.at("findings");
+  for (std::size_t i = 0; i < job.report.findings.size(); ++i)
+    readFact(facts.at(i), job.report.findings[i]);
+  job.report.model.repairs = readMessages(j.at("repairs"));
+  part.readNotes = readMessages(j.at("readNotes"));
+  part.notes = readMessages(j.at("notes"));
+  part.remains = readMessages(j.at("remains"));
+}
+
 void addLoaded(BlockWriter& out, const LoadedPart& part) {
   out.addText("source", Json{{"name", part.name},
                              {"repair", part.repair},
                              {"cells", part.cells != nullptr},
                              {"mended", part.mesh != part.source},
-                             {"readNotes", part.readNotes},
-                             {"notes", part.notes},
-                             {"remains", part.remains},
+                             {"readNotes", base::english(part.readNotes)},
+                             {"notes", base::english(part.notes)},
+                             {"remains", base::english(part.remains)},
                              {"found", diagnosisJson(part.found)},
                              {"readS", part.readS},
                              {"repairS", part.repairS}}
@@ -146,14 +174,14 @@ void addLoaded(BlockWriter& out, const LoadedPart& part) {
     addMesh(out, "mended", *part.mesh);
 }
 
-std::shared_ptr<const LoadedPart> getLoaded(const BlockReader& in) {
+std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
   auto part = std::make_shared<LoadedPart>();
   const Json j = Json::parse(in.text("source"));
   j.at("name").get_to(part->name);
   j.at("repair").get_to(part->repair);
-  j.at("readNotes").get_to(part->readNotes);
-  j.at("notes").get_to(part->notes);
-  j.at("remains").get_to(part->remains);
+  part->readNotes = readMessages(j.at("readNotes"));
+  part->notes = readMessages(j.at("notes"));
+  part->remains = readMessages(j.at("remains"));
   part->found = readDiagnosis(j.at("found"));
   j.at("readS").get_to(part->readS);
   j.at("repairS").get_to(part->repairS);
@@ -179,7 +207,8 @@ std::shared_ptr<const LoadedPart> loadedFromPlaced(const Job& job) {
     v /= job.scale;
   auto part = std::make_shared<LoadedPart>();
   part->name = job.partName;
-  part->readNotes = {"taken from a project of format 1, as it was repaired and placed there"};
+  part->readNotes = {
+      "taken from a project of format 1, as it was repaired and placed there"_text};
   part->notes = part->readNotes;
   part->found = geometry::diagnose(*source);
   part->remains = part->found.sentences();
@@ -254,22 +283,21 @@ struct Frame {
 
 Frame frameOf(std::string_view bytes, const std::string& where) {
   if (!bytes.starts_with(kMagic))
-    throw unreadable("not a Voluta job", where);
+    throw unreadable("not a Voluta job"_text, where);
   std::string_view rest = bytes.substr(kMagic.size());
   std::size_t format = 0, length = 0, crc = 0;
   if (!takeNumber(rest, '\n', format) || format == 0)
-    throw unreadable("the job file is damaged or cut short in its first line", where);
+    throw unreadable("the job file is damaged or cut short in its first line"_text, where);
   if (format > static_cast<std::size_t>(kFormat))
-    throw unreadable("made by a newer version of Voluta (format " + std::to_string(format) +
-                         "; this one reads up to " + std::to_string(kFormat) + ")",
-                     where, "open it with the version that made it, or install that one");
+    throw unreadable(base::message("made by a newer version of Voluta (format {format}; this one reads up to {newest})"_text, format, kFormat),
+                     where, "open it with the version that made it, or install that one"_text);
   const bool summed = format >= 2; // format 1 has no checksum of its header
   if (!takeNumber(rest, summed ? ' ' : '\n', length) || (summed && !takeNumber(rest, '\n', crc)) ||
       length > rest.size())
-    throw unreadable("the job file is cut short", where);
+    throw unreadable("the job file is cut short"_text, where);
   Frame frame{static_cast<int>(format), rest.substr(0, length), rest.substr(length)};
   if (summed && crcOf(frame.header) != crc)
-    throw unreadable("the job file's header is damaged", where);
+    throw unreadable("the job file's header is damaged"_text, where);
   return frame;
 }
 
@@ -291,7 +319,8 @@ Job readFrame(const Frame& frame, const std::string& where) {
   if (const int dof = header.at("dof").get<int>(); dof > 0)
     job.trajectory = std::make_shared<plan::Trajectory>(getTrajectory(blocks, dof));
   if (frame.format >= 2) {
-    job.loaded = getLoaded(blocks);
+    const std::shared_ptr<LoadedPart> loaded = getLoaded(blocks);
+    job.loaded = loaded;
     if (holds("decomposed"))
       job.decomposition = std::make_shared<curved::Decomposition>(getDecomposition(blocks));
     if (header.value("pieces", false)) // projects of before there were any have no such key
@@ -299,6 +328,7 @@ Job readFrame(const Frame& frame, const std::string& where) {
     if (holds("layered"))
       job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
     job.report = readReportJson(blocks.text("report"));
+    getTold(blocks, job, *loaded);
     readRecords(header.at("stages"), job);
     if (header.contains("placement"))
       job.placement = readPlacement(header.at("placement"));
@@ -306,7 +336,7 @@ Job readFrame(const Frame& frame, const std::string& where) {
       job.reached = stageOf(header.at("reached").get<std::string>());
   }
   if (!std::isfinite(job.scale) || job.scale <= 0.0 || !isConsistent(job))
-    throw unreadable("the job file contradicts itself", where, "plan the part again");
+    throw unreadable("the job file contradicts itself"_text, where, "plan the part again"_text);
   if (!job.loaded)
     job.loaded = loadedFromPlaced(job);
   return job;
@@ -333,6 +363,7 @@ std::string jobBytes(const Job& job) {
   if (job.trajectory)
     addTrajectory(blocks, *job.trajectory);
   blocks.addText("report", reportJson(job.report));
+  addTold(blocks, job);
   Json header{{"part", job.partName},
               {"scale", job.scale},
               {"choices", choicesJson(job.choices)},
@@ -367,7 +398,8 @@ Job readJob(const std::filesystem::path& file) {
   try {
     return readFrame(frame, where);
   } catch (const nlohmann::json::exception& e) {
-    throw unreadable(std::string("the job file's header is damaged: ") + e.what(), where);
+    throw unreadable(base::message("the job file's header is damaged: {why}"_text, std::string(e.what())),
+                     where);
   } catch (const base::Error& e) {
     if (e.code() == base::ErrorCode::UnreadableFile && !e.context().empty())
       throw;

@@ -48,7 +48,7 @@ void mend(LoadedPart& part, const base::RunContext& ctx) {
   }
   part.repairS = mending.seconds();
   if (part.mesh->empty())
-    throw base::Error(base::ErrorCode::UnusableInput, "nothing is left of the mesh after repair",
+    throw base::Error(base::ErrorCode::UnusableInput, "nothing is left of the mesh after repair"_text,
                       part.name);
   part.units = geometry::guessUnits(*part.mesh);
   if (!part.units.note.empty())
@@ -78,7 +78,7 @@ std::vector<std::string> sampleNames() {
 }
 
 std::shared_ptr<const LoadedPart> loadedFrom(std::string name, Mesh source,
-                                             std::vector<std::string> readNotes, bool repair,
+                                             std::vector<base::Message> readNotes, bool repair,
                                              const base::RunContext& ctx) {
   LoadedPart part;
   part.name = std::move(name);
@@ -107,8 +107,8 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
   if (part.starts_with(kSamplePrefix)) {
     const std::string name = part.substr(kSamplePrefix.size());
     if (name != sampleNames().front())
-      throw base::Error(base::ErrorCode::Usage, "unknown sample '" + name + "'", {},
-                        "did you mean " + base::nearestName(name, sampleNames()) + "?");
+      throw base::Error(base::ErrorCode::Usage, base::message("unknown sample '{name}'"_text, name), {},
+                        base::didYouMean(name, sampleNames()));
     loaded.name = name + ".stl";
     loaded.source = std::make_shared<geometry::TriangleMesh>(samples::samplePart());
   } else {
@@ -125,7 +125,7 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
   if (!loaded.cells)
     loaded.hash = contentHash(*loaded.source);
   loaded.readS = reading.seconds();
-  ctx.report(0.3, "repair");
+  ctx.report(0.3, "repair"_text);
   return mended(std::move(loaded), ctx.sub(0.3, 1.0));
 }
 

@@ -21,9 +21,9 @@ struct LoadedPart {
   std::shared_ptr<const geometry::TriangleMesh> source; // as read
   std::shared_ptr<const geometry::TriangleMesh> mesh;   // as used: mended, or `source` itself
   bool repair = true;                                   // was mending asked for
-  std::vector<std::string> readNotes;                   // what reading left out, a sentence each
-  std::vector<std::string> notes;    // all that was found and mended, readNotes among them
-  std::vector<std::string> remains;  // what could not be mended, a sentence each
+  std::vector<base::Message> readNotes;                 // what reading left out, a sentence each
+  std::vector<base::Message> notes;  // all that was found and mended, readNotes among them
+  std::vector<base::Message> remains; // what could not be mended, a sentence each
   geometry::Diagnosis found;         // of `source`, before any repair
   geometry::UnitGuess units;         // of `mesh`
   std::string hash;                  // of the content of `source` or `cells`, hexadecimal
@@ -45,7 +45,7 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
 // A part from a mesh at hand, e.g. of a project file. Throws as loadPart does.
 std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
                                              std::shared_ptr<const geometry::TriangleMesh> source,
-                                             std::vector<std::string> readNotes, bool repair,
+                                             std::vector<base::Message> readNotes, bool repair,
                                              const base::RunContext& ctx);
 
 // A part from cells at hand. Throws as loadPart does.

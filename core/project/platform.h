@@ -31,6 +31,7 @@ public:
   const std::vector<double>& sizesMm() const { return sizesMm_; }
   const std::string& file() const { return file_; } // of a body; else empty
   std::string text() const;                         // what makes it again
+  base::Message shown() const;                      // in few words, for a user
 
   bool isFor(PlatformUse use) const;
   bool isForAnyOf(const std::vector<PlatformUse>& uses) const;

@@ -1,6 +1,7 @@
 // A kind of platform: what a user types of it, and the body that comes of it.
 #pragma once
 
+#include "base/text.h"
 #include "platform/rod_shape.h"
 
 #include <Eigen/Core>
@@ -15,21 +16,21 @@ enum class PlatformUse { Plate, Rod, Body };
 // A length that goes with a kind, mm, both limits among what is allowed.
 struct PlatformField {
   std::string_view name;  // "DIAMETER", as in "disc:DIAMETER"
-  std::string_view label; // English: "Diameter"
+  base::Text label;       // "Diameter"
   double least, most, usual;
 };
 
 struct PlatformKind {
   struct As {
     PlatformUse use;
-    std::string_view label; // English: what it is called there
+    base::Text label;  // what it is called there
     bool sized = true;      // false: the fields mean nothing there
   };
 
   std::string_view word;       // before the colon
   std::vector<As> uses;        // the first is what it is without a word about it
-  std::string_view shown;      // English, in few words: "disc, %1 mm"; %1 ... are the fields
-  std::string_view plain = {}; // the same where all fields are 0; empty: no other
+  base::Text shown;            // in few words, with a place for the sizes or the file's name
+  base::Text plain = {};       // the same where all fields are 0; empty: no other
   std::vector<PlatformField> fields = {}; // after the colon, with an x between
   bool bare = false;                      // the word alone has the usual sizes
   bool madeForPart = false;   // its first field is the margin around what of the part stands on it

@@ -35,7 +35,7 @@ platform::RodShape rod(const Sizes& sizes, int sides) {
   return platform::straightRod(sizes[0], sizes[1], sides);
 }
 
-PlatformField length(std::string_view name, std::string_view label, double usualMm) {
+PlatformField length(std::string_view name, base::Text label, double usualMm) {
   return {name, label, kLeastMm, kMostMm, usualMm};
 }
 
@@ -44,29 +44,29 @@ PlatformField length(std::string_view name, std::string_view label, double usual
 const std::vector<PlatformKind>& platformKinds() {
   static const std::vector<PlatformKind> kKinds{
       {.word = "fit",
-       .uses = {{Plate, "Contact area, margin"}, {Rod, "Rod of the cell", false}},
-       .shown = "contact area + %1 mm",
-       .plain = "contact area",
-       .fields = {{"MARGIN", "Margin around what stands on the plate", 0.0, kMostMm, 0.0}},
+       .uses = {{Plate, "Contact area, margin"_text}, {Rod, "Rod of the cell"_text, false}},
+       .shown = "contact area + {sizes} mm"_text,
+       .plain = "contact area"_text,
+       .fields = {{"MARGIN", "Margin around what stands on the plate"_text, 0.0, kMostMm, 0.0}},
        .bare = true,
        .madeForPart = true,
        .plate = aroundStanding},
       {.word = "disc",
-       .uses = {{Plate, "Disc, diameter"}},
-       .shown = "disc, %1 mm",
-       .fields = {length("DIAMETER", "Diameter", 200.0)},
+       .uses = {{Plate, "Disc, diameter"_text}},
+       .shown = "disc, {sizes} mm"_text,
+       .fields = {length("DIAMETER", "Diameter"_text, 200.0)},
        .plate = disc},
       {.word = "rect",
-       .uses = {{Plate, "Rectangle"}},
-       .shown = "%1 mm",
-       .fields = {length("WIDTH", "Width (X)", 200.0), length("DEPTH", "Depth (Y)", 200.0)},
+       .uses = {{Plate, "Rectangle"_text}},
+       .shown = "{sizes} mm"_text,
+       .fields = {length("WIDTH", "Width (X)"_text, 200.0), length("DEPTH", "Depth (Y)"_text, 200.0)},
        .plate = rectangle},
       {.word = "rod",
-       .uses = {{Rod, "Rod, diameter × length"}},
-       .shown = "rod, %1 mm",
-       .fields = {length("DIAMETER", "Diameter", 5.0), length("LENGTH", "Length", 200.0)},
+       .uses = {{Rod, "Rod, diameter × length"_text}},
+       .shown = "rod, {sizes} mm"_text,
+       .fields = {length("DIAMETER", "Diameter"_text, 5.0), length("LENGTH", "Length"_text, 200.0)},
        .rod = rod},
-      {.word = "mesh", .uses = {{Body, "Body from a file"}}, .shown = "%1", .file = "FILE"},
+      {.word = "mesh", .uses = {{Body, "Body from a file"_text}}, .shown = "{file}"_text, .file = "FILE"},
   };
   return kKinds;
 }
@@ -78,8 +78,8 @@ const PlatformKind& findPlatformKind(std::string_view word) {
       return kind;
     words.emplace_back(kind.word);
   }
-  throw base::Error(base::ErrorCode::Usage, fmt::format("unknown platform '{}'", word), {},
-                    fmt::format("did you mean {}?", base::nearestName(std::string(word), words)));
+  throw base::Error(base::ErrorCode::Usage, base::message("unknown platform '{name}'"_text, word), {},
+                    base::didYouMean(word, words));
 }
 
 std::vector<const PlatformKind*> platformKindsFor(const std::vector<PlatformUse>& uses) {

@@ -17,7 +17,7 @@ struct ModelReport {
   bool watertight = false;
   double volumeMm3 = 0.0;
   Eigen::AlignedBox3d boundsMm;
-  std::vector<std::string> repairs;
+  std::vector<base::Message> repairs;
 };
 
 // One piece of planar mode, in print order.

@@ -1,3 +1,4 @@
+#include "project/message_json.h"
 #include "project/report.h"
 #include "project/version.h"
 
@@ -19,23 +20,11 @@ Json boundsJson(const Eigen::AlignedBox3d& box) {
   return Json::array({pointJson(box.min()), pointJson(box.max())});
 }
 
-Json findingJson(const plan::Finding& f) {
-  return Json{{"stage", f.stage},
-              {"kind", f.kind},
-              {"where", f.where ? pointJson(*f.where) : Json()},
-              {"when", f.whenS ? Json(*f.whenS) : Json()},
-              {"count", f.count},
-              {"reason", f.reason},
-              {"remedy", f.remedy},
-              {"remedyMm", f.remedyMm ? Json(*f.remedyMm) : Json()},
-              {"blocking", f.blocking}};
-}
-
 Json modelJson(const ModelReport& m) {
   return Json{{"file", m.file},           {"scale", m.scale},
               {"triangles", m.triangles}, {"watertight", m.watertight},
               {"volumeMm3", m.volumeMm3}, {"boundsMm", boundsJson(m.boundsMm)},
-              {"repairs", m.repairs}};
+              {"repairs", base::english(m.repairs)}};
 }
 
 Json piecesJson(const std::vector<PieceReport>& pieces) {

@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "project/message_json.h"
 #include "project/report.h"
 
 #include <limits>
@@ -7,7 +8,7 @@
 namespace voluta::project {
 
 namespace {
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // JSON has no NaN: it was written as null.
 void get(const Json& j, const char* key, double& value) {
@@ -22,24 +23,6 @@ Eigen::Vector3d point(const Json& j) {
   return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()};
 }
 
-plan::Finding finding(const Json& j) {
-  plan::Finding f;
-  get(j, "stage", f.stage);
-  get(j, "kind", f.kind);
-  if (!j.at("where").is_null())
-    f.where = point(j.at("where"));
-  if (!j.at("when").is_null())
-    f.whenS = j.at("when").get<double>();
-  get(j, "count", f.count);
-  get(j, "reason", f.reason);
-  get(j, "remedy", f.remedy);
-  // Reports of before this was kept.
-  if (const auto mm = j.find("remedyMm"); mm != j.end() && !mm->is_null())
-    f.remedyMm = mm->get<double>();
-  get(j, "blocking", f.blocking);
-  return f;
-}
-
 void read(const Json& j, ModelReport& m) {
   get(j, "file", m.file);
   get(j, "scale", m.scale);
@@ -48,7 +31,7 @@ void read(const Json& j, ModelReport& m) {
   get(j, "volumeMm3", m.volumeMm3);
   const Json& box = j.at("boundsMm");
   m.boundsMm = Eigen::AlignedBox3d(point(box.at(0)), point(box.at(1)));
-  get(j, "repairs", m.repairs);
+  m.repairs = readMessages(j.at("repairs"));
 }
 
 void read(const Json& j, DecompositionReport& d) {
@@ -164,13 +147,13 @@ Report readReportJson(const std::string& text) {
       report.programs.push_back(program(row));
     read(j.at("replay"), report.replay);
     for (const Json& row : j.at("findings"))
-      report.findings.push_back(finding(row));
+      report.findings.push_back(readFinding(row));
     read(j.at("timingS"), report.timings);
     get(j, "peakRssMb", report.peakRssMb);
     get(j, "threads", report.threads);
   } catch (const Json::exception& e) {
     throw base::Error(base::ErrorCode::UnreadableFile,
-                      std::string("the report is not one of a plan: ") + e.what());
+                      base::message("the report is not one of a plan: {why}"_text, std::string(e.what())));
   }
   return report;
 }

@@ -170,9 +170,9 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
                              static_cast<double>(path.firstSample[m + 1] - path.firstSample[m]);
         return path.startS[m] + share * path.durationS[m];
       },
-      [](int pair, std::string& first, std::string& second) {
-        first = "head";
-        second = pair == kPart ? "printed part" : "platform";
+      [](int pair, base::Value& first, base::Value& second) {
+        first = "head"_text;
+        second = pair == kPart ? "printed part"_text : "platform"_text;
       });
 }
 
@@ -391,12 +391,15 @@ std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPi
         const std::size_t m = path.armMotion[s];
         return path.startS[m] + static_cast<double>(path.armFraction[s]) * path.durationS[m];
       },
-      [&](int p, std::string& first, std::string& second) {
+      [&](int p, base::Value& first, base::Value& second) {
         const Pair& pair = pairs[static_cast<std::size_t>(p)];
-        first = cell.bodies()[static_cast<std::size_t>(pair.a)].name;
-        second = pair.b == kPrintedPart  ? "printed part"
-                 : pair.b == kGroundBody ? "platform"
-                                         : cell.bodies()[static_cast<std::size_t>(pair.b)].name;
+        const auto named = [&](int body) -> base::Value {
+          return body == kPrintedPart  ? "printed part"_text
+                 : body == kGroundBody ? "platform"_text
+                                       : robot::nameOf(cell.bodies()[static_cast<std::size_t>(body)]);
+        };
+        first = named(pair.a);
+        second = named(pair.b);
       });
 }
 

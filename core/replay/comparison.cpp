@@ -2,11 +2,12 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/units.h"
+#include "plan/finding_kinds.h"
 #include "replay/beads.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace voluta::replay {
 
@@ -14,51 +15,40 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::string text(double value, int decimals) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
-  return buffer;
-}
-std::string counted(std::size_t n, const char* what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
-
 // Collects findings; those of one kind in consecutive motions become one.
 class Report {
 public:
   Report(const plan::ReadProgram& program, const ExecutedPath& path)
       : program_(program), path_(path) {}
 
-  void add(const char* kind, TextPlace place, std::string reason, std::string remedy,
+  void add(plan::FindingKind kind, TextPlace place, std::vector<plan::NamedValue> values = {},
            std::size_t count = 1) {
     TextFinding f;
-    f.finding.stage = "replay";
-    f.finding.kind = kind;
-    f.finding.reason = (place.line > 0 ? placeName(program_, place) + ": " : "") + reason;
-    f.finding.remedy = std::move(remedy);
-    f.finding.count = count;
+    f.finding = plan::makeFinding(kind, std::move(values), std::nullopt, count);
+    f.finding.program = programLine(program_, place);
     f.place = place;
     findings_.push_back(std::move(f));
   }
-  void atMotion(const char* kind, std::size_t motion, std::string reason, std::string remedy,
-                std::size_t count = 1) {
+  void atMotion(plan::FindingKind kind, std::size_t motion,
+                std::vector<plan::NamedValue> values = {}, std::size_t count = 1) {
+    const std::string_view word = plan::rowOf(kind).word;
     for (std::size_t k = open_.size(); k-- > 0;)
-      if (open_[k].kind == kind && open_[k].motion + 1 == motion && count == 1) {
+      if (open_[k].word == word && open_[k].motion + 1 == motion && count == 1) {
         open_[k].motion = motion;
         ++findings_[open_[k].finding].finding.count;
         return;
       }
-    add(kind, placeOf(program_, motion), std::move(reason), std::move(remedy), count);
+    add(kind, placeOf(program_, motion), std::move(values), count);
     findings_.back().finding.where = path_.targetTip[motion];
     findings_.back().finding.whenS = path_.startS[motion];
-    std::erase_if(open_, [&](const Open& o) { return o.kind == kind; });
-    open_.push_back({kind, motion, findings_.size() - 1});
+    std::erase_if(open_, [&](const Open& o) { return o.word == word; });
+    open_.push_back({word, motion, findings_.size() - 1});
   }
   std::vector<TextFinding> take() { return std::move(findings_); }
 
 private:
   struct Open {
-    std::string kind;
+    std::string_view word;
     std::size_t motion, finding;
   };
   const plan::ReadProgram& program_;
@@ -67,59 +57,56 @@ private:
   std::vector<Open> open_;
 };
 
-const char* const kWriteAgain = "write the program again, or plan anew with this change";
+base::Quantity degreesOf(double rad) {
+  return base::degrees(base::radiansToDegrees(rad));
+}
 
-// Lines without a motion may stand in a gap, so both of its ends are named.
-std::string gapBefore(const plan::ReadProgram& program, std::size_t motion) {
-  if (motion == 0)
-    return "before this one";
-  return "between " + placeName(program, placeOf(program, motion - 1)) + " and this one";
+// "line 12"
+base::Message lineOf(const plan::ReadProgram& program, std::size_t motion) {
+  const plan::ProgramLine at = programLine(program, placeOf(program, motion));
+  const std::string file = std::to_string(at.file), line = std::to_string(at.line);
+  return at.file > 0 ? base::message("file {file}, line {line}"_text, file, line)
+                     : base::message("line {line}"_text, line);
 }
 
 void tellDeviations(const Alignment& alignment, const plan::Trajectory& trajectory,
                     const plan::ReadProgram& program, Report& report) {
+  using enum plan::FindingKind;
+  constexpr double kToldMm = 0.05;
   for (const Deviation& d : alignment.deviations) {
     switch (d.kind) {
     case DeviationKind::Moved:
-      report.atMotion("waypointMoved", d.motion,
-                      d.distanceMm > 0.05
-                          ? "the nozzle goes " + text(d.distanceMm, 3) + " mm beside its plan"
-                          : "the nozzle's axis is " + text(d.angleRad * 180.0 / M_PI, 2) +
-                                " degrees off its plan",
-                      kWriteAgain);
+      if (d.distanceMm > kToldMm)
+        report.atMotion(WaypointMoved, d.motion, {{"distance", base::mm(d.distanceMm)}});
+      else
+        report.atMotion(WaypointTilted, d.motion, {{"angle", degreesOf(d.angleRad)}});
       break;
     case DeviationKind::Missing:
-      report.atMotion("waypointsMissing", d.motion,
-                      counted(d.count, "planned motion") + " missing " +
-                          gapBefore(program, d.motion),
-                      kWriteAgain, d.count);
+      // Lines without a motion may stand in a gap, so both of its ends are named.
+      if (d.motion == 0)
+        report.atMotion(WaypointsMissingBefore, d.motion, {{"motions", d.count}}, d.count);
+      else
+        report.atMotion(WaypointsMissingBetween, d.motion,
+                        {{"motions", d.count}, {"before", lineOf(program, d.motion - 1)}},
+                        d.count);
       break;
     case DeviationKind::Extra:
-      report.atMotion("motionsUnplanned", d.motion,
-                      counted(d.count, "motion") + " from here on not in the plan", kWriteAgain,
-                      d.count);
+      report.atMotion(MotionsUnplanned, d.motion, {{"motions", d.count}}, d.count);
       break;
     case DeviationKind::Swapped:
-      report.atMotion("waypointsSwapped", d.motion,
-                      "this motion and that of " + placeName(program, placeOf(program, d.other)) +
-                          " have changed places",
-                      kWriteAgain, d.count);
+      report.atMotion(WaypointsSwapped, d.motion, {{"other", lineOf(program, d.other)}}, d.count);
       break;
     case DeviationKind::CutShort:
       if (program.motions.empty())
-        report.add("programCutShort", {0, 1}, "the program has no motions", kWriteAgain,
-                   trajectory.pointCount());
+        report.add(NoMotions, {0, 1}, {}, trajectory.pointCount());
       else
-        report.atMotion("programCutShort", d.motion,
-                        "the program ends here; " + counted(d.count, "planned motion") +
-                            " not in it",
-                        kWriteAgain, d.count);
+        report.atMotion(plan::FindingKind::ProgramCutShort, d.motion, {{"motions", d.count}},
+                        d.count);
       break;
     }
   }
   if (alignment.gaveUp)
-    report.add("otherProgram", {}, "the program's motions are not those of this plan",
-               "give the job that the program was written from");
+    report.add(OtherProgram, {});
 }
 
 } // namespace
@@ -146,11 +133,10 @@ TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion) {
   return {m.file + 1, m.line};
 }
 
-std::string placeName(const plan::ReadProgram& program, TextPlace place) {
+plan::ProgramLine programLine(const plan::ReadProgram& program, TextPlace place) {
   const bool several =
       (!program.motions.empty() && program.motions.back().file > 0) || place.file > 1;
-  const std::string line = "line " + std::to_string(place.line);
-  return several ? "file " + std::to_string(place.file) + ", " + line : line;
+  return {{}, several ? place.file : 0, place.line};
 }
 
 std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const ExecutedPath& path,
@@ -158,22 +144,21 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
                                          const plan::Trajectory& trajectory,
                                          const Alignment& alignment,
                                          const ComparisonOptions& options) {
+  using enum plan::FindingKind;
   Report report(program, path);
   for (const plan::ProgramDefect& d : program.defects)
-    report.add("unreadableLine", {d.file + 1, d.line}, d.reason, kWriteAgain);
+    report.add(UnreadableLine, {d.file + 1, d.line}, {{"defect", d.reason}});
   tellDeviations(alignment, trajectory, program, report);
   const bool cut =
       std::any_of(alignment.deviations.begin(), alignment.deviations.end(),
                   [](const Deviation& d) { return d.kind == DeviationKind::CutShort; });
   if (!program.complete && !cut) {
     if (!program.defects.empty())
-      report.add("endMissing", {program.defects.back().file + 1, program.defects.back().line},
-                 "the end sequence is missing", kWriteAgain);
+      report.add(EndMissing, {program.defects.back().file + 1, program.defects.back().line});
     else
-      report.add("endMissing",
-                 program.motions.empty() ? TextPlace{}
-                                         : placeOf(program, program.motions.size() - 1),
-                 "the end sequence is missing", kWriteAgain);
+      report.add(EndMissing, program.motions.empty()
+                                 ? TextPlace{}
+                                 : placeOf(program, program.motions.size() - 1));
   }
 
   const auto& pointOf = alignment.pointOf;
@@ -198,23 +183,16 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
         return most;
       };
       if (const double rad = off(0, path.armDof); rad > options.jointRad)
-        report.atMotion("otherConfiguration", m,
-                        "the arm stands otherwise than planned, a joint by " +
-                            text(rad * 180.0 / M_PI, 1) + " degrees",
-                        kWriteAgain);
+        report.atMotion(OtherConfiguration, m, {{"angle", degreesOf(rad)}});
       if (const double rad = off(path.armDof, path.dof); rad > options.externalRad)
-        report.atMotion("externalAxisMoved", m,
-                        "the external axis stands " + text(rad * 180.0 / M_PI, 3) +
-                            " degrees off its plan",
-                        kWriteAgain);
+        report.atMotion(ExternalAxisMoved, m, {{"angle", degreesOf(rad)}});
     }
     if (!print && extruding && (m > 0 || volume > options.leastMm3)) {
-      report.atMotion("extruderOnTravel", m, "the extruder is on over a travel", kWriteAgain);
+      report.atMotion(ExtruderOnTravel, m);
       continue;
     }
     if (print && !extruding && expected > options.leastMm3) {
-      report.atMotion("extruderOffPrint", m, "the extruder is off where a bead is to be laid",
-                      kWriteAgain);
+      report.atMotion(ExtruderOffPrint, m);
       continue;
     }
     if (m == 0 || j == 0 || !inPlace(m - 1) || pointOf[m - 1] + 1 != j)
@@ -227,17 +205,13 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
     if (dt > 0.0 && time > 0.0 &&
         std::abs(time - dt) > std::max(options.leastS, options.rateTolerance * dt)) {
       slow = true;
-      report.atMotion("speedChanged", m,
-                      "this motion takes " + text(time, 3) + " s, planned are " + text(dt, 3) +
-                          " s",
-                      kWriteAgain);
+      report.atMotion(SpeedChanged, m,
+                      {{"time", base::seconds(time)}, {"planned", base::seconds(dt)}});
     }
     if (print && extruding && !(slow && program.motions[m].volumeMm3 < 0.0) &&
         std::abs(volume - expected) > std::max(options.leastMm3, options.rateTolerance * expected))
-      report.atMotion("flowChanged", m,
-                      "this motion lays " + text(volume, 3) + " mm3, planned are " +
-                          text(expected, 3) + " mm3",
-                      kWriteAgain);
+      report.atMotion(FlowChanged, m,
+                      {{"volume", base::mm3(volume)}, {"planned", base::mm3(expected)}});
   }
   return report.take();
 }

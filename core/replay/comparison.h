@@ -33,8 +33,8 @@ struct TextFinding {
   TextPlace place;
 };
 
-// "line 12" or, where a program has several files, "file 2, line 12".
-std::string placeName(const plan::ReadProgram& program, TextPlace place);
+// How a finding names it: with the file where the program has several.
+plan::ProgramLine programLine(const plan::ReadProgram& program, TextPlace place);
 TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion);
 
 struct ComparisonOptions {

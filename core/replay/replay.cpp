@@ -1,7 +1,9 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
+#include "base/units.h"
 #include "geometry/mesh_query.h"
+#include "plan/finding_kinds.h"
 #include "replay/alignment.h"
 #include "replay/beads.h"
 #include "replay/clashes.h"
@@ -14,24 +16,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace voluta::replay {
 
 namespace {
 
 using Eigen::Vector3d;
+using enum plan::FindingKind;
 
 constexpr std::size_t kMaxCells = 48'000'000;
 constexpr std::size_t kMaxListed = 100; // of one kind; the rest is counted
 // Material further than this from part and plan is not followed: it counts as excess.
 constexpr double kStrayMm = 12.0;
-
-std::string text(double value, int decimals) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
-  return buffer;
-}
 
 class Judge {
 public:
@@ -40,7 +36,7 @@ public:
 
   Verification run() {
     check();
-    ctx_.report(0.0, "running the program");
+    ctx_.report(0.0, "running the program"_text);
     path_ = executeProgram(in_.program, in_.cell, ctx_);
     out_.armChecked = path_.arm;
     out_.durationS = path_.totalS();
@@ -50,7 +46,7 @@ public:
     findClashes();
     tellLimits();
     conclude();
-    ctx_.report(1.0, "replayed");
+    ctx_.report(1.0, "replayed"_text);
     return std::move(out_);
   }
 
@@ -66,25 +62,23 @@ private:
     base::require(in_.platform.known(), "replay: the platform is known");
   }
 
-  void add(const char* kind, TextPlace place, std::string reason, std::string remedy,
-           std::optional<Vector3d> where = std::nullopt, std::optional<double> when = std::nullopt,
+  void add(plan::FindingKind kind, std::vector<plan::NamedValue> values,
+           std::optional<Vector3d> where = std::nullopt, TextPlace place = {},
            std::size_t count = 1) {
-    plan::Finding f;
-    f.stage = "replay";
-    f.kind = kind;
-    f.where = where;
-    f.whenS = when;
-    f.count = count;
-    f.reason = std::move(reason);
-    f.remedy = std::move(remedy);
-    out_.findings.push_back(std::move(f));
+    out_.findings.push_back(plan::makeFinding(kind, std::move(values), where, count));
     out_.places.push_back(place);
   }
+  // The finding begins with the line of that motion.
+  void atMotion(plan::FindingKind kind, std::size_t motion, std::vector<plan::NamedValue> values,
+                const Vector3d& where, double whenS, std::size_t count = 1) {
+    add(kind, std::move(values), where, place(motion), count);
+    out_.findings.back().whenS = whenS;
+    out_.findings.back().program = programLine(in_.program, place(motion));
+  }
   TextPlace place(std::size_t motion) const { return placeOf(in_.program, motion); }
-  std::string line(std::size_t motion) const { return placeName(in_.program, place(motion)); }
 
   void compare() {
-    ctx_.report(0.1, "comparing with the plan");
+    ctx_.report(0.1, "comparing with the plan"_text);
     const PlannedNozzle planned = plannedNozzle(in_.trajectory, in_.cell, ctx_);
     const Alignment alignment =
         alignToPlan({path_.targetTip, path_.targetDirection}, {planned.tip, planned.direction},
@@ -95,7 +89,7 @@ private:
       out_.findings.push_back(std::move(f.finding));
       out_.places.push_back(f.place);
     }
-    const PathDeviation deviation =
+    const struct PathDeviation deviation =
         pathDeviation(path_, planned, in_.trajectory, in_.program, alignment, ctx_);
     out_.maxDeviationMm = deviation.mm;
     out_.maxDeviationRad = deviation.rad;
@@ -159,7 +153,7 @@ private:
   }
 
   void judgeBeads() {
-    ctx_.report(0.5, "measuring the beads");
+    ctx_.report(0.5, "measuring the beads"_text);
     const geometry::MeshQuery query(in_.part);
     const PartCells cells = partCells(in_.part, query, beads_.grid, ctx_);
     const Coverage coverage =
@@ -179,22 +173,18 @@ private:
     out_.overfillFraction = std::max(0.0, (coverage.outsideMm3 + excess) / volume);
     out_.massRatio = out_.depositedMm3 / volume;
     if (out_.coveredFraction < limits_.coveredMin)
-      add("uncovered", {},
-          text(100.0 * (1.0 - out_.coveredFraction), 2) +
-              " % of the part is in no bead; most of it round the place given",
-          "use lower layers or a finer nozzle, or print the part larger", coverage.worstGap);
+      add(Uncovered, {{"share", base::percent(100.0 * (1.0 - out_.coveredFraction))}},
+          coverage.worstGap);
     if (out_.overfillFraction > limits_.overfillMax)
-      add("overfill", pieces_.empty() ? TextPlace{} : place(pieces_[worstPiece].motion),
-          text(100.0 * coverage.outsideMm3 / volume, 2) +
-              " % of the part's volume is laid outside it, " +
-              text(100.0 * out_.excessFraction, 2) + " % finds no room",
-          "less flow, or beads further apart",
-          pieces_.empty() ? std::nullopt : std::optional(pieces_[worstPiece].to));
+      add(Overfill,
+          {{"outside", base::percent(100.0 * coverage.outsideMm3 / volume)},
+           {"noRoom", base::percent(100.0 * out_.excessFraction)}},
+          pieces_.empty() ? std::nullopt : std::optional(pieces_[worstPiece].to),
+          pieces_.empty() ? TextPlace{} : place(pieces_[worstPiece].motion));
     if (std::abs(out_.massRatio - 1.0) > limits_.massTolerance)
-      add("mass", {}, "the material laid is " + text(100.0 * out_.massRatio, 2) + " % of the part",
-          "check the flow and the infill's density");
+      add(Mass, {{"share", base::percent(100.0 * out_.massRatio)}});
 
-    ctx_.report(0.65, "looking beneath the beads");
+    ctx_.report(0.65, "looking beneath the beads"_text);
     printed_.emplace(beads_, pieces_);
     const SupportedBeads support = findSupport(pieces_, *printed_, GroundProbe(in_.platform), ctx_);
     out_.beadLengthMm = support.lengthMm;
@@ -202,19 +192,16 @@ private:
         support.lengthMm > 0.0 ? support.unsupportedMm / support.lengthMm : 0.0;
     if (out_.unsupportedFraction > limits_.unsupportedMax && !support.unsupported.empty()) {
       const BeadPiece& first = pieces_[support.unsupported.front()];
-      add("unsupported", place(first.motion),
-          line(first.motion) + ": " + text(support.unsupportedMm, 1) +
-              " mm of bead have nothing beneath them, the first of them here",
-          "turn the part, or allow supports", first.to, path_.startS[first.motion],
-          support.unsupported.size());
+      atMotion(Unsupported, first.motion, {{"length", base::mm(support.unsupportedMm)}}, first.to,
+               path_.startS[first.motion], support.unsupported.size());
     }
   }
 
   void findClashes() {
-    ctx_.report(0.75, "looking for collisions");
+    ctx_.report(0.75, "looking for collisions"_text);
     const GroundSolids ground(in_.platform, in_.cell, 0.25 * in_.process.beadWidthMm, ctx_);
     std::vector<Clash> clashes = headClashes(path_, pieces_, *printed_, in_.process, ground, ctx_);
-    ctx_.report(0.85, "looking for collisions");
+    ctx_.report(0.85, "looking for collisions"_text);
     for (Clash& c : armClashes(path_, pieces_, *printed_, ground, in_.cell, ctx_))
       clashes.push_back(std::move(c));
     std::stable_sort(clashes.begin(), clashes.end(),
@@ -222,15 +209,12 @@ private:
     out_.collisions = clashes.size();
     for (std::size_t k = 0; k < clashes.size() && k < kMaxListed; ++k) {
       const Clash& c = clashes[k];
-      add("collision", place(c.motion),
-          line(c.motion) + ": " + c.first + " and " + c.second + " collide",
-          "plan anew with more clearance, or another place for the part", c.where, c.whenS,
-          c.samples);
+      atMotion(ReplayedCollision, c.motion, {{"first", c.first}, {"second", c.second}}, c.where,
+               c.whenS, c.samples);
     }
     if (clashes.size() > kMaxListed)
-      add("collision", {},
-          "and " + std::to_string(clashes.size() - kMaxListed) + " collisions more",
-          "plan anew with more clearance", std::nullopt, std::nullopt, clashes.size() - kMaxListed);
+      add(MoreReplayedCollisions, {{"collisions", clashes.size() - kMaxListed}}, std::nullopt, {},
+          clashes.size() - kMaxListed);
   }
 
   void tellLimits() {
@@ -258,48 +242,52 @@ private:
       ++out_.limitViolations;
       if (++listed > kMaxListed)
         continue;
-      add("limit", place(v.motion), line(v.motion) + ": " + reasonOf(v),
-          "slower there, or another place in the cell", path_.targetTip[v.motion],
-          path_.startS[v.motion]);
+      const plan::Finding f = findingOf(v);
+      atMotion(f.kind, v.motion, f.values, path_.targetTip[v.motion], path_.startS[v.motion]);
     }
     if (listed > kMaxListed)
-      add("limit", {}, "and " + std::to_string(listed - kMaxListed) + " violations more",
-          "slower there, or another place in the cell", std::nullopt, std::nullopt,
+      add(MoreLimits, {{"violations", listed - kMaxListed}}, std::nullopt, {},
           listed - kMaxListed);
   }
 
-  std::string reasonOf(const LimitViolation& v) const {
-    const auto degrees = [](double rad) { return text(rad * 180.0 / M_PI, 1); };
+  plan::Finding findingOf(const LimitViolation& v) const {
+    const auto degrees = [](double rad) { return base::degrees(base::radiansToDegrees(rad)); };
+    const auto degreesPerS = [](double radPerS) {
+      return base::Quantity{base::radiansToDegrees(radPerS), base::Unit::DegreePerS};
+    };
     const int external = v.joint - in_.cell.armDof();
-    const std::string joint =
-        external < 0 ? "joint " + std::to_string(v.joint + 1)
-                     : in_.cell.externalAxes()[static_cast<std::size_t>(external)].name;
+    const base::Value joint =
+        external < 0
+            ? base::Value(base::message("joint {number}"_text, v.joint + 1))
+            : base::Value(in_.cell.externalAxes()[static_cast<std::size_t>(external)].name);
     switch (v.kind) {
     case LimitKind::OutOfReach:
-      return "the arm cannot reach this target";
+      break;
     case LimitKind::JointRange:
-      return joint + " at " + degrees(v.value) + " degrees, its limit is " + degrees(v.limit);
+      return plan::makeFinding(
+          JointRange, {{"joint", joint}, {"angle", degrees(v.value)}, {"limit", degrees(v.limit)}});
     case LimitKind::JointSpeed:
-      return joint + " at " + degrees(v.value) + " degrees/s, its limit is " + degrees(v.limit);
+      return plan::makeFinding(
+          JointSpeed,
+          {{"joint", joint}, {"speed", degreesPerS(v.value)}, {"limit", degreesPerS(v.limit)}});
     case LimitKind::BranchJump:
-      return "the arm would have to change its configuration, " + joint + " by " +
-             degrees(v.value) + " degrees at once";
+      return plan::makeFinding(BranchJump, {{"joint", joint}, {"angle", degrees(v.value)}});
     case LimitKind::BlendOverlap:
-      return "its blend overlaps the one before (" + text(v.value, 3) + " mm on " +
-             text(v.limit, 3) + " mm): the controller skips the waypoint";
+      return plan::makeFinding(BlendOverlap,
+                               {{"blend", base::mm(v.value)}, {"way", base::mm(v.limit)}});
     case LimitKind::Flow:
-      return "a flow of " + text(v.value, 1) + " mm3/s, the extruder gives " + text(v.limit, 1);
+      return plan::makeFinding(plan::FindingKind::Flow,
+                               {{"flow", base::Quantity{v.value, base::Unit::Mm3PerS}},
+                                {"limit", base::Quantity{v.limit, base::Unit::Mm3PerS}}});
     }
-    return {};
+    return plan::makeFinding(OutOfReach);
   }
 
   void conclude() {
     if (out_.maxDeviationMm > limits_.deviationMaxMm && path_.motionCount() > 0)
-      add("deviation", place(deviationMotion_),
-          line(deviationMotion_) + ": the nozzle's path is " + text(out_.maxDeviationMm, 3) +
-              " mm off the planned one",
-          "shorter motions or smaller blends", path_.targetTip[deviationMotion_],
-          path_.startS[deviationMotion_]);
+      atMotion(plan::FindingKind::PathDeviation, deviationMotion_,
+               {{"distance", base::mm(out_.maxDeviationMm)}}, path_.targetTip[deviationMotion_],
+               path_.startS[deviationMotion_]);
     const auto atLeast = [&](const char* name, double value, double limit) {
       out_.results.push_back({name, value, limit, value >= limit});
     };

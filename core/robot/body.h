@@ -1,6 +1,8 @@
 // Simple solids that links, heads, platforms and obstacles are made of. mm, in a body's own frame.
 #pragma once
 
+#include "base/text.h"
+
 #include <Eigen/Geometry>
 #include <string>
 #include <variant>
@@ -40,5 +42,8 @@ struct Body {
   int frame = 0; // index of a cell frame (robot/cell.h)
   std::vector<Shape> shapes;
 };
+
+// How a user reads it: the cell's own by their role, others as their file names them.
+base::Value nameOf(const Body& body);
 
 } // namespace voluta::robot

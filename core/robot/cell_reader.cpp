@@ -47,7 +47,7 @@ Mount readMount(const base::JsonNode& node) {
     return Mount::World;
   if (mount == "flange")
     return Mount::Flange;
-  node.fail(fmt::format("must be world or flange, is '{}'", mount));
+  node.fail(base::message("must be world or flange, is '{mount}'"_text, mount));
 }
 
 RobotModel readRobotOf(const base::JsonNode& node) {
@@ -56,7 +56,7 @@ RobotModel readRobotOf(const base::JsonNode& node) {
   } catch (const base::Error& e) {
     if (e.code() != base::ErrorCode::Usage)
       throw;
-    node.fail(e.what());
+    node.fail(e.whole());
   }
 }
 
@@ -77,7 +77,7 @@ CellRod readRod(const base::JsonNode& node) {
   const CellRod rod{node.at("diameterMm").positive(), node.at("lengthMm").positive(),
                     node.at("printableRadiusMm").positive()};
   if (rod.printableRadiusMm <= 0.5 * rod.diameterMm)
-    node.at("printableRadiusMm").fail("must be more than the rod's radius");
+    node.at("printableRadiusMm").fail("must be more than the rod's radius"_text);
   return rod;
 }
 
@@ -88,13 +88,13 @@ ExternalAxis readAxis(const base::JsonNode& node) {
   axis.name = node.at("name").text();
   axis.limits = readJointLimits(node);
   if (axis.limits.min > 0.0 || axis.limits.max < 0.0)
-    node.fail("must have 0, where it rests, within its limits");
+    node.fail("must have 0, where it rests, within its limits"_text);
   axis.stepRad = base::degreesToRadians(node.at("stepDeg").number());
   if (axis.stepRad < 0.0)
-    node.at("stepDeg").fail("must not be negative");
+    node.at("stepDeg").fail("must not be negative"_text);
   const std::string end = node.at("end").text();
   if (end != "unwinds" && end != "runsOn")
-    node.at("end").fail(fmt::format("must be unwinds or runsOn, is '{}'", end));
+    node.at("end").fail(base::message("must be unwinds or runsOn, is '{end}'"_text, end));
   axis.runsOn = end == "runsOn";
   return axis;
 }
@@ -108,18 +108,16 @@ platform::RodShape rodOf(const CellRod& own, const std::optional<platform::RodSh
   platform::checkRod(*wanted);
   const double reach =
       std::max(-wanted->profile.front().x(), wanted->profile.back().x()) - kSlackMm;
-  const auto refuse = [&](const std::string& what, const char* remedy) {
-    return base::Error(base::ErrorCode::UnusableInput, what, fmt::format("cell {}", cell), remedy);
+  const auto refuse = [&](const base::Message& what, const base::Message& remedy) {
+    return base::Error(base::ErrorCode::UnusableInput, what, base::message("cell {cell}"_text, cell), remedy);
   };
   if (reach > 0.5 * own.lengthMm)
-    throw refuse(fmt::format("the rod reaches {:g} mm from its middle, the cell has room for {:g}",
-                             reach, 0.5 * own.lengthMm),
-                 "take a shorter rod");
+    throw refuse(base::message("the rod reaches {reach} mm from its middle, the cell has room for {room}"_text, base::number(reach), base::number(0.5 * own.lengthMm)),
+                 "take a shorter rod"_text);
   for (const Eigen::Vector2d& at : wanted->profile)
     if (at.y() > own.printableRadiusMm)
-      throw refuse(fmt::format("the rod's radius is {:g} mm, the cell prints up to {:g}", at.y(),
-                               own.printableRadiusMm),
-                   "take a thinner rod");
+      throw refuse(base::message("the rod's radius is {radius} mm, the cell prints up to {most}"_text, base::number(at.y()), base::number(own.printableRadiusMm)),
+                   "take a thinner rod"_text);
   return *wanted;
 }
 
@@ -172,7 +170,7 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   cell.id_ = top.at("id").text();
   if (cell.id_ != file.stem().string())
     top.at("id").fail(
-        fmt::format("is '{}', but the file is named '{}'", cell.id_, file.stem().string()));
+        base::message("is '{id}', but the file is named '{file}'"_text, cell.id_, file.stem().string()));
   cell.label_ = top.at("label").text();
   if (top.has("note"))
     cell.note_ = top.at("note").text();
@@ -193,18 +191,17 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   }
   if (cell.externalAxes_.size() != (cell.rod_ ? 1U : 0U))
     top.at("externalAxes")
-        .fail(cell.rod_ ? "must hold one axis, which turns the rod"
-                        : "must be empty: this cell has no rod");
+        .fail(cell.rod_ ? "must hold one axis, which turns the rod"_text : "must be empty: this cell has no rod"_text);
   if (solid.rod && !cell.rod_)
     throw base::Error(base::ErrorCode::UnusableInput,
-                      fmt::format("cell {} holds no rod to print on", cell.id_), {},
-                      "take a cell with a rod: --cell lathe");
+                      base::message("cell {id} holds no rod to print on"_text, cell.id_), {},
+                      "take a cell with a rod: --cell lathe"_text);
   cell.nozzleMount_ = readMount(nozzle.at("mount"));
   if (readMount(platform.at("mount")) == cell.nozzleMount_)
-    platform.at("mount").fail("must not be the nozzle's: one of them moves, the other is fixed");
+    platform.at("mount").fail("must not be the nozzle's: one of them moves, the other is fixed"_text);
   const bool plateMoves = cell.nozzleMount_ == Mount::World;
   if (plateMoves && cell.rod_)
-    platform.at("mount").fail("must be world: a rod is held at both ends");
+    platform.at("mount").fail("must be world: a rod is held at both ends"_text);
   cell.flange_T_moved_ = readPose((plateMoves ? platform : nozzle).at("pose"));
   cell.base_T_fixed_ = readPose((plateMoves ? nozzle : platform).at("pose"));
 
@@ -230,19 +227,19 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
     const std::string name = obstacle.at("name").text();
     for (const Body& other : cell.bodies_)
       if (other.name == name)
-        obstacle.at("name").fail(fmt::format("is taken already: '{}'", name));
+        obstacle.at("name").fail(base::message("is taken already: '{name}'"_text, name));
     cell.bodies_.push_back({name, BodyRole::Obstacle, 0, readShapes(obstacle.at("shapes"))});
   }
 
   const std::vector<base::JsonNode> home = top.at("homeDeg").items();
   if (static_cast<int>(home.size()) != cell.armDof())
     top.at("homeDeg").fail(
-        fmt::format("must hold {} joints, holds {}", cell.armDof(), home.size()));
+        base::message("must hold {wanted} joints, holds {found}"_text, cell.armDof(), home.size()));
   cell.home_ = JointVector::Zero(cell.dof());
   for (std::size_t i = 0; i < home.size(); ++i) {
     const double q = base::degreesToRadians(home[i].number());
     if (q < cell.robot_.limits[i].min || q > cell.robot_.limits[i].max)
-      home[i].fail("is outside the joint's limits");
+      home[i].fail("is outside the joint's limits"_text);
     cell.home_[static_cast<Eigen::Index>(i)] = q;
   }
 

@@ -7,7 +7,7 @@ namespace voluta::robot {
 Eigen::Vector3d readVector3(const base::JsonNode& node) {
   const std::vector<base::JsonNode> list = node.items();
   if (list.size() != 3)
-    node.fail("must have three numbers");
+    node.fail("must have three numbers"_text);
   return {list[0].number(), list[1].number(), list[2].number()};
 }
 

@@ -10,7 +10,7 @@ JointLimits readJointLimits(const base::JsonNode& joint) {
                            base::degreesToRadians(joint.at("velocityDegPerS").positive()),
                            base::degreesToRadians(joint.at("accelerationDegPerS2").positive())};
   if (limits.min >= limits.max)
-    joint.fail("has minDeg not below maxDeg");
+    joint.fail("has minDeg not below maxDeg"_text);
   return limits;
 }
 

@@ -14,7 +14,7 @@ std::vector<std::string> robotIds() {
 }
 
 RobotModel loadRobot(const std::string& id) {
-  return readRobot(base::dataFile("robots", id, "robot"));
+  return readRobot(base::dataFile("robots", id, "unknown robot '{id}'"_text));
 }
 
 void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange,

@@ -36,7 +36,7 @@ std::shared_ptr<const Kinematics> urFamily(const base::JsonNode& g) {
                             g.at("d4").number(), g.at("d5").number(), g.at("d6").number()};
   for (const char* key : {"a2", "a3", "d6"})
     if (g.at(key).number() == 0.0)
-      g.at(key).fail("must not be 0");
+      g.at(key).fail("must not be 0"_text);
   return std::make_shared<UrKinematics>(geometry);
 }
 
@@ -47,7 +47,7 @@ std::shared_ptr<const Kinematics> opwFamily(const base::JsonNode& g) {
       g.at("c2").positive(), g.at("c3").positive(), g.at("c4").number(), {}};
   const std::vector<base::JsonNode> offsets = g.at("offsetsDeg").items();
   if (offsets.size() != geometry.offsets.size())
-    g.at("offsetsDeg").fail(fmt::format("must hold 6 joints, holds {}", offsets.size()));
+    g.at("offsetsDeg").fail(base::message("must hold 6 joints, holds {found}"_text, offsets.size()));
   for (std::size_t i = 0; i < offsets.size(); ++i)
     geometry.offsets[i] = base::degreesToRadians(offsets[i].number());
   return std::make_shared<OpwKinematics>(geometry);
@@ -68,7 +68,7 @@ std::shared_ptr<const Kinematics> readKinematics(const base::JsonNode& robot) {
   for (const Family& family : families())
     if (id == family.id)
       return family.make(robot.at("geometryMm"));
-  robot.at("family").fail(fmt::format("names no kinematic family that is known: '{}'", id));
+  robot.at("family").fail(base::message("names no kinematic family that is known: '{id}'"_text, id));
 }
 
 std::vector<JointLimits> readLimits(const base::JsonNode& list, int dof) {
@@ -78,7 +78,7 @@ std::vector<JointLimits> readLimits(const base::JsonNode& list, int dof) {
     limits.push_back(readJointLimits(joint));
   }
   if (static_cast<int>(limits.size()) != dof)
-    list.fail(fmt::format("must hold {} joints, holds {}", dof, limits.size()));
+    list.fail(base::message("must hold {wanted} joints, holds {found}"_text, dof, limits.size()));
   return limits;
 }
 
@@ -91,10 +91,10 @@ std::vector<Body> readLinks(const base::JsonNode& list, int dof) {
     link.role = BodyRole::Link;
     link.frame = node.at("frame").integer();
     if (link.frame < 0 || link.frame > dof)
-      node.at("frame").fail(fmt::format("must be in 0..{}", dof));
+      node.at("frame").fail(base::message("must be in 0..{dof}"_text, dof));
     for (const Body& other : links)
       if (other.name == link.name)
-        node.at("name").fail(fmt::format("is taken already: '{}'", link.name));
+        node.at("name").fail(base::message("is taken already: '{name}'"_text, link.name));
     link.shapes = readShapes(node.at("shapes"));
     links.push_back(std::move(link));
   }
@@ -118,7 +118,7 @@ RobotModel readRobot(const std::filesystem::path& file) {
   robot.id = top.at("id").text();
   if (robot.id != file.stem().string())
     top.at("id").fail(
-        fmt::format("is '{}', but the file is named '{}'", robot.id, file.stem().string()));
+        base::message("is '{id}', but the file is named '{file}'"_text, robot.id, file.stem().string()));
   robot.label = top.at("label").text();
   robot.maker = top.at("maker").text();
   robot.controller = top.at("controller").text();

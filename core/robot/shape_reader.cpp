@@ -25,7 +25,7 @@ Shape readShape(const base::JsonNode& node) {
     b.allowOnly({"pose", "sizeMm"});
     const Eigen::Vector3d size = readVector3(b.at("sizeMm"));
     if (!(size.minCoeff() > 0.0))
-      b.at("sizeMm").fail("must be greater than 0");
+      b.at("sizeMm").fail("must be greater than 0"_text);
     return Box{readPose(b.at("pose")), 0.5 * size};
   }
   if (node.has("frustum")) {
@@ -34,12 +34,12 @@ Shape readShape(const base::JsonNode& node) {
     Frustum frustum{readVector3(f.at("p0Mm")), readVector3(f.at("p1Mm")), f.at("r0Mm").number(),
                     f.at("r1Mm").number()};
     if (frustum.r0 < 0.0 || frustum.r1 < 0.0 || frustum.r0 + frustum.r1 <= 0.0)
-      f.fail("needs radii that are not negative, one of them greater than 0");
+      f.fail("needs radii that are not negative, one of them greater than 0"_text);
     if (frustum.p0 == frustum.p1)
-      f.fail("has no length");
+      f.fail("has no length"_text);
     return frustum;
   }
-  node.fail("must be a capsule, a box or a frustum");
+  node.fail("must be a capsule, a box or a frustum"_text);
 }
 
 } // namespace
@@ -49,7 +49,7 @@ std::vector<Shape> readShapes(const base::JsonNode& list) {
   for (const base::JsonNode& item : list.items())
     shapes.push_back(readShape(item));
   if (shapes.empty())
-    list.fail("must hold at least one shape");
+    list.fail("must hold at least one shape"_text);
   return shapes;
 }
 
@@ -63,8 +63,7 @@ std::vector<std::pair<int, int>> readBodyPairs(const base::JsonNode& list,
         return static_cast<int>(i);
       names.push_back(bodies[i].name);
     }
-    node.fail(fmt::format("names no body: '{}'; the nearest is '{}'", name,
-                          base::nearestName(name, names)));
+    node.fail(base::message("names no body: '{name}'; the nearest is '{nearest}'"_text, name, base::nearestName(name, names)));
   };
   std::vector<std::pair<int, int>> pairs;
   for (const base::JsonNode& node : list.items()) {
@@ -72,10 +71,10 @@ std::vector<std::pair<int, int>> readBodyPairs(const base::JsonNode& list,
     node.at("why").text();
     const std::vector<base::JsonNode> names = node.at("pair").items();
     if (names.size() != 2)
-      node.at("pair").fail("must have two names");
+      node.at("pair").fail("must have two names"_text);
     const int a = indexOf(names[0]), b = indexOf(names[1]);
     if (a == b)
-      node.at("pair").fail("pairs a body with itself");
+      node.at("pair").fail("pairs a body with itself"_text);
     pairs.emplace_back(std::min(a, b), std::max(a, b));
   }
   return pairs;

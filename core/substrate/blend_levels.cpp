@@ -19,11 +19,12 @@ using Eigen::Vector3d;
 constexpr double kOnGroundMm = 1e-3;
 constexpr double kFarMm = 1e4;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& remedy,
+[[noreturn]] void refuse(const base::Message& what, const base::Message& remedy,
                          const Vector3d* at = nullptr) {
   throw base::Error(base::ErrorCode::UnusableInput, what,
-                    at ? fmt::format("at ({:.1f}, {:.1f}, {:.1f})", at->x(), at->y(), at->z())
-                       : std::string("end surface"),
+                    at ? base::Value(base::message("at {point:.1f}"_text,
+                                                   base::Point{at->x(), at->y(), at->z()}))
+                       : base::Value("end surface"_text),
                     remedy);
 }
 
@@ -40,10 +41,9 @@ int layersFor(double least, double mean, double most, const LevelOptions& o) {
   const int fewest = std::max(1, static_cast<int>(std::ceil(most / o.heightMaxMm - 1e-9)));
   const int greatest = static_cast<int>(std::floor(least / o.heightMinMm + 1e-9));
   if (fewest > greatest)
-    refuse(fmt::format("no number of layers between the surface and its end keeps their thickness "
-                       "within {:g} and {:g} mm: the way between them is {:.3g} to {:.3g} mm long",
-                       o.heightMinMm, o.heightMaxMm, least, most),
-           "give an end surface that is more like the surface, or a smaller part");
+    refuse(base::message("no number of layers between the surface and its end keeps their thickness "
+                       "within {least} and {most} mm: the way between them is {shortest:.3g} to {longest:.3g} mm long"_text, base::number(o.heightMinMm), base::number(o.heightMaxMm), base::number(least), base::number(most)),
+           "give an end surface that is more like the surface, or a smaller part"_text);
   return std::clamp(static_cast<int>(std::lround(mean / o.layerHeightMm)), fewest, greatest);
 }
 
@@ -74,8 +74,8 @@ std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
     });
   });
   if (start.surface.triangles.empty())
-    refuse("nothing of the surface under the part sees the end surface",
-           "give an end surface over the part's foot");
+    refuse("nothing of the surface under the part sees the end surface"_text,
+           "give an end surface over the part's foot"_text);
   start.thicknessMm = way; // dropUnusedVertices keeps it in step
   layers::dropUnusedVertices(start);
   double least = kFarMm, most = 0.0, sum = 0.0;
@@ -96,10 +96,9 @@ std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
     for (std::size_t t = 0; t < level.surface.triangles.size(); ++t)
       if (geometry::triangleNormal(level.surface, t)
               .dot(geometry::triangleNormal(start.surface, t)) < 0.0)
-        refuse(fmt::format("layers on this surface would fold: rays along its normals cross before "
-                           "the end surface, from layer {} on",
-                           k + 1),
-               "fill the hollow first, or use layerShape=offset", &level.surface.corner(t, 0));
+        refuse(base::message("layers on this surface would fold: rays along its normals cross before "
+                           "the end surface, from layer {layer} on"_text, k + 1),
+               "fill the hollow first, or use layerShape=offset"_text, &level.surface.corner(t, 0));
     levels.push_back(std::move(level));
   }
   return levels;

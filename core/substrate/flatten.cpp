@@ -24,10 +24,9 @@ std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
     if (under <= 0.0 || radius <= 0.0)
       throw base::Error(
           base::ErrorCode::UnusableInput,
-          fmt::format("layers that are {:.3g} mm thick at the top and {:.3g} mm at the sides end "
-                      "after layer {}: no circle goes through both",
-                      h1, h2, k),
-          "flattening", "make the two thicknesses more alike, or use fewer layers");
+          base::message("layers that are {top:.3g} mm thick at the top and {side:.3g} mm at the sides end "
+                      "after layer {layer}: no circle goes through both"_text, base::number(h1), base::number(h2), k),
+          "flattening"_text, "make the two thicknesses more alike, or use fewer layers"_text);
     circles.push_back({circles.back().topMm + h1, radius});
   }
   return circles;
@@ -45,10 +44,9 @@ std::vector<FlatteningCircle> flatteningToPlane(const FlatteningCircle& start, d
   const auto heightOver = [b](double r) {
     if (b > r)
       throw base::Error(base::ErrorCode::UnusableInput,
-                        fmt::format("the feature is {:.3g} mm wide, wider than the cylinder of "
-                                    "{:.3g} mm that it stands on",
-                                    2.0 * b, 2.0 * r),
-                        "flattening", "make the feature narrower");
+                        base::message("the feature is {width:.3g} mm wide, wider than the cylinder of "
+                                    "{cylinder:.3g} mm that it stands on"_text, base::number(2.0 * b), base::number(2.0 * r)),
+                        "flattening"_text, "make the feature narrower"_text);
     return std::isinf(r) ? 0.0 : b * b / (r + std::sqrt(r * r - b * b));
   };
   const double first = heightOver(start.radiusMm), last = heightOver(endRadiusMm);

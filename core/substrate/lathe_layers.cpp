@@ -21,8 +21,8 @@ using Eigen::Vector3d;
 
 constexpr double kHardlyOverMm = 1e-2; // over the rod: what facets of either leave
 
-[[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
-  throw base::Error(base::ErrorCode::UnusableInput, what, "rod", remedy);
+[[noreturn]] void refuse(const base::Message& what, const base::Message& remedy) {
+  throw base::Error(base::ErrorCode::UnusableInput, what, "rod"_text, remedy);
 }
 
 Vector3d radial(const Vector3d& p) {
@@ -78,10 +78,9 @@ geometry::TriangleMesh partAroundRod(const geometry::TriangleMesh& part, const R
   const auto& profile = rod.rod().profile;
   const double first = profile.front().x(), last = profile.back().x();
   if (box.isEmpty() || box.min().x() < first || box.max().x() > last)
-    refuse(fmt::format("the part reaches from x = {:.4g} to {:.4g} mm, beyond an end of the rod at "
-                       "{:.4g} or {:.4g} mm",
-                       box.min().x(), box.max().x(), first, last),
-           "move the part along the rod, or use a longer rod");
+    refuse(base::message("the part reaches from x = {from:.4g} to {to:.4g} mm, beyond an end of the rod at "
+                       "{firstEnd:.4g} or {lastEnd:.4g} mm"_text, base::number(box.min().x()), base::number(box.max().x()), base::number(first), base::number(last)),
+           "move the part along the rod, or use a longer rod"_text);
   double over = 0.0;
   for (const auto& triangle : part.triangles)
     for (int v : triangle)
@@ -94,11 +93,11 @@ geometry::TriangleMesh partAroundRod(const geometry::TriangleMesh& part, const R
         remainder = geometry::subtract(*remainder, solid);
   }
   if (!remainder)
-    refuse("the part is not closed, or cuts itself, where the rod is taken out of it",
-           "repair the part first");
+    refuse("the part is not closed, or cuts itself, where the rod is taken out of it"_text,
+           "repair the part first"_text);
   if (remainder->empty())
-    refuse("the rod is thicker than the part: nothing of the part is outside it",
-           "use a thinner rod, or print the part larger");
+    refuse("the rod is thicker than the part: nothing of the part is outside it"_text,
+           "use a thinner rod, or print the part larger"_text);
   return std::move(*remainder);
 }
 
@@ -110,9 +109,8 @@ std::vector<double> latheBounds(const geometry::TriangleMesh& part, const RodSur
   const double to = farthest(part, rod, o.followsRod);
   if (to - from < o.heightMinMm)
     refuse(
-        fmt::format("the part reaches {:.3g} mm out over the rod, less than a layer of {:.3g} mm",
-                    std::max(0.0, to - from), o.heightMinMm),
-        "use a thinner rod, or print the part larger");
+        base::message("the part reaches {height:.3g} mm out over the rod, less than a layer of {least:.3g} mm"_text, base::number(std::max(0.0, to - from)), base::number(o.heightMinMm)),
+        "use a thinner rod, or print the part larger"_text);
   return levelBounds(from, to, o);
 }
 
@@ -126,7 +124,7 @@ LatheLayers latheLayers(const geometry::TriangleMesh& part, const RodSurface& ro
   box.max().array() += 2.0 * edge;
   LevelFamily family;
   family.count = static_cast<int>(bounds.size()) - 1;
-  family.groundWord = "rod";
+  family.groundKind = GroundKind::Rod;
   family.ground = groundOf(rod, o.followsRod);
   std::optional<OffsetLevels> offsets;
   if (o.followsRod)

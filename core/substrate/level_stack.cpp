@@ -12,10 +12,10 @@
 #include "layers/part_boundary.h"
 #include "layers/patches.h"
 #include "layers/trim.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <iterator>
 #include <utility>
 
@@ -45,19 +45,23 @@ void reportDropped(const std::vector<layers::DroppedPiece>& dropped, StackedLeve
     result.findings.push_back(std::move(*finding));
 }
 
-void reportUnsupported(const layers::InAir& inAir, const std::string& ground,
-                       StackedLevels& result) {
+void reportUnsupported(const layers::InAir& inAir, GroundKind ground, StackedLevels& result) {
   result.unsupportedPatches = inAir.patches;
   if (inAir.patches > 0)
-    result.findings.push_back(layers::layerFinding(
-        "beginsInAir", inAir.firstAt, inAir.patches,
-        inAir.patches == 1
-            ? fmt::format("a piece of a layer has neither the {} nor an earlier layer under it",
-                          ground)
-            : fmt::format("{} pieces of layers have neither the {} nor an earlier layer under them",
-                          inAir.patches, ground),
-        fmt::format("move the part on the {}, or let what is under them grow out of it", ground),
-        true));
+    result.findings.push_back(
+        plan::makeFinding(ground == GroundKind::Rod ? plan::FindingKind::BeginsInAirOverRod
+                                                    : plan::FindingKind::BeginsInAirOverSurface,
+                          {{"pieces", inAir.patches}}, inAir.firstAt, inAir.patches));
+}
+
+[[noreturn]] void missesGround(GroundKind ground) {
+  if (ground == GroundKind::Rod)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      "the part misses the rod: nothing of it lies on the rod"_text, "rod"_text,
+                      "move the part onto the rod"_text);
+  throw base::Error(base::ErrorCode::UnusableInput,
+                    "the part misses the surface: nothing of it lies on the surface"_text,
+                    "surface"_text, "move the part onto the surface"_text);
 }
 
 // What no level reaches: layers that end before the part does.
@@ -65,10 +69,10 @@ void reportLeftOut(const geometry::TriangleMesh& part, StackedLevels& result) {
   const double whole = geometry::volume(part);
   const double missing = whole - result.statistics.volumeMm3() - result.sliverVolumeMm3;
   if (missing > kBlockingShare * whole)
-    result.findings.push_back(layers::layerFinding(
-        "notLaid", geometry::bounds(part).center(), 1,
-        fmt::format("{:.3g} of {:.4g} mm3 of the part are in no layer", missing, whole),
-        "choose layers that reach all of it (layerShape, layerCentre, endSurface)", true));
+    result.findings.push_back(
+        plan::makeFinding(plan::FindingKind::NotLaid,
+                          {{"left", base::mm3(missing)}, {"whole", base::mm3(whole)}},
+                          geometry::bounds(part).center()));
 }
 
 } // namespace
@@ -106,7 +110,7 @@ StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily&
   StackedLevels result;
   const layers::PartBoundary boundary(part, levelEdgeMm(o), ctx);
   std::vector<layers::PatchesOfLevel> made(static_cast<std::size_t>(family.count));
-  ctx.report(0.0, "cutting layers");
+  ctx.report(0.0, "cutting layers"_text);
   base::parallelChunks(ctx, made.size(), 1, [&](std::size_t begin, std::size_t end) {
     const base::RunContext silent = ctx.quiet();
     for (std::size_t k = begin; k < end; ++k) {
@@ -124,14 +128,11 @@ StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily&
   }
   if (std::none_of(result.stack.patches.begin(), result.stack.patches.end(),
                    [&](const layers::Patch& p) { return isOnGround(p, family.ground); }))
-    throw base::Error(
-        base::ErrorCode::UnusableInput,
-        fmt::format("the part misses the {0}: nothing of it lies on the {0}", family.groundWord),
-        family.groundWord, fmt::format("move the part onto the {}", family.groundWord));
+    missesGround(family.groundKind);
   if (family.adapt)
     family.adapt(result.stack.patches);
 
-  ctx.report(0.6, "ordering layers");
+  ctx.report(0.6, "ordering layers"_text);
   const layers::AbsorbOptions absorb{o.heightMaxMm, o.beadWidthMm};
   layers::Absorbed absorbed = layers::absorbSlivers(result.stack.patches, slivers, absorb);
   layers::orderForPrinting(result.stack);
@@ -141,14 +142,13 @@ StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily&
   result.mergedPieces = absorbed.merged + absorbedIslands.absorbed.merged;
   std::move(absorbedIslands.absorbed.dropped.begin(), absorbedIslands.absorbed.dropped.end(),
             std::back_inserter(absorbed.dropped));
-  ctx.report(0.8, "ending layers on the surface");
+  ctx.report(0.8, "ending layers on the surface"_text);
   layers::followTop(result.stack, boundary,
                     {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   reportDropped(absorbed.dropped, result);
   reportLeftOut(part, result);
-  reportUnsupported(layers::patchesInAir(absorbedIslands.support, islands), family.groundWord,
-                    result);
+  reportUnsupported(layers::patchesInAir(absorbedIslands.support, islands), family.groundKind, result);
   return result;
 }
 

@@ -34,6 +34,8 @@ std::vector<double> levelBounds(double from, double to, const LevelOptions& opti
 double levelEdgeMm(const LevelOptions& options);
 double offsetGridMm(const LevelOptions& options);
 
+enum class GroundKind { Surface, Rod };
+
 // Levels from a ground outwards.
 struct LevelFamily {
   int count = 0;
@@ -42,7 +44,7 @@ struct LevelFamily {
   layers::Ground ground; // what the first ones lie on
   // Unit: the way material grows at a point.
   std::function<Eigen::Vector3d(const Eigen::Vector3d&)> outward;
-  std::string groundWord = "surface"; // "the part misses the ..."
+  GroundKind groundKind = GroundKind::Surface; // what it is called
   // Changes patches before slivers are shared out; may be empty.
   std::function<void(std::vector<layers::Patch>&)> adapt;
 };

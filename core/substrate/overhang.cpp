@@ -3,10 +3,10 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/measures.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace voluta::substrate {
 
@@ -46,19 +46,21 @@ Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& 
 }
 
 std::optional<plan::Finding> overhangFinding(const Overhang& overhang, const OverhangRule& rule,
-                                             const std::string& ground, const std::string& place) {
+                                             GroundKind ground) {
   if (overhang.areaMm2 <= 0.0)
     return std::nullopt;
-  plan::Finding f;
-  f.stage = "decompose";
-  f.kind = "overhang";
-  f.where = overhang.worstAt;
-  f.reason = fmt::format("{:.3g} mm2 of the part lean out by more than {:.3g} degrees over lower "
-                         "layers, the most at {}",
-                         overhang.areaMm2, base::radiansToDegrees(rule.overhangRad), place);
-  f.remedy = fmt::format("let the part rise from the {} at a gentler slope there", ground);
-  f.blocking = false;
-  return f;
+  const Vector3d& at = overhang.worstAt;
+  const base::Quantity area = base::mm2(overhang.areaMm2);
+  const base::Quantity angle = base::degrees(base::radiansToDegrees(rule.overhangRad));
+  if (ground == GroundKind::Rod)
+    return plan::makeFinding(plan::FindingKind::OverhangOverRod,
+                             {{"area", area},
+                              {"angle", angle},
+                              {"x", base::mm(at.x())},
+                              {"radius", base::mm(at.tail<2>().norm())}},
+                             at);
+  return plan::makeFinding(plan::FindingKind::OverhangOverSurface,
+                           {{"area", area}, {"angle", angle}, {"at", plan::pointOf(at)}}, at);
 }
 
 } // namespace voluta::substrate

@@ -4,6 +4,7 @@
 #include "geometry/triangle_mesh.h"
 #include "layers/ground.h"
 #include "plan/finding.h"
+#include "substrate/level_stack.h"
 
 #include <Eigen/Core>
 #include <functional>
@@ -28,8 +29,8 @@ Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& 
                       const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& outward,
                       const OverhangRule& rule);
 
-// "overhang" of stage "decompose", not blocking; none where there is no area. `ground`: "rod".
+// Not blocking; none where there is no area.
 std::optional<plan::Finding> overhangFinding(const Overhang& overhang, const OverhangRule& rule,
-                                             const std::string& ground, const std::string& place);
+                                             GroundKind ground);
 
 } // namespace voluta::substrate

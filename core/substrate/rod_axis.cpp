@@ -25,7 +25,7 @@ std::pair<Eigen::Vector3d, double> centreOfArea(const geometry::TriangleMesh& me
     area += a;
   }
   if (!(area > 0.0))
-    throw base::Error(base::ErrorCode::UnusableInput, "the part has no surface", "axis");
+    throw base::Error(base::ErrorCode::UnusableInput, "the part has no surface"_text, "axis"_text);
   return {centre / area, area};
 }
 
@@ -68,8 +68,8 @@ AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
   const double sharpness = isDisc ? clearer(1, 2) : clearer(0, 1);
   if (!(sharpness >= kClear) || values[1] <= 0.0)
     throw base::Error(base::ErrorCode::UnusableInput,
-                      "the part has no clear axis: its sides face along every direction alike",
-                      "axis", "name its axis (rodAxis), or turn the part onto the rod by hand");
+                      "the part has no clear axis: its sides face along every direction alike"_text,
+                      "axis"_text, "name its axis (rodAxis), or turn the part onto the rod by hand"_text);
   Eigen::Vector3d direction = solver.eigenvectors().col(isDisc ? 2 : 0);
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);

@@ -26,8 +26,8 @@ using Eigen::Vector2d, Eigen::Vector3d;
 constexpr double kTouchMm = 1e-3; // what is nearer to the ground lies on it
 constexpr double kRoundMm = 0.02; // by which a round ground may be off
 
-[[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
-  throw base::Error(base::ErrorCode::UnusableInput, what, "surface", remedy);
+[[noreturn]] void refuse(const base::Message& what, const base::Message& remedy) {
+  throw base::Error(base::ErrorCode::UnusableInput, what, "surface"_text, remedy);
 }
 
 // Corners of the part on its ground.
@@ -95,9 +95,8 @@ template <typename Between>
 void addLevels(LevelFamily& family, const Reach& reach, const SubstrateOptions& o,
                Between between) {
   if (reach.to - reach.from < o.heightMinMm)
-    refuse(fmt::format("the part rises {:.3g} mm over the surface, less than a layer of {:.3g} mm",
-                       std::max(0.0, reach.to - reach.from), o.heightMinMm),
-           "print the part larger, or with a finer process");
+    refuse(base::message("the part rises {height:.3g} mm over the surface, less than a layer of {least:.3g} mm"_text, base::number(std::max(0.0, reach.to - reach.from)), base::number(o.heightMinMm)),
+           "print the part larger, or with a finer process"_text);
   const std::vector<double> bounds = levelBounds(reach.from, reach.to, o);
   family.count = static_cast<int>(bounds.size()) - 1;
   family.level = [bounds, between](int k, const base::RunContext& ctx) {
@@ -184,14 +183,12 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
   const FlatteningCircle first{start.centre.y() + start.radiusMm, start.radiusMm};
   const double rise = top - first.topMm;
   if (!(rise > 0.0))
-    refuse(fmt::format("the end surface is {:.3g} mm over the top of the surface that layers start "
-                       "from",
-                       rise),
-           "give a higher end surface (endSurface)");
+    refuse(base::message("the end surface is {rise:.3g} mm over the top of the surface that layers start "
+                       "from"_text, base::number(rise)),
+           "give a higher end surface (endSurface)"_text);
   if (halfWidth >= start.radiusMm)
-    refuse(fmt::format("the part is {:.3g} mm wide, as wide as the cylinder that it stands on",
-                       2.0 * halfWidth),
-           "make the part narrower, or use layerShape=offset");
+    refuse(base::message("the part is {width:.3g} mm wide, as wide as the cylinder that it stands on"_text, base::number(2.0 * halfWidth)),
+           "make the part narrower, or use layerShape=offset"_text);
   std::vector<FlatteningCircle> best;
   double bestOff = std::numeric_limits<double>::infinity();
   double least = 0.0, most = 0.0; // of the number of layers that comes nearest to the limits
@@ -221,11 +218,9 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
   }
   constexpr double kSlackMm = 1e-9;
   if (best.empty() || bestBeyond > kSlackMm)
-    refuse(fmt::format("no number of layers between the surface and its end keeps their thickness "
-                       "within {:g} and {:g} mm: {} layers would be {:.3g} to {:.3g} mm thick",
-                       o.heightMinMm, o.heightMaxMm, best.empty() ? 0 : best.size() - 1, least,
-                       most),
-           "give an end surface that is more like the surface, or a narrower part");
+    refuse(base::message("no number of layers between the surface and its end keeps their thickness "
+                       "within {least} and {most} mm: {layers} layers would be {thinnest:.3g} to {thickest:.3g} mm thick"_text, base::number(o.heightMinMm), base::number(o.heightMaxMm), best.empty() ? 0 : best.size() - 1, base::number(least), base::number(most)),
+           "give an end surface that is more like the surface, or a narrower part"_text);
   return best;
 }
 
@@ -257,8 +252,8 @@ void addFlattening(LevelFamily& family, const geometry::TriangleMesh& part,
   if (cylinder && !o.end.mesh)
     return addCircles(family, part, *cylinder, o, box);
   if (!std::isinf(o.end.radiusMm))
-    refuse("the part stands on no cylinder along x, which an end surface radius:R is for",
-           "give endSurface=flat:Z or mesh:FILE");
+    refuse("the part stands on no cylinder along x, which an end surface radius:R is for"_text,
+           "give endSurface=flat:Z or mesh:FILE"_text);
   BlendOptions blend;
   blend.levels = o;
   blend.endHeightMm = topOf(part, o.end);
@@ -277,11 +272,11 @@ geometry::TriangleMesh partOnBody(const geometry::TriangleMesh& part,
                                   const geometry::TriangleMesh& body) {
   std::optional<geometry::TriangleMesh> remainder = geometry::subtract(part, body);
   if (!remainder)
-    refuse("the part is not closed, or cuts itself, where the surface's body is taken out of it",
-           "repair the part first");
+    refuse("the part is not closed, or cuts itself, where the surface's body is taken out of it"_text,
+           "repair the part first"_text);
   if (remainder->empty())
-    refuse("the surface covers the part: nothing of the part is outside its body",
-           "move the part out of the surface, or print it larger");
+    refuse("the surface covers the part: nothing of the part is outside its body"_text,
+           "move the part out of the surface, or print it larger"_text);
   return std::move(*remainder);
 }
 

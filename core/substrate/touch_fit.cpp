@@ -15,27 +15,27 @@ namespace {
 // Of the shorter to the longer extent of points: less is a line.
 constexpr double kLine = 1e-7;
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw base::Error(base::ErrorCode::UnusableInput, what, "touched points",
-                    "touch points farther apart around the cylinder");
+[[noreturn]] void refuse(const base::Message& what) {
+  throw base::Error(base::ErrorCode::UnusableInput, what, "touched points"_text,
+                    "touch points farther apart around the cylinder"_text);
 }
 
 } // namespace
 
 CircleFit circleThrough(const std::vector<Eigen::Vector2d>& points) {
   if (points.size() < 3)
-    refuse(fmt::format("{} points do not make a circle: it takes three", points.size()));
+    refuse(base::message("{points} points do not make a circle: it takes three"_text, points.size()));
   const auto n = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixX2d centred(n, 2);
   for (Eigen::Index i = 0; i < n; ++i)
     centred.row(i) = points[static_cast<std::size_t>(i)];
   if (!centred.allFinite())
-    refuse("a point is not a number");
+    refuse("a point is not a number"_text);
   const Eigen::Vector2d mean = centred.colwise().mean();
   centred.rowwise() -= mean.transpose();
   const Eigen::Vector2d extent = Eigen::JacobiSVD<Eigen::MatrixX2d>(centred).singularValues();
   if (extent[1] <= kLine * extent[0])
-    refuse("the points lie on a line");
+    refuse("the points lie on a line"_text);
   // In units of their extent, so that the three columns are alike.
   const double unit = extent[0];
   centred /= unit;

@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "curved/flood.h"
 #include "curved/reverse_growth.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -23,8 +24,8 @@ struct Group {
   std::int32_t order = kUnreached; // the first of them that a flood from the platform reaches
 };
 
-std::string counted(std::size_t n, const char* what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+base::Message voxels(std::size_t count) {
+  return base::message("{count} voxel|{count} voxels"_plural, count);
 }
 
 class Supporter {
@@ -89,7 +90,7 @@ private:
   // from what it carried; as the scheme itself gives them elsewhere.
   // `at`: how far the search is.
   std::vector<std::int32_t> quickRanks(const curved::VoxelGraph& graph, double at) {
-    ctx_.report(at, "supports");
+    ctx_.report(at, "supports"_text);
     if (!peels_)
       return grown(graph, ctx_.sub(at, at)).rank;
     ++out_.growths;
@@ -263,47 +264,32 @@ private:
   void report() {
     for (std::size_t n = 0; n < std::min(kMostListed, out_.columns.size()); ++n) {
       const Column& column = out_.columns[n];
-      plan::Finding f;
-      f.stage = "decompose";
-      f.kind = "supportColumn";
-      f.where = part_.grid.centre(column.top.x(), column.top.y(), column.top.z());
-      f.count = column.cells.size();
-      f.reason = fmt::format("a column of {} from {} carries {} that would be missed",
-                             counted(column.cells.size(), "voxel"),
-                             column.standsOn == Column::Foot::Platform ? "the platform"
-                             : column.standsOn == Column::Foot::Part   ? "the part below"
-                                                                       : "another column",
-                             counted(carried_[n], "voxel"));
-      f.remedy = column.sideFaces == 0
-                     ? "break it off after printing"
-                     : fmt::format("cut it off after printing: it touches the part at {} more",
-                                   counted(column.sideFaces, "face"));
-      f.blocking = false;
-      out_.findings.push_back(std::move(f));
+      const base::Text foot = column.standsOn == Column::Foot::Platform ? "the platform"_text
+                              : column.standsOn == Column::Foot::Part   ? "the part below"_text
+                                                                        : "another column"_text;
+      std::vector<plan::NamedValue> values{{"voxels", voxels(column.cells.size())},
+                                           {"foot", foot},
+                                           {"carried", voxels(carried_[n])}};
+      if (column.sideFaces > 0)
+        values.push_back({"faces", column.sideFaces});
+      out_.findings.push_back(plan::makeFinding(
+          column.sideFaces > 0 ? plan::FindingKind::SupportColumnTouching
+                               : plan::FindingKind::SupportColumn,
+          std::move(values), part_.grid.centre(column.top.x(), column.top.y(), column.top.z()),
+          column.cells.size()));
     }
     if (out_.columns.size() > kMostListed) {
-      plan::Finding rest;
-      rest.stage = "decompose";
-      rest.kind = "supportColumns";
-      rest.count = out_.columns.size() - kMostListed;
-      rest.reason = fmt::format("{} more columns carry what would be missed", rest.count);
-      rest.remedy = "turning the part may need fewer";
-      rest.blocking = false;
-      out_.findings.push_back(std::move(rest));
+      const std::size_t rest = out_.columns.size() - kMostListed;
+      out_.findings.push_back(plan::makeFinding(plan::FindingKind::SupportColumns,
+                                                {{"columns", rest}}, std::nullopt, rest));
     }
     if (out_.missedAfter == 0)
       return;
     for (std::size_t n = 0; n < std::min(kMostListed, stranded_.size()); ++n) {
       const Eigen::Vector3i c = part_.grid.cell(stranded_[n].cells.front());
-      plan::Finding f;
-      f.stage = "decompose";
-      f.kind = "noSupport";
-      f.where = part_.grid.centre(c.x(), c.y(), c.z());
-      f.count = stranded_[n].cells.size();
-      f.reason = fmt::format("no column from inside the platform reaches {} that would be missed",
-                             counted(f.count, "voxel"));
-      f.remedy = "a larger platform, or turn the part";
-      out_.findings.push_back(std::move(f));
+      const std::size_t count = stranded_[n].cells.size();
+      out_.findings.push_back(plan::makeFinding(plan::FindingKind::NoSupport, {{"voxels", count}},
+                                                part_.grid.centre(c.x(), c.y(), c.z()), count));
     }
   }
 
@@ -324,9 +310,9 @@ private:
 
 base::ParameterTable supportParameters() {
   return base::ParameterTable({
-      base::choiceParameter("supports", "none", {"none", "auto"}, "Layers", "Supports",
+      base::choiceParameter("supports", "none", {{"none", "none"_text}, {"auto", "auto"_text}}, "Layers"_text, "Supports"_text,
                             "What carries voxels that growth would miss: nothing, or columns as "
-                            "thin as a voxel, to be broken off afterwards.",
+                            "thin as a voxel, to be broken off afterwards."_text,
                             true),
   });
 }
@@ -338,7 +324,7 @@ Supports supportsFor(const voxel::SolidVoxels& part, const std::vector<Eigen::Ve
   base::Stopwatch watch;
   Supports out = Supporter(part, platform, options, ctx).run();
   out.seconds = watch.seconds();
-  ctx.report(1.0, "supports");
+  ctx.report(1.0, "supports"_text);
   return out;
 }
 

@@ -248,9 +248,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   const InfillKind& kind = infillKind(o.infill);
   if (kind.isWound && patch.chart.empty())
     throw base::Error(base::ErrorCode::Usage,
-                      "infill '" + o.infill + "' winds around an axis, and layer " +
-                          std::to_string(patch.layer) + " has none",
-                      "infill", "use infill zigzag or concentric, or mode lathe");
+                      base::message("infill '{infill}' winds around an axis, and layer {layer} has none"_text, o.infill, patch.layer),
+                      "infill"_name, "use infill zigzag or concentric, or mode lathe"_text);
   PatchCover cover;
   if (patch.surface.empty())
     return cover;

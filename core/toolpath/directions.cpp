@@ -5,6 +5,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
+#include "plan/finding_kinds.h"
 #include "toolpath/head_clearance.h"
 
 #include <Eigen/Geometry>
@@ -54,12 +55,12 @@ public:
       const double pitch = collision::growingPitch(plan_, process_);
       ground_ = collision::groundCells(o_.platform, pitch, ctx_);
       const collision::GrowingPart part(plan_, pitch, ctx_, ground_);
-      ctx_.report(0.2, "directions");
+      ctx_.report(0.2, "directions"_text);
       choose(part);
-      ctx_.report(0.5, "directions");
+      ctx_.report(0.5, "directions"_text);
       smooth(part);
     }
-    ctx_.report(0.6, "directions");
+    ctx_.report(0.6, "directions"_text);
     OrientResult r;
     r.plan = subdivided();
     judge(r);
@@ -210,7 +211,7 @@ private:
         r.maxTurnDeg = std::max(
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
     const collision::GrowingPart part(p, collision::growingPitch(p, process_), ctx_, ground_);
-    ctx_.report(0.8, "directions");
+    ctx_.report(0.8, "directions"_text);
     std::vector<char> gouge(p.waypointCount(), 0);
     base::parallelChunks(ctx_, gouge.size(), kGrain, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i) {
@@ -224,14 +225,8 @@ private:
     if (r.gouges == 0)
       return;
     const auto first = static_cast<std::size_t>(std::ranges::find(gouge, 1) - gouge.begin());
-    plan::Finding f;
-    f.stage = "toolpath";
-    f.kind = "gouge";
-    f.where = p.position[first];
-    f.count = r.gouges;
-    f.reason = "the print head would cut into material printed before, whatever way it leans";
-    f.remedy = "use a slimmer head, turn the part, or print it larger";
-    r.findings.push_back(f);
+    r.findings.push_back(
+        plan::makeFinding(plan::FindingKind::Gouge, {}, p.position[first], r.gouges));
   }
 
   const ToolPlan& plan_;

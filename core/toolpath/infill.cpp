@@ -10,12 +10,12 @@ namespace voluta::toolpath {
 
 namespace {
 constexpr std::array<InfillKind, 6> kKinds{{
-    {"zigzag", zigzagInfill},
-    {"concentric", concentricInfill},
-    {"woven", wovenInfill, true},
-    {"around", aroundInfill, true},
-    {"along", alongInfill, true},
-    {"helical", helicalInfill, true},
+    {"zigzag", "zigzag"_text, zigzagInfill},
+    {"concentric", "concentric"_text, concentricInfill},
+    {"woven", "woven"_text, wovenInfill, true},
+    {"around", "around"_text, aroundInfill, true},
+    {"along", "along"_text, alongInfill, true},
+    {"helical", "helical"_text, helicalInfill, true},
 }};
 } // namespace
 
@@ -30,8 +30,8 @@ const InfillKind& infillKind(std::string_view id) {
       return kind;
     ids.emplace_back(kind.id);
   }
-  throw base::Error(base::ErrorCode::Usage, "unknown infill '" + std::string(id) + "'", "infill",
-                    "did you mean " + base::nearestName(id, ids) + "?");
+  throw base::Error(base::ErrorCode::Usage, base::message("unknown infill '{id}'"_text, std::string(id)), "infill"_name,
+                    base::didYouMean(id, ids));
 }
 
 } // namespace voluta::toolpath

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "base/text.h"
 #include "toolpath/patch_surface.h"
 
 #include <span>
@@ -25,6 +26,7 @@ struct InfillRegion {
 
 struct InfillKind {
   std::string_view id;
+  base::Text label;
   // Centrelines, in an order fit for printing, open or closed, none outside the region. Throws
   // Cancelled, a few lines later at most.
   std::vector<SurfaceCurve> (*fill)(const InfillRegion&, const base::RunContext&);

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
 
@@ -128,7 +129,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Pro
         covers[i] = coverPatch(stack.patches[i], process, options, silent);
     });
     ctx.report(0.6 * static_cast<double>(from + count) / static_cast<double>(covers.size()),
-               "tool-paths");
+               "tool-paths"_text);
   }
   const Assembled assembled = assemble(stack, covers, process);
   r.seconds.toolpath = watch.seconds();
@@ -177,15 +178,11 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Pro
   s.coveredFraction = area > 0 ? covered / area : 0.0;
   s.overlapFraction = area > 0 ? overlap / area : 0.0;
   if (bare > 0) {
-    plan::Finding f;
-    f.stage = "toolpath";
-    f.kind = "patchWithoutBead";
-    f.where = stack.patches[firstBare].surface.vertices.front();
-    f.count = bare;
-    f.reason = "pieces of layers are narrower than half a bead and stay empty";
-    f.remedy = "use a finer nozzle, or print the part larger";
+    plan::Finding f =
+        plan::makeFinding(plan::FindingKind::PatchWithoutBead, {},
+                          stack.patches[firstBare].surface.vertices.front(), bare);
     f.blocking = bareMm3 > 0.005 * s.layerVolumeMm3;
-    r.findings.push_back(f);
+    r.findings.push_back(std::move(f));
   }
   return r;
 }

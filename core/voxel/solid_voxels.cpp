@@ -28,8 +28,8 @@ VoxelGrid gridAround(const geometry::TriangleMesh& mesh, double pitch, std::size
     const double byCount = pitch * std::cbrt(span.prod() / static_cast<double>(maxCells));
     const double bySide = pitch * span.maxCoeff() / 4000.0;
     const double fits = std::ceil(100.0 * 1.02 * std::max(byCount, bySide)) / 100.0;
-    throw base::Error(base::ErrorCode::Usage, "the voxels are too small for a part of this size",
-                      "voxelMm", "use at least " + std::to_string(fits).substr(0, 5) + " mm");
+    throw base::Error(base::ErrorCode::Usage, "the voxels are too small for a part of this size"_text,
+                      "voxelMm"_name, base::message("use at least {least}"_text, base::mm(fits)));
   }
 
   VoxelGrid grid;
@@ -115,13 +115,13 @@ SolidVoxels solidVoxels(const geometry::TriangleMesh& mesh, double pitch,
                         const base::RunContext& ctx, std::size_t maxCells) {
   base::require(pitch > 0.0, "solidVoxels: pitch > 0");
   if (mesh.empty())
-    throw base::Error(base::ErrorCode::UnusableInput, "the mesh has no triangles");
-  ctx.report(0.0, "voxels");
+    throw base::Error(base::ErrorCode::UnusableInput, "the mesh has no triangles"_text);
+  ctx.report(0.0, "voxels"_text);
   SolidVoxels out;
   out.grid = gridAround(mesh, pitch, maxCells);
   out.solid.assign(out.grid.cellCount(), 0);
   markCrossed(mesh, out.grid, out.solid, ctx);
-  ctx.report(0.4, "voxels");
+  ctx.report(0.4, "voxels"_text);
   const geometry::TriangleMesh caps = capsOf(mesh);
   if (caps.empty())
     fillClosed(mesh, out.grid, out.solid, ctx);
@@ -131,7 +131,7 @@ SolidVoxels solidVoxels(const geometry::TriangleMesh& mesh, double pitch,
     fillSoup(mesh, out.grid, out.solid, ctx);
   for (const std::uint8_t s : out.solid)
     out.count += s;
-  ctx.report(1.0, "voxels");
+  ctx.report(1.0, "voxels"_text);
   return out;
 }
 

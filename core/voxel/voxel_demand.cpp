@@ -32,9 +32,10 @@ Measures measuresOf(const geometry::TriangleMesh& mesh) {
   return m;
 }
 
-std::string readable(double bytes) {
-  return bytes >= 1e9 ? fmt::format("{:.1f} GB", bytes / 1e9)
-                      : fmt::format("{:.0f} MB", bytes / 1e6);
+base::Message readable(double bytes) {
+  return bytes >= 1e9
+             ? base::message("{size:.1f}"_text, base::Quantity{bytes / 1e9, base::Unit::Gigabyte})
+             : base::message("{size:.0f}"_text, base::Quantity{bytes / 1e6, base::Unit::Megabyte});
 }
 } // namespace
 
@@ -57,10 +58,9 @@ void checkVoxelDemand(const geometry::TriangleMesh& mesh, double pitch,
     (measures.demand(middle).bytes() <= available ? high : low) = middle;
   }
   throw base::Error(base::ErrorCode::Usage,
-                    fmt::format("voxels of {:g} mm need about {} of memory, {} are free", pitch,
-                                readable(needed), readable(available)),
-                    "voxelMm",
-                    fmt::format("use at least {:g} mm", std::ceil(100.0 * high) / 100.0));
+                    base::message("voxels of {width} need about {needed} of memory, {available} are free"_text, base::mm(pitch), readable(needed), readable(available)),
+                    "voxelMm"_name,
+                    base::message("use at least {least}"_text, base::mm(std::ceil(100.0 * high) / 100.0)));
 }
 
 void checkVoxelDemand(const SolidVoxels& voxels, std::uint64_t availableBytes) {
@@ -69,11 +69,9 @@ void checkVoxelDemand(const SolidVoxels& voxels, std::uint64_t availableBytes) {
   const auto available = static_cast<double>(availableBytes);
   if (demand.bytes() > available)
     throw base::Error(base::ErrorCode::UnusableInput,
-                      fmt::format("{} voxels in a grid of {} cells need about {} of memory, {} are "
-                                  "free",
-                                  voxels.count, voxels.grid.cellCount(), readable(demand.bytes()),
-                                  readable(available)),
-                      {}, "make the object of fewer and larger cells");
+                      base::message("{voxels} voxels in a grid of {cells} cells need about {needed} of memory, {available} are "
+                                  "free"_text, voxels.count, voxels.grid.cellCount(), readable(demand.bytes()), readable(available)),
+                      {}, "make the object of fewer and larger cells"_text);
 }
 
 } // namespace voluta::voxel

@@ -21,8 +21,9 @@ struct Row {
 };
 using Slice = std::vector<Row>;
 
-std::string place(const std::string& name, std::size_t line, std::size_t column) {
-  return fmt::format("{}, line {}, column {}", name, line, column + 1);
+base::Message place(const std::string& name, std::size_t line, std::size_t column) {
+  return base::message("{file}, line {line}, column {column}"_text, name, std::to_string(line),
+                       std::to_string(column + 1));
 }
 
 // Takes the next line off the text, without the white space at its end.
@@ -34,26 +35,27 @@ std::string_view takeLine(std::string_view& text) {
   return line.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-std::string quoted(char c) {
+base::Message quoted(char c) {
   if (c == ' ')
-    return "a space";
+    return "a space"_text;
   const auto code = static_cast<unsigned char>(c);
-  return code > 32 && code < 127 ? fmt::format("'{}'", c) : fmt::format("byte {:#04x}", code);
+  return code > 32 && code < 127
+             ? base::message("'{character}'"_text, std::string(1, c))
+             : base::message("byte {code}"_text, fmt::format("{:#04x}", code));
 }
 
 void checkRow(const Row& row, const Row& first, const std::string& name) {
   const std::size_t invalid = row.cells.find_first_not_of("01-");
   if (invalid != std::string_view::npos)
     throw Error(ErrorCode::UnreadableFile,
-                fmt::format("{} is none of 0, 1 and -", quoted(row.cells[invalid])),
+                base::message("{found} is none of 0, 1 and -"_text, quoted(row.cells[invalid])),
                 place(name, row.line, invalid),
-                "write 1 for the part, 0 for air, - for the platform");
+                "write 1 for the part, 0 for air, - for the platform"_text);
   if (row.cells.size() != first.cells.size())
     throw Error(ErrorCode::UnreadableFile,
-                fmt::format("the row has {} cells, the first one has {}", row.cells.size(),
-                            first.cells.size()),
+                base::message("the row has {cells} cells, the first one has {first}"_text, row.cells.size(), first.cells.size()),
                 place(name, row.line, std::min(row.cells.size(), first.cells.size())),
-                "make all rows equally long");
+                "make all rows equally long"_text);
 }
 
 std::vector<Slice> slicesOf(std::string_view text, const std::string& name) {
@@ -63,9 +65,9 @@ std::vector<Slice> slicesOf(std::string_view text, const std::string& name) {
   const auto checkSlice = [&](std::size_t line) {
     if (slices.size() > 1 && slices.back().size() != slices.front().size())
       throw Error(ErrorCode::UnreadableFile,
-                  fmt::format("slice {} ends after {} rows, the first one has {}", slices.size(),
-                              slices.back().size(), slices.front().size()),
-                  place(name, line, 0), "give all slices equally many rows");
+                  base::message("slice {slice} ends after {rows} rows, the first one has {first}"_text,
+                                slices.size(), slices.back().size(), slices.front().size()),
+                  place(name, line, 0), "give all slices equally many rows"_text);
   };
   std::size_t line = 0, cells = 0;
   bool within = false;
@@ -87,16 +89,15 @@ std::vector<Slice> slicesOf(std::string_view text, const std::string& name) {
     constexpr auto kSide = static_cast<std::size_t>(kLargestSide);
     if (cells > kLargestObject || row.cells.size() > kSide || slices.size() > kSide ||
         slices.back().size() > kSide)
-      throw Error(ErrorCode::UnusableInput, "the object is too large",
+      throw Error(ErrorCode::UnusableInput, "the object is too large"_text,
                   place(name, line, std::min(row.cells.size(), kSide)),
-                  fmt::format("use at most {} cells a side and {} million in all", kLargestSide,
-                              kLargestObject / 1'000'000));
+                  base::message("use at most {side} cells a side and {millions} million in all"_text, kLargestSide, kLargestObject / 1'000'000));
   }
   if (within)
     checkSlice(line);
   if (slices.empty())
-    throw Error(ErrorCode::UnusableInput, "the file holds no cells", name,
-                "write rows of 0 and 1, and - for the platform");
+    throw Error(ErrorCode::UnusableInput, "the file holds no cells"_text, name,
+                "write rows of 0 and 1, and - for the platform"_text);
   return slices;
 }
 
@@ -156,15 +157,15 @@ VoxelObject readVoxelText(std::string_view text, const std::string& name) {
   while (top < levels && !any(top, '-'))
     ++top;
   if (top == levels)
-    throw Error(ErrorCode::UnusableInput, "there is no platform: no - in any row",
+    throw Error(ErrorCode::UnusableInput, "there is no platform: no - in any row"_text,
                 place(name, slices.back().back().line, 0),
-                "add a row of - under the part, where it is to stand");
+                "add a row of - under the part, where it is to stand"_text);
   const int plate = any(top, '1') ? top + 1 : top; // the level below z = 0
   for (int level = plate; level < levels; ++level)
     layout.each(level, '1', [&](int i, int, std::size_t line) {
-      throw Error(ErrorCode::UnusableInput, "the part reaches below the platform",
+      throw Error(ErrorCode::UnusableInput, "the part reaches below the platform"_text,
                   place(name, line, static_cast<std::size_t>(i)),
-                  "put - only under the part or beside its lowest row");
+                  "put - only under the part or beside its lowest row"_text);
     });
 
   VoxelObject object;
@@ -185,12 +186,12 @@ VoxelObject readVoxelText(std::string_view text, const std::string& name) {
     platformLine = line;
   });
   if (count == 0)
-    throw Error(ErrorCode::UnusableInput, "the object has no part: no 1 above the platform", name,
-                "write 1 where the part is");
+    throw Error(ErrorCode::UnusableInput, "the object has no part: no 1 above the platform"_text, name,
+                "write 1 where the part is"_text);
   if (!any(plate - 1, '1'))
-    throw Error(ErrorCode::UnusableInput, "nothing stands on the platform",
+    throw Error(ErrorCode::UnusableInput, "nothing stands on the platform"_text,
                 place(name, platformLine, static_cast<std::size_t>(object.platform.back()[0])),
-                "put - right under the part");
+                "put - right under the part"_text);
   return object;
 }
 

@@ -15,6 +15,7 @@ namespace {
 // What a module may include besides itself and base.
 const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"base", {}},
+    {"texts", {}},
     {"geometry", {}},
     {"platform", {"geometry"}},
     {"samples", {"geometry"}},
@@ -81,15 +82,17 @@ TEST(Architecture, CoreKnowsNeitherQtNorVtk) {
 // The window: what is drawn knows no Qt, only the viewer knows both, and arrows point one way.
 const fs::path kWidgets = fs::path(VOLUTA_SOURCE_DIR) / "widgets";
 const std::map<std::string, std::set<std::string>> kWidgetsMayInclude = {
+    {"language", {}},
     {"scene", {}},
     {"pictures", {"scene"}},
     {"viewer", {"scene"}},
-    {"forms", {}},
-    {"panels", {"forms"}},
+    {"forms", {"language"}},
+    {"panels", {"forms", "language"}},
     {"jobs", {}},
-    {"document", {"jobs"}},
+    {"document", {"jobs", "language"}},
     {"timeline", {"forms", "jobs"}},
-    {"window", {"scene", "pictures", "viewer", "forms", "panels", "jobs", "document", "timeline"}},
+    {"window",
+     {"language", "scene", "pictures", "viewer", "forms", "panels", "jobs", "document", "timeline"}},
 };
 
 TEST(Architecture, WidgetsKeepTheirDirections) {

@@ -10,10 +10,10 @@ namespace {
 
 ParameterTable sampleTable() {
   return ParameterTable({
-      numberParameter("voxelMm", "mm", 0.8, 0.1, 5.0, "Layers", "voxel", "Width of a voxel."),
-      integerParameter("walls", 2, 0, 10, "Beads", "walls", "Number of walls."),
-      booleanParameter("debug", false, "Output", "debug", "Writes what every stage made."),
-      choiceParameter("infill", "zigzag", {"zigzag", "concentric"}, "Beads", "infill", "Pattern."),
+      numberParameter("voxelMm", "mm", 0.8, 0.1, 5.0, "Layers"_text, "voxel"_text, "Width of a voxel."_text),
+      integerParameter("walls", 2, 0, 10, "Beads"_text, "walls"_text, "Number of walls."_text),
+      booleanParameter("debug", false, "Output"_text, "debug"_text, "Writes what every stage made."_text),
+      choiceParameter("infill", "zigzag", {{"zigzag", "zigzag"_text}, {"concentric", "concentric"_text}}, "Beads"_text, "infill"_text, "Pattern."_text),
   });
 }
 

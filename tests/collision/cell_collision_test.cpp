@@ -195,7 +195,8 @@ TEST_F(CellCollisionTest, Times) {
     cell.framePoses(one, frames);
     if (const auto contact = collision.bodies(frames, {})) {
       ++hits;
-      ++which[collision.nameOf(contact->first) + " and " + collision.nameOf(contact->second)];
+      ++which[base::english(collision.nameOf(contact->first)) + " and " +
+              base::english(collision.nameOf(contact->second))];
     }
   }
   const double seconds = watch.seconds();

@@ -7,6 +7,7 @@
 #include "curved/voxel_shapes.h"
 #include "geometry/formats/mesh_reader.h"
 #include "helpers/models.h"
+#include "plan/finding_kinds.h"
 
 #include <gtest/gtest.h>
 
@@ -147,7 +148,7 @@ TEST(Decompose, PiecesWithoutContactAreTold) {
     EXPECT_EQ(d.findings[0].kind, "unreachedVoxels");
     ASSERT_TRUE(d.findings[0].where.has_value());
     EXPECT_NEAR(d.findings[0].where->x(), 10.0, 1.0);
-    EXPECT_FALSE(d.findings[0].remedy.empty());
+    EXPECT_FALSE(voluta::plan::englishRemedy(d.findings[0]).empty());
   }
 }
 
@@ -162,7 +163,7 @@ TEST(Decompose, AHookThatHangsDownBesideItsStemIsShadowed) {
   EXPECT_GT(d.shadowedVoxels, 0u);
   ASSERT_FALSE(d.findings.empty());
   EXPECT_EQ(d.findings[0].kind, "shadowedVoxels");
-  EXPECT_NE(d.findings[0].reason.find("facet between"), std::string::npos);
+  EXPECT_NE(voluta::plan::englishReason(d.findings[0]).find("facet between"), std::string::npos);
   std::size_t shadowed = 0, cascade = 0;
   for (std::size_t c = 0; c < d.rank.size(); ++c) {
     EXPECT_EQ(d.loss[c] != Loss::None, d.rank[c] < 0);
@@ -189,7 +190,7 @@ TEST(Decompose, StopsWhereverItIsCancelled) {
   const voxel::SolidVoxels part = test::mushroomPart();
   for (const double at : {0.0, 0.1, 0.3, 0.6, 0.9}) {
     const base::CancelToken token;
-    const base::RunContext ctx(token, 2, [&](double fraction, std::string_view) {
+    const base::RunContext ctx(token, 2, [&](double fraction, const voluta::base::Message&) {
       if (fraction >= at)
         token.cancel();
     });
@@ -199,7 +200,7 @@ TEST(Decompose, StopsWhereverItIsCancelled) {
 
 TEST(Decompose, ProgressNeverFallsBack) {
   double last = 0.0;
-  const base::RunContext ctx(base::CancelToken{}, 1, [&](double fraction, std::string_view) {
+  const base::RunContext ctx(base::CancelToken{}, 1, [&](double fraction, const voluta::base::Message&) {
     EXPECT_GE(fraction, last - 1e-9);
     last = fraction;
   });
@@ -214,7 +215,7 @@ TEST(Decompose, RefusesWhatCannotBe) {
     FAIL();
   } catch (const base::Error& e) {
     EXPECT_EQ(e.code(), base::ErrorCode::Usage);
-    EXPECT_NE(e.remedy().find("greedy"), std::string::npos);
+    EXPECT_NE(voluta::base::english(e.remedy()).find("greedy"), std::string::npos);
   }
   try {
     decompose(part, platformRect(1.0, 1.0, {50.0, 50.0}), {}, kQuiet);

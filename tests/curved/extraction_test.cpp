@@ -193,7 +193,7 @@ TEST(CurvedLayers, StopsWhenCancelled) {
   const auto d = test::decompositionOf(part, 0.8, heightOf);
   base::CancelToken token;
   int reports = 0;
-  const base::RunContext ctx(token, 1, [&](double, std::string_view) {
+  const base::RunContext ctx(token, 1, [&](double, const voluta::base::Message&) {
     if (++reports == 2)
       token.cancel();
   });

@@ -8,6 +8,7 @@
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "helpers/voxel_width.h"
+#include "plan/finding_kinds.h"
 #include "process/process.h"
 #include "voxel/solid_voxels.h"
 
@@ -147,7 +148,7 @@ int main(int argc, char** argv) try {
       }
     }
     for (const plan::Finding& f : d.findings)
-      std::printf("  finding %s: %s\n", f.kind.c_str(), f.reason.c_str());
+      std::printf("  finding %s: %s\n", voluta::plan::kindWord(f).c_str(), voluta::plan::englishReason(f).c_str());
     if (!vti.empty())
       std::ofstream(vti, std::ios::binary) << curved::voxelsVti(d);
     std::fflush(stdout);

@@ -363,7 +363,7 @@ TEST(ForwardGrowth, StopsWhenCancelledAndReportsForwards) {
   for (const double at : {0.0, 0.05, 0.3, 0.6}) {
     const base::CancelToken token;
     double last = 0.0;
-    const base::RunContext ctx(token, 1, [&](double fraction, std::string_view) {
+    const base::RunContext ctx(token, 1, [&](double fraction, const voluta::base::Message&) {
       EXPECT_GE(fraction, last - 1e-9);
       last = fraction;
       if (fraction >= at)

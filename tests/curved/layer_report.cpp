@@ -10,6 +10,7 @@
 #include "helpers/voxel_width.h"
 #include "layers/stack_checker.h"
 #include "layers/vtp_writer.h"
+#include "plan/finding_kinds.h"
 #include "voxel/solid_voxels.h"
 
 #include <algorithm>
@@ -183,7 +184,7 @@ int main(int argc, char** argv) try {
     }
     triangleQuality(r.stack);
     for (const auto& f : r.findings)
-      std::printf("  %s: %s at %.1f %.1f %.1f\n", f.kind.c_str(), f.reason.c_str(), f.where->x(),
+      std::printf("  %s: %s at %.1f %.1f %.1f\n", voluta::plan::kindWord(f).c_str(), voluta::plan::englishReason(f).c_str(), f.where->x(),
                   f.where->y(), f.where->z());
     std::fflush(stdout);
     if (!vtp.empty())

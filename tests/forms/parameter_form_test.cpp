@@ -23,16 +23,16 @@ using namespace voluta;
 namespace {
 base::ParameterTable table() {
   std::vector<base::ParameterSpec> specs{
-      base::numberParameter("height", "mm", 0.8, 0.05, 10.0, "Layers", "layer height",
-                            "Wanted height.", true),
-      base::integerParameter("walls", 2, 0, 20, "Beads", "walls", "Beads at the edge.", true),
-      base::choiceParameter("infill", "zigzag", {"zigzag", "concentric"}, "Beads", "infill",
-                            "How it is filled.", true),
-      base::booleanParameter("debug", false, "Output", "write all", "For those who look inside."),
+      base::numberParameter("height", "mm", 0.8, 0.05, 10.0, "Layers"_text, "layer height"_text,
+                            "Wanted height."_text, true),
+      base::integerParameter("walls", 2, 0, 20, "Beads"_text, "walls"_text, "Beads at the edge."_text, true),
+      base::choiceParameter("infill", "zigzag", {{"zigzag", "zigzag"_text}, {"concentric", "concentric"_text}}, "Beads"_text, "infill"_text,
+                            "How it is filled."_text, true),
+      base::booleanParameter("debug", false, "Output"_text, "write all"_text, "For those who look inside."_text),
   };
   for (int i = 0; i < 30; ++i)
-    specs.push_back(base::numberParameter("extra" + std::to_string(i), "mm", 1.0, 0.0, 5.0, "More",
-                                          "extra", "One more."));
+    specs.push_back(base::numberParameter("extra" + std::to_string(i), "mm", 1.0, 0.0, 5.0, "More"_text,
+                                          "extra"_text, "One more."_text));
   return base::ParameterTable(specs);
 }
 

@@ -55,10 +55,10 @@ TEST(ThreeMf, IsReadPackedOrNot) {
 TEST(ThreeMf, LengthsBecomeMillimetres) {
   const MeshFile inches = readMesh(package3mf(plainModel("inch")), "part.3mf");
   EXPECT_NEAR(volume(inches.mesh), 25.4 * 25.4 * 25.4 / 6.0, 1e-9);
-  EXPECT_THAT(inches.repairs.at(0), HasSubstr("from inch into mm"));
+  EXPECT_THAT(voluta::base::english(inches.repairs.at(0)), HasSubstr("from inch into mm"));
   const MeshFile ells = readMesh(package3mf(plainModel("ell")), "part.3mf");
   EXPECT_NEAR(volume(ells.mesh), 1.0 / 6.0, 1e-12);
-  EXPECT_THAT(ells.repairs.at(0), HasSubstr("'ell' is not known"));
+  EXPECT_THAT(voluta::base::english(ells.repairs.at(0)), HasSubstr("'ell' is not known"));
 }
 
 TEST(ThreeMf, ObjectsStandWhereTheyAreUsed) {

@@ -4,6 +4,7 @@
 #include "helpers/shapes.h"
 #include "panels/findings_panel.h"
 #include "pipeline/choices.h"
+#include "plan/finding_kinds.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -214,7 +215,7 @@ TEST_F(PreviewTest, AThinWallOffersTheWidthThatHoldsIt) {
   QTest::mouseClick(remedy("narrowVoxels"), Qt::LeftButton);
   ASSERT_TRUE(previewed());
   for (const auto& finding : document().presentResult()->job.report.findings)
-    EXPECT_NE(finding.kind, "thinWalls");
+    EXPECT_NE(voluta::plan::kindWord(finding), "thinWalls");
 }
 
 // From an edit to the picture, for a part of one's own: VOLUTA_GUI_PART names a mesh,

@@ -63,8 +63,8 @@ TEST(JobRunner, ErrorsAreOutcomes) {
   QSignalSpy finished(&runner, &JobRunner::finished);
   std::string message;
   runner.run(
-      [](const RunContext&) -> int { throw base::Error(base::ErrorCode::Usage, "wrong"); },
-      [&](const Outcome<int>& outcome) { message = std::get<base::Error>(outcome).message(); });
+      [](const RunContext&) -> int { throw base::Error(base::ErrorCode::Usage, "wrong"_text); },
+      [&](const Outcome<int>& outcome) { message = std::get<base::Error>(outcome).what(); });
   ASSERT_TRUE(finished.wait(kPatienceMs));
   EXPECT_EQ(message, "wrong");
 }
@@ -150,7 +150,7 @@ TEST(JobRunner, ProgressIsThrottledAndEndsWithTheLatest) {
         for (const char* stage : {"first", "second"}) {
           const double from = std::string_view(stage) == "first" ? 0.0 : 0.5;
           for (int i = 0; i <= 500; ++i)
-            ctx.report(from + i / 1000.0, stage);
+            ctx.report(from + i / 1000.0, base::message("{stage}"_text, std::string(stage)));
           bursts->told.release();
           bursts->seen.acquire();
         }
@@ -167,7 +167,7 @@ TEST(JobRunner, ProgressIsThrottledAndEndsWithTheLatest) {
     bursts->told.acquire();
     ASSERT_TRUE(QTest::qWaitFor([&] { return progress.size() > i; }, kPatienceMs));
     EXPECT_EQ(progress.size(), i + 1);
-    EXPECT_EQ(runner.progress().stage, stages[i]);
+    EXPECT_EQ(base::english(runner.progress().stage), stages[i]);
     EXPECT_EQ(runner.progress().fraction, fractions[i]);
     bursts->seen.release();
   }

@@ -8,6 +8,7 @@
 #include "motion/motion.h"
 #include "motion/rod_turn.h"
 #include "motion/sample_plans.h"
+#include "plan/finding_kinds.h"
 
 #include <cmath>
 #include <fstream>
@@ -366,9 +367,9 @@ TEST(Lathe, PartMustNotGrowIntoWhatHoldsTheRod) {
   });
   ASSERT_FALSE(w.result.findings.empty());
   const plan::Finding& finding = w.result.findings.front();
-  EXPECT_EQ(finding.kind, "collision");
-  EXPECT_NE(finding.reason.find("rest would meet printed part"), std::string::npos)
-      << finding.reason;
+  EXPECT_EQ(voluta::plan::kindWord(finding), "collision");
+  EXPECT_NE(voluta::plan::englishReason(finding).find("rest would meet printed part"), std::string::npos)
+      << voluta::plan::englishReason(finding);
   ASSERT_TRUE(finding.where);
   // The rest's top is 10 mm below the axis, 2 mm are kept: nothing beyond 8.25 mm is printed.
   EXPECT_GT(w.result.statistics.waypoints, 0u);
@@ -386,8 +387,8 @@ TEST(Lathe, BeyondWhatTheCellPrintsIsNamed) {
   const Wound w(plan);
   ASSERT_EQ(w.result.findings.size(), 1u);
   const plan::Finding& finding = w.result.findings.front();
-  EXPECT_EQ(finding.kind, "beyondRod");
-  EXPECT_NE(finding.reason.find("50 mm from the rod's axis and 100 mm from its middle"),
+  EXPECT_EQ(voluta::plan::kindWord(finding), "beyondRod");
+  EXPECT_NE(voluta::plan::englishReason(finding).find("50 mm from the rod's axis and 100 mm from its middle"),
             std::string::npos);
   EXPECT_TRUE(finding.where);
   EXPECT_EQ(finding.count, plan.waypointCount() - first);

@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "motion/sample_plans.h"
+#include "plan/finding_kinds.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -39,7 +40,7 @@ struct Planned {
               << "\n  times ik " << t.ik << ", graph " << t.graph << ", collision " << t.collision
               << ", transfer " << t.transfer << ", jerk " << t.jerk << "\n";
     for (const auto& f : result.findings)
-      std::cout << "  " << f.kind << " x" << f.count << ": " << f.reason << "\n";
+      std::cout << "  " << plan::kindWord(f) << " x" << f.count << ": " << voluta::plan::englishReason(f) << "\n";
   }
 };
 

@@ -1,8 +1,6 @@
-#include "helpers/shapes.h"
-#include "panels/finding_texts.h"
 #include "panels/findings_model.h"
 #include "panels/findings_panel.h"
-#include "planar/flat.h"
+#include "plan/finding_kinds.h"
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -17,10 +15,8 @@ using namespace voluta;
 
 namespace {
 plan::Finding finding(const char* stage, const char* reason, bool blocking) {
-  plan::Finding f;
-  f.stage = stage;
-  f.reason = reason;
-  f.remedy = "Do something.";
+  plan::Finding f =
+      plan::verbatimFinding(*plan::stageNamed(stage), "sample", reason, "Do something.");
   f.blocking = blocking;
   f.where = Eigen::Vector3d(1.0, 2.0, 3.0);
   return f;
@@ -36,59 +32,14 @@ QPoint middleOf(QListView* list, int row) {
 }
 } // namespace
 
-// Puts "~" before what it translates, and swaps the first two numbers.
-class SomeLanguage : public QTranslator {
-public:
-  QString translate(const char* context, const char* text, const char*, int) const override {
-    if (QLatin1String(context) != QLatin1String("Findings"))
-      return {};
-    QString out = QStringLiteral("~") + QString::fromUtf8(text);
-    return out.replace("%1", "%3").replace("%2", "%1").replace("%3", "%2");
-  }
-  bool isEmpty() const override { return false; }
-};
-
-TEST(FindingTexts, AreasAndVolumesHaveTheirSign) {
-  EXPECT_EQ(panels::findingText("4.5 mm2 of 10 mm2 hold 3 mm3, 2 mm23 and 7 mm"),
-            QString::fromUtf8("4.5 mm² of 10 mm² hold 3 mm³, 2 mm23 and 7 mm"));
-}
-
-TEST(FindingTexts, SentencesAreTranslatedAroundTheirNumbers) {
-  const std::string english = "7.03 mm2 lean over by more than 45 degrees";
-  EXPECT_EQ(panels::findingText(english),
-            QString::fromUtf8("7.03 mm² lean over by more than 45 degrees"));
-  SomeLanguage language;
-  const QLocale before;
-  QCoreApplication::installTranslator(&language);
-  QLocale::setDefault(QLocale(QLocale::Italian));
-  EXPECT_EQ(panels::findingText(english),
-            QString::fromUtf8("~45 mm² lean over by more than 7,03 degrees"));
-  EXPECT_EQ(panels::findingText("nobody knows 1.5 of this"), "nobody knows 1.5 of this");
-  QCoreApplication::removeTranslator(&language);
-  QLocale::setDefault(before);
-}
-
-// What core tells today is known: a sentence that is changed there is changed here too.
-TEST(FindingTexts, KnowWhatFlatModeTells) {
-  geometry::TriangleMesh plate = test::box({-10, -10, 10}, {10, 10, 12});
-  SomeLanguage language;
-  const plan::Findings told = planar::flatDecomposition(plate, {}).findings;
-  ASSERT_FALSE(told.empty());
-  QCoreApplication::installTranslator(&language);
-  for (const plan::Finding& f : told)
-    for (const std::string& text : {f.reason, f.remedy})
-      EXPECT_TRUE(panels::findingText(text).startsWith('~')) << text;
-  QCoreApplication::removeTranslator(&language);
-}
-
 TEST(FindingsModel, BlockingFirstThenByStage) {
   panels::FindingsModel model;
   model.setFindings(some());
   ASSERT_EQ(model.rowCount(), 4);
-  EXPECT_EQ(model.finding(0).reason, "missed");
-  EXPECT_EQ(model.finding(1).reason, "hits");
-  EXPECT_EQ(model.finding(2).reason, "hole");
-  EXPECT_EQ(model.finding(3).reason, "thin");
+  EXPECT_EQ(plan::englishReason(model.finding(0)), "missed");
+  EXPECT_EQ(plan::englishReason(model.finding(1)), "hits");
+  EXPECT_EQ(plan::englishReason(model.finding(2)), "hole");
+  EXPECT_EQ(plan::englishReason(model.finding(3)), "thin");
   EXPECT_EQ(model.blocking(), 2u);
   model.setBlockedOnly(true);
   EXPECT_EQ(model.rowCount(), 2);
@@ -106,7 +57,7 @@ TEST(FindingsModel, DetailNamesStageCountPlaceAndTime) {
 TEST(FindingsPanel, RemediesAreButtonsOfTheChosenFinding) {
   panels::FindingsPanel panel;
   panel.setRemedies([](const plan::Finding& f) {
-    return f.reason == "missed" ? std::vector<panels::RemedyButton>{{"turn", "Turn it", "about"},
+    return plan::englishReason(f) == "missed" ? std::vector<panels::RemedyButton>{{"turn", "Turn it", "about"},
                                                                     {"prop", "Prop it", ""}}
                                 : std::vector<panels::RemedyButton>{};
   });
@@ -126,7 +77,7 @@ TEST(FindingsPanel, RemediesAreButtonsOfTheChosenFinding) {
   panel.setFindings(some());
   QTest::mouseRelease(button("remedy_prop"), Qt::LeftButton);
   ASSERT_EQ(chosen.size(), 1);
-  EXPECT_EQ(chosen[0][0].value<plan::Finding>().reason, "missed");
+  EXPECT_EQ(plan::englishReason(chosen[0][0].value<plan::Finding>()), "missed");
   EXPECT_EQ(chosen[0][1].toString(), "prop");
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, middleOf(list, 1));
   EXPECT_EQ(button("remedy_turn"), nullptr);
@@ -141,7 +92,7 @@ TEST(FindingsPanel, ClickEnterAndButtonTellWhichFinding) {
   (void)QTest::qWaitForWindowExposed(&panel);
   std::vector<std::string> told;
   QObject::connect(&panel, &panels::FindingsPanel::activated,
-                   [&](const plan::Finding& f) { told.push_back(f.reason); });
+                   [&](const plan::Finding& f) { told.push_back(voluta::plan::englishReason(f)); });
   auto* list = panel.findChild<QListView*>();
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, middleOf(list, 1));
   EXPECT_EQ(told, (std::vector<std::string>{"hits"}));

@@ -1,3 +1,4 @@
+#include "plan/finding_kinds.h"
 #include "gallery_data.h"
 
 namespace voluta::gallery {
@@ -30,11 +31,8 @@ project::ReplayReport sampleVerdict(bool passed) {
 plan::Findings sampleFindings() {
   plan::Findings findings;
   const auto add = [&](const char* stage, bool blocking, const char* reason, const char* remedy) {
-    plan::Finding f;
-    f.stage = stage;
-    f.kind = "sample";
-    f.reason = reason;
-    f.remedy = remedy;
+    plan::Finding f =
+        plan::verbatimFinding(*plan::stageNamed(stage), "sample", reason, remedy);
     f.blocking = blocking;
     f.where = Eigen::Vector3d(12.4, -3.1, 40.25 + static_cast<double>(findings.size()));
     findings.push_back(f);

@@ -19,9 +19,9 @@ TEST(MeshPanel, TellsWhatWasFoundRepairedAndRemains) {
   panels::MeshSummary mesh;
   mesh.name = "a<b.stl";
   mesh.triangles = 12345;
-  mesh.found = {"A hole."};
-  mesh.repaired = {"Closed it."};
-  mesh.remains = {"A knot."};
+  mesh.found = {base::message("{text}"_text, "A hole."_name)};
+  mesh.repaired = {base::message("{text}"_text, "Closed it."_name)};
+  mesh.remains = {base::message("{text}"_text, "A knot."_name)};
   panel.setSummary(mesh);
   const QString text = panel.findChild<QLabel*>(QStringLiteral("text"))->text();
   for (const char* expected : {"a&lt;b.stl", "12,345", "A hole.", "Closed it.", "A knot."})

@@ -1,4 +1,5 @@
 // Several ways of building one part, side by side.
+#include "plan/finding_kinds.h"
 #include "pipeline/compare_figures.h"
 
 #include "base/error.h"
@@ -38,7 +39,8 @@ CompareRow row(double missed, double printTimeS, bool blocked = false) {
   made.report.motion.waypoints = 100;
   made.report.motion.durationS = printTimeS;
   if (blocked)
-    made.report.findings.push_back({"motion", "unreachable", {}, {}, 1, "out of reach", "", true});
+    made.report.findings.push_back(
+        plan::verbatimFinding(plan::Stage::Motion, "unreachable", "out of reach", ""));
   return made;
 }
 
@@ -164,7 +166,7 @@ TEST(Compare, ItStopsWhenItIsCancelled) {
 TEST(Compare, ProgressNeverGoesBack) {
   double last = 0.0;
   bool back = false;
-  const base::RunContext ctx(base::CancelToken(), 1, [&](double fraction, std::string_view) {
+  const base::RunContext ctx(base::CancelToken(), 1, [&](double fraction, const voluta::base::Message&) {
     back = back || fraction < last - 1e-12;
     last = fraction;
   });

@@ -178,7 +178,7 @@ TEST_F(JobFile, ResultsAfterAStageCanBeLeftOut) {
   EXPECT_EQ(cut.trajectory, nullptr);
   EXPECT_EQ(cut.reached, Stage::Layers);
   ASSERT_EQ(cut.report.findings.size(), 1u);
-  EXPECT_EQ(cut.report.findings[0].kind, "kind0");
+  EXPECT_EQ(*cut.report.findings[0].value("radius"), base::Value(base::mm(50.0)));
   EXPECT_EQ(cut.report.timings.ik, 0.0);
   EXPECT_TRUE(cut.report.motion.maxJerk.empty());
   EXPECT_TRUE(cut.keys()[3].empty());

@@ -9,6 +9,7 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/road.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ TriangleMesh shortened(const std::vector<Eigen::Vector2d>& section) {
 void expectPrinted(const PlanResult& planned, const std::string& name) {
   const Report& r = planned.job.report;
   for (const plan::Finding& f : r.findings)
-    EXPECT_FALSE(f.blocking) << name << ": " << f.stage << " " << f.kind << ": " << f.reason;
+    EXPECT_FALSE(f.blocking) << name << ": " << plan::kindWord(f) << ": " << voluta::plan::englishReason(f);
   EXPECT_TRUE(nothingBlocks(r)) << name;
   EXPECT_TRUE(r.replay.passed) << name;
   EXPECT_EQ(r.motion.unreachable, 0u) << name;
@@ -168,11 +169,11 @@ TEST(LatheRoad, CandelabrumIsPlannedOrSaysWhyNot) {
   const PlanResult planned = planPart(request, context());
   EXPECT_GT(planned.job.report.layers.count, 20);
   for (const plan::Finding& f : planned.job.report.findings) {
-    EXPECT_FALSE(f.reason.empty());
-    EXPECT_FALSE(f.remedy.empty());
+    EXPECT_FALSE(voluta::plan::englishReason(f).empty());
+    EXPECT_FALSE(voluta::plan::englishRemedy(f).empty());
   }
   EXPECT_TRUE(std::any_of(planned.job.report.findings.begin(), planned.job.report.findings.end(),
-                          [](const plan::Finding& f) { return f.kind == "overhang" && f.where; }));
+                          [](const plan::Finding& f) { return voluta::plan::kindWord(f) == "overhang" && f.where; }));
 }
 
 void expectRefusal(const PlanRequest& request, base::ErrorCode code, const std::string& what) {
@@ -228,7 +229,7 @@ TEST(LatheRoad, APartBeyondTheCellsRadiusIsAFinding) {
   const PlanResult planned = planPart(request, context());
   const plan::Findings& findings = planned.job.report.findings;
   const auto found = std::find_if(findings.begin(), findings.end(),
-                                  [](const plan::Finding& f) { return f.kind == "beyondCell"; });
+                                  [](const plan::Finding& f) { return voluta::plan::kindWord(f) == "beyondCell"; });
   ASSERT_NE(found, findings.end());
   EXPECT_TRUE(found->blocking);
   EXPECT_NEAR(found->where->tail<2>().norm(), 51.0, 1e-6);

@@ -5,6 +5,7 @@
 #include "geometry/measures.h"
 #include "helpers/mesh_measures.h"
 #include "helpers/temporary_folder.h"
+#include "plan/finding_kinds.h"
 #include "project/job.h"
 #include "voxel/voxel_object.h"
 
@@ -50,7 +51,7 @@ PlanResult planned(const std::map<std::string, std::string>& parameters, Stage u
 
 std::size_t countOf(const Report& report, const std::string& kind) {
   return static_cast<std::size_t>(std::count_if(report.findings.begin(), report.findings.end(),
-                                                [&](const auto& f) { return f.kind == kind; }));
+                                                [&](const auto& f) { return voluta::plan::kindWord(f) == kind; }));
 }
 
 TEST(Lossless, WithoutSupportsTheToothIsMissed) {
@@ -124,7 +125,7 @@ TEST(Lossless, LeastRiskyTellsWhatWasWon) {
   ASSERT_EQ(countOf(plan.job.report, "turned"), 1u);
   const plan::Finding& f = plan.job.report.findings.back();
   EXPECT_FALSE(f.blocking);
-  EXPECT_NE(f.reason.find("mm2 overhang instead of"), std::string::npos) << f.reason;
+  EXPECT_NE(voluta::plan::englishReason(f).find("mm2 overhang instead of"), std::string::npos) << voluta::plan::englishReason(f);
 }
 
 TEST(Lossless, OddValuesAreNamed) {

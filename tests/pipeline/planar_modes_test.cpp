@@ -8,6 +8,7 @@
 #include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
 #include "pipeline/road.h"
+#include "plan/finding_kinds.h"
 
 #include <gtest/gtest.h>
 
@@ -63,8 +64,8 @@ TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
   EXPECT_GT(d.missedVoxels, 1000u);
   std::size_t overhangs = 0, misses = 0;
   for (const plan::Finding& f : result.job.report.findings) {
-    overhangs += f.kind == "overhang" ? 1 : 0;
-    misses += f.kind == "uniformMisses" ? f.count : 0;
+    overhangs += voluta::plan::kindWord(f) == "overhang" ? 1 : 0;
+    misses += voluta::plan::kindWord(f) == "uniformMisses" ? f.count : 0;
   }
   EXPECT_EQ(overhangs, 2u);
   EXPECT_EQ(misses, d.missedVoxels);

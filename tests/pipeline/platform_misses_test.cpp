@@ -91,7 +91,7 @@ TEST_P(PlatformMisses, GrowWithThePlatformAndStayBelowUniformSlicing) {
 
   std::map<std::pair<std::string, std::string>, std::size_t> missed; // scheme, platform
   for (const CompareRow& row : comparison.rows) {
-    ASSERT_NE(row.state(), RowState::Failed) << row.error;
+    ASSERT_NE(row.state(), RowState::Failed) << base::english(row.error);
     const std::size_t count = row.report.decomposition.missedVoxels;
     if (row.combination.mode == "flat") {
       EXPECT_EQ(uniformMisses(row), static_cast<double>(GetParam().uniformMisses));

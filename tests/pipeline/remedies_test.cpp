@@ -4,7 +4,9 @@
 #include "pipeline/choices.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
+#include "plan/finding_kinds.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -15,39 +17,29 @@ using namespace voluta::project;
 
 namespace {
 
-plan::Finding findingOf(std::string_view kind) {
+using plan::FindingKind;
+using plan::RemedyId;
+
+// With something at every place.
+plan::Finding findingOf(FindingKind kind) {
   plan::Finding finding;
-  finding.stage = "decompose";
   finding.kind = kind;
-  finding.reason = "something is missed";
+  for (const base::Text text : {plan::rowOf(kind).reason, plan::rowOf(kind).remedy})
+    for (const std::string_view name : base::placeNames(text.english()))
+      finding.values.push_back({name, base::mm(0.5)});
   return finding;
 }
 
-// Finding and choices of which a remedy is known to be the cure.
-struct Case {
-  plan::Finding finding;
+// Choices of which a remedy is known to be the cure.
+Choices choicesFor(RemedyId id) {
   Choices choices;
-};
-Case caseOf(const Remedy& remedy, std::string_view kind) {
-  Case one{findingOf(kind), {}};
-  if (remedy.id == "shrinkPlatform")
-    one.choices.platform = project::Platform("disc:80");
-  if (remedy.id == "dropToPlate")
-    one.choices.placement.liftMm = 4.0;
-  if (remedy.id == "adaptLayers")
-    one.choices.mode = "flat";
-  if (remedy.id == "narrowVoxels") {
-    const auto thin = test::box({0, 0, 0}, {20, 0.5, 10});
-    one.finding = thinWallFindings(thin, 0.8, {}).at(0);
-  }
-  return one;
-}
-
-// Rows wait for the stages that know these.
-bool known(const Remedy& remedy) {
-  const base::ParameterTable table = allParameters();
-  return !(remedy.id == "addSupports" && !table.find("supports")) &&
-         !(remedy.id == "turnPart" && !table.find("orient"));
+  if (id == RemedyId::ShrinkPlatform)
+    choices.platform = project::Platform("disc:80");
+  if (id == RemedyId::DropToPlate)
+    choices.placement.liftMm = 4.0;
+  if (id == RemedyId::AdaptLayers)
+    choices.mode = "flat";
+  return choices;
 }
 
 StageKeys keysOf(const Choices& choices) {
@@ -60,65 +52,72 @@ StageKeys keysOf(const Choices& choices) {
 }
 
 TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
-  std::set<std::string_view> ids;
+  std::set<std::string_view> names;
+  std::set<RemedyId> offered;
+  for (const plan::FindingRow& row : plan::findingRows())
+    offered.insert(row.cures.begin(), row.cures.end());
   for (const Remedy& remedy : remedies()) {
-    EXPECT_TRUE(ids.insert(remedy.id).second) << remedy.id << " stands twice";
-    EXPECT_FALSE(remedy.label.empty()) << remedy.id;
-    EXPECT_FALSE(remedy.kinds.empty()) << remedy.id;
-    for (const std::string_view kind : remedy.kinds) {
-      const Case one = caseOf(remedy, kind);
-      const std::optional<Cure> cure = remedy.cure(one.finding, one.choices);
-      ASSERT_EQ(cure.has_value(), known(remedy)) << remedy.id << " for " << kind;
-      if (!cure)
-        continue;
-      EXPECT_NO_THROW(checkChoices(cure->choices)) << remedy.id;
-      const StageKeys before = keysOf(one.choices), after = keysOf(cure->choices);
-      EXPECT_NE(before[indexOf(Stage::Layers)], after[indexOf(Stage::Layers)])
-          << remedy.id << " changes nothing of what is decomposed and sliced";
-      EXPECT_EQ(remedy.label.find("%1") != std::string_view::npos,
-                remedy.id == "narrowVoxels" && !cure->value.empty())
-          << remedy.id;
-      EXPECT_FALSE(remedy.cure(one.finding, cure->choices)) << remedy.id << " is offered again";
-      Choices unchanged = cure->choices;
-      unchanged.parameters = one.choices.parameters;
-      unchanged.platform = one.choices.platform;
-      unchanged.placement = one.choices.placement;
-      EXPECT_EQ(keysOf(unchanged), before) << remedy.id << " changes something else too";
-    }
+    EXPECT_TRUE(names.insert(remedy.name).second) << remedy.name << " stands twice";
+    EXPECT_FALSE(remedy.label.empty() || remedy.help.empty()) << remedy.name;
+    EXPECT_EQ(offered.erase(remedy.id), 1u) << remedy.name << " is for no finding";
   }
+  EXPECT_TRUE(offered.empty()) << "findings name a cure that nobody knows";
+  for (const plan::FindingRow& row : plan::findingRows())
+    for (const Remedy& remedy : remedies()) {
+      if (std::find(row.cures.begin(), row.cures.end(), remedy.id) == row.cures.end())
+        continue;
+      const plan::Finding finding = findingOf(row.kind);
+      const Choices choices = choicesFor(remedy.id);
+      const std::optional<Choices> cured = remedy.cure(finding, choices);
+      ASSERT_TRUE(cured) << remedy.name << " for " << row.id;
+      EXPECT_NO_THROW(checkChoices(*cured)) << remedy.name;
+      const StageKeys before = keysOf(choices), after = keysOf(*cured);
+      EXPECT_NE(before[indexOf(Stage::Layers)], after[indexOf(Stage::Layers)])
+          << remedy.name << " changes nothing of what is decomposed and sliced";
+      EXPECT_FALSE(remedy.cure(finding, *cured)) << remedy.name << " is offered again";
+      Choices unchanged = *cured;
+      unchanged.parameters = choices.parameters;
+      unchanged.platform = choices.platform;
+      unchanged.placement = choices.placement;
+      EXPECT_EQ(keysOf(unchanged), before) << remedy.name << " changes something else too";
+      for (const std::string_view name : base::placeNames(remedy.label.english()))
+        EXPECT_NE(finding.value(name), nullptr) << remedy.name << " for " << row.id;
+    }
 }
 
 TEST(Remedies, AreOfferedForTheirKindsOnly) {
   Choices choices;
   choices.platform = project::Platform("rect:90x70");
   choices.placement.liftMm = 2.0;
-  const auto idsFor = [&](std::string_view kind) {
-    std::set<std::string_view> ids;
+  const auto idsFor = [&](FindingKind kind) {
+    std::set<RemedyId> ids;
     for (const Offer& offer : remediesFor(findingOf(kind), choices))
-      ids.insert(offer.id);
+      ids.insert(offer.remedy->id);
     return ids;
   };
-  EXPECT_TRUE(idsFor("collision").empty());
-  EXPECT_TRUE(idsFor("thinWalls").empty()) << "no width is named";
-  EXPECT_TRUE(idsFor("shadowedVoxels").contains("shrinkPlatform"));
-  EXPECT_FALSE(idsFor("shadowedVoxels").contains("dropToPlate"));
-  EXPECT_FALSE(idsFor("unreachedVoxels").contains("shrinkPlatform"));
-  EXPECT_TRUE(idsFor("unreachedVoxels").contains("dropToPlate"));
-  EXPECT_TRUE(idsFor("uncovered").empty()) << "curved layers follow the field";
+  EXPECT_TRUE(idsFor(FindingKind::Collision).empty());
+  EXPECT_TRUE(idsFor(FindingKind::WallTooThin).empty()) << "no width is named";
+  EXPECT_TRUE(idsFor(FindingKind::ShadowedUnderFacet).contains(RemedyId::ShrinkPlatform));
+  EXPECT_FALSE(idsFor(FindingKind::ShadowedUnderFacet).contains(RemedyId::DropToPlate));
+  EXPECT_FALSE(idsFor(FindingKind::Unreached).contains(RemedyId::ShrinkPlatform));
+  EXPECT_TRUE(idsFor(FindingKind::Unreached).contains(RemedyId::DropToPlate));
+  EXPECT_TRUE(idsFor(FindingKind::Uncovered).empty()) << "curved layers follow the field";
   choices.mode = "planar";
-  EXPECT_EQ(idsFor("uncovered"), (std::set<std::string_view>{"adaptLayers"}));
-  EXPECT_EQ(idsFor(kStopped), (std::set<std::string_view>{"dropToPlate"}));
+  EXPECT_EQ(idsFor(FindingKind::Uncovered), (std::set<RemedyId>{RemedyId::AdaptLayers}));
+  EXPECT_EQ(idsFor(FindingKind::Stopped), (std::set<RemedyId>{RemedyId::DropToPlate}));
 }
 
 TEST(Remedies, TheContactAreaIsAsSmallAsAPlatformGets) {
   Choices choices;
   for (const char* platform : {"fit", "fit:0"}) {
     choices.platform = project::Platform(platform);
-    for (const Offer& offer : remediesFor(findingOf("shadowedVoxels"), choices))
-      EXPECT_NE(offer.id, "shrinkPlatform") << platform;
+    for (const Offer& offer : remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices))
+      EXPECT_NE(offer.remedy->id, RemedyId::ShrinkPlatform) << platform;
   }
   choices.platform = project::Platform("fit:20");
-  EXPECT_EQ(remediesFor(findingOf("shadowedVoxels"), choices).at(0).cure.choices.platform.text(),
+  EXPECT_EQ(remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices)
+                .at(0)
+                .choices.platform.text(),
             "fit:0");
 }
 
@@ -127,8 +126,8 @@ TEST(Remedies, AThinWallNamesTheWidthThatHoldsIt) {
   ASSERT_FALSE(findings.empty());
   const auto offers = remediesFor(findings[0], {});
   ASSERT_EQ(offers.size(), 1U);
-  EXPECT_EQ(offers[0].cure.value, "0.5");
-  EXPECT_EQ(offers[0].cure.choices.parameters.at("voxelMm"), "0.5");
+  EXPECT_EQ(base::english(offers[0].label), "Use voxel width 0.5 mm");
+  EXPECT_EQ(offers[0].choices.parameters.at("voxelMm"), "0.5");
   // A wall that no voxel is narrow enough for.
   const auto foil = thinWallFindings(test::box({0, 0, 0}, {20, 0.05, 10}), 0.8, {});
   ASSERT_FALSE(foil.empty());

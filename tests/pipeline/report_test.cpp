@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "plan/finding_kinds.h"
 #include "project/report.h"
 
 #include <cmath>
@@ -45,7 +46,7 @@ TEST(Report, EveryKeyIsThereEvenWhenEmpty) {
   for (const char* key :
        {"format", "foreign", "files", "bytes", "maxDeviationMm", "maxDeviationRad"})
     EXPECT_TRUE(j.at("programs")[0].contains(key)) << key;
-  for (const char* key : {"stage", "kind", "where", "when", "count", "reason", "remedy"})
+  for (const char* key : {"stage", "kind", "where", "when", "count", "reason", "remedy", "values"})
     EXPECT_TRUE(j.at("findings")[0].contains(key)) << key;
   for (const char* key : {"peakRssMb", "threads", "version"})
     EXPECT_TRUE(j.contains(key)) << key;
@@ -59,7 +60,7 @@ TEST(Report, TextThatIsNotUtf8StaysReadable) {
 
 TEST(Report, ComesBackFromItsText) {
   project::Report report;
-  report.model.repairs = {"closed 1 hole"};
+  report.model.repairs = {base::message("{text}"_text, "closed 1 hole"_name)};
   report.model.boundsMm = Eigen::AlignedBox3d(Eigen::Vector3d(0.1, 2, 3), Eigen::Vector3d(4, 5, 6));
   report.decomposition.growth = "reverse";
   report.decomposition.pieceList = {{-1, 12.5, 0.25, {0, 0.6, 0.8}, "white PLA"},
@@ -70,7 +71,10 @@ TEST(Report, ComesBackFromItsText) {
   report.motion.minClearanceMm = std::nan("");
   report.programs.push_back({"csv", true, {"a.csv"}, 12, 0.25, 0.5});
   report.replay.thresholds.mass = 0.03;
-  report.findings.push_back({"load", "meshDefect", Eigen::Vector3d(1, 2, 3), 4.5, 6, "a", "b"});
+  report.findings.push_back(plan::verbatimFinding(plan::Stage::Motion, "meshDefect", "a", "b"));
+  report.findings.back().where = Eigen::Vector3d(1, 2, 3);
+  report.findings.back().whenS = 4.5;
+  report.findings.back().count = 6;
   report.findings.back().blocking = false;
   report.findings.emplace_back();
   report.timings.jerk = 0.125;
@@ -79,6 +83,27 @@ TEST(Report, ComesBackFromItsText) {
   EXPECT_EQ(project::reportJson(project::readReportJson(text)), text);
   EXPECT_THROW(project::readReportJson("{}"), base::Error);
   EXPECT_THROW(project::readReportJson("report"), base::Error);
+}
+
+// Numbers with their unit in the name, for programs; sentences for people.
+TEST(Report, FindingsHaveTheirValues) {
+  pipeline::Report report;
+  report.findings.push_back(
+      plan::makeFinding(plan::FindingKind::OverhangOfFlat,
+                        {{"area", base::mm2(12.345678)}, {"angle", base::degrees(45.0)}}));
+  report.findings.push_back(plan::makeFinding(
+      plan::FindingKind::NoSupport, {{"voxels", 12000}}, Eigen::Vector3d(1, 2, 3), 12000));
+  const nlohmann::json j = nlohmann::json::parse(pipeline::reportJson(report));
+  const nlohmann::json& overhang = j.at("findings").at(0);
+  EXPECT_EQ(overhang.at("kind"), "overhang");
+  EXPECT_EQ(overhang.at("stage"), "decompose");
+  EXPECT_EQ(overhang.at("blocking"), false);
+  EXPECT_EQ(overhang.at("reason"), "12.3 mm2 lean over by more than 45 degrees");
+  EXPECT_EQ(overhang.at("values"),
+            nlohmann::json::parse(R"({"areaMm2": 12.345678, "angleDeg": 45.0})"));
+  EXPECT_EQ(j.at("findings").at(1).at("values").at("voxels"), 12000);
+  EXPECT_EQ(j.at("findings").at(1).at("reason"),
+            "no column from inside the platform reaches 12000 voxels that would be missed");
 }
 
 } // namespace

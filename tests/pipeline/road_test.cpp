@@ -220,7 +220,8 @@ TEST_F(PlannedBox, RefusedProgramsAreThereToBeLookedAt) {
   ASSERT_EQ(sparse.checked.size(), 3u);
   for (const auto& checked : sparse.checked) {
     EXPECT_FALSE(checked->passed);
-    EXPECT_NE(checked->failed.find("coveredFraction"), std::string::npos) << checked->failed;
+    ASSERT_FALSE(checked->failed.empty());
+    EXPECT_THAT(base::english(checked->failed), testing::Contains(testing::HasSubstr("coveredFraction")));
     EXPECT_FALSE(checked->program.files.empty());
     EXPECT_LT(checked->verdict.coveredFraction, 0.97);
     EXPECT_EQ(checked->findingLines.size(), checked->findings.size());

@@ -1,3 +1,4 @@
+#include "plan/finding_kinds.h"
 #include "pipeline/sample_job.h"
 
 #include "helpers/shapes.h"
@@ -96,15 +97,18 @@ std::shared_ptr<const layers::LayerStack> sampleLayers() {
 void addReport(Job& job) {
   job.reached = Stage::Motion;
   job.report.model.file = "box.stl";
-  job.report.model.repairs = {"closed 1 hole"};
+  job.report.model.repairs = {
+      base::message("merged {count} duplicate point|merged {count} duplicate points"_plural, 3)};
   job.report.layers.count = 2;
   job.report.motion.maxJerk = {1.5, 2.5};
   job.report.motion.minClearanceMm = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < 3; ++i) {
-    plan::Finding finding;
-    finding.stage = "motion";
-    finding.kind = "kind" + std::to_string(i);
-    finding.reason = "why";
+    plan::Finding finding = plan::makeFinding(
+        plan::FindingKind::BeyondRod,
+        {{"place", base::message("layer {layer}, x {x:.1f} y {y:.1f} z {z:.1f}"_text, i,
+                                 base::number(0.5), base::number(1.0 / 3.0), base::number(2.0))},
+         {"radius", base::mm(50.0 + static_cast<double>(i))},
+         {"along", base::mm(100.0)}});
     finding.blocking = i == 2;
     if (i == 1)
       finding.where = Eigen::Vector3d(0.1, 2, 3), finding.whenS = 0.3;

@@ -7,6 +7,7 @@
 #include "modes/part_voxels.h"
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "plan/finding_kinds.h"
 #include "voxel/voxel_text.h"
 
 #include <Eigen/Geometry>
@@ -160,7 +161,7 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   const auto turned = placedEll(choices);
   ASSERT_EQ(turned->findings.size(), 1u);
   EXPECT_EQ(turned->findings[0].kind, "newCells");
-  EXPECT_THAT(turned->findings[0].reason, HasSubstr("quarter turns"));
+  EXPECT_THAT(voluta::plan::englishReason(turned->findings[0]), HasSubstr("quarter turns"));
   EXPECT_FALSE(turned->findings[0].blocking);
   EXPECT_GT(turned->voxels->count, 4u);
   EXPECT_DOUBLE_EQ(turned->voxels->grid.pitch, 0.8);
@@ -170,7 +171,7 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   choices.placement.liftMm = 0.3;
   const auto lifted = placedEll(choices);
   ASSERT_EQ(lifted->findings.size(), 1u);
-  EXPECT_THAT(lifted->findings[0].reason, HasSubstr("whole cells"));
+  EXPECT_THAT(voluta::plan::englishReason(lifted->findings[0]), HasSubstr("whole cells"));
 
   choices.placement.liftMm = 0.0;
   choices.placement.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());
@@ -178,7 +179,7 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   request.choices = choices;
   const Report report = planPart(request, {}).job.report;
   EXPECT_EQ(std::count_if(report.findings.begin(), report.findings.end(),
-                          [](const auto& f) { return f.kind == "newCells"; }),
+                          [](const auto& f) { return voluta::plan::kindWord(f) == "newCells"; }),
             1);
 }
 
@@ -275,8 +276,8 @@ TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
   EXPECT_FALSE(found[0].blocking);
   ASSERT_TRUE(found[0].where);
   EXPECT_NEAR(found[0].where->x(), 2.2, 0.21);
-  EXPECT_THAT(found[0].reason, HasSubstr("0.37 mm thick"));
-  EXPECT_EQ(found[0].remedy, "a voxel width of at most 0.37 mm");
+  EXPECT_THAT(voluta::plan::englishReason(found[0]), HasSubstr("0.37 mm thick"));
+  EXPECT_EQ(voluta::plan::englishRemedy(found[0]), "a voxel width of at most 0.37 mm");
   EXPECT_TRUE(thinWallFindings(mesh, 0.37, {}).empty()) << "the remedy cures it";
 
   PlanRequest request =
@@ -284,7 +285,7 @@ TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
                  Stage::Decompose);
   const Report report = planPart(request, {}).job.report;
   EXPECT_EQ(std::count_if(report.findings.begin(), report.findings.end(),
-                          [](const auto& f) { return f.kind == "thinWalls"; }),
+                          [](const auto& f) { return voluta::plan::kindWord(f) == "thinWalls"; }),
             1);
 
   geometry::TriangleMesh many = test::box({0, 0, 0}, {1, 1, 1});
@@ -292,7 +293,7 @@ TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
     test::append(many, test::box({20.0 * i, 0, 0}, {20.0 * i + 0.05 * (i + 1), 3, 3}));
   const plan::Findings some = thinWallFindings(many, 0.8, {});
   ASSERT_EQ(some.size(), 6u);
-  EXPECT_THAT(some[5].reason, HasSubstr("4 smaller places"));
+  EXPECT_THAT(voluta::plan::englishReason(some[5]), HasSubstr("4 smaller places"));
   EXPECT_THAT(thinWallFindings(test::box({0, 0, 0}, {0.05, 3, 3}), 0.8, {})[0].remedy,
               HasSubstr("thicken the wall"));
 }

@@ -132,7 +132,7 @@ TEST(Orient, IsTheSameForAnyNumberOfThreads) {
 TEST(Orient, ProgressNeverFalls) {
   double last = 0.0;
   std::size_t heard = 0;
-  const base::RunContext ctx(base::CancelToken{}, 2, [&](double fraction, std::string_view) {
+  const base::RunContext ctx(base::CancelToken{}, 2, [&](double fraction, const voluta::base::Message&) {
     EXPECT_GE(fraction, last);
     last = fraction;
     ++heard;

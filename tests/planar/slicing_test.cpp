@@ -1,4 +1,5 @@
 // Slicing: sections and layers of parts whose measures are known.
+#include "plan/finding_kinds.h"
 #include "planar/slicing/slicing.h"
 
 #include "base/error.h"
@@ -395,7 +396,7 @@ TEST(Supports, ATipThatHangsStandsOnAColumn) {
   EXPECT_EQ(sliced.unsupportedPatches, 0u);
   EXPECT_LT(sliced.sliverVolumeMm3, 10.0 * 0.8 * (0.2 + 0.6) + 0.1); // the point itself
   for (const plan::Finding& f : sliced.findings)
-    EXPECT_FALSE(f.blocking) << f.reason;
+    EXPECT_FALSE(f.blocking) << voluta::plan::englishReason(f);
 }
 
 TEST(Supports, WithoutAFootingTheyAreToldAndLeftOut) {
@@ -455,19 +456,19 @@ TEST(Flat, WhatLiesOnLaidMaterialIsNoOverhang) {
   // A gallows whose arm lies on something laid before: its underside hangs over nothing.
   Piece piece = pieceOf(gallows());
   ASSERT_NEAR(riskyArea(piece, {}), 100.0, 1e-9);
-  EXPECT_EQ(overhangFindings({piece}, {}, "cut there").size(), 1u);
+  EXPECT_EQ(overhangFindings({piece}, {}, Overhangs::Pieces).size(), 1u);
   for (std::size_t t = 0; t < piece.solid.tag.size(); ++t)
     if (geometry::triangleNormal(piece.solid.mesh, t).z() < -0.9 &&
         piece.solid.mesh.corner(t, 0).z() > 1.0)
       piece.solid.tag[t] = kLaid;
   EXPECT_EQ(riskyArea(piece, {}), 0.0);
-  EXPECT_TRUE(overhangFindings({piece}, {}, "cut there").empty());
+  EXPECT_TRUE(overhangFindings({piece}, {}, Overhangs::Pieces).empty());
 }
 
 TEST(Flat, OverhangsArePlacedOnTheFacesThemselves) {
   // The middle of a ring's underside is in the air.
   const Piece ring = pieceOf(torus(20.0, 4.0, 10.0, 48, 24));
-  const plan::Findings one = overhangFindings({ring}, {}, "cut there");
+  const plan::Findings one = overhangFindings({ring}, {}, Overhangs::Pieces);
   ASSERT_EQ(one.size(), 1u);
   ASSERT_TRUE(one[0].where);
   EXPECT_NEAR(one[0].where->head<2>().norm(), 20.0, 4.0);
@@ -480,7 +481,7 @@ TEST(Flat, OverhangsArePlacedOnTheFacesThemselves) {
     for (const auto& [x, z] : {std::pair(4.0, 6.0), {8.0 + k, 6.0}, {8.0 + k, 8.0}, {4.0, 8.0}})
       profile.emplace_back(x, z + 6.0 * k);
   profile.emplace_back(0, 46);
-  const plan::Findings many = overhangFindings({pieceOf(prism(profile, 10.0))}, {}, "cut there");
+  const plan::Findings many = overhangFindings({pieceOf(prism(profile, 10.0))}, {}, Overhangs::Pieces);
   ASSERT_EQ(many.size(), 6u);
   EXPECT_EQ(many[5].count, 2u);
   ASSERT_TRUE(many[5].where);

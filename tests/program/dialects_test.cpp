@@ -100,7 +100,7 @@ TEST_F(Dialects, readBackEveryTarget) {
       EXPECT_EQ(back.format, d.id);
       EXPECT_TRUE(back.complete);
       for (const plan::ProgramDefect& defect : back.defects)
-        ADD_FAILURE() << defect.line << ": " << defect.reason;
+        ADD_FAILURE() << defect.line << ": " << voluta::base::english(defect.reason);
       ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
       for (std::size_t i = 0; i < back.motions.size(); ++i)
         expectTarget(back, i);

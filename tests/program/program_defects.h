@@ -13,11 +13,11 @@ namespace voluta::test {
 inline void expectDefect(const plan::ReadProgram& program, std::size_t line,
                          const std::string& part) {
   for (const plan::ProgramDefect& d : program.defects)
-    if (d.line == line && d.reason.find(part) != std::string::npos)
+    if (d.line == line && voluta::base::english(d.reason).find(part) != std::string::npos)
       return;
   ADD_FAILURE() << "no defect '" << part << "' in line " << line;
   for (const plan::ProgramDefect& d : program.defects)
-    ADD_FAILURE() << "found: " << d.line << ": " << d.reason;
+    ADD_FAILURE() << "found: " << d.line << ": " << voluta::base::english(d.reason);
 }
 
 } // namespace voluta::test

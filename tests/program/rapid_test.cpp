@@ -54,7 +54,7 @@ plan::ReadProgram read(std::string text) {
 void expectSound(const plan::ReadProgram& program) {
   EXPECT_TRUE(program.complete);
   for (const plan::ProgramDefect& d : program.defects)
-    ADD_FAILURE() << d.file << ":" << d.line << ": " << d.reason;
+    ADD_FAILURE() << d.file << ":" << d.line << ": " << voluta::base::english(d.reason);
 }
 
 constexpr const char* kMove =

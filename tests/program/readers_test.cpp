@@ -46,7 +46,7 @@ TEST(UrscriptReader, takesHandWrittenVariations) {
                        "end\r\nkitten()\r\n");
   EXPECT_TRUE(program.complete);
   for (const auto& d : program.defects)
-    ADD_FAILURE() << d.line << ": " << d.reason;
+    ADD_FAILURE() << d.line << ": " << voluta::base::english(d.reason);
   ASSERT_EQ(program.motions.size(), 5u);
   EXPECT_NEAR(program.flange_T_tcp.translation().z(), 100.0, 1e-12);
   EXPECT_NEAR(Eigen::AngleAxisd(program.flange_T_tcp.linear()).angle(), 1.5, 1e-12);
@@ -126,7 +126,7 @@ TEST(GcodeReader, takesTheAppendixAndReprap) {
                              "M104 S0\nM84\n; end\n");
   EXPECT_TRUE(program.complete);
   for (const auto& d : program.defects)
-    ADD_FAILURE() << d.line << ": " << d.reason;
+    ADD_FAILURE() << d.line << ": " << voluta::base::english(d.reason);
   const auto& m = program.motions;
   ASSERT_EQ(m.size(), 6u);
   const double area = base::kPi / 4 * 1.75 * 1.75;

@@ -1,6 +1,7 @@
 // Whole programs through the verdict: sound ones pass, damaged ones are found at their line.
 #include "base/run_context.h"
 #include "base/units.h"
+#include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
 #include "replay/scene.h"
@@ -185,7 +186,7 @@ Verification replayPlan(const test::Scene& s, const std::string& format = "csv")
 
 bool hasKind(const Verification& v, const std::string& kind) {
   return std::any_of(v.findings.begin(), v.findings.end(),
-                     [&](const plan::Finding& f) { return f.kind == kind; });
+                     [&](const plan::Finding& f) { return voluta::plan::kindWord(f) == kind; });
 }
 
 TEST(Replay, AHeadDrivenIntoThePrintCollides) {
@@ -196,7 +197,7 @@ TEST(Replay, AHeadDrivenIntoThePrintCollides) {
   const Verification v = replayPlan(s);
   EXPECT_GE(v.collisions, 1u) << told(v);
   const auto it = std::find_if(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
-    return f.reason.find("head and printed part") != std::string::npos;
+    return voluta::plan::englishReason(f).find("head and printed part") != std::string::npos;
   });
   ASSERT_NE(it, v.findings.end()) << told(v);
   ASSERT_TRUE(it->where.has_value());
@@ -209,7 +210,7 @@ TEST(Replay, ATipBelowThePlateCollides) {
   s.trajectory = test::walk(s.plan, s.cell, s.process, 6.0);
   const Verification v = replayPlan(s);
   EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
-    return f.kind == "collision" && f.reason.find("platform") != std::string::npos;
+    return voluta::plan::kindWord(f) == "collision" && voluta::plan::englishReason(f).find("platform") != std::string::npos;
   })) << told(v);
 }
 

@@ -1,6 +1,7 @@
 // Programs for a rod that turns: a work frame that moves, and a ground that is round.
 #include "base/run_context.h"
 #include "base/units.h"
+#include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "replay/executed_path.h"
 #include "replay/ground.h"
@@ -59,7 +60,7 @@ Verification replayed(const test::Scene& s, const plan::ReadProgram& program) {
 
 bool tells(const Verification& v, const std::string& kind, const std::string& words = "") {
   return std::any_of(v.findings.begin(), v.findings.end(), [&](const plan::Finding& f) {
-    return f.kind == kind && f.reason.find(words) != std::string::npos;
+    return voluta::plan::kindWord(f) == kind && voluta::plan::englishReason(f).find(words) != std::string::npos;
   });
 }
 
@@ -155,7 +156,7 @@ TEST(Rod, RapidWithTheRodOneStepOffOrADotMovedIsFound) {
     EXPECT_FALSE(v.passed);
     const auto found =
         std::find_if(v.findings.begin(), v.findings.end(), [](const plan::Finding& finding) {
-          return finding.kind == "externalAxisMoved";
+          return voluta::plan::kindWord(finding) == "externalAxisMoved";
         });
     ASSERT_NE(found, v.findings.end()) << told(v);
     EXPECT_EQ(v.places[static_cast<std::size_t>(found - v.findings.begin())].line, line);

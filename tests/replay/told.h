@@ -1,6 +1,7 @@
 // A verdict in words, for messages of tests.
 #pragma once
 
+#include "plan/finding_kinds.h"
 #include "replay/verification.h"
 
 #include <string>
@@ -10,7 +11,7 @@ namespace voluta::replay {
 inline std::string told(const Verification& v) {
   std::string all;
   for (const auto& f : v.findings)
-    all += f.kind + ": " + f.reason + "\n";
+    all += plan::kindWord(f) + ": " + voluta::plan::englishReason(f) + "\n";
   for (const auto& r : v.results)
     all += r.name + " " + std::to_string(r.value) + (r.passed ? "" : " FAILED") + "\n";
   return all;

@@ -7,6 +7,7 @@
 #include "helpers/layer_volume.h"
 #include "helpers/shapes.h"
 #include "layers/layer_checks.h"
+#include "plan/finding_kinds.h"
 #include "substrate/lathe_layers.h"
 
 #include <cmath>
@@ -137,12 +138,12 @@ TEST(LatheLayers, OverhangIsToldWithItsPlace) {
   EXPECT_NEAR(found.areaMm2 / (2 * 2 * base::kPi * 4 * 3), 1.0, 1e-3);
   EXPECT_NEAR(found.worstAt.tail<2>().norm(), 4.0, 0.01);
   EXPECT_GT(std::abs(found.worstAt.x()), 3.0);
-  const auto finding = substrate::overhangFinding(found, {}, "rod", "x = 1 mm");
+  const auto finding = substrate::overhangFinding(found, {}, substrate::GroundKind::Rod);
   ASSERT_TRUE(finding);
-  EXPECT_EQ(finding->kind, "overhang");
+  EXPECT_EQ(voluta::plan::kindWord(*finding), "overhang");
   EXPECT_FALSE(finding->blocking);
   EXPECT_EQ(finding->where, found.worstAt);
-  EXPECT_FALSE(substrate::overhangFinding({}, {}, "rod", ""));
+  EXPECT_FALSE(substrate::overhangFinding({}, {}, substrate::GroundKind::Rod));
   // Cones of 40 degrees under it are steep enough, of 50 they are not.
   for (const bool risky : {false, true}) {
     const double reach = 1.5 * std::tan(base::degreesToRadians(risky ? 50 : 40));

@@ -158,7 +158,7 @@ TEST(Supports, AreTheSameForAnyNumberOfThreads) {
 TEST(Supports, ProgressNeverFalls) {
   for (const char* growth : {"auto", "greedy"}) {
     double last = 0.0;
-    const base::RunContext ctx(base::CancelToken{}, 2, [&](double fraction, std::string_view) {
+    const base::RunContext ctx(base::CancelToken{}, 2, [&](double fraction, const voluta::base::Message&) {
       EXPECT_GE(fraction, last - 1e-12) << growth;
       last = fraction;
     });

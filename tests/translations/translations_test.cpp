@@ -1,8 +1,7 @@
-#include "scene/colouring.h"
+#include "texts/known_texts.h"
 #include "translation_file.h"
 
 #include <QDir>
-#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
@@ -46,6 +45,19 @@ constexpr Kept kKept[] = {
     {"trailing ellipsis or colon", "[…:]$"},
 };
 
+constexpr const char* kPlacePattern = "\\{([A-Za-z][A-Za-z0-9]*)(:[.0-9]*[gf])?#?\\}";
+
+// Of places, each once.
+QStringList namesOf(const QString& text) {
+  static const QRegularExpression kPlace(QLatin1String{kPlacePattern});
+  QStringList names;
+  auto matches = kPlace.globalMatch(text);
+  while (matches.hasNext())
+    names << matches.next().captured(1);
+  names.removeDuplicates();
+  return names;
+}
+
 class Translations : public testing::TestWithParam<std::string> {
 protected:
   QString name() const { return QString::fromStdString(GetParam()); }
@@ -58,27 +70,6 @@ protected:
   }
   QString file() const { return root().filePath(QStringLiteral("translations/") + name()); }
 };
-
-// The names in the calls of RunContext::report() in core. The writers of programs report the id
-// of their format, which stays as it is in every language.
-QStringList stagesReported() {
-  static const QRegularExpression kCall(
-      QStringLiteral("\\breport\\([^;]*?\"([^\"]+)\"\\s*(\\+[^;]*)?\\);"));
-  QStringList names;
-  QDirIterator files(root().filePath(QStringLiteral("core")), {QStringLiteral("*.cpp")},
-                     QDir::Files, QDirIterator::Subdirectories);
-  while (files.hasNext()) {
-    const QString path = files.next();
-    QFile source(path);
-    if (path.contains(QStringLiteral("/core/program/")) || !source.open(QIODevice::ReadOnly))
-      continue;
-    auto calls = kCall.globalMatch(QString::fromUtf8(source.readAll()));
-    while (calls.hasNext())
-      names << calls.next().captured(1).trimmed();
-  }
-  names.removeDuplicates();
-  return names;
-}
 
 std::vector<std::string> translationFiles() {
   std::vector<std::string> names;
@@ -125,8 +116,9 @@ TEST_P(Translations, HasEveryTextOfTheWindow) {
   ASSERT_TRUE(QFile::copy(file(), copy));
   QProcess run;
   run.setWorkingDirectory(root().path());
-  run.start(lupdate, {"-silent", "-no-obsolete", "-locations", "none", "-I", "widgets",
-                      "-recursive", "widgets", "app", "-ts", copy});
+  run.start(lupdate,
+            {"-silent", "-no-obsolete", "-locations", "none", "-I", "widgets", "-recursive",
+             "widgets", "app", QStringLiteral(VOLUTA_TEXT_NOTES), "-ts", copy});
   ASSERT_TRUE(run.waitForFinished(120000));
   ASSERT_EQ(run.exitCode(), 0) << run.readAllStandardError().toStdString();
 
@@ -140,21 +132,31 @@ TEST_P(Translations, HasEveryTextOfTheWindow) {
         << "no longer in the window: " << message.key().toStdString();
 }
 
-// Core and scene speak English without Qt: lupdate sees their texts only where they are listed.
-TEST_P(Translations, HasEveryStageThatCoreReports) {
-  const QSet<QString> known = sourcesOf(QStringLiteral("Stages"));
-  const QStringList reported = stagesReported();
-  ASSERT_FALSE(reported.isEmpty());
-  for (const QString& stage : reported)
-    EXPECT_TRUE(known.contains(stage)) << "not listed for lupdate: " << stage.toStdString();
+// Core says what it says as data: the list for translators is made from its sources.
+TEST_P(Translations, HasEveryTextOfCore) {
+  const QSet<QString> known = sourcesOf(QStringLiteral("Core"));
+  static const QRegularExpression kPlace(QLatin1String(kPlacePattern)), kLetter("[A-Za-z]");
+  ASSERT_GT(voluta::texts::knownTexts().size(), 500u);
+  for (const voluta::base::Text& text : voluta::texts::knownTexts()) {
+    const QString source = QString::fromStdString(voluta::base::english(text));
+    if (QString(source).remove(kPlace).contains(kLetter))
+      EXPECT_TRUE(known.contains(source)) << "not translated: " << source.toStdString();
+  }
 }
 
-TEST_P(Translations, HasEveryQuantityToColourBy) {
-  const QSet<QString> known = sourcesOf(QStringLiteral("Scene"));
-  for (const voluta::scene::ColourByRow& row : voluta::scene::colourByTable()) {
-    const std::string label(row.label);
-    EXPECT_TRUE(known.contains(QString::fromStdString(label)))
-        << "not listed for lupdate: " << label;
+// Each value of a sentence has its place in every language; the form for one may do without its
+// number ("a piece ...").
+TEST_P(Translations, KeepsPlacesOfValues) {
+  for (const Message& message : readTranslationFile(file())) {
+    const QStringList places = namesOf(message.source);
+    for (qsizetype i = 0; i < message.forms.size(); ++i) {
+      const QStringList own = namesOf(message.forms[i]);
+      for (const QString& name : own)
+        EXPECT_TRUE(places.contains(name))
+            << name.toStdString() << " in " << message.key().toStdString();
+      if (i + 1 == message.forms.size())
+        EXPECT_EQ(own.size(), places.size()) << message.key().toStdString();
+    }
   }
 }
 

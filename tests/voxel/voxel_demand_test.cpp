@@ -36,11 +36,11 @@ TEST(VoxelDemand, TooSmallAWidthIsToldWithOneThatFits) {
     FAIL();
   } catch (const base::Error& e) {
     EXPECT_EQ(e.code(), base::ErrorCode::Usage);
-    EXPECT_EQ(e.context(), "voxelMm");
+    EXPECT_EQ(voluta::base::english(e.context()), "voxelMm");
     EXPECT_THAT(e.what(), ::testing::HasSubstr("500 MB are free"));
-    const std::size_t at = e.remedy().find("least ");
+    const std::size_t at = voluta::base::english(e.remedy()).find("least ");
     ASSERT_NE(at, std::string::npos) << e.what();
-    const double fits = std::atof(e.remedy().c_str() + at + 6);
+    const double fits = std::atof(voluta::base::english(e.remedy()).c_str() + at + 6);
     EXPECT_GT(fits, 0.2);
     EXPECT_NO_THROW(checkVoxelDemand(mesh, fits, free));
     EXPECT_THROW(checkVoxelDemand(mesh, fits - 0.02, free), base::Error);

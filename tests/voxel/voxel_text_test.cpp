@@ -100,8 +100,8 @@ TEST(VoxelText, BadObjectsAreToldInOneLineWithTheirPlace) {
       readVoxelText(bad.text, "x.txt");
       ADD_FAILURE() << bad.text;
     } catch (const base::Error& e) {
-      EXPECT_THAT(e.context(), HasSubstr(bad.where)) << bad.text;
-      EXPECT_THAT(e.message(), HasSubstr(bad.what)) << bad.text;
+      EXPECT_THAT(voluta::base::english(e.context()), HasSubstr(bad.where)) << bad.text;
+      EXPECT_THAT(voluta::base::english(e.message()), HasSubstr(bad.what)) << bad.text;
       EXPECT_FALSE(e.remedy().empty());
       EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
     }

@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "document/document.h"
+#include "language/words.h"
 #include "project/job.h"
 
 #include <QDir>
@@ -91,7 +92,7 @@ void Autosave::write() {
 void Autosave::writeEnded(const base::Outcome<bool>& outcome) {
   if (const auto* error = std::get_if<base::Error>(&outcome)) {
     if (!std::exchange(told_, true))
-      emit failed(QString::fromUtf8(error->what()));
+      emit failed(language::words(error->whole()));
   } else if (std::holds_alternative<bool>(outcome)) {
     told_ = false;
     if (adopted_)

@@ -1,6 +1,7 @@
 #include "document/comparing.h"
 
 #include "document/document.h"
+#include "language/words.h"
 
 #include <algorithm>
 
@@ -72,7 +73,7 @@ void Comparing::run(const ComparedWays& ways) {
   });
   if (const auto* error = std::get_if<base::Error>(&begun)) {
     rows_.clear();
-    emit failed(QString::fromUtf8(error->what()));
+    emit failed(language::words(error->whole()));
     emit ended();
     return;
   }
@@ -102,7 +103,7 @@ void Comparing::run(const ComparedWays& ways) {
           emit rowChanged(row);
         }
         if (const auto* error = std::get_if<base::Error>(&outcome))
-          emit failed(QString::fromUtf8(error->what()));
+          emit failed(language::words(error->whole()));
         emit ended();
       });
   emit started();

@@ -1,8 +1,9 @@
 #include "document/document.h"
 
 #include "document/mode_switch.h"
+#include "language/words.h"
+#include "plan/finding_kinds.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QUndoCommand>
 #include <algorithm>
@@ -164,7 +165,7 @@ void Document::setParameter(const QString& key, const QString& text) {
   else
     choices.parameters[spec.key] = base::formatParameter(value);
   push(choices, source_,
-       tr("Change %1").arg(QCoreApplication::translate("Parameters", spec.label.c_str())));
+       tr("Change %1").arg(language::words(spec.label)));
 }
 
 void Document::resetParameter(const QString& key) {
@@ -174,7 +175,7 @@ void Document::resetParameter(const QString& key) {
   const base::ParameterSpec* spec = table.find(key.toStdString());
   push(choices, source_,
        tr("Reset %1")
-           .arg(spec ? QCoreApplication::translate("Parameters", spec->label.c_str()) : key));
+           .arg(spec ? language::words(spec->label) : key));
 }
 
 void Document::resetParameters() {
@@ -371,7 +372,7 @@ StageState Document::state(Stage stage) const {
     return StageState::OutOfDate;
   const plan::Findings& findings = shown_[s].result->job.report.findings;
   const bool blocked = std::any_of(findings.begin(), findings.end(), [&](const plan::Finding& f) {
-    return f.blocking && f.stage == project::stageName(stage);
+    return f.blocking && plan::stageOf(f) == stage;
   });
   return blocked ? StageState::Blocked : StageState::Done;
 }

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/planning.h"
+#include "language/words.h"
 #include "pipeline/stage_cache.h"
 
 #include <QTimer>
@@ -120,7 +121,7 @@ void LivePreview::start() {
           emit finished();
         } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
           document_.previewFailed(*error);
-          emit failed(QString::fromUtf8(error->what()));
+          emit failed(language::words(error->whole()));
         }
       },
       planning_.threads());

@@ -1,6 +1,7 @@
 #include "document/mode_switch.h"
 
 #include "base/error.h"
+#include "language/words.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
 #include "process/process.h"
@@ -117,7 +118,7 @@ QString obstacle(const Choices& choices) {
                                                        "needs one with a plate."));
     return {};
   } catch (const base::Error& error) {
-    return QString::fromUtf8(error.what());
+    return language::words(error.whole());
   }
 }
 

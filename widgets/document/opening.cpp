@@ -2,6 +2,8 @@
 
 #include "document/document.h"
 #include "document/planning.h"
+#include "language/words.h"
+#include "project/job.h"
 #include "pipeline/stage_cache.h"
 #include "project/job.h"
 
@@ -67,9 +69,9 @@ void Opening::readProject(const QString& file, const QString& projectFile, bool 
   using Opened = std::shared_ptr<const pipeline::PlanResult>;
   runner_.run(
       [file, cache = planning_.cache()](const base::RunContext& ctx) -> Opened {
-        ctx.report(0.0, "open");
+        ctx.report(0.0, "open"_text);
         project::Job job = project::readJob(pathOf(file));
-        ctx.report(0.8, "open");
+        ctx.report(0.8, "open"_text);
         pipeline::seedCache(*cache, job);
         return std::make_shared<const pipeline::PlanResult>(pipeline::resultOf(std::move(job)));
       },
@@ -79,7 +81,7 @@ void Opening::readProject(const QString& file, const QString& projectFile, bool 
           document_.openJob(**result, projectFile, unsaved);
           emit opened(file, true);
         } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
-          emit failed(file, QString::fromUtf8(error->what()));
+          emit failed(file, language::words(error->whole()));
         } else {
           emit cancelled();
         }
@@ -115,7 +117,7 @@ void Opening::endRepair(const base::Outcome<Part>& outcome, const QString& path)
   }
   giveUpRepair();
   if (const auto* error = std::get_if<base::Error>(&outcome))
-    emit failed(path, QString::fromUtf8(error->what()));
+    emit failed(path, language::words(error->whole()));
   else
     emit cancelled();
 }

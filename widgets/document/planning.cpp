@@ -1,6 +1,7 @@
 #include "document/planning.h"
 
 #include "document/document.h"
+#include "language/words.h"
 #include "pipeline/stage_cache.h"
 
 #include <QTimer>
@@ -83,7 +84,7 @@ void Planning::end(const base::Outcome<Result>& outcome) {
     emit finished();
   } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
     const Stage where = document_.planFailed(*error);
-    emit failed(where, QString::fromUtf8(error->what()));
+    emit failed(where, language::words(error->whole()));
   } else {
     document_.planEnded(nullptr);
     emit cancelled();

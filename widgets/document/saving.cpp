@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "document/document.h"
+#include "language/words.h"
 #include "project/job.h"
 
 #include <QFileInfo>
@@ -35,7 +36,7 @@ void Saving::write(const QString& file) {
       },
       [this, file, revision = document_.revision()](const base::Outcome<bool>& outcome) {
         if (const auto* error = std::get_if<base::Error>(&outcome)) {
-          emit failed(file, QString::fromUtf8(error->what()));
+          emit failed(file, language::words(error->whole()));
         } else {
           document_.saved(file, revision);
           emit saved(file);

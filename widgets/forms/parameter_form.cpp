@@ -5,6 +5,7 @@
 #include "forms/icons.h"
 #include "forms/parameter_row.h"
 #include "forms/parameter_texts.h"
+#include "language/words.h"
 
 #include <QButtonGroup>
 #include <QEvent>
@@ -72,7 +73,7 @@ void ParameterForm::build() {
       rowColumn->setContentsMargins(0, 0, 0, 0);
       rowColumn->setSpacing(2);
       auto* fold = new Fold(rows, content);
-      fold->setObjectName(QString::fromStdString(spec.group));
+      fold->setObjectName(QString::fromStdString(base::english(spec.group)));
       column_->addWidget(fold);
       groups_.push_back({spec.group, fold, {}});
       group = std::prev(groups_.end());
@@ -241,7 +242,7 @@ void ParameterForm::retranslate() {
   resetAll_->setToolTip(tr("Give every parameter its default"));
   nothingFound_->setText(tr("No parameter has these words."));
   for (const Group& group : groups_) {
-    group.fold->setTitle(parameterText(group.name));
+    group.fold->setTitle(language::heading(group.name));
     for (ParameterRow* row : group.rows)
       row->retranslate();
   }

@@ -60,7 +60,7 @@ protected:
 
 private:
   struct Group {
-    std::string name;
+    base::Text name;
     Fold* fold = nullptr;
     std::vector<ParameterRow*> rows;
   };

@@ -3,6 +3,7 @@
 #include "forms/colours.h"
 #include "forms/icons.h"
 #include "forms/parameter_texts.h"
+#include "language/words.h"
 #include "forms/value_boxes.h"
 
 #include <QCheckBox>
@@ -115,8 +116,8 @@ void ParameterRow::buildEditor() {
   }
   case base::ParameterType::Choice: {
     QComboBox* combo = makeCombo(this);
-    for (const std::string& choice : spec_.choices)
-      combo->addItem(QString::fromStdString(choice), QString::fromStdString(choice));
+    for (const base::Choice& choice : spec_.choices)
+      combo->addItem(language::heading(choice.label), QString::fromStdString(choice.id));
     connect(combo, &QComboBox::activated, this,
             [this, combo] { commit(combo->currentData().toString().toStdString()); });
     editor_ = combo;
@@ -194,8 +195,8 @@ bool ParameterRow::hasProblem() const {
 }
 
 bool ParameterRow::matches(const QStringList& words) const {
-  const QString all = parameterText(spec_.label) + QChar(' ') + key() + QChar(' ') +
-                      parameterText(spec_.group) + QChar(' ') + parameterText(spec_.help);
+  const QString all = language::heading(spec_.label) + QChar(' ') + key() + QChar(' ') +
+                      language::heading(spec_.group) + QChar(' ') + language::heading(spec_.help);
   return std::all_of(words.begin(), words.end(),
                      [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
 }
@@ -206,7 +207,7 @@ void ParameterRow::highlight(const QStringList& words) {
 }
 
 void ParameterRow::showLabel() {
-  const QString text = parameterText(spec_.label);
+  const QString text = language::heading(spec_.label);
   const std::vector<bool> matched = matchedLetters(text, words_);
   const QString mark =
       QStringLiteral("<span style=\"background-color:%1\">").arg(matchColour(palette()).name());
@@ -231,11 +232,11 @@ void ParameterRow::retranslate() {
   const QString tip = parameterToolTip(spec_);
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
-  editor_->setAccessibleName(parameterText(spec_.label));
+  editor_->setAccessibleName(language::heading(spec_.label));
   reset_->setToolTip(tr("Reset to %1").arg(valueText(spec_, spec_.defaultValue)));
   if (auto* combo = qobject_cast<QComboBox*>(editor_))
     for (int i = 0; i < combo->count(); ++i)
-      combo->setItemText(i, parameterText(combo->itemData(i).toString().toStdString()));
+      combo->setItemText(i, language::heading(spec_.choices[static_cast<std::size_t>(i)].label));
 }
 
 } // namespace voluta::forms

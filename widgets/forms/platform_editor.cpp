@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "forms/value_boxes.h"
+#include "language/words.h"
 #include "project/platform_kinds.h"
 
 #include <QComboBox>
@@ -43,10 +44,6 @@ const project::PlatformKind& kindWithFile() {
   const auto& kinds = project::platformKinds();
   return *std::find_if(kinds.begin(), kinds.end(),
                        [](const project::PlatformKind& kind) { return !kind.file.empty(); });
-}
-
-QString translated(std::string_view english) {
-  return QCoreApplication::translate("Core", std::string(english).c_str());
 }
 } // namespace
 
@@ -233,8 +230,8 @@ void PlatformEditor::showKind() {
     const project::PlatformField& field = chosen.fields[i];
     const QSignalBlocker quiet(sizes_[i]);
     sizes_[i]->setRange(field.least, field.most);
-    sizes_[i]->setToolTip(translated(field.label));
-    sizes_[i]->setAccessibleName(translated(field.label));
+    sizes_[i]->setToolTip(language::words(field.label));
+    sizes_[i]->setAccessibleName(language::words(field.label));
   }
   fileButton_->setVisible(!chosen.file.empty());
   fileButton_->setText(file_.isEmpty() ? tr("Choose a file…") : QFileInfo(file_).fileName());
@@ -262,7 +259,7 @@ void PlatformEditor::commitProfile() {
 void PlatformEditor::retranslate() {
   for (int i = 0; i < kind_->count(); ++i)
     kind_->setItemText(
-        i, translated(
+        i, language::words(
                used(project::findPlatformKind(kind_->itemData(i).toString().toStdString())).label));
   for (int i = 0; i < shape_->count(); ++i) {
     const int sides = shape_->itemData(i).toInt();

@@ -9,7 +9,6 @@
 #include <QPointer>
 #include <QTimer>
 #include <algorithm>
-#include <string>
 #include <thread>
 
 namespace voluta::jobs {
@@ -31,12 +30,12 @@ struct JobRunner::Run {
   std::mutex mutex;            // guards what follows
   JobRunner* runner = nullptr; // null once nobody waits any more
   double fraction = 0.0;
-  std::string stage;
+  base::Message stage;
 
-  void report(double done, std::string_view what) {
+  void report(double done, const base::Message& what) {
     const std::lock_guard lock(mutex);
     fraction = done;
-    stage.assign(what);
+    stage = what;
   }
 
   // Calls f() on the runner's thread unless `self` was abandoned by then.
@@ -71,7 +70,8 @@ void JobRunner::start(ErasedWork work, ErasedDone done, int threads) {
   run->runner = this;
   run->elapsed.start();
   const base::RunContext ctx(
-      run->cancel, threads, [run = run.get()](double f, std::string_view w) { run->report(f, w); });
+      run->cancel, threads,
+      [run = run.get()](double f, const base::Message& w) { run->report(f, w); });
   startInBackground([run, ctx, work = std::move(work)]() mutable {
     const Post post = [run](std::function<void()> f) { Run::post(run, std::move(f)); };
     std::shared_ptr<void> outcome = work(ctx, post);
@@ -123,7 +123,7 @@ void JobRunner::tick() {
   Progress now;
   {
     const std::lock_guard lock(run_->mutex);
-    now.stage = QString::fromStdString(run_->stage);
+    now.stage = run_->stage;
     now.fraction = run_->fraction;
   }
   now.secondsLeft = run_->timeLeft.update(run_->elapsed.elapsed() / 1000.0, now.fraction);

@@ -18,7 +18,7 @@ class QTimer;
 namespace voluta::jobs {
 
 struct Progress {
-  QString stage;                     // as the core names it
+  base::Message stage;               // what is being done
   double fraction = 0.0;             // of the whole run, [0, 1]
   std::optional<double> secondsLeft; // smoothed; nothing in the first 2 s
 };

@@ -1,42 +1,13 @@
 #include "panels/findings_model.h"
 
-#include "panels/finding_texts.h"
+#include "language/words.h"
+#include "plan/finding_kinds.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace voluta::panels {
-
-namespace {
-struct StageName {
-  const char* id;
-  const char* label;
-};
-// In the order of the road.
-constexpr auto kStages = std::to_array<StageName>({
-    {"load", QT_TRANSLATE_NOOP("Stages", "Load")},
-    {"decompose", QT_TRANSLATE_NOOP("Stages", "Decomposition")},
-    {"layers", QT_TRANSLATE_NOOP("Stages", "Layers")},
-    {"toolpath", QT_TRANSLATE_NOOP("Stages", "Tool-paths")},
-    {"motion", QT_TRANSLATE_NOOP("Stages", "Motion")},
-    {"replay", QT_TRANSLATE_NOOP("Stages", "Replay")},
-});
-
-std::size_t rankOf(const std::string& stage) {
-  const auto found = std::find_if(kStages.begin(), kStages.end(),
-                                  [&](const StageName& name) { return stage == name.id; });
-  return static_cast<std::size_t>(found - kStages.begin());
-}
-} // namespace
-
-QString stageText(const std::string& stage) {
-  const std::size_t rank = rankOf(stage);
-  return rank < kStages.size() ? QCoreApplication::translate("Stages", kStages[rank].label)
-                               : QString::fromStdString(stage);
-}
 
 FindingsModel::FindingsModel(QObject* parent) : QAbstractListModel(parent) {}
 
@@ -47,7 +18,7 @@ void FindingsModel::setFindings(plan::Findings findings) {
                    [](const plan::Finding& a, const plan::Finding& b) {
                      if (a.blocking != b.blocking)
                        return a.blocking;
-                     return rankOf(a.stage) < rankOf(b.stage);
+                     return plan::stageOf(a) < plan::stageOf(b);
                    });
   blocking_ = static_cast<std::size_t>(std::count_if(
       findings_.begin(), findings_.end(), [](const plan::Finding& f) { return f.blocking; }));
@@ -78,12 +49,14 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   const plan::Finding& f = finding(index.row());
   switch (role) {
   case Qt::DisplayRole:
-    return findingText(f.reason);
+    return language::words(plan::reasonOf(f));
   case Qt::ToolTipRole:
-    return f.remedy.empty() ? findingText(f.reason)
-                            : findingText(f.reason) + QLatin1Char('\n') + findingText(f.remedy);
+    return (QStringList{language::words(plan::reasonOf(f)), language::words(plan::remedyOf(f))})
+        .join(QLatin1Char('\n'))
+        .trimmed();
   case Qt::AccessibleTextRole:
-    return (f.blocking ? tr("Blocked: %1") : tr("Worth knowing: %1")).arg(findingText(f.reason));
+    return (f.blocking ? tr("Blocked: %1") : tr("Worth knowing: %1"))
+        .arg(language::words(plan::reasonOf(f)));
   case DetailRole:
     return detail(f);
   case BlockingRole:
@@ -95,7 +68,7 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
 
 QString FindingsModel::detail(const plan::Finding& finding) {
   const QLocale locale;
-  QStringList parts{stageText(finding.stage)};
+  QStringList parts{language::words(plan::stageLabel(plan::stageOf(finding)))};
   if (finding.count > 1)
     parts << QStringLiteral("× ") + locale.toString(static_cast<qulonglong>(finding.count));
   if (finding.where) {

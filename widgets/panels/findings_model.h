@@ -8,9 +8,6 @@
 
 namespace voluta::panels {
 
-// A stage's name in the user's language ("decompose" and the like); unknown names as they are.
-QString stageText(const std::string& stage);
-
 class FindingsModel : public QAbstractListModel {
   Q_OBJECT
 

@@ -2,7 +2,7 @@
 
 #include "forms/colours.h"
 #include "forms/icons.h"
-#include "panels/finding_texts.h"
+#include "language/words.h"
 #include "panels/findings_model.h"
 
 #include <QEvent>
@@ -145,12 +145,12 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
 
 void FindingsPanel::setFindings(const plan::Findings& findings) {
   const QModelIndex before = list_->currentIndex();
-  const std::string chosen =
-      before.isValid() ? model_->finding(before.row()).reason : std::string();
+  const std::optional<plan::Finding> chosen =
+      before.isValid() ? std::optional(model_->finding(before.row())) : std::nullopt;
   model_->setFindings(findings);
-  if (before.isValid())
+  if (chosen)
     for (int row = 0; row < model_->rowCount(); ++row)
-      if (model_->finding(row).reason == chosen) {
+      if (plan::reasonOf(model_->finding(row)) == plan::reasonOf(*chosen)) {
         list_->setCurrentIndex(model_->index(row));
         break;
       }
@@ -185,10 +185,11 @@ void FindingsPanel::showCurrent() {
   if (!current.isValid())
     return;
   const plan::Finding& finding = model_->finding(current.row());
-  reason_->setText(findingText(finding.reason));
+  reason_->setText(language::words(plan::reasonOf(finding)));
   where_->setText(FindingsModel::detail(finding));
-  remedy_->setText(tr("What would help: %1").arg(findingText(finding.remedy)));
-  remedy_->setVisible(!finding.remedy.empty());
+  const QString remedy = language::words(plan::remedyOf(finding));
+  remedy_->setText(tr("What would help: %1").arg(remedy));
+  remedy_->setVisible(!remedy.isEmpty());
   show_->setEnabled(finding.where || finding.whenS);
   showRemedies(finding);
 }

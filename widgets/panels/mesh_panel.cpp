@@ -1,6 +1,7 @@
 #include "panels/mesh_panel.h"
 
 #include "forms/icons.h"
+#include "language/words.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -12,14 +13,14 @@
 namespace voluta::panels {
 
 namespace {
-QString listHtml(const QString& title, const std::vector<std::string>& sentences) {
+QString listHtml(const QString& title, const std::vector<base::Message>& sentences) {
   if (sentences.empty())
     return {};
   QString html = QStringLiteral("<p style=\"margin-top:6px;margin-bottom:0px\"><b>%1</b></p>")
                      .arg(title.toHtmlEscaped());
-  for (const std::string& sentence : sentences)
+  for (const base::Message& sentence : sentences)
     html += QStringLiteral("<p style=\"margin-top:2px;margin-bottom:0px;margin-left:8px\">%1</p>")
-                .arg(QString::fromStdString(sentence).toHtmlEscaped());
+                .arg(language::words(sentence).toHtmlEscaped());
   return html;
 }
 } // namespace

@@ -1,6 +1,8 @@
 // What the mesh is like: what was found in it, what was mended, what remains.
 #pragma once
 
+#include "base/text.h"
+
 #include <Eigen/Core>
 #include <QWidget>
 #include <optional>
@@ -18,7 +20,7 @@ struct MeshSummary {
   Eigen::Vector3d sizeMm = Eigen::Vector3d::Zero(); // as it lies in the file
   double volumeMm3 = 0.0;
   bool watertight = false;
-  std::vector<std::string> found, repaired, remains; // a sentence each
+  std::vector<base::Message> found, repaired, remains; // a sentence each
 };
 
 class MeshPanel : public QWidget {

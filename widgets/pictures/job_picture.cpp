@@ -29,12 +29,12 @@ template <typename T, std::size_t N> std::vector<std::string> namesOf(const Row<
 }
 
 template <typename T, std::size_t N>
-T chosen(const Row<T> (&rows)[N], const std::string& name, const char* what) {
+T chosen(const Row<T> (&rows)[N], const std::string& name, base::Text unknown) {
   for (const auto& [known, value] : rows)
     if (name == known)
       return value;
-  throw Error(ErrorCode::Usage, fmt::format("unknown {} '{}'", what, name), {},
-              fmt::format("did you mean '{}'?", base::nearestName(name, namesOf(rows))));
+  throw Error(ErrorCode::Usage, base::Message(unknown, {name}), {},
+              base::message("did you mean '{name}'?"_text, base::nearestName(name, namesOf(rows))));
 }
 
 class Renderer {
@@ -48,12 +48,12 @@ public:
   }
 
   void showPart() {
-    scene_.setPart(scene::drawPart(*need(job_.part, "placed part")));
+    scene_.setPart(scene::drawPart(*need(job_.part, "placed part"_text)));
     view_.part = true;
     showPlatform();
   }
   void showVoxels() {
-    const auto drawing = scene::drawVoxels(*need(job_.decomposition, "voxels"), voxelLook());
+    const auto drawing = scene::drawVoxels(*need(job_.decomposition, "voxels"_text), voxelLook());
     setLastLayer(scene::layerCount(*drawing));
     scene_.setVoxels(drawing);
     view_.voxels = true;
@@ -62,7 +62,7 @@ public:
   void showLayers() {
     const process::Process p = process();
     const auto drawing = scene::drawLayers(
-        *need(job_.layers, "layers"), {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm});
+        *need(job_.layers, "layers"_text), {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm});
     setLastLayer(scene::layerCount(*drawing));
     scene_.setLayers(drawing);
     view_.layers = true;
@@ -70,21 +70,21 @@ public:
   }
   void showPieces() {
     scene_.setPieces(
-        scene::drawPieces(need(job_.pieces, "pieces")->pieces, pipeline::riskRule(job_.choices)));
+        scene::drawPieces(need(job_.pieces, "pieces"_text)->pieces, pipeline::riskRule(job_.choices)));
     view_.pieces = true;
     showPlatform();
   }
   void showPaths() {
     const auto drawing =
-        scene::drawPaths(*need(job_.toolPlan, "tool-paths"), job_.trajectory.get());
+        scene::drawPaths(*need(job_.toolPlan, "tool-paths"_text), job_.trajectory.get());
     setLastLayer(scene::layerCount(*drawing));
     scene_.setPaths(drawing);
     view_.paths = true;
     showPlatform();
   }
   void showRobot() {
-    const auto& trajectory = *need(job_.trajectory, "robot motion");
-    const auto& plan = *need(job_.toolPlan, "tool-paths");
+    const auto& trajectory = *need(job_.trajectory, "robot motion"_text);
+    const auto& plan = *need(job_.toolPlan, "tool-paths"_text);
     scene_.setCell(scene::drawCell(robot::loadCell(job_.choices.cell, process(), job_.platform)));
     const auto drawing = scene::drawPaths(plan, &trajectory);
     setLastLayer(scene::layerCount(*drawing));
@@ -105,10 +105,10 @@ public:
 
 private:
   template <typename T>
-  const std::shared_ptr<const T>& need(const std::shared_ptr<const T>& result, const char* what) {
+  const std::shared_ptr<const T>& need(const std::shared_ptr<const T>& result, base::Text what) {
     if (!result)
-      throw Error(ErrorCode::UnusableInput, fmt::format("the job holds no {}", what),
-                  options_.where, "plan the part further: voluta-cli plan PART -o DIR");
+      throw Error(ErrorCode::UnusableInput, base::message("the job holds no {result}"_text, what),
+                  options_.where, "plan the part further: voluta-cli plan PART -o DIR"_text);
     return result;
   }
 
@@ -138,20 +138,20 @@ private:
     if (!options_.layer)
       return;
     if (*options_.layer < 1 || *options_.layer > count)
-      throw Error(ErrorCode::Usage, fmt::format("there is no layer {}", *options_.layer),
-                  options_.where, fmt::format("layers are 1 to {}", count));
+      throw Error(ErrorCode::Usage, base::message("there is no layer {layer}"_text, *options_.layer),
+                  options_.where, base::message("layers are 1 to {count}"_text, count));
     view_.lastLayer = *options_.layer - 1;
   }
 
   void setTime(const plan::Trajectory& t) {
     if (t.pointCount() == 0)
-      throw Error(ErrorCode::UnusableInput, "the robot motion is empty", options_.where,
-                  "plan the part again");
+      throw Error(ErrorCode::UnusableInput, "the robot motion is empty"_text, options_.where,
+                  "plan the part again"_text);
     const double end = t.timeS.back();
     const double time = options_.timeS.value_or(end);
     if (!(time >= 0.0 && time <= end))
-      throw Error(ErrorCode::Usage, fmt::format("there is no time {} s", time), options_.where,
-                  fmt::format("the program runs from 0 to {:.1f} s", end));
+      throw Error(ErrorCode::Usage, base::message("there is no time {time}"_text, base::seconds(time)), options_.where,
+                  base::message("the program runs from 0 to {end:.1f}"_text, base::seconds(end)));
     const auto after = std::upper_bound(t.timeS.begin(), t.timeS.end(), time) - t.timeS.begin();
     const std::size_t last = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1)) - 1;
     const std::size_t next = std::min(last + 1, t.pointCount() - 1);
@@ -194,14 +194,14 @@ std::vector<std::string> viewNames() {
 }
 
 void checkNames(const PictureOptions& options) {
-  chosen(kShown, options.show, "picture");
-  chosen(kViews, options.view, "view");
+  chosen(kShown, options.show, "unknown picture '{name}'"_text);
+  chosen(kViews, options.view, "unknown view '{name}'"_text);
   scene::colourByOf(options.colour);
 }
 
 scene::Image jobPicture(const project::Job& job, const PictureOptions& options) {
-  const auto show = chosen(kShown, options.show, "picture");
-  const auto view = chosen(kViews, options.view, "view");
+  const auto show = chosen(kShown, options.show, "unknown picture '{name}'"_text);
+  const auto view = chosen(kViews, options.view, "unknown view '{name}'"_text);
   Renderer renderer(options, job);
   (renderer.*show)();
   return renderer.picture(view);

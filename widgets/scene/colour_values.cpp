@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kStops = 5;
 constexpr double kLoneValue = 0.6; // place on the map of a value that is the same everywhere
-constexpr std::array<const char*, 5> kKindNames{"Wall", "Infill", "Gap fill", "Skirt", "Support"};
+constexpr std::array<base::Text, 5> kKindNames{"Wall"_text, "Infill"_text, "Gap fill"_text,
+                                               "Skirt"_text, "Support"_text};
 
 const std::vector<std::int32_t>* wholeNumbers(const ColourValues& v, ColourBy by) {
   switch (by) {
@@ -84,7 +85,7 @@ std::string scaleNumber(double value, double width) {
 }
 
 Legend scaleLegend(const ColourByRow& row, const Span& span) {
-  Legend legend{std::string(row.label), std::string(row.unit), false, false, {}, {}};
+  Legend legend{row.label, std::string(row.unit), false, false, {}, {}};
   const int stops = span.high > span.low ? kStops : 1;
   for (int i = 0; i < stops; ++i) {
     const double t = stops > 1 ? double(i) / (stops - 1) : kLoneValue;
@@ -115,15 +116,16 @@ namespace {
 // Both limits and the nominal height are among the stops.
 Legend spacingLegend(const HeightLimits& heights) {
   const ColourByRow& row = rowOf(ColourBy::Spacing);
-  Legend legend{std::string(row.label), std::string(row.unit), false, true, {}, {}};
+  Legend legend{row.label, std::string(row.unit), false, true, {}, {}};
   const double low = heights.minMm, middle = heights.nominalMm, high = heights.maxMm;
   for (const auto& [value, note] :
-       {std::pair(low, "limit"), std::pair((low + middle) / 2, ""), std::pair(middle, "nominal"),
-        std::pair((middle + high) / 2, ""), std::pair(high, "limit")})
+       {std::pair(low, "limit"_text), std::pair((low + middle) / 2, base::Text()),
+        std::pair(middle, "nominal"_text), std::pair((middle + high) / 2, base::Text()),
+        std::pair(high, "limit"_text)})
     legend.entries.push_back(
         {value, fmt::format("{:.2f}", value), divergingColour(heights.shareOf(value)), note});
-  legend.marks.push_back({0.0, "Too thick to lay", tooThickColour()});
-  legend.marks.push_back({0.0, "Too thin to lay", tooThinColour()});
+  legend.marks.push_back({0.0, "Too thick to lay"_text, tooThickColour()});
+  legend.marks.push_back({0.0, "Too thin to lay"_text, tooThinColour()});
   return legend;
 }
 } // namespace
@@ -132,15 +134,15 @@ Legend voxelLegend(const VoxelDrawing& voxels, const Theme& theme) {
   Legend legend =
       scaleLegend(rowOf(voxels.colouredBy), {0.0, double(std::max(voxels.highest, 1) - 1)});
   if (voxels.bySteps)
-    legend.marks.push_back({0.0, "Step being laid", theme.current});
-  const auto add = [&](const char* label, const Colour& colour, std::size_t count) {
+    legend.marks.push_back({0.0, "Step being laid"_text, theme.current});
+  const auto add = [&](base::Text label, const Colour& colour, std::size_t count) {
     if (count > 0)
-      legend.marks.push_back({0.0, label, colour, fmt::format("{}", count)});
+      legend.marks.push_back({0.0, label, colour, count});
   };
-  add("Support", supportColour(), voxels.support);
-  add("Missed, shadowed", theme.blocked, voxels.lost[0]);
-  add("Missed, unreached", theme.unreached, voxels.lost[1]);
-  add("Missed, cascade", theme.cascade, voxels.lost[2]);
+  add("Support"_text, supportColour(), voxels.support);
+  add("Missed, shadowed"_text, theme.blocked, voxels.lost[0]);
+  add("Missed, unreached"_text, theme.unreached, voxels.lost[1]);
+  add("Missed, cascade"_text, theme.cascade, voxels.lost[2]);
   return legend;
 }
 
@@ -153,12 +155,13 @@ Legend legendOf(const ColourValues& values, ColourBy colourBy) {
   std::vector<std::int32_t> present = *wholeNumbers(values, colourBy);
   std::sort(present.begin(), present.end());
   present.erase(std::unique(present.begin(), present.end()), present.end());
-  Legend legend{std::string(row.label), std::string(row.unit), true, false, {}, {}};
+  Legend legend{row.label, std::string(row.unit), true, false, {}, {}};
   for (const std::int32_t v : present)
     legend.entries.push_back({double(v),
                               colourBy == ColourBy::Kind
-                                  ? kKindNames[static_cast<std::size_t>(v) % kKindNames.size()]
-                                  : fmt::format("{}", v + 1),
+                                  ? base::Value(kKindNames[static_cast<std::size_t>(v) %
+                                                           kKindNames.size()])
+                                  : base::Value(v + 1),
                               categoricalColour(v)});
   return legend;
 }

@@ -11,17 +11,17 @@ namespace voluta::scene {
 
 const std::vector<ColourByRow>& colourByTable() {
   static const std::vector<ColourByRow> table{
-      {ColourBy::Layer, "layer", "Layer", "", false},
-      {ColourBy::Group, "group", "Group", "", true},
-      {ColourBy::Kind, "kind", "Kind", "", true},
-      {ColourBy::Height, "height", "Height", "mm", false},
-      {ColourBy::Width, "width", "Width", "mm", false},
-      {ColourBy::Speed, "speed", "Speed", "mm/s", false},
-      {ColourBy::Time, "time", "Time", "min", false},
-      {ColourBy::Direction, "direction", "Tilt of the nozzle", "deg", false},
-      {ColourBy::Spacing, "spacing", "Layer spacing", "mm", false},
-      {ColourBy::GrowthStep, "growth", "Growth step", "", false},
-      {ColourBy::Peeling, "peeling", "Peeling rank", "", false},
+      {ColourBy::Layer, "layer", "Layer"_text, "", false},
+      {ColourBy::Group, "group", "Group"_text, "", true},
+      {ColourBy::Kind, "kind", "Kind"_text, "", true},
+      {ColourBy::Height, "height", "Height"_text, "mm", false},
+      {ColourBy::Width, "width", "Width"_text, "mm", false},
+      {ColourBy::Speed, "speed", "Speed"_text, "mm/s", false},
+      {ColourBy::Time, "time", "Time"_text, "min", false},
+      {ColourBy::Direction, "direction", "Tilt of the nozzle"_text, "deg", false},
+      {ColourBy::Spacing, "spacing", "Layer spacing"_text, "mm", false},
+      {ColourBy::GrowthStep, "growth", "Growth step"_text, "", false},
+      {ColourBy::Peeling, "peeling", "Peeling rank"_text, "", false},
   };
   return table;
 }
@@ -33,8 +33,8 @@ ColourBy colourByOf(std::string_view id) {
       return row.colourBy;
     ids.emplace_back(row.id);
   }
-  throw base::Error(base::ErrorCode::Usage, "unknown colour '" + std::string(id) + "'", {},
-                    "did you mean '" + base::nearestName(id, ids) + "'?");
+  throw base::Error(base::ErrorCode::Usage, base::message("unknown colour '{name}'"_text, id), {},
+                    base::message("did you mean '{name}'?"_text, base::nearestName(id, ids)));
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // legend that says so.
 #pragma once
 
+#include "base/text.h"
 #include "scene/theme.h"
 
 #include <string>
@@ -28,7 +29,7 @@ inline constexpr int kColourByCount = 11;
 struct ColourByRow {
   ColourBy colourBy;
   std::string_view id;    // on the command line: "layer"
-  std::string_view label; // English: "Layer"
+  base::Text label;       // "Layer"
   std::string_view unit;  // of the legend's numbers: "mm", "" for none
   bool categorical;       // a colour a value, not a scale
 };
@@ -56,16 +57,20 @@ Colour categoricalColour(int index);
 
 struct LegendEntry {
   double value;      // scale: the number at this stop; categories: their index
-  std::string label; // the number as text (without unit), or the category's name
+  base::Value label; // the number as text (without unit), or the category's name
   Colour colour;
-  std::string note = {}; // said after the label: what is special about it, or how many there are
+  base::Value note = {}; // said after the label: what is special about it, or how many there are
 
-  std::string text() const { return note.empty() ? label : label + " (" + note + ")"; }
+  base::Message text() const {
+    return note.empty() ? base::message("{label}"_text, label)
+                        : base::message("{label} ({note})"_text, label, note);
+  }
 };
 
 // Neither entries nor marks: nothing shown needs a legend. The title is that of the entries.
 struct Legend {
-  std::string title, unit; // English; title is the label of the row of colourByTable()
+  base::Text title; // the label of the row of colourByTable()
+  std::string unit;
   bool categorical = false;
   bool diverging = false;
   std::vector<LegendEntry> entries; // scale: ascending, evenly spaced in colour

@@ -27,8 +27,8 @@ constexpr int kSmallest = 16, kLargest = 8192;
 
 [[noreturn]] void noOpenGl(const char* what) {
   throw base::Error(base::ErrorCode::UnusableInput,
-                    fmt::format("this machine gives no OpenGL 3.2 without a display: {}", what), {},
-                    "install Mesa (libegl1, libgl1-mesa-dri)");
+                    base::message("this machine gives no OpenGL 3.2 without a display: {why}"_text, std::string(what)),
+                    {}, "install Mesa (libegl1, libgl1-mesa-dri)"_text);
 }
 
 // VTK's GLEW asks GLX for its version and fails on EGL though every function is there.
@@ -124,8 +124,11 @@ Image reduced(const Image& fine, int samples) {
 void checkSize(int width, int height) {
   if (width < kSmallest || height < kSmallest || width > kLargest || height > kLargest)
     throw base::Error(base::ErrorCode::Usage,
-                      fmt::format("a picture of {} x {} pixels cannot be drawn", width, height), {},
-                      fmt::format("choose {} to {} pixels a side", kSmallest, kLargest));
+                      base::message("a picture of {width} x {height} pixels cannot be drawn"_text, width,
+                                    height),
+                      {},
+                      base::message("choose {least} to {most} pixels a side"_text, kSmallest,
+                                    kLargest));
 }
 
 } // namespace

@@ -131,8 +131,8 @@ void Overlay::placeLegend() {
     actor->GetTextProperty()->SetColor(text.data());
     actor->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(kFontPoints * ratio_)));
   };
-  place(title_, legend_.unit.empty() ? legend_.title : legend_.title + " (" + legend_.unit + ")",
-        left, top);
+  const std::string title = base::english(legend_.title);
+  place(title_, legend_.unit.empty() ? title : title + " (" + legend_.unit + ")", left, top);
   title_->GetTextProperty()->BoldOn();
   const double below = entries.empty() ? top : top - kTitleRow * ratio_;
   const double labelX = left + (kBarWidth + 8) * ratio_;
@@ -140,7 +140,7 @@ void Overlay::placeLegend() {
   const auto placeRow = [&](std::size_t label, const LegendEntry& entry, double y) {
     addRectangle(bar, left, y - kBarWidth / 2 * ratio_, kBarWidth * ratio_, kBarWidth * ratio_,
                  entry.colour);
-    place(labels_[label], entry.text(), labelX, y);
+    place(labels_[label], base::english(entry.text()), labelX, y);
   };
   double marksFrom = below - static_cast<double>(entries.size()) * kRow * ratio_;
   if (legend_.categorical || entries.size() <= 1) {

@@ -109,14 +109,13 @@ std::vector<vtkActor*> PieceActors::actors() const {
 
 Legend pieceLegend(const PiecesDrawing& drawing, const Theme& theme, bool named) {
   Legend legend;
-  legend.title = "Piece";
+  legend.title = "Piece"_text;
   legend.categorical = true;
   for (std::size_t i = 0; named && i < drawing.pieces.size(); ++i)
-    legend.entries.push_back({static_cast<double>(i), std::to_string(i + 1),
-                              pieceColour(static_cast<int>(i)),
-                              drawing.pieces[i].parent < 0 ? "on the plate" : ""});
+    legend.entries.push_back({static_cast<double>(i), i + 1, pieceColour(static_cast<int>(i)),
+                              drawing.pieces[i].parent < 0 ? "on the plate"_text : base::Text()});
   if (drawing.anyRisky)
-    legend.marks.push_back({0.0, "Needs support", theme.risky});
+    legend.marks.push_back({0.0, "Needs support"_text, theme.risky});
   return legend;
 }
 

@@ -399,7 +399,7 @@ struct Scene::Impl {
     if (const VoxelDrawing* drawing = shownVoxels()) {
       Legend legend = voxelLegend(*drawing, theme);
       if (drawing->bySteps && view.front)
-        legend.marks.insert(legend.marks.begin() + 1, {0.0, "Convex front", theme.front});
+        legend.marks.insert(legend.marks.begin() + 1, {0.0, "Convex front"_text, theme.front});
       return legend;
     }
     if (shows(view.pieces, pieces.get()))

@@ -1,11 +1,11 @@
 #include "window/compare_view.h"
 
 #include "forms/colours.h"
+#include "language/words.h"
 #include "modes/mode_table.h"
-#include "panels/finding_texts.h"
 #include "panels/findings_model.h"
 #include "pictures/job_picture.h"
-#include "window/core_texts.h"
+#include "plan/finding_kinds.h"
 #include "window/status_line.h"
 
 #include <QCoreApplication>
@@ -42,42 +42,10 @@ QImage pictureOf(const project::Job& job, bool dark) {
       .copy();
 }
 
-// A line break where the head of a narrow column may be broken; seen by lupdate.
-struct Head {
-  std::string_view key;
-  const char* text;
-};
-constexpr Head kHeads[] = {
-    {"missedVoxels", QT_TRANSLATE_NOOP("Compare", "Missed\nvoxels")},
-    {"riskyAreaMm2", QT_TRANSLATE_NOOP("Compare", "Risky\nmm²")},
-    {"supportVolumeMm3", QT_TRANSLATE_NOOP("Compare", "Supports\nmm³")},
-    {"pieces", QT_TRANSLATE_NOOP("Compare", "Pieces")},
-    {"layers", QT_TRANSLATE_NOOP("Compare", "Layers")},
-    {"printTimeS", QT_TRANSLATE_NOOP("Compare", "Print\ntime")},
-    {"reachableFraction", QT_TRANSLATE_NOOP("Compare", "Reach\n%")},
-    {"collisions", QT_TRANSLATE_NOOP("Compare", "Colli-\nsions")},
-};
-// The same in full, for the weights.
-constexpr Head kNames[] = {
-    {"missedVoxels", QT_TRANSLATE_NOOP("Compare", "Missed voxels")},
-    {"riskyAreaMm2", QT_TRANSLATE_NOOP("Compare", "Risky area")},
-    {"supportVolumeMm3", QT_TRANSLATE_NOOP("Compare", "Supports")},
-    {"pieces", QT_TRANSLATE_NOOP("Compare", "Pieces")},
-    {"layers", QT_TRANSLATE_NOOP("Compare", "Layers")},
-    {"printTimeS", QT_TRANSLATE_NOOP("Compare", "Print time")},
-    {"reachableFraction", QT_TRANSLATE_NOOP("Compare", "Out of reach")},
-    {"collisions", QT_TRANSLATE_NOOP("Compare", "Collisions")},
-};
-
-template <std::size_t N> std::vector<QString> textsOf(const Head (&heads)[N]) {
+std::vector<QString> textsOf(base::Text pipeline::Figure::*text) {
   std::vector<QString> texts;
-  for (const pipeline::Figure& figure : pipeline::figures()) {
-    texts.push_back(
-        QString::fromUtf8(figure.label.data(), static_cast<qsizetype>(figure.label.size())));
-    for (const Head& head : heads)
-      if (head.key == figure.key)
-        texts.back() = QCoreApplication::translate("Compare", head.text);
-  }
+  for (const pipeline::Figure& figure : pipeline::figures())
+    texts.push_back(language::heading(figure.*text));
   return texts;
 }
 
@@ -102,25 +70,25 @@ QString valueText(const pipeline::Figure& figure, const pipeline::CompareRow& ro
 QString modeLabel(const std::string& id) {
   for (const modes::Mode& mode : modes::modeTable())
     if (mode.id == id)
-      return coreLabel(mode.label);
+      return language::words(mode.label);
   return QString::fromStdString(id);
 }
 
 QString wayText(const pipeline::Combination& way) {
   QStringList parts{modeLabel(way.mode)};
   if (way.growth)
-    parts << coreLabel(way.growth->row().label);
-  parts << platformText(way.platform);
+    parts << language::words(way.growth->row().label);
+  parts << language::words(way.platform.shown());
   return parts.join(QStringLiteral(", "));
 }
 // What blocks a row; empty: nothing does.
 QString whyText(const pipeline::CompareRow& row) {
   if (!row.error.empty())
-    return QString::fromStdString(row.error);
+    return language::words(row.error);
   for (const plan::Finding& f : row.report.findings)
     if (f.blocking)
-      return QStringLiteral("%1: %2").arg(panels::stageText(f.stage),
-                                          panels::findingText(f.reason));
+      return QStringLiteral("%1: %2").arg(
+          language::words(plan::stageLabel(plan::stageOf(f))), language::words(plan::reasonOf(f)));
   return {};
 }
 } // namespace
@@ -137,7 +105,7 @@ void CompareView::build() {
   panel_ = new panels::ComparePanel;
   panel_->setObjectName("comparePanel");
   panel_->setPlatformTexts([](const QString& platform) {
-    return platformText(project::Platform(platform.toStdString()));
+    return language::words(project::Platform(platform.toStdString()).shown());
   });
   panel_->setPlatform(QString::fromStdString(document_.choices().platform.text()));
   table_ = new panels::CompareTable(this);
@@ -249,8 +217,8 @@ panels::CompareEntry CompareView::entryOf(std::size_t index) const {
   panels::CompareEntry entry;
   entry.way = modeLabel(row.combination.mode);
   if (row.combination.growth)
-    entry.growth = coreLabel(row.combination.growth->row().label);
-  entry.platform = platformText(row.combination.platform);
+    entry.growth = language::words(row.combination.growth->row().label);
+  entry.platform = language::words(row.combination.platform.shown());
   entry.inUse = pipeline::choicesOf(row.combination, document_.choices()).growth ==
                     document_.choices().growth &&
                 row.combination.mode == document_.choices().mode &&
@@ -364,8 +332,8 @@ void CompareView::retranslate() {
                      "then press Compare."));
   adopt_->setText(tr("Adopt this way"));
   adopt_->setToolTip(tr("Build the part as the selected row does; undo takes it back"));
-  table_->setFigures(textsOf(kHeads));
-  panel_->setFigures(textsOf(kNames));
+  table_->setFigures(textsOf(&pipeline::Figure::head));
+  panel_->setFigures(textsOf(&pipeline::Figure::label));
   showRanking();
 }
 

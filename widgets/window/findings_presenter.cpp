@@ -3,9 +3,10 @@
 #include "document/document.h"
 #include "document/live_preview.h"
 #include "document/planning.h"
+#include "language/words.h"
 #include "pipeline/remedies.h"
+#include "plan/finding_kinds.h"
 #include "timeline/timeline_bar.h"
-#include "window/core_texts.h"
 
 #include <algorithm>
 
@@ -34,18 +35,14 @@ void FindingsPresenter::show() {
   if (result)
     for (const plan::Finding& finding : result->job.report.findings)
       if (finding.whenS)
-        marks.push_back({*finding.whenS, finding.blocking, QString::fromStdString(finding.reason)});
+        marks.push_back({*finding.whenS, finding.blocking, language::words(plan::reasonOf(finding))});
   timeline_.setMarks(std::move(marks));
 }
 
 plan::Findings FindingsPresenter::present() const {
   plan::Findings findings;
   if (const document::Failure* failure = document_.failure()) {
-    plan::Finding stopped;
-    stopped.stage = project::stageName(failure->stage);
-    stopped.kind = pipeline::kStopped;
-    stopped.reason = failure->error.what();
-    findings.push_back(stopped);
+    findings.push_back(plan::stoppedFinding(failure->stage, failure->error.whole()));
   }
   plan::Findings more;
   if (const auto& preview = document_.preview())
@@ -60,18 +57,18 @@ std::vector<panels::RemedyButton>
 FindingsPresenter::remediesOf(const plan::Finding& finding) const {
   std::vector<panels::RemedyButton> buttons;
   for (const pipeline::Offer& offer : pipeline::remediesFor(finding, document_.choices())) {
-    const RemedyTexts texts = remedyTexts(offer);
-    buttons.push_back({QString::fromUtf8(offer.id.data(), static_cast<qsizetype>(offer.id.size())),
-                       texts.label, texts.help});
+    const std::string_view id = offer.remedy->name;
+    buttons.push_back({QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())),
+                       language::words(offer.label), language::words(offer.remedy->help)});
   }
   return buttons;
 }
 
 void FindingsPresenter::apply(const plan::Finding& finding, const QString& remedy) {
   for (const pipeline::Offer& offer : pipeline::remediesFor(finding, document_.choices())) {
-    if (remedy.toStdString() != offer.id)
+    if (remedy.toStdString() != offer.remedy->name)
       continue;
-    document_.setChoices(offer.cure.choices, remedyTexts(offer).label);
+    document_.setChoices(offer.choices, language::words(offer.label));
     const auto before = document_.lastResult();
     if (live_.enabled() && document_.result(Stage::Decompose))
       live_.refresh();

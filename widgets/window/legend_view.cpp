@@ -1,6 +1,7 @@
 #include "window/legend_view.h"
 
-#include "window/scene_texts.h"
+#include "language/words.h"
+
 
 #include <QEvent>
 #include <QPainter>
@@ -41,14 +42,13 @@ void LegendView::showWanted() {
 }
 
 QString LegendView::title() const {
-  const QString name = sceneText(legend_.title);
+  const QString name = language::words(legend_.title);
   return legend_.unit.empty() ? name
                               : QString("%1 [%2]").arg(name, QString::fromStdString(legend_.unit));
 }
 
 QString LegendView::labelOf(const scene::LegendEntry& entry) const {
-  const QString label = sceneText(entry.label);
-  return entry.note.empty() ? label : QString("%1 (%2)").arg(label, sceneText(entry.note));
+  return language::words(entry.text());
 }
 
 int LegendView::rowHeight() const {

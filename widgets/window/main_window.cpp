@@ -1,11 +1,11 @@
 #include "window/main_window.h"
 
+#include "language/words.h"
 #include "modes/mode_table.h"
 #include "panels/findings_panel.h"
 #include "panels/object_tree.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
-#include "window/core_texts.h"
 #include "window/findings_presenter.h"
 #include "window/flow_bar.h"
 #include "window/icons.h"
@@ -257,7 +257,7 @@ void MainWindow::showObjects() {
       source ? sizeText(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval())
              : QString();
   tree_->setText(SceneItem::Part, source ? QString::fromStdString(source->name) : QString(), size);
-  tree_->setText(SceneItem::Platform, {}, platformText(c.platform));
+  tree_->setText(SceneItem::Platform, {}, language::words(c.platform.shown()));
   tree_->setText(SceneItem::Cell, {}, QString::fromStdString(c.cell));
   tree_->setText(SceneItem::Plate, modes::findMode(c.mode).aroundRod ? tr("Rod") : QString(), {});
   status_->setPart(size);

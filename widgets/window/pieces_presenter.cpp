@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "geometry/simplify.h"
+#include "language/words.h"
 #include "modes/planar_modes.h"
 #include "pipeline/choices.h"
 #include "window/background.h"
@@ -125,7 +126,7 @@ void PiecesPresenter::startEstimate() {
                                 now.cuts, rule, beadMm, ctx))
             made.riskyMm2 += planar::riskyArea(piece, rule);
         } catch (const base::Error& error) {
-          made.problem = QString::fromUtf8(error.what());
+          made.problem = language::words(error.whole());
         }
         return made;
       },

@@ -1,5 +1,6 @@
 #include "window/status_line.h"
 
+#include "language/words.h"
 #include "window/progress_line.h"
 
 #include <QFile>
@@ -53,7 +54,7 @@ StatusLine::StatusLine(QWidget* parent)
 }
 
 void StatusLine::showProgress(const jobs::Progress& progress) {
-  stage_->setText(stageText(progress.stage));
+  stage_->setText(language::words(progress.stage));
   bar_->show();
   bar_->setFraction(progress.fraction);
   left_->setText(progress.secondsLeft ? tr("about %1 left").arg(durationText(*progress.secondsLeft))

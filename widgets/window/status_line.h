@@ -30,8 +30,6 @@ private:
   ProgressLine* bar_;
 };
 
-// "loading the mesh" for "load" and so on; an unknown one as it is.
-QString stageText(const QString& coreName);
 QString durationText(double seconds);
 
 } // namespace voluta::window

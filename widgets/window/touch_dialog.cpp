@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "forms/value_boxes.h"
+#include "language/words.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -118,7 +119,7 @@ void TouchDialog::fit() {
                   .arg(read.points.size())
                   .arg(mm(circle_->rmsMm));
     } catch (const base::Error& error) {
-      found = QString::fromUtf8(error.what());
+      found = language::words(error.whole());
     }
   }
   found_->setText(found);

@@ -1,6 +1,7 @@
 // What the readers hand over: facets as they stand in a file, before vertices are shared.
 #pragma once
 
+#include "base/text.h"
 #include "geometry/formats/mesh_reader.h"
 
 #include <array>
@@ -15,7 +16,7 @@ using Facet = std::array<Eigen::Vector3d, 3>;
 struct FacetSoup {
   std::vector<Facet> facets;
   std::string format;
-  std::vector<std::string> repairs;
+  std::vector<base::Message> repairs; // what was left out, a sentence each
 };
 
 // Whether the bytes are an STL of either kind.

@@ -73,13 +73,15 @@ void dropBadFacets(FacetSoup& soup, const std::string& name) {
       std::remove_if(firstBad, soup.facets.end(), [](const Facet& f) { return !usable(f); }),
       soup.facets.end());
   const std::size_t bad = before - soup.facets.size();
-  const std::string what =
-      fmt::format("{} of {} facets have coordinates that are no numbers or beyond all measure, "
-                  "the first is facet {}",
-                  bad, before, at);
+  const base::Message what = base::message(
+      "{bad} of {facets} facets has coordinates that are no numbers or beyond all measure, the "
+      "first is facet {first}|"
+      "{bad} of {facets} facets have coordinates that are no numbers or beyond all measure, the "
+      "first is facet {first}"_plural,
+      bad, before, at);
   if (bad > 1 && static_cast<double>(bad) > kBadShare * static_cast<double>(before))
     throw Error(ErrorCode::UnusableInput, what, name);
-  soup.repairs.push_back("left out: " + what);
+  soup.repairs.push_back(base::message("left out: {what}"_text, what));
 }
 
 } // namespace
@@ -112,20 +114,20 @@ MeshFile readMesh(std::string_view bytes, const std::string& name) {
   const std::string extension = extensionOf(name);
   const std::string format = formatOf(bytes, extension);
   if (bytes.empty())
-    throw Error(ErrorCode::UnreadableFile, "the file is empty", name);
+    throw Error(ErrorCode::UnreadableFile, "the file is empty"_text, name);
   if (format.empty())
-    throw Error(ErrorCode::UnreadableFile, "not a mesh file", name,
-                "STL, OBJ, PLY, OFF and 3MF can be read");
+    throw Error(ErrorCode::UnreadableFile, "not a mesh file"_text, name,
+                "STL, OBJ, PLY, OFF and 3MF can be read"_text);
   FacetSoup soup = format == "stl"   ? readStl(bytes, name)
                    : format == "obj" ? readObj(bytes, name)
                    : format == "off" ? readOff(bytes, name)
                    : format == "ply" ? readPly(bytes, name)
                                      : read3mf(bytes, name);
   if (soup.facets.empty())
-    throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle", name);
+    throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle"_text, name);
   dropBadFacets(soup, name);
   if (soup.facets.empty())
-    throw Error(ErrorCode::UnusableInput, "the mesh is empty: no facet has usable coordinates",
+    throw Error(ErrorCode::UnusableInput, "the mesh is empty: no facet has usable coordinates"_text,
                 name);
   return {shareVertices(soup.facets), std::move(soup.format), std::move(soup.repairs)};
 }

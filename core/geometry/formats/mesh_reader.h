@@ -1,6 +1,7 @@
 // Files that hold a mesh: STL, OBJ, PLY, OFF, 3MF.
 #pragma once
 
+#include "base/text.h"
 #include "geometry/triangle_mesh.h"
 
 #include <filesystem>
@@ -13,7 +14,7 @@ namespace voluta::geometry {
 struct MeshFile {
   TriangleMesh mesh;                // points of equal coordinates are one vertex
   std::string format;               // "STL (binary)", "STL (text)", "OBJ", "PLY", "OFF", "3MF"
-  std::vector<std::string> repairs; // what was left out while reading, a sentence each
+  std::vector<base::Message> repairs; // what was left out while reading, a sentence each
 };
 
 // Reads the file of one mesh; all objects in it together are the mesh. Lengths are taken as mm;

@@ -15,8 +15,8 @@ namespace {
 
 using WordList = std::vector<std::string_view>;
 
-[[noreturn]] void fail(const std::string& name, int line, const std::string& what) {
-  throw Error(ErrorCode::UnreadableFile, what, fmt::format("{}, line {}", name, line));
+[[noreturn]] void fail(const std::string& name, int line, const base::Message& what) {
+  throw Error(ErrorCode::UnreadableFile, what, base::lineOf(name, line));
 }
 
 Vector3d pointOf(const WordList& words, std::size_t from, const std::string& name, int line) {
@@ -25,7 +25,7 @@ Vector3d pointOf(const WordList& words, std::size_t from, const std::string& nam
     const auto number =
         from + k < words.size() ? numberOf(words[from + k]) : std::optional<double>{};
     if (!number)
-      fail(name, line, "a vertex needs three numbers");
+      fail(name, line, "a vertex needs three numbers"_text);
     point[static_cast<Eigen::Index>(k)] = *number;
   }
   return point;
@@ -49,7 +49,7 @@ FacetSoup readObj(std::string_view bytes, const std::string& name) {
       points.push_back(pointOf(words, 1, name, scanner.line()));
     } else if (words[0] == "f") {
       if (words.size() < 4)
-        fail(name, scanner.line(), "a face needs three corners or more");
+        fail(name, scanner.line(), "a face needs three corners or more"_text);
       polygon.clear();
       for (std::size_t i = 1; i < words.size(); ++i) {
         const auto index = integerOf(words[i].substr(0, words[i].find('/')));
@@ -58,7 +58,7 @@ FacetSoup readObj(std::string_view bytes, const std::string& name) {
         const long long at = !index ? -1 : *index > 0 ? *index - 1 : count + *index;
         if (!index || *index == 0 || at < 0 || at >= count)
           fail(name, scanner.line(),
-               fmt::format("'{}' names no vertex read so far", words[i].substr(0, 40)));
+               base::message("'{corner}' names no vertex read so far"_text, words[i].substr(0, 40)));
         polygon.push_back(points[static_cast<std::size_t>(at)]);
       }
       addPolygon(polygon, soup.facets);
@@ -74,9 +74,9 @@ FacetSoup readOff(std::string_view bytes, const std::string& name) {
   LineScanner scanner(bytes);
   WordList words;
   if (!scanner.nextFilledLine(words) || !words[0].ends_with("OFF"))
-    fail(name, scanner.line(), "an OFF file begins with \"OFF\"");
+    fail(name, scanner.line(), "an OFF file begins with \"OFF\""_text);
   if (words[0] == "4OFF" || words[0] == "nOFF")
-    fail(name, scanner.line(), "only three-dimensional OFF files can be read");
+    fail(name, scanner.line(), "only three-dimensional OFF files can be read"_text);
   // Coordinates come first on their line whatever else a vertex carries.
   WordList counts(words.begin() + 1, words.end());
   if (counts.empty() && scanner.nextFilledLine(words))
@@ -84,24 +84,24 @@ FacetSoup readOff(std::string_view bytes, const std::string& name) {
   const auto vertexCount = counts.size() > 1 ? integerOf(counts[0]) : std::optional<long long>{};
   const auto faceCount = counts.size() > 1 ? integerOf(counts[1]) : std::optional<long long>{};
   if (!vertexCount || !faceCount || *vertexCount < 0 || *faceCount < 0)
-    fail(name, scanner.line(), "the numbers of vertices and faces are expected here");
+    fail(name, scanner.line(), "the numbers of vertices and faces are expected here"_text);
   std::vector<Vector3d> points, polygon;
   for (long long v = 0; v < *vertexCount; ++v) {
     if (!scanner.nextFilledLine(words))
-      fail(name, scanner.line(), fmt::format("cut short: {} of {} vertices", v, *vertexCount));
+      fail(name, scanner.line(), base::message("cut short: {there} of {wanted} vertices"_text, v, *vertexCount));
     points.push_back(pointOf(words, 0, name, scanner.line()));
   }
   for (long long f = 0; f < *faceCount; ++f) {
     if (!scanner.nextFilledLine(words))
-      fail(name, scanner.line(), fmt::format("cut short: {} of {} faces", f, *faceCount));
+      fail(name, scanner.line(), base::message("cut short: {there} of {wanted} faces"_text, f, *faceCount));
     const auto corners = integerOf(words[0]);
     if (!corners || *corners < 0 || static_cast<std::size_t>(*corners) >= words.size())
-      fail(name, scanner.line(), "a face needs its number of corners, then the corners");
+      fail(name, scanner.line(), "a face needs its number of corners, then the corners"_text);
     polygon.clear();
     for (std::size_t i = 1; i <= static_cast<std::size_t>(*corners); ++i) {
       const auto at = integerOf(words[i]);
       if (!at || *at < 0 || *at >= *vertexCount)
-        fail(name, scanner.line(), fmt::format("'{}' names no vertex", words[i].substr(0, 40)));
+        fail(name, scanner.line(), base::message("'{corner}' names no vertex"_text, words[i].substr(0, 40)));
       polygon.push_back(points[static_cast<std::size_t>(*at)]);
     }
     if (polygon.size() >= 3)

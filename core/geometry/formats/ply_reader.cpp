@@ -84,12 +84,12 @@ public:
     const double count = next(type);
     if (!(count >= 0.0) || count != std::floor(count) ||
         count > static_cast<double>(bytes_.size() - at_))
-      fail("a list has an impossible length");
+      fail("a list has an impossible length"_text);
     return static_cast<std::size_t>(count);
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ErrorCode::UnreadableFile, what, fmt::format("{}, byte {}", name_, at_));
+  [[noreturn]] void fail(const base::Message& what) const {
+    throw Error(ErrorCode::UnreadableFile, what, base::message("{file}, byte {byte}"_text, name_, std::to_string(at_)));
   }
 
 private:
@@ -101,17 +101,16 @@ private:
     while (at_ < bytes_.size() && !blank(bytes_[at_]))
       ++at_;
     if (begin == at_)
-      fail("cut short");
+      fail("cut short"_text);
     const auto number = numberOf(bytes_.substr(begin, at_ - begin));
     if (!number)
-      fail(fmt::format("'{}' is not a number",
-                       bytes_.substr(begin, std::min<std::size_t>(at_ - begin, 40))));
+      fail(base::message("'{text}' is not a number"_text, bytes_.substr(begin, std::min<std::size_t>(at_ - begin, 40))));
     return *number;
   }
 
   template <typename T> double raw() {
     if (bytes_.size() - at_ < sizeof(T))
-      fail("cut short");
+      fail("cut short"_text);
     std::array<char, sizeof(T)> swapped;
     std::memcpy(swapped.data(), bytes_.data() + at_, sizeof(T));
     at_ += sizeof(T);
@@ -137,14 +136,14 @@ Header readHeader(std::string_view bytes, const std::string& name) {
   LineScanner scanner(bytes);
   std::vector<std::string_view> words;
   bool hasFormat = false;
-  const auto fail = [&](const std::string& what) {
-    throw Error(ErrorCode::UnreadableFile, what, fmt::format("{}, line {}", name, scanner.line()));
+  const auto fail = [&](const base::Message& what) {
+    throw Error(ErrorCode::UnreadableFile, what, base::lineOf(name, scanner.line()));
   };
   if (!scanner.nextLine(words) || words.size() != 1 || words[0] != "ply")
-    fail("a PLY file begins with \"ply\"");
+    fail("a PLY file begins with \"ply\""_text);
   while (true) {
     if (!scanner.nextLine(words))
-      fail("the header has no end");
+      fail("the header has no end"_text);
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info")
       continue;
     if (words[0] == "end_header")
@@ -158,11 +157,11 @@ Header readHeader(std::string_view bytes, const std::string& name) {
       else if (words[1] == "binary_big_endian")
         header.kind = Body::Kind::Big;
       else
-        fail("an unknown PLY format");
+        fail("an unknown PLY format"_text);
     } else if (words[0] == "element" && words.size() == 3) {
       const auto count = integerOf(words[2]);
       if (!count || *count < 0)
-        fail("an element needs its number");
+        fail("an element needs its number"_text);
       header.elements.push_back({std::string(words[1]), *count, {}});
     } else if (words[0] == "property" && !header.elements.empty() && words.size() >= 3) {
       Property property{std::string(words.back()), Number::Float32, {}};
@@ -171,15 +170,15 @@ Header readHeader(std::string_view bytes, const std::string& name) {
       if (list && words.size() == 5)
         property.listCount = numberType(words[2]);
       if (!type || (list && !property.listCount))
-        fail("a property of unknown type");
+        fail("a property of unknown type"_text);
       property.type = *type;
       header.elements.back().properties.push_back(std::move(property));
     } else {
-      fail("an unknown line in the header");
+      fail("an unknown line in the header"_text);
     }
   }
   if (!hasFormat)
-    fail("the header names no format");
+    fail("the header names no format"_text);
   header.bodyAt = scanner.position();
   return header;
 }
@@ -220,7 +219,7 @@ FacetSoup readPly(std::string_view bytes, const std::string& name) {
     for (const double at : corners) {
       if (!(at >= 0.0 && at < static_cast<double>(points.size())))
         throw Error(ErrorCode::UnreadableFile,
-                    fmt::format("a face names vertex {:g} of {}", at, points.size()), name);
+                    base::message("a face names vertex {vertex} of {vertices}"_text, base::number(at), points.size()), name);
       polygon.push_back(points[static_cast<std::size_t>(at)]);
     }
     if (polygon.size() >= 3)

@@ -76,9 +76,9 @@ FacetSoup readText(std::string_view bytes, const std::string& name) {
   Words words(bytes);
   std::vector<Vector3d> loop;
   bool ended = false;
-  const auto fail = [&](const std::string& what) {
-    throw Error(ErrorCode::UnreadableFile, "damaged STL: " + what,
-                fmt::format("{}, line {}", name, words.line()));
+  const auto fail = [&](const base::Message& what) {
+    throw Error(ErrorCode::UnreadableFile, base::message("damaged STL: {what}"_text, what),
+                base::lineOf(name, words.line()));
   };
   for (std::string word = words.next(); !word.empty(); word = words.next()) {
     if (word == "solid" || word == "endsolid") {
@@ -97,48 +97,49 @@ FacetSoup readText(std::string_view bytes, const std::string& name) {
         else if (error != std::errc{} || end != last || number.empty()) {
           if (number.empty())
             break; // the end of the file; told below
-          fail("'" + number.substr(0, 40) + "' is not a number");
+          fail(base::message("'{text}' is not a number"_text, number.substr(0, 40)));
         }
       }
       loop.push_back(v);
     } else if (word == "endloop") {
       if (loop.size() < 3)
-        fail("a facet of fewer than three vertices");
+        fail("a facet of fewer than three vertices"_text);
       for (std::size_t k = 2; k < loop.size(); ++k)
         soup.facets.push_back({loop[0], loop[k - 1], loop[k]});
       loop.clear();
     } else if (word == "facet") {
       words.skipLine(); // the normal follows from the vertices
     } else if (word != "outer" && word != "loop" && word != "endfacet") {
-      fail("'" + word.substr(0, 40) + "' is not expected here");
+      fail(base::message("'{text}' is not expected here"_text, word.substr(0, 40)));
     }
   }
   if (!loop.empty())
-    fail("cut short within a facet");
+    fail("cut short within a facet"_text);
   if (!ended)
-    soup.repairs.push_back("the file ends without \"endsolid\": it may be cut short");
+    soup.repairs.push_back("the file ends without \"endsolid\": it may be cut short"_text);
   return soup;
 }
 
 FacetSoup readBinary(std::string_view bytes, const std::string& name) {
   if (bytes.size() < kHeader)
     throw Error(ErrorCode::UnreadableFile,
-                fmt::format("cut short: {} bytes are no STL file", bytes.size()), name);
+                base::message("cut short: {bytes} bytes are no STL file"_text, bytes.size()), name);
   FacetSoup soup;
   soup.format = "STL (binary)";
   const std::size_t announced = announcedFacets(bytes), there = (bytes.size() - kHeader) / kFacet;
   std::size_t count = std::min(announced, there);
   if (announced > there) {
     const double missing = static_cast<double>(announced - there);
-    const std::string what =
-        fmt::format("{} of the {} facets that the header promises are there", there, announced);
+    const base::Message what =
+        base::message("{there} of the {promised} facets that the header promises are there"_text,
+                      there, announced);
     if (missing > kMissingShare * static_cast<double>(announced))
-      throw Error(ErrorCode::UnreadableFile, "cut short, or not a mesh: " + what, name,
-                  "export or copy the file again");
-    soup.repairs.push_back("the file is cut short: " + what);
+      throw Error(ErrorCode::UnreadableFile, base::message("cut short, or not a mesh: {what}"_text, what), name,
+                  "export or copy the file again"_text);
+    soup.repairs.push_back(base::message("the file is cut short: {what}"_text, what));
   } else if (announced == 0 && there > 0 && bytes.size() == kHeader + kFacet * there) {
     count = there; // writers that stream leave the count at zero
-    soup.repairs.push_back(fmt::format("the header promises no facet, read {}", there));
+    soup.repairs.push_back(base::message("the header promises no facet, read {facets}"_text, there));
   }
   soup.facets.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -164,7 +165,7 @@ FacetSoup readStl(std::string_view bytes, const std::string& name) {
 
 std::string writeStl(const TriangleMesh& mesh) {
   if (mesh.triangles.size() > 0xffffffffu)
-    throw Error(ErrorCode::CannotWrite, "too many triangles for an STL file");
+    throw Error(ErrorCode::CannotWrite, "too many triangles for an STL file"_text);
   std::string bytes(80, ' ');
   const std::string title = "Voluta, mm";
   bytes.replace(0, title.size(), title);

@@ -59,13 +59,13 @@ public:
   double number(std::string_view name) const {
     const std::optional<double> value = numberOf(text(name));
     if (!value)
-      throw Error(ErrorCode::UnreadableFile, fmt::format("'{}' is no number", name));
+      throw Error(ErrorCode::UnreadableFile, base::message("'{attribute}' is no number"_text, name));
     return *value;
   }
   long long integer(std::string_view name) const {
     const std::optional<long long> value = integerOf(text(name));
     if (!value)
-      throw Error(ErrorCode::UnreadableFile, fmt::format("'{}' is no whole number", name));
+      throw Error(ErrorCode::UnreadableFile, base::message("'{attribute}' is no whole number"_text, name));
     return *value;
   }
   // Twelve numbers, a column of the transform after the other; missing: the identity.
@@ -77,11 +77,11 @@ public:
     std::vector<std::string_view> words;
     LineScanner(all).nextLine(words);
     if (words.size() != 12)
-      throw Error(ErrorCode::UnreadableFile, "a transform has not twelve numbers");
+      throw Error(ErrorCode::UnreadableFile, "a transform has not twelve numbers"_text);
     for (Eigen::Index i = 0; i < 12; ++i) {
       const std::optional<double> value = numberOf(words[static_cast<std::size_t>(i)]);
       if (!value)
-        throw Error(ErrorCode::UnreadableFile, "a transform is not of numbers");
+        throw Error(ErrorCode::UnreadableFile, "a transform is not of numbers"_text);
       t.matrix()(i % 3, i / 3) = *value;
     }
     return t;
@@ -110,10 +110,11 @@ public:
     const XML_Status status =
         XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
     if (status != XML_STATUS_OK && self.wrong_.empty())
-      self.wrong_ = XML_ErrorString(XML_GetErrorCode(parser.get()));
+      self.wrong_ = base::message("{why}"_text,
+                                  std::string(XML_ErrorString(XML_GetErrorCode(parser.get()))));
     if (!self.wrong_.empty())
       throw Error(ErrorCode::UnreadableFile, self.wrong_,
-                  fmt::format("{}, line {}", where, XML_GetCurrentLineNumber(parser.get())));
+                  base::lineOf(where, static_cast<long long>(XML_GetCurrentLineNumber(parser.get()))));
     return std::move(self.model_);
   }
 
@@ -147,7 +148,7 @@ private:
       for (const long long v : object_->triangles.back())
         if (v < 0 || static_cast<std::size_t>(v) >= object_->vertices.size())
           throw Error(ErrorCode::UnreadableFile,
-                      fmt::format("a triangle of vertex {}, which is not there", v));
+                      base::message("a triangle of vertex {vertex}, which is not there"_text, v));
     } else if (name == "component") {
       object_->components.push_back(useOf(attributes));
     }
@@ -165,7 +166,7 @@ private:
   XML_Parser parser_ = nullptr;
   Model model_;
   Object* object_ = nullptr; // being read
-  std::string wrong_;
+  base::Message wrong_;
 };
 
 // Members are named without the slash that paths begin with.
@@ -193,7 +194,7 @@ std::string mainModel(const ZipPackage& package, const std::string& name) {
       nullptr);
   XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
   if (target.empty())
-    throw Error(ErrorCode::UnreadableFile, "names no model", name + ", " + kRelations);
+    throw Error(ErrorCode::UnreadableFile, "names no model"_text, name + ", " + kRelations);
   return memberOf(target);
 }
 
@@ -225,12 +226,12 @@ public:
     const Model& of = model(where);
     const auto object = of.objects.find(use.id);
     if (object == of.objects.end())
-      throw Error(ErrorCode::UnreadableFile, fmt::format("object '{}' is not there", use.id),
+      throw Error(ErrorCode::UnreadableFile, base::message("object '{id}' is not there"_text, use.id),
                   name_ + ", " + where);
     const Object& o = object->second;
     if (depth > kDeepest || ++uses_ > kMostUses || o.triangles.size() > kMostFacets - facets.size())
       throw Error(ErrorCode::UnreadableFile,
-                  "objects hold one another without end, or more than can be read", name_);
+                  "objects hold one another without end, or more than can be read"_text, name_);
     const Eigen::Affine3d build_T_object = build_T_parent * use.parent_T_object;
     // A mirrored object would be inside out.
     const bool mirrored = build_T_object.linear().determinant() < 0.0;
@@ -263,9 +264,9 @@ FacetSoup read3mf(std::string_view bytes, const std::string& name) {
   const std::optional<double> scale = unitMm(model.unit);
   if (!scale)
     soup.repairs.push_back(
-        fmt::format("lengths taken as mm: the unit '{}' is not known", model.unit));
+        base::message("lengths taken as mm: the unit '{unit}' is not known"_text, model.unit));
   else if (*scale != 1.0)
-    soup.repairs.push_back(fmt::format("lengths turned from {} into mm", model.unit));
+    soup.repairs.push_back(base::message("lengths turned from {unit} into mm"_text, model.unit));
   const Eigen::Affine3d mm_T_build(Eigen::Scaling(scale.value_or(1.0)));
   for (const Use& item : model.build)
     unfolding.add(item, member, mm_T_build, 0, soup.facets);

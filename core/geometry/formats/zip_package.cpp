@@ -62,7 +62,7 @@ bool inflateTo(std::string_view packed, std::size_t size, std::string& text) {
 ZipPackage::ZipPackage(std::string_view bytes, const std::string& name)
     : bytes_(bytes), name_(name) {
   const auto damaged = [&] {
-    return base::Error(base::ErrorCode::UnreadableFile, "not a zip, or cut short", name_);
+    return base::Error(base::ErrorCode::UnreadableFile, "not a zip, or cut short"_text, name_);
   };
   const std::size_t end = findEnd(bytes);
   if (end == std::string_view::npos)
@@ -88,36 +88,36 @@ ZipPackage::ZipPackage(std::string_view bytes, const std::string& name)
 }
 
 std::string ZipPackage::member(const std::string& member) const {
-  const auto unreadable = [&](const std::string& what) {
-    return base::Error(base::ErrorCode::UnreadableFile, "'" + member + "' in it " + what, name_);
+  const auto unreadable = [&](const base::Message& what) {
+    return base::Error(base::ErrorCode::UnreadableFile, base::message("'{member}' in it {what}"_text, member, what), name_);
   };
   const auto found = members_.find(member);
   if (found == members_.end())
-    throw unreadable("is missing");
+    throw unreadable("is missing"_text);
   const Member& m = found->second;
   if (m.flags & kEncrypted)
-    throw unreadable("is encrypted");
+    throw unreadable("is encrypted"_text);
   if (m.size > kMost)
-    throw unreadable("is larger than 1 GB");
+    throw unreadable("is larger than 1 GB"_text);
   const std::size_t local = m.offset;
   if (local > bytes_.size() || bytes_.size() - local < kLocalSize ||
       numberAt(bytes_, local, 4) != kLocal)
-    throw unreadable("is damaged");
+    throw unreadable("is damaged"_text);
   const std::size_t begin =
       local + kLocalSize + numberAt(bytes_, local + 26, 2) + numberAt(bytes_, local + 28, 2);
   if (begin > bytes_.size() || bytes_.size() - begin < m.packed)
-    throw unreadable("is cut short");
+    throw unreadable("is cut short"_text);
   const std::string_view packed = bytes_.substr(begin, m.packed);
   std::string text;
   if (m.method == kStored)
     text = packed;
   else if (m.method != kDeflated)
-    throw unreadable("is packed in a way that cannot be read");
+    throw unreadable("is packed in a way that cannot be read"_text);
   else if (!inflateTo(packed, m.size, text))
-    throw unreadable("is damaged");
+    throw unreadable("is damaged"_text);
   const auto* data = reinterpret_cast<const Bytef*>(text.data());
   if (text.size() != m.size || crc32(0, data, static_cast<uInt>(text.size())) != m.crc)
-    throw unreadable("is damaged");
+    throw unreadable("is damaged"_text);
   return text;
 }
 

@@ -76,20 +76,37 @@ bool Diagnosis::clean() const {
          selfIntersections.count == 0 && insideOutComponents.count == 0;
 }
 
-std::vector<std::string> Diagnosis::sentences() const {
-  std::vector<std::string> out;
-  const auto describe = [&](const Defect& defect, const std::string& what) {
+std::vector<base::Message> Diagnosis::sentences() const {
+  std::vector<base::Message> out;
+  // With places for how many, and for where the first is.
+  const auto describe = [&](const Defect& defect, base::Text what) {
     if (defect.count > 0)
-      out.push_back(fmt::format("{} {}, the first at ({:.2f}, {:.2f}, {:.2f})", defect.count, what,
-                                defect.at.x(), defect.at.y(), defect.at.z()));
+      out.emplace_back(
+          what, std::vector<base::Value>{defect.count,
+                                         base::Point{defect.at.x(), defect.at.y(), defect.at.z()}});
   };
-  describe(boundaryEdges, fmt::format("open edges in {} loops", boundaryLoops));
-  describe(nonManifoldEdges, "edges with more than two triangles");
-  describe(misorientedEdges, "edges whose triangles face opposite ways");
-  describe(duplicateFaces, "duplicate triangles");
-  describe(degenerateFaces, "triangles without area");
-  describe(selfIntersections, "pairs of triangles that cut each other");
-  describe(insideOutComponents, "components that are inside out");
+  if (boundaryEdges.count > 0)
+    out.push_back(base::message(
+        "{count} open edge in {loops} loops, the first at {first:.2f}|"
+        "{count} open edges in {loops} loops, the first at {first:.2f}"_plural,
+        boundaryEdges.count, boundaryLoops,
+        base::Point{boundaryEdges.at.x(), boundaryEdges.at.y(), boundaryEdges.at.z()}));
+  describe(nonManifoldEdges, "{count} edge with more than two triangles, at {first:.2f}|"
+                         "{count} edges with more than two triangles, the first at "
+                         "{first:.2f}"_plural);
+  describe(misorientedEdges, "{count} edge whose triangles face opposite ways, at {first:.2f}|"
+                         "{count} edges whose triangles face opposite ways, the first at "
+                         "{first:.2f}"_plural);
+  describe(duplicateFaces, "{count} duplicate triangle, at {first:.2f}|"
+                       "{count} duplicate triangles, the first at {first:.2f}"_plural);
+  describe(degenerateFaces, "{count} triangle without area, at {first:.2f}|"
+                        "{count} triangles without area, the first at {first:.2f}"_plural);
+  describe(selfIntersections, "{count} pair of triangles that cut each other, at {first:.2f}|"
+                          "{count} pairs of triangles that cut each other, the first at "
+                          "{first:.2f}"_plural);
+  describe(insideOutComponents, "{count} component that is inside out, at {first:.2f}|"
+                            "{count} components that are inside out, the first at "
+                            "{first:.2f}"_plural);
   return out;
 }
 

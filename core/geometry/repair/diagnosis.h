@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "base/text.h"
 #include "geometry/triangle_mesh.h"
 
 #include <Eigen/Geometry>
@@ -36,7 +37,7 @@ struct Diagnosis {
   // Nothing to repair.
   bool clean() const;
   // One sentence a kind of defect, with its place; empty when clean.
-  std::vector<std::string> sentences() const;
+  std::vector<base::Message> sentences() const;
 };
 
 // Precondition (Error{Internal}): indices in range, coordinates finite. An empty mesh is not

@@ -7,7 +7,6 @@
 #include "geometry/repair/self_intersections.h"
 
 #include <cmath>
-#include <fmt/format.h>
 
 namespace voluta::geometry {
 
@@ -16,10 +15,6 @@ namespace {
 // What cutting out self-intersections may change the volume by.
 constexpr double kVolumeChange = 0.05;
 
-std::string amount(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 class Repair {
 public:
   Repair(const TriangleMesh& mesh, Diagnosis found, const base::RunContext& ctx)
@@ -27,17 +22,17 @@ public:
 
   RepairResult run() {
     mendConnections();
-    ctx_.report(0.4, "repair: orientation");
+    ctx_.report(0.4, "repair: orientation"_text);
     mendOrientation();
-    ctx_.report(0.5, "repair: holes");
+    ctx_.report(0.5, "repair: holes"_text);
     mendHoles();
     turnShells();
-    ctx_.report(0.7, "repair: self-intersections");
+    ctx_.report(0.7, "repair: self-intersections"_text);
     mendIntersections();
     dropUnusedVertices(mesh_);
     if (mesh_.empty())
-      throw base::Error(base::ErrorCode::UnusableInput, "no triangle with area is left");
-    ctx_.report(0.9, "repair: check");
+      throw base::Error(base::ErrorCode::UnusableInput, "no triangle with area is left"_text);
+    ctx_.report(0.9, "repair: check"_text);
     RepairResult result{std::move(mesh_), std::move(notes_), {}, {}, std::move(found_)};
     result.diagnosis = diagnose(result.mesh, ctx_);
     result.remains = result.diagnosis.sentences();
@@ -45,9 +40,9 @@ public:
   }
 
 private:
-  void note(std::size_t count, const std::string& what) {
+  void note(std::size_t count, base::Text what) {
     if (count > 0)
-      notes_.push_back(what);
+      notes_.emplace_back(what, std::vector<base::Value>{count});
     ctx_.checkpoint();
   }
 
@@ -55,49 +50,57 @@ private:
     const bool open = found_.boundaryEdges.count > 0;
     if (open) {
       const std::size_t merged = mergeNearbyPoints(mesh_);
-      note(merged, "merged " + amount(merged, "duplicate point", "duplicate points"));
+      note(merged, "merged {count} duplicate point|merged {count} duplicate points"_plural);
     }
     const std::size_t collapsed = dropCollapsedFaces(mesh_);
-    note(collapsed,
-         "dropped " + amount(collapsed, "triangle without area", "triangles without area"));
+    note(collapsed, "dropped {count} triangle without area|"
+                    "dropped {count} triangles without area"_plural);
     const std::size_t doubled = dropDuplicateFaces(mesh_);
-    note(doubled, "dropped " + amount(doubled, "duplicate triangle", "duplicate triangles"));
+    note(doubled,
+         "dropped {count} duplicate triangle|dropped {count} duplicate triangles"_plural);
     if (open) {
       const std::size_t split = splitTJunctions(mesh_, 1e-5 * found_.boundsMm.diagonal().norm());
-      note(split, "split edges at " + amount(split, "T-junction", "T-junctions"));
+      note(split, "split edges at {count} T-junction|split edges at {count} T-junctions"_plural);
     }
     dropSheets();
   }
 
   void dropSheets() {
     const std::size_t loose = dropLooseSheets(mesh_);
-    note(loose, "dropped " + amount(loose, "triangle", "triangles") + " of sheets without volume");
+    note(loose, "dropped {count} triangle of sheets without volume|"
+                "dropped {count} triangles of sheets without volume"_plural);
   }
 
   void mendOrientation() {
     const std::size_t turned = orientConsistently(mesh_);
-    note(turned, "turned " + amount(turned, "triangle", "triangles") + " to face as the others do");
+    note(turned, "turned {count} triangle to face as the others do|"
+                 "turned {count} triangles to face as the others do"_plural);
     bool closed = true;
     for (const bool c : closedComponents(mesh_, components(mesh_)))
       closed = closed && c;
     if (!closed) {
       const std::size_t separated = separateNonManifold(mesh_);
-      note(separated, "separated non-manifold edges at " + amount(separated, "point", "points"));
+      note(separated, "separated non-manifold edges at {count} point|"
+                      "separated non-manifold edges at {count} points"_plural);
       dropSheets();
     }
   }
 
   void mendHoles() {
     const ClosedHoles holes = closeHoles(mesh_, ctx_);
-    note(holes.count, fmt::format("closed {}, {} {} edges at ({:.2f}, {:.2f}, {:.2f})",
-                                  amount(holes.count, "hole", "holes"),
-                                  holes.count == 1 ? "of" : "the largest of", holes.largestEdges,
-                                  holes.largestAt.x(), holes.largestAt.y(), holes.largestAt.z()));
+    const Eigen::Vector3d& at = holes.largestAt;
+    if (holes.count > 0)
+      notes_.push_back(
+          base::message("closed {count} hole, of {edges} edges at {at:.2f}|"
+                        "closed {count} holes, the largest of {edges} edges at {at:.2f}"_plural,
+                        holes.count, holes.largestEdges, base::Point{at.x(), at.y(), at.z()}));
+    ctx_.checkpoint();
   }
 
   void turnShells() {
     const std::size_t shells = turnInsideOut(mesh_);
-    note(shells, "turned " + amount(shells, "component", "components") + " that faced inside out");
+    note(shells, "turned {count} component that faced inside out|"
+                 "turned {count} components that faced inside out"_plural);
   }
 
   void mendIntersections() {
@@ -106,7 +109,8 @@ private:
       return;
     const std::size_t united = uniteComponents(mesh_, pairs, ctx_);
     if (united > 0) {
-      note(united, fmt::format("united {} overlapping components", united));
+      note(united, "united {count} overlapping component|"
+                   "united {count} overlapping components"_plural);
       pairs = selfIntersections(mesh_, ctx_);
       if (pairs.empty())
         return;
@@ -121,21 +125,22 @@ private:
         std::abs(after.volumeMm3 - before.volumeMm3) <= kVolumeChange * std::abs(before.volumeMm3);
     if (after.watertight && sameVolume && after.selfIntersections.count < pairs.size()) {
       mesh_ = std::move(trial);
-      note(1, fmt::format("cut out {} of {} self-intersections",
-                          pairs.size() - after.selfIntersections.count, pairs.size()));
+      notes_.push_back(base::message("cut out {removed} of {all} self-intersections"_text,
+                                    pairs.size() - after.selfIntersections.count, pairs.size()));
+      ctx_.checkpoint();
     }
   }
 
   TriangleMesh mesh_;
   Diagnosis found_;
   const base::RunContext& ctx_;
-  std::vector<std::string> notes_;
+  std::vector<base::Message> notes_;
 };
 
 } // namespace
 
 RepairResult repair(const TriangleMesh& mesh, const base::RunContext& ctx) {
-  ctx.report(0.0, "repair: diagnosis");
+  ctx.report(0.0, "repair: diagnosis"_text);
   const Diagnosis found = diagnose(mesh, ctx);
   if (found.clean())
     return {mesh, {}, {}, found, found};

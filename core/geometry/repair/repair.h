@@ -12,8 +12,8 @@ namespace voluta::geometry {
 
 struct RepairResult {
   TriangleMesh mesh;
-  std::vector<std::string> repairs; // what was done, a sentence each; empty when nothing was
-  std::vector<std::string> remains; // what could not be mended, a sentence each
+  std::vector<base::Message> repairs; // what was done, a sentence each; empty when nothing was
+  std::vector<base::Message> remains; // what could not be mended, a sentence each
   Diagnosis diagnosis;              // of `mesh`
   Diagnosis found;                  // of the mesh as it came
 };

@@ -150,7 +150,7 @@ std::vector<Piece> coarsePieces(Piece whole, const std::vector<RegionPlane>& pla
   const Footing footing = footingOf(whole, options.rule);
   std::vector<Piece> pieces{std::move(whole)};
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    ctx.report(static_cast<double>(i) / static_cast<double>(planes.size()), "pieces");
+    ctx.report(static_cast<double>(i) / static_cast<double>(planes.size()), "pieces"_text);
     const std::size_t at = holderOf(planes[i], pieces);
     const int top = geometry::MeshQuery(pieces[at].solid.mesh).closest(planes[i].beyond).triangle;
     const auto plane = bestNear(planes[i], pieces[at], top, shiftMm, options.rule, random);

@@ -215,7 +215,7 @@ std::vector<Piece> fineCuts(std::vector<Piece> pieces, const PlanarOptions& opti
   for (Piece& piece : pieces)
     queue.push_back(queued(std::move(piece), options.rule));
   for (int cuts = 0; cuts < options.mostCuts;) {
-    ctx.report(static_cast<double>(cuts) / options.mostCuts, "pieces");
+    ctx.report(static_cast<double>(cuts) / options.mostCuts, "pieces"_text);
     std::stable_sort(queue.begin(), queue.end(),
                      [](const Queued& a, const Queued& b) { return a.riskyMm2 > b.riskyMm2; });
     double risky = 0.0;

@@ -41,9 +41,9 @@ std::vector<RegionPlane> planesOutwards(const geometry::TriangleMesh& part, cons
                                         const PlanarOptions& options, const GreedyOptions& greedy,
                                         const base::RunContext& ctx) {
   const geometry::TriangleMesh mesh = smoothed(geometry::simplified(part, options.searchTriangles));
-  ctx.report(0.0, "skeleton");
+  ctx.report(0.0, "skeleton"_text);
   const CurveSkeleton skeleton = curveSkeleton(mesh, ctx.quiet());
-  ctx.report(0.8, "pieces");
+  ctx.report(0.8, "pieces"_text);
   const SurfaceRegions regions =
       surfaceRegions(mesh, shapeDiameters(mesh, skeleton, ctx.quiet()), greedy.clusters);
   return pieceGraph(mesh, regions, regionPlanes(mesh, regions), whole, options.rule, greedy.root)
@@ -56,8 +56,8 @@ PlanarDecomposition greedyDecompose(const geometry::TriangleMesh& part,
                                     const PlanarOptions& options, const GreedyOptions& greedy,
                                     const base::RunContext& ctx) {
   if (part.empty() || !isClosed(part))
-    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed", {},
-                      "repair it, or use curved mode, which takes any mesh");
+    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed"_text, {},
+                      "repair it, or use curved mode, which takes any mesh"_text);
   PlanarDecomposition out;
   const base::Stopwatch watch;
   Piece whole = wholePart(part, options.rule);
@@ -83,7 +83,7 @@ PlanarDecomposition greedyDecompose(const geometry::TriangleMesh& part,
     out.sectionMm2 += piece.baseTag == kPlate ? 0.0 : baseArea(piece, options.rule);
   }
   out.seconds.cut = watch.seconds() - out.seconds.search;
-  ctx.report(1.0, "pieces");
+  ctx.report(1.0, "pieces"_text);
   return out;
 }
 

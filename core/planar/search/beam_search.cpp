@@ -172,8 +172,8 @@ std::vector<PlanarOptions> searches(const PlanarOptions& options, std::size_t tr
 PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const PlanarOptions& options,
                                   const base::RunContext& ctx) {
   if (part.empty() || !isClosed(part))
-    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed", {},
-                      "repair it, or use curved mode, which takes any mesh");
+    throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed"_text, {},
+                      "repair it, or use curved mode, which takes any mesh"_text);
   PlanarDecomposition out;
   base::Stopwatch watch;
   const Piece whole = wholePart(part, options.rule);
@@ -192,7 +192,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
     const double next = share + 1.0 / static_cast<double>(steps.size());
     const base::RunContext searching = ctx.sub(share, next);
     share = next;
-    searching.report(0.0, "pieces");
+    searching.report(0.0, "pieces"_text);
     if (step.searchTriangles != coarseTriangles) {
       coarseTriangles = step.searchTriangles;
       coarse = wholePart(geometry::simplified(part, coarseTriangles), options.rule);
@@ -245,7 +245,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   for (const Piece& piece : out.pieces)
     out.sectionMm2 += piece.baseTag == kPlate ? 0.0 : baseArea(piece, options.rule);
   out.seconds.cut = watch.seconds() - out.seconds.search;
-  ctx.report(1.0, "pieces");
+  ctx.report(1.0, "pieces"_text);
   return out;
 }
 

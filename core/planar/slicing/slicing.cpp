@@ -9,6 +9,7 @@
 #include "layers/layer_findings.h"
 #include "layers/order.h"
 #include "layers/patches.h"
+#include "plan/finding_kinds.h"
 #include "planar/nudged.h"
 #include "planar/slicing/region_mesh.h"
 #include "planar/slicing/support_columns.h"
@@ -108,10 +109,8 @@ void addColumns(SliceResult& result, const std::vector<Piece>& pieces,
     }
   }
   if (unheld > 0.0)
-    result.findings.push_back(layers::layerFinding(
-        "unheldOverhang", unheldAt, 1,
-        fmt::format("{:.3g} mm2 hang where a support has nothing to stand on", unheld),
-        "use a larger platform (fit:MARGIN), or turn the part", false));
+    result.findings.push_back(plan::makeFinding(plan::FindingKind::UnheldOverhang,
+                                                {{"area", base::mm2(unheld)}}, unheldAt));
 }
 
 } // namespace
@@ -151,10 +150,9 @@ void finishStack(SliceResult& result, const std::vector<Patch>& slivers,
   const layers::InAir inAir = layers::patchesInAir(absorbedIslands.support, islands);
   result.unsupportedPatches = inAir.patches;
   if (inAir.patches > 0)
-    result.findings.push_back(layers::layerFinding(
-        "beginsInAir", inAir.firstAt, inAir.patches,
-        fmt::format("{} pieces of layers have nothing under them", inAir.patches),
-        "turn the part (orient=leastRisky), or use planar or curved mode", true));
+    result.findings.push_back(plan::makeFinding(plan::FindingKind::BeginsInAir,
+                                                {{"pieces", inAir.patches}}, inAir.firstAt,
+                                                inAir.patches));
 }
 
 SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
@@ -179,7 +177,7 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   constexpr std::size_t kSpan = 16;
   const base::RunContext silent = ctx.quiet();
   for (std::size_t from = 0; from < levels.size(); from += kSpan) {
-    ctx.report(0.7 * static_cast<double>(from) / static_cast<double>(levels.size()), "slicing");
+    ctx.report(0.7 * static_cast<double>(from) / static_cast<double>(levels.size()), "slicing"_text);
     base::parallelChunks(
         ctx, std::min(kSpan, levels.size() - from), 1, [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = from + begin; i < from + end; ++i) {
@@ -207,11 +205,11 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
     }
   }
   if (options.supports) {
-    ctx.report(0.7, "supports");
+    ctx.report(0.7, "supports"_text);
     addColumns(result, pieces, boundsOf, options, ctx);
   }
   layers::orderForPrinting(result.stack);
-  ctx.report(0.8, "checking layers");
+  ctx.report(0.8, "checking layers"_text);
   finishStack(result, slivers, options, ctx);
   result.seconds.extract = watch.seconds();
   return result;

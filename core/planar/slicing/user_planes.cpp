@@ -5,6 +5,7 @@
 #include "geometry/measures.h"
 #include "layers/order.h"
 #include "layers/patches.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,25 +26,25 @@ constexpr double kLeastFacing = 0.1;  // cosine between the normals of layers th
 constexpr double kThinnestMm = 0.01;  // nearer layers lie beside each other, or cross
 constexpr double kBeyondShare = 0.01; // of the area, thickness beyond the limits
 
-[[noreturn]] void unusable(const std::string& what, const std::string& where) {
+[[noreturn]] void unusable(const base::Message& what, const base::Value& where) {
   throw base::Error(base::ErrorCode::UnusableInput, what, where,
                     "give a list of {\"point\": [x, y, z], \"normal\": [x, y, z]} or {\"corners\": "
-                    "[four points]}, in mm");
+                    "[four points]}, in mm"_text);
 }
 
-Vector3d pointOf(const Json& j, const std::string& where) {
+Vector3d pointOf(const Json& j, const base::Value& where) {
   if (!j.is_array() || j.size() != 3 ||
       !std::all_of(j.begin(), j.end(), [](const Json& x) { return x.is_number(); }))
-    unusable("a point is three numbers", where);
+    unusable("a point is three numbers"_text, where);
   const Vector3d p(j[0].get<double>(), j[1].get<double>(), j[2].get<double>());
   if (!p.allFinite() || p.cwiseAbs().maxCoeff() > 1e6)
-    unusable("a point that is nowhere near a part", where);
+    unusable("a point that is nowhere near a part"_text, where);
   return p;
 }
 
-UserPlane quadrilateral(const Json& corners, const std::string& where) {
+UserPlane quadrilateral(const Json& corners, const base::Value& where) {
   if (!corners.is_array() || corners.size() != 4)
-    unusable("a quadrilateral has four corners", where);
+    unusable("a quadrilateral has four corners"_text, where);
   UserPlane out;
   Vector3d middle = Vector3d::Zero();
   for (const Json& c : corners) {
@@ -52,17 +53,17 @@ UserPlane quadrilateral(const Json& corners, const std::string& where) {
   }
   const Vector3d across = (out.corners[2] - out.corners[0]).cross(out.corners[3] - out.corners[1]);
   if (across.norm() < 1e-9)
-    unusable("the quadrilateral has no area", where);
+    unusable("the quadrilateral has no area"_text, where);
   out.plane.normal = across.normalized();
   out.plane.offsetMm = out.plane.normal.dot(middle);
   out.point = middle;
   for (std::size_t k = 0; k < 4; ++k) {
     if (std::abs(out.plane.heightOf(out.corners[k])) > kFlatMm)
-      unusable("the quadrilateral is not flat", where);
+      unusable("the quadrilateral is not flat"_text, where);
     const Vector3d a = out.corners[(k + 1) % 4] - out.corners[k],
                    b = out.corners[(k + 2) % 4] - out.corners[(k + 1) % 4];
     if (a.cross(b).dot(out.plane.normal) <= 0.0)
-      unusable("the quadrilateral is not convex", where);
+      unusable("the quadrilateral is not convex"_text, where);
   }
   return out;
 }
@@ -102,38 +103,27 @@ std::optional<double> thicknessAt(const Vector3d& p, const std::vector<UserPlane
   return least;
 }
 
-plan::Finding planesFinding(const char* kind, std::size_t count, std::string reason,
-                            std::string remedy) {
-  plan::Finding f;
-  f.stage = "layers";
-  f.kind = kind;
-  f.count = count;
-  f.reason = std::move(reason);
-  f.remedy = std::move(remedy);
-  f.blocking = false;
-  return f;
-}
-
 } // namespace
 
 std::vector<UserPlane> readUserPlanes(const std::string& text, const std::string& where) {
   const Json list = Json::parse(text, nullptr, false);
   if (!list.is_array() || list.empty())
-    unusable("the planes are not a JSON list", where);
+    unusable("the planes are not a JSON list"_text, where);
   std::vector<UserPlane> out;
   for (const Json& entry : list) {
-    const std::string place = fmt::format("{}, entry {}", where, out.size() + 1);
+    const base::Value place =
+        base::message("{where}, entry {number}"_text, where, out.size() + 1);
     if (entry.is_object() && entry.contains("corners")) {
       out.push_back(quadrilateral(entry["corners"], place));
     } else if (entry.is_object() && entry.contains("point") && entry.contains("normal")) {
       const Vector3d normal = pointOf(entry["normal"], place);
       if (normal.norm() < 1e-9)
-        unusable("the normal has no direction", place);
+        unusable("the normal has no direction"_text, place);
       const Vector3d unit = normal.normalized();
       const Vector3d point = pointOf(entry["point"], place);
       out.push_back({{unit, unit.dot(point)}, {}, point});
     } else {
-      unusable("neither a plane nor a quadrilateral", place);
+      unusable("neither a plane nor a quadrilateral"_text, place);
     }
   }
   return out;
@@ -149,7 +139,7 @@ SliceResult sliceByPlanes(const geometry::TriangleMesh& part, const std::vector<
   std::size_t misses = 0;
   std::string missing;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    ctx.report(0.8 * static_cast<double>(i) / static_cast<double>(planes.size()), "slicing");
+    ctx.report(0.8 * static_cast<double>(i) / static_cast<double>(planes.size()), "slicing"_text);
     const UserPlane& p = planes[i];
     layers::LevelSurface s =
         sectionSurface(Sections(part, p.plane.normal).at(p.plane.offsetMm), options.edgeMm, ctx);
@@ -175,17 +165,14 @@ SliceResult sliceByPlanes(const geometry::TriangleMesh& part, const std::vector<
   }
   layers::orderForPrinting(result.stack);
   if (misses > 0)
-    result.findings.push_back(planesFinding(
-        "planeMisses", misses, fmt::format("planes of layers miss the part: {}", missing),
-        "move them, or leave them out"));
+    result.findings.push_back(plan::makeFinding(plan::FindingKind::PlaneMisses,
+                                                {{"planes", missing}}, std::nullopt, misses));
   finishStack(result, slivers, options, ctx);
   if (const double beyond = 1.0 - result.statistics.withinLimitsFraction; beyond > kBeyondShare)
-    result.findings.push_back(planesFinding(
-        "heightBeyondLimits", 1,
-        fmt::format("{:.0f} % of the layers' area is thinner than {:g} mm or thicker than "
-                    "{:g} mm",
-                    100.0 * beyond, options.heights.minMm, options.heights.maxMm),
-        "move the planes, or add some between"));
+    result.findings.push_back(plan::makeFinding(plan::FindingKind::HeightBeyondLimits,
+                                                {{"share", base::percent(100.0 * beyond)},
+                                                 {"least", base::mm(options.heights.minMm)},
+                                                 {"most", base::mm(options.heights.maxMm)}}));
   result.seconds.extract = watch.seconds();
   return result;
 }

@@ -2,10 +2,10 @@
 
 #include "curved/decompose.h"
 #include "document/document.h"
+#include "language/words.h"
 #include "modes/mode_table.h"
 #include "process/process.h"
 #include "robot/cell.h"
-#include "window/core_texts.h"
 
 #include <QFileInfo>
 
@@ -16,9 +16,9 @@ QString named(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-forms::ChoiceItem item(std::string_view id, std::string_view label = {}) {
+forms::ChoiceItem item(std::string_view id, base::Text label = {}, base::Text help = {}) {
   const QString name = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
-  return {name, label.empty() ? coreLabel(id) : coreLabel(label), {}};
+  return {name, label.empty() ? name : language::words(label), language::words(help)};
 }
 
 // What undo says of a choice.
@@ -40,7 +40,7 @@ QString changesOf(const project::Choices& from, const project::Choices& to) {
   if (to.cell != from.cell)
     parts << ChoicesEditor::tr("cell %1").arg(named(to.cell));
   if (to.platform != from.platform)
-    parts << ChoicesEditor::tr("platform %1").arg(platformText(to.platform));
+    parts << ChoicesEditor::tr("platform %1").arg(language::words(to.platform.shown()));
   if (to.process != from.process)
     parts << ChoicesEditor::tr("process %1").arg(named(to.process));
   if (to.scale != from.scale)
@@ -77,8 +77,7 @@ forms::ChoiceLists choiceLists() {
     lists.platforms[lists.modes.back().id] = mode.platforms;
   }
   for (const curved::GrowthScheme& growth : curved::growthSchemes())
-    lists.growths.push_back(
-        {named(growth.id()), coreLabel(growth.row().label), coreLabel(growth.row().help)});
+    lists.growths.push_back(item(growth.id(), growth.row().label, growth.row().help));
   for (const std::string& cell : robot::cellIds())
     lists.cells.push_back(item(cell));
   for (const std::string& process : process::processIds())

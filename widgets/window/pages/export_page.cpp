@@ -3,10 +3,10 @@
 #include "base/files.h"
 #include "document/document.h"
 #include "document/planning.h"
+#include "language/words.h"
 #include "panels/export_panel.h"
 #include "pipeline/outputs.h"
 #include "program/dialect.h"
-#include "window/core_texts.h"
 #include "window/pages/cell_view.h"
 #include "window/presenter.h"
 #include "window/program_preview.h"
@@ -136,12 +136,12 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
   for (const program::Dialect& dialect : program::dialects()) {
     panels::ExportFormat format;
     format.id = QString::fromUtf8(dialect.id.data(), static_cast<qsizetype>(dialect.id.size()));
-    format.label = coreLabel(dialect.label);
+    format.label = language::words(dialect.label);
     format.foreign = cell && program::isForeign(dialect, *cell);
     if (const Checked program = result ? findProgram(*result, format.id) : nullptr) {
       format.state = program->passed ? panels::VerdictState::Passed : panels::VerdictState::Refused;
       if (!program->passed)
-        format.whyRefused = QString::fromStdString(program->failed);
+        format.whyRefused = language::words(base::Value(program->failed));
       format.verdict = program->verdict;
       format.files = exportFiles(program);
     }
@@ -247,7 +247,7 @@ void ExportPage::write(const Order& order) {
                    work().shell.say(text);
                  } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
                    work().shell.tell(tr("Nothing is exported"),
-                                     QString::fromStdString(error->what()));
+                                     language::words(error->whole()));
                  }
                },
                1);

@@ -4,6 +4,7 @@
 #include "panels/layer_info.h"
 #include "panels/object_tree.h"
 #include "panels/pieces_panel.h"
+#include "plan/finding_kinds.h"
 #include "timeline/layer_range_slider.h"
 #include "window/picture.h"
 #include "window/presenter.h"
@@ -239,7 +240,7 @@ bool LayersPage::goTo(const plan::Finding& finding) {
 // Flies to a group of missed voxels, the others made see-through; false: the finding is no such.
 bool LayersPage::lookAtMissed(const plan::Finding& finding) {
   const VoxelPresenter& presented = work().presenter.voxels();
-  if (finding.stage != project::stageName(Stage::Decompose) || !finding.where ||
+  if (plan::stageOf(finding) != Stage::Decompose || !finding.where ||
       presented.missed() == 0)
     return false;
   choose(LayerSubject::Voxels);

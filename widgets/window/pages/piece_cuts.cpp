@@ -5,6 +5,7 @@
 #include "modes/piece_search.h"
 #include "modes/planar_modes.h"
 #include "panels/pieces_panel.h"
+#include "plan/finding_kinds.h"
 #include "scene/camera.h"
 #include "window/picture.h"
 #include "window/presenter.h"
@@ -251,7 +252,7 @@ void PieceCuts::pickRoot(const Eigen::Vector3d& point) {
 
 bool PieceCuts::concerns(const plan::Finding& finding) const {
   const auto result = work_.document.result(Stage::Decompose);
-  return finding.stage == project::stageName(Stage::Decompose) && finding.where &&
+  return plan::stageOf(finding) == Stage::Decompose && finding.where &&
          work_.presenter.hasPieces() && result && result->job.pieces;
 }
 

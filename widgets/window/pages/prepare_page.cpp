@@ -3,10 +3,12 @@
 #include "document/document.h"
 #include "document/opening.h"
 #include "forms/parameter_form.h"
+#include "language/words.h"
 #include "modes/mode_table.h"
 #include "panels/mesh_panel.h"
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"
+#include "plan/finding_kinds.h"
 #include "window/mesh_summary.h"
 #include "window/presenter.h"
 
@@ -120,7 +122,7 @@ void PreparePage::draw(scene::ViewState& view) {
 }
 
 int PreparePage::interest(const plan::Finding& finding) const {
-  return finding.stage == project::stageName(Stage::Load) ? 2 : 0;
+  return plan::stageOf(finding) == Stage::Load ? 2 : 0;
 }
 
 void PreparePage::setParameter(const QString& key, const QString& text) {
@@ -128,7 +130,7 @@ void PreparePage::setParameter(const QString& key, const QString& text) {
     work().document.setParameter(key, text);
   } catch (const base::Error& error) {
     showChoices();
-    work().shell.tell(tr("Not a value for this parameter"), QString::fromStdString(error.what()));
+    work().shell.tell(tr("Not a value for this parameter"), language::words(error.whole()));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "window/pages/simulate_page.h"
 
 #include "document/document.h"
+#include "plan/finding_kinds.h"
 #include "robot/cell.h"
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
@@ -69,8 +70,8 @@ int SimulatePage::interest(const plan::Finding& finding) const {
     return 0;
   if (finding.whenS)
     return 3;
-  return finding.stage == project::stageName(Stage::Motion) ||
-                 finding.stage == project::stageName(Stage::Replay)
+  return plan::stageOf(finding) == Stage::Motion ||
+                 plan::stageOf(finding) == Stage::Replay
              ? 2
              : 0;
 }

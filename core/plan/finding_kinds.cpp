@@ -1,0 +1,426 @@
+#include "plan/finding_kinds.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace voluta::plan {
+
+namespace {
+using enum FindingKind;
+using enum Stage;
+using enum Gravity;
+using enum RemedyId;
+
+constexpr std::array kDrop{DropToPlate};
+constexpr std::array kForShadowed{ShrinkPlatform, AddSupports, TurnPart};
+constexpr std::array kForUnreached{DropToPlate, AddSupports, TurnPart};
+constexpr std::array kForOverhang{AddSupports, TurnLeastRisky};
+constexpr std::array kTurn{TurnLeastRisky};
+constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
+constexpr std::array kNarrow{NarrowVoxels};
+constexpr std::array kAdapt{AdaptLayers};
+
+constexpr base::Text kTurnOrShrink = "turn the part, make the platform smaller or add supports"_text;
+constexpr base::Text kJoin = "a larger platform, supports, or join this piece to the part"_text;
+constexpr base::Text kBreakOff = "break it off after printing"_text;
+constexpr base::Text kNarrowTo = "a voxel width of at most {fits}"_text;
+constexpr base::Text kThicken = "thicken the wall to {least} or more"_text;
+constexpr base::Text kCutThere = "add supports (supports=auto), cut there, or use curved mode"_text;
+constexpr base::Text kTurnOrModes =
+    "turn the part (orient=leastRisky), add supports, or use planar or curved mode"_text;
+constexpr base::Text kTurnOrOther =
+    "turn the part (orient=leastRisky), or use planar or curved mode"_text;
+constexpr base::Text kFiner = "use a finer nozzle, or print the part larger"_text;
+constexpr base::Text kGentlerRod = "let the part rise from the rod at a gentler slope there"_text;
+constexpr base::Text kGentlerSurface =
+    "let the part rise from the surface at a gentler slope there"_text;
+constexpr base::Text kScaleOrTurn =
+    "scale the part down (--scale fit), turn it, or use a larger robot"_text;
+constexpr base::Text kMoreTurns =
+    "turn the part about the vertical, or try more turns (redundancySamples)"_text;
+constexpr base::Text kSlimmer = "use a slimmer print head or thinner layers"_text;
+constexpr base::Text kHigher = "use a smaller platform or place the part higher"_text;
+constexpr base::Text kAlongRod = "scale the part down, or move it along the rod"_text;
+constexpr base::Text kLessClearance =
+    "turn the part, use a smaller platform, or allow less clearance"_text;
+constexpr base::Text kTurnOrClearance = "turn the part, or allow less clearance"_text;
+constexpr base::Text kWriteAgain = "write the program again, or plan anew with this change"_text;
+constexpr base::Text kSlower = "slower there, or another place in the cell"_text;
+
+constexpr auto kRows = std::to_array<FindingRow>({
+    {Verbatim, "verbatim", "", Load, Depends, "{reason}"_text, "{remedy}"_text},
+    {Stopped, "stopped", "stopped", Load, Blocks, "{what}"_text, {}, kDrop},
+
+    {CellsTurned, "cellsTurned", "newCells", Load, Tells,
+     "the voxel object is turned by other than quarter turns: its surface is cut into new cells"_text,
+     "turn it by quarter turns and lift it by whole cells to keep its own"_text},
+    {CellsLifted, "cellsLifted", "newCells", Load, Tells,
+     "the voxel object is lifted by other than whole cells: its surface is cut into new cells"_text,
+     "turn it by quarter turns and lift it by whole cells to keep its own"_text},
+    {MeshDefect, "meshDefect", "meshDefect", Load, Tells, "{defect}"_text,
+     "mend the mesh in a modelling program if the result looks wrong"_text},
+    {TurnedLeastRisky, "turnedLeastRisky", "turned", Load, Tells,
+     "the part is turned by {angle:.0f} about ({x}, {y}, {z}): {overhang:.0f} overhang instead of "
+     "{overhangBefore:.0f#}"_text,
+     "orient=none leaves it as it was put"_text},
+    {TurnedFewestMissed, "turnedFewestMissed", "turned", Load, Tells,
+     "the part is turned by {angle:.0f} about ({x}, {y}, {z}): one pass of growth misses {missed} "
+     "voxel of {voxel:.2f} instead of {missedBefore}, {overhang:.0f} overhang instead of "
+     "{overhangBefore:.0f#}|"
+     "the part is turned by {angle:.0f} about ({x}, {y}, {z}): one pass of growth misses {missed} "
+     "voxels of {voxel:.2f} instead of {missedBefore}, {overhang:.0f} overhang instead of "
+     "{overhangBefore:.0f#}"_plural,
+     "orient=none leaves it as it was put"_text},
+    {NotTurned, "notTurned", "notTurned", Load, Tells,
+     "the part stays as it lies: the one way that stands is not better|"
+     "the part stays as it lies: none of {ways} ways that stand is better"_plural,
+     "put it another way by hand"_text},
+
+    {ShadowedUnderFacet, "shadowedUnderFacet", "shadowedVoxels", Decompose, Blocks,
+     "{voxels} voxel is shadowed: from step {step} on it lies inside the front, under its facet "
+     "between {a:.0f}, {b:.0f} and {c:.0f} mm|"
+     "{voxels} voxels are shadowed: from step {step} on they lie inside the front, under its facet "
+     "between {a:.0f}, {b:.0f} and {c:.0f} mm"_plural,
+     kTurnOrShrink, kForShadowed},
+    {ShadowedUnderFacetAndMore, "shadowedUnderFacetAndMore", "shadowedVoxels", Decompose, Blocks,
+     "{voxels} voxel is shadowed: from step {step} on it lies inside the front, under its facet "
+     "between {a:.0f}, {b:.0f} and {c:.0f} mm; {more} more hang on it|"
+     "{voxels} voxels are shadowed: from step {step} on they lie inside the front, under its facet "
+     "between {a:.0f}, {b:.0f} and {c:.0f} mm; {more} more hang on them"_plural,
+     kTurnOrShrink, kForShadowed},
+    {ShadowedUnreached, "shadowedUnreached", "shadowedVoxels", Decompose, Blocks,
+     "{voxels} voxel is shadowed: inside the front before it was reached|"
+     "{voxels} voxels are shadowed: inside the front before they were reached"_plural,
+     kTurnOrShrink, kForShadowed},
+    {ShadowedUnreachedAndMore, "shadowedUnreachedAndMore", "shadowedVoxels", Decompose, Blocks,
+     "{voxels} voxel is shadowed: inside the front before it was reached; {more} more hang on it|"
+     "{voxels} voxels are shadowed: inside the front before they were reached; {more} more hang on "
+     "them"_plural,
+     kTurnOrShrink, kForShadowed},
+    {Unreached, "unreached", "unreachedVoxels", Decompose, Blocks,
+     "{voxels} voxel is unreached: no path through the part from the platform|"
+     "{voxels} voxels are unreached: no path through the part from the platform"_plural,
+     kJoin, kForUnreached},
+    {MoreShadowed, "moreShadowed", "missedVoxels", Decompose, Blocks,
+     "{voxels} more voxels are missed in {groups} smaller groups; this is the largest"_text,
+     kTurnOrShrink, kForShadowed},
+    {MoreUnreached, "moreUnreached", "missedVoxels", Decompose, Blocks,
+     "{voxels} more voxels are missed in {groups} smaller groups; this is the largest"_text, kJoin,
+     kForShadowed},
+    {BelowPlate, "belowPlate", "unreachedVoxels", Decompose, Blocks,
+     "{voxels} voxel lies below the plate|{voxels} voxels lie below the plate"_plural,
+     "drop the part to the plate"_text, kForUnreached},
+    {SupportColumn, "supportColumn", "supportColumn", Decompose, Tells,
+     "a column of {voxels} from {foot} carries {carried} that would be missed"_text, kBreakOff},
+    {SupportColumnTouching, "supportColumnTouching", "supportColumn", Decompose, Tells,
+     "a column of {voxels} from {foot} carries {carried} that would be missed"_text,
+     "cut it off after printing: it touches the part at {faces} more face|"
+     "cut it off after printing: it touches the part at {faces} more faces"_plural},
+    {SupportColumns, "supportColumns", "supportColumns", Decompose, Tells,
+     "{columns} more column carries what would be missed|"
+     "{columns} more columns carry what would be missed"_plural,
+     "turning the part may need fewer"_text},
+    {NoSupport, "noSupport", "noSupport", Decompose, Blocks,
+     "no column from inside the platform reaches {voxels} voxel that would be missed|"
+     "no column from inside the platform reaches {voxels} voxels that would be missed"_plural,
+     "a larger platform, or turn the part"_text},
+    {ThinWall, "thinWall", "thinWalls", Decompose, Tells,
+     "a wall {usual:.2f} thick ({thinnest:.2f} at its thinnest) is thinner than a voxel of "
+     "{voxel}"_text,
+     kNarrowTo, kNarrow},
+    {WallTooThin, "wallTooThin", "thinWalls", Decompose, Tells,
+     "a wall {usual:.2f} thick ({thinnest:.2f} at its thinnest) is thinner than a voxel of "
+     "{voxel}"_text,
+     kThicken},
+    {ThinWalls, "thinWalls", "thinWalls", Decompose, Tells,
+     "{places} smaller place is thinner than a voxel of {voxel}; it is {thinnest:.2f} thick|"
+     "{places} smaller places are thinner than a voxel of {voxel}; this is the largest, the thinnest "
+     "is {thinnest:.2f} thick"_plural,
+     kNarrowTo, kNarrow},
+    {WallsTooThin, "wallsTooThin", "thinWalls", Decompose, Tells,
+     "{places} smaller place is thinner than a voxel of {voxel}; it is {thinnest:.2f} thick|"
+     "{places} smaller places are thinner than a voxel of {voxel}; this is the largest, the thinnest "
+     "is {thinnest:.2f} thick"_plural,
+     kThicken},
+    {OverhangOfPieces, "overhangOfPieces", "overhang", Decompose, Tells,
+     "{area:.3g} lean over by more than {angle}"_text, kCutThere, kForOverhang},
+    {OverhangsOfPieces, "overhangsOfPieces", "overhang", Decompose, Tells,
+     "{places} smaller place leans over too far, {area:.3g}|"
+     "{places} smaller places lean over too far, {area:.3g} together; this is the largest of "
+     "them"_plural,
+     kCutThere, kForOverhang},
+    {OverhangOfFlat, "overhangOfFlat", "overhang", Decompose, Tells,
+     "{area:.3g} lean over by more than {angle}"_text, kTurnOrModes, kForOverhang},
+    {OverhangsOfFlat, "overhangsOfFlat", "overhang", Decompose, Tells,
+     "{places} smaller place leans over too far, {area:.3g}|"
+     "{places} smaller places lean over too far, {area:.3g} together; this is the largest of "
+     "them"_plural,
+     kTurnOrModes, kForOverhang},
+    {OverhangOverRod, "overhangOverRod", "overhang", Decompose, Tells,
+     "{area:.3g} of the part lean out by more than {angle:.3g} over lower layers, the most at x = "
+     "{x:.4g}, radius {radius:.4g}"_text,
+     kGentlerRod, kForOverhang},
+    {OverhangOverSurface, "overhangOverSurface", "overhang", Decompose, Tells,
+     "{area:.3g} of the part lean out by more than {angle:.3g} over lower layers, the most at "
+     "{at:.4g}"_text,
+     kGentlerSurface, kForOverhang},
+    {BeyondCell, "beyondCell", "beyondCell", Decompose, Blocks,
+     "the part reaches {reach:.4g} from the rod's axis, the cell prints up to {limit}"_text,
+     "print the part smaller (scale)"_text},
+    {BlockedPieces, "blockedPieces", "blockedPieces", Decompose, Tells,
+     "{blocked} of {pieces} pieces: something printed before is in the head's way"_text,
+     "give other cuts (cutPlanes), turn the part, or use curved mode"_text},
+    {SmallFoot, "smallFoot", "smallFoot", Decompose, Tells,
+     "all pieces are held to the plate by {foot:.3g}, of {whole:.3g#} that the part stands on "
+     "uncut"_text,
+     "lay the part on a larger face, or give other cuts (cutPlanes)"_text},
+    {UniformMisses, "uniformMisses", "uniformMisses", Decompose, Tells,
+     "{missed} of {voxels} voxels has nothing printed under it|"
+     "{missed} of {voxels} voxels have nothing printed under them"_plural,
+     kTurnOrOther, kTurn},
+
+    {DroppedPieces, "droppedPieces", "droppedPieces", Layers, Tells,
+     "{pieces} piece of a layer is too small for a bead or would begin in the air and is not laid "
+     "({volume:.1f})|"
+     "{pieces} pieces of layers are too small for a bead or would begin in the air and are not laid "
+     "({volume:.1f} in all, the largest {largest:.1f})"_plural,
+     "a narrower bead or a lower layer height follows finer detail; support carries what begins in "
+     "the air"_text},
+    {UnsupportedPatches, "unsupportedPatches", "unsupportedPatches", Layers, Tells,
+     "{patches} patch ({area:.1f}) begins in the air: neither the plate nor an earlier layer is "
+     "under it|"
+     "{patches} patches ({area:.1f}) begin in the air: neither the plate nor an earlier layer is "
+     "under them"_plural,
+     "turn the part, enlarge the platform or add supports"_text},
+    {Slivers, "slivers", "slivers", Layers, Depends,
+     "{pieces} piece of a layer is too small for a bead or would begin in the air, {volume:.3g} of "
+     "{whole:.3g#}: it is not laid|"
+     "{pieces} pieces of layers are too small for a bead or would begin in the air, {volume:.3g} of "
+     "{whole:.3g#}: they are not laid"_plural,
+     kFiner},
+    {BeginsInAir, "beginsInAir", "beginsInAir", Layers, Blocks,
+     "{pieces} piece of a layer has nothing under it|"
+     "{pieces} pieces of layers have nothing under them"_plural,
+     kTurnOrOther, kForOverhang},
+    {BeginsInAirOverRod, "beginsInAirOverRod", "beginsInAir", Layers, Blocks,
+     "a piece of a layer has neither the rod nor an earlier layer under it|"
+     "{pieces} pieces of layers have neither the rod nor an earlier layer under them"_plural,
+     "move the part on the rod, or let what is under them grow out of it"_text, kForOverhang},
+    {BeginsInAirOverSurface, "beginsInAirOverSurface", "beginsInAir", Layers, Blocks,
+     "a piece of a layer has neither the surface nor an earlier layer under it|"
+     "{pieces} pieces of layers have neither the surface nor an earlier layer under them"_plural,
+     "move the part on the surface, or let what is under them grow out of it"_text, kForOverhang},
+    {NotLaid, "notLaid", "notLaid", Layers, Blocks,
+     "{left:.3g#} of {whole:.4g} of the part are in no layer"_text,
+     "choose layers that reach all of it (layerShape, layerCentre, endSurface)"_text},
+    {UnheldOverhang, "unheldOverhang", "unheldOverhang", Layers, Tells,
+     "{area:.3g} hang where a support has nothing to stand on"_text,
+     "use a larger platform (fit:MARGIN), or turn the part"_text, kForUnheld},
+    {PlaneMisses, "planeMisses", "planeMisses", Layers, Tells,
+     "planes of layers miss the part: {planes}"_text, "move them, or leave them out"_text},
+    {HeightBeyondLimits, "heightBeyondLimits", "heightBeyondLimits", Layers, Tells,
+     "{share:.0f} of the layers' area is thinner than {least} or thicker than {most}"_text,
+     "move the planes, or add some between"_text},
+
+    {PatchWithoutBead, "patchWithoutBead", "patchWithoutBead", Toolpath, Depends,
+     "pieces of layers are narrower than half a bead and stay empty"_text, kFiner},
+    {Gouge, "gouge", "gouge", Toolpath, Blocks,
+     "the print head would cut into material printed before, whatever way it leans"_text,
+     "use a slimmer head, turn the part, or print it larger"_text},
+
+    {NothingToPrint, "nothingToPrint", "nothingToPrint", Motion, Blocks,
+     "no tool-path is left to move along"_text, "choose a smaller voxelMm or beadWidthMm"_text},
+    {Unreachable, "unreachable", "unreachable", Motion, Blocks,
+     "{place}: the robot cannot bring this place under the nozzle: out of reach, or beyond a "
+     "joint's limits, however the part is turned about the nozzle"_text,
+     kScaleOrTurn},
+    {MoreUnreachable, "moreUnreachable", "unreachable", Motion, Blocks,
+     "and further places, the first at {place}: the robot cannot bring this place under the nozzle: "
+     "out of reach, or beyond a joint's limits, however the part is turned about the nozzle"_text,
+     kScaleOrTurn},
+    {Unconnected, "unconnected", "unconnected", Motion, Blocks,
+     "{place}: the robot can be here, but cannot come from or go on to a neighbouring place without "
+     "lifting"_text,
+     kMoreTurns},
+    {MoreUnconnected, "moreUnconnected", "unconnected", Motion, Blocks,
+     "and further places, the first at {place}: the robot can be here, but cannot come from or go "
+     "on to a neighbouring place without lifting"_text,
+     kMoreTurns},
+    {BeyondRod, "beyondRod", "beyondRod", Motion, Blocks,
+     "{place}: the cell prints up to {radius} from the rod's axis and {along} from its middle"_text,
+     kAlongRod},
+    {MoreBeyondRod, "moreBeyondRod", "beyondRod", Motion, Blocks,
+     "and further places, the first at {place}: the cell prints up to {radius} from the rod's axis "
+     "and {along} from its middle"_text,
+     kAlongRod},
+    {HeadInPart, "headInPart", "collision", Motion, Blocks,
+     "{place}: the print head would cut into what is printed already"_text, kSlimmer},
+    {MoreHeadInPart, "moreHeadInPart", "collision", Motion, Blocks,
+     "and further places, the first at {place}: the print head would cut into what is printed "
+     "already"_text,
+     kSlimmer},
+    {HeadInPlatform, "headInPlatform", "collision", Motion, Blocks,
+     "{place}: the print head would cut into the platform"_text, kHigher},
+    {MoreHeadInPlatform, "moreHeadInPlatform", "collision", Motion, Blocks,
+     "and further places, the first at {place}: the print head would cut into the platform"_text,
+     kHigher},
+    {Collision, "collision", "collision", Motion, Blocks,
+     "{place}: {first} would meet {second}, however the part is turned about the nozzle"_text,
+     kLessClearance},
+    {MoreCollisions, "moreCollisions", "collision", Motion, Blocks,
+     "and further places, the first at {place}: {first} would meet {second}, however the part is "
+     "turned about the nozzle"_text,
+     kLessClearance},
+    {CollisionInMotion, "collisionInMotion", "collision", Motion, Blocks,
+     "{first} meets {second} in the finished motion"_text, kTurnOrClearance},
+    {NoWayTo, "noWayTo", "transfer", Motion, Blocks,
+     "{place}: no way to {pieces} piece of a path was found that keeps clear of everything|"
+     "{place}: no way to {pieces} pieces of paths was found that keeps clear of everything"_plural,
+     kTurnOrClearance},
+    {NoWayHome, "noWayHome", "transfer", Motion, Blocks,
+     "no way back to the home position was found that keeps clear of everything"_text,
+     "move the robot by hand when the part is done, or allow less clearance"_text},
+
+    {UnreadableLine, "unreadableLine", "unreadableLine", Replay, Blocks, "{defect}"_text,
+     kWriteAgain},
+    {EndMissing, "endMissing", "endMissing", Replay, Blocks, "the end sequence is missing"_text,
+     kWriteAgain},
+    {NoMotions, "noMotions", "programCutShort", Replay, Blocks, "the program has no motions"_text,
+     kWriteAgain},
+    {ProgramCutShort, "programCutShort", "programCutShort", Replay, Blocks,
+     "the program ends here; {motions} planned motion not in it|"
+     "the program ends here; {motions} planned motions not in it"_plural,
+     kWriteAgain},
+    {OtherProgram, "otherProgram", "otherProgram", Replay, Blocks,
+     "the program's motions are not those of this plan"_text,
+     "give the job that the program was written from"_text},
+    {WaypointMoved, "waypointMoved", "waypointMoved", Replay, Blocks,
+     "the nozzle goes {distance:.3f} beside its plan"_text, kWriteAgain},
+    {WaypointTilted, "waypointTilted", "waypointMoved", Replay, Blocks,
+     "the nozzle's axis is {angle:.2f} off its plan"_text, kWriteAgain},
+    {WaypointsMissingBefore, "waypointsMissingBefore", "waypointsMissing", Replay, Blocks,
+     "{motions} planned motion missing before this one|"
+     "{motions} planned motions missing before this one"_plural,
+     kWriteAgain},
+    {WaypointsMissingBetween, "waypointsMissingBetween", "waypointsMissing", Replay, Blocks,
+     "{motions} planned motion missing between {before} and this one|"
+     "{motions} planned motions missing between {before} and this one"_plural,
+     kWriteAgain},
+    {MotionsUnplanned, "motionsUnplanned", "motionsUnplanned", Replay, Blocks,
+     "{motions} motion from here on not in the plan|"
+     "{motions} motions from here on not in the plan"_plural,
+     kWriteAgain},
+    {WaypointsSwapped, "waypointsSwapped", "waypointsSwapped", Replay, Blocks,
+     "this motion and that of {other} have changed places"_text, kWriteAgain},
+    {OtherConfiguration, "otherConfiguration", "otherConfiguration", Replay, Blocks,
+     "the arm stands otherwise than planned, a joint by {angle:.1f}"_text, kWriteAgain},
+    {ExternalAxisMoved, "externalAxisMoved", "externalAxisMoved", Replay, Blocks,
+     "the external axis stands {angle:.3f} off its plan"_text, kWriteAgain},
+    {ExtruderOnTravel, "extruderOnTravel", "extruderOnTravel", Replay, Blocks,
+     "the extruder is on over a travel"_text, kWriteAgain},
+    {ExtruderOffPrint, "extruderOffPrint", "extruderOffPrint", Replay, Blocks,
+     "the extruder is off where a bead is to be laid"_text, kWriteAgain},
+    {SpeedChanged, "speedChanged", "speedChanged", Replay, Blocks,
+     "this motion takes {time:.3f}, planned are {planned:.3f}"_text, kWriteAgain},
+    {FlowChanged, "flowChanged", "flowChanged", Replay, Blocks,
+     "this motion lays {volume:.3f}, planned are {planned:.3f}"_text, kWriteAgain},
+    {Uncovered, "uncovered", "uncovered", Replay, Blocks,
+     "{share:.2f} of the part is in no bead; most of it round the place given"_text,
+     "use lower layers or a finer nozzle, or print the part larger"_text, kAdapt},
+    {Overfill, "overfill", "overfill", Replay, Blocks,
+     "{outside:.2f} of the part's volume is laid outside it, {noRoom:.2f} finds no room"_text,
+     "less flow, or beads further apart"_text},
+    {Mass, "mass", "mass", Replay, Blocks, "the material laid is {share:.2f} of the part"_text,
+     "check the flow and the infill's density"_text},
+    {Unsupported, "unsupported", "unsupported", Replay, Blocks,
+     "{length:.1f} of bead have nothing beneath them, the first of them here"_text,
+     "turn the part, or allow supports"_text},
+    {ReplayedCollision, "replayedCollision", "collision", Replay, Blocks,
+     "{first} and {second} collide"_text,
+     "plan anew with more clearance, or another place for the part"_text},
+    {MoreReplayedCollisions, "moreReplayedCollisions", "collision", Replay, Blocks,
+     "and {collisions} collision more|and {collisions} collisions more"_plural,
+     "plan anew with more clearance"_text},
+    {OutOfReach, "outOfReach", "limit", Replay, Blocks, "the arm cannot reach this target"_text,
+     kSlower},
+    {JointRange, "jointRange", "limit", Replay, Blocks,
+     "{joint} at {angle:.1f}, its limit is {limit:.1f#}"_text, kSlower},
+    {JointSpeed, "jointSpeed", "limit", Replay, Blocks,
+     "{joint} at {speed:.1f}, its limit is {limit:.1f#}"_text, kSlower},
+    {BranchJump, "branchJump", "limit", Replay, Blocks,
+     "the arm would have to change its configuration, {joint} by {angle:.1f} at once"_text, kSlower},
+    {BlendOverlap, "blendOverlap", "limit", Replay, Blocks,
+     "its blend overlaps the one before ({blend:.3f} on {way:.3f}): the controller skips the "
+     "waypoint"_text,
+     kSlower},
+    {Flow, "flow", "limit", Replay, Blocks,
+     "a flow of {flow:.1f}, the extruder gives {limit:.1f#}"_text, kSlower},
+    {MoreLimits, "moreLimits", "limit", Replay, Blocks,
+     "and {violations} violation more|and {violations} violations more"_plural, kSlower},
+    {PathDeviation, "pathDeviation", "deviation", Replay, Blocks,
+     "the nozzle's path is {distance:.3f} off the planned one"_text,
+     "shorter motions or smaller blends"_text},
+    {ProgramRefused, "programRefused", "programRefused", Replay, Blocks,
+     "the {format} program is not handed over: {failed}"_text,
+     "see the findings before this one"_text},
+});
+
+constexpr bool inOrder() {
+  for (std::size_t i = 0; i < kRows.size(); ++i)
+    if (static_cast<std::size_t>(kRows[i].kind) != i)
+      return false;
+  return kRows.size() == static_cast<std::size_t>(ProgramRefused) + 1;
+}
+static_assert(inOrder(), "a row a kind, in the order of FindingKind");
+} // namespace
+
+std::span<const FindingRow> findingRows() {
+  return kRows;
+}
+
+const FindingRow& rowOf(FindingKind kind) {
+  const auto i = static_cast<std::size_t>(kind);
+  base::require(i < kRows.size(), "a kind of finding");
+  return kRows[i];
+}
+
+const FindingRow* rowWithId(std::string_view id) {
+  const auto* found = std::find_if(kRows.begin(), kRows.end(),
+                                   [&](const FindingRow& row) { return row.id == id; });
+  return found == kRows.end() ? nullptr : found;
+}
+
+plan::Stage stageOf(const Finding& finding) {
+  if (const base::Value* word = finding.value(kVerbatimStage))
+    return stageNamed(base::english(*word)).value_or(Load);
+  return rowOf(finding.kind).stage;
+}
+
+std::string kindWord(const Finding& finding) {
+  if (const base::Value* word = finding.value(kVerbatimKind);
+      word && finding.kind == FindingKind::Verbatim)
+    return base::english(*word);
+  return std::string(rowOf(finding.kind).word);
+}
+
+Finding verbatimFinding(plan::Stage stage, std::string kind, std::string reason,
+                        std::string remedy) {
+  Finding f;
+  f.kind = FindingKind::Verbatim;
+  f.values = {{kVerbatimStage, stageName(stage)},
+              {kVerbatimKind, std::move(kind)},
+              {kVerbatimReason, std::move(reason)},
+              {kVerbatimRemedy, std::move(remedy)}};
+  return f;
+}
+
+Finding stoppedFinding(plan::Stage stage, base::Message what) {
+  Finding f = makeFinding(FindingKind::Stopped, {{"what", std::move(what)}});
+  f.values.push_back({kVerbatimStage, stageName(stage)});
+  return f;
+}
+
+} // namespace voluta::plan

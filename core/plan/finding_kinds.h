@@ -1,0 +1,163 @@
+// Every fact that a plan can tell: one row a kind.
+#pragma once
+
+#include "base/text.h"
+#include "plan/finding.h"
+#include "plan/stage.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace voluta::plan {
+
+enum class FindingKind : std::uint8_t {
+  // Told in sentences that are kept as they are: projects of before findings had values.
+  Verbatim,
+  // A run that ended in an error.
+  Stopped,
+  // load
+  CellsTurned,
+  CellsLifted,
+  MeshDefect,
+  TurnedLeastRisky,
+  TurnedFewestMissed,
+  NotTurned,
+  // decompose
+  ShadowedUnderFacet,
+  ShadowedUnderFacetAndMore,
+  ShadowedUnreached,
+  ShadowedUnreachedAndMore,
+  Unreached,
+  MoreShadowed,
+  MoreUnreached,
+  BelowPlate,
+  SupportColumn,
+  SupportColumnTouching,
+  SupportColumns,
+  NoSupport,
+  ThinWall,
+  WallTooThin,
+  ThinWalls,
+  WallsTooThin,
+  OverhangOfPieces,
+  OverhangsOfPieces,
+  OverhangOfFlat,
+  OverhangsOfFlat,
+  OverhangOverRod,
+  OverhangOverSurface,
+  BeyondCell,
+  BlockedPieces,
+  SmallFoot,
+  UniformMisses,
+  // layers
+  DroppedPieces,
+  UnsupportedPatches,
+  Slivers,
+  BeginsInAir,
+  BeginsInAirOverRod,
+  BeginsInAirOverSurface,
+  NotLaid,
+  UnheldOverhang,
+  PlaneMisses,
+  HeightBeyondLimits,
+  // toolpath
+  PatchWithoutBead,
+  Gouge,
+  // motion
+  NothingToPrint,
+  Unreachable,
+  MoreUnreachable,
+  Unconnected,
+  MoreUnconnected,
+  BeyondRod,
+  MoreBeyondRod,
+  HeadInPart,
+  MoreHeadInPart,
+  HeadInPlatform,
+  MoreHeadInPlatform,
+  Collision,
+  MoreCollisions,
+  CollisionInMotion,
+  NoWayTo,
+  NoWayHome,
+  // replay
+  UnreadableLine,
+  EndMissing,
+  NoMotions,
+  ProgramCutShort,
+  OtherProgram,
+  WaypointMoved,
+  WaypointTilted,
+  WaypointsMissingBefore,
+  WaypointsMissingBetween,
+  MotionsUnplanned,
+  WaypointsSwapped,
+  OtherConfiguration,
+  ExternalAxisMoved,
+  ExtruderOnTravel,
+  ExtruderOffPrint,
+  SpeedChanged,
+  FlowChanged,
+  Uncovered,
+  Overfill,
+  Mass,
+  Unsupported,
+  ReplayedCollision,
+  MoreReplayedCollisions,
+  OutOfReach,
+  JointRange,
+  JointSpeed,
+  BranchJump,
+  BlendOverlap,
+  Flow,
+  MoreLimits,
+  PathDeviation,
+  ProgramRefused,
+};
+
+enum class Gravity {
+  Blocks,
+  Tells,  // worth knowing
+  Depends // on how much it is: whoever makes it decides
+};
+
+// What a button can do about a finding; how, is known to the pipeline.
+enum class RemedyId : std::uint8_t {
+  DropToPlate,
+  ShrinkPlatform,
+  AddSupports,
+  WidenPlatform,
+  AdaptLayers,
+  TurnLeastRisky,
+  TurnPart,
+  NarrowVoxels
+};
+
+struct FindingRow {
+  FindingKind kind;
+  std::string_view id;   // unique, camelCase; in project files
+  std::string_view word; // in report.json; several facts may have one
+  Stage stage;
+  Gravity gravity;
+  base::Text reason, remedy; // with places for the same values
+  std::span<const RemedyId> cures = {};
+};
+
+std::span<const FindingRow> findingRows();
+const FindingRow& rowOf(FindingKind kind);
+// nullptr: none has this id.
+const FindingRow* rowWithId(std::string_view id);
+
+// As report.json has them. Of Verbatim and Stopped: what they were made with.
+Stage stageOf(const Finding& finding);
+std::string kindWord(const Finding& finding);
+
+// Values of kind Verbatim; Stopped has the stage too.
+inline constexpr std::string_view kVerbatimStage = "stage", kVerbatimKind = "kind",
+                                  kVerbatimReason = "reason", kVerbatimRemedy = "remedy";
+Finding verbatimFinding(Stage stage, std::string kind, std::string reason, std::string remedy);
+// Of a run that ended in an error at that stage.
+Finding stoppedFinding(Stage stage, base::Message what);
+
+} // namespace voluta::plan

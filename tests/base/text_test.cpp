@@ -1,0 +1,102 @@
+// Sentences as data: places, values, plural forms, English and another language by the same rules.
+#include "base/error.h"
+#include "base/text.h"
+
+#include <gtest/gtest.h>
+
+using namespace voluta;
+
+namespace {
+
+using base::english;
+using base::message;
+
+TEST(Text, PlacesAreFilledInTheOrderInWhichTheyFirstCome) {
+  EXPECT_EQ(english(message("{there} of {wanted} vertices, {there} in all"_text, 3, 4)),
+            "3 of 4 vertices, 3 in all");
+  EXPECT_EQ(base::placeNames("{b} {a:.2f} {b} {c#}"), (std::vector<std::string_view>{"b", "a", "c"}));
+  EXPECT_TRUE(base::placeNames("give {\"point\": [x, y]} or {}").empty()) << "other braces are text";
+}
+
+TEST(Text, NumbersAreWrittenAsThePlaceSays) {
+  EXPECT_EQ(english(message("{area:.3g} of {whole:.4g#}, {share:.2f}, {angle}"_text,
+                            base::mm2(12.3456), base::mm2(1234.567), base::percent(4.0),
+                            base::degrees(45.0))),
+            "12.3 mm2 of 1235, 4.00 %, 45 degrees");
+  EXPECT_EQ(english(message("at {place:.1f}"_text, base::Point{1.0, -2.25, 0.04})),
+            "at (1.0, -2.2, 0.0)");
+}
+
+TEST(Text, TheFirstWholeNumberDecidesAboutTheForm) {
+  const auto told = [](int n) {
+    return english(message("{name}: {n} piece is not laid|{name}: {n} pieces are not laid"_plural,
+                           "x"_name, n));
+  };
+  EXPECT_EQ(told(1), "x: 1 piece is not laid");
+  EXPECT_EQ(told(0), "x: 0 pieces are not laid");
+  EXPECT_EQ(told(2), "x: 2 pieces are not laid");
+}
+
+TEST(Text, MessagesStandInMessages) {
+  const base::Message inner = message("{n} voxel|{n} voxels"_plural, 2);
+  EXPECT_EQ(english(message("a column of {voxels} from {foot}"_text, inner, "the plate"_text)),
+            "a column of 2 voxels from the plate");
+  EXPECT_EQ(english(message("failed: {all}"_text, std::vector<base::Message>{inner, inner})),
+            "failed: 2 voxels, 2 voxels");
+}
+
+// German-like: another order of words, its own forms, comma and dot the other way round.
+class Other : public base::Language {
+public:
+  std::string sentence(base::Text text, std::optional<long long> count) const override {
+    if (text == "{n} of {all} piece, {area:.1f}|{n} of {all} pieces, {area:.1f}"_plural)
+      return count == 1 ? "{area:.1f}: von {all} eins" : "{area:.1f}: von {all} {n}";
+    return Language::sentence(text, count);
+  }
+  std::string whole(long long number) const override {
+    std::string text = std::to_string(number);
+    for (std::size_t i = text.size(); i > 3; i -= 3)
+      text.insert(i - 3, ".");
+    return text;
+  }
+  std::string number(double number, char format, int digits) const override {
+    std::string text = Language::number(number, format, digits);
+    for (char& c : text)
+      c = c == '.' ? ',' : c;
+    return text;
+  }
+  std::string withUnit(const std::string& number, base::Unit unit) const override {
+    return unit == base::Unit::Mm2 ? number + " mm²" : Language::withUnit(number, unit);
+  }
+};
+
+TEST(Text, AnotherLanguageGoesBySameValues) {
+  const auto told = [](int n) {
+    return inWords(message("{n} of {all} piece, {area:.1f}|{n} of {all} pieces, {area:.1f}"_plural,
+                           n, 12345, base::mm2(1.25)),
+                   Other());
+  };
+  EXPECT_EQ(told(1), "1,2 mm²: von 12.345 eins");
+  EXPECT_EQ(told(20), "1,2 mm²: von 12.345 20");
+}
+
+TEST(Text, AnErrorIsOneLineAndAllOfItIsData) {
+  const base::Error error(base::ErrorCode::Usage, message("'{text}' is no number"_text, "a\nb"_name),
+                          base::lineOf("file.stl", 12000), "give a number"_text);
+  EXPECT_STREQ(error.what(), "file.stl, line 12000: 'a b' is no number (give a number)");
+  EXPECT_EQ(inWords(error.whole(), Other()),
+            "file.stl, line 12000: 'a\nb' is no number (give a number)");
+  EXPECT_STREQ(base::Error(base::ErrorCode::Usage, "wrong"_text).what(), "wrong");
+  EXPECT_STREQ(base::Error(base::ErrorCode::Usage, "wrong"_text, {}, "mend it"_text).what(),
+               "wrong (mend it)");
+}
+
+// What the compiler refuses: a sentence made at run time, a place without a value.
+template <typename T> constexpr bool kSays = std::is_constructible_v<base::Message, T>;
+static_assert(!kSays<std::string> && !kSays<const char*> && !kSays<std::string_view>);
+static_assert(!std::is_constructible_v<base::Text, const char*>);
+static_assert(!std::is_constructible_v<base::Value, const char*>);
+static_assert(!std::is_constructible_v<base::Value, double>);
+static_assert(base::countPlaces("{a} {b:.2f} {a} {c#} {} {1}") == 3);
+
+} // namespace

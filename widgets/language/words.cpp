@@ -1,0 +1,72 @@
+#include "language/words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace voluta::language {
+
+namespace {
+constexpr const char* kContext = "Core";
+
+class WindowLanguage : public base::Language {
+public:
+  std::string sentence(base::Text text, std::optional<long long> count) const override {
+    const std::string english(text.english());
+    const QString translated = QCoreApplication::translate(
+        kContext, english.c_str(), nullptr, count ? static_cast<int>(*count) : -1);
+    // English has no file of translations: its forms for one are core's own.
+    return translated == QString::fromStdString(english) ? Language::sentence(text, count)
+                                                         : translated.toStdString();
+  }
+  std::string whole(long long number) const override {
+    return QLocale().toString(static_cast<qlonglong>(number)).toStdString();
+  }
+  std::string number(double number, char format, int digits) const override {
+    return QLocale().toString(number, format, digits).toStdString();
+  }
+  std::string withUnit(const std::string& number, base::Unit unit) const override {
+    switch (unit) {
+    case base::Unit::Mm2:
+      return number + " mm²";
+    case base::Unit::Mm3:
+      return number + " mm³";
+    case base::Unit::Degree:
+      return number + "°";
+    case base::Unit::DegreePerS:
+      return number + "°/s";
+    case base::Unit::Mm3PerS:
+      return number + " mm³/s";
+    default:
+      return Language::withUnit(number, unit);
+    }
+  }
+};
+} // namespace
+
+QString words(const base::Message& message) {
+  return QString::fromStdString(base::inWords(message, WindowLanguage()));
+}
+
+QString words(const base::Value& value) {
+  return QString::fromStdString(base::inWords(value, WindowLanguage()));
+}
+
+QString words(base::Text text) {
+  return QString::fromStdString(WindowLanguage().sentence(text, std::nullopt));
+}
+
+QStringList words(const std::vector<base::Message>& messages) {
+  QStringList all;
+  for (const base::Message& message : messages)
+    all << words(message);
+  return all;
+}
+
+QString heading(base::Text text) {
+  QString shown = words(text);
+  if (!shown.isEmpty())
+    shown[0] = shown[0].toUpper();
+  return shown;
+}
+
+} // namespace voluta::language
