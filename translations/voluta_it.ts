@@ -405,44 +405,126 @@
     </message>
 </context>
 <context>
-    <name>Compare</name>
+    <name>Core</name>
     <message>
-        <source>Missed
-voxels</source>
-        <translation>Voxel
-persi</translation>
+        <source>&quot;{text}&quot; is no point</source>
+        <translation>&quot;{text}&quot; non è un punto</translation>
     </message>
     <message>
-        <source>Risky
-mm²</source>
-        <translation>Rischio
-mm²</translation>
+        <source>&apos;end&apos; closes no function</source>
+        <translation>&apos;end&apos; non chiude alcuna funzione</translation>
     </message>
     <message>
-        <source>Supports
-mm³</source>
-        <translation>Supporti
-mm³</translation>
+        <source>&apos;{attribute}&apos; is no number</source>
+        <translation>&apos;{attribute}&apos; non è un numero</translation>
     </message>
     <message>
-        <source>Pieces</source>
-        <translation>Pezzi</translation>
+        <source>&apos;{attribute}&apos; is no whole number</source>
+        <translation>&apos;{attribute}&apos; non è un numero intero</translation>
     </message>
     <message>
-        <source>Layers</source>
-        <translation>Strati</translation>
+        <source>&apos;{corner}&apos; names no vertex</source>
+        <translation>&apos;{corner}&apos; non indica alcun vertice</translation>
     </message>
     <message>
-        <source>Print
-time</source>
-        <translation>Tempo
-stampa</translation>
+        <source>&apos;{corner}&apos; names no vertex read so far</source>
+        <translation>&apos;{corner}&apos; non indica alcun vertice già letto</translation>
     </message>
     <message>
-        <source>Reach
-%</source>
-        <translation>Porta-
-ta %</translation>
+        <source>&apos;{loaded}&apos; is not unloaded</source>
+        <translation>&apos;{loaded}&apos; non viene scaricato</translation>
+    </message>
+    <message>
+        <source>&apos;{member}&apos; in it {what}</source>
+        <translation>&apos;{member}&apos; al suo interno {what}</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; is called outside the function</source>
+        <translation>&apos;{name}&apos; è chiamato fuori dalla funzione</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; is no {type}</source>
+        <translation>&apos;{name}&apos; non è di tipo {type}</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; is not declared as {type}</source>
+        <translation>&apos;{name}&apos; non è dichiarato come {type}</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; is not known to the reader</source>
+        <translation>&apos;{name}&apos; non è noto al lettore</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is no weight</source>
+        <translation>&apos;{text}&apos; non è un peso</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not a number</source>
+        <translation>&apos;{text}&apos; non è un numero</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not expected here</source>
+        <translation>&apos;{text}&apos; non è atteso qui</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not key=value</source>
+        <translation>&apos;{text}&apos; non è chiave=valore</translation>
+    </message>
+    <message>
+        <source>&apos;{value}&apos; is neither true nor false</source>
+        <translation>&apos;{value}&apos; non è né true né false</translation>
+    </message>
+    <message>
+        <source>&apos;{value}&apos; is not a number</source>
+        <translation>&apos;{value}&apos; non è un numero</translation>
+    </message>
+    <message>
+        <source>&apos;{value}&apos; is not a whole number</source>
+        <translation>&apos;{value}&apos; non è un numero intero</translation>
+    </message>
+    <message>
+        <source>&apos;{value}&apos; is not one of {choices}</source>
+        <translation>&apos;{value}&apos; non è tra {choices}</translation>
+    </message>
+    <message>
+        <source>&apos;{value}&apos; is out of range</source>
+        <translation>&apos;{value}&apos; è fuori dall&apos;intervallo</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; is not known to the reader</source>
+        <translation>&apos;{word}&apos; non è noto al lettore</translation>
+    </message>
+    <message>
+        <source>--ik: the quaternion&apos;s length is {length:.4g}, not 1</source>
+        <translation>--ik: la lunghezza del quaternione è {length:.4g}, non 1</translation>
+    </message>
+    <message>
+        <source>0: a round rod; 3 or more: a prism, measured over its corners.</source>
+        <translation>0: barra tonda; 3 o più: un prisma, misurato sugli spigoli.</translation>
+    </message>
+    <message>
+        <source>Adaptive layers: how far the edges of layers may stand out of the surface.</source>
+        <translation>Strati adattivi: di quanto i bordi degli strati possono sporgere dalla superficie.</translation>
+    </message>
+    <message>
+        <source>Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, toolpath.vtp and trajectory.csv.</source>
+        <translation>Aggiunge voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, toolpath.vtp e trajectory.csv.</translation>
+    </message>
+    <message>
+        <source>Also writes programs that the replay refused, as refused-NAME, to be looked at and never to be run.</source>
+        <translation>Scrive anche i programmi respinti dalla verifica, come refused-NOME: da esaminare, mai da eseguire.</translation>
+    </message>
+    <message>
+        <source>At constant radius about the axis, or at constant distance from the rod&apos;s profile.</source>
+        <translation>A raggio costante intorno all’asse, o a distanza costante dal profilo della barra.</translation>
+    </message>
+    <message>
+        <source>Beads</source>
+        <translation>cordoni</translation>
+    </message>
+    <message>
+        <source>Beads laid along the edge of each layer before it is filled.</source>
+        <translation>Cordoni deposti lungo il bordo di ogni strato prima del riempimento.</translation>
     </message>
     <message>
         <source>Colli-
@@ -451,32 +533,3332 @@ sions</source>
 sioni</translation>
     </message>
     <message>
-        <source>Missed voxels</source>
-        <translation>Voxel persi</translation>
+        <source>Convex front</source>
+        <translation>Fronte convesso</translation>
     </message>
     <message>
-        <source>Risky area</source>
-        <translation>Area a rischio</translation>
+        <source>Decomposition</source>
+        <translation>Scomposizione</translation>
+    </message>
+    <message>
+        <source>Direction of straight lines on the first layer, from x to y.</source>
+        <translation>Direzione delle linee rette sul primo strato, da x verso y.</translation>
+    </message>
+    <message>
+        <source>Distance that all but the print head keeps from what is printed.</source>
+        <translation>Distanza minima dal materiale stampato per tutto tranne la testa di stampa.</translation>
+    </message>
+    <message>
+        <source>Distance that links, plate, nozzle holder and obstacles keep from each other.</source>
+        <translation>Distanza minima fra membri del braccio, piatto, portaugello e ostacoli.</translation>
+    </message>
+    <message>
+        <source>ENDMODULE is missing: the file was cut short</source>
+        <translation>manca ENDMODULE: il file è stato troncato</translation>
+    </message>
+    <message>
+        <source>ENDPROC closes no procedure</source>
+        <translation>ENDPROC non chiude alcuna procedura</translation>
+    </message>
+    <message>
+        <source>Field rounds</source>
+        <translation>cicli del campo</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>fronte</translation>
+    </message>
+    <message>
+        <source>Gap fill</source>
+        <translation>Riempimento vuoti</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppo</translation>
+    </message>
+    <message>
+        <source>Growth incremental, adaptive, guided: a layer takes voxels as long as it cuts off fewer than this many others. 1: none. 0: fewer than the whole layer would.</source>
+        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: uno strato prende voxel finché ne isola meno di questi. 1: nessuno. 0: meno di quanti ne isolerebbe lo strato intero.</translation>
+    </message>
+    <message>
+        <source>Growth incremental, adaptive, guided: where every voxel of a layer would cut others off, lay all of it as the source does (layer) or only what cuts off fewest (least).</source>
+        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: dove ogni voxel di uno strato ne isolerebbe altri, deporlo tutto come fa la fonte (strato) o solo ciò che ne isola di meno (il meno possibile).</translation>
+    </message>
+    <message>
+        <source>Growth incremental: a layer&apos;s voxels are tried outwards from the first one (flooding) or in the order they were found (insertion).</source>
+        <translation>Crescita voxel per voxel: i voxel di uno strato si provano dal primo verso l&apos;esterno (a espansione) o nell&apos;ordine in cui sono stati trovati (di inserimento).</translation>
+    </message>
+    <message>
+        <source>Growth step</source>
+        <translation>Passo di crescita</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altezza</translation>
+    </message>
+    <message>
+        <source>How far a face may lean over from the upright without support, in every mode but curved.</source>
+        <translation>Quanto una faccia può sporgere dalla verticale senza supporto, in tutti i modi tranne quello curvo.</translation>
+    </message>
+    <message>
+        <source>How far the nozzle leaves the part, at least, before it travels.</source>
+        <translation>Di quanto, almeno, l&apos;ugello si stacca dal pezzo prima di spostarsi a vuoto.</translation>
+    </message>
+    <message>
+        <source>How many turns of the part about the nozzle&apos;s axis are tried at each place.</source>
+        <translation>Quante rotazioni del pezzo attorno all&apos;asse dell&apos;ugello vengono provate in ogni punto.</translation>
+    </message>
+    <message>
+        <source>How much straight lines turn from layer to layer; 0: all one way.</source>
+        <translation>Di quanto girano le linee rette da uno strato all’altro; 0: tutte allo stesso modo.</translation>
+    </message>
+    <message>
+        <source>How often growth and smooth field are fitted to each other at most. 0: layers from the ranks.</source>
+        <translation>Quante volte al massimo crescita e campo liscio vengono adattati l&apos;una all&apos;altro. 0: strati dai ranghi.</translation>
+    </message>
+    <message>
+        <source>How the inside of each layer is filled.</source>
+        <translation>Come viene riempito l&apos;interno di ogni strato.</translation>
+    </message>
+    <message>
+        <source>Infill</source>
+        <translation>Riempimento</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Strato</translation>
+    </message>
+    <message>
+        <source>Layer spacing</source>
+        <translation>Spaziatura degli strati</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Strati</translation>
+    </message>
+    <message>
+        <source>Layers that flatten end on it: flat (at the part&apos;s top), flat:Z, radius:R (a wider cylinder) or mesh:FILE, placed with the platform&apos;s.</source>
+        <translation>Gli strati che spianano finiscono qui: flat (in cima al pezzo), flat:Z, radius:R (un cilindro più largo) o mesh:FILE, posato con quello della piattaforma.</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Caricamento</translation>
+    </message>
+    <message>
+        <source>Longest distance of waypoints along a tool-path.</source>
+        <translation>Distanza massima fra i punti di un percorso utensile.</translation>
+    </message>
+    <message>
+        <source>Looks for a better way for the part to lie, from where it was put: with the least overhanging area, or with the fewest voxels missed by growth.</source>
+        <translation>Cerca una giacitura migliore del pezzo, da dove è stato messo: con la minore area a sbalzo, o con il minor numero di voxel mancati dalla crescita.</translation>
+    </message>
+    <message>
+        <source>Missed
+voxels</source>
+        <translation>Voxel
+persi</translation>
+    </message>
+    <message>
+        <source>Missed, cascade</source>
+        <translation>Mancati, a cascata</translation>
+    </message>
+    <message>
+        <source>Missed, shadowed</source>
+        <translation>Mancati, in ombra</translation>
+    </message>
+    <message>
+        <source>Missed, unreached</source>
+        <translation>Mancati, non raggiunti</translation>
+    </message>
+    <message>
+        <source>Mode flat: a JSON file, or its text, with the plane or quadrilateral of each layer. Empty: layers along z.</source>
+        <translation>Modo flat: un file JSON, o il suo testo, con il piano o quadrilatero di ogni strato. Vuoto: strati lungo z.</translation>
+    </message>
+    <message>
+        <source>Mode planar: a JSON file, or its text, with a point and a normal for each plane that cuts the part, in turn. Empty: they are searched for.</source>
+        <translation>Modo planar: un file JSON, o il suo testo, con un punto e una normale per ogni piano che taglia il pezzo, uno dopo l&apos;altro. Vuoto: i piani vengono cercati.</translation>
+    </message>
+    <message>
+        <source>Mode planar: a material or filament for each piece, separated by commas; from the first again where there are more pieces. Empty: the process&apos;s.</source>
+        <translation>Modo planar: un materiale o filamento per ogni pezzo, separati da virgole; si ricomincia dal primo se i pezzi sono di più. Vuoto: quello del processo.</translation>
+    </message>
+    <message>
+        <source>Mode planar: beam keeps several partial results and asks of the head&apos;s true shape; greedy is the published scheme, by the part&apos;s skeleton.</source>
+        <translation>Modo planar: beam tiene più risultati parziali e tiene conto della vera forma della testa; greedy è lo schema pubblicato, secondo lo scheletro del pezzo.</translation>
+    </message>
+    <message>
+        <source>Mode substrate: at constant distance from the surface, on spheres, on cylinders along x, or from the surface to an end surface, thicker where the way is longer.</source>
+        <translation>Modo substrate: a distanza costante dalla superficie, su sfere, su cilindri lungo x, o dalla superficie a una superficie finale, più spessi dove la via è più lunga.</translation>
+    </message>
+    <message>
+        <source>Modes lathe and substrate: height of the layer on the ground; 0: as high as the others.</source>
+        <translation>Modi lathe e substrate: altezza dello strato sul fondo; 0: alto come gli altri.</translation>
+    </message>
+    <message>
+        <source>Modes planar and flat: thinner layers where the surface leans, within the process&apos;s limits.</source>
+        <translation>Modi planar e flat: strati più sottili dove la superficie è inclinata, entro i limiti del processo.</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimento</translation>
+    </message>
+    <message>
+        <source>Needs support</source>
+        <translation>Richiede supporto</translation>
+    </message>
+    <message>
+        <source>Of helical infill: 0 winds around the axis, 90 runs along it.</source>
+        <translation>Del riempimento elicoidale: 0 si avvolge attorno all&apos;asse, 90 corre lungo l&apos;asse.</translation>
+    </message>
+    <message>
+        <source>Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that the part stands on, or below the part.</source>
+        <translation>Di sfere e cilindri: x,y,z in mm. Vuoto: quello della sfera o del cilindro su cui sta il pezzo, o sotto il pezzo.</translation>
+    </message>
+    <message>
+        <source>Order of trying</source>
+        <translation>ordine dei tentativi</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>file in uscita</translation>
+    </message>
+    <message>
+        <source>Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight.</source>
+        <translation>Coppie di x e raggio in mm, come -20,2.5 0,2.5 0,3.5 20,3.5, o un file che le contiene; un gradino ha due coppie alla stessa x. Oltre, la barra continua com’è. Vuoto: diritta.</translation>
+    </message>
+    <message>
+        <source>Peeling rank</source>
+        <translation>Rango di pelatura</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Pezzo</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Pezzi</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Posizione</translation>
+    </message>
+    <message>
+        <source>Print
+time</source>
+        <translation>Tempo
+stampa</translation>
+    </message>
+    <message>
+        <source>RAPID (ABB)</source>
+        <translation>RAPID (ABB)</translation>
+    </message>
+    <message>
+        <source>Reach
+%</source>
+        <translation>Porta-
+ta %</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Verifica</translation>
+    </message>
+    <message>
+        <source>Risky
+mm²</source>
+        <translation>Rischio
+mm²</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>Barra</translation>
+    </message>
+    <message>
+        <source>STL, OBJ, PLY, OFF and 3MF can be read</source>
+        <translation>si possono leggere STL, OBJ, PLY, OFF e 3MF</translation>
+    </message>
+    <message>
+        <source>Scheme greedy: how many thicknesses the part&apos;s branches are told apart by. 0: as many as stand apart.</source>
+        <translation>Schema greedy: quanti spessori distinguono i rami del pezzo. 0: quanti risultano distinti.</translation>
+    </message>
+    <message>
+        <source>Scheme greedy: x,y,z (mm) of a place on what is printed first; it must stand on the plate. Empty: what stands on it with most area.</source>
+        <translation>Schema greedy: x,y,z (mm) di un punto su ciò che si stampa per primo; deve poggiare sul piatto. Vuoto: ciò che vi poggia con più area.</translation>
+    </message>
+    <message>
+        <source>Shadowed per layer</source>
+        <translation>isolati per strato</translation>
+    </message>
+    <message>
+        <source>Shape of the head that must clear all that is printed earlier: a flat one as wide as needed, or the head as it is: where voxels would be lost otherwise (nozzle) and under wide roofs (nozzle and auto).</source>
+        <translation>Forma della testa che deve evitare tutto ciò che è già stampato: una piatta, larga quanto serve, o la testa com&apos;è: dove altrimenti si perderebbero dei voxel (ugello) e sotto tetti ampi (ugello e automatico).</translation>
+    </message>
+    <message>
+        <source>Share of the inside that is filled; 1 is solid.</source>
+        <translation>Quota dell&apos;interno da riempire; 1 è pieno.</translation>
+    </message>
+    <message>
+        <source>Skirt</source>
+        <translation>Skirt</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocità</translation>
+    </message>
+    <message>
+        <source>Step being laid</source>
+        <translation>Passo in deposizione</translation>
+    </message>
+    <message>
+        <source>Support</source>
+        <translation>Supporto</translation>
     </message>
     <message>
         <source>Supports</source>
-        <translation>Supporti</translation>
+        <translation>supporti</translation>
     </message>
     <message>
-        <source>Print time</source>
-        <translation>Tempo di stampa</translation>
+        <source>Supports
+mm³</source>
+        <translation>Supporti
+mm³</translation>
     </message>
     <message>
-        <source>Out of reach</source>
-        <translation>Fuori portata</translation>
+        <source>Surface</source>
+        <translation>Superficie</translation>
     </message>
     <message>
-        <source>Collisions</source>
-        <translation>Collisioni</translation>
+        <source>The sources&apos; schemes: whether a voxel that lies exactly on the convex front can still be laid (outside) or is cut off by it (inside).</source>
+        <translation>Schemi delle fonti: se un voxel che giace esattamente sul fronte convesso si può ancora deporre (fuori) o ne resta isolato (dentro).</translation>
     </message>
-</context>
-<context>
-    <name>Core</name>
+    <message>
+        <source>Tilt of the nozzle</source>
+        <translation>Inclinazione dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Too thick to lay</source>
+        <translation>Troppo spesso da deporre</translation>
+    </message>
+    <message>
+        <source>Too thin to lay</source>
+        <translation>Troppo sottile da deporre</translation>
+    </message>
+    <message>
+        <source>Tool-paths</source>
+        <translation>Percorsi utensile</translation>
+    </message>
+    <message>
+        <source>URScript (Universal Robots)</source>
+        <translation>URScript (Universal Robots)</translation>
+    </message>
+    <message>
+        <source>Use voxel width {fits}</source>
+        <translation>Usa voxel larghi {fits}</translation>
+    </message>
+    <message>
+        <source>Voxel width</source>
+        <translation>larghezza voxel</translation>
+    </message>
+    <message>
+        <source>Voxels on the front</source>
+        <translation>voxel sul fronte</translation>
+    </message>
+    <message>
+        <source>WaitTime needs its seconds</source>
+        <translation>WaitTime richiede i suoi secondi</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Parete</translation>
+    </message>
+    <message>
+        <source>Wanted height of a layer; the process limits what it may become.</source>
+        <translation>Altezza desiderata di uno strato; il processo ne fissa i limiti.</translation>
+    </message>
+    <message>
+        <source>Wanted width of a bead; the process limits what it may become.</source>
+        <translation>Larghezza desiderata di un cordone; il processo ne fissa i limiti.</translation>
+    </message>
+    <message>
+        <source>What carries voxels that growth would miss: nothing, or columns as thin as a voxel, to be broken off afterwards.</source>
+        <translation>Che cosa regge i voxel che la crescita mancherebbe: nulla, o colonne sottili quanto un voxel, da staccare alla fine.</translation>
+    </message>
+    <message>
+        <source>Where nothing is safe</source>
+        <translation>dove nulla è sicuro</translation>
+    </message>
+    <message>
+        <source>Which of the part&apos;s own axes is laid on the rod; auto: the one that its sides run along.</source>
+        <translation>Quale degli assi del pezzo si posa sulla barra; auto: quello lungo cui corrono i suoi fianchi.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Larghezza</translation>
+    </message>
+    <message>
+        <source>Width of the voxels that growth works on; layers are not bound to it.</source>
+        <translation>Larghezza dei voxel su cui lavora la crescita; gli strati non ne dipendono.</translation>
+    </message>
+    <message>
+        <source>a G command that is not known to the reader</source>
+        <translation>un comando G non noto al lettore</translation>
+    </message>
+    <message>
+        <source>a PLY file begins with &quot;ply&quot;</source>
+        <translation>un file PLY comincia con &quot;ply&quot;</translation>
+    </message>
+    <message>
+        <source>a call of what was not loaded</source>
+        <translation>una chiamata a ciò che non è stato caricato</translation>
+    </message>
+    <message>
+        <source>a column of {voxels} from {foot} carries {carried} that would be missed</source>
+        <translation>una colonna di {voxels} da {foot} porta {carried} che altrimenti mancherebbero</translation>
+    </message>
+    <message>
+        <source>a configuration is whole quarters of a turn</source>
+        <translation>una configurazione è un numero intero di quarti di giro</translation>
+    </message>
+    <message>
+        <source>a digital output is 0 or 1</source>
+        <translation>un&apos;uscita digitale è 0 o 1</translation>
+    </message>
+    <message>
+        <source>a direction needs nX, nY and nZ</source>
+        <translation>una direzione richiede nX, nY e nZ</translation>
+    </message>
+    <message>
+        <source>a direction whose length is not 1</source>
+        <translation>una direzione la cui lunghezza non è 1</translation>
+    </message>
+    <message>
+        <source>a face names vertex {vertex} of {vertices}</source>
+        <translation>una faccia indica il vertice {vertex} di {vertices}</translation>
+    </message>
+    <message>
+        <source>a face needs its number of corners, then the corners</source>
+        <translation>una faccia richiede il numero dei suoi vertici, poi i vertici</translation>
+    </message>
+    <message>
+        <source>a face needs three corners or more</source>
+        <translation>una faccia richiede tre o più vertici</translation>
+    </message>
+    <message>
+        <source>a facet of fewer than three vertices</source>
+        <translation>una faccetta con meno di tre vertici</translation>
+    </message>
+    <message>
+        <source>a flow of {flow:.1f}, the extruder gives {limit:.1f#}</source>
+        <translation>un flusso di {flow:.1f}, l&apos;estrusore dà {limit:.1f#}</translation>
+    </message>
+    <message>
+        <source>a joint value far outside any limit</source>
+        <translation>un valore di giunto molto oltre ogni limite</translation>
+    </message>
+    <message>
+        <source>a larger platform, or turn the part</source>
+        <translation>una piattaforma più grande, o girare il pezzo</translation>
+    </message>
+    <message>
+        <source>a larger platform, supports, or join this piece to the part</source>
+        <translation>una piattaforma più grande, supporti, o unire questa parte al pezzo</translation>
+    </message>
+    <message>
+        <source>a line does not end with CR LF</source>
+        <translation>una riga non termina con CR LF</translation>
+    </message>
+    <message>
+        <source>a line without a command</source>
+        <translation>una riga senza comando</translation>
+    </message>
+    <message>
+        <source>a list has an impossible length</source>
+        <translation>una lista ha una lunghezza impossibile</translation>
+    </message>
+    <message>
+        <source>a mesh with corners that are not there</source>
+        <translation>una mesh con vertici che non esistono</translation>
+    </message>
+    <message>
+        <source>a module begins with MODULE and its name</source>
+        <translation>un modulo comincia con MODULE e il suo nome</translation>
+    </message>
+    <message>
+        <source>a motion before X, Y and Z are all known</source>
+        <translation>un movimento prima che X, Y e Z siano tutti noti</translation>
+    </message>
+    <message>
+        <source>a motion before any speed (F)</source>
+        <translation>un movimento prima di una velocità (F)</translation>
+    </message>
+    <message>
+        <source>a motion that never gets anywhere: no speed or acceleration</source>
+        <translation>un movimento che non arriva mai: nessuna velocità o accelerazione</translation>
+    </message>
+    <message>
+        <source>a motion with a word {letter} is not understood</source>
+        <translation>un movimento con la parola {letter} non è compreso</translation>
+    </message>
+    <message>
+        <source>a motion without a target</source>
+        <translation>un movimento senza destinazione</translation>
+    </message>
+    <message>
+        <source>a name is declared twice</source>
+        <translation>un nome è dichiarato due volte</translation>
+    </message>
+    <message>
+        <source>a narrower bead or a lower layer height follows finer detail; support carries what begins in the air</source>
+        <translation>un cordone più stretto o strati più bassi seguono dettagli più fini; un supporto porta ciò che comincia nel vuoto</translation>
+    </message>
+    <message>
+        <source>a picture of {width} x {height} pixels cannot be drawn</source>
+        <translation>un&apos;immagine di {width} x {height} pixel non può essere disegnata</translation>
+    </message>
+    <message>
+        <source>a platform is a mesh, not a voxel object</source>
+        <translation>una piattaforma è una mesh, non un oggetto di voxel</translation>
+    </message>
+    <message>
+        <source>a point is not a number</source>
+        <translation>un punto non è un numero</translation>
+    </message>
+    <message>
+        <source>a point is three numbers</source>
+        <translation>un punto è tre numeri</translation>
+    </message>
+    <message>
+        <source>a point that is nowhere near a part</source>
+        <translation>un punto lontanissimo da ogni pezzo</translation>
+    </message>
+    <message>
+        <source>a pose before set_tcp: whose pose is it?</source>
+        <translation>una posa prima di set_tcp: di che cosa è la posa?</translation>
+    </message>
+    <message>
+        <source>a pose far outside any robot&apos;s reach</source>
+        <translation>una posa molto oltre la portata di ogni robot</translation>
+    </message>
+    <message>
+        <source>a pose p[x,y,z,rx,ry,rz] is needed</source>
+        <translation>serve una posa p[x,y,z,rx,ry,rz]</translation>
+    </message>
+    <message>
+        <source>a position far outside any robot&apos;s reach</source>
+        <translation>una posizione molto oltre la portata di ogni robot</translation>
+    </message>
+    <message>
+        <source>a property of unknown type</source>
+        <translation>una proprietà di tipo sconosciuto</translation>
+    </message>
+    <message>
+        <source>a quadrilateral does not cut a part</source>
+        <translation>un quadrilatero non taglia un pezzo</translation>
+    </message>
+    <message>
+        <source>a quadrilateral has four corners</source>
+        <translation>un quadrilatero ha quattro vertici</translation>
+    </message>
+    <message>
+        <source>a quaternion whose length is not 1</source>
+        <translation>un quaternione la cui lunghezza non è 1</translation>
+    </message>
+    <message>
+        <source>a rod is round or has three sides at least</source>
+        <translation>una barra è tonda o ha almeno tre lati</translation>
+    </message>
+    <message>
+        <source>a rod needs two points at least</source>
+        <translation>una barra richiede almeno due punti</translation>
+    </message>
+    <message>
+        <source>a row beyond its array</source>
+        <translation>una riga oltre il suo vettore</translation>
+    </message>
+    <message>
+        <source>a second function; only one is read</source>
+        <translation>una seconda funzione; ne viene letta una sola</translation>
+    </message>
+    <message>
+        <source>a second procedure; only one is read</source>
+        <translation>una seconda procedura; ne viene letta una sola</translation>
+    </message>
+    <message>
+        <source>a second, different TCP</source>
+        <translation>un secondo TCP, diverso</translation>
+    </message>
+    <message>
+        <source>a second, different tool</source>
+        <translation>un secondo utensile, diverso</translation>
+    </message>
+    <message>
+        <source>a shifted origin is not understood</source>
+        <translation>un&apos;origine spostata non è compresa</translation>
+    </message>
+    <message>
+        <source>a space</source>
+        <translation>uno spazio</translation>
+    </message>
+    <message>
+        <source>a speed is no sensible number</source>
+        <translation>una velocità non è un numero sensato</translation>
+    </message>
+    <message>
+        <source>a speed that is not above 0</source>
+        <translation>una velocità non superiore a 0</translation>
+    </message>
+    <message>
+        <source>a statement outside the procedure</source>
+        <translation>un&apos;istruzione fuori dalla procedura</translation>
+    </message>
+    <message>
+        <source>a step at the end of the rod</source>
+        <translation>un gradino all&apos;estremità della barra</translation>
+    </message>
+    <message>
+        <source>a target of fewer than six joints</source>
+        <translation>una destinazione con meno di sei giunti</translation>
+    </message>
+    <message>
+        <source>a time is no sensible number</source>
+        <translation>un tempo non è un numero sensato</translation>
+    </message>
+    <message>
+        <source>a tool that the robot does not hold is not read</source>
+        <translation>un utensile che il robot non tiene non viene letto</translation>
+    </message>
+    <message>
+        <source>a transform has not twelve numbers</source>
+        <translation>una trasformazione non ha dodici numeri</translation>
+    </message>
+    <message>
+        <source>a transform is not of numbers</source>
+        <translation>una trasformazione non è fatta di numeri</translation>
+    </message>
+    <message>
+        <source>a triangle of vertex {vertex}, which is not there</source>
+        <translation>un triangolo con il vertice {vertex}, che non esiste</translation>
+    </message>
+    <message>
+        <source>a vertex needs three numbers</source>
+        <translation>un vertice richiede tre numeri</translation>
+    </message>
+    <message>
+        <source>a voxel width of at most {fits}</source>
+        <translation>voxel larghi al massimo {fits}</translation>
+    </message>
+    <message>
+        <source>a wall {usual:.2f} thick ({thinnest:.2f} at its thinnest) is thinner than a voxel of {voxel}</source>
+        <translation>una parete spessa {usual:.2f} ({thinnest:.2f} nel punto più sottile) è più sottile di un voxel di {voxel}</translation>
+    </message>
+    <message>
+        <source>a waypoint&apos;s number is a whole number from -1</source>
+        <translation>il numero di un punto del percorso è un intero da -1</translation>
+    </message>
+    <message>
+        <source>a work object is moved by the mechanical unit that it names, or stands still</source>
+        <translation>un oggetto di lavoro è mosso dall&apos;unità meccanica che indica, o sta fermo</translation>
+    </message>
+    <message>
+        <source>a work object that the robot holds is not read</source>
+        <translation>un oggetto di lavoro tenuto dal robot non viene letto</translation>
+    </message>
+    <message>
+        <source>a zone is no sensible number</source>
+        <translation>una zona non è un numero sensato</translation>
+    </message>
+    <message>
+        <source>a zone of the turn or the external axes inside the TCP&apos;s</source>
+        <translation>una zona della rotazione o degli assi esterni dentro quella del TCP</translation>
+    </message>
+    <message>
+        <source>a {type} has other parts</source>
+        <translation>un {type} ha altre parti</translation>
+    </message>
+    <message>
+        <source>adaptive layers</source>
+        <translation>strati adattivi</translation>
+    </message>
+    <message>
+        <source>add a row of - under the part, where it is to stand</source>
+        <translation>aggiungi una riga di - sotto il pezzo, dove deve poggiare</translation>
+    </message>
+    <message>
+        <source>add supports (supports=auto), cut there, or use curved mode</source>
+        <translation>aggiungi supporti (supports=auto), taglia lì, o usa strati curvi</translation>
+    </message>
+    <message>
+        <source>all pieces are held to the plate by {foot:.3g}, of {whole:.3g#} that the part stands on uncut</source>
+        <translation>tutte le parti sono tenute alla piastra da {foot:.3g}, dei {whole:.3g#} su cui il pezzo intero poggia</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>lungo l&apos;asse</translation>
+    </message>
+    <message>
+        <source>an M command that is not known to the reader</source>
+        <translation>un comando M non noto al lettore</translation>
+    </message>
+    <message>
+        <source>an OFF file begins with &quot;OFF&quot;</source>
+        <translation>un file OFF comincia con &quot;OFF&quot;</translation>
+    </message>
+    <message>
+        <source>an analogue output outside 0..1</source>
+        <translation>un&apos;uscita analogica fuori da 0..1</translation>
+    </message>
+    <message>
+        <source>an argument of {name} is unknown or given twice</source>
+        <translation>un argomento di {name} è sconosciuto o dato due volte</translation>
+    </message>
+    <message>
+        <source>an element needs its number</source>
+        <translation>un elemento richiede il suo numero</translation>
+    </message>
+    <message>
+        <source>an external axis far outside any limit</source>
+        <translation>un asse esterno molto oltre ogni limite</translation>
+    </message>
+    <message>
+        <source>an external axis that moves no work object is not read</source>
+        <translation>un asse esterno che non muove alcun oggetto di lavoro non viene letto</translation>
+    </message>
+    <message>
+        <source>an output needs its number and a value</source>
+        <translation>un&apos;uscita richiede il suo numero e un valore</translation>
+    </message>
+    <message>
+        <source>an unknown PLY format</source>
+        <translation>un formato PLY sconosciuto</translation>
+    </message>
+    <message>
+        <source>an unknown line in the header</source>
+        <translation>una riga sconosciuta nell&apos;intestazione</translation>
+    </message>
+    <message>
+        <source>and further places, the first at {place}: the cell prints up to {radius} from the rod&apos;s axis and {along} from its middle</source>
+        <translation>e altri punti, il primo a {place}: la cella stampa fino a {radius} dall&apos;asse della barra e {along} dal suo centro</translation>
+    </message>
+    <message>
+        <source>and further places, the first at {place}: the print head would cut into the platform</source>
+        <translation>e altri punti, il primo a {place}: la testina entrerebbe nella piattaforma</translation>
+    </message>
+    <message>
+        <source>and further places, the first at {place}: the print head would cut into what is printed already</source>
+        <translation>e altri punti, il primo a {place}: la testina entrerebbe in ciò che è già stampato</translation>
+    </message>
+    <message>
+        <source>and further places, the first at {place}: the robot can be here, but cannot come from or go on to a neighbouring place without lifting</source>
+        <translation>e altri punti, il primo a {place}: il robot può stare qui, ma non può venire da un punto vicino o proseguire verso di esso senza sollevarsi</translation>
+    </message>
+    <message>
+        <source>and further places, the first at {place}: the robot cannot bring this place under the nozzle: out of reach, or beyond a joint&apos;s limits, however the part is turned about the nozzle</source>
+        <translation>e altri punti, il primo a {place}: il robot non può portare questo punto sotto l&apos;ugello: fuori portata, o oltre i limiti di un giunto, comunque si giri il pezzo attorno all&apos;ugello</translation>
+    </message>
+    <message>
+        <source>and further places, the first at {place}: {first} would meet {second}, however the part is turned about the nozzle</source>
+        <translation>e altri punti, il primo a {place}: {first} toccherebbe {second}, comunque si giri il pezzo attorno all&apos;ugello</translation>
+    </message>
+    <message>
+        <source>and more from here on</source>
+        <translation>e altro da qui in poi</translation>
+    </message>
+    <message numerus="yes">
+        <source>and {collisions} collisions more</source>
+        <translation>
+            <numerusform>e {collisions} altra collisione</numerusform>
+            <numerusform>e altre {collisions} collisioni</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and {violations} violations more</source>
+        <translation>
+            <numerusform>e {violations} altra violazione</numerusform>
+            <numerusform>e altre {violations} violazioni</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>another column</source>
+        <translation>un&apos;altra colonna</translation>
+    </message>
+    <message>
+        <source>argument {key} is no sensible number</source>
+        <translation>l&apos;argomento {key} non è un numero sensato</translation>
+    </message>
+    <message>
+        <source>around</source>
+        <translation>attorno all&apos;asse</translation>
+    </message>
+    <message>
+        <source>at {point:.1f}</source>
+        <translation>a {point:.1f}</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>automatico</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>asse</translation>
+    </message>
+    <message>
+        <source>axis of the part</source>
+        <translation>asse del pezzo</translation>
+    </message>
+    <message>
+        <source>bead width</source>
+        <translation>larghezza cordone</translation>
+    </message>
+    <message>
+        <source>beam</source>
+        <translation>a fascio</translation>
+    </message>
+    <message>
+        <source>block &apos;{name}&apos; of the job file is damaged</source>
+        <translation>il blocco &apos;{name}&apos; del progetto è danneggiato</translation>
+    </message>
+    <message>
+        <source>break it off after printing</source>
+        <translation>staccala dopo la stampa</translation>
+    </message>
+    <message>
+        <source>broken precondition: {what}</source>
+        <translation>condizione violata: {what}</translation>
+    </message>
+    <message>
+        <source>byte {code}</source>
+        <translation>byte {code}</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>non si può leggere fino alla fine</translation>
+    </message>
+    <message>
+        <source>cannot be read: {why}</source>
+        <translation>non si può leggere: {why}</translation>
+    </message>
+    <message>
+        <source>cannot be written: {why}</source>
+        <translation>non si può scrivere: {why}</translation>
+    </message>
+    <message>
+        <source>cell {cell}</source>
+        <translation>cella {cell}</translation>
+    </message>
+    <message>
+        <source>cell {cell} holds a rod, and mode {mode} prints on a plate</source>
+        <translation>la cella {cell} tiene una barra, e la modalità {mode} stampa su una piastra</translation>
+    </message>
+    <message>
+        <source>cell {id} holds no rod to print on</source>
+        <translation>la cella {id} non tiene una barra su cui stampare</translation>
+    </message>
+    <message>
+        <source>centre of layers</source>
+        <translation>centro degli strati</translation>
+    </message>
+    <message>
+        <source>check the flow and the infill&apos;s density</source>
+        <translation>controlla il flusso e la densità del riempimento</translation>
+    </message>
+    <message>
+        <source>checking layers</source>
+        <translation>controllo degli strati</translation>
+    </message>
+    <message>
+        <source>checking the motion</source>
+        <translation>controllo del movimento</translation>
+    </message>
+    <message>
+        <source>choose a smaller voxelMm or beadWidthMm</source>
+        <translation>scegli un voxelMm o un beadWidthMm più piccolo</translation>
+    </message>
+    <message>
+        <source>choose layers that reach all of it (layerShape, layerCentre, endSurface)</source>
+        <translation>scegliere strati che lo raggiungano tutto (layerShape, layerCentre, endSurface)</translation>
+    </message>
+    <message>
+        <source>choose {least} to {most} pixels a side</source>
+        <translation>scegli da {least} a {most} pixel per lato</translation>
+    </message>
+    <message>
+        <source>clearance of the arm</source>
+        <translation>distanza del braccio</translation>
+    </message>
+    <message>
+        <source>clearance of the part</source>
+        <translation>distanza dal pezzo</translation>
+    </message>
+    <message numerus="yes">
+        <source>closed {count} holes, the largest of {edges} edges at {at:.2f}</source>
+        <translation>
+            <numerusform>chiuso {count} foro, di {edges} spigoli a {at:.2f}</numerusform>
+            <numerusform>chiusi {count} fori, il più grande di {edges} spigoli a {at:.2f}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>collisions</source>
+        <translation>collisioni</translation>
+    </message>
+    <message>
+        <source>comparing with the plan</source>
+        <translation>confronto con il piano</translation>
+    </message>
+    <message>
+        <source>concentric</source>
+        <translation>concentrico</translation>
+    </message>
+    <message>
+        <source>contact area + {sizes} mm</source>
+        <translation>area di contatto + {sizes} mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>cut it off after printing: it touches the part at {faces} more faces</source>
+        <translation>
+            <numerusform>tagliala dopo la stampa: tocca il pezzo su un&apos;altra faccia</numerusform>
+            <numerusform>tagliala dopo la stampa: tocca il pezzo su altre {faces} facce</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>cut out {removed} of {all} self-intersections</source>
+        <translation>eliminate {removed} di {all} autointersezioni</translation>
+    </message>
+    <message>
+        <source>cut short</source>
+        <translation>troncato</translation>
+    </message>
+    <message>
+        <source>cut short within a facet</source>
+        <translation>troncato dentro una faccetta</translation>
+    </message>
+    <message>
+        <source>cut short, or not a mesh: {what}</source>
+        <translation>troncato, o non è una mesh: {what}</translation>
+    </message>
+    <message>
+        <source>cut short: {bytes} bytes are no STL file</source>
+        <translation>troncato: {bytes} byte non sono un file STL</translation>
+    </message>
+    <message>
+        <source>cut short: {there} of {wanted} faces</source>
+        <translation>troncato: {there} di {wanted} facce</translation>
+    </message>
+    <message>
+        <source>cut short: {there} of {wanted} vertices</source>
+        <translation>troncato: {there} di {wanted} vertici</translation>
+    </message>
+    <message>
+        <source>cut {number}</source>
+        <translation>taglio {number}</translation>
+    </message>
+    <message>
+        <source>cutting</source>
+        <translation>taglio</translation>
+    </message>
+    <message>
+        <source>cutting layers</source>
+        <translation>taglio degli strati</translation>
+    </message>
+    <message>
+        <source>cutting layers from the field</source>
+        <translation>taglio degli strati dal campo</translation>
+    </message>
+    <message>
+        <source>cutting planes</source>
+        <translation>piani di taglio</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>cilindro</translation>
+    </message>
+    <message>
+        <source>damaged STL: {what}</source>
+        <translation>STL danneggiato: {what}</translation>
+    </message>
+    <message>
+        <source>data of the type {type} is not known to the reader</source>
+        <translation>dati di tipo {type} non sono noti al lettore</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;{name}&apos;?</source>
+        <translation>forse &apos;{name}&apos;?</translation>
+    </message>
+    <message>
+        <source>did you mean {name}?</source>
+        <translation>forse {name}?</translation>
+    </message>
+    <message>
+        <source>directions</source>
+        <translation>direzioni</translation>
+    </message>
+    <message>
+        <source>disc, {sizes} mm</source>
+        <translation>disco, {sizes} mm</translation>
+    </message>
+    <message>
+        <source>does not rise from z = 0</source>
+        <translation>non sale da z = 0</translation>
+    </message>
+    <message>
+        <source>drop it to the plate</source>
+        <translation>appoggialo sulla piastra</translation>
+    </message>
+    <message>
+        <source>drop it to the plate or choose a platform under it</source>
+        <translation>appoggialo sulla piastra o scegli una piattaforma sotto di esso</translation>
+    </message>
+    <message>
+        <source>drop the part to the plate</source>
+        <translation>appoggia il pezzo sulla piastra</translation>
+    </message>
+    <message numerus="yes">
+        <source>dropped {count} duplicate triangles</source>
+        <translation>
+            <numerusform>tolto {count} triangolo doppio</numerusform>
+            <numerusform>tolti {count} triangoli doppi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>dropped {count} triangles of sheets without volume</source>
+        <translation>
+            <numerusform>tolto {count} triangolo di lembi senza volume</numerusform>
+            <numerusform>tolti {count} triangoli di lembi senza volume</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>dropped {count} triangles without area</source>
+        <translation>
+            <numerusform>tolto {count} triangolo senza area</numerusform>
+            <numerusform>tolti {count} triangoli senza area</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>eax_a is missing: an external axis moves the work object</source>
+        <translation>manca eax_a: un asse esterno muove l&apos;oggetto di lavoro</translation>
+    </message>
+    <message>
+        <source>end surface</source>
+        <translation>superficie finale</translation>
+    </message>
+    <message>
+        <source>endSurface &apos;{text}&apos; is none</source>
+        <translation>endSurface &apos;{text}&apos; non esiste</translation>
+    </message>
+    <message>
+        <source>endSurface mesh:FILE goes with a platform that is a body</source>
+        <translation>endSurface mesh:FILE va con una piattaforma che è un corpo</translation>
+    </message>
+    <message>
+        <source>ending layers on the surface</source>
+        <translation>strati terminati sulla superficie</translation>
+    </message>
+    <message>
+        <source>export or copy the file again</source>
+        <translation>esporta o copia di nuovo il file</translation>
+    </message>
+    <message>
+        <source>external axes other than eax_a are not read</source>
+        <translation>gli assi esterni diversi da eax_a non vengono letti</translation>
+    </message>
+    <message>
+        <source>extruded material becomes less</source>
+        <translation>il materiale estruso diminuisce</translation>
+    </message>
+    <message>
+        <source>fewest missed</source>
+        <translation>meno voxel mancanti</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>campo</translation>
+    </message>
+    <message>
+        <source>file {file}, line {line}</source>
+        <translation>file {file}, riga {line}</translation>
+    </message>
+    <message>
+        <source>file {file}, line {line}: {what}</source>
+        <translation>file {file}, riga {line}: {what}</translation>
+    </message>
+    <message>
+        <source>fill the hollow first, or use layerShape=offset</source>
+        <translation>riempi prima la cavità, o usa layerShape=offset</translation>
+    </message>
+    <message>
+        <source>first layer</source>
+        <translation>primo strato</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>piatto</translation>
+    </message>
+    <message>
+        <source>flatten</source>
+        <translation>spiana</translation>
+    </message>
+    <message>
+        <source>flattening</source>
+        <translation>spianatura</translation>
+    </message>
+    <message>
+        <source>flooding</source>
+        <translation>a espansione</translation>
+    </message>
+    <message>
+        <source>format {format} knows no external axis: it cannot turn the {axis} of cell {cell}</source>
+        <translation>il formato {format} non conosce assi esterni: non può girare {axis} della cella {cell}</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>fronte</translation>
+    </message>
+    <message>
+        <source>give --cell lathe</source>
+        <translation>usa --cell lathe</translation>
+    </message>
+    <message>
+        <source>give --mode {modes}, or another cell</source>
+        <translation>usa --mode {modes}, o un&apos;altra cella</translation>
+    </message>
+    <message>
+        <source>give --platform {platforms}</source>
+        <translation>usa --platform {platforms}</translation>
+    </message>
+    <message>
+        <source>give --platform {platforms}, or endSurface flat:Z</source>
+        <translation>usa --platform {platforms}, o endSurface flat:Z</translation>
+    </message>
+    <message>
+        <source>give 0, or {least#} to {most}</source>
+        <translation>dai 0, o da {least#} a {most}</translation>
+    </message>
+    <message>
+        <source>give a higher end surface (endSurface)</source>
+        <translation>dai una superficie finale più alta (endSurface)</translation>
+    </message>
+    <message>
+        <source>give a list of {&quot;point&quot;: [x, y, z], &quot;normal&quot;: [x, y, z]} or {&quot;corners&quot;: [four points]}, in mm</source>
+        <translation>dai una lista di {&quot;point&quot;: [x, y, z], &quot;normal&quot;: [x, y, z]} o {&quot;corners&quot;: [quattro punti]}, in mm</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>dai un numero</translation>
+    </message>
+    <message>
+        <source>give a number from 0.0001 to 10000, or fit</source>
+        <translation>dai un numero da 0.0001 a 10000, o fit</translation>
+    </message>
+    <message>
+        <source>give all slices equally many rows</source>
+        <translation>dai a tutte le sezioni lo stesso numero di righe</translation>
+    </message>
+    <message>
+        <source>give an STL, OBJ, PLY, OFF or 3MF file</source>
+        <translation>dai un file STL, OBJ, PLY, OFF o 3MF</translation>
+    </message>
+    <message>
+        <source>give an end surface over the part&apos;s foot</source>
+        <translation>dai una superficie finale sopra il piede del pezzo</translation>
+    </message>
+    <message>
+        <source>give an end surface that is more like the surface, or a narrower part</source>
+        <translation>dai una superficie finale più simile alla superficie, o un pezzo più stretto</translation>
+    </message>
+    <message>
+        <source>give an end surface that is more like the surface, or a smaller part</source>
+        <translation>dai una superficie finale più simile alla superficie, o un pezzo più piccolo</translation>
+    </message>
+    <message>
+        <source>give endSurface=flat:Z or mesh:FILE</source>
+        <translation>usa endSurface=flat:Z o mesh:FILE</translation>
+    </message>
+    <message>
+        <source>give orient=none</source>
+        <translation>usa orient=none</translation>
+    </message>
+    <message>
+        <source>give other cuts (cutPlanes), turn the part, or use curved mode</source>
+        <translation>indica altri tagli (cutPlanes), gira il pezzo, o usa strati curvi</translation>
+    </message>
+    <message>
+        <source>give pairs of x and radius in mm, x ascending</source>
+        <translation>dai coppie di x e raggio in mm, x crescente</translation>
+    </message>
+    <message>
+        <source>give planes: {&quot;point&quot;: [x, y, z], &quot;normal&quot;: [x, y, z]}</source>
+        <translation>dai piani: {&quot;point&quot;: [x, y, z], &quot;normal&quot;: [x, y, z]}</translation>
+    </message>
+    <message>
+        <source>give the job that the program was written from</source>
+        <translation>dai il progetto da cui il programma è stato scritto</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>dai true o false</translation>
+    </message>
+    <message>
+        <source>give {field} from {least#} to {most}</source>
+        <translation>dai {field} da {least#} a {most}</translation>
+    </message>
+    <message>
+        <source>give {forms}</source>
+        <translation>usa {forms}</translation>
+    </message>
+    <message>
+        <source>give {key}=NUMBER, 0 or more</source>
+        <translation>dai {key}=NUMERO, 0 o più</translation>
+    </message>
+    <message>
+        <source>give {least#} to {most}</source>
+        <translation>dai da {least#} a {most}</translation>
+    </message>
+    <message>
+        <source>give {least} to {most}</source>
+        <translation>dai da {least} a {most}</translation>
+    </message>
+    <message>
+        <source>give {least} to {most} {unit}</source>
+        <translation>dai da {least} a {most} {unit}</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>greedy</translation>
+    </message>
+    <message>
+        <source>growth</source>
+        <translation>crescita</translation>
+    </message>
+    <message>
+        <source>has minDeg not below maxDeg</source>
+        <translation>ha minDeg non inferiore a maxDeg</translation>
+    </message>
+    <message>
+        <source>has no length</source>
+        <translation>non ha lunghezza</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>testina</translation>
+    </message>
+    <message>
+        <source>helical</source>
+        <translation>elicoidale</translation>
+    </message>
+    <message>
+        <source>holder</source>
+        <translation>portaugello</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pollici</translation>
+    </message>
+    <message>
+        <source>inches are not understood</source>
+        <translation>i pollici non sono compresi</translation>
+    </message>
+    <message>
+        <source>infill</source>
+        <translation>riempimento</translation>
+    </message>
+    <message>
+        <source>infill &apos;{infill}&apos; winds around an axis, and layer {layer} has none</source>
+        <translation>il riempimento &apos;{infill}&apos; si avvolge attorno a un asse, e lo strato {layer} non ne ha</translation>
+    </message>
+    <message>
+        <source>infill density</source>
+        <translation>densità riempimento</translation>
+    </message>
+    <message>
+        <source>infill direction</source>
+        <translation>direzione del riempimento</translation>
+    </message>
+    <message>
+        <source>insertion</source>
+        <translation>di inserimento</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>dentro</translation>
+    </message>
+    <message>
+        <source>install Mesa (libegl1, libgl1-mesa-dri)</source>
+        <translation>installa Mesa (libegl1, libgl1-mesa-dri)</translation>
+    </message>
+    <message>
+        <source>is &apos;{id}&apos;, but the file is named &apos;{file}&apos;</source>
+        <translation>è &apos;{id}&apos;, ma il file si chiama &apos;{file}&apos;</translation>
+    </message>
+    <message>
+        <source>is a directory, not a file</source>
+        <translation>è una cartella, non un file</translation>
+    </message>
+    <message>
+        <source>is above &apos;max&apos;</source>
+        <translation>è superiore a &apos;max&apos;</translation>
+    </message>
+    <message>
+        <source>is below &apos;min&apos;</source>
+        <translation>è inferiore a &apos;min&apos;</translation>
+    </message>
+    <message>
+        <source>is cut short</source>
+        <translation>è troncato</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>è danneggiato</translation>
+    </message>
+    <message>
+        <source>is encrypted</source>
+        <translation>è cifrato</translation>
+    </message>
+    <message>
+        <source>is larger than 1 GB</source>
+        <translation>è più grande di 1 GB</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>manca</translation>
+    </message>
+    <message>
+        <source>is outside the joint&apos;s limits</source>
+        <translation>è oltre i limiti del giunto</translation>
+    </message>
+    <message>
+        <source>is packed in a way that cannot be read</source>
+        <translation>è compresso in un modo che non si può leggere</translation>
+    </message>
+    <message>
+        <source>is taken already: &apos;{name}&apos;</source>
+        <translation>è già usato: &apos;{name}&apos;</translation>
+    </message>
+    <message>
+        <source>it is a file, not a folder</source>
+        <translation>è un file, non una cartella</translation>
+    </message>
+    <message>
+        <source>its blend overlaps the one before ({blend:.3f} on {way:.3f}): the controller skips the waypoint</source>
+        <translation>il suo raccordo si sovrappone al precedente ({blend:.3f} su {way:.3f}): il controllore salta il punto</translation>
+    </message>
+    <message>
+        <source>joint {number}</source>
+        <translation>giunto {number}</translation>
+    </message>
+    <message>
+        <source>lay the part on a larger face, or give other cuts (cutPlanes)</source>
+        <translation>appoggia il pezzo su una faccia più grande, o indica altri tagli (cutPlanes)</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>strato</translation>
+    </message>
+    <message>
+        <source>layer height</source>
+        <translation>altezza strato</translation>
+    </message>
+    <message>
+        <source>layer {layer}, x {x:.1f} y {y:.1f} z {z:.1f}</source>
+        <translation>strato {layer}, x {x:.1f} y {y:.1f} z {z:.1f}</translation>
+    </message>
+    <message>
+        <source>layerCentre &apos;{text}&apos; is no point</source>
+        <translation>layerCentre &apos;{text}&apos; non è un punto</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>strati</translation>
+    </message>
+    <message>
+        <source>layers are 1 to {count}</source>
+        <translation>gli strati vanno da 1 a {count}</translation>
+    </message>
+    <message>
+        <source>layers around the rod</source>
+        <translation>strati intorno alla barra</translation>
+    </message>
+    <message>
+        <source>layers on this surface would fold: rays along its normals cross before the end surface, from layer {layer} on</source>
+        <translation>gli strati su questa superficie si piegherebbero: i raggi lungo le sue normali si incrociano prima della superficie finale, dallo strato {layer} in poi</translation>
+    </message>
+    <message>
+        <source>layers that are {top:.3g} mm thick at the top and {side:.3g} mm at the sides end after layer {layer}: no circle goes through both</source>
+        <translation>strati spessi {top:.3g} mm in cima e {side:.3g} mm ai lati finiscono dopo lo strato {layer}: nessun cerchio passa per entrambi</translation>
+    </message>
+    <message>
+        <source>laying beads</source>
+        <translation>disposizione dei cordoni</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>il meno possibile</translation>
+    </message>
+    <message>
+        <source>least risky</source>
+        <translation>meno area a rischio</translation>
+    </message>
+    <message>
+        <source>leaves a piece that stands on nothing</source>
+        <translation>lascia una parte che non poggia su nulla</translation>
+    </message>
+    <message>
+        <source>leaves a piece {thickness:.2g} thin, less than a bead&apos;s {least}</source>
+        <translation>lascia una parte spessa {thickness:.2g}, meno dei {least} di un cordone</translation>
+    </message>
+    <message>
+        <source>left out: {what}</source>
+        <translation>tralasciato: {what}</translation>
+    </message>
+    <message>
+        <source>lengths taken as mm: the unit &apos;{unit}&apos; is not known</source>
+        <translation>lunghezze prese come mm: l&apos;unità &apos;{unit}&apos; non è nota</translation>
+    </message>
+    <message>
+        <source>lengths turned from {unit} into mm</source>
+        <translation>lunghezze convertite da {unit} in mm</translation>
+    </message>
+    <message>
+        <source>less flow, or beads further apart</source>
+        <translation>meno flusso, o cordoni più distanti</translation>
+    </message>
+    <message>
+        <source>let the part rise from the rod at a gentler slope there</source>
+        <translation>lì far salire il pezzo dalla barra con minore pendenza</translation>
+    </message>
+    <message>
+        <source>let the part rise from the surface at a gentler slope there</source>
+        <translation>lì far salire il pezzo dalla superficie con minore pendenza</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>sollevamento</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>line {line}</source>
+        <translation>riga {line}</translation>
+    </message>
+    <message>
+        <source>line {line}: {what}</source>
+        <translation>riga {line}: {what}</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>caricamento</translation>
+    </message>
+    <message>
+        <source>longest side {longest:.4g}: perhaps the file is in {unit} (scale {scale})</source>
+        <translation>lato più lungo {longest:.4g}: forse il file è in {unit} (scala {scale})</translation>
+    </message>
+    <message>
+        <source>looking beneath the beads</source>
+        <translation>controllo sotto i cordoni</translation>
+    </message>
+    <message>
+        <source>looking for collisions</source>
+        <translation>ricerca di collisioni</translation>
+    </message>
+    <message>
+        <source>made by a newer version of Voluta (format {format}; this one reads up to {newest})</source>
+        <translation>fatto da una versione più nuova di Voluta (formato {format}; questa legge fino a {newest})</translation>
+    </message>
+    <message>
+        <source>make all rows equally long</source>
+        <translation>fai tutte le righe della stessa lunghezza</translation>
+    </message>
+    <message>
+        <source>make the feature narrower</source>
+        <translation>fai il rilievo più stretto</translation>
+    </message>
+    <message>
+        <source>make the object of fewer and larger cells</source>
+        <translation>fai l&apos;oggetto di celle meno numerose e più grandi</translation>
+    </message>
+    <message>
+        <source>make the part narrower, or use layerShape=offset</source>
+        <translation>fai il pezzo più stretto, o usa layerShape=offset</translation>
+    </message>
+    <message>
+        <source>make the two thicknesses more alike, or use fewer layers</source>
+        <translation>fai i due spessori più simili, o usa meno strati</translation>
+    </message>
+    <message>
+        <source>materials of pieces</source>
+        <translation>materiali dei pezzi</translation>
+    </message>
+    <message>
+        <source>measuring the beads</source>
+        <translation>misura dei cordoni</translation>
+    </message>
+    <message>
+        <source>mend it in a modelling program</source>
+        <translation>correggila in un programma di modellazione</translation>
+    </message>
+    <message>
+        <source>mend the mesh in a modelling program if the result looks wrong</source>
+        <translation>correggi la mesh in un programma di modellazione se il risultato sembra sbagliato</translation>
+    </message>
+    <message numerus="yes">
+        <source>merged {count} duplicate points</source>
+        <translation>
+            <numerusform>unito {count} punto doppio</numerusform>
+            <numerusform>uniti {count} punti doppi</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metri</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>micrometri</translation>
+    </message>
+    <message>
+        <source>missed voxels</source>
+        <translation>voxel mancanti</translation>
+    </message>
+    <message>
+        <source>mode {mode} does not print on platform {platform}</source>
+        <translation>la modalità {mode} non stampa sulla piattaforma {platform}</translation>
+    </message>
+    <message>
+        <source>mode {mode} prints around a rod, and cell {cell} holds none</source>
+        <translation>la modalità {mode} stampa attorno a una barra, e la cella {cell} non ne tiene</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>movimento</translation>
+    </message>
+    <message>
+        <source>move it to where it crosses the part</source>
+        <translation>spostalo dove attraversa il pezzo</translation>
+    </message>
+    <message>
+        <source>move or tilt the plane a little</source>
+        <translation>sposta o inclina un poco il piano</translation>
+    </message>
+    <message>
+        <source>move the part along the rod, or use a longer rod</source>
+        <translation>sposta il pezzo lungo la barra, o usa una barra più lunga</translation>
+    </message>
+    <message>
+        <source>move the part on the rod, or let what is under them grow out of it</source>
+        <translation>sposta il pezzo sulla barra, o fa&apos; che ciò che sta sotto cresca da essa</translation>
+    </message>
+    <message>
+        <source>move the part on the surface, or let what is under them grow out of it</source>
+        <translation>sposta il pezzo sulla superficie, o fa&apos; che ciò che sta sotto cresca da essa</translation>
+    </message>
+    <message>
+        <source>move the part onto the rod</source>
+        <translation>sposta il pezzo sulla barra</translation>
+    </message>
+    <message>
+        <source>move the part onto the surface</source>
+        <translation>sposta il pezzo sulla superficie</translation>
+    </message>
+    <message>
+        <source>move the part out of the surface, or print it larger</source>
+        <translation>sposta il pezzo fuori dalla superficie, o stampalo più grande</translation>
+    </message>
+    <message>
+        <source>move the plane, or leave it out</source>
+        <translation>sposta il piano, o omettilo</translation>
+    </message>
+    <message>
+        <source>move the plane, or turn its normal to the side that is to be cut off</source>
+        <translation>sposta il piano, o gira la sua normale verso il lato da tagliare</translation>
+    </message>
+    <message>
+        <source>move the planes, or add some between</source>
+        <translation>sposta i piani, o aggiungine in mezzo</translation>
+    </message>
+    <message>
+        <source>move the robot by hand when the part is done, or allow less clearance</source>
+        <translation>muovi il robot a mano quando il pezzo è finito, o ammetti meno distanza</translation>
+    </message>
+    <message>
+        <source>move them, or leave them out</source>
+        <translation>spostali, o toglili</translation>
+    </message>
+    <message>
+        <source>must be a capsule, a box or a frustum</source>
+        <translation>deve essere una capsula, un parallelepipedo o un tronco di cono</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>deve essere un numero finito</translation>
+    </message>
+    <message>
+        <source>must be a list</source>
+        <translation>deve essere una lista</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>deve essere un numero</translation>
+    </message>
+    <message>
+        <source>must be a pair of height and radius</source>
+        <translation>deve essere una coppia di altezza e raggio</translation>
+    </message>
+    <message>
+        <source>must be a text</source>
+        <translation>deve essere un testo</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>deve essere un numero intero</translation>
+    </message>
+    <message>
+        <source>must be an object</source>
+        <translation>deve essere un oggetto</translation>
+    </message>
+    <message>
+        <source>must be empty: this cell has no rod</source>
+        <translation>deve essere vuota: questa cella non ha una barra</translation>
+    </message>
+    <message>
+        <source>must be greater than 0</source>
+        <translation>deve essere maggiore di 0</translation>
+    </message>
+    <message>
+        <source>must be in 0..{dof}</source>
+        <translation>deve essere in 0..{dof}</translation>
+    </message>
+    <message>
+        <source>must be more than the rod&apos;s radius</source>
+        <translation>deve essere più del raggio della barra</translation>
+    </message>
+    <message>
+        <source>must be unwinds or runsOn, is &apos;{end}&apos;</source>
+        <translation>deve essere unwinds o runsOn, è &apos;{end}&apos;</translation>
+    </message>
+    <message>
+        <source>must be world or flange, is &apos;{mount}&apos;</source>
+        <translation>deve essere world o flange, è &apos;{mount}&apos;</translation>
+    </message>
+    <message>
+        <source>must be world: a rod is held at both ends</source>
+        <translation>deve essere world: una barra è tenuta a entrambe le estremità</translation>
+    </message>
+    <message>
+        <source>must have 0, where it rests, within its limits</source>
+        <translation>deve avere 0, dove sta a riposo, dentro i suoi limiti</translation>
+    </message>
+    <message>
+        <source>must have three numbers</source>
+        <translation>deve avere tre numeri</translation>
+    </message>
+    <message>
+        <source>must have two names</source>
+        <translation>deve avere due nomi</translation>
+    </message>
+    <message>
+        <source>must have two sections at least</source>
+        <translation>deve avere almeno due sezioni</translation>
+    </message>
+    <message>
+        <source>must hold 6 joints, holds {found}</source>
+        <translation>deve contenere 6 giunti, ne contiene {found}</translation>
+    </message>
+    <message>
+        <source>must hold at least one shape</source>
+        <translation>deve contenere almeno una forma</translation>
+    </message>
+    <message>
+        <source>must hold one axis, which turns the rod</source>
+        <translation>deve contenere un asse, che gira la barra</translation>
+    </message>
+    <message>
+        <source>must hold {wanted} joints, holds {found}</source>
+        <translation>deve contenere {wanted} giunti, ne contiene {found}</translation>
+    </message>
+    <message>
+        <source>must not be 0</source>
+        <translation>non deve essere 0</translation>
+    </message>
+    <message>
+        <source>must not be negative</source>
+        <translation>non deve essere negativo</translation>
+    </message>
+    <message>
+        <source>must not be the nozzle&apos;s: one of them moves, the other is fixed</source>
+        <translation>non deve essere quello dell&apos;ugello: uno dei due si muove, l&apos;altro è fisso</translation>
+    </message>
+    <message>
+        <source>name its axis (rodAxis), or turn the part onto the rod by hand</source>
+        <translation>indica il suo asse (rodAxis), o gira il pezzo sulla barra a mano</translation>
+    </message>
+    <message>
+        <source>names no body: &apos;{name}&apos;; the nearest is &apos;{nearest}&apos;</source>
+        <translation>non indica alcun corpo: &apos;{name}&apos;; il più vicino è &apos;{nearest}&apos;</translation>
+    </message>
+    <message>
+        <source>names no kinematic family that is known: &apos;{id}&apos;</source>
+        <translation>non indica alcuna famiglia cinematica nota: &apos;{id}&apos;</translation>
+    </message>
+    <message>
+        <source>names no model</source>
+        <translation>non indica alcun modello</translation>
+    </message>
+    <message>
+        <source>needs radii that are not negative, one of them greater than 0</source>
+        <translation>richiede raggi non negativi, uno dei quali maggiore di 0</translation>
+    </message>
+    <message>
+        <source>neither a plane nor a quadrilateral</source>
+        <translation>né un piano né un quadrilatero</translation>
+    </message>
+    <message numerus="yes">
+        <source>no column from inside the platform reaches {voxels} voxels that would be missed</source>
+        <translation>
+            <numerusform>nessuna colonna dall&apos;interno della piattaforma raggiunge {voxels} voxel che mancherebbe</numerusform>
+            <numerusform>nessuna colonna dall&apos;interno della piattaforma raggiunge {voxels} voxel che mancherebbero</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no figure is called &apos;{key}&apos;</source>
+        <translation>nessuna misura si chiama &apos;{key}&apos;</translation>
+    </message>
+    <message>
+        <source>no function is defined</source>
+        <translation>nessuna funzione è definita</translation>
+    </message>
+    <message>
+        <source>no number of layers between the surface and its end keeps their thickness within {least} and {most} mm: the way between them is {shortest:.3g} to {longest:.3g} mm long</source>
+        <translation>nessun numero di strati tra la superficie e la sua fine tiene il loro spessore tra {least} e {most} mm: la distanza è lunga da {shortest:.3g} a {longest:.3g} mm</translation>
+    </message>
+    <message>
+        <source>no number of layers between the surface and its end keeps their thickness within {least} and {most} mm: {layers} layers would be {thinnest:.3g} to {thickest:.3g} mm thick</source>
+        <translation>nessun numero di strati tra la superficie e la sua fine tiene il loro spessore tra {least} e {most} mm: {layers} strati sarebbero spessi da {thinnest:.3g} a {thickest:.3g} mm</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>il file non esiste</translation>
+    </message>
+    <message>
+        <source>no tool-path is left to move along</source>
+        <translation>non resta alcun percorso da seguire</translation>
+    </message>
+    <message>
+        <source>no triangle with area is left</source>
+        <translation>non resta alcun triangolo con area</translation>
+    </message>
+    <message>
+        <source>no way back to the home position was found that keeps clear of everything</source>
+        <translation>non si è trovata una via di ritorno alla posizione di riposo che stia lontana da tutto</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>nominale</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nessuno</translation>
+    </message>
+    <message>
+        <source>not JSON: {why}</source>
+        <translation>non è JSON: {why}</translation>
+    </message>
+    <message>
+        <source>not a Voluta job</source>
+        <translation>non è un progetto di Voluta</translation>
+    </message>
+    <message>
+        <source>not a filament&apos;s diameter</source>
+        <translation>non è il diametro di un filamento</translation>
+    </message>
+    <message>
+        <source>not a mesh file</source>
+        <translation>non è un file di mesh</translation>
+    </message>
+    <message>
+        <source>not a module&apos;s attributes</source>
+        <translation>non sono attributi di un modulo</translation>
+    </message>
+    <message>
+        <source>not a program in any known format</source>
+        <translation>non è un programma in un formato noto</translation>
+    </message>
+    <message>
+        <source>not a row of the table</source>
+        <translation>non è una riga della tabella</translation>
+    </message>
+    <message>
+        <source>not a zip, or cut short</source>
+        <translation>non è uno zip, o è troncato</translation>
+    </message>
+    <message>
+        <source>not the head of a function</source>
+        <translation>non è l&apos;intestazione di una funzione</translation>
+    </message>
+    <message>
+        <source>not the head of a procedure</source>
+        <translation>non è l&apos;intestazione di una procedura</translation>
+    </message>
+    <message>
+        <source>not the header of a joint table</source>
+        <translation>non è l&apos;intestazione di una tabella di giunti</translation>
+    </message>
+    <message>
+        <source>not understood: &apos;{code}&apos;</source>
+        <translation>non compreso: &apos;{code}&apos;</translation>
+    </message>
+    <message>
+        <source>nothing is left of the mesh after repair</source>
+        <translation>non resta nulla della mesh dopo la riparazione</translation>
+    </message>
+    <message>
+        <source>nothing of the surface under the part sees the end surface</source>
+        <translation>nulla della superficie sotto il pezzo vede la superficie finale</translation>
+    </message>
+    <message>
+        <source>nothing stands on the platform</source>
+        <translation>nulla poggia sulla piattaforma</translation>
+    </message>
+    <message>
+        <source>nozzle</source>
+        <translation>ugello</translation>
+    </message>
+    <message>
+        <source>object &apos;{id}&apos; is not there</source>
+        <translation>l&apos;oggetto &apos;{id}&apos; non esiste</translation>
+    </message>
+    <message>
+        <source>objects hold one another without end, or more than can be read</source>
+        <translation>oggetti che si contengono senza fine, o più di quanti se ne possano leggere</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>distanza</translation>
+    </message>
+    <message>
+        <source>on the plate</source>
+        <translation>sul piatto</translation>
+    </message>
+    <message>
+        <source>only three-dimensional OFF files can be read</source>
+        <translation>si possono leggere solo file OFF tridimensionali</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>apertura</translation>
+    </message>
+    <message>
+        <source>open it with the version that made it, or install that one</source>
+        <translation>aprilo con la versione che l&apos;ha fatto, o installa quella</translation>
+    </message>
+    <message>
+        <source>ordering layers</source>
+        <translation>ordinamento degli strati</translation>
+    </message>
+    <message>
+        <source>orient=none leaves it as it was put</source>
+        <translation>orient=none lo lascia come è stato messo</translation>
+    </message>
+    <message>
+        <source>orient={orient} turns parts on a plate; mode {mode} lays them itself</source>
+        <translation>orient={orient} gira pezzi su una piastra; la modalità {mode} li dispone da sé</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>orientamento</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>memoria esaurita</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>fuori</translation>
+    </message>
+    <message>
+        <source>overhang angle</source>
+        <translation>angolo di sbalzo</translation>
+    </message>
+    <message>
+        <source>pair {number}</source>
+        <translation>coppia {number}</translation>
+    </message>
+    <message>
+        <source>pairs a body with itself</source>
+        <translation>accoppia un corpo con se stesso</translation>
+    </message>
+    <message>
+        <source>peeling</source>
+        <translation>spellatura</translation>
+    </message>
+    <message>
+        <source>pick a place on what stands on the plate, or lay the part on the face to begin with</source>
+        <translation>scegli un punto su ciò che poggia sulla piastra, o appoggia il pezzo sulla faccia da cui cominciare</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>pezzi</translation>
+    </message>
+    <message>
+        <source>pieces of layers are narrower than half a bead and stay empty</source>
+        <translation>alcuni tratti di strato sono più stretti di mezzo cordone e restano vuoti</translation>
+    </message>
+    <message>
+        <source>placed part</source>
+        <translation>pezzo posizionato</translation>
+    </message>
+    <message>
+        <source>plan anew with more clearance</source>
+        <translation>pianifica di nuovo con più distanza</translation>
+    </message>
+    <message>
+        <source>plan anew with more clearance, or another place for the part</source>
+        <translation>pianifica di nuovo con più distanza, o con un altro posto per il pezzo</translation>
+    </message>
+    <message>
+        <source>plan it without --until</source>
+        <translation>pianificalo senza --until</translation>
+    </message>
+    <message>
+        <source>plan the part again</source>
+        <translation>pianifica di nuovo il pezzo</translation>
+    </message>
+    <message>
+        <source>plan the part further: voluta-cli plan PART -o DIR</source>
+        <translation>pianifica oltre il pezzo: voluta-cli plan PEZZO -o CARTELLA</translation>
+    </message>
+    <message>
+        <source>planes of layers</source>
+        <translation>piani degli strati</translation>
+    </message>
+    <message>
+        <source>planes of layers miss the part: {planes}</source>
+        <translation>piani di strati non toccano il pezzo: {planes}</translation>
+    </message>
+    <message>
+        <source>platform</source>
+        <translation>piattaforma</translation>
+    </message>
+    <message>
+        <source>platform &apos;{platform}&apos; has no usable size</source>
+        <translation>la piattaforma &apos;{platform}&apos; non ha una misura utilizzabile</translation>
+    </message>
+    <message>
+        <source>platform &apos;{platform}&apos; is no plate</source>
+        <translation>la piattaforma &apos;{platform}&apos; non è una piastra</translation>
+    </message>
+    <message>
+        <source>platform &apos;{platform}&apos; names no file</source>
+        <translation>la piattaforma &apos;{platform}&apos; non indica alcun file</translation>
+    </message>
+    <message>
+        <source>platform &apos;{platform}&apos;: {field} {size} is out of range</source>
+        <translation>piattaforma &apos;{platform}&apos;: {field} {size} è fuori dall&apos;intervallo</translation>
+    </message>
+    <message>
+        <source>point {i} is the third one at x = {x:.6g} mm</source>
+        <translation>il punto {i} è il terzo a x = {x:.6g} mm</translation>
+    </message>
+    <message>
+        <source>print the part larger, or with a finer process</source>
+        <translation>stampa il pezzo più grande, o con un processo più fine</translation>
+    </message>
+    <message>
+        <source>print the part smaller (scale)</source>
+        <translation>stampare il pezzo più piccolo (scale)</translation>
+    </message>
+    <message>
+        <source>print time</source>
+        <translation>tempo di stampa</translation>
+    </message>
+    <message>
+        <source>printed part</source>
+        <translation>pezzo stampato</translation>
+    </message>
+    <message>
+        <source>profile of the rod</source>
+        <translation>profilo della barra</translation>
+    </message>
+    <message>
+        <source>put - only under the part or beside its lowest row</source>
+        <translation>metti - solo sotto il pezzo o accanto alla sua riga più bassa</translation>
+    </message>
+    <message>
+        <source>put - right under the part</source>
+        <translation>metti - subito sotto il pezzo</translation>
+    </message>
+    <message>
+        <source>put it another way by hand</source>
+        <translation>mettilo in un altro modo a mano</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>raggio</translation>
+    </message>
+    <message>
+        <source>reachable</source>
+        <translation>raggiungibile</translation>
+    </message>
+    <message>
+        <source>relative positions are not understood</source>
+        <translation>le posizioni relative non sono comprese</translation>
+    </message>
+    <message>
+        <source>repair</source>
+        <translation>riparazione</translation>
+    </message>
+    <message>
+        <source>repair it, or use curved mode, which takes any mesh</source>
+        <translation>riparala, o usa la modalità curva, che accetta ogni mesh</translation>
+    </message>
+    <message>
+        <source>repair the part first</source>
+        <translation>ripara prima il pezzo</translation>
+    </message>
+    <message>
+        <source>repair: check</source>
+        <translation>riparazione: controllo</translation>
+    </message>
+    <message>
+        <source>repair: diagnosis</source>
+        <translation>riparazione: diagnosi</translation>
+    </message>
+    <message>
+        <source>repair: holes</source>
+        <translation>riparazione: fori</translation>
+    </message>
+    <message>
+        <source>repair: orientation</source>
+        <translation>riparazione: orientamento</translation>
+    </message>
+    <message>
+        <source>repair: self-intersections</source>
+        <translation>riparazione: autointersezioni</translation>
+    </message>
+    <message>
+        <source>replay {format}</source>
+        <translation>riesecuzione {format}</translation>
+    </message>
+    <message>
+        <source>replayed</source>
+        <translation>verificato</translation>
+    </message>
+    <message>
+        <source>risky area</source>
+        <translation>area a rischio</translation>
+    </message>
+    <message>
+        <source>robot motion</source>
+        <translation>movimento del robot</translation>
+    </message>
+    <message>
+        <source>rod</source>
+        <translation>barra</translation>
+    </message>
+    <message>
+        <source>rod profile</source>
+        <translation>profilo della barra</translation>
+    </message>
+    <message>
+        <source>rod, {sizes} mm</source>
+        <translation>barra, {sizes} mm</translation>
+    </message>
+    <message>
+        <source>rodProfile: &apos;{text}&apos; is neither a pair x,radius nor a file</source>
+        <translation>rodProfile: &apos;{text}&apos; non è né una coppia x,raggio né un file</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>radice</translation>
+    </message>
+    <message>
+        <source>rows of patches</source>
+        <translation>righe di superfici</translation>
+    </message>
+    <message>
+        <source>rows of pieces</source>
+        <translation>righe di parti</translation>
+    </message>
+    <message>
+        <source>running the program</source>
+        <translation>esecuzione del programma</translation>
+    </message>
+    <message>
+        <source>scale &apos;{scale}&apos; is not a usable factor</source>
+        <translation>la scala &apos;{scale}&apos; non è un fattore utilizzabile</translation>
+    </message>
+    <message>
+        <source>scale fit would scale the platform&apos;s mesh with the part</source>
+        <translation>la scala fit scalerebbe la mesh della piattaforma con il pezzo</translation>
+    </message>
+    <message>
+        <source>scale the part down</source>
+        <translation>riduci la scala del pezzo</translation>
+    </message>
+    <message>
+        <source>scale the part down (--scale fit), turn it, or use a larger robot</source>
+        <translation>riduci la scala del pezzo (--scale fit), giralo, o usa un robot più grande</translation>
+    </message>
+    <message>
+        <source>scale the part down, or move it along the rod</source>
+        <translation>riduci la scala del pezzo, o spostalo lungo la barra</translation>
+    </message>
+    <message>
+        <source>scheme</source>
+        <translation>schema</translation>
+    </message>
+    <message>
+        <source>see the findings before this one</source>
+        <translation>vedi le segnalazioni prima di questa</translation>
+    </message>
+    <message>
+        <source>see: list formats</source>
+        <translation>vedi: list formats</translation>
+    </message>
+    <message numerus="yes">
+        <source>separated non-manifold edges at {count} points</source>
+        <translation>
+            <numerusform>separati spigoli non manifold in {count} punto</numerusform>
+            <numerusform>separati spigoli non manifold in {count} punti</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>set {variable}</source>
+        <translation>imposta {variable}</translation>
+    </message>
+    <message>
+        <source>set_tcp needs one pose</source>
+        <translation>set_tcp richiede una posa</translation>
+    </message>
+    <message>
+        <source>shape of layers</source>
+        <translation>forma degli strati</translation>
+    </message>
+    <message>
+        <source>shorter motions or smaller blends</source>
+        <translation>movimenti più corti o raccordi più piccoli</translation>
+    </message>
+    <message>
+        <source>sides of the rod</source>
+        <translation>lati della barra</translation>
+    </message>
+    <message>
+        <source>skeleton</source>
+        <translation>scheletro</translation>
+    </message>
+    <message>
+        <source>sleep needs its seconds</source>
+        <translation>sleep richiede i suoi secondi</translation>
+    </message>
+    <message>
+        <source>slice {slice} ends after {rows} rows, the first one has {first}</source>
+        <translation>la sezione {slice} finisce dopo {rows} righe, la prima ne ha {first}</translation>
+    </message>
+    <message>
+        <source>slicing</source>
+        <translation>taglio in strati</translation>
+    </message>
+    <message>
+        <source>slower there, or another place in the cell</source>
+        <translation>più lento lì, o un altro posto nella cella</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>sfera</translation>
+    </message>
+    <message numerus="yes">
+        <source>split edges at {count} T-junctions</source>
+        <translation>
+            <numerusform>divisi spigoli in {count} giunzione a T</numerusform>
+            <numerusform>divisi spigoli in {count} giunzioni a T</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>passo</translation>
+    </message>
+    <message>
+        <source>step height</source>
+        <translation>altezza del gradino</translation>
+    </message>
+    <message>
+        <source>supports</source>
+        <translation>supporti</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>superficie</translation>
+    </message>
+    <message>
+        <source>take a cell with a rod: --cell lathe</source>
+        <translation>usa una cella con una barra: --cell lathe</translation>
+    </message>
+    <message>
+        <source>take a shorter rod</source>
+        <translation>usa una barra più corta</translation>
+    </message>
+    <message>
+        <source>take a thinner rod</source>
+        <translation>usa una barra più sottile</translation>
+    </message>
+    <message>
+        <source>take the rod out of the part</source>
+        <translation>barra tolta dal pezzo</translation>
+    </message>
+    <message>
+        <source>take the surface out of the part</source>
+        <translation>superficie tolta dal pezzo</translation>
+    </message>
+    <message>
+        <source>take {formats}</source>
+        <translation>usa {formats}</translation>
+    </message>
+    <message>
+        <source>taken from a project of format 1, as it was repaired and placed there</source>
+        <translation>preso da un progetto di formato 1, come vi era riparato e posizionato</translation>
+    </message>
+    <message>
+        <source>text behind ENDMODULE</source>
+        <translation>testo dopo ENDMODULE</translation>
+    </message>
+    <message>
+        <source>text behind the end</source>
+        <translation>testo dopo la fine</translation>
+    </message>
+    <message>
+        <source>the arm cannot reach this target</source>
+        <translation>il braccio non può raggiungere questa posizione</translation>
+    </message>
+    <message>
+        <source>the arm stands otherwise than planned, a joint by {angle:.1f}</source>
+        <translation>il braccio sta in modo diverso dal piano, un giunto di {angle:.1f}</translation>
+    </message>
+    <message>
+        <source>the arm would have to change its configuration, {joint} by {angle:.1f} at once</source>
+        <translation>il braccio dovrebbe cambiare configurazione, {joint} di {angle:.1f} in una volta</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s configuration is supervised: ConfL\Off, ConfJ\Off</source>
+        <translation>la configurazione del braccio è sorvegliata: ConfL\Off, ConfJ\Off</translation>
+    </message>
+    <message>
+        <source>the end sequence (M104 S0, M84, &apos;; end&apos;) is missing: the file was cut short</source>
+        <translation>manca la sequenza finale (M104 S0, M84, &apos;; end&apos;): il file è stato troncato</translation>
+    </message>
+    <message>
+        <source>the end sequence is missing</source>
+        <translation>manca la sequenza finale</translation>
+    </message>
+    <message>
+        <source>the end surface is {rise:.3g} mm over the top of the surface that layers start from</source>
+        <translation>la superficie finale è {rise:.3g} mm sopra la cima della superficie da cui partono gli strati</translation>
+    </message>
+    <message>
+        <source>the external axis stands {angle:.3f} off its plan</source>
+        <translation>l&apos;asse esterno è a {angle:.3f} dal suo piano</translation>
+    </message>
+    <message>
+        <source>the extruder is not set off behind the last motion</source>
+        <translation>l&apos;estrusore non viene spento dopo l&apos;ultimo movimento</translation>
+    </message>
+    <message>
+        <source>the extruder is off where a bead is to be laid</source>
+        <translation>l&apos;estrusore è spento dove va deposto un cordone</translation>
+    </message>
+    <message>
+        <source>the extruder is on over a travel</source>
+        <translation>l&apos;estrusore è acceso durante uno spostamento</translation>
+    </message>
+    <message>
+        <source>the extruder&apos;s outputs are not set before this motion</source>
+        <translation>le uscite dell&apos;estrusore non sono impostate prima di questo movimento</translation>
+    </message>
+    <message>
+        <source>the feature is {width:.3g} mm wide, wider than the cylinder of {cylinder:.3g} mm that it stands on</source>
+        <translation>il rilievo è largo {width:.3g} mm, più del cilindro di {cylinder:.3g} mm su cui poggia</translation>
+    </message>
+    <message>
+        <source>the file ends without &quot;endsolid&quot;: it may be cut short</source>
+        <translation>il file finisce senza &quot;endsolid&quot;: forse è troncato</translation>
+    </message>
+    <message>
+        <source>the file holds no cells</source>
+        <translation>il file non contiene celle</translation>
+    </message>
+    <message>
+        <source>the file is cut short: {what}</source>
+        <translation>il file è troncato: {what}</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>il file è vuoto</translation>
+    </message>
+    <message>
+        <source>the file&apos;s top {what}</source>
+        <translation>il livello superiore del file {what}</translation>
+    </message>
+    <message>
+        <source>the first module has no procedure main</source>
+        <translation>il primo modulo non ha la procedura main</translation>
+    </message>
+    <message>
+        <source>the function &apos;{defined}&apos; has no end</source>
+        <translation>la funzione &apos;{defined}&apos; non ha fine</translation>
+    </message>
+    <message>
+        <source>the function is never called</source>
+        <translation>la funzione non viene mai chiamata</translation>
+    </message>
+    <message>
+        <source>the header has no end</source>
+        <translation>l&apos;intestazione non ha fine</translation>
+    </message>
+    <message>
+        <source>the header line is missing</source>
+        <translation>manca la riga d&apos;intestazione</translation>
+    </message>
+    <message>
+        <source>the header names no format</source>
+        <translation>l&apos;intestazione non indica il formato</translation>
+    </message>
+    <message>
+        <source>the header promises no facet, read {facets}</source>
+        <translation>l&apos;intestazione non promette faccette, lette {facets}</translation>
+    </message>
+    <message>
+        <source>the job file contradicts itself</source>
+        <translation>il progetto si contraddice</translation>
+    </message>
+    <message>
+        <source>the job file contradicts itself: {what}</source>
+        <translation>il progetto si contraddice: {what}</translation>
+    </message>
+    <message>
+        <source>the job file is cut short</source>
+        <translation>il progetto è troncato</translation>
+    </message>
+    <message>
+        <source>the job file is damaged or cut short in its first line</source>
+        <translation>il progetto è danneggiato o troncato nella prima riga</translation>
+    </message>
+    <message>
+        <source>the job file lacks &apos;{name}&apos;</source>
+        <translation>al progetto manca &apos;{name}&apos;</translation>
+    </message>
+    <message>
+        <source>the job file&apos;s header is damaged</source>
+        <translation>l&apos;intestazione del progetto è danneggiata</translation>
+    </message>
+    <message>
+        <source>the job file&apos;s header is damaged: {why}</source>
+        <translation>l&apos;intestazione del progetto è danneggiata: {why}</translation>
+    </message>
+    <message>
+        <source>the job holds no motion to verify against</source>
+        <translation>il progetto non contiene un movimento con cui verificare</translation>
+    </message>
+    <message>
+        <source>the job holds no {result}</source>
+        <translation>il progetto non contiene {result}</translation>
+    </message>
+    <message>
+        <source>the last line has no end: the file was cut short</source>
+        <translation>l&apos;ultima riga non ha fine: il file è stato troncato</translation>
+    </message>
+    <message>
+        <source>the line &apos;# end&apos; is missing: the file was cut short</source>
+        <translation>manca la riga &apos;# end&apos;: il file è stato troncato</translation>
+    </message>
+    <message>
+        <source>the list of modules has no end</source>
+        <translation>la lista dei moduli non ha fine</translation>
+    </message>
+    <message>
+        <source>the material laid is {share:.2f} of the part</source>
+        <translation>il materiale deposto è il {share:.2f} del pezzo</translation>
+    </message>
+    <message>
+        <source>the mechanical unit &apos;{text}&apos; is not active: ActUnit</source>
+        <translation>l&apos;unità meccanica &apos;{text}&apos; non è attiva: ActUnit</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangles</source>
+        <translation>la mesh non ha triangoli</translation>
+    </message>
+    <message>
+        <source>the mesh is empty: no facet has usable coordinates</source>
+        <translation>la mesh è vuota: nessuna faccetta ha coordinate utilizzabili</translation>
+    </message>
+    <message>
+        <source>the mesh is empty: the file holds no triangle</source>
+        <translation>la mesh è vuota: il file non contiene triangoli</translation>
+    </message>
+    <message>
+        <source>the mesh is not closed</source>
+        <translation>la mesh non è chiusa</translation>
+    </message>
+    <message>
+        <source>the module has no procedure</source>
+        <translation>il modulo non ha procedure</translation>
+    </message>
+    <message>
+        <source>the module with {procedure} is not here</source>
+        <translation>il modulo con {procedure} non è qui</translation>
+    </message>
+    <message>
+        <source>the module {name} is not here</source>
+        <translation>il modulo {name} non è qui</translation>
+    </message>
+    <message>
+        <source>the normal has no direction</source>
+        <translation>la normale non ha direzione</translation>
+    </message>
+    <message>
+        <source>the nozzle goes {distance:.3f} beside its plan</source>
+        <translation>l&apos;ugello passa a {distance:.3f} dal suo piano</translation>
+    </message>
+    <message>
+        <source>the nozzle&apos;s axis is {angle:.2f} off its plan</source>
+        <translation>l&apos;asse dell&apos;ugello è a {angle:.2f} dal suo piano</translation>
+    </message>
+    <message>
+        <source>the nozzle&apos;s path is {distance:.3f} off the planned one</source>
+        <translation>il percorso dell&apos;ugello è a {distance:.3f} da quello pianificato</translation>
+    </message>
+    <message>
+        <source>the numbers of vertices and faces are expected here</source>
+        <translation>qui sono attesi i numeri di vertici e facce</translation>
+    </message>
+    <message>
+        <source>the object has no part: no 1 above the platform</source>
+        <translation>l&apos;oggetto non ha pezzo: nessun 1 sopra la piattaforma</translation>
+    </message>
+    <message>
+        <source>the object is too large</source>
+        <translation>l&apos;oggetto è troppo grande</translation>
+    </message>
+    <message>
+        <source>the part below</source>
+        <translation>il pezzo sottostante</translation>
+    </message>
+    <message>
+        <source>the part does not touch the plate</source>
+        <translation>il pezzo non tocca la piastra</translation>
+    </message>
+    <message>
+        <source>the part does not touch the platform</source>
+        <translation>il pezzo non tocca la piattaforma</translation>
+    </message>
+    <message>
+        <source>the part has no clear axis: its sides face along every direction alike</source>
+        <translation>il pezzo non ha un asse chiaro: i suoi lati guardano in ogni direzione allo stesso modo</translation>
+    </message>
+    <message>
+        <source>the part has no surface</source>
+        <translation>il pezzo non ha superficie</translation>
+    </message>
+    <message>
+        <source>the part is not closed, or cuts itself, where the rod is taken out of it</source>
+        <translation>il pezzo non è chiuso, o si taglia da sé, dove la barra ne viene tolta</translation>
+    </message>
+    <message>
+        <source>the part is not closed, or cuts itself, where the surface&apos;s body is taken out of it</source>
+        <translation>il pezzo non è chiuso, o si taglia da sé, dove il corpo della superficie ne viene tolto</translation>
+    </message>
+    <message>
+        <source>the part is too large for a collision grid of this fineness</source>
+        <translation>il pezzo è troppo grande per una griglia di collisioni così fine</translation>
+    </message>
+    <message numerus="yes">
+        <source>the part is turned by {angle:.0f} about ({x}, {y}, {z}): one pass of growth misses {missed} voxels of {voxel:.2f} instead of {missedBefore}, {overhang:.0f} overhang instead of {overhangBefore:.0f#}</source>
+        <translation>
+            <numerusform>il pezzo è girato di {angle:.0f} attorno a ({x}, {y}, {z}): una passata di crescita manca {missed} voxel di {voxel:.2f} invece di {missedBefore}, {overhang:.0f} di sbalzo invece di {overhangBefore:.0f#}</numerusform>
+            <numerusform>il pezzo è girato di {angle:.0f} attorno a ({x}, {y}, {z}): una passata di crescita manca {missed} voxel di {voxel:.2f} invece di {missedBefore}, {overhang:.0f} di sbalzo invece di {overhangBefore:.0f#}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the part is turned by {angle:.0f} about ({x}, {y}, {z}): {overhang:.0f} overhang instead of {overhangBefore:.0f#}</source>
+        <translation>il pezzo è girato di {angle:.0f} attorno a ({x}, {y}, {z}): {overhang:.0f} di sbalzo invece di {overhangBefore:.0f#}</translation>
+    </message>
+    <message>
+        <source>the part is {width:.3g} mm wide, as wide as the cylinder that it stands on</source>
+        <translation>il pezzo è largo {width:.3g} mm, quanto il cilindro su cui poggia</translation>
+    </message>
+    <message>
+        <source>the part misses the rod: nothing of it lies on the rod</source>
+        <translation>il pezzo manca la barra: nulla di esso poggia sulla barra</translation>
+    </message>
+    <message>
+        <source>the part misses the surface: nothing of it lies on the surface</source>
+        <translation>il pezzo manca la superficie: nulla di esso poggia sulla superficie</translation>
+    </message>
+    <message>
+        <source>the part reaches below the platform</source>
+        <translation>il pezzo arriva sotto la piattaforma</translation>
+    </message>
+    <message>
+        <source>the part reaches from x = {from:.4g} to {to:.4g} mm, beyond an end of the rod at {firstEnd:.4g} or {lastEnd:.4g} mm</source>
+        <translation>il pezzo va da x = {from:.4g} a {to:.4g} mm, oltre un&apos;estremità della barra a {firstEnd:.4g} o {lastEnd:.4g} mm</translation>
+    </message>
+    <message>
+        <source>the part reaches {height:.3g} mm out over the rod, less than a layer of {least:.3g} mm</source>
+        <translation>il pezzo sporge di {height:.3g} mm dalla barra, meno di uno strato di {least:.3g} mm</translation>
+    </message>
+    <message>
+        <source>the part reaches {reach:.4g} from the rod&apos;s axis, the cell prints up to {limit}</source>
+        <translation>il pezzo arriva a {reach:.4g} dall&apos;asse della barra, la cella stampa fino a {limit}</translation>
+    </message>
+    <message>
+        <source>the part rises {height:.3g} mm over the surface, less than a layer of {least:.3g} mm</source>
+        <translation>il pezzo sale di {height:.3g} mm sopra la superficie, meno di uno strato di {least:.3g} mm</translation>
+    </message>
+    <message>
+        <source>the part stands on no cylinder along x, which an end surface radius:R is for</source>
+        <translation>il pezzo non poggia su un cilindro lungo x, per cui serve una superficie finale radius:R</translation>
+    </message>
+    <message numerus="yes">
+        <source>the part stays as it lies: none of {ways} ways that stand is better</source>
+        <translation>
+            <numerusform>il pezzo resta come sta: l&apos;unico modo in cui sta in piedi non è migliore</numerusform>
+            <numerusform>il pezzo resta come sta: nessuno dei {ways} modi in cui sta in piedi è migliore</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the placement is not a turn and a place in mm</source>
+        <translation>il posizionamento non è una rotazione e un punto in mm</translation>
+    </message>
+    <message>
+        <source>the plane misses the part</source>
+        <translation>il piano non tocca il pezzo</translation>
+    </message>
+    <message>
+        <source>the planes are not a JSON list</source>
+        <translation>i piani non sono una lista JSON</translation>
+    </message>
+    <message>
+        <source>the platform</source>
+        <translation>la piattaforma</translation>
+    </message>
+    <message>
+        <source>the platform&apos;s mesh is not closed</source>
+        <translation>la mesh della piattaforma non è chiusa</translation>
+    </message>
+    <message>
+        <source>the points lie on a line</source>
+        <translation>i punti stanno su una retta</translation>
+    </message>
+    <message>
+        <source>the print head would cut into material printed before, whatever way it leans</source>
+        <translation>la testa di stampa urterebbe materiale già stampato, comunque si inclini</translation>
+    </message>
+    <message>
+        <source>the procedure has no ENDPROC</source>
+        <translation>la procedura non ha ENDPROC</translation>
+    </message>
+    <message numerus="yes">
+        <source>the program ends here; {motions} planned motions not in it</source>
+        <translation>
+            <numerusform>il programma finisce qui; manca {motions} movimento pianificato</numerusform>
+            <numerusform>il programma finisce qui; mancano {motions} movimenti pianificati</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the program has no motions</source>
+        <translation>il programma non ha movimenti</translation>
+    </message>
+    <message>
+        <source>the program runs from 0 to {end:.1f}</source>
+        <translation>il programma va da 0 a {end:.1f}</translation>
+    </message>
+    <message>
+        <source>the program&apos;s data folder is missing</source>
+        <translation>manca la cartella dei dati del programma</translation>
+    </message>
+    <message>
+        <source>the program&apos;s motions are not those of this plan</source>
+        <translation>i movimenti del programma non sono quelli di questo piano</translation>
+    </message>
+    <message>
+        <source>the quadrilateral has no area</source>
+        <translation>il quadrilatero non ha area</translation>
+    </message>
+    <message>
+        <source>the quadrilateral is not convex</source>
+        <translation>il quadrilatero non è convesso</translation>
+    </message>
+    <message>
+        <source>the quadrilateral is not flat</source>
+        <translation>il quadrilatero non è piano</translation>
+    </message>
+    <message>
+        <source>the radius at point {i} is not positive</source>
+        <translation>il raggio al punto {i} non è positivo</translation>
+    </message>
+    <message>
+        <source>the report is not one of a plan: {why}</source>
+        <translation>il rapporto non è quello di un piano: {why}</translation>
+    </message>
+    <message>
+        <source>the robot motion is empty</source>
+        <translation>il movimento del robot è vuoto</translation>
+    </message>
+    <message>
+        <source>the rod is thicker than the part: nothing of the part is outside it</source>
+        <translation>la barra è più spessa del pezzo: nulla del pezzo ne sta fuori</translation>
+    </message>
+    <message>
+        <source>the rod reaches {reach} mm from its middle, the cell has room for {room}</source>
+        <translation>la barra arriva a {reach} mm dal suo centro, la cella ha posto per {room}</translation>
+    </message>
+    <message>
+        <source>the rod&apos;s radius is {radius} mm, the cell prints up to {most}</source>
+        <translation>il raggio della barra è {radius} mm, la cella stampa fino a {most}</translation>
+    </message>
+    <message>
+        <source>the root at {x:.1f}, {y:.1f}, {z:.1f} mm does not stand on the plate</source>
+        <translation>la radice a {x:.1f}, {y:.1f}, {z:.1f} mm non poggia sulla piastra</translation>
+    </message>
+    <message>
+        <source>the row has {cells} cells, the first one has {first}</source>
+        <translation>la riga ha {cells} celle, la prima ne ha {first}</translation>
+    </message>
+    <message>
+        <source>the surface covers the part: nothing of the part is outside its body</source>
+        <translation>la superficie copre il pezzo: nulla del pezzo è fuori dal suo corpo</translation>
+    </message>
+    <message>
+        <source>the voxel object is lifted by other than whole cells: its surface is cut into new cells</source>
+        <translation>l&apos;oggetto di voxel è sollevato di celle non intere: la sua superficie viene divisa in celle nuove</translation>
+    </message>
+    <message>
+        <source>the voxel object is turned by other than quarter turns: its surface is cut into new cells</source>
+        <translation>l&apos;oggetto di voxel è girato di quarti non interi: la sua superficie viene divisa in celle nuove</translation>
+    </message>
+    <message>
+        <source>the voxels are too small for a part of this size</source>
+        <translation>i voxel sono troppo piccoli per un pezzo di questa misura</translation>
+    </message>
+    <message>
+        <source>the {format} program is not handed over: {failed}</source>
+        <translation>il programma {format} non viene consegnato: {failed}</translation>
+    </message>
+    <message>
+        <source>there is no layer {layer}</source>
+        <translation>lo strato {layer} non esiste</translation>
+    </message>
+    <message>
+        <source>there is no module</source>
+        <translation>non c&apos;è alcun modulo</translation>
+    </message>
+    <message>
+        <source>there is no platform: no - in any row</source>
+        <translation>non c&apos;è piattaforma: nessun - in alcuna riga</translation>
+    </message>
+    <message>
+        <source>there is no time {time}</source>
+        <translation>il tempo {time} non esiste</translation>
+    </message>
+    <message>
+        <source>thicken the wall to {least} or more</source>
+        <translation>ispessisci la parete a {least} o più</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>spessori</translation>
+    </message>
+    <message>
+        <source>this machine gives no OpenGL 3.2 without a display: {why}</source>
+        <translation>questa macchina non offre OpenGL 3.2 senza schermo: {why}</translation>
+    </message>
+    <message>
+        <source>this module is not the one that main runs next</source>
+        <translation>questo modulo non è quello che main esegue dopo</translation>
+    </message>
+    <message>
+        <source>this motion and that of {other} have changed places</source>
+        <translation>questo movimento e quello di {other} si sono scambiati di posto</translation>
+    </message>
+    <message>
+        <source>this motion lays {volume:.3f}, planned are {planned:.3f}</source>
+        <translation>questo movimento depone {volume:.3f}, ne sono pianificati {planned:.3f}</translation>
+    </message>
+    <message>
+        <source>this motion takes {time:.3f}, planned are {planned:.3f}</source>
+        <translation>questo movimento dura {time:.3f}, ne sono pianificati {planned:.3f}</translation>
+    </message>
+    <message>
+        <source>time runs backwards</source>
+        <translation>il tempo va all&apos;indietro</translation>
+    </message>
+    <message>
+        <source>too many triangles for an STL file</source>
+        <translation>troppi triangoli per un file STL</translation>
+    </message>
+    <message>
+        <source>tool-paths</source>
+        <translation>percorsi utensile</translation>
+    </message>
+    <message>
+        <source>touch points farther apart around the cylinder</source>
+        <translation>tocca punti più lontani tra loro attorno al cilindro</translation>
+    </message>
+    <message>
+        <source>touched points</source>
+        <translation>punti toccati</translation>
+    </message>
+    <message>
+        <source>trimming layers on the part</source>
+        <translation>rifilatura degli strati sul pezzo</translation>
+    </message>
+    <message>
+        <source>try a larger voxelMm or a smaller part</source>
+        <translation>prova un voxelMm più grande o un pezzo più piccolo</translation>
+    </message>
+    <message>
+        <source>turn it by quarter turns and lift it by whole cells to keep its own</source>
+        <translation>giralo di quarti di giro e sollevalo di celle intere per tenere le sue</translation>
+    </message>
+    <message>
+        <source>turn of infill</source>
+        <translation>rotazione del riempimento</translation>
+    </message>
+    <message>
+        <source>turn the part (orient=leastRisky), add supports, or use planar or curved mode</source>
+        <translation>gira il pezzo (orient=leastRisky), aggiungi supporti, o usa pezzi piani o strati curvi</translation>
+    </message>
+    <message>
+        <source>turn the part (orient=leastRisky), or use planar or curved mode</source>
+        <translation>gira il pezzo (orient=leastRisky), o usa pezzi piani o strati curvi</translation>
+    </message>
+    <message>
+        <source>turn the part about the vertical, or try more turns (redundancySamples)</source>
+        <translation>gira il pezzo attorno alla verticale, o prova più giri (redundancySamples)</translation>
+    </message>
+    <message>
+        <source>turn the part, enlarge the platform or add supports</source>
+        <translation>gira il pezzo, allarga la piattaforma o aggiungi supporti</translation>
+    </message>
+    <message>
+        <source>turn the part, make the platform smaller or add supports</source>
+        <translation>gira il pezzo, rimpicciolisci la piattaforma o aggiungi supporti</translation>
+    </message>
+    <message>
+        <source>turn the part, or allow less clearance</source>
+        <translation>gira il pezzo, o ammetti meno distanza</translation>
+    </message>
+    <message>
+        <source>turn the part, or allow supports</source>
+        <translation>gira il pezzo, o ammetti supporti</translation>
+    </message>
+    <message>
+        <source>turn the part, use a smaller platform, or allow less clearance</source>
+        <translation>gira il pezzo, usa una piattaforma più piccola, o ammetti meno distanza</translation>
+    </message>
+    <message numerus="yes">
+        <source>turned {count} components that faced inside out</source>
+        <translation>
+            <numerusform>girata {count} componente rovesciata</numerusform>
+            <numerusform>girate {count} componenti rovesciate</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>turned {count} triangles to face as the others do</source>
+        <translation>
+            <numerusform>girato {count} triangolo per guardare come gli altri</numerusform>
+            <numerusform>girati {count} triangoli per guardare come gli altri</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>turning the part may need fewer</source>
+        <translation>girando il pezzo forse ne servono meno</translation>
+    </message>
+    <message>
+        <source>turns about the nozzle</source>
+        <translation>rotazioni attorno all&apos;ugello</translation>
+    </message>
+    <message>
+        <source>two commands in one line</source>
+        <translation>due comandi in una riga</translation>
+    </message>
+    <message numerus="yes">
+        <source>united {count} overlapping components</source>
+        <translation>
+            <numerusform>unita {count} componente sovrapposta</numerusform>
+            <numerusform>unite {count} componenti sovrapposte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>unknown cell &apos;{id}&apos;</source>
+        <translation>cella &apos;{id}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>unknown cell &apos;{name}&apos;</source>
+        <translation>cella &apos;{name}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>unknown colour &apos;{name}&apos;</source>
+        <translation>colore &apos;{name}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown failure</source>
+        <translation>errore sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown format &apos;{id}&apos;</source>
+        <translation>formato &apos;{id}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown format &apos;{name}&apos;</source>
+        <translation>formato &apos;{name}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown growth &apos;{name}&apos;</source>
+        <translation>crescita &apos;{name}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>unknown infill &apos;{id}&apos;</source>
+        <translation>riempimento &apos;{id}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{key}&apos;</source>
+        <translation>chiave &apos;{key}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>unknown mode &apos;{name}&apos;</source>
+        <translation>modalità &apos;{name}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>unknown parameter &apos;{key}&apos;</source>
+        <translation>parametro &apos;{key}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown picture &apos;{name}&apos;</source>
+        <translation>immagine &apos;{name}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>unknown platform &apos;{name}&apos;</source>
+        <translation>piattaforma &apos;{name}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>unknown process &apos;{id}&apos;</source>
+        <translation>processo &apos;{id}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown process &apos;{name}&apos;</source>
+        <translation>processo &apos;{name}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown robot &apos;{id}&apos;</source>
+        <translation>robot &apos;{id}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown sample &apos;{name}&apos;</source>
+        <translation>esempio &apos;{name}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown stage &apos;{name}&apos;</source>
+        <translation>fase &apos;{name}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>unknown view &apos;{name}&apos;</source>
+        <translation>vista &apos;{name}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>use a finer nozzle, or print the part larger</source>
+        <translation>usa un ugello più fine, o stampa il pezzo più grande</translation>
+    </message>
+    <message>
+        <source>use a larger platform (fit:MARGIN), or turn the part</source>
+        <translation>usa una piattaforma più grande (fit:MARGIN), o gira il pezzo</translation>
+    </message>
+    <message>
+        <source>use a slimmer head, turn the part, or print it larger</source>
+        <translation>usa una testa più snella, gira il pezzo, o stampalo più grande</translation>
+    </message>
+    <message>
+        <source>use a slimmer print head or thinner layers</source>
+        <translation>usa una testina più snella o strati più sottili</translation>
+    </message>
+    <message>
+        <source>use a smaller platform or place the part higher</source>
+        <translation>usa una piattaforma più piccola o metti il pezzo più in alto</translation>
+    </message>
+    <message>
+        <source>use a thinner rod, or print the part larger</source>
+        <translation>usa una barra più sottile, o stampa il pezzo più grande</translation>
+    </message>
+    <message>
+        <source>use at least {least}</source>
+        <translation>usa almeno {least}</translation>
+    </message>
+    <message>
+        <source>use at most {side} cells a side and {millions} million in all</source>
+        <translation>usa al massimo {side} celle per lato e {millions} milioni in tutto</translation>
+    </message>
+    <message>
+        <source>use infill zigzag or concentric, or mode lathe</source>
+        <translation>usa il riempimento zigzag o concentric, o la modalità lathe</translation>
+    </message>
+    <message>
+        <source>use lower layers or a finer nozzle, or print the part larger</source>
+        <translation>usa strati più bassi o un ugello più fine, o stampa il pezzo più grande</translation>
+    </message>
+    <message>
+        <source>voxelise</source>
+        <translation>voxelizzazione</translation>
+    </message>
+    <message>
+        <source>voxels</source>
+        <translation>voxel</translation>
+    </message>
+    <message>
+        <source>voxels of {width} need about {needed} of memory, {available} are free</source>
+        <translation>voxel di {width} richiedono circa {needed} di memoria, ne sono liberi {available}</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>pareti</translation>
+    </message>
+    <message>
+        <source>what is unloaded was not loaded and run</source>
+        <translation>ciò che viene scaricato non era stato caricato ed eseguito</translation>
+    </message>
+    <message>
+        <source>winding angle</source>
+        <translation>angolo avvolgimento</translation>
+    </message>
+    <message>
+        <source>woven</source>
+        <translation>intrecciato</translation>
+    </message>
+    <message>
+        <source>write 1 for the part, 0 for air, - for the platform</source>
+        <translation>scrivi 1 per il pezzo, 0 per l&apos;aria, - per la piattaforma</translation>
+    </message>
+    <message>
+        <source>write 1 where the part is</source>
+        <translation>scrivi 1 dove sta il pezzo</translation>
+    </message>
+    <message>
+        <source>write files</source>
+        <translation>scrittura dei file</translation>
+    </message>
+    <message>
+        <source>write flat, flat:Z, radius:R or mesh:FILE, in mm</source>
+        <translation>scrivi flat, flat:Z, radius:R o mesh:FILE, in mm</translation>
+    </message>
+    <message>
+        <source>write pairs such as -20,2.5 0,2.5 0,3.5 20,3.5 in mm</source>
+        <translation>scrivi coppie come -20,2.5 0,2.5 0,3.5 20,3.5 in mm</translation>
+    </message>
+    <message>
+        <source>write refused programs</source>
+        <translation>scrivi i programmi respinti</translation>
+    </message>
+    <message>
+        <source>write rows of 0 and 1, and - for the platform</source>
+        <translation>scrivi righe di 0 e 1, e - per la piattaforma</translation>
+    </message>
+    <message>
+        <source>write the program again, or plan anew with this change</source>
+        <translation>scrivi di nuovo il programma, o pianifica di nuovo con questa modifica</translation>
+    </message>
+    <message>
+        <source>write what every stage made</source>
+        <translation>scrivi il risultato di ogni fase</translation>
+    </message>
+    <message>
+        <source>write x,y,z in mm</source>
+        <translation>scrivi x,y,z in mm</translation>
+    </message>
+    <message>
+        <source>write x,y,z in mm, as 10,0,5</source>
+        <translation>scrivi x,y,z in mm, come 10,0,5</translation>
+    </message>
+    <message>
+        <source>write {format}</source>
+        <translation>scrittura {format}</translation>
+    </message>
+    <message>
+        <source>write {form}</source>
+        <translation>scrivi {form}</translation>
+    </message>
+    <message>
+        <source>write {form}, in mm</source>
+        <translation>scrivi {form}, in mm</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>x runs back at point {i}</source>
+        <translation>x torna indietro al punto {i}</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>zigzag</source>
+        <translation>zigzag</translation>
+    </message>
+    <message>
+        <source>{area:.3g} hang where a support has nothing to stand on</source>
+        <translation>{area:.3g} pendono dove un supporto non ha su che poggiare</translation>
+    </message>
+    <message>
+        <source>{area:.3g} lean over by more than {angle}</source>
+        <translation>{area:.3g} si inclinano di oltre {angle}</translation>
+    </message>
+    <message>
+        <source>{area:.3g} of the part lean out by more than {angle:.3g} over lower layers, the most at x = {x:.4g}, radius {radius:.4g}</source>
+        <translation>{area:.3g} del pezzo sporgono di oltre {angle:.3g} sugli strati inferiori, il più a x = {x:.4g}, raggio {radius:.4g}</translation>
+    </message>
+    <message>
+        <source>{area:.3g} of the part lean out by more than {angle:.3g} over lower layers, the most at {at:.4g}</source>
+        <translation>{area:.3g} del pezzo sporgono di oltre {angle:.3g} sugli strati inferiori, il più a {at:.4g}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{bad} of {facets} facets have coordinates that are no numbers or beyond all measure, the first is facet {first}</source>
+        <translation>
+            <numerusform>{bad} di {facets} faccette ha coordinate che non sono numeri o fuori misura, la prima è la faccetta {first}</numerusform>
+            <numerusform>{bad} di {facets} faccette hanno coordinate che non sono numeri o fuori misura, la prima è la faccetta {first}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{blocked} of {pieces} pieces: something printed before is in the head&apos;s way</source>
+        <translation>{blocked} di {pieces} parti: qualcosa stampato prima intralcia la testina</translation>
+    </message>
+    <message numerus="yes">
+        <source>{columns} more columns carry what would be missed</source>
+        <translation>
+            <numerusform>un&apos;altra colonna porta ciò che mancherebbe</numerusform>
+            <numerusform>altre {columns} colonne portano ciò che mancherebbe</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} components that are inside out, the first at {first:.2f}</source>
+        <translation>
+            <numerusform>{count} componente rovesciata, a {first:.2f}</numerusform>
+            <numerusform>{count} componenti rovesciate, la prima a {first:.2f}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} duplicate triangles, the first at {first:.2f}</source>
+        <translation>
+            <numerusform>{count} triangolo doppio, a {first:.2f}</numerusform>
+            <numerusform>{count} triangoli doppi, il primo a {first:.2f}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} edges whose triangles face opposite ways, the first at {first:.2f}</source>
+        <translation>
+            <numerusform>{count} spigolo i cui triangoli guardano in versi opposti, a {first:.2f}</numerusform>
+            <numerusform>{count} spigoli i cui triangoli guardano in versi opposti, il primo a {first:.2f}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} edges with more than two triangles, the first at {first:.2f}</source>
+        <translation>
+            <numerusform>{count} spigolo con più di due triangoli, a {first:.2f}</numerusform>
+            <numerusform>{count} spigoli con più di due triangoli, il primo a {first:.2f}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} open edges in {loops} loops, the first at {first:.2f}</source>
+        <translation>
+            <numerusform>{count} spigolo aperto in {loops} contorni, il primo a {first:.2f}</numerusform>
+            <numerusform>{count} spigoli aperti in {loops} contorni, il primo a {first:.2f}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} pairs of triangles that cut each other, the first at {first:.2f}</source>
+        <translation>
+            <numerusform>{count} coppia di triangoli che si tagliano, a {first:.2f}</numerusform>
+            <numerusform>{count} coppie di triangoli che si tagliano, la prima a {first:.2f}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} triangles without area, the first at {first:.2f}</source>
+        <translation>
+            <numerusform>{count} triangolo senza area, a {first:.2f}</numerusform>
+            <numerusform>{count} triangoli senza area, il primo a {first:.2f}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} voxels</source>
+        <translation>
+            <numerusform>{count} voxel</numerusform>
+            <numerusform>{count} voxel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{file}, byte {byte}</source>
+        <translation>{file}, byte {byte}</translation>
+    </message>
+    <message>
+        <source>{file}, line {line}</source>
+        <translation>{file}, riga {line}</translation>
+    </message>
+    <message>
+        <source>{file}, line {line}, column {column}</source>
+        <translation>{file}, riga {line}, colonna {column}</translation>
+    </message>
+    <message>
+        <source>{first} and {second} collide</source>
+        <translation>{first} e {second} si scontrano</translation>
+    </message>
+    <message>
+        <source>{first} meets {second} in the finished motion</source>
+        <translation>{first} tocca {second} nel movimento finito</translation>
+    </message>
+    <message>
+        <source>{found} is none of 0, 1 and -</source>
+        <translation>{found} non è né 0 né 1 né -</translation>
+    </message>
+    <message>
+        <source>{joint} at {angle:.1f}, its limit is {limit:.1f#}</source>
+        <translation>{joint} a {angle:.1f}, il suo limite è {limit:.1f#}</translation>
+    </message>
+    <message>
+        <source>{joint} at {speed:.1f}, its limit is {limit:.1f#}</source>
+        <translation>{joint} a {speed:.1f}, il suo limite è {limit:.1f#}</translation>
+    </message>
+    <message>
+        <source>{left:.3g#} of {whole:.4g} of the part are in no layer</source>
+        <translation>{left:.3g#} di {whole:.4g} del pezzo non sono in alcuno strato</translation>
+    </message>
+    <message>
+        <source>{length:.1f} of bead have nothing beneath them, the first of them here</source>
+        <translation>{length:.1f} di cordone non hanno nulla sotto, il primo è qui</translation>
+    </message>
+    <message numerus="yes">
+        <source>{missed} of {voxels} voxels have nothing printed under them</source>
+        <translation>
+            <numerusform>{missed} di {voxels} voxel non ha nulla di stampato sotto</numerusform>
+            <numerusform>{missed} di {voxels} voxel non hanno nulla di stampato sotto</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{motions} motions from here on not in the plan</source>
+        <translation>
+            <numerusform>{motions} movimento da qui in poi non è nel piano</numerusform>
+            <numerusform>{motions} movimenti da qui in poi non sono nel piano</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{motions} planned motions missing before this one</source>
+        <translation>
+            <numerusform>manca {motions} movimento pianificato prima di questo</numerusform>
+            <numerusform>mancano {motions} movimenti pianificati prima di questo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{motions} planned motions missing between {before} and this one</source>
+        <translation>
+            <numerusform>manca {motions} movimento pianificato tra {before} e questo</numerusform>
+            <numerusform>mancano {motions} movimenti pianificati tra {before} e questo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{option}: a value is not finite</source>
+        <translation>{option}: un valore non è finito</translation>
+    </message>
+    <message>
+        <source>{option}: {wanted} numbers wanted, {given} given</source>
+        <translation>{option}: servono {wanted} numeri, dati {given}</translation>
+    </message>
+    <message>
+        <source>{outside:.2f} of the part&apos;s volume is laid outside it, {noRoom:.2f} finds no room</source>
+        <translation>il {outside:.2f} del volume del pezzo è deposto fuori da esso, il {noRoom:.2f} non trova posto</translation>
+    </message>
+    <message numerus="yes">
+        <source>{patches} patches ({area:.1f}) begin in the air: neither the plate nor an earlier layer is under them</source>
+        <translation>
+            <numerusform>{patches} superficie ({area:.1f}) comincia nel vuoto: sotto non ha né la piastra né uno strato precedente</numerusform>
+            <numerusform>{patches} superfici ({area:.1f}) cominciano nel vuoto: sotto non hanno né la piastra né uno strato precedente</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{pieces} pieces of layers are too small for a bead or would begin in the air and are not laid ({volume:.1f} in all, the largest {largest:.1f})</source>
+        <translation>
+            <numerusform>{pieces} parte di uno strato è troppo piccola per un cordone o comincerebbe nel vuoto e non viene deposta ({volume:.1f})</numerusform>
+            <numerusform>{pieces} parti di strati sono troppo piccole per un cordone o comincerebbero nel vuoto e non vengono deposte ({volume:.1f} in tutto, la più grande {largest:.1f})</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{pieces} pieces of layers are too small for a bead or would begin in the air, {volume:.3g} of {whole:.3g#}: they are not laid</source>
+        <translation>
+            <numerusform>{pieces} parte di uno strato è troppo piccola per un cordone o comincerebbe nel vuoto, {volume:.3g} di {whole:.3g#}: non viene deposta</numerusform>
+            <numerusform>{pieces} parti di strati sono troppo piccole per un cordone o comincerebbero nel vuoto, {volume:.3g} di {whole:.3g#}: non vengono deposte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{pieces} pieces of layers have neither the rod nor an earlier layer under them</source>
+        <translation>
+            <numerusform>una parte di uno strato non ha sotto né la barra né uno strato precedente</numerusform>
+            <numerusform>{pieces} parti di strati non hanno sotto né la barra né uno strato precedente</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{pieces} pieces of layers have neither the surface nor an earlier layer under them</source>
+        <translation>
+            <numerusform>una parte di uno strato non ha sotto né la superficie né uno strato precedente</numerusform>
+            <numerusform>{pieces} parti di strati non hanno sotto né la superficie né uno strato precedente</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{pieces} pieces of layers have nothing under them</source>
+        <translation>
+            <numerusform>{pieces} parte di uno strato non ha nulla sotto</numerusform>
+            <numerusform>{pieces} parti di strati non hanno nulla sotto</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{places} places where the text is not what was planned</source>
+        <translation>
+            <numerusform>{places} punto in cui il testo non è quello pianificato</numerusform>
+            <numerusform>{places} punti in cui il testo non è quello pianificato</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{places} smaller places are thinner than a voxel of {voxel}; this is the largest, the thinnest is {thinnest:.2f} thick</source>
+        <translation>
+            <numerusform>{places} punto più piccolo è più sottile di un voxel di {voxel}; è spesso {thinnest:.2f}</numerusform>
+            <numerusform>{places} punti più piccoli sono più sottili di un voxel di {voxel}; questo è il più grande, il più sottile è spesso {thinnest:.2f}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{places} smaller places lean over too far, {area:.3g} together; this is the largest of them</source>
+        <translation>
+            <numerusform>{places} punto più piccolo si inclina troppo, {area:.3g}</numerusform>
+            <numerusform>{places} punti più piccoli si inclinano troppo, {area:.3g} in tutto; questo è il più grande</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{place}: no way to {pieces} pieces of paths was found that keeps clear of everything</source>
+        <translation>
+            <numerusform>{place}: non si è trovata una via per {pieces} tratto di percorso che stia lontana da tutto</numerusform>
+            <numerusform>{place}: non si è trovata una via per {pieces} tratti di percorso che stia lontana da tutto</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{place}: the cell prints up to {radius} from the rod&apos;s axis and {along} from its middle</source>
+        <translation>{place}: la cella stampa fino a {radius} dall&apos;asse della barra e {along} dal suo centro</translation>
+    </message>
+    <message>
+        <source>{place}: the print head would cut into the platform</source>
+        <translation>{place}: la testina entrerebbe nella piattaforma</translation>
+    </message>
+    <message>
+        <source>{place}: the print head would cut into what is printed already</source>
+        <translation>{place}: la testina entrerebbe in ciò che è già stampato</translation>
+    </message>
+    <message>
+        <source>{place}: the robot can be here, but cannot come from or go on to a neighbouring place without lifting</source>
+        <translation>{place}: il robot può stare qui, ma non può venire da un punto vicino o proseguire verso di esso senza sollevarsi</translation>
+    </message>
+    <message>
+        <source>{place}: the robot cannot bring this place under the nozzle: out of reach, or beyond a joint&apos;s limits, however the part is turned about the nozzle</source>
+        <translation>{place}: il robot non può portare questo punto sotto l&apos;ugello: fuori portata, o oltre i limiti di un giunto, comunque si giri il pezzo attorno all&apos;ugello</translation>
+    </message>
+    <message>
+        <source>{place}: {first} would meet {second}, however the part is turned about the nozzle</source>
+        <translation>{place}: {first} toccherebbe {second}, comunque si giri il pezzo attorno all&apos;ugello</translation>
+    </message>
+    <message>
+        <source>{points} points do not make a circle: it takes three</source>
+        <translation>{points} punti non fanno un cerchio: ne servono tre</translation>
+    </message>
+    <message>
+        <source>{share:.0f} of the layers&apos; area is thinner than {least} or thicker than {most}</source>
+        <translation>il {share:.0f} dell&apos;area degli strati è più sottile di {least} o più spesso di {most}</translation>
+    </message>
+    <message>
+        <source>{share:.2f} of the part is in no bead; most of it round the place given</source>
+        <translation>il {share:.2f} del pezzo non è in alcun cordone; per lo più attorno al punto indicato</translation>
+    </message>
+    <message>
+        <source>{sizes} mm</source>
+        <translation>{sizes} mm</translation>
+    </message>
+    <message>
+        <source>{there} of the {promised} facets that the header promises are there</source>
+        <translation>ci sono {there} delle {promised} faccette che l&apos;intestazione promette</translation>
+    </message>
+    <message>
+        <source>{threshold} {value:.4g} (limit {limit:.4g})</source>
+        <translation>{threshold} {value:.4g} (limite {limit:.4g})</translation>
+    </message>
+    <message>
+        <source>{value} is beyond process {process}</source>
+        <translation>{value} è oltre il processo {process}</translation>
+    </message>
+    <message>
+        <source>{voxels} more voxels are missed in {groups} smaller groups; this is the largest</source>
+        <translation>mancano altri {voxels} voxel in {groups} gruppi più piccoli; questo è il più grande</translation>
+    </message>
+    <message numerus="yes">
+        <source>{voxels} voxels are shadowed: from step {step} on they lie inside the front, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm</source>
+        <translation>
+            <numerusform>{voxels} voxel è in ombra: dal passo {step} in poi sta dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm</numerusform>
+            <numerusform>{voxels} voxel sono in ombra: dal passo {step} in poi stanno dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{voxels} voxels are shadowed: from step {step} on they lie inside the front, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm; {more} more hang on them</source>
+        <translation>
+            <numerusform>{voxels} voxel è in ombra: dal passo {step} in poi sta dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm; altri {more} dipendono da esso</numerusform>
+            <numerusform>{voxels} voxel sono in ombra: dal passo {step} in poi stanno dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm; altri {more} dipendono da essi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{voxels} voxels are shadowed: inside the front before they were reached</source>
+        <translation>
+            <numerusform>{voxels} voxel è in ombra: dentro il fronte prima di essere raggiunto</numerusform>
+            <numerusform>{voxels} voxel sono in ombra: dentro il fronte prima di essere raggiunti</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{voxels} voxels are shadowed: inside the front before they were reached; {more} more hang on them</source>
+        <translation>
+            <numerusform>{voxels} voxel è in ombra: dentro il fronte prima di essere raggiunto; altri {more} dipendono da esso</numerusform>
+            <numerusform>{voxels} voxel sono in ombra: dentro il fronte prima di essere raggiunti; altri {more} dipendono da essi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{voxels} voxels are unreached: no path through the part from the platform</source>
+        <translation>
+            <numerusform>{voxels} voxel non è raggiunto: nessuna via attraverso il pezzo dalla piattaforma</numerusform>
+            <numerusform>{voxels} voxel non sono raggiunti: nessuna via attraverso il pezzo dalla piattaforma</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{voxels} voxels in a grid of {cells} cells need about {needed} of memory, {available} are free</source>
+        <translation>{voxels} voxel in una griglia di {cells} celle richiedono circa {needed} di memoria, ne sono liberi {available}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{voxels} voxels lie below the plate</source>
+        <translation>
+            <numerusform>{voxels} voxel sta sotto la piastra</numerusform>
+            <numerusform>{voxels} voxel stanno sotto la piastra</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{where}, entry {number}</source>
+        <translation>{where}, voce {number}</translation>
+    </message>
     <message>
         <source>Contact area, margin</source>
         <translation>Area di contatto, margine</translation>
@@ -536,18 +3918,6 @@ sioni</translation>
     <message>
         <source>contact area</source>
         <translation>area di contatto</translation>
-    </message>
-    <message>
-        <source>contact area + %1 mm</source>
-        <translation>area di contatto + %1 mm</translation>
-    </message>
-    <message>
-        <source>disc, %1 mm</source>
-        <translation>disco, %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -630,10 +4000,6 @@ sioni</translation>
         <translation>Cerca la giacitura in cui mancano meno voxel</translation>
     </message>
     <message>
-        <source>Use voxel width %1 mm</source>
-        <translation>Usa voxel larghi %1 mm</translation>
-    </message>
-    <message>
         <source>Narrow enough for this wall; narrower voxels take longer</source>
         <translation>Abbastanza stretti per questa parete; voxel più stretti richiedono più tempo</translation>
     </message>
@@ -672,117 +4038,6 @@ sioni</translation>
     <message>
         <source>On a given surface</source>
         <translation>Su una superficie data</translation>
-    </message>
-    <message>
-        <source>rod, %1 mm</source>
-        <translation>barra, %1 mm</translation>
-    </message>
-</context>
-<context>
-    <name>Findings</name>
-    <message>
-        <source>%1 mm2 lean over by more than %2 degrees</source>
-        <translation>%1 mm2 sporgono di oltre %2 gradi</translation>
-    </message>
-    <message>
-        <source>%1 smaller places lean over too far, %2 mm2 together; this is the largest of them</source>
-        <translation>%1 punti più piccoli sporgono troppo, %2 mm2 in tutto; questo è il più grande</translation>
-    </message>
-    <message>
-        <source>%1 of %2 pieces: something printed before is in the head&apos;s way</source>
-        <translation>%1 pezzi su %2: qualcosa di già stampato ostacola la testa</translation>
-    </message>
-    <message>
-        <source>all pieces are held to the plate by %1 mm2, of %2 that the part stands on uncut</source>
-        <translation>tutti i pezzi sono tenuti al piatto da %1 mm2, dei %2 su cui il pezzo poggia senza tagli</translation>
-    </message>
-    <message>
-        <source>%1 of %2 voxels have nothing printed under them</source>
-        <translation>%1 voxel su %2 non hanno nulla di stampato sotto</translation>
-    </message>
-    <message>
-        <source>%1 mm2 hang where a support has nothing to stand on</source>
-        <translation>%1 mm2 sporgono dove un supporto non ha su che poggiare</translation>
-    </message>
-    <message>
-        <source>%1 pieces of layers are too small for a bead or would begin in the air, %2 mm3 of %3: they are not laid</source>
-        <translation>%1 tratti di strato sono troppo piccoli per un cordone o inizierebbero in aria, %2 mm3 su %3: non vengono depositati</translation>
-    </message>
-    <message>
-        <source>%1 pieces of layers have nothing under them</source>
-        <translation>%1 tratti di strato non hanno nulla sotto</translation>
-    </message>
-    <message>
-        <source>planes of layers miss the part: %1</source>
-        <translation>piani di strato che non toccano il pezzo: %1</translation>
-    </message>
-    <message>
-        <source>pieces of layers are narrower than half a bead and stay empty</source>
-        <translation>alcuni tratti di strato sono più stretti di mezzo cordone e restano vuoti</translation>
-    </message>
-    <message>
-        <source>the print head would cut into material printed before, whatever way it leans</source>
-        <translation>la testa di stampa urterebbe materiale già stampato, comunque si inclini</translation>
-    </message>
-    <message>
-        <source>turn the part (orient=leastRisky), add supports, or use planar or curved mode</source>
-        <translation>gira il pezzo (orient=leastRisky), aggiungi supporti, o usa pezzi piani o strati curvi</translation>
-    </message>
-    <message>
-        <source>turn the part (orient=leastRisky), or use planar or curved mode</source>
-        <translation>gira il pezzo (orient=leastRisky), o usa pezzi piani o strati curvi</translation>
-    </message>
-    <message>
-        <source>add supports (supports=auto), cut there, or use curved mode</source>
-        <translation>aggiungi supporti (supports=auto), taglia lì, o usa strati curvi</translation>
-    </message>
-    <message>
-        <source>give other cuts (cutPlanes), turn the part, or use curved mode</source>
-        <translation>indica altri tagli (cutPlanes), gira il pezzo, o usa strati curvi</translation>
-    </message>
-    <message>
-        <source>lay the part on a larger face, or give other cuts (cutPlanes)</source>
-        <translation>appoggia il pezzo su una faccia più grande, o indica altri tagli (cutPlanes)</translation>
-    </message>
-    <message>
-        <source>use a larger platform (fit:MARGIN), or turn the part</source>
-        <translation>usa una piattaforma più grande (fit:MARGIN), o gira il pezzo</translation>
-    </message>
-    <message>
-        <source>use a finer nozzle, or print the part larger</source>
-        <translation>usa un ugello più fine, o stampa il pezzo più grande</translation>
-    </message>
-    <message>
-        <source>use a slimmer head, turn the part, or print it larger</source>
-        <translation>usa una testa più snella, gira il pezzo, o stampalo più grande</translation>
-    </message>
-    <message>
-        <source>move them, or leave them out</source>
-        <translation>spostali, o toglili</translation>
-    </message>
-    <message>
-        <source>the part reaches %1 mm from the rod&apos;s axis, the cell prints up to %2 mm</source>
-        <translation>il pezzo arriva a %1 mm dall&apos;asse della barra, la cella stampa fino a %2 mm</translation>
-    </message>
-    <message>
-        <source>print the part smaller (scale)</source>
-        <translation>stampare il pezzo più piccolo (scale)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 mm3 of the part are in no layer</source>
-        <translation>%1 di %2 mm3 del pezzo non sono in nessuno strato</translation>
-    </message>
-    <message>
-        <source>choose layers that reach all of it (layerShape, layerCentre, endSurface)</source>
-        <translation>scegliere strati che lo raggiungano tutto (layerShape, layerCentre, endSurface)</translation>
-    </message>
-    <message>
-        <source>let the part rise from the rod at a gentler slope there</source>
-        <translation>lì far salire il pezzo dalla barra con minore pendenza</translation>
-    </message>
-    <message>
-        <source>let the part rise from the surface at a gentler slope there</source>
-        <translation>lì far salire il pezzo dalla superficie con minore pendenza</translation>
     </message>
 </context>
 <context>
@@ -826,138 +4081,6 @@ sioni</translation>
 <context>
     <name>Parameters</name>
     <message>
-        <source>Layers</source>
-        <translation>strati</translation>
-    </message>
-    <message>
-        <source>Beads</source>
-        <translation>cordoni</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>file in uscita</translation>
-    </message>
-    <message>
-        <source>Tool-paths</source>
-        <translation>percorsi utensile</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>movimento</translation>
-    </message>
-    <message>
-        <source>layer height</source>
-        <translation>altezza strato</translation>
-    </message>
-    <message>
-        <source>Wanted height of a layer; the process limits what it may become.</source>
-        <translation>Altezza desiderata di uno strato; il processo ne fissa i limiti.</translation>
-    </message>
-    <message>
-        <source>bead width</source>
-        <translation>larghezza cordone</translation>
-    </message>
-    <message>
-        <source>Wanted width of a bead; the process limits what it may become.</source>
-        <translation>Larghezza desiderata di un cordone; il processo ne fissa i limiti.</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>passo</translation>
-    </message>
-    <message>
-        <source>Longest distance of waypoints along a tool-path.</source>
-        <translation>Distanza massima fra i punti di un percorso utensile.</translation>
-    </message>
-    <message>
-        <source>write what every stage made</source>
-        <translation>scrivi il risultato di ogni fase</translation>
-    </message>
-    <message>
-        <source>write refused programs</source>
-        <translation>scrivi i programmi respinti</translation>
-    </message>
-    <message>
-        <source>Also writes programs that the replay refused, as refused-NAME, to be looked at and never to be run.</source>
-        <translation>Scrive anche i programmi respinti dalla verifica, come refused-NOME: da esaminare, mai da eseguire.</translation>
-    </message>
-    <message>
-        <source>Voxel width</source>
-        <translation>larghezza voxel</translation>
-    </message>
-    <message>
-        <source>Width of the voxels that growth works on; layers are not bound to it.</source>
-        <translation>Larghezza dei voxel su cui lavora la crescita; gli strati non ne dipendono.</translation>
-    </message>
-    <message>
-        <source>Field rounds</source>
-        <translation>cicli del campo</translation>
-    </message>
-    <message>
-        <source>walls</source>
-        <translation>pareti</translation>
-    </message>
-    <message>
-        <source>Beads laid along the edge of each layer before it is filled.</source>
-        <translation>Cordoni deposti lungo il bordo di ogni strato prima del riempimento.</translation>
-    </message>
-    <message>
-        <source>infill</source>
-        <translation>riempimento</translation>
-    </message>
-    <message>
-        <source>How the inside of each layer is filled.</source>
-        <translation>Come viene riempito l&apos;interno di ogni strato.</translation>
-    </message>
-    <message>
-        <source>zigzag</source>
-        <translation>zigzag</translation>
-    </message>
-    <message>
-        <source>concentric</source>
-        <translation>concentrico</translation>
-    </message>
-    <message>
-        <source>infill density</source>
-        <translation>densità riempimento</translation>
-    </message>
-    <message>
-        <source>Share of the inside that is filled; 1 is solid.</source>
-        <translation>Quota dell&apos;interno da riempire; 1 è pieno.</translation>
-    </message>
-    <message>
-        <source>clearance of the arm</source>
-        <translation>distanza del braccio</translation>
-    </message>
-    <message>
-        <source>Distance that links, plate, nozzle holder and obstacles keep from each other.</source>
-        <translation>Distanza minima fra membri del braccio, piatto, portaugello e ostacoli.</translation>
-    </message>
-    <message>
-        <source>clearance of the part</source>
-        <translation>distanza dal pezzo</translation>
-    </message>
-    <message>
-        <source>Distance that all but the print head keeps from what is printed.</source>
-        <translation>Distanza minima dal materiale stampato per tutto tranne la testa di stampa.</translation>
-    </message>
-    <message>
-        <source>lift</source>
-        <translation>sollevamento</translation>
-    </message>
-    <message>
-        <source>How far the nozzle leaves the part, at least, before it travels.</source>
-        <translation>Di quanto, almeno, l&apos;ugello si stacca dal pezzo prima di spostarsi a vuoto.</translation>
-    </message>
-    <message>
-        <source>turns about the nozzle</source>
-        <translation>rotazioni attorno all&apos;ugello</translation>
-    </message>
-    <message>
-        <source>How many turns of the part about the nozzle&apos;s axis are tried at each place.</source>
-        <translation>Quante rotazioni del pezzo attorno all&apos;asse dell&apos;ugello vengono provate in ogni punto.</translation>
-    </message>
-    <message>
         <source>on</source>
         <translation>sì</translation>
     </message>
@@ -976,656 +4099,6 @@ sioni</translation>
     <message>
         <source>Key: %1</source>
         <translation>Chiave: %1</translation>
-    </message>
-    <message>
-        <source>How often growth and smooth field are fitted to each other at most. 0: layers from the ranks.</source>
-        <translation>Quante volte al massimo crescita e campo liscio vengono adattati l&apos;una all&apos;altro. 0: strati dai ranghi.</translation>
-    </message>
-    <message>
-        <source>Shadowed per layer</source>
-        <translation>isolati per strato</translation>
-    </message>
-    <message>
-        <source>Growth incremental, adaptive, guided: a layer takes voxels as long as it cuts off fewer than this many others. 1: none. 0: fewer than the whole layer would.</source>
-        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: uno strato prende voxel finché ne isola meno di questi. 1: nessuno. 0: meno di quanti ne isolerebbe lo strato intero.</translation>
-    </message>
-    <message>
-        <source>Order of trying</source>
-        <translation>ordine dei tentativi</translation>
-    </message>
-    <message>
-        <source>flooding</source>
-        <translation>a espansione</translation>
-    </message>
-    <message>
-        <source>insertion</source>
-        <translation>di inserimento</translation>
-    </message>
-    <message>
-        <source>Growth incremental: a layer&apos;s voxels are tried outwards from the first one (flooding) or in the order they were found (insertion).</source>
-        <translation>Crescita voxel per voxel: i voxel di uno strato si provano dal primo verso l&apos;esterno (a espansione) o nell&apos;ordine in cui sono stati trovati (di inserimento).</translation>
-    </message>
-    <message>
-        <source>Voxels on the front</source>
-        <translation>voxel sul fronte</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>fuori</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>dentro</translation>
-    </message>
-    <message>
-        <source>The sources&apos; schemes: whether a voxel that lies exactly on the convex front can still be laid (outside) or is cut off by it (inside).</source>
-        <translation>Schemi delle fonti: se un voxel che giace esattamente sul fronte convesso si può ancora deporre (fuori) o ne resta isolato (dentro).</translation>
-    </message>
-    <message>
-        <source>Where nothing is safe</source>
-        <translation>dove nulla è sicuro</translation>
-    </message>
-    <message>
-        <source>layer</source>
-        <translation>strato</translation>
-    </message>
-    <message>
-        <source>least</source>
-        <translation>il meno possibile</translation>
-    </message>
-    <message>
-        <source>Growth incremental, adaptive, guided: where every voxel of a layer would cut others off, lay all of it as the source does (layer) or only what cuts off fewest (least).</source>
-        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: dove ogni voxel di uno strato ne isolerebbe altri, deporlo tutto come fa la fonte (strato) o solo ciò che ne isola di meno (il meno possibile).</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>fronte</translation>
-    </message>
-    <message>
-        <source>flat</source>
-        <translation>piatto</translation>
-    </message>
-    <message>
-        <source>nozzle</source>
-        <translation>ugello</translation>
-    </message>
-    <message>
-        <source>Supports</source>
-        <translation>supporti</translation>
-    </message>
-    <message>
-        <source>What carries voxels that growth would miss: nothing, or columns as thin as a voxel, to be broken off afterwards.</source>
-        <translation>Che cosa regge i voxel che la crescita mancherebbe: nulla, o colonne sottili quanto un voxel, da staccare alla fine.</translation>
-    </message>
-    <message>
-        <source>Placement</source>
-        <translation>Posizione</translation>
-    </message>
-    <message>
-        <source>Turn the part</source>
-        <translation>giro del pezzo</translation>
-    </message>
-    <message>
-        <source>Looks for a better way for the part to lie, from where it was put: with the least overhanging area, or with the fewest voxels missed by growth.</source>
-        <translation>Cerca una giacitura migliore del pezzo, da dove è stato messo: con la minore area a sbalzo, o con il minor numero di voxel mancati dalla crescita.</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>nessuno</translation>
-    </message>
-    <message>
-        <source>auto</source>
-        <translation>automatico</translation>
-    </message>
-    <message>
-        <source>leastRisky</source>
-        <translation>minimo sbalzo</translation>
-    </message>
-    <message>
-        <source>fewestMissed</source>
-        <translation>minimi mancati</translation>
-    </message>
-    <message>
-        <source>Shape of the head that must clear all that is printed earlier: a flat one as wide as needed, or the head as it is: where voxels would be lost otherwise (nozzle) and under wide roofs (nozzle and auto).</source>
-        <translation>Forma della testa che deve evitare tutto ciò che è già stampato: una piatta, larga quanto serve, o la testa com&apos;è: dove altrimenti si perderebbero dei voxel (ugello) e sotto tetti ampi (ugello e automatico).</translation>
-    </message>
-    <message>
-        <source>Pieces</source>
-        <translation>Pezzi</translation>
-    </message>
-    <message>
-        <source>overhang angle</source>
-        <translation>angolo di sbalzo</translation>
-    </message>
-    <message>
-        <source>materials of pieces</source>
-        <translation>materiali dei pezzi</translation>
-    </message>
-    <message>
-        <source>Mode planar: a material or filament for each piece, separated by commas; from the first again where there are more pieces. Empty: the process&apos;s.</source>
-        <translation>Modo planar: un materiale o filamento per ogni pezzo, separati da virgole; si ricomincia dal primo se i pezzi sono di più. Vuoto: quello del processo.</translation>
-    </message>
-    <message>
-        <source>adaptive layers</source>
-        <translation>strati adattivi</translation>
-    </message>
-    <message>
-        <source>Modes planar and flat: thinner layers where the surface leans, within the process&apos;s limits.</source>
-        <translation>Modi planar e flat: strati più sottili dove la superficie è inclinata, entro i limiti del processo.</translation>
-    </message>
-    <message>
-        <source>step height</source>
-        <translation>altezza del gradino</translation>
-    </message>
-    <message>
-        <source>Adaptive layers: how far the edges of layers may stand out of the surface.</source>
-        <translation>Strati adattivi: di quanto i bordi degli strati possono sporgere dalla superficie.</translation>
-    </message>
-    <message>
-        <source>planes of layers</source>
-        <translation>piani degli strati</translation>
-    </message>
-    <message>
-        <source>Mode flat: a JSON file, or its text, with the plane or quadrilateral of each layer. Empty: layers along z.</source>
-        <translation>Modo flat: un file JSON, o il suo testo, con il piano o quadrilatero di ogni strato. Vuoto: strati lungo z.</translation>
-    </message>
-    <message>
-        <source>Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, toolpath.vtp and trajectory.csv.</source>
-        <translation>Aggiunge voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, toolpath.vtp e trajectory.csv.</translation>
-    </message>
-    <message>
-        <source>cutting planes</source>
-        <translation>piani di taglio</translation>
-    </message>
-    <message>
-        <source>Mode planar: a JSON file, or its text, with a point and a normal for each plane that cuts the part, in turn. Empty: they are searched for.</source>
-        <translation>Modo planar: un file JSON, o il suo testo, con un punto e una normale per ogni piano che taglia il pezzo, uno dopo l&apos;altro. Vuoto: i piani vengono cercati.</translation>
-    </message>
-    <message>
-        <source>scheme</source>
-        <translation>schema</translation>
-    </message>
-    <message>
-        <source>Mode planar: beam keeps several partial results and asks of the head&apos;s true shape; greedy is the published scheme, by the part&apos;s skeleton.</source>
-        <translation>Modo planar: beam tiene più risultati parziali e tiene conto della vera forma della testa; greedy è lo schema pubblicato, secondo lo scheletro del pezzo.</translation>
-    </message>
-    <message>
-        <source>thicknesses</source>
-        <translation>spessori</translation>
-    </message>
-    <message>
-        <source>Scheme greedy: how many thicknesses the part&apos;s branches are told apart by. 0: as many as stand apart.</source>
-        <translation>Schema greedy: quanti spessori distinguono i rami del pezzo. 0: quanti risultano distinti.</translation>
-    </message>
-    <message>
-        <source>root</source>
-        <translation>radice</translation>
-    </message>
-    <message>
-        <source>Scheme greedy: x,y,z (mm) of a place on what is printed first; it must stand on the plate. Empty: what stands on it with most area.</source>
-        <translation>Schema greedy: x,y,z (mm) di un punto su ciò che si stampa per primo; deve poggiare sul piatto. Vuoto: ciò che vi poggia con più area.</translation>
-    </message>
-    <message>
-        <source>beam</source>
-        <translation>a fascio</translation>
-    </message>
-    <message>
-        <source>greedy</source>
-        <translation>greedy</translation>
-    </message>
-    <message>
-        <source>woven</source>
-        <translation>intrecciato</translation>
-    </message>
-    <message>
-        <source>around</source>
-        <translation>attorno all&apos;asse</translation>
-    </message>
-    <message>
-        <source>along</source>
-        <translation>lungo l&apos;asse</translation>
-    </message>
-    <message>
-        <source>helical</source>
-        <translation>elicoidale</translation>
-    </message>
-    <message>
-        <source>winding angle</source>
-        <translation>angolo avvolgimento</translation>
-    </message>
-    <message>
-        <source>Of helical infill: 0 winds around the axis, 90 runs along it.</source>
-        <translation>Del riempimento elicoidale: 0 si avvolge attorno all&apos;asse, 90 corre lungo l&apos;asse.</translation>
-    </message>
-    <message>
-        <source>How far a face may lean over from the upright without support, in every mode but curved.</source>
-        <translation>Quanto una faccia può sporgere dalla verticale senza supporto, in tutti i modi tranne quello curvo.</translation>
-    </message>
-    <message>
-        <source>infill direction</source>
-        <translation>direzione del riempimento</translation>
-    </message>
-    <message>
-        <source>Direction of straight lines on the first layer, from x to y.</source>
-        <translation>Direzione delle linee rette sul primo strato, da x verso y.</translation>
-    </message>
-    <message>
-        <source>turn of infill</source>
-        <translation>rotazione del riempimento</translation>
-    </message>
-    <message>
-        <source>How much straight lines turn from layer to layer; 0: all one way.</source>
-        <translation>Di quanto girano le linee rette da uno strato all’altro; 0: tutte allo stesso modo.</translation>
-    </message>
-    <message>
-        <source>Rod</source>
-        <translation>Barra</translation>
-    </message>
-    <message>
-        <source>axis of the part</source>
-        <translation>asse del pezzo</translation>
-    </message>
-    <message>
-        <source>Which of the part&apos;s own axes is laid on the rod; auto: the one that its sides run along.</source>
-        <translation>Quale degli assi del pezzo si posa sulla barra; auto: quello lungo cui corrono i suoi fianchi.</translation>
-    </message>
-    <message>
-        <source>x</source>
-        <translation>x</translation>
-    </message>
-    <message>
-        <source>y</source>
-        <translation>y</translation>
-    </message>
-    <message>
-        <source>z</source>
-        <translation>z</translation>
-    </message>
-    <message>
-        <source>sides of the rod</source>
-        <translation>lati della barra</translation>
-    </message>
-    <message>
-        <source>0: a round rod; 3 or more: a prism, measured over its corners.</source>
-        <translation>0: barra tonda; 3 o più: un prisma, misurato sugli spigoli.</translation>
-    </message>
-    <message>
-        <source>profile of the rod</source>
-        <translation>profilo della barra</translation>
-    </message>
-    <message>
-        <source>Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight.</source>
-        <translation>Coppie di x e raggio in mm, come -20,2.5 0,2.5 0,3.5 20,3.5, o un file che le contiene; un gradino ha due coppie alla stessa x. Oltre, la barra continua com’è. Vuoto: diritta.</translation>
-    </message>
-    <message>
-        <source>layers around the rod</source>
-        <translation>strati intorno alla barra</translation>
-    </message>
-    <message>
-        <source>At constant radius about the axis, or at constant distance from the rod&apos;s profile.</source>
-        <translation>A raggio costante intorno all’asse, o a distanza costante dal profilo della barra.</translation>
-    </message>
-    <message>
-        <source>radius</source>
-        <translation>raggio</translation>
-    </message>
-    <message>
-        <source>offset</source>
-        <translation>distanza</translation>
-    </message>
-    <message>
-        <source>first layer</source>
-        <translation>primo strato</translation>
-    </message>
-    <message>
-        <source>Modes lathe and substrate: height of the layer on the ground; 0: as high as the others.</source>
-        <translation>Modi lathe e substrate: altezza dello strato sul fondo; 0: alto come gli altri.</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Superficie</translation>
-    </message>
-    <message>
-        <source>shape of layers</source>
-        <translation>forma degli strati</translation>
-    </message>
-    <message>
-        <source>Mode substrate: at constant distance from the surface, on spheres, on cylinders along x, or from the surface to an end surface, thicker where the way is longer.</source>
-        <translation>Modo substrate: a distanza costante dalla superficie, su sfere, su cilindri lungo x, o dalla superficie a una superficie finale, più spessi dove la via è più lunga.</translation>
-    </message>
-    <message>
-        <source>sphere</source>
-        <translation>sfera</translation>
-    </message>
-    <message>
-        <source>cylinder</source>
-        <translation>cilindro</translation>
-    </message>
-    <message>
-        <source>flatten</source>
-        <translation>spiana</translation>
-    </message>
-    <message>
-        <source>centre of layers</source>
-        <translation>centro degli strati</translation>
-    </message>
-    <message>
-        <source>Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that the part stands on, or below the part.</source>
-        <translation>Di sfere e cilindri: x,y,z in mm. Vuoto: quello della sfera o del cilindro su cui sta il pezzo, o sotto il pezzo.</translation>
-    </message>
-    <message>
-        <source>end surface</source>
-        <translation>superficie finale</translation>
-    </message>
-    <message>
-        <source>Layers that flatten end on it: flat (at the part&apos;s top), flat:Z, radius:R (a wider cylinder) or mesh:FILE, placed with the platform&apos;s.</source>
-        <translation>Gli strati che spianano finiscono qui: flat (in cima al pezzo), flat:Z, radius:R (un cilindro più largo) o mesh:FILE, posato con quello della piattaforma.</translation>
-    </message>
-</context>
-<context>
-    <name>Scene</name>
-    <message>
-        <source>Layer</source>
-        <translation>Strato</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Gruppo</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Tipo</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Altezza</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Larghezza</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Velocità</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>Wall</source>
-        <translation>Parete</translation>
-    </message>
-    <message>
-        <source>Infill</source>
-        <translation>Riempimento</translation>
-    </message>
-    <message>
-        <source>Gap fill</source>
-        <translation>Riempimento vuoti</translation>
-    </message>
-    <message>
-        <source>Skirt</source>
-        <translation>Skirt</translation>
-    </message>
-    <message>
-        <source>Support</source>
-        <translation>Supporto</translation>
-    </message>
-    <message>
-        <source>Tilt of the nozzle</source>
-        <translation>Inclinazione dell&apos;ugello</translation>
-    </message>
-    <message>
-        <source>Layer spacing</source>
-        <translation>Spaziatura degli strati</translation>
-    </message>
-    <message>
-        <source>Growth step</source>
-        <translation>Passo di crescita</translation>
-    </message>
-    <message>
-        <source>Peeling rank</source>
-        <translation>Rango di pelatura</translation>
-    </message>
-    <message>
-        <source>Step being laid</source>
-        <translation>Passo in deposizione</translation>
-    </message>
-    <message>
-        <source>Convex front</source>
-        <translation>Fronte convesso</translation>
-    </message>
-    <message>
-        <source>Missed, shadowed</source>
-        <translation>Mancati, in ombra</translation>
-    </message>
-    <message>
-        <source>Missed, unreached</source>
-        <translation>Mancati, non raggiunti</translation>
-    </message>
-    <message>
-        <source>Missed, cascade</source>
-        <translation>Mancati, a cascata</translation>
-    </message>
-    <message>
-        <source>Too thin to lay</source>
-        <translation>Troppo sottile da deporre</translation>
-    </message>
-    <message>
-        <source>Too thick to lay</source>
-        <translation>Troppo spesso da deporre</translation>
-    </message>
-    <message>
-        <source>limit</source>
-        <translation>limite</translation>
-    </message>
-    <message>
-        <source>nominal</source>
-        <translation>nominale</translation>
-    </message>
-    <message>
-        <source>Piece</source>
-        <translation>Pezzo</translation>
-    </message>
-    <message>
-        <source>on the plate</source>
-        <translation>sul piatto</translation>
-    </message>
-    <message>
-        <source>Needs support</source>
-        <translation>Richiede supporto</translation>
-    </message>
-</context>
-<context>
-    <name>Stages</name>
-    <message>
-        <source>Load</source>
-        <translation>Caricamento</translation>
-    </message>
-    <message>
-        <source>Decomposition</source>
-        <translation>Scomposizione</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Strati</translation>
-    </message>
-    <message>
-        <source>Tool-paths</source>
-        <translation>Percorsi utensile</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Movimento</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <translation>Verifica</translation>
-    </message>
-    <message>
-        <source>load</source>
-        <translation>caricamento</translation>
-    </message>
-    <message>
-        <source>repair</source>
-        <translation>riparazione</translation>
-    </message>
-    <message>
-        <source>repair: check</source>
-        <translation>riparazione: controllo</translation>
-    </message>
-    <message>
-        <source>repair: diagnosis</source>
-        <translation>riparazione: diagnosi</translation>
-    </message>
-    <message>
-        <source>repair: holes</source>
-        <translation>riparazione: fori</translation>
-    </message>
-    <message>
-        <source>repair: orientation</source>
-        <translation>riparazione: orientamento</translation>
-    </message>
-    <message>
-        <source>repair: self-intersections</source>
-        <translation>riparazione: autointersezioni</translation>
-    </message>
-    <message>
-        <source>orientation</source>
-        <translation>orientamento</translation>
-    </message>
-    <message>
-        <source>supports</source>
-        <translation>supporti</translation>
-    </message>
-    <message>
-        <source>peeling</source>
-        <translation>spellatura</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>fronte</translation>
-    </message>
-    <message>
-        <source>voxelise</source>
-        <translation>voxelizzazione</translation>
-    </message>
-    <message>
-        <source>voxels</source>
-        <translation>voxel</translation>
-    </message>
-    <message>
-        <source>growth</source>
-        <translation>crescita</translation>
-    </message>
-    <message>
-        <source>field</source>
-        <translation>campo</translation>
-    </message>
-    <message>
-        <source>cutting layers from the field</source>
-        <translation>taglio degli strati dal campo</translation>
-    </message>
-    <message>
-        <source>trimming layers on the part</source>
-        <translation>rifilatura degli strati sul pezzo</translation>
-    </message>
-    <message>
-        <source>checking layers</source>
-        <translation>controllo degli strati</translation>
-    </message>
-    <message>
-        <source>directions</source>
-        <translation>direzioni</translation>
-    </message>
-    <message>
-        <source>laying beads</source>
-        <translation>disposizione dei cordoni</translation>
-    </message>
-    <message>
-        <source>checking the motion</source>
-        <translation>controllo del movimento</translation>
-    </message>
-    <message>
-        <source>running the program</source>
-        <translation>esecuzione del programma</translation>
-    </message>
-    <message>
-        <source>looking for collisions</source>
-        <translation>ricerca di collisioni</translation>
-    </message>
-    <message>
-        <source>measuring the beads</source>
-        <translation>misura dei cordoni</translation>
-    </message>
-    <message>
-        <source>looking beneath the beads</source>
-        <translation>controllo sotto i cordoni</translation>
-    </message>
-    <message>
-        <source>comparing with the plan</source>
-        <translation>confronto con il piano</translation>
-    </message>
-    <message>
-        <source>replayed</source>
-        <translation>verificato</translation>
-    </message>
-    <message>
-        <source>write files</source>
-        <translation>scrittura dei file</translation>
-    </message>
-    <message>
-        <source>write</source>
-        <translation>scrittura</translation>
-    </message>
-    <message>
-        <source>replay</source>
-        <translation>verifica</translation>
-    </message>
-    <message>
-        <source>tool-paths</source>
-        <translation>percorsi utensile</translation>
-    </message>
-    <message>
-        <source>motion</source>
-        <translation>movimento</translation>
-    </message>
-    <message>
-        <source>pieces</source>
-        <translation>pezzi</translation>
-    </message>
-    <message>
-        <source>slicing</source>
-        <translation>taglio in strati</translation>
-    </message>
-    <message>
-        <source>ending layers on the surface</source>
-        <translation>strati terminati sulla superficie</translation>
-    </message>
-    <message>
-        <source>skeleton</source>
-        <translation>scheletro</translation>
-    </message>
-    <message>
-        <source>cutting</source>
-        <translation>taglio</translation>
-    </message>
-    <message>
-        <source>ordering layers</source>
-        <translation>ordinamento degli strati</translation>
-    </message>
-    <message>
-        <source>take the rod out of the part</source>
-        <translation>barra tolta dal pezzo</translation>
-    </message>
-    <message>
-        <source>take the surface out of the part</source>
-        <translation>superficie tolta dal pezzo</translation>
-    </message>
-    <message>
-        <source>cutting layers</source>
-        <translation>taglio degli strati</translation>
     </message>
 </context>
 <context>
@@ -2860,6 +5333,22 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Rod</source>
         <translation>Barra</translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation type="unfinished">Annulla: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished">Annulla</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation type="unfinished">Ripeti: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished">Ripeti</translation>
     </message>
 </context>
 <context>
