@@ -5336,19 +5336,19 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     </message>
     <message>
         <source>Undo %1</source>
-        <translation type="unfinished">Annulla: %1</translation>
+        <translation>Annulla: %1</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished">Annulla</translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Redo %1</source>
-        <translation type="unfinished">Ripeti: %1</translation>
+        <translation>Ripeti: %1</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished">Ripeti</translation>
+        <translation>Ripeti</translation>
     </message>
 </context>
 <context>
