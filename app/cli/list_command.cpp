@@ -48,8 +48,9 @@ Json listRobots() {
 Json listFormats() {
   Json rows = Json::array();
   for (const program::Dialect& dialect : program::dialects())
-    rows.push_back(
-        Json{{"id", dialect.id}, {"label", base::english(dialect.label)}, {"extension", dialect.extension}});
+    rows.push_back(Json{{"id", dialect.id},
+                        {"label", base::english(dialect.label)},
+                        {"extension", dialect.extension}});
   return rows;
 }
 
@@ -69,9 +70,12 @@ Json listParameters() {
   const base::ParameterTable table = pipeline::allParameters();
   Json rows = Json::array();
   for (const base::ParameterSpec& spec : table.specs()) {
-    Json row{{"id", spec.key},      {"label", spec.label.english()},
-             {"group", spec.group.english()}, {"type", types[static_cast<std::size_t>(spec.type)]},
-             {"unit", spec.unit},   {"default", valueJson(spec.defaultValue)}};
+    Json row{{"id", spec.key},
+             {"label", spec.label.english()},
+             {"group", spec.group.english()},
+             {"type", types[static_cast<std::size_t>(spec.type)]},
+             {"unit", spec.unit},
+             {"default", valueJson(spec.defaultValue)}};
     if (spec.type == base::ParameterType::Number || spec.type == base::ParameterType::Integer) {
       row["min"] = spec.minimum;
       row["max"] = spec.maximum;
@@ -121,7 +125,8 @@ ExitCode listCommand(const ListOptions& options) {
       fmt::print("{}\n", textOf(row));
     return kDone;
   }
-  throw base::Error(base::ErrorCode::Usage, base::message("cannot list '{what}'"_text, options.what), {},
+  throw base::Error(base::ErrorCode::Usage,
+                    base::message("cannot list '{what}'"_text, options.what), {},
                     base::didYouMean(options.what, known));
 }
 

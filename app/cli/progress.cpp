@@ -29,8 +29,8 @@ void writeJsonLine(double fraction, std::string_view what) {
 base::ProgressSink progressSink(ProgressStyle style) {
   if (style == ProgressStyle::None || (style == ProgressStyle::Bar && !::isatty(STDERR_FILENO)))
     return {};
-  return [style, last = Clock::time_point{}, stage = base::Message()](
-             double fraction, const base::Message& message) mutable {
+  return [style, last = Clock::time_point{},
+          stage = base::Message()](double fraction, const base::Message& message) mutable {
     const Clock::time_point now = Clock::now();
     if (message == stage && now - last < std::chrono::milliseconds(100))
       return;

@@ -10,9 +10,10 @@ namespace voluta::cli {
 namespace {
 std::vector<double> numbers(std::string_view text, std::size_t count, const char* what) {
   const auto wrong = [&] {
-    return base::Error(base::ErrorCode::Usage,
-                       base::message("'{text}' is not {count} comma separated numbers"_text, text, count),
-                       std::string(what));
+    return base::Error(
+        base::ErrorCode::Usage,
+        base::message("'{text}' is not {count} comma separated numbers"_text, text, count),
+        std::string(what));
   };
   std::vector<double> values;
   while (true) {

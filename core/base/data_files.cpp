@@ -18,8 +18,7 @@ std::vector<std::string> dataFileIds(const std::string& folder) {
   return ids;
 }
 
-std::filesystem::path dataFile(const std::string& folder, const std::string& id,
-                               Text unknown) {
+std::filesystem::path dataFile(const std::string& folder, const std::string& id, Text unknown) {
   const std::vector<std::string> ids = dataFileIds(folder);
   if (std::find(ids.begin(), ids.end(), id) == ids.end())
     throw Error(ErrorCode::Usage, Message(unknown, {id}), {}, didYouMean(id, ids));

@@ -14,7 +14,6 @@ std::vector<std::string> dataFileIds(const std::string& folder);
 
 // The file of `id`. Throws Error{Usage} that says `unknown`, "unknown robot '{id}'"_text, and names
 // the nearest.
-std::filesystem::path dataFile(const std::string& folder, const std::string& id,
-                               Text unknown);
+std::filesystem::path dataFile(const std::string& folder, const std::string& id, Text unknown);
 
 } // namespace voluta::base

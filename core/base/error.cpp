@@ -7,7 +7,8 @@ namespace voluta::base {
 
 namespace {
 std::string inOneLine(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return text;
 }
 } // namespace
@@ -18,8 +19,7 @@ Error::Error(ErrorCode code, Message message, Value context, Message remedy)
 
 Message Error::whole() const {
   if (context_.empty())
-    return remedy_.empty() ? message_
-                           : base::message("{what} ({remedy})"_text, message_, remedy_);
+    return remedy_.empty() ? message_ : base::message("{what} ({remedy})"_text, message_, remedy_);
   return remedy_.empty()
              ? base::message("{where}: {what}"_text, context_, message_)
              : base::message("{where}: {what} ({remedy})"_text, context_, message_, remedy_);

@@ -45,8 +45,8 @@ std::string readFile(const fs::path& path) {
     throw Error(ErrorCode::UnreadableFile, "is a directory, not a file"_text, path.string());
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw Error(ErrorCode::UnreadableFile, message("cannot be read: {why}"_text, systemReason(errno)),
-                path.string());
+    throw Error(ErrorCode::UnreadableFile,
+                message("cannot be read: {why}"_text, systemReason(errno)), path.string());
   std::ostringstream bytes;
   bytes << in.rdbuf();
   if (in.bad())

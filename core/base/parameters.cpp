@@ -47,41 +47,38 @@ template <typename T> bool parseWhole(std::string_view text, T& value) {
 } // namespace
 
 ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue,
-                              double minimum, double maximum, Text group, Text label,
-                              Text help, bool simple) {
-  ParameterSpec spec =
-      makeSpec(std::move(key), ParameterType::Number, std::move(unit), defaultValue,
-               group, label, help, simple);
+                              double minimum, double maximum, Text group, Text label, Text help,
+                              bool simple) {
+  ParameterSpec spec = makeSpec(std::move(key), ParameterType::Number, std::move(unit),
+                                defaultValue, group, label, help, simple);
   spec.minimum = minimum;
   spec.maximum = maximum;
   return spec;
 }
 
 ParameterSpec integerParameter(std::string key, long long defaultValue, long long minimum,
-                               long long maximum, Text group, Text label,
-                               Text help, bool simple) {
-  ParameterSpec spec = makeSpec(std::move(key), ParameterType::Integer, "", defaultValue,
-                                group, label, help, simple);
+                               long long maximum, Text group, Text label, Text help, bool simple) {
+  ParameterSpec spec = makeSpec(std::move(key), ParameterType::Integer, "", defaultValue, group,
+                                label, help, simple);
   spec.minimum = static_cast<double>(minimum);
   spec.maximum = static_cast<double>(maximum);
   return spec;
 }
 
-ParameterSpec booleanParameter(std::string key, bool defaultValue, Text group,
-                               Text label, Text help, bool simple) {
-  return makeSpec(std::move(key), ParameterType::Boolean, "", defaultValue, group,
-                  label, help, simple);
+ParameterSpec booleanParameter(std::string key, bool defaultValue, Text group, Text label,
+                               Text help, bool simple) {
+  return makeSpec(std::move(key), ParameterType::Boolean, "", defaultValue, group, label, help,
+                  simple);
 }
 
-ParameterSpec textParameter(std::string key, Text group, Text label, Text help,
-                            bool simple) {
-  return makeSpec(std::move(key), ParameterType::Text, "", std::string(), group,
-                  label, help, simple);
+ParameterSpec textParameter(std::string key, Text group, Text label, Text help, bool simple) {
+  return makeSpec(std::move(key), ParameterType::Text, "", std::string(), group, label, help,
+                  simple);
 }
 
 ParameterSpec choiceParameter(std::string key, std::string defaultValue,
-                              std::vector<Choice> choices, Text group,
-                              Text label, Text help, bool simple) {
+                              std::vector<Choice> choices, Text group, Text label, Text help,
+                              bool simple) {
   ParameterSpec spec = makeSpec(std::move(key), ParameterType::Choice, "", std::move(defaultValue),
                                 group, label, help, simple);
   spec.choices = std::move(choices);

@@ -36,19 +36,19 @@ struct ParameterSpec {
 };
 
 ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue,
-                              double minimum, double maximum, Text group, Text label,
-                              Text help, bool simple = false);
+                              double minimum, double maximum, Text group, Text label, Text help,
+                              bool simple = false);
 ParameterSpec integerParameter(std::string key, long long defaultValue, long long minimum,
-                               long long maximum, Text group, Text label,
+                               long long maximum, Text group, Text label, Text help,
+                               bool simple = false);
+ParameterSpec booleanParameter(std::string key, bool defaultValue, Text group, Text label,
                                Text help, bool simple = false);
-ParameterSpec booleanParameter(std::string key, bool defaultValue, Text group,
-                               Text label, Text help, bool simple = false);
 // Empty by default.
 ParameterSpec textParameter(std::string key, Text group, Text label, Text help,
                             bool simple = false);
 ParameterSpec choiceParameter(std::string key, std::string defaultValue,
-                              std::vector<Choice> choices, Text group,
-                              Text label, Text help, bool simple = false);
+                              std::vector<Choice> choices, Text group, Text label, Text help,
+                              bool simple = false);
 
 class ParameterTable {
 public:

@@ -1,5 +1,6 @@
-// What a user reads, as data: a sentence with named places and the values that belong there. English
-// is made of it at the edge (command line, report, log), every other language by the same rules.
+// What a user reads, as data: a sentence with named places and the values that belong there.
+// English is made of it at the edge (command line, report, log), every other language by the same
+// rules.
 #pragma once
 
 #include <concepts>
@@ -15,8 +16,8 @@ namespace voluta::base {
 
 class Text;
 
-// A place in a sentence: "{name}", "{name:.2f}" or "{name:.3g#}": how a number is written there, and
-// # where its unit is left out. begin and end are positions in the sentence.
+// A place in a sentence: "{name}", "{name:.2f}" or "{name:.3g#}": how a number is written there,
+// and # where its unit is left out. begin and end are positions in the sentence.
 struct PlaceMark {
   std::size_t begin = 0, end = 0;
   std::string_view name, format;
@@ -48,8 +49,9 @@ namespace voluta::base {
 
 using namespace literals;
 
-// A sentence or a word of the program's own, in English. Made only from a literal with one of the two
-// marks above, by which it gets into the list for translators: nothing else can be said to a user.
+// A sentence or a word of the program's own, in English. Made only from a literal with one of the
+// two marks above, by which it gets into the list for translators: nothing else can be said to a
+// user.
 class Text {
 public:
   constexpr Text() = default; // empty
@@ -67,20 +69,46 @@ private:
   std::string_view english_, one_;
 };
 
-enum class Unit { None, Mm, Mm2, Mm3, Degree, DegreePerS, Mm3PerS, Percent, Second, Megabyte, Gigabyte };
+enum class Unit {
+  None,
+  Mm,
+  Mm2,
+  Mm3,
+  Degree,
+  DegreePerS,
+  Mm3PerS,
+  Percent,
+  Second,
+  Megabyte,
+  Gigabyte
+};
 
 struct Quantity {
   double number = 0.0;
   Unit unit = Unit::None;
   friend bool operator==(const Quantity&, const Quantity&) = default;
 };
-inline Quantity number(double value) { return {value, Unit::None}; }
-inline Quantity mm(double value) { return {value, Unit::Mm}; }
-inline Quantity mm2(double value) { return {value, Unit::Mm2}; }
-inline Quantity mm3(double value) { return {value, Unit::Mm3}; }
-inline Quantity degrees(double value) { return {value, Unit::Degree}; }
-inline Quantity percent(double value) { return {value, Unit::Percent}; }
-inline Quantity seconds(double value) { return {value, Unit::Second}; }
+inline Quantity number(double value) {
+  return {value, Unit::None};
+}
+inline Quantity mm(double value) {
+  return {value, Unit::Mm};
+}
+inline Quantity mm2(double value) {
+  return {value, Unit::Mm2};
+}
+inline Quantity mm3(double value) {
+  return {value, Unit::Mm3};
+}
+inline Quantity degrees(double value) {
+  return {value, Unit::Degree};
+}
+inline Quantity percent(double value) {
+  return {value, Unit::Percent};
+}
+inline Quantity seconds(double value) {
+  return {value, Unit::Second};
+}
 
 // A point in mm, written "(1, 2, 3)".
 struct Point {
@@ -90,8 +118,8 @@ struct Point {
 
 struct Message;
 
-// What stands at a place. Text that comes from elsewhere (files, keys, ids, what a user typed, what a
-// library said) is a name and stays as it is in every language.
+// What stands at a place. Text that comes from elsewhere (files, keys, ids, what a user typed, what
+// a library said) is a name and stays as it is in every language.
 class Value {
 public:
   using Data = std::variant<std::string, long long, Quantity, Point, Text, std::vector<Message>>;
@@ -99,15 +127,15 @@ public:
   Value();                      // an empty name
   Value(std::string name);      // NOLINT(google-explicit-constructor)
   Value(std::string_view name); // NOLINT(google-explicit-constructor)
-  Value(const char*) = delete; // a word of our own is a Text, a name in the code is "..."_name
+  Value(const char*) = delete;  // a word of our own is a Text, a name in the code is "..."_name
   template <std::integral T>
-    requires(!std::same_as<T, bool> && !std::same_as<T, char>)
-  Value(T whole) : Value(Whole{static_cast<long long>(whole)}) {} // NOLINT
-  template <std::floating_point T> Value(T) = delete; // number(), mm() ... say what it is
-  Value(Quantity quantity);             // NOLINT(google-explicit-constructor)
-  Value(Point point);                   // NOLINT(google-explicit-constructor)
-  Value(Text word);                     // NOLINT(google-explicit-constructor)
-  Value(Message part);                  // NOLINT(google-explicit-constructor)
+  requires(!std::same_as<T, bool> && !std::same_as<T, char>) Value(T whole)
+      : Value(Whole{static_cast<long long>(whole)}) {} // NOLINT
+  template <std::floating_point T> Value(T) = delete;  // number(), mm() ... say what it is
+  Value(Quantity quantity);                            // NOLINT(google-explicit-constructor)
+  Value(Point point);                                  // NOLINT(google-explicit-constructor)
+  Value(Text word);                                    // NOLINT(google-explicit-constructor)
+  Value(Message part);                                 // NOLINT(google-explicit-constructor)
   Value(std::vector<Message> sentences); // NOLINT(google-explicit-constructor): a list
   Value(const Value&);
   Value(Value&&) noexcept;
@@ -150,8 +178,7 @@ template <std::size_t N> struct TextWithPlaces {
 };
 
 // message("{there} of {wanted} vertices"_text, n, m)
-template <typename... V>
-Message message(TextWithPlaces<sizeof...(V)> text, V&&... values) {
+template <typename... V> Message message(TextWithPlaces<sizeof...(V)> text, V&&... values) {
   std::vector<Value> all;
   all.reserve(sizeof...(V));
   (all.emplace_back(std::forward<V>(values)), ...);

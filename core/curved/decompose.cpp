@@ -168,13 +168,16 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
 
 base::ParameterTable curvedParameters() {
   return base::ParameterTable({
-      base::numberParameter("voxelMm", "mm", 0.8, 0.1, 10.0, "Layers"_text, "Voxel width"_text,
-                            "Width of the voxels that growth works on; layers are not bound to it."_text,
-                            true),
-      base::choiceParameter("frontShape", "auto", {{"auto", "auto"_text}, {"flat", "flat"_text}, {"nozzle", "nozzle"_text}}, "Layers"_text, "Front"_text,
-                            "Shape of the head that must clear all that is printed earlier: a flat "
-                            "one as wide as needed, or the head as it is: where voxels would be "
-                            "lost otherwise (nozzle) and under wide roofs (nozzle and auto)."_text),
+      base::numberParameter(
+          "voxelMm", "mm", 0.8, 0.1, 10.0, "Layers"_text, "Voxel width"_text,
+          "Width of the voxels that growth works on; layers are not bound to it."_text, true),
+      base::choiceParameter(
+          "frontShape", "auto",
+          {{"auto", "auto"_text}, {"flat", "flat"_text}, {"nozzle", "nozzle"_text}}, "Layers"_text,
+          "Front"_text,
+          "Shape of the head that must clear all that is printed earlier: a flat "
+          "one as wide as needed, or the head as it is: where voxels would be "
+          "lost otherwise (nozzle) and under wide roofs (nozzle and auto)."_text),
       base::integerParameter("fieldRounds", 8, 0, 30, "Layers"_text, "Field rounds"_text,
                              "How often growth and smooth field are fitted to each other at "
                              "most. 0: layers from the ranks."_text),
@@ -190,8 +193,8 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
                 "decompose: rounds >= 0, 0 < heightMin <= layerHeight <= heightMax");
   const VoxelGraph graph = voxelGraph(voxels.grid, voxels.solid, voxels.plateLayer(), platform);
   if (std::find(graph.onPlatform.begin(), graph.onPlatform.end(), 1) == graph.onPlatform.end())
-    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the platform"_text, {},
-                      "drop it to the plate or choose a platform under it"_text);
+    throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the platform"_text,
+                      {}, "drop it to the plate or choose a platform under it"_text);
 
   Decomposition out;
   out.grid = voxels.grid;

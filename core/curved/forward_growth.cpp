@@ -256,14 +256,18 @@ base::ParameterTable forwardParameters() {
           "Growth incremental, adaptive, guided: a layer takes voxels as long as it cuts off fewer "
           "than this many others. 1: none. 0: fewer than the whole layer would."_text),
       base::choiceParameter(
-          "growthQueue", "flooding", {{"flooding", "flooding"_text}, {"insertion", "insertion"_text}}, "Layers"_text, "Order of trying"_text,
+          "growthQueue", "flooding",
+          {{"flooding", "flooding"_text}, {"insertion", "insertion"_text}}, "Layers"_text,
+          "Order of trying"_text,
           "Growth incremental: a layer's voxels are tried outwards from the first "
           "one (flooding) or in the order they were found (insertion)."_text),
-      base::choiceParameter("growthBoundary", "outside", {{"outside", "outside"_text}, {"inside", "inside"_text}}, "Layers"_text,
+      base::choiceParameter("growthBoundary", "outside",
+                            {{"outside", "outside"_text}, {"inside", "inside"_text}}, "Layers"_text,
                             "Voxels on the front"_text,
                             "The sources' schemes: whether a voxel that lies exactly on the convex "
                             "front can still be laid (outside) or is cut off by it (inside)."_text),
-      base::choiceParameter("growthSacrifice", "layer", {{"layer", "layer"_text}, {"least", "least"_text}}, "Layers"_text,
+      base::choiceParameter("growthSacrifice", "layer",
+                            {{"layer", "layer"_text}, {"least", "least"_text}}, "Layers"_text,
                             "Where nothing is safe"_text,
                             "Growth incremental, adaptive, guided: where every voxel of a layer "
                             "would cut others off, lay all of it as the source does (layer) or "

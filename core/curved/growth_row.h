@@ -38,9 +38,9 @@ struct GrowthInput {
 };
 
 struct GrowthRow {
-  std::string_view id;    // as it is typed
-  base::Text label;       // in plain words
-  base::Text help;        // a sentence
+  std::string_view id; // as it is typed
+  base::Text label;    // in plain words
+  base::Text help;     // a sentence
   // Does it peel: then ForwardOptions mean nothing to it, and a field is fitted to its ranks.
   bool peels = false;
   // Fills in all but `laid`. What holds of the ranks says grow(). Throws Cancelled.

@@ -30,15 +30,17 @@ const std::vector<GrowthRow>& growthRows() {
        "Takes voxels off from outside while the rest keeps its support; printed in the opposite "
        "order"_text,
        true, growByPeeling},
-      {"guided", "Guided by peeling"_text, "Grows from the platform, held back by the peeling field"_text,
-       false, forward<ForwardScheme::Guided>},
+      {"guided", "Guided by peeling"_text,
+       "Grows from the platform, held back by the peeling field"_text, false,
+       forward<ForwardScheme::Guided>},
       {"adaptive", "Halved layers"_text,
        "Grows from the platform; a layer that would cut voxels off is halved until it does not"_text,
        false, forward<ForwardScheme::Adaptive>},
       {"incremental", "Voxel by voxel"_text,
        "Grows from the platform; a layer takes each voxel that cuts off no other"_text, false,
        forward<ForwardScheme::Incremental>},
-      {"greedy", "Greedy"_text, "Grows from the platform by whole layers, whatever they cut off"_text, false,
+      {"greedy", "Greedy"_text,
+       "Grows from the platform by whole layers, whatever they cut off"_text, false,
        forward<ForwardScheme::Greedy>},
   };
   return kRows;

@@ -15,8 +15,8 @@ const GrowthRow& rowOf(std::string_view id) {
     ids.emplace_back(row.id);
   }
   const std::string asked(id);
-  throw base::Error(base::ErrorCode::Usage, base::message("unknown growth '{name}'"_text, asked), {},
-                    base::didYouMean(asked, ids));
+  throw base::Error(base::ErrorCode::Usage, base::message("unknown growth '{name}'"_text, asked),
+                    {}, base::didYouMean(asked, ids));
 }
 } // namespace
 

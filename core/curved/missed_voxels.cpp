@@ -169,8 +169,9 @@ plan::Finding findingOf(const Group& group) {
   FindingKind kind = FindingKind::Unreached;
   if (group.loss == Loss::Shadowed) {
     const bool covered = group.coveredAt > 0, more = group.cascade > 0;
-    kind = covered ? (more ? FindingKind::ShadowedUnderFacetAndMore : FindingKind::ShadowedUnderFacet)
-                   : (more ? FindingKind::ShadowedUnreachedAndMore : FindingKind::ShadowedUnreached);
+    kind = covered
+               ? (more ? FindingKind::ShadowedUnderFacetAndMore : FindingKind::ShadowedUnderFacet)
+               : (more ? FindingKind::ShadowedUnreachedAndMore : FindingKind::ShadowedUnreached);
     if (covered) {
       values.push_back({"step", group.coveredAt});
       values.push_back({"a", plan::pointOf(group.cover[0])});
@@ -207,13 +208,13 @@ void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decompositi
     decomposition.findings.push_back(findingOf(groups[g]));
   if (groups.size() > kMostListed) {
     const Group& largest = groups[kMostListed];
-    std::size_t voxels = 0;
+    std::size_t missed = 0;
     for (std::size_t g = kMostListed; g < groups.size(); ++g)
-      voxels += groups[g].voxels.size();
+      missed += groups[g].voxels.size();
     decomposition.findings.push_back(plan::makeFinding(
         largest.loss == Loss::Shadowed ? plan::FindingKind::MoreShadowed
                                        : plan::FindingKind::MoreUnreached,
-        {{"voxels", voxels}, {"groups", groups.size() - kMostListed}}, largest.centre, voxels));
+        {{"voxels", missed}, {"groups", groups.size() - kMostListed}}, largest.centre, missed));
   }
   if (belowPlate > 0) {
     for (std::size_t c = 0; c < decomposition.rank.size(); ++c)

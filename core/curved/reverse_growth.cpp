@@ -67,7 +67,8 @@ private:
   }
 
   void reportProgress() const {
-    ctx_.report(1.0 - static_cast<double>(front_.count()) / static_cast<double>(start_), "growth"_text);
+    ctx_.report(1.0 - static_cast<double>(front_.count()) / static_cast<double>(start_),
+                "growth"_text);
   }
 
   void lowerLevels() {

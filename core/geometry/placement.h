@@ -36,7 +36,7 @@ struct UnitGuess {
   double longestSideMm = 0.0; // as read, taken as mm
   std::string unit = "mm";    // "mm", "m" or "inch" or "um" as the size suggests
   double scale = 1.0;         // to mm, if the guess is right
-  base::Message note;          // one sentence; empty when mm is plausible
+  base::Message note;         // one sentence; empty when mm is plausible
 };
 // Longest side of the bounding box below 2: metres if 20 mm to 2 m come of it, inches otherwise;
 // above 10,000: micrometres. Sizes between are taken as mm.

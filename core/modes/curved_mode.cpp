@@ -112,7 +112,7 @@ std::shared_ptr<const LayersStage> curvedLayersOf(const DecomposeStage& decompos
 
 Mode curvedMode() {
   return {"curved",        "Curved layers"_text, curvedDecomposeKey,
-          curvedLayersKey, decomposeCurved, curvedLayersOf};
+          curvedLayersKey, decomposeCurved,      curvedLayersOf};
 }
 
 } // namespace voluta::modes

@@ -28,9 +28,11 @@ using Eigen::Vector2d, Eigen::Vector3d;
 robot::CellRod cellRod(const ModeChoices& in) {
   const robot::Cell cell = cellOnAnyPlatform(in.choices, in.process);
   if (!cell.rod())
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text, in.choices.mode, in.choices.cell),
-                      {}, "give --cell lathe"_text);
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text,
+                      in.choices.mode, in.choices.cell),
+        {}, "give --cell lathe"_text);
   return *cell.rod();
 }
 
@@ -130,10 +132,10 @@ std::optional<plan::Finding> tooFarOut(const geometry::TriangleMesh& part,
   constexpr double kSlackMm = 1e-6;
   if (farthest.tail<2>().norm() <= own.printableRadiusMm + kSlackMm)
     return std::nullopt;
-  return plan::makeFinding(plan::FindingKind::BeyondCell,
-                           {{"reach", base::mm(farthest.tail<2>().norm())},
-                            {"limit", base::mm(own.printableRadiusMm)}},
-                           farthest);
+  return plan::makeFinding(
+      plan::FindingKind::BeyondCell,
+      {{"reach", base::mm(farthest.tail<2>().norm())}, {"limit", base::mm(own.printableRadiusMm)}},
+      farthest);
 }
 
 std::string decomposeKey(const ModeChoices& in) {
@@ -197,10 +199,13 @@ Mode latheMode() {
 
 base::ParameterTable latheParameters() {
   return base::ParameterTable({
-      base::choiceParameter("rodAxis", "auto", {{"auto", "auto"_text}, {"x", "x"_text}, {"y", "y"_text}, {"z", "z"_text}}, "Rod"_text, "axis of the part"_text,
-                            "Which of the part's own axes is laid on the rod; auto: the one that "
-                            "its sides run along."_text,
-                            true),
+      base::choiceParameter(
+          "rodAxis", "auto",
+          {{"auto", "auto"_text}, {"x", "x"_text}, {"y", "y"_text}, {"z", "z"_text}}, "Rod"_text,
+          "axis of the part"_text,
+          "Which of the part's own axes is laid on the rod; auto: the one that "
+          "its sides run along."_text,
+          true),
       base::integerParameter("rodSides", 0, 0, 64, "Rod"_text, "sides of the rod"_text,
                              "0: a round rod; 3 or more: a prism, measured over its corners."_text,
                              true),
@@ -208,7 +213,8 @@ base::ParameterTable latheParameters() {
           "rodProfile", "Rod"_text, "profile of the rod"_text,
           "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a "
           "step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight."_text),
-      base::choiceParameter("rodLayers", "radius", {{"radius", "radius"_text}, {"offset", "offset"_text}}, "Rod"_text,
+      base::choiceParameter("rodLayers", "radius",
+                            {{"radius", "radius"_text}, {"offset", "offset"_text}}, "Rod"_text,
                             "layers around the rod"_text,
                             "At constant radius about the axis, or at constant distance from the "
                             "rod's profile."_text,

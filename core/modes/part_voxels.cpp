@@ -16,11 +16,11 @@ namespace {
 constexpr std::size_t kMostListed = 5;
 constexpr double kLeastVoxelMm = 0.1; // of the parameter voxelMm
 
-// Which of the two kinds, and what it needs beside its own values: the voxel width that would do, or
-// none does.
+// Which of the two kinds, and what it needs beside its own values: the voxel width that would do,
+// or none does.
 plan::Finding thinFinding(plan::FindingKind fits, plan::FindingKind tooThin, double thicknessMm,
-                   std::vector<plan::NamedValue> values, const voxel::ThinPlace& place,
-                   std::size_t facets) {
+                          std::vector<plan::NamedValue> values, const voxel::ThinPlace& place,
+                          std::size_t facets) {
   const double width = std::floor(100.0 * thicknessMm + 1e-6) / 100.0;
   const bool none = width < kLeastVoxelMm;
   values.push_back(none ? plan::NamedValue{"least", base::mm(kLeastVoxelMm)}
@@ -52,11 +52,11 @@ plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxel
   plan::Findings findings;
   for (std::size_t p = 0; p < std::min(kMostListed, places.size()); ++p)
     findings.push_back(thinFinding(plan::FindingKind::ThinWall, plan::FindingKind::WallTooThin,
-                            places[p].usualMm,
-                            {{"usual", base::mm(places[p].usualMm)},
-                             {"thinnest", base::mm(places[p].leastMm)},
-                             {"voxel", base::mm(voxelMm)}},
-                            places[p], places[p].facets));
+                                   places[p].usualMm,
+                                   {{"usual", base::mm(places[p].usualMm)},
+                                    {"thinnest", base::mm(places[p].leastMm)},
+                                    {"voxel", base::mm(voxelMm)}},
+                                   places[p], places[p].facets));
   if (places.size() <= kMostListed)
     return findings;
   double thinnest = places[kMostListed].usualMm;
@@ -65,11 +65,12 @@ plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxel
     facets += places[p].facets;
     thinnest = std::min(thinnest, places[p].usualMm);
   }
-  findings.push_back(thinFinding(plan::FindingKind::ThinWalls, plan::FindingKind::WallsTooThin, thinnest,
-                          {{"places", places.size() - kMostListed},
-                           {"voxel", base::mm(voxelMm)},
-                           {"thinnest", base::mm(thinnest)}},
-                          places[kMostListed], facets));
+  findings.push_back(thinFinding(plan::FindingKind::ThinWalls, plan::FindingKind::WallsTooThin,
+                                 thinnest,
+                                 {{"places", places.size() - kMostListed},
+                                  {"voxel", base::mm(voxelMm)},
+                                  {"thinnest", base::mm(thinnest)}},
+                                 places[kMostListed], facets));
   return findings;
 }
 

@@ -22,7 +22,9 @@ bool greedyChosen(const base::ParameterValues& values) {
 
 base::ParameterTable pieceSearchParameters() {
   return base::ParameterTable({
-      base::choiceParameter("planarScheme", "beam", {{"beam", "beam"_text}, {kGreedy, "greedy"_text}}, "Pieces"_text, "scheme"_text,
+      base::choiceParameter("planarScheme", "beam",
+                            {{"beam", "beam"_text}, {kGreedy, "greedy"_text}}, "Pieces"_text,
+                            "scheme"_text,
                             "Mode planar: beam keeps several partial results and asks of the "
                             "head's true shape; greedy is the published scheme, by the part's "
                             "skeleton."_text,
@@ -47,8 +49,8 @@ std::optional<Eigen::Vector3d> pieceRoot(const std::string& text) {
     return std::nullopt;
   Eigen::Vector3d root;
   if (!base::readNumbers(text, ',', {&root.x(), &root.y(), &root.z()}))
-    throw base::Error(base::ErrorCode::Usage, base::message("\"{text}\" is no point"_text, text), "pieceRoot"_name,
-                      "write x,y,z in mm, as 10,0,5"_text);
+    throw base::Error(base::ErrorCode::Usage, base::message("\"{text}\" is no point"_text, text),
+                      "pieceRoot"_name, "write x,y,z in mm, as 10,0,5"_text);
   return root;
 }
 

@@ -135,8 +135,8 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
     throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate"_text, {},
                       "drop it to the plate"_text);
   tellPieces(*pieces, in, *stage);
-  const plan::Findings left = planar::overhangFindings(
-      pieces->pieces, options.rule, planar::Overhangs::Pieces);
+  const plan::Findings left =
+      planar::overhangFindings(pieces->pieces, options.rule, planar::Overhangs::Pieces);
   stage->findings.insert(stage->findings.end(), left.begin(), left.end());
   if (const auto foot = smallFoot(*input.placed.part, pieces->pieces, options.rule))
     stage->findings.push_back(*foot);
@@ -241,7 +241,8 @@ Mode flatMode() {
 
 base::ParameterTable planarModeParameters() {
   base::ParameterTable table({
-      base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Pieces"_text, "overhang angle"_text,
+      base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Pieces"_text,
+                            "overhang angle"_text,
                             "How far a face may lean over from the upright without support, in "
                             "every mode but curved."_text,
                             true),

@@ -49,7 +49,8 @@ substrate::EndSurface endSurface(const ModeChoices& in) {
   const std::string text = in.values.text("endSurface");
   substrate::EndSurface end;
   const auto fail = [&] {
-    throw base::Error(base::ErrorCode::Usage, base::message("endSurface '{text}' is none"_text, text), {},
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("endSurface '{text}' is none"_text, text), {},
                       "write flat, flat:Z, radius:R or mesh:FILE, in mm"_text);
   };
   const std::size_t colon = text.find(':');
@@ -101,8 +102,8 @@ substrate::SubstrateOptions substrateOptions(const ModeChoices& in) {
     Vector3d& c = options.centre.emplace();
     if (!base::readNumbers(text, ',', {&c.x(), &c.y(), &c.z()}))
       throw base::Error(base::ErrorCode::Usage,
-                        base::message("layerCentre '{text}' is no point"_text, text.substr(0, 40)), {},
-                        "write x,y,z in mm"_text);
+                        base::message("layerCentre '{text}' is no point"_text, text.substr(0, 40)),
+                        {}, "write x,y,z in mm"_text);
   }
   options.end = endSurface(in);
   return options;
@@ -197,7 +198,8 @@ std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
 } // namespace
 
 Mode substrateMode() {
-  Mode mode{"substrate", "On a given surface"_text, decomposeKey, levelLayersKey, decompose, layersOf};
+  Mode mode{"substrate", "On a given surface"_text, decomposeKey, levelLayersKey, decompose,
+            layersOf};
   mode.platforms = {project::PlatformUse::Body, project::PlatformUse::Plate};
   mode.place = placeOnSurface;
   mode.placeKey = placeKey;
@@ -207,7 +209,11 @@ Mode substrateMode() {
 
 base::ParameterTable substrateParameters() {
   return base::ParameterTable({
-      base::choiceParameter("layerShape", "offset", {{"offset", "offset"_text}, {"sphere", "sphere"_text}, {"cylinder", "cylinder"_text}, {"flatten", "flatten"_text}},
+      base::choiceParameter("layerShape", "offset",
+                            {{"offset", "offset"_text},
+                             {"sphere", "sphere"_text},
+                             {"cylinder", "cylinder"_text},
+                             {"flatten", "flatten"_text}},
                             "Surface"_text, "shape of layers"_text,
                             "Mode substrate: at constant distance from the surface, on spheres, on "
                             "cylinders along x, or from the surface to an end surface, thicker "

@@ -58,8 +58,8 @@ base::Message placeOf(const MotionScene& scene, std::size_t waypoint) {
   const Eigen::Vector3d& p = scene.plan.position[waypoint];
   const plan::ToolPath* path = pathOf(scene.plan, waypoint);
   return base::message("layer {layer}, x {x:.1f} y {y:.1f} z {z:.1f}"_text,
-                       path != nullptr ? path->layer : 0, base::number(p.x()),
-                       base::number(p.y()), base::number(p.z()));
+                       path != nullptr ? path->layer : 0, base::number(p.x()), base::number(p.y()),
+                       base::number(p.z()));
 }
 
 plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene& scene,

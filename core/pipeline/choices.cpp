@@ -25,23 +25,25 @@ using base::Error;
 using base::ErrorCode;
 
 // `unknown`: with a place for the name.
-void checkName(base::Text unknown, const std::string& name,
-               const std::vector<std::string>& known) {
+void checkName(base::Text unknown, const std::string& name, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) == known.end())
-    throw Error(ErrorCode::Usage, base::Message(unknown, {name}), {}, base::didYouMean(name, known));
+    throw Error(ErrorCode::Usage, base::Message(unknown, {name}), {},
+                base::didYouMean(name, known));
 }
 } // namespace
 
 base::ParameterTable allParameters() {
   base::ParameterTable table({
-      base::numberParameter("layerHeightMm", "mm", 0.8, 0.05, 10.0, "Layers"_text, "layer height"_text,
-                            "Wanted height of a layer; the process limits what it may become."_text,
-                            true),
+      base::numberParameter(
+          "layerHeightMm", "mm", 0.8, 0.05, 10.0, "Layers"_text, "layer height"_text,
+          "Wanted height of a layer; the process limits what it may become."_text, true),
       base::numberParameter("beadWidthMm", "mm", 1.2, 0.1, 20.0, "Beads"_text, "bead width"_text,
-                            "Wanted width of a bead; the process limits what it may become."_text, true),
+                            "Wanted width of a bead; the process limits what it may become."_text,
+                            true),
       base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads"_text, "step"_text,
                             "Longest distance of waypoints along a tool-path."_text),
-      base::booleanParameter("output.debug", false, "Output"_text, "write what every stage made"_text,
+      base::booleanParameter("output.debug", false, "Output"_text,
+                             "write what every stage made"_text,
                              "Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, "
                              "toolpath.vtp and trajectory.csv."_text),
       base::booleanParameter("output.refused", false, "Output"_text, "write refused programs"_text,
@@ -102,7 +104,9 @@ process::Process chosenProcess(const project::Choices& choices,
       return;
     field = values.number(key);
     if (field < least || field > most)
-      throw Error(ErrorCode::Usage, base::message("{value} is beyond process {process}"_text, base::mm(field), p.id), std::string(key),
+      throw Error(ErrorCode::Usage,
+                  base::message("{value} is beyond process {process}"_text, base::mm(field), p.id),
+                  std::string(key),
                   base::message("give {least#} to {most}"_text, base::mm(least), base::mm(most)));
   };
   put("layerHeightMm", p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
@@ -124,11 +128,16 @@ robot::Cell fittingCell(const project::Choices& choices, const process::Process&
   for (const modes::Mode& mode : modes::modeTable())
     if (mode.aroundRod == !winds)
       modesThere.emplace_back(mode.id);
-  throw Error(ErrorCode::Usage,
-              winds ? base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text, choices.mode, choices.cell) : base::message("cell {cell} holds a rod, and mode {mode} prints on a plate"_text, choices.cell, choices.mode),
-              {},
-              winds ? base::Message("give --cell lathe"_text) : base::message("give --mode {modes}, or another cell"_text,
-                                    fmt::format("{}", fmt::join(modesThere, ", "))));
+  throw Error(
+      ErrorCode::Usage,
+      winds ? base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text,
+                            choices.mode, choices.cell)
+            : base::message("cell {cell} holds a rod, and mode {mode} prints on a plate"_text,
+                            choices.cell, choices.mode),
+      {},
+      winds ? base::Message("give --cell lathe"_text)
+            : base::message("give --mode {modes}, or another cell"_text,
+                            fmt::format("{}", fmt::join(modesThere, ", "))));
 }
 
 planar::RiskRule riskRule(const project::Choices& choices) {
@@ -151,19 +160,21 @@ void checkChoices(const project::Choices& choices) {
   const std::vector<project::PlatformUse>& taken = modes::findMode(choices.mode).platforms;
   if (!choices.platform.isForAnyOf(taken))
     throw Error(ErrorCode::Usage,
-                base::message("mode {mode} does not print on platform {platform}"_text, choices.mode,
-                              choices.platform.kind().word),
-                {}, base::message("give --platform {platforms}"_text, project::platformForms(taken)));
+                base::message("mode {mode} does not print on platform {platform}"_text,
+                              choices.mode, choices.platform.kind().word),
+                {},
+                base::message("give --platform {platforms}"_text, project::platformForms(taken)));
   const bool laysItself = modes::findMode(choices.mode).place != nullptr;
   if (const auto orient = choices.parameters.find("orient");
       laysItself && orient != choices.parameters.end() && orient->second != "none")
-    throw Error(ErrorCode::Usage,
-                base::message("orient={orient} turns parts on a plate; mode {mode} lays them itself"_text,
-                              orient->second, choices.mode),
-                {}, "give orient=none"_text);
+    throw Error(
+        ErrorCode::Usage,
+        base::message("orient={orient} turns parts on a plate; mode {mode} lays them itself"_text,
+                      orient->second, choices.mode),
+        {}, "give orient=none"_text);
   if (project::parsedScale(choices.scale) == 0.0 && choices.platform.isBody())
-    throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part"_text, {},
-                "give a number"_text);
+    throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part"_text,
+                {}, "give a number"_text);
   const geometry::Placement& place = choices.placement;
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||
       !place.centreMm.allFinite() || !std::isfinite(place.liftMm))

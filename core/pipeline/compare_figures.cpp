@@ -86,7 +86,8 @@ Value lossOf(const Figure& figure, const CompareRow& row) {
 
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> kFigures{
-      {"missedVoxels", "missed voxels"_text, "Missed\nvoxels"_text, "", 4.0, missedVoxels, false, false},
+      {"missedVoxels", "missed voxels"_text, "Missed\nvoxels"_text, "", 4.0, missedVoxels, false,
+       false},
       {"riskyAreaMm2", "risky area"_text, "Risky\nmm²"_text, "mm²", 4.0, riskyArea, false, false},
       {"supportVolumeMm3", "supports"_text, "Supports\nmm³"_text, "mm³", 1.0, supportVolume},
       {"pieces", "pieces"_text, "Pieces"_text, "", 0.5, pieces},
@@ -120,8 +121,9 @@ void setWeight(Weights& weights, const std::string& assignment) {
   for (const Figure& figure : figures())
     known.emplace_back(figure.key);
   if (std::find(known.begin(), known.end(), key) == known.end())
-    throw base::Error(base::ErrorCode::Usage, base::message("no figure is called '{key}'"_text, key),
-                      "--weight"_name, base::didYouMean(key, known));
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("no figure is called '{key}'"_text, key), "--weight"_name,
+                      base::didYouMean(key, known));
   double value = -1.0;
   if (equals != std::string::npos) {
     const char* end = assignment.data() + assignment.size();
@@ -129,8 +131,9 @@ void setWeight(Weights& weights, const std::string& assignment) {
       value = -1.0;
   }
   if (!std::isfinite(value) || value < 0.0)
-    throw base::Error(base::ErrorCode::Usage, base::message("'{text}' is no weight"_text, assignment),
-                      "--weight"_name, base::message("give {key}=NUMBER, 0 or more"_text, key));
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("'{text}' is no weight"_text, assignment), "--weight"_name,
+                      base::message("give {key}=NUMBER, 0 or more"_text, key));
   weights[key] = value;
 }
 

@@ -14,11 +14,11 @@ namespace voluta::pipeline {
 
 // A figure of a row, from its report: one row of the table a figure.
 struct Figure {
-  std::string_view key;   // in compare.json
-  base::Text label;       // in full
-  base::Text head;        // of a column: short, broken where a narrow one may be
-  std::string_view unit;  // "" for counts; "%" for shares, which are fractions of 1
-  double weight;          // in the rule unless the user sets another; 0: only shown
+  std::string_view key;  // in compare.json
+  base::Text label;      // in full
+  base::Text head;       // of a column: short, broken where a narrow one may be
+  std::string_view unit; // "" for counts; "%" for shares, which are fractions of 1
+  double weight;         // in the rule unless the user sets another; 0: only shown
   // None: means nothing to the mode, or the road did not come so far.
   std::optional<double> (*of)(const CompareRow&);
   bool moreIsBetter = false; // then at most 1

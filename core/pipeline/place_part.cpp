@@ -51,7 +51,7 @@ void placeCells(const project::LoadedPart& loaded, double pitch,
     stage.voxels =
         std::make_shared<voxel::SolidVoxels>(voxel::solidVoxels(*stage.part, pitch, ctx));
     stage.findings.push_back(plan::makeFinding(turned ? plan::FindingKind::CellsTurned
-                                                       : plan::FindingKind::CellsLifted));
+                                                      : plan::FindingKind::CellsLifted));
   } else {
     stage.voxels = std::make_shared<voxel::SolidVoxels>(
         voxel::solidVoxels(object, quarter.cast<int>(), pitch, placement.centreMm,

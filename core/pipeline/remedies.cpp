@@ -16,8 +16,8 @@ namespace {
 constexpr double kRoomMm = 20.0;
 
 // None where the value is what it is already, or no stage knows the parameter.
-std::optional<project::Choices> withParameter(const project::Choices& choices, const std::string& key,
-                                  const std::string& value) {
+std::optional<project::Choices> withParameter(const project::Choices& choices,
+                                              const std::string& key, const std::string& value) {
   const base::ParameterTable table = allParameters();
   const base::ParameterSpec* spec = table.find(key);
   if (!spec)
@@ -37,12 +37,14 @@ std::optional<project::Choices> addSupports(const plan::Finding&, const project:
   return withParameter(choices, "supports", "auto");
 }
 
-std::optional<project::Choices> turnLeastRisky(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> turnLeastRisky(const plan::Finding&,
+                                               const project::Choices& choices) {
   return withParameter(choices, "orient", "leastRisky");
 }
 
 // Room for supports beside the part.
-std::optional<project::Choices> widenPlatform(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> widenPlatform(const plan::Finding&,
+                                              const project::Choices& choices) {
   const std::optional<double> margin = choices.platform.marginMm();
   if (!margin || *margin >= kRoomMm)
     return std::nullopt;

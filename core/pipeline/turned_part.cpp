@@ -23,13 +23,12 @@ plan::Finding findingOf(const placement::Orientation& found, bool fewestMissed, 
                              found.tried);
   const Eigen::AngleAxisd by(found.turn);
   const auto clean = [](double x) { return base::number(std::round(100.0 * x) / 100.0 + 0.0); };
-  std::vector<plan::NamedValue> values{
-      {"angle", base::degrees(base::radiansToDegrees(by.angle()))},
-      {"x", clean(by.axis().x())},
-      {"y", clean(by.axis().y())},
-      {"z", clean(by.axis().z())},
-      {"overhang", base::mm2(found.score.riskyMm2)},
-      {"overhangBefore", base::mm2(found.before.riskyMm2)}};
+  std::vector<plan::NamedValue> values{{"angle", base::degrees(base::radiansToDegrees(by.angle()))},
+                                       {"x", clean(by.axis().x())},
+                                       {"y", clean(by.axis().y())},
+                                       {"z", clean(by.axis().z())},
+                                       {"overhang", base::mm2(found.score.riskyMm2)},
+                                       {"overhangBefore", base::mm2(found.before.riskyMm2)}};
   if (fewestMissed) {
     values.push_back({"missed", found.missed});
     values.push_back({"voxel", base::mm(found.searchMm)});

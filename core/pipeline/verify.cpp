@@ -33,8 +33,9 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
   std::string text = base::readFile(program);
   const project::Job planned = project::readJob(job);
   if (!planned.part || !planned.toolPlan || !planned.trajectory)
-    throw base::Error(base::ErrorCode::UnusableInput, "the job holds no motion to verify against"_text,
-                      job.string(), "plan it without --until"_text);
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      "the job holds no motion to verify against"_text, job.string(),
+                      "plan it without --until"_text);
   const program::Dialect* dialect = program::detectDialect(program.filename().string(), text);
   if (!dialect)
     throw base::Error(base::ErrorCode::UnusableInput, "not a program in any known format"_text,

@@ -207,8 +207,11 @@ private:
 
 base::ParameterTable orientParameters() {
   return base::ParameterTable({
-      base::choiceParameter("orient", "none", {{"none", "none"_text}, {"leastRisky", "least risky"_text}, {"fewestMissed", "fewest missed"_text}}, "Placement"_text,
-                            "Turn the part"_text,
+      base::choiceParameter("orient", "none",
+                            {{"none", "none"_text},
+                             {"leastRisky", "least risky"_text},
+                             {"fewestMissed", "fewest missed"_text}},
+                            "Placement"_text, "Turn the part"_text,
                             "Looks for a better way for the part to lie, from where it was put: "
                             "with the least overhanging area, or with the fewest voxels missed by "
                             "growth."_text,

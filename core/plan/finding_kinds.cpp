@@ -23,7 +23,8 @@ constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
 constexpr std::array kNarrow{NarrowVoxels};
 constexpr std::array kAdapt{AdaptLayers};
 
-constexpr base::Text kTurnOrShrink = "turn the part, make the platform smaller or add supports"_text;
+constexpr base::Text kTurnOrShrink =
+    "turn the part, make the platform smaller or add supports"_text;
 constexpr base::Text kJoin = "a larger platform, supports, or join this piece to the part"_text;
 constexpr base::Text kBreakOff = "break it off after printing"_text;
 constexpr base::Text kNarrowTo = "a voxel width of at most {fits}"_text;
@@ -137,12 +138,14 @@ constexpr auto kRows = std::to_array<FindingRow>({
      kThicken},
     {ThinWalls, "thinWalls", "thinWalls", Decompose, Tells,
      "{places} smaller place is thinner than a voxel of {voxel}; it is {thinnest:.2f} thick|"
-     "{places} smaller places are thinner than a voxel of {voxel}; this is the largest, the thinnest "
+     "{places} smaller places are thinner than a voxel of {voxel}; this is the largest, the "
+     "thinnest "
      "is {thinnest:.2f} thick"_plural,
      kNarrowTo, kNarrow},
     {WallsTooThin, "wallsTooThin", "thinWalls", Decompose, Tells,
      "{places} smaller place is thinner than a voxel of {voxel}; it is {thinnest:.2f} thick|"
-     "{places} smaller places are thinner than a voxel of {voxel}; this is the largest, the thinnest "
+     "{places} smaller places are thinner than a voxel of {voxel}; this is the largest, the "
+     "thinnest "
      "is {thinnest:.2f} thick"_plural,
      kThicken},
     {OverhangOfPieces, "overhangOfPieces", "overhang", Decompose, Tells,
@@ -185,7 +188,8 @@ constexpr auto kRows = std::to_array<FindingRow>({
     {DroppedPieces, "droppedPieces", "droppedPieces", Layers, Tells,
      "{pieces} piece of a layer is too small for a bead or would begin in the air and is not laid "
      "({volume:.1f})|"
-     "{pieces} pieces of layers are too small for a bead or would begin in the air and are not laid "
+     "{pieces} pieces of layers are too small for a bead or would begin in the air and are not "
+     "laid "
      "({volume:.1f} in all, the largest {largest:.1f})"_plural,
      "a narrower bead or a lower layer height follows finer detail; support carries what begins in "
      "the air"_text},
@@ -198,7 +202,8 @@ constexpr auto kRows = std::to_array<FindingRow>({
     {Slivers, "slivers", "slivers", Layers, Depends,
      "{pieces} piece of a layer is too small for a bead or would begin in the air, {volume:.3g} of "
      "{whole:.3g#}: it is not laid|"
-     "{pieces} pieces of layers are too small for a bead or would begin in the air, {volume:.3g} of "
+     "{pieces} pieces of layers are too small for a bead or would begin in the air, {volume:.3g} "
+     "of "
      "{whole:.3g#}: they are not laid"_plural,
      kFiner},
     {BeginsInAir, "beginsInAir", "beginsInAir", Layers, Blocks,
@@ -238,11 +243,13 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "joint's limits, however the part is turned about the nozzle"_text,
      kScaleOrTurn},
     {MoreUnreachable, "moreUnreachable", "unreachable", Motion, Blocks,
-     "and further places, the first at {place}: the robot cannot bring this place under the nozzle: "
+     "and further places, the first at {place}: the robot cannot bring this place under the "
+     "nozzle: "
      "out of reach, or beyond a joint's limits, however the part is turned about the nozzle"_text,
      kScaleOrTurn},
     {Unconnected, "unconnected", "unconnected", Motion, Blocks,
-     "{place}: the robot can be here, but cannot come from or go on to a neighbouring place without "
+     "{place}: the robot can be here, but cannot come from or go on to a neighbouring place "
+     "without "
      "lifting"_text,
      kMoreTurns},
     {MoreUnconnected, "moreUnconnected", "unconnected", Motion, Blocks,
@@ -351,7 +358,8 @@ constexpr auto kRows = std::to_array<FindingRow>({
     {JointSpeed, "jointSpeed", "limit", Replay, Blocks,
      "{joint} at {speed:.1f}, its limit is {limit:.1f#}"_text, kSlower},
     {BranchJump, "branchJump", "limit", Replay, Blocks,
-     "the arm would have to change its configuration, {joint} by {angle:.1f} at once"_text, kSlower},
+     "the arm would have to change its configuration, {joint} by {angle:.1f} at once"_text,
+     kSlower},
     {BlendOverlap, "blendOverlap", "limit", Replay, Blocks,
      "its blend overlaps the one before ({blend:.3f} on {way:.3f}): the controller skips the "
      "waypoint"_text,
@@ -388,8 +396,8 @@ const FindingRow& rowOf(FindingKind kind) {
 }
 
 const FindingRow* rowWithId(std::string_view id) {
-  const auto* found = std::find_if(kRows.begin(), kRows.end(),
-                                   [&](const FindingRow& row) { return row.id == id; });
+  const auto* found =
+      std::find_if(kRows.begin(), kRows.end(), [&](const FindingRow& row) { return row.id == id; });
   return found == kRows.end() ? nullptr : found;
 }
 

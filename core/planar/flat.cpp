@@ -72,19 +72,19 @@ plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule
   const bool flat = of == Overhangs::Flat;
   plan::Findings findings;
   for (std::size_t i = 0; i < std::min(kMostListed, places.size()); ++i)
-    findings.push_back(plan::makeFinding(
-        flat ? FindingKind::OverhangOfFlat : FindingKind::OverhangOfPieces,
-        {{"area", base::mm2(places[i].areaMm2)},
-         {"angle", base::degrees(base::radiansToDegrees(rule.overhangRad))}},
-        places[i].at));
+    findings.push_back(
+        plan::makeFinding(flat ? FindingKind::OverhangOfFlat : FindingKind::OverhangOfPieces,
+                          {{"area", base::mm2(places[i].areaMm2)},
+                           {"angle", base::degrees(base::radiansToDegrees(rule.overhangRad))}},
+                          places[i].at));
   if (places.size() > kMostListed) {
     double rest = 0.0;
     for (std::size_t i = kMostListed; i < places.size(); ++i)
       rest += places[i].areaMm2;
-    findings.push_back(plan::makeFinding(
-        flat ? FindingKind::OverhangsOfFlat : FindingKind::OverhangsOfPieces,
-        {{"places", places.size() - kMostListed}, {"area", base::mm2(rest)}}, places[kMostListed].at,
-        places.size() - kMostListed));
+    findings.push_back(
+        plan::makeFinding(flat ? FindingKind::OverhangsOfFlat : FindingKind::OverhangsOfPieces,
+                          {{"places", places.size() - kMostListed}, {"area", base::mm2(rest)}},
+                          places[kMostListed].at, places.size() - kMostListed));
   }
   return findings;
 }

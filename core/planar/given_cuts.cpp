@@ -69,8 +69,10 @@ double thinnest(const Piece& piece) {
   return least;
 }
 
-[[noreturn]] void wrongCut(std::size_t index, const base::Message& what, const base::Message& remedy) {
-  throw base::Error(base::ErrorCode::UnusableInput, what, base::message("cut {number}"_text, index + 1), remedy);
+[[noreturn]] void wrongCut(std::size_t index, const base::Message& what,
+                           const base::Message& remedy) {
+  throw base::Error(base::ErrorCode::UnusableInput, what,
+                    base::message("cut {number}"_text, index + 1), remedy);
 }
 
 // The place where a cut's plane meets what is left nearest to its point.
@@ -108,7 +110,8 @@ std::optional<Place> placeOf(const GivenCut& cut, std::int32_t tag,
 void requireBead(const Piece& piece, std::size_t index, double leastMm) {
   if (const double mm = thinnest(piece); mm < leastMm)
     wrongCut(index,
-             base::message("leaves a piece {thickness:.2g} thin, less than a bead's {least}"_text, base::mm(mm), base::mm(leastMm)),
+             base::message("leaves a piece {thickness:.2g} thin, less than a bead's {least}"_text,
+                           base::mm(mm), base::mm(leastMm)),
              "move the plane, or leave it out"_text);
 }
 

@@ -10,8 +10,8 @@ namespace voluta::planar {
 // The section of a mesh by a plane, which crosses itself.
 [[noreturn]] inline void sectionCrosses() {
   throw base::Error(base::ErrorCode::UnusableInput,
-                    "the section of the mesh by a plane crosses itself", {},
-                    "repair the mesh, or use curved mode, which takes any mesh");
+                    "the section of the mesh by a plane crosses itself"_text, {},
+                    "repair the mesh, or use curved mode, which takes any mesh"_text);
 }
 
 // What `tryAt(offset)`, which returns an optional, gives first, tried at the offset itself and up

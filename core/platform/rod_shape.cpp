@@ -43,7 +43,8 @@ void checkRod(const RodShape& rod) {
     if (i > 0 && p[i].x() < p[i - 1].x())
       refuse(base::message("x runs back at point {i}"_text, i + 1));
     if (i > 1 && p[i].x() == p[i - 2].x())
-      refuse(base::message("point {i} is the third one at x = {x:.6g} mm"_text, i + 1, base::number(p[i].x())));
+      refuse(base::message("point {i} is the third one at x = {x:.6g} mm"_text, i + 1,
+                           base::number(p[i].x())));
   }
   if (p[1].x() == p[0].x() || p[p.size() - 2].x() == p.back().x())
     refuse("a step at the end of the rod"_text);

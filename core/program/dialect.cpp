@@ -98,9 +98,12 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
   for (const Dialect& other : dialects())
     if (other.turnsRods)
       others += joined({others.empty() ? "" : ", ", other.id});
-  throw base::Error(base::ErrorCode::Usage,
-                    base::message("format {format} knows no external axis: it cannot turn the {axis} of cell {cell}"_text, dialect.id, cell.externalAxes().front().name, cell.id()),
-                    {}, others.empty() ? base::Message() : base::message("take {formats}"_text, others));
+  throw base::Error(
+      base::ErrorCode::Usage,
+      base::message(
+          "format {format} knows no external axis: it cannot turn the {axis} of cell {cell}"_text,
+          dialect.id, cell.externalAxes().front().name, cell.id()),
+      {}, others.empty() ? base::Message() : base::message("take {formats}"_text, others));
 }
 
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,

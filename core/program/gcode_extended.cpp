@@ -48,7 +48,8 @@ public:
     start();
     for (std::size_t i = 0; i < n; ++i) {
       if (i % 4096 == 0)
-        ctx_.report(static_cast<double>(i) / static_cast<double>(n), base::message("{format}"_text, "gcode-extended"_name));
+        ctx_.report(static_cast<double>(i) / static_cast<double>(n),
+                    base::message("{format}"_text, "gcode-extended"_name));
       motion(i);
     }
     out_ += "M104 S0\nM84\n";

@@ -162,7 +162,8 @@ plan::Program writeJointTable(const ProgramInput& input, const base::RunContext&
   out += ",extruded_mm3,waypoint,move\n";
   for (std::size_t i = 0; i < t.pointCount(); ++i) {
     if (i % 4096 == 0)
-      ctx.report(static_cast<double>(i) / static_cast<double>(t.pointCount()), base::message("{format}"_text, "csv"_name));
+      ctx.report(static_cast<double>(i) / static_cast<double>(t.pointCount()),
+                 base::message("{format}"_text, "csv"_name));
     appendFixed(out, t.timeS[i], 6);
     for (int k = 0; k < t.dof; ++k) {
       out += ',';

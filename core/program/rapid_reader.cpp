@@ -44,8 +44,9 @@ public:
     }
     file_ = files.empty() ? 0 : files.size() - 1;
     if (modules_ == 0 || modules_ - 1 < calls_.size()) {
-      defect(modules_ == 0
-                 ? "there is no module"_text : base::message("the module with {procedure} is not here"_text, calls_[modules_ - 1].procedure));
+      defect(modules_ == 0 ? "there is no module"_text
+                           : base::message("the module with {procedure} is not here"_text,
+                                           calls_[modules_ - 1].procedure));
       complete = false;
     }
     out_.complete = complete;
@@ -259,9 +260,9 @@ private:
       return;
     if (reason_.empty()) {
       const std::string_view code(begin, static_cast<std::size_t>(textEnd_ - begin));
-      reason_ = base::message(
-          "not understood: '{code}'"_text,
-          code.substr(0, std::min<std::size_t>(60, code.find_first_of("\r\n"))));
+      reason_ =
+          base::message("not understood: '{code}'"_text,
+                        code.substr(0, std::min<std::size_t>(60, code.find_first_of("\r\n"))));
     }
     defect(std::move(reason_));
     while (!closed_ && token_.kind != RapidTokenKind::End && !isWord("endproc") &&
@@ -316,11 +317,12 @@ private:
         data = std::move(*given);
         return true;
       }
-      return fail(base::message("'{name}' is not declared as {type}"_text, name.substr(0, 40), type));
+      return fail(
+          base::message("'{name}' is not declared as {type}"_text, name.substr(0, 40), type));
     }
     data = {};
-    return literal(data) &&
-           (data.shape == rapidShape(type) || fail(base::message("a {type} has other parts"_text, type)));
+    return literal(data) && (data.shape == rapidShape(type) ||
+                             fail(base::message("a {type} has other parts"_text, type)));
   }
 
   bool declaration() {
@@ -331,7 +333,8 @@ private:
     if (!takeName(type) || !takeName(name))
       return false;
     if (rapidShape(type).empty())
-      return fail(base::message("data of the type {type} is not known to the reader"_text, type.substr(0, 40)));
+      return fail(base::message("data of the type {type} is not known to the reader"_text,
+                                type.substr(0, 40)));
     RapidData data;
     if (!takeAssign() || !value(type, data) || !takeEnd())
       return false;
@@ -341,7 +344,8 @@ private:
     if (type == "wobjdata" && data.numbers[0] != 0.0)
       return fail("a work object that the robot holds is not read"_text);
     if (type == "wobjdata" && isMoved(data) == data.text.empty())
-      return fail("a work object is moved by the mechanical unit that it names, or stands still"_text);
+      return fail(
+          "a work object is moved by the mechanical unit that it names, or stands still"_text);
     return declared_.try_emplace(std::move(name), Declared{type, std::move(data)}).second ||
            fail("a name is declared twice"_text);
   }
@@ -511,13 +515,15 @@ private:
                     [](double external) { return external != kUnused; }))
       return fail("external axes other than eax_a are not read"_text);
     if (isMoved(object) != (degrees != kUnused))
-      return fail(isMoved(object) ? "eax_a is missing: an external axis moves the work object"_text : "an external axis that moves no work object is not read"_text);
+      return fail(isMoved(object) ? "eax_a is missing: an external axis moves the work object"_text
+                                  : "an external axis that moves no work object is not read"_text);
     if (!isMoved(object))
       return true;
     if (!(std::abs(degrees) <= kMostExternalDegrees))
       return fail("an external axis far outside any limit"_text);
     if (!activeUnits_.contains(object.text))
-      defect(base::message("the mechanical unit '{text}' is not active: ActUnit"_text, object.text));
+      defect(
+          base::message("the mechanical unit '{text}' is not active: ActUnit"_text, object.text));
     m.externals = {base::degreesToRadians(degrees)};
     return true;
   }

@@ -59,7 +59,8 @@ public:
         beginModule(part);
       for (std::size_t i = cuts_[part - 1]; i < cuts_[part]; ++i) {
         if (i % 4096 == 0)
-          ctx_.report(static_cast<double>(i) / static_cast<double>(targets_.size()), base::message("{format}"_text, "rapid"_name));
+          ctx_.report(static_cast<double>(i) / static_cast<double>(targets_.size()),
+                      base::message("{format}"_text, "rapid"_name));
         motion(i, i + 1 == cuts_[part]);
         if (i == 0)
           prime();

@@ -206,7 +206,8 @@ private:
     if (inside_)
       defect(base::message("the function '{defined}' has no end"_text, defined_));
     else if (!called_)
-      defect(defined_.empty() ? "no function is defined"_text : "the function is never called"_text);
+      defect(defined_.empty() ? "no function is defined"_text
+                              : "the function is never called"_text);
     if (!outputs_.ended())
       defect("the extruder is not set off behind the last motion"_text);
     return called_ && outputs_.ended();
@@ -236,7 +237,8 @@ private:
       if (closed_ && call.name == defined_ && call.count == 0 && !called_)
         called_ = true;
       else
-        defect(base::message("'{name}' is called outside the function"_text, call.name.substr(0, 40)));
+        defect(
+            base::message("'{name}' is called outside the function"_text, call.name.substr(0, 40)));
       return;
     }
     inFunction(call);

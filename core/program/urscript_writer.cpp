@@ -36,7 +36,8 @@ public:
     beginFile();
     for (std::size_t i = 0; i < t.pointCount(); ++i) {
       if (i % 4096 == 0)
-        ctx_.report(static_cast<double>(i) / static_cast<double>(t.pointCount()), base::message("{format}"_text, "urscript"_name));
+        ctx_.report(static_cast<double>(i) / static_cast<double>(t.pointCount()),
+                    base::message("{format}"_text, "urscript"_name));
       if (in_.maxLinesPerFile > 0 && lines_ >= in_.maxLinesPerFile && !isPrint(t, i)) {
         endFile();
         beginFile();

@@ -4,6 +4,7 @@
 #include "project/content_hash.h"
 #include "project/job.h"
 #include "project/job_blocks.h"
+#include "project/message_json.h"
 #include "voxel/voxel_text.h"
 
 #include <charconv>
@@ -127,8 +128,8 @@ Diagnosis readDiagnosis(const Json& j) {
   return d;
 }
 
-// What earlier versions do not look for: sentences as data, to be told in any language. They read the
-// English beside it.
+// What earlier versions do not look for: sentences as data, to be told in any language. They read
+// the English beside it.
 void addTold(BlockWriter& out, const Job& job) {
   Json facts = Json::array();
   for (const plan::Finding& finding : job.report.findings)
@@ -207,8 +208,7 @@ std::shared_ptr<const LoadedPart> loadedFromPlaced(const Job& job) {
     v /= job.scale;
   auto part = std::make_shared<LoadedPart>();
   part->name = job.partName;
-  part->readNotes = {
-      "taken from a project of format 1, as it was repaired and placed there"_text};
+  part->readNotes = {"taken from a project of format 1, as it was repaired and placed there"_text};
   part->notes = part->readNotes;
   part->found = geometry::diagnose(*source);
   part->remains = part->found.sentences();
@@ -289,8 +289,11 @@ Frame frameOf(std::string_view bytes, const std::string& where) {
   if (!takeNumber(rest, '\n', format) || format == 0)
     throw unreadable("the job file is damaged or cut short in its first line"_text, where);
   if (format > static_cast<std::size_t>(kFormat))
-    throw unreadable(base::message("made by a newer version of Voluta (format {format}; this one reads up to {newest})"_text, format, kFormat),
-                     where, "open it with the version that made it, or install that one"_text);
+    throw unreadable(
+        base::message(
+            "made by a newer version of Voluta (format {format}; this one reads up to {newest})"_text,
+            format, kFormat),
+        where, "open it with the version that made it, or install that one"_text);
   const bool summed = format >= 2; // format 1 has no checksum of its header
   if (!takeNumber(rest, summed ? ' ' : '\n', length) || (summed && !takeNumber(rest, '\n', crc)) ||
       length > rest.size())
@@ -398,8 +401,9 @@ Job readJob(const std::filesystem::path& file) {
   try {
     return readFrame(frame, where);
   } catch (const nlohmann::json::exception& e) {
-    throw unreadable(base::message("the job file's header is damaged: {why}"_text, std::string(e.what())),
-                     where);
+    throw unreadable(
+        base::message("the job file's header is damaged: {why}"_text, std::string(e.what())),
+        where);
   } catch (const base::Error& e) {
     if (e.code() == base::ErrorCode::UnreadableFile && !e.context().empty())
       throw;

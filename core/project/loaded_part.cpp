@@ -48,8 +48,8 @@ void mend(LoadedPart& part, const base::RunContext& ctx) {
   }
   part.repairS = mending.seconds();
   if (part.mesh->empty())
-    throw base::Error(base::ErrorCode::UnusableInput, "nothing is left of the mesh after repair"_text,
-                      part.name);
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      "nothing is left of the mesh after repair"_text, part.name);
   part.units = geometry::guessUnits(*part.mesh);
   if (!part.units.note.empty())
     part.notes.push_back(part.units.note);
@@ -107,8 +107,8 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
   if (part.starts_with(kSamplePrefix)) {
     const std::string name = part.substr(kSamplePrefix.size());
     if (name != sampleNames().front())
-      throw base::Error(base::ErrorCode::Usage, base::message("unknown sample '{name}'"_text, name), {},
-                        base::didYouMean(name, sampleNames()));
+      throw base::Error(base::ErrorCode::Usage, base::message("unknown sample '{name}'"_text, name),
+                        {}, base::didYouMean(name, sampleNames()));
     loaded.name = name + ".stl";
     loaded.source = std::make_shared<geometry::TriangleMesh>(samples::samplePart());
   } else {

@@ -22,12 +22,12 @@ struct LoadedPart {
   std::shared_ptr<const geometry::TriangleMesh> mesh;   // as used: mended, or `source` itself
   bool repair = true;                                   // was mending asked for
   std::vector<base::Message> readNotes;                 // what reading left out, a sentence each
-  std::vector<base::Message> notes;  // all that was found and mended, readNotes among them
+  std::vector<base::Message> notes;   // all that was found and mended, readNotes among them
   std::vector<base::Message> remains; // what could not be mended, a sentence each
-  geometry::Diagnosis found;         // of `source`, before any repair
-  geometry::UnitGuess units;         // of `mesh`
-  std::string hash;                  // of the content of `source` or `cells`, hexadecimal
-  double readS = 0.0, repairS = 0.0; // wall seconds it took
+  geometry::Diagnosis found;          // of `source`, before any repair
+  geometry::UnitGuess units;          // of `mesh`
+  std::string hash;                   // of the content of `source` or `cells`, hexadecimal
+  double readS = 0.0, repairS = 0.0;  // wall seconds it took
 };
 
 // Parts that the program makes itself, to be named "sample:NAME".

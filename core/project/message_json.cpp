@@ -162,11 +162,11 @@ Json factJson(const plan::Finding& f) {
   Json values = Json::array();
   for (const plan::NamedValue& value : f.values)
     values.push_back(Json{{"name", value.name}, {"value", exactJson(value.value)}});
-  return Json{{"fact", plan::rowOf(f.kind).id},
-              {"values", std::move(values)},
-              {"program", Json{{"format", f.program.format},
-                               {"file", f.program.file},
-                               {"line", f.program.line}}}};
+  return Json{
+      {"fact", plan::rowOf(f.kind).id},
+      {"values", std::move(values)},
+      {"program",
+       Json{{"format", f.program.format}, {"file", f.program.file}, {"line", f.program.line}}}};
 }
 
 void readFact(const Json& j, plan::Finding& finding) {

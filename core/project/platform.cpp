@@ -42,17 +42,17 @@ std::vector<double> readSizes(const PlatformKind& kind, std::string_view text,
   const std::size_t written =
       1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), 'x'));
   if (sizes.size() != kind.fields.size() || written != sizes.size())
-    throw Error(ErrorCode::Usage, base::message("platform '{platform}' has no usable size"_text, whole), {},
+    throw Error(ErrorCode::Usage,
+                base::message("platform '{platform}' has no usable size"_text, whole), {},
                 base::message("write {form}, in mm"_text, platformForm(kind)));
   for (std::size_t i = 0; i < sizes.size(); ++i)
     if (const PlatformField& field = kind.fields[i]; !within(field, sizes[i]))
-      throw Error(
-          ErrorCode::Usage,
-          base::message("platform '{platform}': {field} {size} is out of range"_text, whole,
-                        field.name, base::mm(sizes[i])),
-          {},
-          base::message("give {field} from {least#} to {most}"_text, field.name,
-                        base::mm(field.least), base::mm(field.most)));
+      throw Error(ErrorCode::Usage,
+                  base::message("platform '{platform}': {field} {size} is out of range"_text, whole,
+                                field.name, base::mm(sizes[i])),
+                  {},
+                  base::message("give {field} from {least#} to {most}"_text, field.name,
+                                base::mm(field.least), base::mm(field.most)));
   return sizes;
 }
 } // namespace
@@ -65,7 +65,8 @@ Platform::Platform(std::string_view text) : kind_(&platformKinds().front()) {
       colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
   if (!kind_->file.empty()) {
     if (rest.empty())
-      throw Error(ErrorCode::Usage, base::message("platform '{platform}' names no file"_text, kind_->word), {},
+      throw Error(ErrorCode::Usage,
+                  base::message("platform '{platform}' names no file"_text, kind_->word), {},
                   base::message("write {form}"_text, platformForm(*kind_)));
     file_ = rest;
   } else if (rest.empty() && kind_->bare) {
@@ -99,8 +100,8 @@ std::string Platform::text() const {
 base::Message Platform::shown() const {
   if (!file_.empty())
     return {kind_->shown, {std::filesystem::path(file_).filename().string()}};
-  const bool plain = !kind_->plain.empty() &&
-                     std::all_of(sizesMm_.begin(), sizesMm_.end(), [](double mm) { return mm == 0.0; });
+  const bool plain = !kind_->plain.empty() && std::all_of(sizesMm_.begin(), sizesMm_.end(),
+                                                          [](double mm) { return mm == 0.0; });
   if (plain)
     return kind_->plain;
   return {kind_->shown, {fmt::format("{}", fmt::join(sizesMm_, " × "))}};
@@ -136,8 +137,8 @@ Platform Platform::madeForPart(double marginMm) {
 
 std::vector<Eigen::Vector2d> Platform::plateAround(std::vector<Eigen::Vector2d> standing) const {
   if (!kind_->plate)
-    throw Error(ErrorCode::Usage, base::message("platform '{platform}' is no plate"_text, text()), {},
-                base::message("give {forms}"_text, platformForms({PlatformUse::Plate})));
+    throw Error(ErrorCode::Usage, base::message("platform '{platform}' is no plate"_text, text()),
+                {}, base::message("give {forms}"_text, platformForms({PlatformUse::Plate})));
   if (kind_->madeForPart && standing.empty())
     throw Error(ErrorCode::UnusableInput, "the part does not touch the plate"_text, {},
                 "drop it to the plate"_text);

@@ -15,8 +15,8 @@ enum class PlatformUse { Plate, Rod, Body };
 
 // A length that goes with a kind, mm, both limits among what is allowed.
 struct PlatformField {
-  std::string_view name;  // "DIAMETER", as in "disc:DIAMETER"
-  base::Text label;       // "Diameter"
+  std::string_view name; // "DIAMETER", as in "disc:DIAMETER"
+  base::Text label;      // "Diameter"
   double least, most, usual;
 };
 
@@ -24,13 +24,13 @@ struct PlatformKind {
   struct As {
     PlatformUse use;
     base::Text label;  // what it is called there
-    bool sized = true;      // false: the fields mean nothing there
+    bool sized = true; // false: the fields mean nothing there
   };
 
-  std::string_view word;       // before the colon
-  std::vector<As> uses;        // the first is what it is without a word about it
-  base::Text shown;            // in few words, with a place for the sizes or the file's name
-  base::Text plain = {};       // the same where all fields are 0; empty: no other
+  std::string_view word; // before the colon
+  std::vector<As> uses;  // the first is what it is without a word about it
+  base::Text shown;      // in few words, with a place for the sizes or the file's name
+  base::Text plain = {}; // the same where all fields are 0; empty: no other
   std::vector<PlatformField> fields = {}; // after the colon, with an x between
   bool bare = false;                      // the word alone has the usual sizes
   bool madeForPart = false;   // its first field is the margin around what of the part stands on it

@@ -59,14 +59,18 @@ const std::vector<PlatformKind>& platformKinds() {
       {.word = "rect",
        .uses = {{Plate, "Rectangle"_text}},
        .shown = "{sizes} mm"_text,
-       .fields = {length("WIDTH", "Width (X)"_text, 200.0), length("DEPTH", "Depth (Y)"_text, 200.0)},
+       .fields = {length("WIDTH", "Width (X)"_text, 200.0),
+                  length("DEPTH", "Depth (Y)"_text, 200.0)},
        .plate = rectangle},
       {.word = "rod",
        .uses = {{Rod, "Rod, diameter × length"_text}},
        .shown = "rod, {sizes} mm"_text,
        .fields = {length("DIAMETER", "Diameter"_text, 5.0), length("LENGTH", "Length"_text, 200.0)},
        .rod = rod},
-      {.word = "mesh", .uses = {{Body, "Body from a file"_text}}, .shown = "{file}"_text, .file = "FILE"},
+      {.word = "mesh",
+       .uses = {{Body, "Body from a file"_text}},
+       .shown = "{file}"_text,
+       .file = "FILE"},
   };
   return kKinds;
 }
@@ -78,8 +82,8 @@ const PlatformKind& findPlatformKind(std::string_view word) {
       return kind;
     words.emplace_back(kind.word);
   }
-  throw base::Error(base::ErrorCode::Usage, base::message("unknown platform '{name}'"_text, word), {},
-                    base::didYouMean(word, words));
+  throw base::Error(base::ErrorCode::Usage, base::message("unknown platform '{name}'"_text, word),
+                    {}, base::didYouMean(word, words));
 }
 
 std::vector<const PlatformKind*> platformKindsFor(const std::vector<PlatformUse>& uses) {

@@ -21,9 +21,12 @@ Json boundsJson(const Eigen::AlignedBox3d& box) {
 }
 
 Json modelJson(const ModelReport& m) {
-  return Json{{"file", m.file},           {"scale", m.scale},
-              {"triangles", m.triangles}, {"watertight", m.watertight},
-              {"volumeMm3", m.volumeMm3}, {"boundsMm", boundsJson(m.boundsMm)},
+  return Json{{"file", m.file},
+              {"scale", m.scale},
+              {"triangles", m.triangles},
+              {"watertight", m.watertight},
+              {"volumeMm3", m.volumeMm3},
+              {"boundsMm", boundsJson(m.boundsMm)},
               {"repairs", base::english(m.repairs)}};
 }
 

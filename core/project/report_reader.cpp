@@ -152,8 +152,9 @@ Report readReportJson(const std::string& text) {
     get(j, "peakRssMb", report.peakRssMb);
     get(j, "threads", report.threads);
   } catch (const Json::exception& e) {
-    throw base::Error(base::ErrorCode::UnreadableFile,
-                      base::message("the report is not one of a plan: {why}"_text, std::string(e.what())));
+    throw base::Error(
+        base::ErrorCode::UnreadableFile,
+        base::message("the report is not one of a plan: {why}"_text, std::string(e.what())));
   }
   return report;
 }

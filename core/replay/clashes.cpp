@@ -394,9 +394,10 @@ std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPi
       [&](int p, base::Value& first, base::Value& second) {
         const Pair& pair = pairs[static_cast<std::size_t>(p)];
         const auto named = [&](int body) -> base::Value {
-          return body == kPrintedPart  ? "printed part"_text
-                 : body == kGroundBody ? "platform"_text
-                                       : robot::nameOf(cell.bodies()[static_cast<std::size_t>(body)]);
+          return body == kPrintedPart ? "printed part"_text
+                 : body == kGroundBody
+                     ? "platform"_text
+                     : robot::nameOf(cell.bodies()[static_cast<std::size_t>(body)]);
         };
         first = named(pair.a);
         second = named(pair.b);

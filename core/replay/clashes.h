@@ -25,7 +25,7 @@ struct Clash {
   std::size_t motion = 0;
   double whenS = 0.0;
   Eigen::Vector3d where = Eigen::Vector3d::Zero(); // work frame, mm
-  base::Value first, second; // names of what touched
+  base::Value first, second;                       // names of what touched
   std::size_t samples = 1;
 };
 

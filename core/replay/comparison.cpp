@@ -87,8 +87,7 @@ void tellDeviations(const Alignment& alignment, const plan::Trajectory& trajecto
         report.atMotion(WaypointsMissingBefore, d.motion, {{"motions", d.count}}, d.count);
       else
         report.atMotion(WaypointsMissingBetween, d.motion,
-                        {{"motions", d.count}, {"before", lineOf(program, d.motion - 1)}},
-                        d.count);
+                        {{"motions", d.count}, {"before", lineOf(program, d.motion - 1)}}, d.count);
       break;
     case DeviationKind::Extra:
       report.atMotion(MotionsUnplanned, d.motion, {{"motions", d.count}}, d.count);

@@ -376,7 +376,8 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
   std::vector<Chunk> chunks((kBatch + kGrain - 1) / kGrain);
   Layer layer(result);
   for (std::size_t first = 0; first < pieces.size(); first += kBatch) {
-    ctx.report(static_cast<double>(first) / static_cast<double>(pieces.size()), "laying beads"_text);
+    ctx.report(static_cast<double>(first) / static_cast<double>(pieces.size()),
+               "laying beads"_text);
     const std::size_t count = std::min(kBatch, pieces.size() - first);
     base::parallelChunks(ctx, count, kGrain, [&](std::size_t begin, std::size_t end) {
       Chunk& chunk = chunks[begin / kGrain];

@@ -246,8 +246,7 @@ private:
       atMotion(f.kind, v.motion, f.values, path_.targetTip[v.motion], path_.startS[v.motion]);
     }
     if (listed > kMaxListed)
-      add(MoreLimits, {{"violations", listed - kMaxListed}}, std::nullopt, {},
-          listed - kMaxListed);
+      add(MoreLimits, {{"violations", listed - kMaxListed}}, std::nullopt, {}, listed - kMaxListed);
   }
 
   plan::Finding findingOf(const LimitViolation& v) const {

@@ -67,7 +67,8 @@ std::vector<std::string> cellIds() {
 
 Cell loadCell(const std::string& id, const process::Process& process,
               platform::PlatformSolid platform) {
-  return Cell::read(base::dataFile("cells", id, "unknown cell '{id}'"_text), process, std::move(platform));
+  return Cell::read(base::dataFile("cells", id, "unknown cell '{id}'"_text), process,
+                    std::move(platform));
 }
 
 } // namespace voluta::robot

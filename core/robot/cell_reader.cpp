@@ -109,15 +109,21 @@ platform::RodShape rodOf(const CellRod& own, const std::optional<platform::RodSh
   const double reach =
       std::max(-wanted->profile.front().x(), wanted->profile.back().x()) - kSlackMm;
   const auto refuse = [&](const base::Message& what, const base::Message& remedy) {
-    return base::Error(base::ErrorCode::UnusableInput, what, base::message("cell {cell}"_text, cell), remedy);
+    return base::Error(base::ErrorCode::UnusableInput, what,
+                       base::message("cell {cell}"_text, cell), remedy);
   };
   if (reach > 0.5 * own.lengthMm)
-    throw refuse(base::message("the rod reaches {reach} mm from its middle, the cell has room for {room}"_text, base::number(reach), base::number(0.5 * own.lengthMm)),
-                 "take a shorter rod"_text);
+    throw refuse(
+        base::message(
+            "the rod reaches {reach} mm from its middle, the cell has room for {room}"_text,
+            base::number(reach), base::number(0.5 * own.lengthMm)),
+        "take a shorter rod"_text);
   for (const Eigen::Vector2d& at : wanted->profile)
     if (at.y() > own.printableRadiusMm)
-      throw refuse(base::message("the rod's radius is {radius} mm, the cell prints up to {most}"_text, base::number(at.y()), base::number(own.printableRadiusMm)),
-                   "take a thinner rod"_text);
+      throw refuse(
+          base::message("the rod's radius is {radius} mm, the cell prints up to {most}"_text,
+                        base::number(at.y()), base::number(own.printableRadiusMm)),
+          "take a thinner rod"_text);
   return *wanted;
 }
 
@@ -169,8 +175,8 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   Cell cell;
   cell.id_ = top.at("id").text();
   if (cell.id_ != file.stem().string())
-    top.at("id").fail(
-        base::message("is '{id}', but the file is named '{file}'"_text, cell.id_, file.stem().string()));
+    top.at("id").fail(base::message("is '{id}', but the file is named '{file}'"_text, cell.id_,
+                                    file.stem().string()));
   cell.label_ = top.at("label").text();
   if (top.has("note"))
     cell.note_ = top.at("note").text();
@@ -191,14 +197,16 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   }
   if (cell.externalAxes_.size() != (cell.rod_ ? 1U : 0U))
     top.at("externalAxes")
-        .fail(cell.rod_ ? "must hold one axis, which turns the rod"_text : "must be empty: this cell has no rod"_text);
+        .fail(cell.rod_ ? "must hold one axis, which turns the rod"_text
+                        : "must be empty: this cell has no rod"_text);
   if (solid.rod && !cell.rod_)
     throw base::Error(base::ErrorCode::UnusableInput,
                       base::message("cell {id} holds no rod to print on"_text, cell.id_), {},
                       "take a cell with a rod: --cell lathe"_text);
   cell.nozzleMount_ = readMount(nozzle.at("mount"));
   if (readMount(platform.at("mount")) == cell.nozzleMount_)
-    platform.at("mount").fail("must not be the nozzle's: one of them moves, the other is fixed"_text);
+    platform.at("mount").fail(
+        "must not be the nozzle's: one of them moves, the other is fixed"_text);
   const bool plateMoves = cell.nozzleMount_ == Mount::World;
   if (plateMoves && cell.rod_)
     platform.at("mount").fail("must be world: a rod is held at both ends"_text);

@@ -14,12 +14,15 @@ namespace {
 
 using nlohmann::json;
 
-void requireNumbers(const std::vector<double>& values, std::size_t count, const std::string& option) {
+void requireNumbers(const std::vector<double>& values, std::size_t count,
+                    const std::string& option) {
   if (values.size() != count)
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("{option}: {wanted} numbers wanted, {given} given"_text, option, count, values.size()));
+                      base::message("{option}: {wanted} numbers wanted, {given} given"_text, option,
+                                    count, values.size()));
   if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
-    throw base::Error(base::ErrorCode::Usage, base::message("{option}: a value is not finite"_text, option));
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("{option}: a value is not finite"_text, option));
 }
 
 double plainZero(double v) {
@@ -49,7 +52,8 @@ std::string inverseJson(const RobotModel& robot, const std::vector<double>& pose
   const Eigen::Quaterniond r(pose[3], pose[4], pose[5], pose[6]);
   if (std::abs(r.norm() - 1.0) > 0.01)
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("--ik: the quaternion's length is {length:.4g}, not 1"_text, base::number(r.norm())));
+                      base::message("--ik: the quaternion's length is {length:.4g}, not 1"_text,
+                                    base::number(r.norm())));
   Eigen::Isometry3d base_T_flange = Eigen::Isometry3d::Identity();
   base_T_flange.translation() = Eigen::Vector3d(pose[0], pose[1], pose[2]);
   base_T_flange.linear() = r.normalized().toRotationMatrix();

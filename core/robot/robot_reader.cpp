@@ -47,7 +47,8 @@ std::shared_ptr<const Kinematics> opwFamily(const base::JsonNode& g) {
       g.at("c2").positive(), g.at("c3").positive(), g.at("c4").number(), {}};
   const std::vector<base::JsonNode> offsets = g.at("offsetsDeg").items();
   if (offsets.size() != geometry.offsets.size())
-    g.at("offsetsDeg").fail(base::message("must hold 6 joints, holds {found}"_text, offsets.size()));
+    g.at("offsetsDeg")
+        .fail(base::message("must hold 6 joints, holds {found}"_text, offsets.size()));
   for (std::size_t i = 0; i < offsets.size(); ++i)
     geometry.offsets[i] = base::degreesToRadians(offsets[i].number());
   return std::make_shared<OpwKinematics>(geometry);
@@ -68,7 +69,8 @@ std::shared_ptr<const Kinematics> readKinematics(const base::JsonNode& robot) {
   for (const Family& family : families())
     if (id == family.id)
       return family.make(robot.at("geometryMm"));
-  robot.at("family").fail(base::message("names no kinematic family that is known: '{id}'"_text, id));
+  robot.at("family").fail(
+      base::message("names no kinematic family that is known: '{id}'"_text, id));
 }
 
 std::vector<JointLimits> readLimits(const base::JsonNode& list, int dof) {
@@ -117,8 +119,8 @@ RobotModel readRobot(const std::filesystem::path& file) {
   RobotModel robot;
   robot.id = top.at("id").text();
   if (robot.id != file.stem().string())
-    top.at("id").fail(
-        base::message("is '{id}', but the file is named '{file}'"_text, robot.id, file.stem().string()));
+    top.at("id").fail(base::message("is '{id}', but the file is named '{file}'"_text, robot.id,
+                                    file.stem().string()));
   robot.label = top.at("label").text();
   robot.maker = top.at("maker").text();
   robot.controller = top.at("controller").text();

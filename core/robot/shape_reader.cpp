@@ -63,7 +63,8 @@ std::vector<std::pair<int, int>> readBodyPairs(const base::JsonNode& list,
         return static_cast<int>(i);
       names.push_back(bodies[i].name);
     }
-    node.fail(base::message("names no body: '{name}'; the nearest is '{nearest}'"_text, name, base::nearestName(name, names)));
+    node.fail(base::message("names no body: '{name}'; the nearest is '{nearest}'"_text, name,
+                            base::nearestName(name, names)));
   };
   std::vector<std::pair<int, int>> pairs;
   for (const base::JsonNode& node : list.items()) {

@@ -21,11 +21,11 @@ constexpr double kFarMm = 1e4;
 
 [[noreturn]] void refuse(const base::Message& what, const base::Message& remedy,
                          const Vector3d* at = nullptr) {
-  throw base::Error(base::ErrorCode::UnusableInput, what,
-                    at ? base::Value(base::message("at {point:.1f}"_text,
-                                                   base::Point{at->x(), at->y(), at->z()}))
-                       : base::Value("end surface"_text),
-                    remedy);
+  throw base::Error(
+      base::ErrorCode::UnusableInput, what,
+      at ? base::Value(base::message("at {point:.1f}"_text, base::Point{at->x(), at->y(), at->z()}))
+         : base::Value("end surface"_text),
+      remedy);
 }
 
 // Along a ray from a foot, mm; negative where it meets no end.
@@ -41,9 +41,13 @@ int layersFor(double least, double mean, double most, const LevelOptions& o) {
   const int fewest = std::max(1, static_cast<int>(std::ceil(most / o.heightMaxMm - 1e-9)));
   const int greatest = static_cast<int>(std::floor(least / o.heightMinMm + 1e-9));
   if (fewest > greatest)
-    refuse(base::message("no number of layers between the surface and its end keeps their thickness "
-                       "within {least} and {most} mm: the way between them is {shortest:.3g} to {longest:.3g} mm long"_text, base::number(o.heightMinMm), base::number(o.heightMaxMm), base::number(least), base::number(most)),
-           "give an end surface that is more like the surface, or a smaller part"_text);
+    refuse(
+        base::message(
+            "no number of layers between the surface and its end keeps their thickness "
+            "within {least} and {most} mm: the way between them is {shortest:.3g} to {longest:.3g} mm long"_text,
+            base::number(o.heightMinMm), base::number(o.heightMaxMm), base::number(least),
+            base::number(most)),
+        "give an end surface that is more like the surface, or a smaller part"_text);
   return std::clamp(static_cast<int>(std::lround(mean / o.layerHeightMm)), fewest, greatest);
 }
 
@@ -96,9 +100,11 @@ std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
     for (std::size_t t = 0; t < level.surface.triangles.size(); ++t)
       if (geometry::triangleNormal(level.surface, t)
               .dot(geometry::triangleNormal(start.surface, t)) < 0.0)
-        refuse(base::message("layers on this surface would fold: rays along its normals cross before "
-                           "the end surface, from layer {layer} on"_text, k + 1),
-               "fill the hollow first, or use layerShape=offset"_text, &level.surface.corner(t, 0));
+        refuse(
+            base::message("layers on this surface would fold: rays along its normals cross before "
+                          "the end surface, from layer {layer} on"_text,
+                          k + 1),
+            "fill the hollow first, or use layerShape=offset"_text, &level.surface.corner(t, 0));
     levels.push_back(std::move(level));
   }
   return levels;

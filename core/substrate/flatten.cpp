@@ -24,8 +24,10 @@ std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
     if (under <= 0.0 || radius <= 0.0)
       throw base::Error(
           base::ErrorCode::UnusableInput,
-          base::message("layers that are {top:.3g} mm thick at the top and {side:.3g} mm at the sides end "
-                      "after layer {layer}: no circle goes through both"_text, base::number(h1), base::number(h2), k),
+          base::message(
+              "layers that are {top:.3g} mm thick at the top and {side:.3g} mm at the sides end "
+              "after layer {layer}: no circle goes through both"_text,
+              base::number(h1), base::number(h2), k),
           "flattening"_text, "make the two thicknesses more alike, or use fewer layers"_text);
     circles.push_back({circles.back().topMm + h1, radius});
   }
@@ -43,10 +45,12 @@ std::vector<FlatteningCircle> flatteningToPlane(const FlatteningCircle& start, d
   // Without the difference of two near numbers that r - sqrt(r^2 - b^2) is.
   const auto heightOver = [b](double r) {
     if (b > r)
-      throw base::Error(base::ErrorCode::UnusableInput,
-                        base::message("the feature is {width:.3g} mm wide, wider than the cylinder of "
-                                    "{cylinder:.3g} mm that it stands on"_text, base::number(2.0 * b), base::number(2.0 * r)),
-                        "flattening"_text, "make the feature narrower"_text);
+      throw base::Error(
+          base::ErrorCode::UnusableInput,
+          base::message("the feature is {width:.3g} mm wide, wider than the cylinder of "
+                        "{cylinder:.3g} mm that it stands on"_text,
+                        base::number(2.0 * b), base::number(2.0 * r)),
+          "flattening"_text, "make the feature narrower"_text);
     return std::isinf(r) ? 0.0 : b * b / (r + std::sqrt(r * r - b * b));
   };
   const double first = heightOver(start.radiusMm), last = heightOver(endRadiusMm);

@@ -78,8 +78,11 @@ geometry::TriangleMesh partAroundRod(const geometry::TriangleMesh& part, const R
   const auto& profile = rod.rod().profile;
   const double first = profile.front().x(), last = profile.back().x();
   if (box.isEmpty() || box.min().x() < first || box.max().x() > last)
-    refuse(base::message("the part reaches from x = {from:.4g} to {to:.4g} mm, beyond an end of the rod at "
-                       "{firstEnd:.4g} or {lastEnd:.4g} mm"_text, base::number(box.min().x()), base::number(box.max().x()), base::number(first), base::number(last)),
+    refuse(base::message(
+               "the part reaches from x = {from:.4g} to {to:.4g} mm, beyond an end of the rod at "
+               "{firstEnd:.4g} or {lastEnd:.4g} mm"_text,
+               base::number(box.min().x()), base::number(box.max().x()), base::number(first),
+               base::number(last)),
            "move the part along the rod, or use a longer rod"_text);
   double over = 0.0;
   for (const auto& triangle : part.triangles)
@@ -109,7 +112,9 @@ std::vector<double> latheBounds(const geometry::TriangleMesh& part, const RodSur
   const double to = farthest(part, rod, o.followsRod);
   if (to - from < o.heightMinMm)
     refuse(
-        base::message("the part reaches {height:.3g} mm out over the rod, less than a layer of {least:.3g} mm"_text, base::number(std::max(0.0, to - from)), base::number(o.heightMinMm)),
+        base::message(
+            "the part reaches {height:.3g} mm out over the rod, less than a layer of {least:.3g} mm"_text,
+            base::number(std::max(0.0, to - from)), base::number(o.heightMinMm)),
         "use a thinner rod, or print the part larger"_text);
   return levelBounds(from, to, o);
 }

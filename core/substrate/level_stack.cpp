@@ -69,10 +69,9 @@ void reportLeftOut(const geometry::TriangleMesh& part, StackedLevels& result) {
   const double whole = geometry::volume(part);
   const double missing = whole - result.statistics.volumeMm3() - result.sliverVolumeMm3;
   if (missing > kBlockingShare * whole)
-    result.findings.push_back(
-        plan::makeFinding(plan::FindingKind::NotLaid,
-                          {{"left", base::mm3(missing)}, {"whole", base::mm3(whole)}},
-                          geometry::bounds(part).center()));
+    result.findings.push_back(plan::makeFinding(
+        plan::FindingKind::NotLaid, {{"left", base::mm3(missing)}, {"whole", base::mm3(whole)}},
+        geometry::bounds(part).center()));
 }
 
 } // namespace
@@ -148,7 +147,8 @@ StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily&
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   reportDropped(absorbed.dropped, result);
   reportLeftOut(part, result);
-  reportUnsupported(layers::patchesInAir(absorbedIslands.support, islands), family.groundKind, result);
+  reportUnsupported(layers::patchesInAir(absorbedIslands.support, islands), family.groundKind,
+                    result);
   return result;
 }
 

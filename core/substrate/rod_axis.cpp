@@ -69,7 +69,8 @@ AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
   if (!(sharpness >= kClear) || values[1] <= 0.0)
     throw base::Error(base::ErrorCode::UnusableInput,
                       "the part has no clear axis: its sides face along every direction alike"_text,
-                      "axis"_text, "name its axis (rodAxis), or turn the part onto the rod by hand"_text);
+                      "axis"_text,
+                      "name its axis (rodAxis), or turn the part onto the rod by hand"_text);
   Eigen::Vector3d direction = solver.eigenvectors().col(isDisc ? 2 : 0);
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);

@@ -95,8 +95,11 @@ template <typename Between>
 void addLevels(LevelFamily& family, const Reach& reach, const SubstrateOptions& o,
                Between between) {
   if (reach.to - reach.from < o.heightMinMm)
-    refuse(base::message("the part rises {height:.3g} mm over the surface, less than a layer of {least:.3g} mm"_text, base::number(std::max(0.0, reach.to - reach.from)), base::number(o.heightMinMm)),
-           "print the part larger, or with a finer process"_text);
+    refuse(
+        base::message(
+            "the part rises {height:.3g} mm over the surface, less than a layer of {least:.3g} mm"_text,
+            base::number(std::max(0.0, reach.to - reach.from)), base::number(o.heightMinMm)),
+        "print the part larger, or with a finer process"_text);
   const std::vector<double> bounds = levelBounds(reach.from, reach.to, o);
   family.count = static_cast<int>(bounds.size()) - 1;
   family.level = [bounds, between](int k, const base::RunContext& ctx) {
@@ -183,11 +186,15 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
   const FlatteningCircle first{start.centre.y() + start.radiusMm, start.radiusMm};
   const double rise = top - first.topMm;
   if (!(rise > 0.0))
-    refuse(base::message("the end surface is {rise:.3g} mm over the top of the surface that layers start "
-                       "from"_text, base::number(rise)),
+    refuse(base::message(
+               "the end surface is {rise:.3g} mm over the top of the surface that layers start "
+               "from"_text,
+               base::number(rise)),
            "give a higher end surface (endSurface)"_text);
   if (halfWidth >= start.radiusMm)
-    refuse(base::message("the part is {width:.3g} mm wide, as wide as the cylinder that it stands on"_text, base::number(2.0 * halfWidth)),
+    refuse(base::message(
+               "the part is {width:.3g} mm wide, as wide as the cylinder that it stands on"_text,
+               base::number(2.0 * halfWidth)),
            "make the part narrower, or use layerShape=offset"_text);
   std::vector<FlatteningCircle> best;
   double bestOff = std::numeric_limits<double>::infinity();
@@ -218,9 +225,13 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
   }
   constexpr double kSlackMm = 1e-9;
   if (best.empty() || bestBeyond > kSlackMm)
-    refuse(base::message("no number of layers between the surface and its end keeps their thickness "
-                       "within {least} and {most} mm: {layers} layers would be {thinnest:.3g} to {thickest:.3g} mm thick"_text, base::number(o.heightMinMm), base::number(o.heightMaxMm), best.empty() ? 0 : best.size() - 1, base::number(least), base::number(most)),
-           "give an end surface that is more like the surface, or a narrower part"_text);
+    refuse(
+        base::message(
+            "no number of layers between the surface and its end keeps their thickness "
+            "within {least} and {most} mm: {layers} layers would be {thinnest:.3g} to {thickest:.3g} mm thick"_text,
+            base::number(o.heightMinMm), base::number(o.heightMaxMm),
+            best.empty() ? 0 : best.size() - 1, base::number(least), base::number(most)),
+        "give an end surface that is more like the surface, or a narrower part"_text);
   return best;
 }
 
@@ -272,8 +283,9 @@ geometry::TriangleMesh partOnBody(const geometry::TriangleMesh& part,
                                   const geometry::TriangleMesh& body) {
   std::optional<geometry::TriangleMesh> remainder = geometry::subtract(part, body);
   if (!remainder)
-    refuse("the part is not closed, or cuts itself, where the surface's body is taken out of it"_text,
-           "repair the part first"_text);
+    refuse(
+        "the part is not closed, or cuts itself, where the surface's body is taken out of it"_text,
+        "repair the part first"_text);
   if (remainder->empty())
     refuse("the surface covers the part: nothing of the part is outside its body"_text,
            "move the part out of the surface, or print it larger"_text);

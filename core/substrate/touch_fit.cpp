@@ -24,7 +24,8 @@ constexpr double kLine = 1e-7;
 
 CircleFit circleThrough(const std::vector<Eigen::Vector2d>& points) {
   if (points.size() < 3)
-    refuse(base::message("{points} points do not make a circle: it takes three"_text, points.size()));
+    refuse(
+        base::message("{points} points do not make a circle: it takes three"_text, points.size()));
   const auto n = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixX2d centred(n, 2);
   for (Eigen::Index i = 0; i < n; ++i)

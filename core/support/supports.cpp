@@ -310,7 +310,8 @@ private:
 
 base::ParameterTable supportParameters() {
   return base::ParameterTable({
-      base::choiceParameter("supports", "none", {{"none", "none"_text}, {"auto", "auto"_text}}, "Layers"_text, "Supports"_text,
+      base::choiceParameter("supports", "none", {{"none", "none"_text}, {"auto", "auto"_text}},
+                            "Layers"_text, "Supports"_text,
                             "What carries voxels that growth would miss: nothing, or columns as "
                             "thin as a voxel, to be broken off afterwards."_text,
                             true),

@@ -247,9 +247,11 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
   const InfillKind& kind = infillKind(o.infill);
   if (kind.isWound && patch.chart.empty())
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("infill '{infill}' winds around an axis, and layer {layer} has none"_text, o.infill, patch.layer),
-                      "infill"_name, "use infill zigzag or concentric, or mode lathe"_text);
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("infill '{infill}' winds around an axis, and layer {layer} has none"_text,
+                      o.infill, patch.layer),
+        "infill"_name, "use infill zigzag or concentric, or mode lathe"_text);
   PatchCover cover;
   if (patch.surface.empty())
     return cover;

@@ -30,7 +30,8 @@ const InfillKind& infillKind(std::string_view id) {
       return kind;
     ids.emplace_back(kind.id);
   }
-  throw base::Error(base::ErrorCode::Usage, base::message("unknown infill '{id}'"_text, std::string(id)), "infill"_name,
+  throw base::Error(base::ErrorCode::Usage,
+                    base::message("unknown infill '{id}'"_text, std::string(id)), "infill"_name,
                     base::didYouMean(id, ids));
 }
 

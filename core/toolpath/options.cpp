@@ -9,18 +9,21 @@ base::ParameterTable toolpathParameters() {
   for (const InfillKind& kind : infillKinds())
     infills.push_back({std::string(kind.id), kind.label});
   return base::ParameterTable({
-      base::integerParameter("walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text, "walls"_text,
-                             "Beads laid along the edge of each layer before it is filled."_text, true),
-      base::choiceParameter("infill", ToolpathOptions{}.infill, infills, "Tool-paths"_text, "infill"_text,
-                            "How the inside of each layer is filled."_text, true),
-      base::numberParameter("infillDensity", "", 1.0, 0.05, 1.0, "Tool-paths"_text, "infill density"_text,
+      base::integerParameter(
+          "walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text, "walls"_text,
+          "Beads laid along the edge of each layer before it is filled."_text, true),
+      base::choiceParameter("infill", ToolpathOptions{}.infill, infills, "Tool-paths"_text,
+                            "infill"_text, "How the inside of each layer is filled."_text, true),
+      base::numberParameter("infillDensity", "", 1.0, 0.05, 1.0, "Tool-paths"_text,
+                            "infill density"_text,
                             "Share of the inside that is filled; 1 is solid."_text, true),
       base::numberParameter("infillAngle", "deg", ToolpathOptions{}.infillAngleDeg, 0.0, 180.0,
                             "Tool-paths"_text, "infill direction"_text,
                             "Direction of straight lines on the first layer, from x to y."_text),
-      base::numberParameter("infillTurn", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0,
-                            "Tool-paths"_text, "turn of infill"_text,
-                            "How much straight lines turn from layer to layer; 0: all one way."_text),
+      base::numberParameter(
+          "infillTurn", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0, "Tool-paths"_text,
+          "turn of infill"_text,
+          "How much straight lines turn from layer to layer; 0: all one way."_text),
       base::numberParameter("windingAngle", "deg", ToolpathOptions{}.windingAngleDeg, 0.0, 90.0,
                             "Tool-paths"_text, "winding angle"_text,
                             "Of helical infill: 0 winds around the axis, 90 runs along it."_text),

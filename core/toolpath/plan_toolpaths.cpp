@@ -178,9 +178,8 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Pro
   s.coveredFraction = area > 0 ? covered / area : 0.0;
   s.overlapFraction = area > 0 ? overlap / area : 0.0;
   if (bare > 0) {
-    plan::Finding f =
-        plan::makeFinding(plan::FindingKind::PatchWithoutBead, {},
-                          stack.patches[firstBare].surface.vertices.front(), bare);
+    plan::Finding f = plan::makeFinding(plan::FindingKind::PatchWithoutBead, {},
+                                        stack.patches[firstBare].surface.vertices.front(), bare);
     f.blocking = bareMm3 > 0.005 * s.layerVolumeMm3;
     r.findings.push_back(std::move(f));
   }

@@ -28,8 +28,9 @@ VoxelGrid gridAround(const geometry::TriangleMesh& mesh, double pitch, std::size
     const double byCount = pitch * std::cbrt(span.prod() / static_cast<double>(maxCells));
     const double bySide = pitch * span.maxCoeff() / 4000.0;
     const double fits = std::ceil(100.0 * 1.02 * std::max(byCount, bySide)) / 100.0;
-    throw base::Error(base::ErrorCode::Usage, "the voxels are too small for a part of this size"_text,
-                      "voxelMm"_name, base::message("use at least {least}"_text, base::mm(fits)));
+    throw base::Error(base::ErrorCode::Usage,
+                      "the voxels are too small for a part of this size"_text, "voxelMm"_name,
+                      base::message("use at least {least}"_text, base::mm(fits)));
   }
 
   VoxelGrid grid;

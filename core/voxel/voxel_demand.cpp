@@ -57,10 +57,12 @@ void checkVoxelDemand(const geometry::TriangleMesh& mesh, double pitch,
     const double middle = std::sqrt(low * high);
     (measures.demand(middle).bytes() <= available ? high : low) = middle;
   }
-  throw base::Error(base::ErrorCode::Usage,
-                    base::message("voxels of {width} need about {needed} of memory, {available} are free"_text, base::mm(pitch), readable(needed), readable(available)),
-                    "voxelMm"_name,
-                    base::message("use at least {least}"_text, base::mm(std::ceil(100.0 * high) / 100.0)));
+  throw base::Error(
+      base::ErrorCode::Usage,
+      base::message("voxels of {width} need about {needed} of memory, {available} are free"_text,
+                    base::mm(pitch), readable(needed), readable(available)),
+      "voxelMm"_name,
+      base::message("use at least {least}"_text, base::mm(std::ceil(100.0 * high) / 100.0)));
 }
 
 void checkVoxelDemand(const SolidVoxels& voxels, std::uint64_t availableBytes) {
@@ -69,8 +71,11 @@ void checkVoxelDemand(const SolidVoxels& voxels, std::uint64_t availableBytes) {
   const auto available = static_cast<double>(availableBytes);
   if (demand.bytes() > available)
     throw base::Error(base::ErrorCode::UnusableInput,
-                      base::message("{voxels} voxels in a grid of {cells} cells need about {needed} of memory, {available} are "
-                                  "free"_text, voxels.count, voxels.grid.cellCount(), readable(demand.bytes()), readable(available)),
+                      base::message("{voxels} voxels in a grid of {cells} cells need about "
+                                    "{needed} of memory, {available} are "
+                                    "free"_text,
+                                    voxels.count, voxels.grid.cellCount(), readable(demand.bytes()),
+                                    readable(available)),
                       {}, "make the object of fewer and larger cells"_text);
 }
 

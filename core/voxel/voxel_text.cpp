@@ -39,9 +39,8 @@ base::Message quoted(char c) {
   if (c == ' ')
     return "a space"_text;
   const auto code = static_cast<unsigned char>(c);
-  return code > 32 && code < 127
-             ? base::message("'{character}'"_text, std::string(1, c))
-             : base::message("byte {code}"_text, fmt::format("{:#04x}", code));
+  return code > 32 && code < 127 ? base::message("'{character}'"_text, std::string(1, c))
+                                 : base::message("byte {code}"_text, fmt::format("{:#04x}", code));
 }
 
 void checkRow(const Row& row, const Row& first, const std::string& name) {
@@ -53,7 +52,8 @@ void checkRow(const Row& row, const Row& first, const std::string& name) {
                 "write 1 for the part, 0 for air, - for the platform"_text);
   if (row.cells.size() != first.cells.size())
     throw Error(ErrorCode::UnreadableFile,
-                base::message("the row has {cells} cells, the first one has {first}"_text, row.cells.size(), first.cells.size()),
+                base::message("the row has {cells} cells, the first one has {first}"_text,
+                              row.cells.size(), first.cells.size()),
                 place(name, row.line, std::min(row.cells.size(), first.cells.size())),
                 "make all rows equally long"_text);
 }
@@ -64,10 +64,11 @@ std::vector<Slice> slicesOf(std::string_view text, const std::string& name) {
   std::vector<Slice> slices;
   const auto checkSlice = [&](std::size_t line) {
     if (slices.size() > 1 && slices.back().size() != slices.front().size())
-      throw Error(ErrorCode::UnreadableFile,
-                  base::message("slice {slice} ends after {rows} rows, the first one has {first}"_text,
-                                slices.size(), slices.back().size(), slices.front().size()),
-                  place(name, line, 0), "give all slices equally many rows"_text);
+      throw Error(
+          ErrorCode::UnreadableFile,
+          base::message("slice {slice} ends after {rows} rows, the first one has {first}"_text,
+                        slices.size(), slices.back().size(), slices.front().size()),
+          place(name, line, 0), "give all slices equally many rows"_text);
   };
   std::size_t line = 0, cells = 0;
   bool within = false;
@@ -89,9 +90,11 @@ std::vector<Slice> slicesOf(std::string_view text, const std::string& name) {
     constexpr auto kSide = static_cast<std::size_t>(kLargestSide);
     if (cells > kLargestObject || row.cells.size() > kSide || slices.size() > kSide ||
         slices.back().size() > kSide)
-      throw Error(ErrorCode::UnusableInput, "the object is too large"_text,
-                  place(name, line, std::min(row.cells.size(), kSide)),
-                  base::message("use at most {side} cells a side and {millions} million in all"_text, kLargestSide, kLargestObject / 1'000'000));
+      throw Error(
+          ErrorCode::UnusableInput, "the object is too large"_text,
+          place(name, line, std::min(row.cells.size(), kSide)),
+          base::message("use at most {side} cells a side and {millions} million in all"_text,
+                        kLargestSide, kLargestObject / 1'000'000));
   }
   if (within)
     checkSlice(line);
@@ -186,8 +189,8 @@ VoxelObject readVoxelText(std::string_view text, const std::string& name) {
     platformLine = line;
   });
   if (count == 0)
-    throw Error(ErrorCode::UnusableInput, "the object has no part: no 1 above the platform"_text, name,
-                "write 1 where the part is"_text);
+    throw Error(ErrorCode::UnusableInput, "the object has no part: no 1 above the platform"_text,
+                name, "write 1 where the part is"_text);
   if (!any(plate - 1, '1'))
     throw Error(ErrorCode::UnusableInput, "nothing stands on the platform"_text,
                 place(name, platformLine, static_cast<std::size_t>(object.platform.back()[0])),

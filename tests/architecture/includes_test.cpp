@@ -92,7 +92,8 @@ const std::map<std::string, std::set<std::string>> kWidgetsMayInclude = {
     {"document", {"jobs", "language"}},
     {"timeline", {"forms", "jobs"}},
     {"window",
-     {"language", "scene", "pictures", "viewer", "forms", "panels", "jobs", "document", "timeline"}},
+     {"language", "scene", "pictures", "viewer", "forms", "panels", "jobs", "document",
+      "timeline"}},
 };
 
 TEST(Architecture, WidgetsKeepTheirDirections) {

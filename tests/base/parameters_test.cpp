@@ -10,10 +10,14 @@ namespace {
 
 ParameterTable sampleTable() {
   return ParameterTable({
-      numberParameter("voxelMm", "mm", 0.8, 0.1, 5.0, "Layers"_text, "voxel"_text, "Width of a voxel."_text),
+      numberParameter("voxelMm", "mm", 0.8, 0.1, 5.0, "Layers"_text, "voxel"_text,
+                      "Width of a voxel."_text),
       integerParameter("walls", 2, 0, 10, "Beads"_text, "walls"_text, "Number of walls."_text),
-      booleanParameter("debug", false, "Output"_text, "debug"_text, "Writes what every stage made."_text),
-      choiceParameter("infill", "zigzag", {{"zigzag", "zigzag"_text}, {"concentric", "concentric"_text}}, "Beads"_text, "infill"_text, "Pattern."_text),
+      booleanParameter("debug", false, "Output"_text, "debug"_text,
+                       "Writes what every stage made."_text),
+      choiceParameter("infill", "zigzag",
+                      {{"zigzag", "zigzag"_text}, {"concentric", "concentric"_text}}, "Beads"_text,
+                      "infill"_text, "Pattern."_text),
   });
 }
 

@@ -15,7 +15,8 @@ namespace {
 
 TEST(RunContext, NestedSpansReportTheWhole) {
   std::vector<double> seen;
-  const RunContext ctx(CancelToken{}, 1, [&](double f, const voluta::base::Message&) { seen.push_back(f); });
+  const RunContext ctx(CancelToken{}, 1,
+                       [&](double f, const voluta::base::Message&) { seen.push_back(f); });
   const RunContext half = ctx.sub(0.5, 1.0);
   half.report(0.0, "a"_text);
   half.sub(0.5, 1.0).report(0.5, "b"_text);

@@ -14,15 +14,17 @@ using base::message;
 TEST(Text, PlacesAreFilledInTheOrderInWhichTheyFirstCome) {
   EXPECT_EQ(english(message("{there} of {wanted} vertices, {there} in all"_text, 3, 4)),
             "3 of 4 vertices, 3 in all");
-  EXPECT_EQ(base::placeNames("{b} {a:.2f} {b} {c#}"), (std::vector<std::string_view>{"b", "a", "c"}));
-  EXPECT_TRUE(base::placeNames("give {\"point\": [x, y]} or {}").empty()) << "other braces are text";
+  EXPECT_EQ(base::placeNames("{b} {a:.2f} {b} {c#}"),
+            (std::vector<std::string_view>{"b", "a", "c"}));
+  EXPECT_TRUE(base::placeNames("give {\"point\": [x, y]} or {}").empty())
+      << "other braces are text";
 }
 
 TEST(Text, NumbersAreWrittenAsThePlaceSays) {
-  EXPECT_EQ(english(message("{area:.3g} of {whole:.4g#}, {share:.2f}, {angle}"_text,
-                            base::mm2(12.3456), base::mm2(1234.567), base::percent(4.0),
-                            base::degrees(45.0))),
-            "12.3 mm2 of 1235, 4.00 %, 45 degrees");
+  EXPECT_EQ(
+      english(message("{area:.3g} of {whole:.4g#}, {share:.2f}, {angle}"_text, base::mm2(12.3456),
+                      base::mm2(1234.567), base::percent(4.0), base::degrees(45.0))),
+      "12.3 mm2 of 1235, 4.00 %, 45 degrees");
   EXPECT_EQ(english(message("at {place:.1f}"_text, base::Point{1.0, -2.25, 0.04})),
             "at (1.0, -2.2, 0.0)");
 }
@@ -81,7 +83,8 @@ TEST(Text, AnotherLanguageGoesBySameValues) {
 }
 
 TEST(Text, AnErrorIsOneLineAndAllOfItIsData) {
-  const base::Error error(base::ErrorCode::Usage, message("'{text}' is no number"_text, "a\nb"_name),
+  const base::Error error(base::ErrorCode::Usage,
+                          message("'{text}' is no number"_text, "a\nb"_name),
                           base::lineOf("file.stl", 12000), "give a number"_text);
   EXPECT_STREQ(error.what(), "file.stl, line 12000: 'a b' is no number (give a number)");
   EXPECT_EQ(inWords(error.whole(), Other()),

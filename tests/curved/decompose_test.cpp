@@ -200,10 +200,11 @@ TEST(Decompose, StopsWhereverItIsCancelled) {
 
 TEST(Decompose, ProgressNeverFallsBack) {
   double last = 0.0;
-  const base::RunContext ctx(base::CancelToken{}, 1, [&](double fraction, const voluta::base::Message&) {
-    EXPECT_GE(fraction, last - 1e-9);
-    last = fraction;
-  });
+  const base::RunContext ctx(base::CancelToken{}, 1,
+                             [&](double fraction, const voluta::base::Message&) {
+                               EXPECT_GE(fraction, last - 1e-9);
+                               last = fraction;
+                             });
   grown(test::mushroomPart(), "auto", ctx);
   EXPECT_NEAR(last, 1.0, 1e-9);
 }

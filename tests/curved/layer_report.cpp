@@ -184,8 +184,8 @@ int main(int argc, char** argv) try {
     }
     triangleQuality(r.stack);
     for (const auto& f : r.findings)
-      std::printf("  %s: %s at %.1f %.1f %.1f\n", voluta::plan::kindWord(f).c_str(), voluta::plan::englishReason(f).c_str(), f.where->x(),
-                  f.where->y(), f.where->z());
+      std::printf("  %s: %s at %.1f %.1f %.1f\n", voluta::plan::kindWord(f).c_str(),
+                  voluta::plan::englishReason(f).c_str(), f.where->x(), f.where->y(), f.where->z());
     std::fflush(stdout);
     if (!vtp.empty())
       std::ofstream(vtp, std::ios::binary) << layers::writeLayersVtp(r.stack);

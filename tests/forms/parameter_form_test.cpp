@@ -25,14 +25,17 @@ base::ParameterTable table() {
   std::vector<base::ParameterSpec> specs{
       base::numberParameter("height", "mm", 0.8, 0.05, 10.0, "Layers"_text, "layer height"_text,
                             "Wanted height."_text, true),
-      base::integerParameter("walls", 2, 0, 20, "Beads"_text, "walls"_text, "Beads at the edge."_text, true),
-      base::choiceParameter("infill", "zigzag", {{"zigzag", "zigzag"_text}, {"concentric", "concentric"_text}}, "Beads"_text, "infill"_text,
-                            "How it is filled."_text, true),
-      base::booleanParameter("debug", false, "Output"_text, "write all"_text, "For those who look inside."_text),
+      base::integerParameter("walls", 2, 0, 20, "Beads"_text, "walls"_text,
+                             "Beads at the edge."_text, true),
+      base::choiceParameter("infill", "zigzag",
+                            {{"zigzag", "zigzag"_text}, {"concentric", "concentric"_text}},
+                            "Beads"_text, "infill"_text, "How it is filled."_text, true),
+      base::booleanParameter("debug", false, "Output"_text, "write all"_text,
+                             "For those who look inside."_text),
   };
   for (int i = 0; i < 30; ++i)
-    specs.push_back(base::numberParameter("extra" + std::to_string(i), "mm", 1.0, 0.0, 5.0, "More"_text,
-                                          "extra"_text, "One more."_text));
+    specs.push_back(base::numberParameter("extra" + std::to_string(i), "mm", 1.0, 0.0, 5.0,
+                                          "More"_text, "extra"_text, "One more."_text));
   return base::ParameterTable(specs);
 }
 

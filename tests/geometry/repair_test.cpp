@@ -94,8 +94,9 @@ TEST(Repair, ClosesAHoleAndTurnsTriangles) {
   const auto r = repair(m);
   EXPECT_TRUE(r.diagnosis.clean());
   EXPECT_NEAR(r.diagnosis.volumeMm3, 1000, 1e-9);
-  EXPECT_THAT(voluta::base::english(r.repairs), ElementsAre(HasSubstr("1 duplicate triangle"), HasSubstr("turned 1"),
-                                     HasSubstr("closed 1 hole")));
+  EXPECT_THAT(voluta::base::english(r.repairs),
+              ElementsAre(HasSubstr("1 duplicate triangle"), HasSubstr("turned 1"),
+                          HasSubstr("closed 1 hole")));
 }
 
 TEST(Repair, MergesJitteredCorners) {

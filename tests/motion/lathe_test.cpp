@@ -368,7 +368,8 @@ TEST(Lathe, PartMustNotGrowIntoWhatHoldsTheRod) {
   ASSERT_FALSE(w.result.findings.empty());
   const plan::Finding& finding = w.result.findings.front();
   EXPECT_EQ(voluta::plan::kindWord(finding), "collision");
-  EXPECT_NE(voluta::plan::englishReason(finding).find("rest would meet printed part"), std::string::npos)
+  EXPECT_NE(voluta::plan::englishReason(finding).find("rest would meet printed part"),
+            std::string::npos)
       << voluta::plan::englishReason(finding);
   ASSERT_TRUE(finding.where);
   // The rest's top is 10 mm below the axis, 2 mm are kept: nothing beyond 8.25 mm is printed.
@@ -388,7 +389,8 @@ TEST(Lathe, BeyondWhatTheCellPrintsIsNamed) {
   ASSERT_EQ(w.result.findings.size(), 1u);
   const plan::Finding& finding = w.result.findings.front();
   EXPECT_EQ(voluta::plan::kindWord(finding), "beyondRod");
-  EXPECT_NE(voluta::plan::englishReason(finding).find("50 mm from the rod's axis and 100 mm from its middle"),
+  EXPECT_NE(voluta::plan::englishReason(finding).find(
+                "50 mm from the rod's axis and 100 mm from its middle"),
             std::string::npos);
   EXPECT_TRUE(finding.where);
   EXPECT_EQ(finding.count, plan.waypointCount() - first);

@@ -40,7 +40,8 @@ struct Planned {
               << "\n  times ik " << t.ik << ", graph " << t.graph << ", collision " << t.collision
               << ", transfer " << t.transfer << ", jerk " << t.jerk << "\n";
     for (const auto& f : result.findings)
-      std::cout << "  " << plan::kindWord(f) << " x" << f.count << ": " << voluta::plan::englishReason(f) << "\n";
+      std::cout << "  " << plan::kindWord(f) << " x" << f.count << ": "
+                << voluta::plan::englishReason(f) << "\n";
   }
 };
 

@@ -57,9 +57,10 @@ TEST(FindingsModel, DetailNamesStageCountPlaceAndTime) {
 TEST(FindingsPanel, RemediesAreButtonsOfTheChosenFinding) {
   panels::FindingsPanel panel;
   panel.setRemedies([](const plan::Finding& f) {
-    return plan::englishReason(f) == "missed" ? std::vector<panels::RemedyButton>{{"turn", "Turn it", "about"},
-                                                                    {"prop", "Prop it", ""}}
-                                : std::vector<panels::RemedyButton>{};
+    return plan::englishReason(f) == "missed"
+               ? std::vector<panels::RemedyButton>{{"turn", "Turn it", "about"},
+                                                   {"prop", "Prop it", ""}}
+               : std::vector<panels::RemedyButton>{};
   });
   panel.resize(300, 500);
   panel.show();

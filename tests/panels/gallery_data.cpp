@@ -1,5 +1,5 @@
-#include "plan/finding_kinds.h"
 #include "gallery_data.h"
+#include "plan/finding_kinds.h"
 
 namespace voluta::gallery {
 
@@ -31,8 +31,7 @@ project::ReplayReport sampleVerdict(bool passed) {
 plan::Findings sampleFindings() {
   plan::Findings findings;
   const auto add = [&](const char* stage, bool blocking, const char* reason, const char* remedy) {
-    plan::Finding f =
-        plan::verbatimFinding(*plan::stageNamed(stage), "sample", reason, remedy);
+    plan::Finding f = plan::verbatimFinding(*plan::stageNamed(stage), "sample", reason, remedy);
     f.blocking = blocking;
     f.where = Eigen::Vector3d(12.4, -3.1, 40.25 + static_cast<double>(findings.size()));
     findings.push_back(f);

@@ -1,6 +1,6 @@
 // Several ways of building one part, side by side.
-#include "plan/finding_kinds.h"
 #include "pipeline/compare_figures.h"
+#include "plan/finding_kinds.h"
 
 #include "base/error.h"
 #include "modes/mode_table.h"
@@ -166,10 +166,11 @@ TEST(Compare, ItStopsWhenItIsCancelled) {
 TEST(Compare, ProgressNeverGoesBack) {
   double last = 0.0;
   bool back = false;
-  const base::RunContext ctx(base::CancelToken(), 1, [&](double fraction, const voluta::base::Message&) {
-    back = back || fraction < last - 1e-12;
-    last = fraction;
-  });
+  const base::RunContext ctx(base::CancelToken(), 1,
+                             [&](double fraction, const voluta::base::Message&) {
+                               back = back || fraction < last - 1e-12;
+                               last = fraction;
+                             });
   compare(boxOptions(Stage::Layers), ctx);
   EXPECT_FALSE(back);
   EXPECT_LE(last, 1.0);

@@ -57,7 +57,8 @@ TriangleMesh shortened(const std::vector<Eigen::Vector2d>& section) {
 void expectPrinted(const PlanResult& planned, const std::string& name) {
   const Report& r = planned.job.report;
   for (const plan::Finding& f : r.findings)
-    EXPECT_FALSE(f.blocking) << name << ": " << plan::kindWord(f) << ": " << voluta::plan::englishReason(f);
+    EXPECT_FALSE(f.blocking) << name << ": " << plan::kindWord(f) << ": "
+                             << voluta::plan::englishReason(f);
   EXPECT_TRUE(nothingBlocks(r)) << name;
   EXPECT_TRUE(r.replay.passed) << name;
   EXPECT_EQ(r.motion.unreachable, 0u) << name;
@@ -172,8 +173,9 @@ TEST(LatheRoad, CandelabrumIsPlannedOrSaysWhyNot) {
     EXPECT_FALSE(voluta::plan::englishReason(f).empty());
     EXPECT_FALSE(voluta::plan::englishRemedy(f).empty());
   }
-  EXPECT_TRUE(std::any_of(planned.job.report.findings.begin(), planned.job.report.findings.end(),
-                          [](const plan::Finding& f) { return voluta::plan::kindWord(f) == "overhang" && f.where; }));
+  EXPECT_TRUE(std::any_of(
+      planned.job.report.findings.begin(), planned.job.report.findings.end(),
+      [](const plan::Finding& f) { return voluta::plan::kindWord(f) == "overhang" && f.where; }));
 }
 
 void expectRefusal(const PlanRequest& request, base::ErrorCode code, const std::string& what) {
@@ -228,8 +230,9 @@ TEST(LatheRoad, APartBeyondTheCellsRadiusIsAFinding) {
   request.until = Stage::Decompose;
   const PlanResult planned = planPart(request, context());
   const plan::Findings& findings = planned.job.report.findings;
-  const auto found = std::find_if(findings.begin(), findings.end(),
-                                  [](const plan::Finding& f) { return voluta::plan::kindWord(f) == "beyondCell"; });
+  const auto found = std::find_if(findings.begin(), findings.end(), [](const plan::Finding& f) {
+    return voluta::plan::kindWord(f) == "beyondCell";
+  });
   ASSERT_NE(found, findings.end());
   EXPECT_TRUE(found->blocking);
   EXPECT_NEAR(found->where->tail<2>().norm(), 51.0, 1e-6);

@@ -50,8 +50,9 @@ PlanResult planned(const std::map<std::string, std::string>& parameters, Stage u
 }
 
 std::size_t countOf(const Report& report, const std::string& kind) {
-  return static_cast<std::size_t>(std::count_if(report.findings.begin(), report.findings.end(),
-                                                [&](const auto& f) { return voluta::plan::kindWord(f) == kind; }));
+  return static_cast<std::size_t>(
+      std::count_if(report.findings.begin(), report.findings.end(),
+                    [&](const auto& f) { return voluta::plan::kindWord(f) == kind; }));
 }
 
 TEST(Lossless, WithoutSupportsTheToothIsMissed) {
@@ -125,7 +126,8 @@ TEST(Lossless, LeastRiskyTellsWhatWasWon) {
   ASSERT_EQ(countOf(plan.job.report, "turned"), 1u);
   const plan::Finding& f = plan.job.report.findings.back();
   EXPECT_FALSE(f.blocking);
-  EXPECT_NE(voluta::plan::englishReason(f).find("mm2 overhang instead of"), std::string::npos) << voluta::plan::englishReason(f);
+  EXPECT_NE(voluta::plan::englishReason(f).find("mm2 overhang instead of"), std::string::npos)
+      << voluta::plan::englishReason(f);
 }
 
 TEST(Lossless, OddValuesAreNamed) {

@@ -91,8 +91,8 @@ TEST(Report, FindingsHaveTheirValues) {
   report.findings.push_back(
       plan::makeFinding(plan::FindingKind::OverhangOfFlat,
                         {{"area", base::mm2(12.345678)}, {"angle", base::degrees(45.0)}}));
-  report.findings.push_back(plan::makeFinding(
-      plan::FindingKind::NoSupport, {{"voxels", 12000}}, Eigen::Vector3d(1, 2, 3), 12000));
+  report.findings.push_back(plan::makeFinding(plan::FindingKind::NoSupport, {{"voxels", 12000}},
+                                              Eigen::Vector3d(1, 2, 3), 12000));
   const nlohmann::json j = nlohmann::json::parse(pipeline::reportJson(report));
   const nlohmann::json& overhang = j.at("findings").at(0);
   EXPECT_EQ(overhang.at("kind"), "overhang");

@@ -221,7 +221,8 @@ TEST_F(PlannedBox, RefusedProgramsAreThereToBeLookedAt) {
   for (const auto& checked : sparse.checked) {
     EXPECT_FALSE(checked->passed);
     ASSERT_FALSE(checked->failed.empty());
-    EXPECT_THAT(base::english(checked->failed), testing::Contains(testing::HasSubstr("coveredFraction")));
+    EXPECT_THAT(base::english(checked->failed),
+                testing::Contains(testing::HasSubstr("coveredFraction")));
     EXPECT_FALSE(checked->program.files.empty());
     EXPECT_LT(checked->verdict.coveredFraction, 0.97);
     EXPECT_EQ(checked->findingLines.size(), checked->findings.size());

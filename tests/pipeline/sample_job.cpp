@@ -1,5 +1,5 @@
-#include "plan/finding_kinds.h"
 #include "pipeline/sample_job.h"
+#include "plan/finding_kinds.h"
 
 #include "helpers/shapes.h"
 #include "project/block_file.h"

@@ -132,11 +132,12 @@ TEST(Orient, IsTheSameForAnyNumberOfThreads) {
 TEST(Orient, ProgressNeverFalls) {
   double last = 0.0;
   std::size_t heard = 0;
-  const base::RunContext ctx(base::CancelToken{}, 2, [&](double fraction, const voluta::base::Message&) {
-    EXPECT_GE(fraction, last);
-    last = fraction;
-    ++heard;
-  });
+  const base::RunContext ctx(base::CancelToken{}, 2,
+                             [&](double fraction, const voluta::base::Message&) {
+                               EXPECT_GE(fraction, last);
+                               last = fraction;
+                               ++heard;
+                             });
   bestOrientation(toothMesh(), Objective::FewestMissed, atOneMm(), ctx);
   EXPECT_GT(heard, 5u);
   EXPECT_EQ(last, 1.0);

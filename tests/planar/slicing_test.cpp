@@ -481,7 +481,8 @@ TEST(Flat, OverhangsArePlacedOnTheFacesThemselves) {
     for (const auto& [x, z] : {std::pair(4.0, 6.0), {8.0 + k, 6.0}, {8.0 + k, 8.0}, {4.0, 8.0}})
       profile.emplace_back(x, z + 6.0 * k);
   profile.emplace_back(0, 46);
-  const plan::Findings many = overhangFindings({pieceOf(prism(profile, 10.0))}, {}, Overhangs::Pieces);
+  const plan::Findings many =
+      overhangFindings({pieceOf(prism(profile, 10.0))}, {}, Overhangs::Pieces);
   ASSERT_EQ(many.size(), 6u);
   EXPECT_EQ(many[5].count, 2u);
   ASSERT_TRUE(many[5].where);

@@ -129,7 +129,8 @@ TEST(LatheParts, HaveTheVolumesOfWhatTheyStandFor) {
         test::halfTube(4.8, 10, 50), test::gableRoof(40, 60), test::gableRib(40, 6.57, 2.05, 10),
         test::halfCylinder(40, 60), test::halfCylinderRib(40, 6.57, 2.0, 0.7)}) {
     const auto diagnosis = geometry::diagnose(mesh);
-    EXPECT_TRUE(diagnosis.clean()) << (diagnosis.clean() ? "" : base::english(diagnosis.sentences().front()));
+    EXPECT_TRUE(diagnosis.clean())
+        << (diagnosis.clean() ? "" : base::english(diagnosis.sentences().front()));
   }
 }
 

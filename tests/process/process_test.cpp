@@ -97,7 +97,8 @@ void expectRefused(const std::string& from, const std::string& to, const std::st
   } catch (const base::Error& e) {
     EXPECT_EQ(e.code(), base::ErrorCode::UnusableInput);
     EXPECT_NE(voluta::base::english(e.context()).find("own.json"), std::string::npos) << e.what();
-    EXPECT_NE(voluta::base::english(e.message()).find("'" + key + "'"), std::string::npos) << e.what();
+    EXPECT_NE(voluta::base::english(e.message()).find("'" + key + "'"), std::string::npos)
+        << e.what();
   }
 }
 

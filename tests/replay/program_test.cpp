@@ -210,7 +210,8 @@ TEST(Replay, ATipBelowThePlateCollides) {
   s.trajectory = test::walk(s.plan, s.cell, s.process, 6.0);
   const Verification v = replayPlan(s);
   EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
-    return voluta::plan::kindWord(f) == "collision" && voluta::plan::englishReason(f).find("platform") != std::string::npos;
+    return voluta::plan::kindWord(f) == "collision" &&
+           voluta::plan::englishReason(f).find("platform") != std::string::npos;
   })) << told(v);
 }
 

@@ -60,7 +60,8 @@ Verification replayed(const test::Scene& s, const plan::ReadProgram& program) {
 
 bool tells(const Verification& v, const std::string& kind, const std::string& words = "") {
   return std::any_of(v.findings.begin(), v.findings.end(), [&](const plan::Finding& f) {
-    return voluta::plan::kindWord(f) == kind && voluta::plan::englishReason(f).find(words) != std::string::npos;
+    return voluta::plan::kindWord(f) == kind &&
+           voluta::plan::englishReason(f).find(words) != std::string::npos;
   });
 }
 

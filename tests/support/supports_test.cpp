@@ -158,10 +158,11 @@ TEST(Supports, AreTheSameForAnyNumberOfThreads) {
 TEST(Supports, ProgressNeverFalls) {
   for (const char* growth : {"auto", "greedy"}) {
     double last = 0.0;
-    const base::RunContext ctx(base::CancelToken{}, 2, [&](double fraction, const voluta::base::Message&) {
-      EXPECT_GE(fraction, last - 1e-12) << growth;
-      last = fraction;
-    });
+    const base::RunContext ctx(base::CancelToken{}, 2,
+                               [&](double fraction, const voluta::base::Message&) {
+                                 EXPECT_GE(fraction, last - 1e-12) << growth;
+                                 last = fraction;
+                               });
     SupportOptions options;
     options.growth = curved::GrowthScheme(growth);
     const voxel::SolidVoxels part = toothPart();

@@ -164,8 +164,7 @@ void Document::setParameter(const QString& key, const QString& text) {
     choices.parameters.erase(spec.key);
   else
     choices.parameters[spec.key] = base::formatParameter(value);
-  push(choices, source_,
-       tr("Change %1").arg(language::words(spec.label)));
+  push(choices, source_, tr("Change %1").arg(language::words(spec.label)));
 }
 
 void Document::resetParameter(const QString& key) {
@@ -173,9 +172,7 @@ void Document::resetParameter(const QString& key) {
   choices.parameters.erase(key.toStdString());
   const base::ParameterTable table = pipeline::allParameters();
   const base::ParameterSpec* spec = table.find(key.toStdString());
-  push(choices, source_,
-       tr("Reset %1")
-           .arg(spec ? language::words(spec->label) : key));
+  push(choices, source_, tr("Reset %1").arg(spec ? language::words(spec->label) : key));
 }
 
 void Document::resetParameters() {

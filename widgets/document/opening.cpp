@@ -3,7 +3,6 @@
 #include "document/document.h"
 #include "document/planning.h"
 #include "language/words.h"
-#include "project/job.h"
 #include "pipeline/stage_cache.h"
 #include "project/job.h"
 

@@ -3,8 +3,8 @@
 #include "forms/colours.h"
 #include "forms/icons.h"
 #include "forms/parameter_texts.h"
-#include "language/words.h"
 #include "forms/value_boxes.h"
+#include "language/words.h"
 
 #include <QCheckBox>
 #include <QComboBox>

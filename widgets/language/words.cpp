@@ -12,8 +12,8 @@ class WindowLanguage : public base::Language {
 public:
   std::string sentence(base::Text text, std::optional<long long> count) const override {
     const std::string english(text.english());
-    const QString translated = QCoreApplication::translate(
-        kContext, english.c_str(), nullptr, count ? static_cast<int>(*count) : -1);
+    const QString translated = QCoreApplication::translate(kContext, english.c_str(), nullptr,
+                                                           count ? static_cast<int>(*count) : -1);
     // English has no file of translations: its forms for one are core's own.
     return translated == QString::fromStdString(english) ? Language::sentence(text, count)
                                                          : translated.toStdString();

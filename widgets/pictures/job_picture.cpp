@@ -61,16 +61,17 @@ public:
   }
   void showLayers() {
     const process::Process p = process();
-    const auto drawing = scene::drawLayers(
-        *need(job_.layers, "layers"_text), {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm});
+    const auto drawing =
+        scene::drawLayers(*need(job_.layers, "layers"_text),
+                          {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm});
     setLastLayer(scene::layerCount(*drawing));
     scene_.setLayers(drawing);
     view_.layers = true;
     showPlatform();
   }
   void showPieces() {
-    scene_.setPieces(
-        scene::drawPieces(need(job_.pieces, "pieces"_text)->pieces, pipeline::riskRule(job_.choices)));
+    scene_.setPieces(scene::drawPieces(need(job_.pieces, "pieces"_text)->pieces,
+                                       pipeline::riskRule(job_.choices)));
     view_.pieces = true;
     showPlatform();
   }
@@ -138,8 +139,9 @@ private:
     if (!options_.layer)
       return;
     if (*options_.layer < 1 || *options_.layer > count)
-      throw Error(ErrorCode::Usage, base::message("there is no layer {layer}"_text, *options_.layer),
-                  options_.where, base::message("layers are 1 to {count}"_text, count));
+      throw Error(ErrorCode::Usage,
+                  base::message("there is no layer {layer}"_text, *options_.layer), options_.where,
+                  base::message("layers are 1 to {count}"_text, count));
     view_.lastLayer = *options_.layer - 1;
   }
 
@@ -150,7 +152,9 @@ private:
     const double end = t.timeS.back();
     const double time = options_.timeS.value_or(end);
     if (!(time >= 0.0 && time <= end))
-      throw Error(ErrorCode::Usage, base::message("there is no time {time}"_text, base::seconds(time)), options_.where,
+      throw Error(ErrorCode::Usage,
+                  base::message("there is no time {time}"_text, base::seconds(time)),
+                  options_.where,
                   base::message("the program runs from 0 to {end:.1f}"_text, base::seconds(end)));
     const auto after = std::upper_bound(t.timeS.begin(), t.timeS.end(), time) - t.timeS.begin();
     const std::size_t last = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1)) - 1;

@@ -157,12 +157,12 @@ Legend legendOf(const ColourValues& values, ColourBy colourBy) {
   present.erase(std::unique(present.begin(), present.end()), present.end());
   Legend legend{row.label, std::string(row.unit), true, false, {}, {}};
   for (const std::int32_t v : present)
-    legend.entries.push_back({double(v),
-                              colourBy == ColourBy::Kind
-                                  ? base::Value(kKindNames[static_cast<std::size_t>(v) %
-                                                           kKindNames.size()])
-                                  : base::Value(v + 1),
-                              categoricalColour(v)});
+    legend.entries.push_back(
+        {double(v),
+         colourBy == ColourBy::Kind
+             ? base::Value(kKindNames[static_cast<std::size_t>(v) % kKindNames.size()])
+             : base::Value(v + 1),
+         categoricalColour(v)});
   return legend;
 }
 

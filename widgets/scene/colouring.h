@@ -28,10 +28,10 @@ inline constexpr int kColourByCount = 11;
 
 struct ColourByRow {
   ColourBy colourBy;
-  std::string_view id;    // on the command line: "layer"
-  base::Text label;       // "Layer"
-  std::string_view unit;  // of the legend's numbers: "mm", "" for none
-  bool categorical;       // a colour a value, not a scale
+  std::string_view id;   // on the command line: "layer"
+  base::Text label;      // "Layer"
+  std::string_view unit; // of the legend's numbers: "mm", "" for none
+  bool categorical;      // a colour a value, not a scale
 };
 
 // One row a quantity, in the order of ColourBy.

@@ -27,7 +27,8 @@ constexpr int kSmallest = 16, kLargest = 8192;
 
 [[noreturn]] void noOpenGl(const char* what) {
   throw base::Error(base::ErrorCode::UnusableInput,
-                    base::message("this machine gives no OpenGL 3.2 without a display: {why}"_text, std::string(what)),
+                    base::message("this machine gives no OpenGL 3.2 without a display: {why}"_text,
+                                  std::string(what)),
                     {}, "install Mesa (libegl1, libgl1-mesa-dri)"_text);
 }
 
@@ -123,12 +124,10 @@ Image reduced(const Image& fine, int samples) {
 
 void checkSize(int width, int height) {
   if (width < kSmallest || height < kSmallest || width > kLargest || height > kLargest)
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("a picture of {width} x {height} pixels cannot be drawn"_text, width,
-                                    height),
-                      {},
-                      base::message("choose {least} to {most} pixels a side"_text, kSmallest,
-                                    kLargest));
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("a picture of {width} x {height} pixels cannot be drawn"_text, width, height),
+        {}, base::message("choose {least} to {most} pixels a side"_text, kSmallest, kLargest));
 }
 
 } // namespace

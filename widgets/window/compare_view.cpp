@@ -87,8 +87,8 @@ QString whyText(const pipeline::CompareRow& row) {
     return language::words(row.error);
   for (const plan::Finding& f : row.report.findings)
     if (f.blocking)
-      return QStringLiteral("%1: %2").arg(
-          language::words(plan::stageLabel(plan::stageOf(f))), language::words(plan::reasonOf(f)));
+      return QStringLiteral("%1: %2").arg(language::words(plan::stageLabel(plan::stageOf(f))),
+                                          language::words(plan::reasonOf(f)));
   return {};
 }
 } // namespace

@@ -35,7 +35,8 @@ void FindingsPresenter::show() {
   if (result)
     for (const plan::Finding& finding : result->job.report.findings)
       if (finding.whenS)
-        marks.push_back({*finding.whenS, finding.blocking, language::words(plan::reasonOf(finding))});
+        marks.push_back(
+            {*finding.whenS, finding.blocking, language::words(plan::reasonOf(finding))});
   timeline_.setMarks(std::move(marks));
 }
 

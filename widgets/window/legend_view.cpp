@@ -2,7 +2,6 @@
 
 #include "language/words.h"
 
-
 #include <QEvent>
 #include <QPainter>
 #include <QPainterPath>

@@ -2,7 +2,6 @@
 
 #include "language/words.h"
 
-
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
@@ -151,7 +150,8 @@ void ViewOptions::retranslate() {
   }
   const QSignalBlocker quiet(colourBy_);
   for (int i = 0; i < colourBy_->count(); ++i)
-    colourBy_->setItemText(i, language::words(scene::colourByTable()[static_cast<std::size_t>(i)].label));
+    colourBy_->setItemText(
+        i, language::words(scene::colourByTable()[static_cast<std::size_t>(i)].label));
   part_->setText(tr("Part's surface"));
   travels_->setText(tr("Travel moves"));
   beads_->setText(tr("Beads in their true width"));

@@ -124,7 +124,8 @@ MeshFile readMesh(std::string_view bytes, const std::string& name) {
                    : format == "ply" ? readPly(bytes, name)
                                      : read3mf(bytes, name);
   if (soup.facets.empty())
-    throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle"_text, name);
+    throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle"_text,
+                name);
   dropBadFacets(soup, name);
   if (soup.facets.empty())
     throw Error(ErrorCode::UnusableInput, "the mesh is empty: no facet has usable coordinates"_text,

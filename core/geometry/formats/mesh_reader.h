@@ -12,8 +12,8 @@
 namespace voluta::geometry {
 
 struct MeshFile {
-  TriangleMesh mesh;                // points of equal coordinates are one vertex
-  std::string format;               // "STL (binary)", "STL (text)", "OBJ", "PLY", "OFF", "3MF"
+  TriangleMesh mesh;                  // points of equal coordinates are one vertex
+  std::string format;                 // "STL (binary)", "STL (text)", "OBJ", "PLY", "OFF", "3MF"
   std::vector<base::Message> repairs; // what was left out while reading, a sentence each
 };
 

@@ -57,8 +57,9 @@ FacetSoup readObj(std::string_view bytes, const std::string& name) {
         // Negative indices count back from the vertex read last.
         const long long at = !index ? -1 : *index > 0 ? *index - 1 : count + *index;
         if (!index || *index == 0 || at < 0 || at >= count)
-          fail(name, scanner.line(),
-               base::message("'{corner}' names no vertex read so far"_text, words[i].substr(0, 40)));
+          fail(
+              name, scanner.line(),
+              base::message("'{corner}' names no vertex read so far"_text, words[i].substr(0, 40)));
         polygon.push_back(points[static_cast<std::size_t>(at)]);
       }
       addPolygon(polygon, soup.facets);
@@ -88,12 +89,14 @@ FacetSoup readOff(std::string_view bytes, const std::string& name) {
   std::vector<Vector3d> points, polygon;
   for (long long v = 0; v < *vertexCount; ++v) {
     if (!scanner.nextFilledLine(words))
-      fail(name, scanner.line(), base::message("cut short: {there} of {wanted} vertices"_text, v, *vertexCount));
+      fail(name, scanner.line(),
+           base::message("cut short: {there} of {wanted} vertices"_text, v, *vertexCount));
     points.push_back(pointOf(words, 0, name, scanner.line()));
   }
   for (long long f = 0; f < *faceCount; ++f) {
     if (!scanner.nextFilledLine(words))
-      fail(name, scanner.line(), base::message("cut short: {there} of {wanted} faces"_text, f, *faceCount));
+      fail(name, scanner.line(),
+           base::message("cut short: {there} of {wanted} faces"_text, f, *faceCount));
     const auto corners = integerOf(words[0]);
     if (!corners || *corners < 0 || static_cast<std::size_t>(*corners) >= words.size())
       fail(name, scanner.line(), "a face needs its number of corners, then the corners"_text);
@@ -101,7 +104,8 @@ FacetSoup readOff(std::string_view bytes, const std::string& name) {
     for (std::size_t i = 1; i <= static_cast<std::size_t>(*corners); ++i) {
       const auto at = integerOf(words[i]);
       if (!at || *at < 0 || *at >= *vertexCount)
-        fail(name, scanner.line(), base::message("'{corner}' names no vertex"_text, words[i].substr(0, 40)));
+        fail(name, scanner.line(),
+             base::message("'{corner}' names no vertex"_text, words[i].substr(0, 40)));
       polygon.push_back(points[static_cast<std::size_t>(*at)]);
     }
     if (polygon.size() >= 3)

@@ -89,7 +89,8 @@ public:
   }
 
   [[noreturn]] void fail(const base::Message& what) const {
-    throw Error(ErrorCode::UnreadableFile, what, base::message("{file}, byte {byte}"_text, name_, std::to_string(at_)));
+    throw Error(ErrorCode::UnreadableFile, what,
+                base::message("{file}, byte {byte}"_text, name_, std::to_string(at_)));
   }
 
 private:
@@ -104,7 +105,8 @@ private:
       fail("cut short"_text);
     const auto number = numberOf(bytes_.substr(begin, at_ - begin));
     if (!number)
-      fail(base::message("'{text}' is not a number"_text, bytes_.substr(begin, std::min<std::size_t>(at_ - begin, 40))));
+      fail(base::message("'{text}' is not a number"_text,
+                         bytes_.substr(begin, std::min<std::size_t>(at_ - begin, 40))));
     return *number;
   }
 
@@ -219,7 +221,9 @@ FacetSoup readPly(std::string_view bytes, const std::string& name) {
     for (const double at : corners) {
       if (!(at >= 0.0 && at < static_cast<double>(points.size())))
         throw Error(ErrorCode::UnreadableFile,
-                    base::message("a face names vertex {vertex} of {vertices}"_text, base::number(at), points.size()), name);
+                    base::message("a face names vertex {vertex} of {vertices}"_text,
+                                  base::number(at), points.size()),
+                    name);
       polygon.push_back(points[static_cast<std::size_t>(at)]);
     }
     if (polygon.size() >= 3)

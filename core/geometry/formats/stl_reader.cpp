@@ -134,12 +134,14 @@ FacetSoup readBinary(std::string_view bytes, const std::string& name) {
         base::message("{there} of the {promised} facets that the header promises are there"_text,
                       there, announced);
     if (missing > kMissingShare * static_cast<double>(announced))
-      throw Error(ErrorCode::UnreadableFile, base::message("cut short, or not a mesh: {what}"_text, what), name,
+      throw Error(ErrorCode::UnreadableFile,
+                  base::message("cut short, or not a mesh: {what}"_text, what), name,
                   "export or copy the file again"_text);
     soup.repairs.push_back(base::message("the file is cut short: {what}"_text, what));
   } else if (announced == 0 && there > 0 && bytes.size() == kHeader + kFacet * there) {
     count = there; // writers that stream leave the count at zero
-    soup.repairs.push_back(base::message("the header promises no facet, read {facets}"_text, there));
+    soup.repairs.push_back(
+        base::message("the header promises no facet, read {facets}"_text, there));
   }
   soup.facets.resize(count);
   for (std::size_t i = 0; i < count; ++i) {

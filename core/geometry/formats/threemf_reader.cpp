@@ -59,13 +59,15 @@ public:
   double number(std::string_view name) const {
     const std::optional<double> value = numberOf(text(name));
     if (!value)
-      throw Error(ErrorCode::UnreadableFile, base::message("'{attribute}' is no number"_text, name));
+      throw Error(ErrorCode::UnreadableFile,
+                  base::message("'{attribute}' is no number"_text, name));
     return *value;
   }
   long long integer(std::string_view name) const {
     const std::optional<long long> value = integerOf(text(name));
     if (!value)
-      throw Error(ErrorCode::UnreadableFile, base::message("'{attribute}' is no whole number"_text, name));
+      throw Error(ErrorCode::UnreadableFile,
+                  base::message("'{attribute}' is no whole number"_text, name));
     return *value;
   }
   // Twelve numbers, a column of the transform after the other; missing: the identity.
@@ -110,11 +112,12 @@ public:
     const XML_Status status =
         XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
     if (status != XML_STATUS_OK && self.wrong_.empty())
-      self.wrong_ = base::message("{why}"_text,
-                                  std::string(XML_ErrorString(XML_GetErrorCode(parser.get()))));
+      self.wrong_ =
+          base::message("{why}"_text, std::string(XML_ErrorString(XML_GetErrorCode(parser.get()))));
     if (!self.wrong_.empty())
-      throw Error(ErrorCode::UnreadableFile, self.wrong_,
-                  base::lineOf(where, static_cast<long long>(XML_GetCurrentLineNumber(parser.get()))));
+      throw Error(
+          ErrorCode::UnreadableFile, self.wrong_,
+          base::lineOf(where, static_cast<long long>(XML_GetCurrentLineNumber(parser.get()))));
     return std::move(self.model_);
   }
 
@@ -226,8 +229,8 @@ public:
     const Model& of = model(where);
     const auto object = of.objects.find(use.id);
     if (object == of.objects.end())
-      throw Error(ErrorCode::UnreadableFile, base::message("object '{id}' is not there"_text, use.id),
-                  name_ + ", " + where);
+      throw Error(ErrorCode::UnreadableFile,
+                  base::message("object '{id}' is not there"_text, use.id), name_ + ", " + where);
     const Object& o = object->second;
     if (depth > kDeepest || ++uses_ > kMostUses || o.triangles.size() > kMostFacets - facets.size())
       throw Error(ErrorCode::UnreadableFile,

@@ -89,7 +89,8 @@ ZipPackage::ZipPackage(std::string_view bytes, const std::string& name)
 
 std::string ZipPackage::member(const std::string& member) const {
   const auto unreadable = [&](const base::Message& what) {
-    return base::Error(base::ErrorCode::UnreadableFile, base::message("'{member}' in it {what}"_text, member, what), name_);
+    return base::Error(base::ErrorCode::UnreadableFile,
+                       base::message("'{member}' in it {what}"_text, member, what), name_);
   };
   const auto found = members_.find(member);
   if (found == members_.end())

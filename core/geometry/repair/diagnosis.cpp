@@ -92,21 +92,21 @@ std::vector<base::Message> Diagnosis::sentences() const {
         boundaryEdges.count, boundaryLoops,
         base::Point{boundaryEdges.at.x(), boundaryEdges.at.y(), boundaryEdges.at.z()}));
   describe(nonManifoldEdges, "{count} edge with more than two triangles, at {first:.2f}|"
-                         "{count} edges with more than two triangles, the first at "
-                         "{first:.2f}"_plural);
+                             "{count} edges with more than two triangles, the first at "
+                             "{first:.2f}"_plural);
   describe(misorientedEdges, "{count} edge whose triangles face opposite ways, at {first:.2f}|"
-                         "{count} edges whose triangles face opposite ways, the first at "
-                         "{first:.2f}"_plural);
+                             "{count} edges whose triangles face opposite ways, the first at "
+                             "{first:.2f}"_plural);
   describe(duplicateFaces, "{count} duplicate triangle, at {first:.2f}|"
-                       "{count} duplicate triangles, the first at {first:.2f}"_plural);
+                           "{count} duplicate triangles, the first at {first:.2f}"_plural);
   describe(degenerateFaces, "{count} triangle without area, at {first:.2f}|"
-                        "{count} triangles without area, the first at {first:.2f}"_plural);
+                            "{count} triangles without area, the first at {first:.2f}"_plural);
   describe(selfIntersections, "{count} pair of triangles that cut each other, at {first:.2f}|"
-                          "{count} pairs of triangles that cut each other, the first at "
-                          "{first:.2f}"_plural);
+                              "{count} pairs of triangles that cut each other, the first at "
+                              "{first:.2f}"_plural);
   describe(insideOutComponents, "{count} component that is inside out, at {first:.2f}|"
-                            "{count} components that are inside out, the first at "
-                            "{first:.2f}"_plural);
+                                "{count} components that are inside out, the first at "
+                                "{first:.2f}"_plural);
   return out;
 }
 

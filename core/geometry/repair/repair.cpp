@@ -56,8 +56,7 @@ private:
     note(collapsed, "dropped {count} triangle without area|"
                     "dropped {count} triangles without area"_plural);
     const std::size_t doubled = dropDuplicateFaces(mesh_);
-    note(doubled,
-         "dropped {count} duplicate triangle|dropped {count} duplicate triangles"_plural);
+    note(doubled, "dropped {count} duplicate triangle|dropped {count} duplicate triangles"_plural);
     if (open) {
       const std::size_t split = splitTJunctions(mesh_, 1e-5 * found_.boundsMm.diagonal().norm());
       note(split, "split edges at {count} T-junction|split edges at {count} T-junctions"_plural);
@@ -126,7 +125,7 @@ private:
     if (after.watertight && sameVolume && after.selfIntersections.count < pairs.size()) {
       mesh_ = std::move(trial);
       notes_.push_back(base::message("cut out {removed} of {all} self-intersections"_text,
-                                    pairs.size() - after.selfIntersections.count, pairs.size()));
+                                     pairs.size() - after.selfIntersections.count, pairs.size()));
       ctx_.checkpoint();
     }
   }

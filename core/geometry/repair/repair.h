@@ -14,8 +14,8 @@ struct RepairResult {
   TriangleMesh mesh;
   std::vector<base::Message> repairs; // what was done, a sentence each; empty when nothing was
   std::vector<base::Message> remains; // what could not be mended, a sentence each
-  Diagnosis diagnosis;              // of `mesh`
-  Diagnosis found;                  // of the mesh as it came
+  Diagnosis diagnosis;                // of `mesh`
+  Diagnosis found;                    // of the mesh as it came
 };
 
 // In this order, each only where the diagnosis asks for it: near-duplicate points merged (up to

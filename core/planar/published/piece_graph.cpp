@@ -37,7 +37,8 @@ int rootOf(const geometry::MeshQuery& query, const SurfaceRegions& regions,
   if (!(contact[static_cast<std::size_t>(region)] > 0.0))
     throw base::Error(
         base::ErrorCode::UnusableInput,
-        base::message("the root at {x:.1f}, {y:.1f}, {z:.1f} mm does not stand on the plate"_text, base::number(root->x()), base::number(root->y()), base::number(root->z())),
+        base::message("the root at {x:.1f}, {y:.1f}, {z:.1f} mm does not stand on the plate"_text,
+                      base::number(root->x()), base::number(root->y()), base::number(root->z())),
         "pieceRoot"_name,
         "pick a place on what stands on the plate, or lay the part on the face to begin with"_text);
   return region;

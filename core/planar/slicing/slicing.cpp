@@ -150,9 +150,8 @@ void finishStack(SliceResult& result, const std::vector<Patch>& slivers,
   const layers::InAir inAir = layers::patchesInAir(absorbedIslands.support, islands);
   result.unsupportedPatches = inAir.patches;
   if (inAir.patches > 0)
-    result.findings.push_back(plan::makeFinding(plan::FindingKind::BeginsInAir,
-                                                {{"pieces", inAir.patches}}, inAir.firstAt,
-                                                inAir.patches));
+    result.findings.push_back(plan::makeFinding(
+        plan::FindingKind::BeginsInAir, {{"pieces", inAir.patches}}, inAir.firstAt, inAir.patches));
 }
 
 SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
@@ -177,7 +176,8 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   constexpr std::size_t kSpan = 16;
   const base::RunContext silent = ctx.quiet();
   for (std::size_t from = 0; from < levels.size(); from += kSpan) {
-    ctx.report(0.7 * static_cast<double>(from) / static_cast<double>(levels.size()), "slicing"_text);
+    ctx.report(0.7 * static_cast<double>(from) / static_cast<double>(levels.size()),
+               "slicing"_text);
     base::parallelChunks(
         ctx, std::min(kSpan, levels.size() - from), 1, [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = from + begin; i < from + end; ++i) {

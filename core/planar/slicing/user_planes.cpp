@@ -111,8 +111,7 @@ std::vector<UserPlane> readUserPlanes(const std::string& text, const std::string
     unusable("the planes are not a JSON list"_text, where);
   std::vector<UserPlane> out;
   for (const Json& entry : list) {
-    const base::Value place =
-        base::message("{where}, entry {number}"_text, where, out.size() + 1);
+    const base::Value place = base::message("{where}, entry {number}"_text, where, out.size() + 1);
     if (entry.is_object() && entry.contains("corners")) {
       out.push_back(quadrilateral(entry["corners"], place));
     } else if (entry.is_object() && entry.contains("point") && entry.contains("normal")) {

@@ -246,8 +246,7 @@ void ExportPage::write(const Order& order) {
                      text += tr("; refused and not written: %1").arg(refused.join(", "));
                    work().shell.say(text);
                  } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
-                   work().shell.tell(tr("Nothing is exported"),
-                                     language::words(error->whole()));
+                   work().shell.tell(tr("Nothing is exported"), language::words(error->whole()));
                  }
                },
                1);

@@ -240,8 +240,7 @@ bool LayersPage::goTo(const plan::Finding& finding) {
 // Flies to a group of missed voxels, the others made see-through; false: the finding is no such.
 bool LayersPage::lookAtMissed(const plan::Finding& finding) {
   const VoxelPresenter& presented = work().presenter.voxels();
-  if (plan::stageOf(finding) != Stage::Decompose || !finding.where ||
-      presented.missed() == 0)
+  if (plan::stageOf(finding) != Stage::Decompose || !finding.where || presented.missed() == 0)
     return false;
   choose(LayerSubject::Voxels);
   work().timeline.setStep(work().timeline.stepCount());

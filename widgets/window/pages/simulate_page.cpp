@@ -70,10 +70,7 @@ int SimulatePage::interest(const plan::Finding& finding) const {
     return 0;
   if (finding.whenS)
     return 3;
-  return plan::stageOf(finding) == Stage::Motion ||
-                 plan::stageOf(finding) == Stage::Replay
-             ? 2
-             : 0;
+  return plan::stageOf(finding) == Stage::Motion || plan::stageOf(finding) == Stage::Replay ? 2 : 0;
 }
 
 bool SimulatePage::goTo(const plan::Finding& finding) {
