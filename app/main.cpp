@@ -10,24 +10,60 @@
 #include <QCommandLineParser>
 #include <QSettings>
 #include <QTimer>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
-int main(int argc, char** argv) {
-  using namespace voluta;
-  // The surface format has to stand before the application does.
-  viewer::VtkView::setDefaultFormat();
-  QApplication app(argc, argv);
-  QApplication::setApplicationName("voluta");
-  QApplication::setOrganizationName("voluta");
-  QApplication::setApplicationVersion(project::kVersion);
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  if (const QString state = qEnvironmentVariable("VOLUTA_STATE_DIR"); !state.isEmpty())
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, state);
+namespace {
+using namespace voluta;
 
-  QCommandLineParser parser;
+void describe(QCommandLineParser& parser) {
+  QCoreApplication::setApplicationName("voluta");
+  QCoreApplication::setOrganizationName("voluta");
+  QCoreApplication::setApplicationVersion(project::kVersion);
   parser.setApplicationDescription("Plans prints with a robot arm.");
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("file", "mesh, project (.voluta) or sample:NAME", "[file]");
+}
+
+bool asksForWords(int argc, char** argv) {
+  constexpr std::string_view kWords[] = {"-h", "--help", "--help-all", "-v", "--version"};
+  return std::any_of(argv + 1, argv + argc, [&](const char* argument) {
+    return std::find(std::begin(kWords), std::end(kWords), argument) != std::end(kWords);
+  });
+}
+
+// Qt ends a program without a display by abort(), which leaves a core file.
+void leaveWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type != QtFatalMsg) {
+    std::fprintf(stderr, "%s\n", qPrintable(message));
+    return;
+  }
+  std::fputs(
+      "voluta: no display can be opened. voluta-cli plans, verifies and draws without one.\n",
+      stderr);
+  std::_Exit(1);
+}
+} // namespace
+
+int main(int argc, char** argv) {
+  QCommandLineParser parser;
+  describe(parser);
+  if (asksForWords(argc, argv)) {
+    const QCoreApplication words(argc, argv);
+    parser.process(words); // prints and leaves
+    return 0;
+  }
+  // The surface format has to stand before the application does.
+  viewer::VtkView::setDefaultFormat();
+  const QtMessageHandler usual = qInstallMessageHandler(leaveWithoutDisplay);
+  QApplication app(argc, argv);
+  qInstallMessageHandler(usual);
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  if (const QString state = qEnvironmentVariable("VOLUTA_STATE_DIR"); !state.isEmpty())
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, state);
   parser.process(app);
 
   const window::Appearance appearance =

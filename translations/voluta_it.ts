@@ -4039,6 +4039,14 @@ mm³</translation>
         <source>On a given surface</source>
         <translation>Su una superficie data</translation>
     </message>
+    <message>
+        <source>repair the mesh, or use curved mode, which takes any mesh</source>
+        <translation>ripara la mesh, o usa la modalità curva, che accetta qualsiasi mesh</translation>
+    </message>
+    <message>
+        <source>the section of the mesh by a plane crosses itself</source>
+        <translation>la sezione della mesh con un piano interseca se stessa</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -4455,6 +4463,10 @@ Fai clic per sceglierne un altro</translation>
         <source>at %1, %2, %3 mm</source>
         <translation>a %1, %2, %3 mm</translation>
     </message>
+    <message>
+        <source>before the change</source>
+        <translation>prima della modifica</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::FindingsPanel</name>
@@ -4502,6 +4514,14 @@ Fai clic per sceglierne un altro</translation>
         <source>Take the camera, the sliders and the robot there</source>
         <translation>Porta lì la vista, i cursori e il robot</translation>
     </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>Non verificato: %1.</translation>
+    </message>
+    <message>
+        <source>No problems found so far.</source>
+        <translation>Finora nessun problema.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::FormatList</name>
@@ -4524,6 +4544,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Refused by the replay: %1</source>
         <translation>Respinto dalla verifica: %1</translation>
+    </message>
+    <message>
+        <source>Not replayed since the change</source>
+        <translation>Non verificato dopo la modifica</translation>
     </message>
 </context>
 <context>
@@ -4898,6 +4922,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Not kept</source>
         <translation>Non rispettato</translation>
+    </message>
+    <message>
+        <source>Not checked since the change</source>
+        <translation>Non verificato dopo la modifica</translation>
     </message>
 </context>
 <context>
@@ -5277,6 +5305,22 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>Nothing is exported</source>
         <translation>Niente è stato esportato</translation>
     </message>
+    <message>
+        <source>The replay refused all programs: %1.</source>
+        <translation>La verifica ha rifiutato tutti i programmi: %1.</translation>
+    </message>
+    <message>
+        <source>Replace files?</source>
+        <translation>Sostituire i file?</translation>
+    </message>
+    <message>
+        <source>Files are in %1 already.</source>
+        <translation>In %1 ci sono già dei file.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Sostituisci</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::FlowBar</name>
@@ -5352,6 +5396,25 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::PageStack</name>
+    <message>
+        <source>Preview</source>
+        <translation>Anteprima</translation>
+    </message>
+    <message>
+        <source>Layers, paths and programs do not follow yet: press Plan.</source>
+        <translation>Strati, percorsi e programmi non sono ancora aggiornati: premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Non aggiornato</translation>
+    </message>
+    <message>
+        <source>Made before the settings were changed: press Plan.</source>
+        <translation>Fatto prima che le impostazioni cambiassero: premi Pianifica.</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::PartHandles</name>
     <message>
         <source>drop to plate</source>
@@ -5421,10 +5484,6 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Part</source>
         <translation>Pezzo</translation>
-    </message>
-    <message>
-        <source>Not a value for this parameter</source>
-        <translation>Valore non valido per questo parametro</translation>
     </message>
 </context>
 <context>
@@ -5513,10 +5572,6 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>%1 voxel, %2 mancati</translation>
     </message>
     <message>
-        <source>%1 pieces, %2 mm² need support</source>
-        <translation>%1 pezzi, %2 mm² da supportare</translation>
-    </message>
-    <message>
         <source>%1 layers</source>
         <translation>%1 strati</translation>
     </message>
@@ -5561,14 +5616,6 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Premi Pianifica per strati e percorsi.</translation>
     </message>
     <message>
-        <source>Cancelled. The last results stay on show.</source>
-        <translation>Interrotto. Gli ultimi risultati restano in vista.</translation>
-    </message>
-    <message>
-        <source>The run has stopped</source>
-        <translation>Calcolo interrotto</translation>
-    </message>
-    <message>
         <source>Compared. Select a row to adopt it.</source>
         <translation>Confronto fatto. Seleziona una riga per adottarla.</translation>
     </message>
@@ -5587,6 +5634,38 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Out of date: %1</source>
         <translation>Non aggiornato: %1</translation>
+    </message>
+    <message>
+        <source>1 piece</source>
+        <translation>1 pezzo</translation>
+    </message>
+    <message>
+        <source>%1 pieces</source>
+        <translation>%1 pezzi</translation>
+    </message>
+    <message>
+        <source>%1 mm² need support</source>
+        <translation>%1 mm² da supportare</translation>
+    </message>
+    <message>
+        <source>1 layer</source>
+        <translation>1 strato</translation>
+    </message>
+    <message>
+        <source>Cancelled. What was there before stays on show.</source>
+        <translation>Annullato. Resta in vista ciò che c&apos;era prima.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Press Plan to begin anew.</source>
+        <translation>Annullato. Premi Pianifica per ricominciare.</translation>
+    </message>
+    <message>
+        <source>The run has stopped: see the findings.</source>
+        <translation>L&apos;elaborazione si è fermata: vedi le segnalazioni.</translation>
+    </message>
+    <message>
+        <source>Nothing can be planned like this: see the mark in the settings.</source>
+        <translation>Così non si può pianificare nulla: vedi il segno nelle impostazioni.</translation>
     </message>
 </context>
 <context>

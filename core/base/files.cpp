@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -115,16 +116,35 @@ void StagedFolder::commit() {
   std::vector<fs::path> entries;
   for (const fs::directory_entry& entry : fs::directory_iterator(staging_))
     entries.push_back(entry.path());
+  std::sort(entries.begin(), entries.end());
   fs::create_directories(target_, status);
   if (status)
     throw cannotWrite(target_, status.message());
+  // What is replaced waits out of sight until all is in its place; discard() then takes it.
+  std::string pattern = (staging_ / ".XXXXXX").string();
+  if (!::mkdtemp(pattern.data()))
+    throw cannotWrite(target_, systemReason(errno));
+  const fs::path replaced = pattern;
+  std::vector<fs::path> moved; // the latest last
+  const auto giveUp = [&](const fs::path& place, const std::string& why) {
+    std::error_code ignored;
+    for (auto name = moved.rbegin(); name != moved.rend(); ++name) {
+      fs::rename(target_ / *name, staging_ / *name, ignored);
+      fs::rename(replaced / *name, target_ / *name, ignored);
+    }
+    throw cannotWrite(place, why);
+  };
   for (const fs::path& entry : entries) {
-    const fs::path place = target_ / entry.filename();
-    if (fs::is_directory(place, status))
-      fs::remove_all(place, status);
+    const fs::path name = entry.filename(), place = target_ / name;
+    if (fs::exists(fs::symlink_status(place, status))) {
+      fs::rename(place, replaced / name, status);
+      if (status)
+        giveUp(place, status.message());
+    }
+    moved.push_back(name);
     fs::rename(entry, place, status);
     if (status)
-      throw cannotWrite(place, status.message());
+      giveUp(place, status.message());
   }
 }
 

@@ -27,7 +27,7 @@ public:
   StagedFolder& operator=(const StagedFolder&) = delete;
 
   const std::filesystem::path& path() const { return staging_; }
-  // Throws Error{CannotWrite}.
+  // Throws Error{CannotWrite}; then `target` is as it was.
   void commit();
   // What the destructor does, for a process that must leave at once. Does not throw.
   void discard() noexcept;

@@ -111,8 +111,15 @@ std::shared_ptr<const LayersStage> curvedLayersOf(const DecomposeStage& decompos
 } // namespace
 
 Mode curvedMode() {
-  return {"curved",        "Curved layers"_text, curvedDecomposeKey,
-          curvedLayersKey, decomposeCurved,      curvedLayersOf};
+  Mode mode{"curved",        "Curved layers"_text, curvedDecomposeKey,
+            curvedLayersKey, decomposeCurved,      curvedLayersOf};
+  mode.grows = true;
+  for (const base::ParameterTable& table :
+       {curved::curvedParameters(), curved::forwardParameters(), support::supportParameters()})
+    for (const base::ParameterSpec& spec : table.specs())
+      mode.parameters.push_back(spec.key);
+  mode.parameters.emplace_back("overhangAngle"); // where the part is turned by it
+  return mode;
 }
 
 } // namespace voluta::modes

@@ -194,6 +194,8 @@ Mode latheMode() {
   mode.fittingScale = fittingScale;
   mode.platform = platformOf;
   mode.defaults = {{"infill", "woven"}};
+  mode.parameters = {"rodAxis",   "rodSides",     "rodProfile",
+                     "rodLayers", "firstLayerMm", "overhangAngle"};
   return mode;
 }
 

@@ -80,6 +80,9 @@ struct Mode {
   platform::PlatformSolid (*platform)(const LoadStage& placed, const ModeChoices&) = nullptr;
   // Parameters whose default is another one in this mode, as text.
   std::vector<std::pair<std::string_view, std::string_view>> defaults = {};
+  // Of modeParameters() those that have a say in it; takesParameter() knows the others.
+  std::vector<std::string> parameters = {};
+  bool grows = false; // by one of the growth schemes
 };
 
 // What modes share: heights and a head as text for keys, statistics as the report has them.

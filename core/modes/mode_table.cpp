@@ -9,6 +9,8 @@
 #include "modes/substrate_mode.h"
 #include "support/supports.h"
 
+#include <algorithm>
+
 namespace voluta::modes {
 
 const std::vector<Mode>& modeTable() {
@@ -32,6 +34,15 @@ base::ParameterTable modeParameters() {
   table.append(substrateParameters());
   table.append(support::supportParameters());
   return table;
+}
+
+bool takesParameter(const Mode& mode, std::string_view key) {
+  if (key == "voxelMm") // also the unit of parts that are voxels
+    return true;
+  if (key == "orient") // a mode that lays parts itself does not turn them
+    return !mode.place;
+  return !modeParameters().find(key) ||
+         std::find(mode.parameters.begin(), mode.parameters.end(), key) != mode.parameters.end();
 }
 
 } // namespace voluta::modes

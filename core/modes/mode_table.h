@@ -15,5 +15,7 @@ const Mode& findMode(std::string_view id);
 
 // What all modes ask for.
 base::ParameterTable modeParameters();
+// Has a parameter, of a mode or of any stage, a say in what that mode makes?
+bool takesParameter(const Mode& mode, std::string_view key);
 
 } // namespace voluta::modes

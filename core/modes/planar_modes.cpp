@@ -232,16 +232,23 @@ std::shared_ptr<const LayersStage> flatLayers(const DecomposeStage& decomposed,
 } // namespace
 
 Mode planarMode() {
-  return {"planar", "Planar pieces"_text, planarKey, sliceKey, decomposePlanar, planarLayers};
+  Mode mode{"planar", "Planar pieces"_text, planarKey, sliceKey, decomposePlanar, planarLayers};
+  mode.parameters = {"overhangAngle",  "pieceMaterials", "cutPlanes",
+                     "planarScheme",   "pieceClusters",  "pieceRoot",
+                     "adaptiveLayers", "cuspMm",         "supports"};
+  return mode;
 }
 
 Mode flatMode() {
-  return {"flat", "Flat layers"_text, flatKey, flatLayersKey, decomposeFlat, flatLayers};
+  Mode mode{"flat", "Flat layers"_text, flatKey, flatLayersKey, decomposeFlat, flatLayers};
+  mode.parameters = {"overhangAngle", "pieceMaterials", "adaptiveLayers",
+                     "cuspMm",        "supports",       "layerPlanes"};
+  return mode;
 }
 
 base::ParameterTable planarModeParameters() {
   base::ParameterTable table({
-      base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Pieces"_text,
+      base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Layers"_text,
                             "overhang angle"_text,
                             "How far a face may lean over from the upright without support, in "
                             "every mode but curved."_text,

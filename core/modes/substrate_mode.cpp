@@ -204,6 +204,7 @@ Mode substrateMode() {
   mode.place = placeOnSurface;
   mode.placeKey = placeKey;
   mode.platform = platformOf;
+  mode.parameters = {"layerShape", "layerCentre", "endSurface", "firstLayerMm", "overhangAngle"};
   return mode;
 }
 

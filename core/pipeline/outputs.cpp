@@ -10,9 +10,13 @@
 #include "planar/given_cuts.h"
 #include "toolpath/vtp_writer.h"
 
+#include <algorithm>
+
 namespace voluta::pipeline {
 
 namespace {
+constexpr const char* kReportName = "report.json";
+
 void writePieces(const std::vector<planar::Piece>& pieces, const std::filesystem::path& folder,
                  const base::RunContext& ctx) {
   std::error_code failed; // writing into it says so
@@ -48,26 +52,63 @@ std::string writtenName(const CheckedProgram& program, const plan::ProgramFile& 
   return (program.passed ? "" : "refused-") + file.name;
 }
 
+namespace {
+void writeProgram(const CheckedProgram& checked, const std::filesystem::path& folder,
+                  const base::RunContext& ctx) {
+  for (const plan::ProgramFile& file : checked.program.files) {
+    ctx.checkpoint();
+    base::writeFile(folder / writtenName(checked, file), file.text);
+  }
+}
+} // namespace
+
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx) {
   base::Stopwatch writing;
   ctx.report(0.0, "write files"_text);
   project::writeJob(folder / "job.voluta", result.job);
-  for (const auto& checked : result.checked) {
-    if (!checked->passed && !result.keepRefused)
-      continue;
-    for (const plan::ProgramFile& file : checked->program.files) {
-      ctx.checkpoint();
-      base::writeFile(folder / writtenName(*checked, file), file.text);
-    }
-  }
+  for (const auto& checked : result.checked)
+    if (checked->passed || result.keepRefused)
+      writeProgram(*checked, folder, ctx);
   if (result.debug)
     writeDebug(result, folder, ctx);
   ctx.checkpoint();
   result.job.report.timings.write += writing.seconds();
   result.job.report.timings.total += writing.seconds();
   result.job.report.peakRssMb = base::peakResidentMb();
-  base::writeFile(folder / "report.json", project::reportJson(result.job.report));
+  base::writeFile(folder / kReportName, project::reportJson(result.job.report));
+}
+
+Programs chosenPrograms(const PlanResult& result, const std::vector<std::string>& formats,
+                        bool refusedToo) {
+  Programs chosen;
+  for (const auto& checked : result.checked)
+    if (std::find(formats.begin(), formats.end(), checked->program.format) != formats.end() &&
+        (checked->passed || refusedToo))
+      chosen.push_back(checked);
+  return chosen;
+}
+
+std::vector<std::string> handoverNames(const Programs& programs) {
+  std::vector<std::string> names;
+  for (const auto& checked : programs)
+    for (const plan::ProgramFile& file : checked->program.files)
+      names.push_back(writtenName(*checked, file));
+  names.emplace_back(kReportName);
+  return names;
+}
+
+void writeHandover(const project::Report& report, const Programs& programs,
+                   const std::filesystem::path& folder, const base::RunContext& ctx) {
+  for (const auto& checked : programs)
+    writeProgram(*checked, folder, ctx);
+  project::Report written = report;
+  std::erase_if(written.programs, [&](const project::ProgramReport& row) {
+    return std::none_of(programs.begin(), programs.end(),
+                        [&](const auto& checked) { return checked->program.format == row.format; });
+  });
+  written.peakRssMb = base::peakResidentMb();
+  base::writeFile(folder / kReportName, project::reportJson(written));
 }
 
 } // namespace voluta::pipeline

@@ -5,7 +5,9 @@
 #include "pipeline/road.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace voluta::pipeline {
 
@@ -17,5 +19,16 @@ std::string writtenName(const CheckedProgram& program, const plan::ProgramFile& 
 // the report's timings.write and peakRssMb. Throws Error{CannotWrite}.
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx);
+
+// Of a plan's programs those in these formats, refused ones only where `refusedToo`.
+using Programs = std::vector<std::shared_ptr<const CheckedProgram>>;
+Programs chosenPrograms(const PlanResult& result, const std::vector<std::string>& formats,
+                        bool refusedToo);
+// What writeHandover leaves in its folder.
+std::vector<std::string> handoverNames(const Programs& programs);
+// What goes to the robot: the programs, and report.json, which names no others. Throws
+// Error{CannotWrite}.
+void writeHandover(const project::Report& report, const Programs& programs,
+                   const std::filesystem::path& folder, const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -5,6 +5,9 @@
 
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 using namespace voluta::base;
@@ -86,6 +89,43 @@ TEST_F(Files, StagedFolderKeepsStrangersAndReplacesItsOwn) {
   staged.commit();
   EXPECT_EQ(readFile(target / "a"), "new");
   EXPECT_EQ(readFile(target / "notes"), "mine");
+}
+
+// In a folder with the sticky bit a file of another user cannot be replaced: "m" is such a one, and
+// its turn comes between the others.
+TEST_F(Files, ACommitThatFailsLeavesTheTargetAsItWas) {
+  constexpr uid_t kNobody = 65534;
+  if (::geteuid() != 0)
+    GTEST_SKIP() << "only root can be two users";
+  const fs::path target = folder_ / "out";
+  fs::create_directory(target);
+  for (const char* name : {"a", "m", "z"})
+    writeFile(target / name, "old");
+  for (const fs::path& file : {target / "a", target / "z"})
+    ASSERT_EQ(::chown(file.c_str(), kNobody, kNobody), 0);
+  ASSERT_EQ(::chmod(folder_.path().c_str(), 0777), 0);
+  ASSERT_EQ(::chmod(target.c_str(), 01777), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::setuid(kNobody) != 0)
+      ::_exit(1);
+    try {
+      StagedFolder staged(target);
+      for (const char* name : {"a", "b", "m", "z"})
+        writeFile(staged.path() / name, "new");
+      staged.commit();
+    } catch (const Error& error) {
+      ::_exit(error.code() == ErrorCode::CannotWrite ? 7 : 2);
+    }
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  for (const char* name : {"a", "m", "z"})
+    EXPECT_EQ(readFile(target / name), "old") << name;
+  EXPECT_EQ(entries(target), 3u);
+  EXPECT_EQ(entries(folder_.path()), 1u) << "staged files stay behind";
 }
 
 TEST_F(Files, StagedFolderRefusesAFile) {

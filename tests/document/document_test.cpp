@@ -145,6 +145,23 @@ TEST(Document, EditsDuringASaveStayUnsaved) {
   EXPECT_EQ(document.projectFile(), "/tmp/a.voluta");
 }
 
+TEST(Document, APartOpenedInASavedProjectBeginsAProjectOfItsOwn) {
+  Document document;
+  document.openPart(test::boxPart(), {}, true);
+  document.setParameter("voxelMm", "1.5");
+  document.setScale("0.5");
+  document.saved("/tmp/a.voluta", document.revision());
+  QSignalSpy edited(&document, &Document::edited);
+  document.openPart(test::boxPart(5.0, "other.stl"), "/tmp/other.stl", true);
+  EXPECT_TRUE(document.projectFile().isEmpty()) << "a save would overwrite it";
+  EXPECT_EQ(document.name(), "other");
+  EXPECT_TRUE(document.dirty());
+  EXPECT_FALSE(document.undoStack()->canUndo());
+  EXPECT_EQ(document.choices().parameters.at("voxelMm"), "1.5");
+  EXPECT_EQ(document.choices().scale, "1");
+  EXPECT_EQ(edited.size(), 1) << "the part is to be laid";
+}
+
 TEST(Document, TheRepairedPartReachesEveryEdit) {
   Document document;
   const auto asRead = test::boxPart(), repaired = test::boxPart();

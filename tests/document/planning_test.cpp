@@ -96,6 +96,38 @@ TEST_F(PlanningTest, ACancelFreesTheWindowAndLeavesTheLastResult) {
   EXPECT_EQ(state(Stage::Decompose), StageState::Done);
 }
 
+TEST_F(PlanningTest, ACancelHalfWayBringsBackWhatWasOnShow) {
+  open();
+  plan(Stage::Toolpath);
+  const auto voxels = document_.result(Stage::Decompose), paths = document_.result(Stage::Toolpath);
+  document_.setParameter("voxelMm", "1.2");
+  QObject::connect(&planning_, &Planning::stageDone, &document_, [&](Stage stage) {
+    if (stage == Stage::Decompose)
+      planning_.cancel();
+  });
+  QSignalSpy cancelled(&planning_, &Planning::cancelled);
+  planning_.plan(Stage::Replay);
+  ASSERT_TRUE(cancelled.wait(60000));
+  EXPECT_EQ(document_.result(Stage::Decompose)->job.decomposition, voxels->job.decomposition);
+  EXPECT_EQ(document_.result(Stage::Toolpath), paths);
+  EXPECT_EQ(state(Stage::Decompose), StageState::OutOfDate);
+  EXPECT_EQ(state(Stage::Toolpath), StageState::OutOfDate);
+  EXPECT_FALSE(document_.voxelsAhead());
+}
+
+TEST_F(PlanningTest, ACancelKeepsWhatTheFirstRunHasBrought) {
+  open();
+  QObject::connect(&planning_, &Planning::stageDone, &document_, [&](Stage stage) {
+    if (stage == Stage::Layers)
+      planning_.cancel();
+  });
+  QSignalSpy cancelled(&planning_, &Planning::cancelled);
+  planning_.plan(Stage::Replay);
+  ASSERT_TRUE(cancelled.wait(60000));
+  EXPECT_EQ(state(Stage::Layers), StageState::Done);
+  EXPECT_EQ(state(Stage::Toolpath), StageState::Nothing);
+}
+
 TEST_F(PlanningTest, AChangeWhileRunningStartsOverWhereWanted) {
   open();
   planning_.setStartsOver(true);

@@ -4,6 +4,7 @@
 #include "document/parts.h"
 #include "document/planning.h"
 #include "document/recent_files.h"
+#include "document/recovery.h"
 
 #include <QDir>
 #include <QFile>
@@ -68,6 +69,37 @@ TEST_F(SavingTest, AProjectComesBackWithItsResults) {
   planning.plan(Stage::Toolpath);
   ASSERT_TRUE(finished.wait(60000));
   EXPECT_EQ(again.result(Stage::Layers)->job.layers, layers);
+}
+
+TEST_F(SavingTest, AReopenedProjectHasNoProgramsToHandOver) {
+  plan(Stage::Replay);
+  EXPECT_NE(document_.state(Stage::Replay), StageState::Nothing);
+  const bool blocked = document_.state(Stage::Replay) == StageState::Blocked;
+  Document again;
+  Planning planning(again);
+  Opening opening(again, planning);
+  QSignalSpy opened(&opening, &Opening::opened);
+  opening.open(saveAs(folder_.filePath("whole")));
+  ASSERT_TRUE(opened.wait(10000));
+  EXPECT_TRUE(again.upToDate(Stage::Replay)) << "its verdict is there";
+  EXPECT_EQ(again.state(Stage::Replay), blocked ? StageState::Blocked : StageState::Nothing);
+  EXPECT_EQ(again.state(Stage::Motion), document_.state(Stage::Motion));
+}
+
+TEST_F(SavingTest, ARecoveredProjectIsToldByTheNameThatItsUserKnows) {
+  const QString copy = saveAs(folder_.filePath("0a1b2c3d.voluta"));
+  Document again;
+  Planning planning(again);
+  Opening opening(again, planning);
+  QSignalSpy started(&opening, &Opening::started), opened(&opening, &Opening::opened);
+  opening.openRecovered({copy, "vase", {}, {}});
+  ASSERT_TRUE(opened.wait(10000));
+  EXPECT_EQ(started[0][0].toString(), "vase");
+  EXPECT_TRUE(opened[0][0].toString().isEmpty()) << "no file of its own";
+  opening.openRecovered({copy, "vase", "/home/vase.voluta", {}});
+  ASSERT_TRUE(opened.wait(10000));
+  EXPECT_EQ(opened[1][0].toString(), "/home/vase.voluta");
+  EXPECT_EQ(again.projectFile(), "/home/vase.voluta");
 }
 
 TEST_F(SavingTest, ResultsThatAreOutOfDateAreLeftOut) {
@@ -149,6 +181,15 @@ TEST_F(SavingTest, WithoutAPartThereIsNothingToSave) {
   QSignalSpy failed(&saving, &Saving::failed);
   saving.saveAs(folder_.filePath("empty"));
   EXPECT_EQ(failed.size(), 1);
+}
+
+TEST(RecentFiles, CopiesForRecoveryAreNone) {
+  RecentFiles recent;
+  recent.clear();
+  recent.add("/no/part.stl");
+  recent.add(recoveryFolder() + "/5f0c.voluta");
+  recent.add({});
+  EXPECT_EQ(recent.files(), QStringList{"/no/part.stl"});
 }
 
 TEST(RecentFiles, KeepsTheLastTenAndDropsDeadOnes) {

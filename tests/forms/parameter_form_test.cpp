@@ -157,6 +157,20 @@ TEST_F(ParameterFormTest, SimpleShowsSimpleAndChangedOnes) {
   EXPECT_TRUE(row("debug")->isVisible());
 }
 
+TEST_F(ParameterFormTest, WhatHasNoSayIsNotShown) {
+  form.setValues({{"walls", "5"}});
+  form.setApplying({"height", "debug"});
+  EXPECT_TRUE(row("height")->isVisible());
+  EXPECT_FALSE(row("walls")->isVisible()) << "changed, but for nothing";
+  form.setShowAll(true);
+  EXPECT_TRUE(row("debug")->isVisible());
+  EXPECT_FALSE(row("walls")->isVisible());
+  EXPECT_FALSE(form.findChild<QWidget*>(QStringLiteral("Beads"))->isVisible());
+  EXPECT_FALSE(form.reveal("walls"));
+  form.setApplying({"height", "walls", "infill"});
+  EXPECT_TRUE(row("walls")->isVisible());
+}
+
 TEST_F(ParameterFormTest, AProblemStandsUnderItsRowUntilItIsGone) {
   form.setProblems({{"debug", "Out of paper."}});
   EXPECT_TRUE(row("debug")->isVisible());

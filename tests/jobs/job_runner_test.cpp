@@ -270,6 +270,28 @@ TEST(TimeLeft, AStageThatJumpsDoesNotMakeItJump) {
   EXPECT_NEAR(after, before, 2.0);
 }
 
+// Half of the work was kept from the run before and came at once; the other half takes 16 s.
+TEST(TimeLeft, WhatCameAtOneStrokeSaysNothingOfThePace) {
+  TimeLeft left;
+  left.update(0.05, 0.0);
+  left.update(0.11, 0.5);
+  std::optional<double> now;
+  for (double t = 0.15; t < 2.05; t += 0.05)
+    now = left.update(t, 0.5 + t / 32.0);
+  ASSERT_TRUE(now);
+  EXPECT_NEAR(*now, 14.0, 1.5);
+}
+
+TEST(TimeLeft, NothingIsSaidOnceARunStandsStillForLongerThanItWasToTake) {
+  TimeLeft left;
+  for (double t = 0.0; t < 9.0; t += 0.05)
+    left.update(t, t / 10.0);
+  EXPECT_TRUE(left.update(9.0, 0.9));
+  EXPECT_TRUE(left.update(9.5, 0.9));
+  EXPECT_FALSE(left.update(12.0, 0.9));
+  EXPECT_TRUE(left.update(12.05, 0.91));
+}
+
 TEST(TimeLeft, NothingIsSaidOfWorkThatHasHardlyBegun) {
   TimeLeft left;
   EXPECT_FALSE(left.update(5.0, 0.0));

@@ -107,6 +107,27 @@ TEST_F(ExportPanelTest, NewResultsKeepChecksFormatAndPlaceInTheText) {
   EXPECT_EQ(panel.findChild<panels::TextPreview*>()->currentLine(), 1204u);
 }
 
+// Ticks of what is not there any more would say that something was checked.
+TEST_F(ExportPanelTest, AVerdictFromBeforeAChangeHasNoTicks) {
+  auto formats = gallery::sampleFormats();
+  for (auto& format : formats)
+    if (format.verdict)
+      format.state = panels::VerdictState::OutOfDate;
+  auto* verdict = panel.findChild<panels::VerdictTable*>();
+  const auto said = [&] {
+    QStringList all;
+    for (int row = 0; row < verdict->rowCount(); ++row)
+      all << verdict->item(row, 3)->toolTip();
+    all.removeDuplicates();
+    return all;
+  };
+  const QString value = verdict->item(0, 1)->text();
+  EXPECT_TRUE(said().contains("Kept"));
+  panel.setFormats(formats);
+  EXPECT_EQ(said(), QStringList{"Not checked since the change"});
+  EXPECT_EQ(verdict->item(0, 1)->text(), value) << "still there to be read";
+}
+
 TEST_F(ExportPanelTest, AClickedLineIsTold) {
   QSignalSpy clicked(&panel, &panels::ExportPanel::lineClicked);
   auto* preview = panel.findChild<panels::TextPreview*>();

@@ -124,6 +124,93 @@ TEST(FindingsPanel, AnEmptyListSaysWhatItMeans) {
   EXPECT_TRUE(says("Nothing is blocked."));
 }
 
+TEST(FindingsPanel, WhatNobodyHasLookedForIsSaid) {
+  panels::FindingsPanel panel;
+  panel.show();
+  const auto* nothing = panel.findChild<QLabel*>("nothing");
+  const auto* notChecked = panel.findChild<QLabel*>("notChecked");
+  panel.setPlanned(true);
+  panel.setUnchecked({plan::Stage::Motion, plan::Stage::Replay});
+  panel.setFindings({});
+  EXPECT_EQ(nothing->text(), "No problems found so far.\nNot checked: Motion, Replay.");
+  EXPECT_FALSE(notChecked->isVisible()) << "once is enough";
+  panel.setFindings(some());
+  EXPECT_TRUE(notChecked->isVisible());
+  EXPECT_EQ(notChecked->text(), "Not checked: Motion, Replay.");
+  panel.setUnchecked({});
+  EXPECT_FALSE(notChecked->isVisible());
+}
+
+TEST(FindingsModel, FindingsFromBeforeAChangeComeLastAndAreNotCounted) {
+  panels::FindingsModel model;
+  model.setFindings({finding("layers", "thin", false)}, some());
+  EXPECT_EQ(model.rowCount(), 5);
+  EXPECT_EQ(model.total(), 1u);
+  EXPECT_EQ(model.blocking(), 0u);
+  EXPECT_FALSE(model.isOutOfDate(0));
+  const QModelIndex first = model.index(1);
+  EXPECT_TRUE(first.data(panels::FindingsModel::OutOfDateRole).toBool());
+  EXPECT_EQ(first.data().toString(), "missed") << "among themselves as ever";
+  EXPECT_TRUE(
+      first.data(panels::FindingsModel::DetailRole).toString().startsWith("before the change"));
+}
+
+plan::Finding uncovered(const char* format, double percent) {
+  plan::Finding f = plan::makeFinding(
+      plan::FindingKind::Uncovered, {{"share", base::percent(percent)}}, Eigen::Vector3d(0, 0, 2));
+  f.program.format = format;
+  return f;
+}
+
+plan::Finding refused(const char* format) {
+  return plan::makeFinding(
+      plan::FindingKind::ProgramRefused,
+      {{"format", std::string(format)}, {"failed", std::vector<base::Message>{}}});
+}
+
+TEST(ListedFindings, AFactIsOneLineHoweverManyProgramsTellIt) {
+  const auto rows = panels::listed({uncovered("urscript", 5.01), refused("urscript"),
+                                    uncovered("csv", 5.04), refused("csv"), refused("rapid")});
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].formats, (std::vector<std::string>{"urscript", "csv"}));
+  EXPECT_EQ(rows[1].finding.kind, plan::FindingKind::ProgramRefused) << "nothing else says why";
+
+  panels::FindingsModel model;
+  model.setFindings({uncovered("urscript", 5.01), uncovered("csv", 5.04)});
+  ASSERT_EQ(model.rowCount(), 1);
+  EXPECT_EQ(model.total(), 1u);
+  EXPECT_TRUE(model.reason(0).startsWith("5.01")) << qPrintable(model.reason(0));
+  EXPECT_EQ(model.index(0).data(panels::FindingsModel::FormatsRole).toStringList(),
+            (QStringList{"urscript", "csv"}));
+}
+
+TEST(ListedFindings, OtherPlacesAndOtherThingsAreOtherFacts) {
+  plan::Finding elsewhere = uncovered("csv", 5.0);
+  elsewhere.where = Eigen::Vector3d(9, 0, 2);
+  EXPECT_EQ(panels::listed({uncovered("urscript", 5.0), elsewhere}).size(), 2u);
+  EXPECT_EQ(panels::listed({uncovered("csv", 5.0), uncovered("csv", 4.0)}).size(), 2u)
+      << "twice in one program";
+}
+
+// In a dock 280 high: what is left of a small screen.
+TEST(FindingsPanel, LeavesRowsToReadAboveLongWords) {
+  panels::FindingsPanel panel;
+  plan::Findings findings;
+  const std::string words = std::string(600, 'a') + ' ' + std::string(600, 'b');
+  for (int i = 0; i < 36; ++i) {
+    findings.push_back(finding("replay", words.c_str(), true));
+  }
+  panel.setFindings(findings);
+  panel.resize(230, 280);
+  panel.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+  auto* list = panel.findChild<QListView*>();
+  list->setCurrentIndex(list->model()->index(0, 0));
+  QTest::qWait(20);
+  EXPECT_LE(panel.minimumSizeHint().height(), 280);
+  EXPECT_GE(list->viewport()->height(), 4 * list->visualRect(list->model()->index(0, 0)).height());
+}
+
 TEST(FindingsPanel, TenThousandFindingsMakeNoWidgets) {
   panels::FindingsPanel panel;
   panel.resize(300, 500);

@@ -51,7 +51,6 @@ panels::MeshSummary sampleMesh() {
   panels::MeshSummary mesh;
   mesh.name = "kitten.stl";
   mesh.triangles = 28196;
-  mesh.sizeMm = {71.2, 60.4, 112.8};
   mesh.volumeMm3 = 96250.0;
   mesh.watertight = true;
   mesh.found = {"1 hole with 14 edges, at 12.4, 3.1, 40.2 mm.",

@@ -7,6 +7,7 @@
 #include "scene/offscreen_target.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -115,6 +116,27 @@ TEST(Render, ARodIsSeenToTurnInItsCell) {
   const scene::Image without = picture(scene, view);
   view.joints[cell.armDof()] += 0.4;
   EXPECT_EQ(without.rgb, picture(scene, view).rgb);
+}
+
+// What a finding is about stands in the middle of its mark.
+TEST(Render, AMarkGoesAroundItsPlaceAndHidesNothingThere) {
+  scene::Scene scene(scene::lightTheme());
+  scene.setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));
+  const scene::Image without = picture(scene, {});
+  scene::ViewState view;
+  view.marker = Eigen::Vector3d(0, 0, 20); // inside: the mark is seen all the same
+  const scene::Image with = picture(scene, view);
+  int fromMiddle = 0, changed = 0;
+  for (int y = 0; y < with.height; ++y)
+    for (int x = 0; x < with.width; ++x) {
+      const Pixel a = at(without, x, y), b = at(with, x, y);
+      if (a.r == b.r && a.g == b.g && a.b == b.b)
+        continue;
+      ++changed;
+      fromMiddle += std::hypot(x - 160, y - 100) > 2.0;
+    }
+  EXPECT_GT(changed, 20);
+  EXPECT_EQ(fromMiddle, changed);
 }
 
 TEST(Render, SamePictureTwice) {

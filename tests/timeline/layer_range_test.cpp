@@ -42,6 +42,16 @@ TEST_F(LayerRangeTest, ShowsAllLayersAtFirst) {
   EXPECT_FALSE(slider_.isEnabled());
 }
 
+TEST_F(LayerRangeTest, ItsLabelsGrowWithoutMovingThePictureBesideIt) {
+  const int width = slider_.sizeHint().width();
+  slider_.setLayers(0);
+  EXPECT_EQ(slider_.sizeHint().width(), width);
+  slider_.setLayers(7, {0.8, 1.6, 2.4, 3.2, 4.0, 4.8, 5.6});
+  EXPECT_EQ(slider_.sizeHint().width(), width);
+  slider_.setLayers(1200, std::vector<double>(1200, 987.65), true);
+  EXPECT_EQ(slider_.sizeHint().width(), width);
+}
+
 TEST_F(LayerRangeTest, KeysMoveTheHandles) {
   QTest::keyClick(&slider_, Qt::Key_Down);
   QTest::keyClick(&slider_, Qt::Key_PageDown);

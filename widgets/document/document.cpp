@@ -2,6 +2,7 @@
 
 #include "document/mode_switch.h"
 #include "language/words.h"
+#include "pipeline/choices.h"
 #include "plan/finding_kinds.h"
 
 #include <QFileInfo>
@@ -210,6 +211,13 @@ void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const Q
   choices.scale = fresh.scale;
   const QString editName = tr("Open %1").arg(QString::fromStdString(part->name));
   const auto opened = std::make_shared<Source>(Source{std::move(part), path, ready});
+  if (!projectFile_.isEmpty()) {
+    replaceAll(choices, opened, {}, true);
+    emit stateChanged();
+    tellDirtyAndName();
+    emit edited();
+    return;
+  }
   std::erase_if(sources_, [](const std::weak_ptr<Source>& s) { return s.expired(); });
   sources_.push_back(opened);
   push(choices, opened, editName);
@@ -287,18 +295,20 @@ void Document::saved(const QString& file, std::uint64_t revision) {
 
 void Document::refreshKeys() {
   keys_ = {};
+  unusable_.reset();
   if (!source_)
     return;
   try {
     keys_ = pipeline::stageKeys(request(Stage::Replay));
-  } catch (const base::Error&) {
-    // Choices that cannot be planned have no keys: whatever is shown is not theirs. Planning them
-    // tells what is wrong.
+  } catch (const base::Error& error) {
+    // Choices that cannot be planned have no keys: whatever is shown is not theirs.
+    unusable_ = error;
   }
 }
 
 void Document::dropResults() {
   failure_.reset();
+  shownBefore_ = {};
   dropPreview();
   for (std::size_t s = 0; s < kStageCount; ++s) {
     if (!shown_[s].result)
@@ -371,10 +381,16 @@ StageState Document::state(Stage stage) const {
   const bool blocked = std::any_of(findings.begin(), findings.end(), [&](const plan::Finding& f) {
     return f.blocking && plan::stageOf(f) == stage;
   });
-  return blocked ? StageState::Blocked : StageState::Done;
+  if (blocked)
+    return StageState::Blocked;
+  // A reopened project has its verdict, but no programs to hand over.
+  const bool toHandOver = stage != Stage::Replay || !shown_[s].result->checked.empty();
+  return toHandOver ? StageState::Done : StageState::Nothing;
 }
 
 void Document::planStarted(Stage until) {
+  if (!running_) // else it starts over: what it has brought so far is not what was before
+    shownBefore_ = shown_;
   running_ = Stage::Load;
   until_ = until;
   runKeys_ = keys_;
@@ -400,19 +416,41 @@ void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult
 }
 
 void Document::planEnded(std::shared_ptr<const pipeline::PlanResult> result) {
-  if (result && result->job.reached)
+  if (result->job.reached)
     for (std::size_t s = 0; s <= indexOf(*result->job.reached); ++s)
       shown_[s].result = result;
-  running_.reset();
+  endRun();
   if (until_ > Stage::Load)
     dropPreview();
   emit stateChanged();
 }
 
+void Document::planCancelled() {
+  const std::size_t came = running_ ? indexOf(*running_) : 0; // stages that the run has brought
+  const bool further = std::any_of(shownBefore_.begin() + static_cast<std::ptrdiff_t>(came),
+                                   shownBefore_.end(), [](const Shown& s) { return s.result; });
+  const std::array<Shown, kStageCount> before = shownBefore_;
+  endRun();
+  dropPreview();
+  // But for the first: the part lies where the numbers say.
+  for (std::size_t s = 1; further && s < came; ++s) {
+    const bool changed = shown_[s].key != before[s].key;
+    shown_[s] = before[s];
+    if (changed)
+      emit resultChanged(stageAt(s));
+  }
+  emit stateChanged();
+}
+
+void Document::endRun() {
+  running_.reset();
+  shownBefore_ = {};
+}
+
 Stage Document::planFailed(const base::Error& error) {
   const Stage where = running_.value_or(until_);
   failure_ = Failure{where, error};
-  running_.reset();
+  endRun();
   dropPreview();
   emit stateChanged();
   return where;

@@ -84,8 +84,9 @@ public:
   void setScale(const QString& scale);
   void beginDrag();
   void endDrag();
-  // Shows another part, an edit too; `ready` false when a repaired version will follow. Keeps the
-  // choices but for the placement and the scale.
+  // Shows another part; `ready` false when a repaired version will follow. Keeps the choices but
+  // for the placement and the scale. Where the project has a file, that file stays as it is: the
+  // part begins a project of its own, without file and undo. Else it is an edit like any other.
   void openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path, bool ready);
   // The repaired version of `part`, wherever edits refer to it; it is ready now. Not an edit.
   void replaceSource(const std::shared_ptr<const project::LoadedPart>& part,
@@ -120,6 +121,9 @@ public:
   StageState state(project::Stage stage) const;
   // What goes into a stage with the present choices; empty: nothing can be planned.
   const std::string& key(project::Stage stage) const { return keys_[project::indexOf(stage)]; }
+  // Why nothing can be planned with the choices; its context names the parameter, where it is one.
+  // null: it can, or there is no part.
+  const base::Error* unusable() const { return unusable_ ? &*unusable_ : nullptr; }
   // The result on show is that of the choices.
   bool upToDate(project::Stage stage) const;
   // Of the present choices; none: no run has failed since they are what they are.
@@ -128,8 +132,9 @@ public:
   // Called by Planning.
   void planStarted(project::Stage until);
   void stageDone(project::Stage stage, std::shared_ptr<const pipeline::PlanResult> result);
-  // `result`: of all stages, or null when the run was cancelled.
-  void planEnded(std::shared_ptr<const pipeline::PlanResult> result);
+  void planEnded(std::shared_ptr<const pipeline::PlanResult> result); // of all stages
+  // What was on show when the run began comes back, unless the run came further than that.
+  void planCancelled();
   // Where the run stopped.
   project::Stage planFailed(const base::Error& error);
 
@@ -176,6 +181,7 @@ private:
                   const QString& file, bool unsaved);
   void refreshKeys();
   void dropResults();
+  void endRun();
   void tellDirtyAndName();
 
   project::Choices choices_;
@@ -190,7 +196,8 @@ private:
   std::uint64_t revision_ = 0;
 
   project::StageKeys keys_; // of the choices; empty texts where they have none
-  std::array<Shown, project::kStageCount> shown_;
+  std::array<Shown, project::kStageCount> shown_, shownBefore_; // now; before the run under way
+  std::optional<base::Error> unusable_;
   std::optional<Preview> preview_;
   std::optional<Failure> failure_;
   project::StageKeys runKeys_; // of the choices that the last run began with

@@ -118,7 +118,10 @@ QString obstacle(const Choices& choices) {
                                                        "needs one with a plate."));
     return {};
   } catch (const base::Error& error) {
-    return language::words(error.whole());
+    // What is wrong with a parameter is told in its field.
+    const auto* key = std::get_if<std::string>(&error.context().data());
+    const bool told = key && pipeline::parametersOf(choices.mode).find(*key) != nullptr;
+    return told ? QString() : language::words(error.whole());
   }
 }
 

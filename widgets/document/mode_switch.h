@@ -35,8 +35,8 @@ project::Choices fitting(project::Choices choices);
 // The parameters with the defaults that the choices' mode and process have.
 base::ParameterTable parametersFor(const project::Choices& choices);
 
-// What keeps anything from being planned with these choices: one sentence, or none. Reads
-// descriptions of cell and process.
+// What keeps anything from being planned with these choices, a parameter apart: one sentence, or
+// none. Reads descriptions of cell and process.
 QString obstacle(const project::Choices& choices);
 
 } // namespace voluta::document

@@ -56,14 +56,16 @@ void Opening::openPart(const QString& path) {
 }
 
 void Opening::openProject(const QString& file) {
-  readProject(file, file, false);
+  readProject(file, file, file, false);
 }
 
 void Opening::openRecovered(const Recovered& recovered) {
-  readProject(recovered.file, recovered.originalPath, true);
+  readProject(recovered.file, recovered.originalPath,
+              recovered.originalPath.isEmpty() ? recovered.name : recovered.originalPath, true);
 }
 
-void Opening::readProject(const QString& file, const QString& projectFile, bool unsaved) {
+void Opening::readProject(const QString& file, const QString& projectFile, const QString& told,
+                          bool unsaved) {
   giveUpRepair();
   using Opened = std::shared_ptr<const pipeline::PlanResult>;
   runner_.run(
@@ -74,19 +76,19 @@ void Opening::readProject(const QString& file, const QString& projectFile, bool 
         pipeline::seedCache(*cache, job);
         return std::make_shared<const pipeline::PlanResult>(pipeline::resultOf(std::move(job)));
       },
-      [this, file, projectFile, unsaved](const base::Outcome<Opened>& outcome) {
+      [this, projectFile, told, unsaved](const base::Outcome<Opened>& outcome) {
         if (const auto* result = std::get_if<Opened>(&outcome)) {
           planning_.cancel();
           document_.openJob(**result, projectFile, unsaved);
-          emit opened(file, true);
+          emit opened(projectFile, true);
         } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
-          emit failed(file, language::words(error->whole()));
+          emit failed(told, language::words(error->whole()));
         } else {
           emit cancelled();
         }
       },
       1);
-  emit started(file);
+  emit started(told);
 }
 
 // Brings the part in line with the choice whether it is to be repaired.

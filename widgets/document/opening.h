@@ -35,9 +35,11 @@ public:
   bool running() const { return runner_.running(); }
 
 signals:
+  // Of a recovered project `path` is where it was saved to, else its name.
   void started(const QString& path);
   void progressed(const voluta::jobs::Progress& progress);
-  // The part as read or the project is in the document.
+  // The part as read or the project is in the document. `path` is empty for a recovered project
+  // that was never saved.
   void opened(const QString& path, bool project);
   // The repaired part is in the document.
   void repaired();
@@ -46,7 +48,8 @@ signals:
   void failed(const QString& path, const QString& message);
 
 private:
-  void readProject(const QString& file, const QString& projectFile, bool unsaved);
+  void readProject(const QString& file, const QString& projectFile, const QString& told,
+                   bool unsaved);
   void repair();
   void endRepair(const base::Outcome<std::shared_ptr<const project::LoadedPart>>& outcome,
                  const QString& path);

@@ -86,7 +86,7 @@ void Planning::end(const base::Outcome<Result>& outcome) {
     const Stage where = document_.planFailed(*error);
     emit failed(where, language::words(error->whole()));
   } else {
-    document_.planEnded(nullptr);
+    document_.planCancelled();
     emit cancelled();
   }
 }

@@ -1,5 +1,7 @@
 #include "document/recent_files.h"
 
+#include "document/recovery.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
@@ -13,12 +15,16 @@ const QString kKey = QStringLiteral("recentFiles");
 
 RecentFiles::RecentFiles(QObject* parent) : QObject(parent) {}
 
+// Copies for recovery go with the program that made them, and their names say nothing.
 QStringList RecentFiles::files() const {
-  return QSettings().value(kKey).toStringList();
+  QStringList list = QSettings().value(kKey).toStringList();
+  const QString copies = QDir::cleanPath(recoveryFolder());
+  list.removeIf([&](const QString& file) { return QFileInfo(file).absolutePath() == copies; });
+  return list;
 }
 
 void RecentFiles::add(const QString& file) {
-  if (file.startsWith(QStringLiteral("sample:")))
+  if (file.isEmpty() || file.startsWith(QStringLiteral("sample:")))
     return;
   const QString absolute = QDir::cleanPath(QFileInfo(file).absoluteFilePath());
   QStringList list = files();

@@ -14,7 +14,7 @@ public:
   explicit RecentFiles(QObject* parent = nullptr);
 
   QStringList files() const;
-  // Absolute paths are kept; samples are not.
+  // Absolute paths are kept; samples and copies for recovery are not.
   void add(const QString& file);
   void clear();
   // True when the file is still there; else it is dropped from the list and dead() says so.

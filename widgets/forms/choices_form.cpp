@@ -101,6 +101,11 @@ void ChoicesForm::setNotice(const QString& line, const QString& button, bool blo
   noticeButton_->setVisible(!button.isEmpty());
 }
 
+void ChoicesForm::setGrows(bool grows) {
+  growth_.label->setVisible(grows);
+  growth_.combo->setVisible(grows);
+}
+
 void ChoicesForm::choosePlatformFile() {
   platform_->chooseFile();
 }

@@ -42,6 +42,9 @@ public:
   // Emits nothing. An id that is in no list is added to it as it is.
   void setTexts(const ChoiceTexts& texts);
 
+  // Does the way of building ask for a growth scheme? At first it does.
+  void setGrows(bool grows);
+
   // One line beside the choices with a button that does something about it; both empty: none. A
   // line without a button tells something. `blocking`: nothing can be planned like this.
   void setNotice(const QString& line, const QString& button, bool blocking);

@@ -159,6 +159,14 @@ void ParameterForm::setProblems(const std::map<std::string, std::string>& byKey)
   filter();
 }
 
+void ParameterForm::setApplying(const std::set<std::string>& keys) {
+  if (applying_ == keys)
+    return;
+  applying_ = keys;
+  filter();
+  mark();
+}
+
 void ParameterForm::setShowAll(bool all) {
   if (all == showsAll_)
     return;
@@ -176,7 +184,7 @@ void ParameterForm::setSearch(const QString& text) {
 bool ParameterForm::reveal(const QString& key) {
   for (const Group& group : groups_)
     for (ParameterRow* row : group.rows)
-      if (row->key() == key) {
+      if (row->key() == key && applies(row->spec().key)) {
         search_->clear();
         if (!row->spec().simple && !row->isChanged())
           setShowAll(true);
@@ -206,9 +214,10 @@ void ParameterForm::filter() {
   for (const Group& group : groups_) {
     bool anyInGroup = false;
     for (ParameterRow* row : group.rows) {
-      const bool shown =
+      const bool wanted =
           words.isEmpty() ? showsAll_ || row->spec().simple || row->isChanged() || row->hasProblem()
                           : row->matches(words);
+      const bool shown = wanted && applies(row->spec().key);
       row->setVisible(shown);
       row->highlight(words);
       anyInGroup = anyInGroup || shown;
@@ -224,10 +233,12 @@ void ParameterForm::filter() {
 void ParameterForm::mark() {
   bool any = false;
   for (const Group& group : groups_) {
-    const bool changedOne = std::any_of(group.rows.begin(), group.rows.end(),
-                                        [](const ParameterRow* row) { return row->isChanged(); });
-    group.fold->setMarked(changedOne);
-    any = any || changedOne;
+    const auto changed = [](const ParameterRow* row) { return row->isChanged(); };
+    group.fold->setMarked(
+        std::any_of(group.rows.begin(), group.rows.end(), [&](const ParameterRow* row) {
+          return row->isChanged() && applies(row->spec().key);
+        }));
+    any = any || std::any_of(group.rows.begin(), group.rows.end(), changed);
   }
   resetAll_->setEnabled(any);
 }

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,10 @@ public:
   // other rows go.
   void setProblems(const std::map<std::string, std::string>& byKey);
 
+  // Keys of the parameters that have a say in what is made; the others are not shown in any view.
+  // At first: all.
+  void setApplying(const std::set<std::string>& keys);
+
   bool showsAll() const { return showsAll_; }
   // false: only what every user needs, and whatever was changed.
   void setShowAll(bool all);
@@ -70,7 +76,10 @@ private:
   void showSwitch();
   void retranslate();
 
+  bool applies(const std::string& key) const { return !applying_ || applying_->contains(key); }
+
   base::ParameterTable table_;
+  std::optional<std::set<std::string>> applying_; // none: all
   std::vector<Group> groups_;
   QLineEdit* search_ = nullptr;
   QToolButton* simple_ = nullptr;

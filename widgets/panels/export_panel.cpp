@@ -156,7 +156,8 @@ QStringList ExportPanel::checkedFormats() const {
 void ExportPanel::showFormat(const QString& id) {
   const ExportFormat* format = find(id);
   verdictTitle_->setText(format ? tr("Replay of %1").arg(format->label) : tr("Replay"));
-  verdict_->setReport(format ? format->verdict : std::nullopt);
+  verdict_->setReport(format ? format->verdict : std::nullopt,
+                      format && format->state == VerdictState::OutOfDate);
   const int before = file_->currentIndex();
   {
     const QSignalBlocker quiet(file_);

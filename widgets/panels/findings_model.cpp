@@ -11,18 +11,38 @@ namespace voluta::panels {
 
 FindingsModel::FindingsModel(QObject* parent) : QAbstractListModel(parent) {}
 
-void FindingsModel::setFindings(plan::Findings findings) {
+void FindingsModel::setFindings(const plan::Findings& findings, const plan::Findings& before) {
   beginResetModel();
-  findings_ = std::move(findings);
-  std::stable_sort(findings_.begin(), findings_.end(),
-                   [](const plan::Finding& a, const plan::Finding& b) {
-                     if (a.blocking != b.blocking)
-                       return a.blocking;
-                     return plan::stageOf(a) < plan::stageOf(b);
-                   });
+  const auto inOrder = [](const plan::Findings& some) {
+    std::vector<ListedFinding> rows = listed(some);
+    std::stable_sort(rows.begin(), rows.end(), [](const ListedFinding& a, const ListedFinding& b) {
+      if (a.finding.blocking != b.finding.blocking)
+        return a.finding.blocking;
+      return plan::stageOf(a.finding) < plan::stageOf(b.finding);
+    });
+    return rows;
+  };
+  rows_ = inOrder(findings);
+  current_ = rows_.size();
   blocking_ = static_cast<std::size_t>(std::count_if(
-      findings_.begin(), findings_.end(), [](const plan::Finding& f) { return f.blocking; }));
+      rows_.begin(), rows_.end(), [](const ListedFinding& row) { return row.finding.blocking; }));
+  const std::vector<ListedFinding> older = inOrder(before);
+  rows_.insert(rows_.end(), older.begin(), older.end());
   endResetModel();
+}
+
+QStringList FindingsModel::formats(int row) const {
+  QStringList names;
+  for (const std::string& format : rows_.at(static_cast<std::size_t>(row)).formats)
+    names << QString::fromStdString(format);
+  return names;
+}
+
+QString FindingsModel::reason(int row) const {
+  // Of several programs it is the fact that counts; of one its line too.
+  const ListedFinding& listed = rows_.at(static_cast<std::size_t>(row));
+  return language::words(listed.formats.empty() ? plan::reasonOf(listed.finding)
+                                                : plan::factOf(listed.finding));
 }
 
 void FindingsModel::setBlockedOnly(bool only) {
@@ -36,11 +56,11 @@ void FindingsModel::setBlockedOnly(bool only) {
 int FindingsModel::rowCount(const QModelIndex& parent) const {
   if (parent.isValid())
     return 0;
-  return static_cast<int>(blockedOnly_ ? blocking_ : findings_.size());
+  return static_cast<int>(blockedOnly_ ? blocking_ : rows_.size());
 }
 
 const plan::Finding& FindingsModel::finding(int row) const {
-  return findings_.at(static_cast<std::size_t>(row));
+  return rows_.at(static_cast<std::size_t>(row)).finding;
 }
 
 QVariant FindingsModel::data(const QModelIndex& index, int role) const {
@@ -49,16 +69,21 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   const plan::Finding& f = finding(index.row());
   switch (role) {
   case Qt::DisplayRole:
-    return language::words(plan::reasonOf(f));
+    return reason(index.row());
   case Qt::ToolTipRole:
-    return (QStringList{language::words(plan::reasonOf(f)), language::words(plan::remedyOf(f))})
+    return (QStringList{reason(index.row()), language::words(plan::remedyOf(f))})
         .join(QLatin1Char('\n'))
         .trimmed();
   case Qt::AccessibleTextRole:
     return (f.blocking ? tr("Blocked: %1") : tr("Worth knowing: %1"))
-        .arg(language::words(plan::reasonOf(f)));
+        .arg((QStringList{reason(index.row())} + formats(index.row())).join(QStringLiteral(", ")));
   case DetailRole:
-    return detail(f);
+    return isOutOfDate(index.row()) ? tr("before the change") + QStringLiteral(" · ") + detail(f)
+                                    : detail(f);
+  case FormatsRole:
+    return formats(index.row());
+  case OutOfDateRole:
+    return isOutOfDate(index.row());
   case BlockingRole:
     return f.blocking;
   default:

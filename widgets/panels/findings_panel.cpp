@@ -15,6 +15,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStyledItemDelegate>
 #include <QToolButton>
@@ -23,7 +24,26 @@
 namespace voluta::panels {
 
 namespace {
-// Icon, reason, and a grey second line.
+constexpr int kLeastRows = 4;
+constexpr std::size_t kBeyondLoad = 5; // stages that look for problems of printing
+
+// Where the text behind them begins.
+int paintTags(QPainter& painter, const QRect& line, const QStringList& tags) {
+  constexpr int kPadding = 4, kApart = 4;
+  int x = line.left();
+  for (const QString& tag : tags) {
+    const QRect frame(x, line.top(), painter.fontMetrics().horizontalAdvance(tag) + 2 * kPadding,
+                      line.height());
+    if (frame.right() > line.right())
+      break;
+    painter.drawRoundedRect(QRectF(frame).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
+    painter.drawText(frame, Qt::AlignCenter, tag);
+    x = frame.right() + kApart;
+  }
+  return x;
+}
+
+// Icon, reason, and a grey second line; before it the programs that it is about.
 class FindingDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -44,21 +64,28 @@ public:
     const int side = option.fontMetrics.height();
     const QRect whole = option.rect.adjusted(6, 4, -6, -4);
     const bool blocking = index.data(FindingsModel::BlockingRole).toBool();
+    const bool outOfDate = index.data(FindingsModel::OutOfDateRole).toBool();
     forms::paintIcon(*painter, QRectF(whole.left(), whole.top(), side, side),
-                     blocking ? forms::Icon::Blocked : forms::Icon::Warning, option.palette);
+                     outOfDate  ? forms::Icon::Pending
+                     : blocking ? forms::Icon::Blocked
+                                : forms::Icon::Warning,
+                     option.palette);
 
     const bool selected = option.state & QStyle::State_Selected;
     const QRect text = whole.adjusted(side + 6, 0, 0, 0);
     const QRect top(text.left(), text.top(), text.width(), side);
-    const QRect bottom(text.left(), text.top() + side, text.width(), side);
+    QRect bottom(text.left(), text.top() + side, text.width(), side);
     painter->save();
     painter->setFont(option.font);
-    const QColor plain =
-        option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
+    const QColor plain = selected    ? option.palette.color(QPalette::HighlightedText)
+                         : outOfDate ? forms::mutedColour(option.palette)
+                                     : option.palette.color(QPalette::Text);
     painter->setPen(plain);
     painter->drawText(top, Qt::AlignVCenter | Qt::AlignLeft,
                       option.fontMetrics.elidedText(reason, Qt::ElideRight, top.width()));
     painter->setPen(selected ? plain : forms::mutedColour(option.palette));
+    bottom.setLeft(
+        paintTags(*painter, bottom, index.data(FindingsModel::FormatsRole).toStringList()));
     const QString detail = index.data(FindingsModel::DetailRole).toString();
     painter->drawText(bottom, Qt::AlignVCenter | Qt::AlignLeft,
                       option.fontMetrics.elidedText(detail, Qt::ElideRight, bottom.width()));
@@ -103,7 +130,12 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   connect(list_, &QListView::clicked, this, &FindingsPanel::activateCurrent);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           &FindingsPanel::showCurrent);
+  notChecked_ = wrappedLabel(this);
+  notChecked_->setObjectName(QStringLiteral("notChecked"));
+  notChecked_->setForegroundRole(QPalette::PlaceholderText);
+  notChecked_->setContentsMargins(6, 0, 6, 0);
   empty_ = wrappedLabel(this);
+  empty_->setObjectName(QStringLiteral("nothing"));
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setMargin(12);
   pages_ = new QStackedWidget(this);
@@ -129,6 +161,14 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   buttons_->setSpacing(4);
   detailColumn->addLayout(buttons_);
   detailColumn->addWidget(show_, 0, Qt::AlignRight);
+  // Under a short list the words scroll, so that the list stays one to read.
+  detailsArea_ = new QScrollArea(this);
+  detailsArea_->setWidgetResizable(true);
+  detailsArea_->setFrameShape(QFrame::NoFrame);
+  detailsArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  detailsArea_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  detailsArea_->setWidget(details_);
+  list_->setMinimumHeight(kLeastRows * (2 * fontMetrics().height() + 8) + 2 * list_->frameWidth());
 
   auto* heading = new QHBoxLayout;
   heading->setContentsMargins(6, 0, 0, 0);
@@ -138,16 +178,17 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(2, 2, 2, 2);
   column->setSpacing(4);
   column->addLayout(heading);
+  column->addWidget(notChecked_);
   column->addWidget(pages_, 1);
-  column->addWidget(details_);
+  column->addWidget(detailsArea_);
   retranslate();
 }
 
-void FindingsPanel::setFindings(const plan::Findings& findings) {
-  const QModelIndex before = list_->currentIndex();
+void FindingsPanel::setFindings(const plan::Findings& findings, const plan::Findings& before) {
+  const QModelIndex current = list_->currentIndex();
   const std::optional<plan::Finding> chosen =
-      before.isValid() ? std::optional(model_->finding(before.row())) : std::nullopt;
-  model_->setFindings(findings);
+      current.isValid() ? std::optional(model_->finding(current.row())) : std::nullopt;
+  model_->setFindings(findings, before);
   if (chosen)
     for (int row = 0; row < model_->rowCount(); ++row)
       if (plan::reasonOf(model_->finding(row)) == plan::reasonOf(*chosen)) {
@@ -167,6 +208,18 @@ void FindingsPanel::setPlanned(bool planned) {
   showState();
 }
 
+void FindingsPanel::setUnchecked(const std::vector<plan::Stage>& stages) {
+  unchecked_ = stages;
+  showState();
+}
+
+QString FindingsPanel::uncheckedText() const {
+  QStringList names;
+  for (const plan::Stage stage : unchecked_)
+    names << language::words(plan::stageLabel(stage));
+  return names.isEmpty() ? QString() : tr("Not checked: %1.").arg(names.join(QStringLiteral(", ")));
+}
+
 void FindingsPanel::setBlockedOnly(bool only) {
   blockedOnly_->setChecked(only);
 }
@@ -181,12 +234,13 @@ void FindingsPanel::activateCurrent() {
 
 void FindingsPanel::showCurrent() {
   const QModelIndex current = list_->currentIndex();
-  details_->setVisible(current.isValid());
+  detailsArea_->setVisible(current.isValid());
   if (!current.isValid())
     return;
   const plan::Finding& finding = model_->finding(current.row());
-  reason_->setText(language::words(plan::reasonOf(finding)));
-  where_->setText(FindingsModel::detail(finding));
+  reason_->setText(model_->reason(current.row()));
+  where_->setText((QStringList{FindingsModel::detail(finding)} + model_->formats(current.row()))
+                      .join(QStringLiteral(" · ")));
   const QString remedy = language::words(plan::remedyOf(finding));
   remedy_->setText(tr("What would help: %1").arg(remedy));
   remedy_->setVisible(!remedy.isEmpty());
@@ -240,9 +294,15 @@ void FindingsPanel::showState() {
     pages_->setCurrentWidget(list_);
   else
     pages_->setCurrentWidget(empty_);
-  empty_->setText(model_->total() > 0 ? tr("Nothing is blocked.")
-                  : planned_          ? tr("No problems found.")
-                                      : tr("Nothing found so far."));
+  const QString unchecked = planned_ ? uncheckedText() : QString();
+  notChecked_->setText(unchecked);
+  notChecked_->setVisible(!unchecked.isEmpty() && model_->rowCount() > 0);
+  empty_->setText(model_->total() > 0   ? tr("Nothing is blocked.")
+                  : !planned_           ? tr("Nothing found so far.")
+                  : unchecked.isEmpty() ? tr("No problems found.")
+                  : unchecked_.size() < kBeyondLoad
+                      ? tr("No problems found so far.") + QLatin1Char('\n') + unchecked
+                      : unchecked);
   showCurrent();
 }
 

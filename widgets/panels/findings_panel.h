@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan/finding.h"
+#include "plan/stage.h"
 
 #include <QString>
 #include <QWidget>
@@ -12,6 +13,7 @@ class QGridLayout;
 class QLabel;
 class QListView;
 class QPushButton;
+class QScrollArea;
 class QStackedWidget;
 class QToolButton;
 
@@ -34,9 +36,12 @@ public:
 
   // Sorted here: blocking first, then by stage. What is chosen stays so where it is among the new
   // ones. Emits nothing.
-  void setFindings(const plan::Findings& findings);
+  // `before`: found before the choices were what they are now.
+  void setFindings(const plan::Findings& findings, const plan::Findings& before = {});
   // false (as at first): nothing was planned yet, so an empty list says nothing of the part.
   void setPlanned(bool planned);
+  // Stages that have not looked at the choices as they are now.
+  void setUnchecked(const std::vector<plan::Stage>& stages);
   void setBlockedOnly(bool only);
   // Says what can be done about a finding; none, as at first: nothing.
   void setRemedies(RemedySource remedies);
@@ -56,14 +61,17 @@ private:
   void showRemedies(const plan::Finding& finding);
   void chooseRemedy(const QString& id);
   void showState();
+  QString uncheckedText() const; // empty: all is checked
   void retranslate();
 
   FindingsModel* model_ = nullptr;
   QLabel* title_ = nullptr;
+  QLabel* notChecked_ = nullptr;
   QToolButton* blockedOnly_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   QListView* list_ = nullptr;
   QLabel* empty_ = nullptr;
+  QScrollArea* detailsArea_ = nullptr;
   QWidget* details_ = nullptr;
   QLabel* reason_ = nullptr;
   QLabel* where_ = nullptr;
@@ -73,6 +81,7 @@ private:
   std::vector<QPushButton*> remedyButtons_;
   std::vector<RemedyButton> shownRemedies_;
   RemedySource remedies_;
+  std::vector<plan::Stage> unchecked_;
   bool planned_ = false;
 };
 

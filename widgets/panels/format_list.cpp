@@ -22,6 +22,7 @@ forms::Icon iconOf(VerdictState state) {
   case VerdictState::Refused:
     return forms::Icon::Blocked;
   case VerdictState::NotYet:
+  case VerdictState::OutOfDate:
     break;
   }
   return forms::Icon::Pending;
@@ -144,6 +145,9 @@ void FormatList::retranslate() {
       break;
     case VerdictState::Refused:
       verdict = tr("Refused by the replay: %1").arg(format.whyRefused);
+      break;
+    case VerdictState::OutOfDate:
+      verdict = tr("Not replayed since the change");
       break;
     }
     item->setToolTip(kVerdict, verdict);

@@ -13,7 +13,7 @@
 
 namespace voluta::panels {
 
-enum class VerdictState { NotYet, Passed, Refused };
+enum class VerdictState { NotYet, Passed, Refused, OutOfDate };
 
 struct ExportFile {
   QString name;                            // as it will be named in the folder

@@ -80,14 +80,10 @@ void MeshPanel::retranslate() {
                   : sound               ? tr("The mesh is watertight.")
                                         : tr("The mesh is watertight, but not sound."));
   const QLocale locale;
-  const Eigen::Vector3d& size = summary_->sizeMm;
   const auto number = [&](double value) { return locale.toString(value, 'f', 1); };
   QString html = QString::fromStdString(summary_->name).toHtmlEscaped();
   html += QStringLiteral("<br>") +
           tr("Triangles: %1").arg(locale.toString(static_cast<qulonglong>(summary_->triangles)));
-  html +=
-      QStringLiteral("<br>") +
-      QStringLiteral("%1 × %2 × %3 mm").arg(number(size.x()), number(size.y()), number(size.z()));
   if (summary_->watertight)
     html +=
         QStringLiteral("<br>") + QStringLiteral("%1 cm³").arg(number(summary_->volumeMm3 / 1000.0));

@@ -17,7 +17,6 @@ namespace voluta::panels {
 struct MeshSummary {
   std::string name; // file name without folder
   std::size_t triangles = 0;
-  Eigen::Vector3d sizeMm = Eigen::Vector3d::Zero(); // as it lies in the file
   double volumeMm3 = 0.0;
   bool watertight = false;
   std::vector<base::Message> found, repaired, remains; // a sentence each

@@ -1,5 +1,6 @@
 #include "panels/verdict_table.h"
 
+#include "forms/colours.h"
 #include "forms/icons.h"
 
 #include <QEvent>
@@ -66,8 +67,9 @@ VerdictTable::VerdictTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   retranslate();
 }
 
-void VerdictTable::setReport(std::optional<project::ReplayReport> report) {
+void VerdictTable::setReport(std::optional<project::ReplayReport> report, bool outOfDate) {
   report_ = std::move(report);
+  outOfDate_ = outOfDate;
   retranslate();
 }
 
@@ -94,6 +96,8 @@ void VerdictTable::retranslate() {
     const auto put = [&](int column, const QString& text) {
       auto* item = new QTableWidgetItem(text);
       item->setToolTip(text);
+      if (outOfDate_)
+        item->setForeground(forms::mutedColour(palette()));
       if (column == 1 || column == 2)
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       setItem(row, column, item);
@@ -105,9 +109,14 @@ void VerdictTable::retranslate() {
     put(3, {});
     if (!report_)
       continue;
-    item(row, 3)->setIcon(forms::icon(m.passed ? forms::Icon::Good : forms::Icon::Blocked));
-    item(row, 3)->setToolTip(m.passed ? tr("Kept") : tr("Not kept"));
-    item(row, 3)->setData(Qt::AccessibleTextRole, m.passed ? tr("Kept") : tr("Not kept"));
+    const QString kept = outOfDate_ ? tr("Not checked since the change")
+                         : m.passed ? tr("Kept")
+                                    : tr("Not kept");
+    item(row, 3)->setIcon(forms::icon(outOfDate_ ? forms::Icon::Pending
+                                      : m.passed ? forms::Icon::Good
+                                                 : forms::Icon::Blocked));
+    item(row, 3)->setToolTip(kept);
+    item(row, 3)->setData(Qt::AccessibleTextRole, kept);
   }
 }
 

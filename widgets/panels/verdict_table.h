@@ -24,8 +24,9 @@ class VerdictTable : public QTableWidget {
 public:
   explicit VerdictTable(QWidget* parent = nullptr);
 
-  // nullopt: no program was replayed.
-  void setReport(std::optional<project::ReplayReport> report);
+  // nullopt: no program was replayed. `outOfDate`: of settings that have changed since; then it is
+  // shown, but says nothing of what is there now.
+  void setReport(std::optional<project::ReplayReport> report, bool outOfDate = false);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -37,6 +38,7 @@ private:
   void retranslate();
 
   std::optional<project::ReplayReport> report_;
+  bool outOfDate_ = false;
 };
 
 } // namespace voluta::panels

@@ -1,20 +1,22 @@
 #include "scene/scene.h"
 
+#include "base/units.h"
 #include "scene/actors.h"
 #include "scene/bead_shader.h"
 #include "scene/camera.h"
 #include "scene/colour_values.h"
 #include "scene/drawing_data.h"
+#include "scene/mesh_buffers.h"
 #include "scene/overlay.h"
 #include "scene/pick.h"
 #include "scene/piece_actors.h"
 #include "scene/piece_labels.h"
-#include "scene/shape_mesh.h"
 #include "scene/visible_beads.h"
 #include "scene/voxel_actors.h"
 #include "scene/vtk_modules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -31,7 +33,8 @@ namespace voluta::scene {
 namespace {
 
 constexpr double kLineBeadScale = 0.22; // beads as thin lines
-constexpr double kMarkerShare = 0.012;  // of the picture's height
+constexpr double kMarkerShare = 0.022;  // of the picture's height
+constexpr int kRingCorners = 48;
 constexpr auto kPlatformRole = static_cast<std::size_t>(robot::BodyRole::Platform);
 constexpr double kRodBesideShare = 0.25; // of what is on it, that is looked at on either side
 constexpr double kChosenPathPixels = 3.0;
@@ -53,9 +56,16 @@ void setColours(const RangeActor& shown, const std::vector<std::uint8_t>& rgb) {
   shown.mapper->GetInput()->GetPointData()->SetScalars(colours);
 }
 
-vtkSmartPointer<vtkPolyData> unitSphere() {
+// Flat, about z: what it points at is seen through it.
+vtkSmartPointer<vtkPolyData> ring(double inner, double outer) {
   MeshBuffers buffers;
-  addShape(buffers, robot::Capsule{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1.0});
+  const auto corner = [&](int i, double radius) {
+    const double angle = 2.0 * base::kPi * i / kRingCorners;
+    return buffers.addPoint({radius * std::cos(angle), radius * std::sin(angle), 0.0},
+                            Eigen::Vector3d::UnitZ());
+  };
+  for (int i = 0; i < kRingCorners; ++i)
+    buffers.addQuad(corner(i, inner), corner(i, outer), corner(i + 1, outer), corner(i + 1, inner));
   return polyDataOf(buffers);
 }
 
@@ -89,7 +99,7 @@ struct Scene::Impl {
   std::unique_ptr<VoxelActors> byLayer, bySteps;
   std::unique_ptr<PieceActors> pieceActors;
   std::unique_ptr<PieceLabels> pieceLabels;
-  RangeActor slabs, beads, travels, marker, markerHalo;
+  RangeActor slabs, beads, travels, markerRim, marker;
   std::vector<vtkSmartPointer<vtkActor>> bodies;
 
   ColourState slabColours, beadColours;
@@ -127,12 +137,16 @@ struct Scene::Impl {
     frontSurface->GetProperty()->SetOpacity(kFrontOpacity);
     frontEdges = addLines(renderer);
     frontEdges->GetProperty()->SetOpacity(2.0 * kFrontOpacity);
-    marker = RangeActor::make(renderer);
-    marker.setData(unitSphere());
-    marker.mapper->setStretches(everything(marker.mapper->GetInput()));
-    markerHalo = RangeActor::halo(renderer);
-    markerHalo.setData(unitSphere());
-    markerHalo.mapper->setStretches(everything(markerHalo.mapper->GetInput()));
+    // The rim sets the marker off from what is as bright as it is.
+    markerRim = RangeActor::halo(renderer);
+    markerRim.setData(ring(0.72, 1.08));
+    marker = RangeActor::halo(renderer);
+    marker.setData(ring(0.80, 1.0));
+    for (const RangeActor* shown : {&markerRim, &marker}) {
+      shown->mapper->setStretches(everything(shown->mapper->GetInput()));
+      shown->actor->GetProperty()->SetOpacity(1.0);
+      shown->actor->GetProperty()->LightingOff();
+    }
     pieceLabels = std::make_unique<PieceLabels>(renderer);
     overlay = std::make_unique<Overlay>(renderer);
     applyTheme();
@@ -168,7 +182,7 @@ struct Scene::Impl {
     setColour(travels.actor, theme.travel);
     setColour(marker.actor, theme.marker);
     setColour(chosenPath, theme.marker);
-    setColour(markerHalo.actor, theme.marker);
+    setColour(markerRim.actor, theme.backgroundTop);
     beads.mapper->setPlainColour(theme.material);
     overlay->setTheme(theme);
     colourBodies();
@@ -347,7 +361,7 @@ struct Scene::Impl {
 
   void showMarker() {
     marker.actor->SetVisibility(view.marker.has_value());
-    markerHalo.actor->SetVisibility(view.marker.has_value());
+    markerRim.actor->SetVisibility(view.marker.has_value());
   }
 
   void showPieces() {
@@ -414,11 +428,12 @@ struct Scene::Impl {
   void prepareFrame() {
     if (view.marker) {
       const Eigen::Vector3d place = world_T_work * *view.marker;
-      const double radius = kMarkerShare * pictureHeightMm(renderer, place);
-      for (vtkActor* actor : {marker.actor.Get(), markerHalo.actor.Get()}) {
-        actor->SetPosition(place.x(), place.y(), place.z());
-        actor->SetScale(actor == marker.actor ? radius : 2.0 * radius);
-      }
+      const Eigen::Affine3d facing =
+          Eigen::Translation3d(place) *
+          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), towardsEye(renderer)) *
+          Eigen::Scaling(kMarkerShare * pictureHeightMm(renderer, place));
+      for (vtkActor* actor : {marker.actor.Get(), markerRim.actor.Get()})
+        setPose(actor, facing);
     }
     showPlateFromBelow();
     renderer->ResetCameraClippingRange();

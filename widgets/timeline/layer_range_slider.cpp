@@ -16,6 +16,7 @@ constexpr double kHandleHeight = 12.0, kHandleWidth = 18.0;
 constexpr double kGrooveWidth = 4.0;
 constexpr int kWheelStep = 120; // eighths of a degree of one notch
 constexpr int kPage = 10;
+constexpr double kUsualRadiusMm = 888.88;
 } // namespace
 
 LayerRangeSlider::LayerRangeSlider(QWidget* parent) : QWidget(parent) {
@@ -72,11 +73,13 @@ QSize LayerRangeSlider::sizeHint() const {
   return {minimumSizeHint().width(), 300};
 }
 
+// Room for the labels of any usual part from the start: a slider that widened with its labels would
+// move the picture beside it.
 QSize LayerRangeSlider::minimumSizeHint() const {
-  int text = fontMetrics().horizontalAdvance(QStringLiteral("0000"));
+  int text = std::max(textWidth(QStringLiteral("0000")), textWidth(topText(kUsualRadiusMm, true)));
   for (const int layer : {0, count_ / 2, count_ - 1})
     if (layer >= 0)
-      text = std::max(text, fontMetrics().horizontalAdvance(labelOf(layer)));
+      text = std::max(text, textWidth(labelOf(layer)));
   return {text + static_cast<int>(kHandleWidth) + 14, 120};
 }
 
@@ -122,9 +125,16 @@ QString LayerRangeSlider::labelOf(int layer) const {
 QString LayerRangeSlider::topText(int layer) const {
   if (layer < 0 || static_cast<std::size_t>(layer) >= topMm_.size())
     return {};
-  const double top = topMm_[static_cast<std::size_t>(layer)];
-  return radii_ ? tr("r %1 mm").arg(locale().toString(top, 'f', 2))
-                : tr("%1 mm").arg(locale().toString(top, 'f', 1));
+  return topText(topMm_[static_cast<std::size_t>(layer)], radii_);
+}
+
+QString LayerRangeSlider::topText(double mm, bool radius) const {
+  return radius ? tr("r %1 mm").arg(locale().toString(mm, 'f', 2))
+                : tr("%1 mm").arg(locale().toString(mm, 'f', 1));
+}
+
+int LayerRangeSlider::textWidth(const QString& text) const {
+  return fontMetrics().size(0, text).width(); // of the wider line
 }
 
 void LayerRangeSlider::moveHandle(Handle handle, int layer) {

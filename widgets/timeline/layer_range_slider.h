@@ -58,6 +58,8 @@ private:
   Handle nearestHandle(double y) const;
   QRectF handleRect(Handle handle) const;
   QString labelOf(int layer) const;
+  QString topText(double mm, bool radius) const;
+  int textWidth(const QString& text) const;
   void paintLabel(QPainter& painter, int layer, double y) const;
   void moveHandle(Handle handle, int layer);
   void describe();

@@ -105,6 +105,7 @@ void CommandTable::fill(const Menu& menu) {
 
 void CommandTable::buildToolBar(QWidget* middle) {
   auto* bar = new QToolBar(&window_);
+  bar_ = bar;
   bar->setObjectName("toolBar");
   bar->setMovable(false);
   bar->setIconSize({kBarIcon, kBarIcon});
@@ -119,6 +120,7 @@ void CommandTable::buildToolBar(QWidget* middle) {
   bar->addWidget(middle);
   space();
   addToBar(*bar, BarGroup::View, BarGroup::Run);
+  setBarWords(true);
   // A tool bar hidden by mistake is hard to find again.
   window_.setContextMenuPolicy(Qt::NoContextMenu);
 }
@@ -131,11 +133,15 @@ void CommandTable::addToBar(QToolBar& bar, BarGroup first, BarGroup last) {
       if (static_cast<int>(row.command.bar) != group)
         continue;
       bar.addAction(row.action);
-      if (auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(row.action));
-          button && row.command.bar == BarGroup::Run)
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     }
   }
+}
+
+void CommandTable::setBarWords(bool words) {
+  for (const Row& row : rows_)
+    if (auto* button = qobject_cast<QToolButton*>(bar_->widgetForAction(row.action));
+        button && row.command.bar == BarGroup::Run)
+      button->setToolButtonStyle(words ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
 }
 
 void CommandTable::refresh() {

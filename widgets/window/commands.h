@@ -71,6 +71,9 @@ public:
   void retranslate();
   void redrawIcons();
 
+  // Whether commands that run something have their words in the tool bar too; at first they do.
+  void setBarWords(bool words);
+  QToolBar* toolBar() const { return bar_; } // after build()
   QAction* action(const QString& id) const;
   QMenu* menu(const QString& id) const; // after build()
   // In the order of the menus.
@@ -92,6 +95,7 @@ private:
 
   QMainWindow& window_;
   QWidget& keyed_;
+  QToolBar* bar_ = nullptr;
   std::vector<Row> rows_;
   std::vector<PlacedAction> placed_;
   std::vector<Menu> menus_;

@@ -1,5 +1,6 @@
 #include "window/findings_presenter.h"
 
+#include "document/dated_findings.h"
 #include "document/document.h"
 #include "document/live_preview.h"
 #include "document/planning.h"
@@ -22,6 +23,7 @@ FindingsPresenter::FindingsPresenter(document::Document& document, document::Pla
   connect(&panel_, &panels::FindingsPanel::remedyChosen, this, &FindingsPresenter::apply);
   connect(&document, &document::Document::resultChanged, this, &FindingsPresenter::show);
   connect(&document, &document::Document::previewChanged, this, &FindingsPresenter::show);
+  connect(&document, &document::Document::edited, this, &FindingsPresenter::show);
   connect(&planning, &document::Planning::failed, this, &FindingsPresenter::show);
   connect(&live, &document::LivePreview::failed, this, &FindingsPresenter::show);
 }
@@ -30,7 +32,11 @@ void FindingsPresenter::show() {
   const auto result = document_.lastResult();
   panel_.setPlanned(document_.preview() ||
                     (result && result->job.reached && *result->job.reached > Stage::Load));
-  panel_.setFindings(present());
+  panel_.setUnchecked(document::uncheckedStages(document_));
+  plan::Findings now = stopped(), before;
+  for (document::DatedFinding& dated : document::datedFindings(document_))
+    (dated.outOfDate ? before : now).push_back(std::move(dated.finding));
+  panel_.setFindings(now, before);
   std::vector<timeline::Mark> marks;
   if (result)
     for (const plan::Finding& finding : result->job.report.findings)
@@ -40,17 +46,11 @@ void FindingsPresenter::show() {
   timeline_.setMarks(std::move(marks));
 }
 
-plan::Findings FindingsPresenter::present() const {
+plan::Findings FindingsPresenter::stopped() const {
   plan::Findings findings;
   if (const document::Failure* failure = document_.failure()) {
     findings.push_back(plan::stoppedFinding(failure->stage, failure->error.whole()));
   }
-  plan::Findings more;
-  if (const auto& preview = document_.preview())
-    more = preview->decomposition->findings;
-  else if (const auto result = document_.presentResult())
-    more = result->job.report.findings;
-  findings.insert(findings.end(), more.begin(), more.end());
   return findings;
 }
 

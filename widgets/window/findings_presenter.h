@@ -29,8 +29,8 @@ public:
 
 private:
   void show();
-  // Of what counts now: preview, result, and the error that a run ended in.
-  plan::Findings present() const;
+  // The error that a run ended in, where it did.
+  plan::Findings stopped() const;
   std::vector<panels::RemedyButton> remediesOf(const plan::Finding& finding) const;
   void apply(const plan::Finding& finding, const QString& remedy);
 

@@ -13,7 +13,8 @@
 namespace voluta::window {
 
 namespace {
-constexpr int kHeight = 30, kPadding = 14, kGlyph = 12, kGap = 8;
+constexpr int kHeight = 30, kGlyph = 12;
+constexpr int kPadding = 14, kGap = 8, kCompactPadding = 6, kCompactGap = 5;
 constexpr int kApart = 10; // what is beside it from the flow
 
 std::size_t indexAt(int index) {
@@ -103,7 +104,23 @@ PageState FlowBar::state(const QString& id) const {
 }
 
 int FlowBar::segmentWidth(const Segment& segment) const {
-  return fontMetrics().horizontalAdvance(segment.step.title) + 2 * kPadding + kGlyph + kGap;
+  return fontMetrics().horizontalAdvance(segment.step.title) + 2 * padding() + kGlyph + gap();
+}
+
+int FlowBar::padding() const {
+  return compact_ ? kCompactPadding : kPadding;
+}
+
+int FlowBar::gap() const {
+  return compact_ ? kCompactGap : kGap;
+}
+
+void FlowBar::setCompact(bool compact) {
+  if (compact == compact_)
+    return;
+  compact_ = compact;
+  updateGeometry();
+  update();
 }
 
 QSize FlowBar::sizeHint() const {
@@ -134,11 +151,11 @@ void FlowBar::paintSegment(QPainter& painter, int index) const {
   const QRect r = rectOf(index);
   const bool chosen = index == page_;
   paintGlyph(painter,
-             QRectF(r.left() + kPadding, r.center().y() - kGlyph / 2 + 0.5, kGlyph, kGlyph),
+             QRectF(r.left() + padding(), r.center().y() - kGlyph / 2 + 0.5, kGlyph, kGlyph),
              segment.state, palette(), chosen);
   painter.setPen(chosen ? palette().highlightedText().color() : palette().text().color());
-  painter.drawText(r.adjusted(kPadding + kGlyph + kGap, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                   segment.step.title);
+  painter.drawText(r.adjusted(padding() + kGlyph + gap(), 0, 0, 0),
+                   Qt::AlignVCenter | Qt::AlignLeft, segment.step.title);
   if (index > 0 && segments_[indexAt(index - 1)].step.aside == segment.step.aside) {
     painter.setPen(palette().mid().color());
     painter.drawLine(r.left(), 1, r.left(), height() - 2);

@@ -27,6 +27,8 @@ public:
   void setState(const QString& id, PageState state);
   // Nothing: of an unknown one too.
   PageState state(const QString& id) const;
+  // Less room around the words.
+  void setCompact(bool compact);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
@@ -50,12 +52,15 @@ private:
   };
   int indexOf(const QString& id) const; // -1: unknown
   int segmentWidth(const Segment& segment) const;
+  int padding() const;
+  int gap() const;
   QRect rectOf(int index) const;
   void paintSegment(QPainter& painter, int index) const;
   void choose(int index);
 
   std::vector<Segment> segments_;
   int page_ = 0;
+  bool compact_ = false;
 };
 
 } // namespace voluta::window

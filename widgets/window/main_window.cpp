@@ -1,5 +1,6 @@
 #include "window/main_window.h"
 
+#include "forms/tab_order.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "panels/findings_panel.h"
@@ -14,10 +15,12 @@
 #include "window/status_line.h"
 #include "window/welcome.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
@@ -26,6 +29,7 @@
 #include <QScrollBar>
 #include <QSettings>
 #include <QTimer>
+#include <QToolBar>
 #include <QUndoStack>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -35,6 +39,7 @@ namespace voluta::window {
 using project::Stage;
 
 namespace {
+constexpr QSize kUsualSize(1280, 800);
 constexpr int kPanelWidth = 340, kTreeWidth = 300;
 constexpr int kTreeHeight = 200, kFindingsHeight = 400;
 // Of the column, with the unrolled layer in it.
@@ -56,6 +61,15 @@ QString sizeText(const Eigen::Vector3d& v) {
   return QString::fromUtf8("%1 × %2 × %3 mm")
       .arg(locale.toString(v.x(), 'f', 1), locale.toString(v.y(), 'f', 1),
            locale.toString(v.z(), 'f', 1));
+}
+
+// A number that is being typed counts, as if its field had been left.
+void commitTyping() {
+  QWidget* field = QApplication::focusWidget();
+  if (!qobject_cast<QAbstractSpinBox*>(field) && !qobject_cast<QLineEdit*>(field))
+    return;
+  field->clearFocus();
+  field->setFocus();
 }
 
 QDockWidget* dock(const char* name, QWidget* content, QMainWindow& window,
@@ -85,15 +99,20 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   pages_ = std::make_unique<PageStack>(
       WorkspaceParts{document_, planning_, live_, files_.opening(), comparing_, viewport(),
                      area_->layers(), area_->timeline(), *tree_, *presenter_, picture_},
-      area_, area_->legend(), *unrolled_, this);
+      area_, area_->legend(), area_->badge(), *unrolled_, this);
   setCentralWidget(pages_->centres());
   setStatusBar(status_);
   buildDocks();
   buildCommands();
   listen();
+  forms::tabInReadingOrder({pages_->flow(), tree_, findings_, pages_->centres(), pages_->sides()});
   retranslate();
   pages_->show(pages_->page());
-  resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
+  // With its frame it would not fit on a small screen: the status line would be below its edge.
+  const QSize room = screen()->availableSize();
+  resize(kUsualSize.boundedTo(room));
+  if (room.width() <= kUsualSize.width() || room.height() <= kUsualSize.height())
+    setWindowState(Qt::WindowMaximized);
   const QSettings settings;
   restoreGeometry(settings.value("window/geometry").toByteArray());
   restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
@@ -256,7 +275,7 @@ void MainWindow::showObjects() {
   const QString size =
       source ? sizeText(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval())
              : QString();
-  tree_->setText(SceneItem::Part, source ? QString::fromStdString(source->name) : QString(), size);
+  tree_->setText(SceneItem::Part, source ? QString::fromStdString(source->name) : QString(), {});
   tree_->setText(SceneItem::Platform, {}, language::words(c.platform.shown()));
   tree_->setText(SceneItem::Cell, {}, QString::fromStdString(c.cell));
   tree_->setText(SceneItem::Plate, modes::findMode(c.mode).aroundRod ? tr("Rod") : QString(), {});
@@ -269,6 +288,9 @@ void MainWindow::plan(Stage until) {
     files_.choose();
     return;
   }
+  commitTyping();
+  if (document_.unusable())
+    return;
   if (until == Stage::Replay)
     pages_->showResults();
   else
@@ -308,6 +330,7 @@ void MainWindow::retranslate() {
   pages_->showStates();
   // Longer words get room, where there is some; the layouts know of them only later.
   QTimer::singleShot(0, this, [this] {
+    fitToolBar();
     if (const int wide = std::min(neededWidth(*pages_->sides()), width() / kMostPanelShare);
         wide > pageDock_->width())
       resizeDocks({pageDock_}, {wide}, Qt::Horizontal);
@@ -322,12 +345,30 @@ void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
 }
 
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  if (commands_->toolBar())
+    fitToolBar();
+}
+
+// What starts and stops a run is never where it has to be looked for.
+void MainWindow::fitToolBar() {
+  const QToolBar* bar = commands_->toolBar();
+  for (const auto& [compact, words] : {std::pair{false, true}, {true, true}, {true, false}}) {
+    pages_->flow()->setCompact(compact);
+    commands_->setBarWords(words);
+    if (bar->sizeHint().width() <= width())
+      return;
+  }
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!closing_ && document_.dirty()) {
     event->ignore();
+    // Queued: a window that is being asked to close does not hear of another close.
     files_.afterSaved([this] {
       closing_ = true;
-      close();
+      QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
     });
     return;
   }

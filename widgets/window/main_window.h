@@ -55,6 +55,7 @@ public:
 protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -70,6 +71,7 @@ private:
   void editShortcuts();
   void tell(const QString& title, const QString& message);
   void retranslate();
+  void fitToolBar();
 
   document::Document document_;
   document::Planning planning_;

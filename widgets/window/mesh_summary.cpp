@@ -6,8 +6,6 @@ panels::MeshSummary meshSummary(const project::LoadedPart& part) {
   panels::MeshSummary summary;
   summary.name = part.name;
   summary.triangles = part.mesh->triangles.size();
-  summary.sizeMm = part.found.boundsMm.isEmpty() ? Eigen::Vector3d::Zero().eval()
-                                                 : part.found.boundsMm.sizes().eval();
   summary.volumeMm3 = part.found.volumeMm3;
   // Mended without a remainder is as good as sound.
   summary.watertight = part.repair ? part.remains.empty() : part.found.watertight;

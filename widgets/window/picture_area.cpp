@@ -4,6 +4,7 @@
 #include "timeline/timeline_bar.h"
 #include "viewer/viewport.h"
 #include "window/legend_view.h"
+#include "window/picture_badge.h"
 #include "window/welcome.h"
 
 #include <QVBoxLayout>
@@ -16,8 +17,9 @@ scene::Theme sceneTheme(Appearance appearance) {
 
 PictureArea::PictureArea(Appearance appearance, QWidget* parent)
     : QWidget(parent), viewport_(new viewer::Viewport(sceneTheme(appearance), this)),
-      legend_(new LegendView(viewport_)), welcome_(new Welcome(viewport_)),
-      layers_(new timeline::LayerRangeSlider(this)), timeline_(new timeline::TimelineBar(this)) {
+      legend_(new LegendView(viewport_)), badge_(new PictureBadge(viewport_)),
+      welcome_(new Welcome(viewport_)), layers_(new timeline::LayerRangeSlider(this)),
+      timeline_(new timeline::TimelineBar(this)) {
   viewport_->setLegendWidget(legend_);
   layers_->setObjectName("layerSlider");
   timeline_->setObjectName("timeline");

@@ -17,6 +17,7 @@ class Viewport;
 namespace voluta::window {
 
 class LegendView;
+class PictureBadge;
 class Welcome;
 
 scene::Theme sceneTheme(Appearance appearance);
@@ -29,6 +30,7 @@ public:
 
   viewer::Viewport& viewport() { return *viewport_; }
   LegendView& legend() { return *legend_; }
+  PictureBadge& badge() { return *badge_; }
   Welcome& welcome() { return *welcome_; }
   timeline::LayerRangeSlider& layers() { return *layers_; }
   timeline::TimelineBar& timeline() { return *timeline_; }
@@ -36,6 +38,7 @@ public:
 private:
   viewer::Viewport* viewport_;
   LegendView* legend_;
+  PictureBadge* badge_;
   Welcome* welcome_;
   timeline::LayerRangeSlider* layers_;
   timeline::TimelineBar* timeline_;

@@ -1,7 +1,5 @@
 #include "window/presenter.h"
 
-#include <algorithm>
-
 namespace voluta::window {
 
 using project::Stage;
@@ -25,14 +23,6 @@ Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, Q
 }
 
 Presenter::~Presenter() = default;
-
-int Presenter::layerCount() const {
-  if (document_.voxelsAhead() && hasVoxels())
-    return voxels_.layers();
-  const int printed =
-      hasPaths() ? std::max(print_.pathLayers(), print_.patchLayers()) : print_.patchLayers();
-  return printed > 0 ? printed : voxels_.layers();
-}
 
 bool Presenter::busy() const {
   return part_.busy() || voxels_.busy() || pieces_.busy() || print_.busy();

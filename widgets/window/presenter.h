@@ -29,8 +29,10 @@ public:
   bool hasVoxels() const { return voxels_.layers() > 0; }
   bool hasLayers() const { return print_.patchLayers() > 0; }
   bool hasPaths() const { return print_.pathLayers() > 0; }
-  // Layers of what is drawn furthest down the road, or of voxels that are newer; 0: none.
-  int layerCount() const;
+  // Layers of each that is drawn; 0: none.
+  int voxelLayers() const { return voxels_.layers(); }
+  int patchLayers() const { return print_.patchLayers(); }
+  int pathLayers() const { return print_.pathLayers(); }
   // Of the part on show, work frame; empty: no part.
   const Eigen::AlignedBox3d& partBox() const { return part_.box(); }
   const std::shared_ptr<const timeline::Clock>& clock() const { return print_.clock(); }

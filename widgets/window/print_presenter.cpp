@@ -132,6 +132,7 @@ void PrintPresenter::gatherFacts() {
       *gathering_,
       [stack, plan, clock, stacked, heights = heightLimits(*result->process)] {
         auto facts = std::make_shared<LayerFacts>();
+        facts->of = stack;
         facts->measures = layerMeasures(*stack, plan.get(), clock.get());
         facts->topsMm = layerRadiiMm(*stack);
         facts->radii = !facts->topsMm.empty();

@@ -15,8 +15,9 @@
 
 namespace voluta::window {
 
-// What the Layers page knows of the layers on show.
+// What the Layers page knows of the layers last made.
 struct LayerFacts {
+  std::shared_ptr<const layers::LayerStack> of;
   std::vector<panels::LayerMeasures> measures;
   std::vector<double> topsMm; // heights, or radii about an axis
   bool radii = false;

@@ -139,8 +139,9 @@ void ProjectFiles::open(const QString& path) {
     planning_.cancel();
     opening_.open(path);
   };
-  // Another part is an edit, which undo takes back; another project is not.
-  if (path.endsWith(".voluta", Qt::CaseInsensitive))
+  // Another part is an edit, which undo takes back; another project is not, nor a part that begins
+  // one of its own because the project on show has a file.
+  if (path.endsWith(".voluta", Qt::CaseInsensitive) || !document_.projectFile().isEmpty())
     afterSaved(start);
   else
     start();
@@ -161,7 +162,7 @@ void ProjectFiles::noteOpened(const QString& path, bool project) {
   if (!path.startsWith("sample:"))
     recent_.add(path);
   if (project)
-    emit said(tr("Opened %1").arg(nameOf(path)));
+    emit said(tr("Opened %1").arg(document_.name()));
   emit opened(project);
 }
 

@@ -1,5 +1,6 @@
 #include "window/runs.h"
 
+#include "panels/listed_findings.h"
 #include "project/report.h"
 #include "window/status_line.h"
 
@@ -27,11 +28,13 @@ QString figuresText(const project::Report& r, Stage reached) {
   if (r.decomposition.voxels > 0)
     parts << voxelsText(r.decomposition.voxels, r.decomposition.missedAfterSupports);
   if (r.decomposition.mode == "planar")
-    parts << Runs::tr("%1 pieces, %2 mm² need support")
-                 .arg(r.decomposition.pieces)
+    parts << (r.decomposition.pieces == 1 ? Runs::tr("1 piece")
+                                          : Runs::tr("%1 pieces").arg(r.decomposition.pieces))
+          << Runs::tr("%1 mm² need support")
                  .arg(locale.toString(r.decomposition.riskyAreaMm2, 'f', 0));
   if (r.layers.count > 0)
-    parts << Runs::tr("%1 layers").arg(r.layers.count);
+    parts << (r.layers.count == 1 ? Runs::tr("1 layer")
+                                  : Runs::tr("%1 layers").arg(r.layers.count));
   if (r.toolpath.waypoints > 0)
     parts << Runs::tr("%1 waypoints")
                  .arg(locale.toString(static_cast<qulonglong>(r.toolpath.waypoints)));
@@ -59,11 +62,18 @@ QString endText(const document::Document& document) {
   const auto result = planned(document.lastResult());
   if (!result)
     return invitation(document);
-  const plan::Findings& findings = result->job.report.findings;
-  const auto blocking = std::count_if(findings.begin(), findings.end(),
-                                      [](const plan::Finding& f) { return f.blocking; });
+  const std::vector<panels::ListedFinding> findings = panels::listed(result->job.report.findings);
+  const auto blocking =
+      std::count_if(findings.begin(), findings.end(),
+                    [](const panels::ListedFinding& row) { return row.finding.blocking; });
   return blocking > 0 ? Runs::tr("Done. Findings that block: %1.").arg(blocking)
                       : Runs::tr("Done.");
+}
+
+QString cancelText(const document::Document& document) {
+  return planned(document.lastResult())
+             ? Runs::tr("Cancelled. What was there before stays on show.")
+             : Runs::tr("Cancelled. Press Plan to begin anew.");
 }
 
 QString previewEndText(const document::Document& document) {
@@ -97,12 +107,11 @@ void Runs::listenToPlanning() {
   });
   connect(&planning_, &Planning::cancelled, this, [this] {
     emit changed();
-    emit said(tr("Cancelled. The last results stay on show."));
+    emit said(cancelText(document_));
   });
-  connect(&planning_, &Planning::failed, this, [this](Stage, const QString& message) {
+  connect(&planning_, &Planning::failed, this, [this] {
     emit changed();
-    emit said(message);
-    emit told(tr("The run has stopped"), message);
+    emit said(tr("The run has stopped: see the findings."));
   });
   connect(&document_, &document::Document::edited, this, &Runs::layPart);
   // An edit may have come when a run was as good as done. Queued: it is still at telling its end.
@@ -117,7 +126,8 @@ void Runs::listenToPlanning() {
 
 // The first stage is quick: the part lies where the numbers say without a word from the user.
 void Runs::layPart() {
-  if (!planning_.running() && document_.source() && document_.sourceReady())
+  if (!planning_.running() && document_.source() && document_.sourceReady() &&
+      !document_.unusable())
     planning_.plan(Stage::Load);
 }
 
@@ -130,11 +140,11 @@ void Runs::listenToPreview() {
     emit changed();
   });
   connect(&live_, &LivePreview::cancelled, this, [this] {
-    emit said(tr("Cancelled. The last results stay on show."));
+    emit said(cancelText(document_));
     emit changed();
   });
-  connect(&live_, &LivePreview::failed, this, [this](const QString& message) {
-    emit said(message);
+  connect(&live_, &LivePreview::failed, this, [this] {
+    emit said(tr("The run has stopped: see the findings."));
     emit changed();
   });
 }
@@ -165,7 +175,7 @@ void Runs::listenToOthers() {
 }
 
 std::vector<Command> Runs::commands() {
-  const auto part = [this] { return static_cast<bool>(document_.source()); };
+  const auto part = [this] { return document_.source() && !document_.unusable(); };
   return {
       {"plan",
        "runMenu",
@@ -242,15 +252,18 @@ QString Runs::summary() const {
     return d.field.empty() ? tr("Preview: %1, %2 growth steps").arg(counts).arg(d.layers)
                            : tr("Preview: %1, layers are being improved").arg(counts);
   }
+  if (document_.unusable())
+    return tr("Nothing can be planned like this: see the mark in the settings.");
   const auto result = planned(document_.presentResult());
-  QString text =
-      result ? figuresText(result->job.report, *result->job.reached) : invitation(document_);
-  if (result && document_.voxelsAhead() && !planning_.running())
-    text = tr("Preview: %1. Press Plan.").arg(text);
-  const auto shown = document_.presentResult();
-  if (shown && shown->job.reached && !document_.upToDate(*shown->job.reached))
-    text = tr("Out of date: %1").arg(text);
-  return text;
+  const QString figures =
+      result ? figuresText(result->job.report, *result->job.reached) : QString();
+  if (figures.isEmpty())
+    return invitation(document_);
+  if (!document_.upToDate(*result->job.reached))
+    return tr("Out of date: %1").arg(figures);
+  return document_.voxelsAhead() && !planning_.running()
+             ? tr("Preview: %1. Press Plan.").arg(figures)
+             : figures;
 }
 
 } // namespace voluta::window

@@ -39,7 +39,10 @@ StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent), stage_(new QLabel(this)), left_(new QLabel(this)),
       part_(new QLabel(this)), cell_(new QLabel(this)), memory_(new QLabel(this)),
       bar_(new ProgressLine(this)) {
+  setObjectName("statusLine");
   stage_->setObjectName("statusStage");
+  // A long sentence is cut, with its whole in the tool tip: it must not widen the window.
+  stage_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   bar_->setObjectName("statusProgress");
   bar_->hide();
   addWidget(stage_, 1);
@@ -54,7 +57,7 @@ StatusLine::StatusLine(QWidget* parent)
 }
 
 void StatusLine::showProgress(const jobs::Progress& progress) {
-  stage_->setText(language::words(progress.stage));
+  setStage(language::words(progress.stage));
   bar_->show();
   bar_->setFraction(progress.fraction);
   left_->setText(progress.secondsLeft ? tr("about %1 left").arg(durationText(*progress.secondsLeft))
@@ -62,9 +65,14 @@ void StatusLine::showProgress(const jobs::Progress& progress) {
 }
 
 void StatusLine::showIdle(const QString& text) {
-  stage_->setText(text);
+  setStage(text);
   bar_->hide();
   left_->clear();
+}
+
+void StatusLine::setStage(const QString& text) {
+  stage_->setText(text);
+  stage_->setToolTip(text);
 }
 
 void StatusLine::setPart(const QString& sizeText) {

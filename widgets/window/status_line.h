@@ -24,6 +24,7 @@ public:
   void setCell(const QString& cell);
 
 private:
+  void setStage(const QString& text);
   void showMemory();
 
   QLabel *stage_, *left_, *part_, *cell_, *memory_;

@@ -102,6 +102,7 @@ void ChoicesEditor::show() {
   const project::Choices& c = document_.choices();
   form_->setTexts({named(c.mode), named(c.growth.id()), named(c.platform.text()), named(c.cell),
                    named(c.process), c.seed, rodProfileOf(c)});
+  form_->setGrows(modes::findMode(c.mode).grows);
   showNotice();
 }
 

@@ -1,6 +1,5 @@
 #include "window/pages/export_page.h"
 
-#include "base/files.h"
 #include "document/document.h"
 #include "document/planning.h"
 #include "language/words.h"
@@ -13,6 +12,8 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
 #include <algorithm>
@@ -45,20 +46,6 @@ std::vector<panels::ExportFile> exportFiles(const Checked& checked) {
                      std::shared_ptr<const std::string>(checked, &file.text)});
   return files;
 }
-
-int writeFiles(const std::vector<Checked>& programs, const std::string& folder,
-               const base::RunContext& ctx) {
-  base::StagedFolder staged(folder);
-  int files = 0;
-  for (const Checked& program : programs)
-    for (const plan::ProgramFile& file : program->program.files) {
-      ctx.checkpoint();
-      base::writeFile(staged.path() / pipeline::writtenName(*program, file), file.text);
-      ++files;
-    }
-  staged.commit();
-  return files;
-}
 } // namespace
 
 ExportPage::ExportPage(const Workspace& workspace)
@@ -87,6 +74,17 @@ void ExportPage::listenToPanel() {
 
 void ExportPage::listenToRuns() {
   connect(&work().document, &document::Document::resultChanged, this, &ExportPage::show);
+  connect(&work().document, &document::Document::edited, this, &ExportPage::show);
+  connect(&exporting_, &document::Exporting::written, this,
+          [this](const QString& folder, int files) {
+            QString text = tr("Files written to %1: %2").arg(folder).arg(files);
+            if (!leftOut_.isEmpty())
+              text += tr("; refused and not written: %1").arg(leftOut_.join(", "));
+            work().shell.say(text);
+          });
+  connect(&exporting_, &document::Exporting::failed, this, [this](const QString& message) {
+    work().shell.tell(tr("Nothing is exported"), message);
+  });
   document::Planning* planning = &work().planning;
   connect(planning, &document::Planning::finished, this, [this] {
     show();
@@ -132,6 +130,7 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
   const auto result = work().document.result(Stage::Replay);
   const auto motion = work().document.result(Stage::Motion);
   const auto cell = motion ? motion->cell : nullptr;
+  const bool current = work().document.upToDate(Stage::Replay);
   std::vector<panels::ExportFormat> formats;
   for (const program::Dialect& dialect : program::dialects()) {
     panels::ExportFormat format;
@@ -139,7 +138,9 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
     format.label = language::words(dialect.label);
     format.foreign = cell && program::isForeign(dialect, *cell);
     if (const Checked program = result ? findProgram(*result, format.id) : nullptr) {
-      format.state = program->passed ? panels::VerdictState::Passed : panels::VerdictState::Refused;
+      format.state = !current          ? panels::VerdictState::OutOfDate
+                     : program->passed ? panels::VerdictState::Passed
+                                       : panels::VerdictState::Refused;
       if (!program->passed)
         format.whyRefused = language::words(base::Value(program->failed));
       format.verdict = program->verdict;
@@ -227,29 +228,36 @@ void ExportPage::write(const Order& order) {
   const auto result = work().document.result(Stage::Replay);
   if (!result)
     return;
-  std::vector<Checked> chosen;
-  QStringList refused;
-  for (const Checked& program : result->checked) {
-    if (!order.formats.contains(formatOf(program)))
-      continue;
-    if (program->passed || order.includeRefused)
-      chosen.push_back(program);
-    else
-      refused << formatOf(program);
+  std::vector<std::string> wanted;
+  for (const QString& id : order.formats)
+    wanted.push_back(id.toStdString());
+  const pipeline::Programs programs =
+      pipeline::chosenPrograms(*result, wanted, order.includeRefused);
+  leftOut_.clear();
+  for (const Checked& program : pipeline::chosenPrograms(*result, wanted, true))
+    if (!program->passed && !order.includeRefused)
+      leftOut_ << formatOf(program);
+  if (programs.empty()) {
+    work().shell.tell(tr("Nothing is exported"),
+                      tr("The replay refused all programs: %1.").arg(leftOut_.join(", ")));
+    return;
   }
-  writing_.run([chosen, folder = order.folder.toStdString()](
-                   const base::RunContext& ctx) { return writeFiles(chosen, folder, ctx); },
-               [this, folder = order.folder, refused](base::Outcome<int> outcome) {
-                 if (const int* files = std::get_if<int>(&outcome)) {
-                   QString text = tr("Files written to %1: %2").arg(folder).arg(*files);
-                   if (!refused.isEmpty())
-                     text += tr("; refused and not written: %1").arg(refused.join(", "));
-                   work().shell.say(text);
-                 } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
-                   work().shell.tell(tr("Nothing is exported"), language::words(error->whole()));
-                 }
-               },
-               1);
+  const QStringList there = document::Exporting::inTheWay(order.folder, programs);
+  if (there.isEmpty() || mayReplace(order.folder, there))
+    exporting_.write(order.folder, result, programs);
+}
+
+bool ExportPage::mayReplace(const QString& folder, const QStringList& names) {
+  constexpr int kNamed = 6;
+  QMessageBox box(QMessageBox::Warning, tr("Replace files?"),
+                  tr("Files are in %1 already.").arg(QDir::toNativeSeparators(folder)),
+                  QMessageBox::NoButton, side_->window());
+  box.setObjectName("replaceBox");
+  box.setInformativeText(names.mid(0, kNamed).join('\n') + (names.size() > kNamed ? "\n…" : ""));
+  const QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+  box.exec();
+  return box.clickedButton() == replace;
 }
 
 } // namespace voluta::window

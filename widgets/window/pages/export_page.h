@@ -1,7 +1,7 @@
 // Export: programs with the verdict of their replay, written into a folder.
 #pragma once
 
-#include "jobs/job_runner.h"
+#include "document/exporting.h"
 #include "panels/format_list.h"
 #include "window/pages/page.h"
 
@@ -51,11 +51,13 @@ private:
   void setFormats(const QStringList& ids);
   void place(const Order& order);
   void write(const Order& order);
+  bool mayReplace(const QString& folder, const QStringList& names);
 
   panels::ExportPanel* panel_;
   QWidget* side_;
   ProgramPreview* preview_;
-  jobs::JobRunner writing_;
+  document::Exporting exporting_;
+  QStringList leftOut_;          // refused formats of the last order
   std::optional<Order> pending_; // waits for its programs to be planned
 };
 

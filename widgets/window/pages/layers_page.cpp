@@ -64,16 +64,16 @@ void LayersPage::build() {
 
 void LayersPage::listenToBars() {
   connect(options_, &ViewOptions::changed, this, [this] {
-    lookingAtMissed_ = false;
+    lookElsewhere();
     work().picture.setLook(options_->look());
-    work().shell.showView();
+    showCount();
   });
   connect(options_, &ViewOptions::dragging, &work().viewport, &viewer::Viewport::setDragging);
   connect(&work().picture, &Picture::lookChanged, this,
           [this] { options_->setLook(work().picture.look()); });
   timeline::LayerRangeSlider& layers = work().layers;
   connect(&layers, &timeline::LayerRangeSlider::rangeChanged, this, [this] {
-    lookingAtMissed_ = false;
+    lookElsewhere();
     showMoves();
     work().shell.showView();
     showMeasures(work().layers.last());
@@ -81,7 +81,7 @@ void LayersPage::listenToBars() {
   using timeline::TimelineBar;
   connect(&work().timeline, &TimelineBar::moveChanged, this, [this] { work().shell.showView(); });
   connect(&work().timeline, &TimelineBar::stepChanged, this, [this] {
-    lookingAtMissed_ = false;
+    lookElsewhere();
     work().shell.showView();
   });
   connect(&work().timeline, &TimelineBar::layerStepRequested, this, [this](int step) {
@@ -116,7 +116,7 @@ std::vector<Stage> LayersPage::stages() const {
 
 void LayersPage::entered() {
   lookingAtMissed_ = false;
-  showMoves();
+  showCount();
 }
 
 void LayersPage::left() {
@@ -150,6 +150,46 @@ void LayersPage::choose(LayerSubject subject) {
   ViewChoices choices = options_->choices();
   choices.subject = subject;
   options_->setChoices(choices);
+  showCount();
+}
+
+// Something else is asked for than a finding's place.
+void LayersPage::lookElsewhere() {
+  lookingAtMissed_ = false;
+  work().picture.setMarker(std::nullopt);
+}
+
+int LayersPage::layerCount() const {
+  const Presenter& presenter = work().presenter;
+  switch (subject()) {
+  case LayerSubject::Paths:
+    return presenter.pathLayers();
+  case LayerSubject::Layers:
+    return presenter.patchLayers();
+  default:
+    return presenter.voxelLayers();
+  }
+}
+
+std::shared_ptr<const LayerFacts> LayersPage::facts() const {
+  const auto known = work().presenter.facts();
+  if (!known)
+    return nullptr;
+  const document::Document& document = work().document;
+  const auto layers = document.result(Stage::Layers), paths = document.result(Stage::Toolpath);
+  const auto made = document.result(Stage::Decompose);
+  const bool ofThese = layers && layers->job.layers == known->of;
+  switch (subject()) {
+  case LayerSubject::Paths:
+    return paths && paths->job.layers == known->of ? known : nullptr;
+  case LayerSubject::Layers:
+    return ofThese ? known : nullptr;
+  default:
+    return ofThese && made && !document.voxelsAhead() &&
+                   made->job.decomposition == layers->job.decomposition
+               ? known
+               : nullptr;
+  }
 }
 
 bool LayersPage::replaysGrowth() const {
@@ -266,8 +306,8 @@ void LayersPage::hovered(const std::optional<scene::Hit>& hit) {
 
 void LayersPage::showCount() {
   const Presenter& presenter = work().presenter;
-  const auto facts = presenter.facts();
-  const int count = presenter.layerCount();
+  const auto facts = this->facts();
+  const int count = layerCount();
   spacing_->setSpacing(facts ? facts->spacing : LayerSpacing{});
   options_->setAvailable(presenter.hasVoxels(), presenter.hasPieces(), presenter.hasLayers(),
                          presenter.hasPaths());
@@ -280,14 +320,14 @@ void LayersPage::showCount() {
 }
 
 void LayersPage::showMoves() {
-  if (isShown())
-    work().timeline.setMoveCount(work().presenter.movesOf(work().layers.last()));
+  if (!isShown())
+    return;
+  const bool theirs = subject() == LayerSubject::Paths || planOfLayers(work().document);
+  work().timeline.setMoveCount(theirs ? work().presenter.movesOf(work().layers.last()) : 0);
 }
 
 void LayersPage::showMeasures(int layer) {
-  // Layers of other voxels than those on show have nothing to say.
-  const bool stale = work().document.voxelsAhead() && work().presenter.hasVoxels();
-  const auto facts = stale ? nullptr : work().presenter.facts();
+  const auto facts = this->facts();
   if (facts && layer >= 0 && layer < static_cast<int>(facts->measures.size()))
     info_->setMeasures(facts->measures[static_cast<std::size_t>(layer)]);
   else

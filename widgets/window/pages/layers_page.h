@@ -6,6 +6,7 @@
 #include "window/view_options.h"
 
 #include <array>
+#include <memory>
 
 namespace voluta::panels {
 class LayerInfo;
@@ -13,6 +14,7 @@ class LayerInfo;
 
 namespace voluta::window {
 
+struct LayerFacts;
 class SpacingView;
 
 class LayersPage : public Page, public ViewportInput {
@@ -46,6 +48,11 @@ private:
   void listenToDrawings();
   LayerSubject subject() const; // never Furthest
   void choose(LayerSubject subject);
+  void lookElsewhere();
+  // Layers of what is on show.
+  int layerCount() const;
+  // Of the layers on show; null: of others, or nothing is known.
+  std::shared_ptr<const LayerFacts> facts() const;
   bool replaysGrowth() const;
   void showGrowth(LayerSubject subject);
   void showCount();

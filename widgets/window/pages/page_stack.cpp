@@ -7,6 +7,7 @@
 #include "window/legend_view.h"
 #include "window/pages/page_table.h"
 #include "window/picture.h"
+#include "window/picture_badge.h"
 #include "window/presenter.h"
 
 #include <algorithm>
@@ -25,14 +26,25 @@ bool showsResultsOf(const Page& page, Stage stage) {
   return std::find(stages.begin(), stages.end(), stage) != stages.end();
 }
 
+// What the picture is made from; none: the part alone.
+std::optional<Stage> stageOf(const scene::ViewState& view) {
+  if (view.voxels || view.pieces)
+    return Stage::Decompose;
+  if (view.world == scene::World::Base)
+    return Stage::Motion;
+  return view.layers  ? std::optional(Stage::Layers)
+         : view.paths ? std::optional(Stage::Toolpath)
+                      : std::nullopt;
+}
+
 bool isColoured(const scene::ViewState& view) {
   return !view.materialColour && (view.voxels || view.pieces || view.layers || view.paths);
 }
 } // namespace
 
 PageStack::PageStack(const WorkspaceParts& workspace, QWidget* picture, LegendView& legend,
-                     UnrolledDock& unrolled, QWidget* parent)
-    : QObject(parent), workspace_(workspace), legend_(legend), unrolled_(unrolled),
+                     PictureBadge& badge, UnrolledDock& unrolled, QWidget* parent)
+    : QObject(parent), workspace_(workspace), legend_(legend), badge_(badge), unrolled_(unrolled),
       flow_(new FlowBar(parent)), sides_(new QStackedWidget(parent)),
       centres_(new QStackedWidget(parent)), pages_(makePages(Workspace{workspace, *this})) {
   centres_->addWidget(picture);
@@ -59,7 +71,9 @@ void PageStack::listenToViewport() {
   using viewer::Viewport;
   Viewport* viewport = &workspace_.viewport;
   connect(viewport, &Viewport::clicked, this, [this](const std::optional<scene::Hit>& hit) {
+    workspace_.picture.setMarker(std::nullopt);
     forInputs([&](ViewportInput& input) { input.clicked(hit); });
+    showView();
   });
   connect(viewport, &Viewport::hovered, this, [this](const std::optional<scene::Hit>& hit) {
     forInputs([&](ViewportInput& input) { input.hovered(hit); });
@@ -93,7 +107,13 @@ void PageStack::listenToPresenter() {
 }
 
 void PageStack::listenToBars() {
+  connect(&workspace_.document, &document::Document::edited, this, [this] {
+    workspace_.picture.setMarker(std::nullopt);
+    showView();
+  });
+  connect(&workspace_.document, &document::Document::stateChanged, this, &PageStack::showBadge);
   connect(&workspace_.timeline, &timeline::TimelineBar::timeChanged, this, [this] {
+    workspace_.picture.setMarker(std::nullopt);
     if (page_->layout().timeline == timeline::BarMode::Time)
       showView();
   });
@@ -134,6 +154,7 @@ Page* PageStack::find(const QString& id) const {
 }
 
 void PageStack::show(Page& page) {
+  workspace_.picture.setMarker(std::nullopt);
   page_->leave();
   page_ = &page;
   flow_->setPage(page.id());
@@ -165,16 +186,16 @@ void PageStack::showResults() {
 }
 
 void PageStack::goTo(const plan::Finding& finding) {
-  workspace_.picture.setMarker(finding.where);
   const auto best =
       std::max_element(pages_.begin(), pages_.end(), [&](const auto& a, const auto& b) {
         return a->interest(finding) < b->interest(finding);
       });
   show(**best);
-  if ((*best)->goTo(finding))
-    return;
+  const bool there = (*best)->goTo(finding);
+  // Last: whatever the page moves on the way there takes a marker away.
+  workspace_.picture.setMarker(finding.where);
   showView();
-  if (finding.where)
+  if (finding.where && !there)
     workspace_.viewport.lookAt(*finding.where, kFindingRadiusMm);
 }
 
@@ -199,6 +220,22 @@ void PageStack::showView() {
   page_->drawn();
   legend_.setLegend(isColoured(workspace_.viewport.view()) ? workspace_.viewport.scene().legend()
                                                            : scene::Legend{});
+  showBadge();
+}
+
+// Says so where the picture is of other settings than those that are chosen now.
+void PageStack::showBadge() {
+  const document::Document& document = workspace_.document;
+  const std::optional<Stage> stage = stageOf(workspace_.viewport.view());
+  const bool preview = stage == Stage::Decompose && document.voxelsAhead();
+  if (!stage || page_->centre())
+    badge_.setText({}, {});
+  else if (preview && document.voxelsInPlace())
+    badge_.setText(tr("Preview"), tr("Layers, paths and programs do not follow yet: press Plan."));
+  else if (!document.upToDate(*stage))
+    badge_.setText(tr("Out of date"), tr("Made before the settings were changed: press Plan."));
+  else
+    badge_.setText({}, {});
 }
 
 void PageStack::showStates() {

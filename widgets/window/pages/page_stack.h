@@ -13,6 +13,7 @@ namespace voluta::window {
 
 class FlowBar;
 class LegendView;
+class PictureBadge;
 
 class PageStack : public QObject, public Shell {
   Q_OBJECT
@@ -20,7 +21,7 @@ class PageStack : public QObject, public Shell {
 public:
   // `picture`: what stands in the middle on pages without a widget of their own for it.
   PageStack(const WorkspaceParts& workspace, QWidget* picture, LegendView& legend,
-            UnrolledDock& unrolled, QWidget* parent);
+            PictureBadge& badge, UnrolledDock& unrolled, QWidget* parent);
   ~PageStack() override;
 
   FlowBar* flow() { return flow_; }
@@ -52,10 +53,12 @@ private:
   void listenToViewport();
   void listenToPresenter();
   void listenToBars();
+  void showBadge();
   void forInputs(const std::function<void(ViewportInput&)>& does);
 
   WorkspaceParts workspace_;
   LegendView& legend_;
+  PictureBadge& badge_;
   UnrolledDock& unrolled_;
   FlowBar* flow_;
   QStackedWidget *sides_, *centres_;

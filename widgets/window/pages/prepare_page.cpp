@@ -8,6 +8,7 @@
 #include "panels/mesh_panel.h"
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"
+#include "pipeline/choices.h"
 #include "plan/finding_kinds.h"
 #include "window/mesh_summary.h"
 #include "window/presenter.h"
@@ -15,10 +16,20 @@
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <set>
 
 namespace voluta::window {
 
 using project::Stage;
+
+namespace {
+// Without the name of the parameter: it stands beside it.
+std::string problemText(const base::Error& error) {
+  const QString problem = language::words(error.message());
+  const QString remedy = language::words(error.remedy());
+  return (remedy.isEmpty() ? problem : problem + ": " + remedy).toStdString();
+}
+} // namespace
 
 PreparePage::PreparePage(const Workspace& workspace)
     : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
@@ -129,23 +140,39 @@ void PreparePage::setParameter(const QString& key, const QString& text) {
   try {
     work().document.setParameter(key, text);
   } catch (const base::Error& error) {
-    showChoices();
-    work().shell.tell(tr("Not a value for this parameter"), language::words(error.whole()));
+    parameters_->setProblems({{key.toStdString(), problemText(error)}});
   }
 }
 
 void PreparePage::showChoices() {
   const project::Choices& c = work().document.choices();
   choices_->show();
-  parameters_->setDefaults(document::parametersFor(c));
+  const base::ParameterTable table = document::parametersFor(c);
+  parameters_->setDefaults(table);
+  std::set<std::string> applying;
+  for (const base::ParameterSpec& spec : table.specs())
+    if (modes::takesParameter(modes::findMode(c.mode), spec.key))
+      applying.insert(spec.key);
+  parameters_->setApplying(applying);
   parameters_->setValues(c.parameters);
+  showProblems();
   placement_->setOnPlate(!modes::findMode(c.mode).aroundRod);
   placement_->setPlacement(handles_.placed());
   mesh_->setRepair(c.repair);
   showPart();
 }
 
+// Beneath its field, and nowhere else.
+void PreparePage::showProblems() {
+  std::map<std::string, std::string> problems;
+  if (const base::Error* error = work().document.unusable())
+    if (const auto* key = std::get_if<std::string>(&error->context().data()))
+      problems.emplace(*key, problemText(*error));
+  parameters_->setProblems(problems);
+}
+
 void PreparePage::showPart() {
+  showProblems();
   const document::Document& document = work().document;
   const auto source = document.source();
   const auto placed = document.result(Stage::Load);

@@ -41,6 +41,7 @@ private:
   void listen();
   void setParameter(const QString& key, const QString& text);
   void showChoices();
+  void showProblems();
   void showPart();
 
   PartHandles handles_;

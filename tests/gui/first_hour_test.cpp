@@ -1,0 +1,348 @@
+// What somebody meets who tries the window for the first time: nothing is lost, nothing is said to
+// be checked that was not, and every word is where it is looked for.
+#include "forms/parameter_row.h"
+#include "gui/window_fixture.h"
+#include "helpers/shapes.h"
+#include "panels/findings_panel.h"
+#include "panels/format_list.h"
+#include "panels/verdict_table.h"
+#include "timeline/layer_range_slider.h"
+#include "window/flow_bar.h"
+#include "window/picture_badge.h"
+#include "window/status_line.h"
+
+#include <QAction>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+#include <QToolBar>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+namespace voluta::test {
+namespace {
+
+using document::StageState;
+using project::Stage;
+using window::PageState;
+
+class FirstHourTest : public WindowTest {
+protected:
+  QString plinth() { return writePart("plinth.stl", box({0, 0, 0}, {9.0, 9.0, 5.0})); }
+  // Too small for its beads: the replay refuses its programs.
+  QString small() { return writePart("small.stl", box({0, 0, 0}, {5.0, 5.0, 5.0})); }
+  void planAll() {
+    clickToolBar("plan");
+    ASSERT_TRUE(planned(Stage::Replay));
+  }
+  QString saveAs(const QString& name) {
+    answerFileDialog(path(name));
+    clickMenu("fileMenu", "saveAs");
+    EXPECT_TRUE(waitFor([&] { return !document().dirty(); }, 20000));
+    return path(name);
+  }
+  static QByteArray bytesOf(const QString& name) {
+    QFile file(name);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll();
+  }
+  static int boxesUp() {
+    int count = 0;
+    for (const QWidget* widget : QApplication::topLevelWidgets())
+      count += widget->isVisible() && qobject_cast<const QMessageBox*>(widget) != nullptr;
+    return count;
+  }
+  PageState state(const char* page) { return find<window::FlowBar>("flowBar")->state(page); }
+  QString badge() {
+    auto* shown = find<window::PictureBadge>("pictureBadge");
+    return shown->isVisible() ? shown->text() : QString();
+  }
+  forms::ParameterRow* row(const char* key) {
+    return find<QWidget>("parameters")->findChild<forms::ParameterRow*>(key);
+  }
+  void type(QWidget* field, const QString& text) {
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(field, text);
+  }
+  QPushButton* exportButton() { return find<QWidget>("export")->findChild<QPushButton*>("export"); }
+  // On the Export page, into a folder of the test.
+  void exportInto(const QString& folder) {
+    choosePage(Page::Export);
+    auto* line = find<QWidget>("export")->findChild<QLineEdit*>("folder");
+    type(line, folder);
+    QTest::keyClick(line, Qt::Key_Tab);
+    ASSERT_TRUE(exportButton()->isEnabled());
+    QTest::mouseClick(exportButton(), Qt::LeftButton);
+  }
+};
+
+TEST_F(FirstHourTest, AMeshOpenedInASavedProjectLeavesTheProjectAsItIs) {
+  openPart(plinth());
+  const QString project = saveAs("first.voluta");
+  const QByteArray kept = bytesOf(project);
+  document().setParameter("walls", "1");
+  const QString other = writePart("other.stl", box({0, 0, 0}, {12.0, 8.0, 4.0}));
+  answerBox("unsavedBox", QMessageBox::RejectRole);
+  window().open(other);
+  EXPECT_EQ(document().name(), "first");
+  answerBox("unsavedBox", QMessageBox::DestructiveRole);
+  window().open(other);
+  ASSERT_TRUE(waitFor([&] { return document().name() == "other"; }));
+  EXPECT_TRUE(document().projectFile().isEmpty());
+  EXPECT_TRUE(document().dirty());
+  ASSERT_TRUE(planned(Stage::Load));
+  // Ctrl+S asks where to, with the part's name.
+  answerFileDialog(path("second.voluta"));
+  QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return !document().dirty(); }, 20000));
+  EXPECT_EQ(bytesOf(project), kept);
+  EXPECT_TRUE(QFile::exists(path("second.voluta")));
+}
+
+TEST_F(FirstHourTest, QuitAndDiscardQuits) {
+  openPart(plinth());
+  ASSERT_TRUE(document().dirty());
+  answerBox("unsavedBox", QMessageBox::DestructiveRole);
+  clickMenu("fileMenu", "quit");
+  EXPECT_TRUE(waitFor([&] { return !window().isVisible(); }, 5000));
+}
+
+TEST_F(FirstHourTest, AfterAChangeNothingIsSaidToBeChecked) {
+  openPart(small());
+  planAll();
+  choosePage(Page::Export);
+  auto* verdict = find<QWidget>("export")->findChild<panels::VerdictTable*>();
+  EXPECT_EQ(verdict->item(0, 3)->toolTip().contains("Not checked"), false);
+  document().setParameter("walls", "3");
+  QCoreApplication::processEvents();
+  EXPECT_EQ(verdict->item(0, 3)->toolTip(), "Not checked since the change");
+  EXPECT_EQ(badge(), "Out of date");
+  for (const char* page : {Page::Layers, Page::Simulate, Page::Export})
+    EXPECT_EQ(state(page), PageState::OutOfDate) << page;
+  document().undoStack()->undo();
+  QCoreApplication::processEvents();
+  EXPECT_NE(verdict->item(0, 3)->toolTip(), "Not checked since the change");
+  EXPECT_EQ(badge(), QString());
+}
+
+TEST_F(FirstHourTest, SliderAndPictureAreOfOneState) {
+  openPart(plinth());
+  planAll();
+  auto* slider = find<timeline::LayerRangeSlider>("layerSlider");
+  EXPECT_EQ(slider->layerCount(), window().presenter().pathLayers());
+  EXPECT_FALSE(slider->topText(0).isEmpty());
+  const int before = slider->layerCount();
+  document().setParameter("layerHeightMm", "0.5");
+  ASSERT_TRUE(waitFor([&] {
+    return document().upToDate(Stage::Decompose) && !window().livePreview().running() &&
+           !window().presenter().busy();
+  }));
+  ASSERT_TRUE(window().viewport().view().voxels);
+  EXPECT_EQ(badge(), "Preview");
+  EXPECT_EQ(slider->layerCount(), window().presenter().voxelLayers());
+  EXPECT_TRUE(slider->topText(0).isEmpty()) << "heights of layers that are not on show";
+  // The paths from before, with their layers.
+  for (auto* button : find<QWidget>("viewOptions")->findChildren<QAbstractButton*>())
+    if (button->text() == "Paths")
+      button->click();
+  EXPECT_TRUE(window().viewport().view().paths);
+  EXPECT_EQ(badge(), "Out of date");
+  EXPECT_EQ(slider->layerCount(), before);
+}
+
+TEST_F(FirstHourTest, CancelLeavesThePictureAsItWas) {
+  openPart(plinth());
+  planAll();
+  const QImage before = picture();
+  const auto paths = document().result(Stage::Toolpath);
+  find<QAction>("livePreview")->trigger(); // off
+  document().setParameter("voxelMm", "0.6");
+  ASSERT_TRUE(planned(Stage::Load));
+  QObject::connect(&window().planning(), &document::Planning::stageDone, &window(),
+                   [&](Stage stage) {
+                     if (stage == Stage::Layers)
+                       clickToolBar("cancel");
+                   });
+  clickToolBar("plan");
+  ASSERT_TRUE(waitFor([&] { return !window().planning().running(); }));
+  ASSERT_TRUE(waitFor([&] { return !window().presenter().busy(); }));
+  EXPECT_EQ(document().result(Stage::Toolpath), paths);
+  EXPECT_TRUE(window().viewport().view().paths);
+  EXPECT_EQ(badge(), "Out of date");
+  EXPECT_TRUE(find<QLabel>("statusStage")->text().contains("stays on show"));
+  find<QWidget>("pictureBadge")->hide();
+  EXPECT_LT(differingShare(before, picture()), 0.002);
+}
+
+TEST_F(FirstHourTest, ANumberThatTheProcessDoesNotTakeIsToldBeneathItsField) {
+  openPart(plinth());
+  choosePage(Page::Prepare);
+  auto* height = row("layerHeightMm");
+  ASSERT_NE(height, nullptr);
+  type(height->editor(), "5");
+  QTest::keyClick(height->editor(), Qt::Key_Tab);
+  QTest::qWait(200);
+  EXPECT_EQ(boxesUp(), 0);
+  EXPECT_TRUE(height->hasProblem());
+  EXPECT_FALSE(find<QAction>("plan")->isEnabled());
+  EXPECT_FALSE(find<QLabel>("notice")->isVisible()) << "told once";
+  EXPECT_EQ(document().failure(), nullptr);
+  int told = 0;
+  for (const QLabel* label : window().findChildren<QLabel*>())
+    if (label->isVisible()) {
+      EXPECT_FALSE(label->text().contains("layerHeightMm")) << label->text().toStdString();
+      told += label->text().contains("5 mm");
+    }
+  EXPECT_EQ(told, 1);
+  type(height->editor(), "0.8");
+  QTest::keyClick(height->editor(), Qt::Key_Tab);
+  EXPECT_FALSE(height->hasProblem());
+  EXPECT_TRUE(find<QAction>("plan")->isEnabled());
+}
+
+TEST_F(FirstHourTest, ANumberThatIsBeingTypedCountsWhenPlanIsPressed) {
+  openPart(plinth());
+  choosePage(Page::Prepare);
+  type(row("voxelMm")->editor(), "1.1");
+  QTest::keyClick(&window(), Qt::Key_L, Qt::ControlModifier);
+  ASSERT_TRUE(planned(Stage::Layers));
+  EXPECT_EQ(document().choices().parameters.at("voxelMm"), "1.1");
+}
+
+TEST_F(FirstHourTest, AReopenedProjectDoesNotSayThatThereIsSomethingToExport) {
+  openPart(plinth());
+  planAll();
+  const bool blocked = state(Page::Export) == PageState::Blocked;
+  const QString project = saveAs("plinth.voluta");
+  find<QAction>("new")->trigger();
+  window().open(project);
+  ASSERT_TRUE(waitFor([&] {
+    return document().name() == "plinth" && window().presenter().hasPaths() &&
+           !window().presenter().busy();
+  }));
+  EXPECT_EQ(state(Page::Export), blocked ? PageState::Blocked : PageState::Nothing);
+  EXPECT_EQ(state(Page::Layers), PageState::Done);
+  choosePage(Page::Export);
+  EXPECT_FALSE(exportButton()->isEnabled());
+}
+
+TEST_F(FirstHourTest, ExportAsksBeforeItReplacesAndLeavesAReport) {
+  openPart(small());
+  planAll();
+  QDir().mkpath(path("out"));
+  answerBox("", QMessageBox::DestructiveRole); // the refused ones too
+  exportInto(path("out"));
+  ASSERT_TRUE(waitFor([&] { return !QDir(path("out")).isEmpty(); }, 10000));
+  const QDir out(path("out"));
+  const QStringList names = out.entryList(QDir::Files);
+  EXPECT_TRUE(names.contains("report.json"));
+  EXPECT_GT(names.size(), 1);
+  QFile mark(out.filePath("report.json"));
+  ASSERT_TRUE(mark.open(QIODevice::WriteOnly));
+  mark.write("mine");
+  mark.close();
+  const auto again = [&](QMessageBox::ButtonRole replace) {
+    answerBox("replaceBox", replace);
+    auto* refused = new QTimer(&window());
+    QObject::connect(refused, &QTimer::timeout, refused, [refused] {
+      for (QWidget* widget : QApplication::topLevelWidgets())
+        if (auto* button = widget->findChild<QPushButton*>("writeRefused");
+            button && button->isVisible()) {
+          refused->deleteLater();
+          refused->stop();
+          QTest::mouseClick(button, Qt::LeftButton);
+          return;
+        }
+    });
+    refused->start(30);
+    QTest::mouseClick(exportButton(), Qt::LeftButton);
+    QTest::qWait(300);
+  };
+  again(QMessageBox::RejectRole);
+  EXPECT_EQ(bytesOf(out.filePath("report.json")), "mine");
+  again(QMessageBox::DestructiveRole);
+  EXPECT_TRUE(waitFor([&] { return bytesOf(out.filePath("report.json")) != "mine"; }, 5000));
+}
+
+TEST_F(FirstHourTest, TheMarkOfAFindingGoesWhenSomethingElseIsAskedFor) {
+  openPart(small());
+  planAll();
+  auto* list = find<panels::FindingsPanel>("findings")->findChild<QListView*>("list");
+  const auto mark = [&] {
+    for (int i = 0; i < list->model()->rowCount(); ++i) {
+      const QModelIndex index = list->model()->index(i, 0);
+      list->scrollTo(index);
+      QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(index).center());
+      if (window().viewport().view().marker)
+        return true;
+    }
+    return false;
+  };
+  if (!mark())
+    GTEST_SKIP() << "no finding has a place";
+  choosePage(Page::Layers);
+  choosePage(Page::Simulate);
+  EXPECT_FALSE(window().viewport().view().marker);
+  ASSERT_TRUE(mark());
+  document().setParameter("walls", "3");
+  EXPECT_FALSE(window().viewport().view().marker);
+}
+
+// 1280 x 800 at 150 %.
+TEST_F(FirstHourTest, ASmallScreenHasPlanAndCancelInSightAndFindingsToRead) {
+  openPart(small());
+  planAll();
+  for (const char* language : {"language_it", "language_en"}) {
+    find<QAction>(language)->trigger();
+    window().resize(853, 500);
+    QTest::qWait(100);
+    auto* bar = find<QToolBar>("toolBar");
+    for (const char* action : {"plan", "cancel"}) {
+      const QWidget* button = bar->widgetForAction(find<QAction>(action));
+      EXPECT_TRUE(button->isVisible()) << language << " " << action;
+      EXPECT_LE(button->mapTo(&window(), button->rect().bottomRight()).x(), window().width());
+    }
+  }
+}
+
+// Whatever a label says, the picture beside it keeps its size.
+TEST_F(FirstHourTest, ThePictureDoesNotJumpWhileAPlanComesIn) {
+  openPart(plinth());
+  choosePage(Page::Layers);
+  QTest::qWait(100);
+  const QSize before = window().viewport().size(), whole = window().size();
+  std::vector<QSize> sizes;
+  QObject::connect(&window().planning(), &document::Planning::progressed, &window(),
+                   [&] { sizes.push_back(window().viewport().size()); });
+  planAll();
+  QTest::qWait(200);
+  sizes.push_back(window().viewport().size());
+  for (const QSize& size : sizes)
+    EXPECT_EQ(size, before);
+  find<window::StatusLine>("statusLine")->showIdle(QString("a word and another ").repeated(60));
+  QTest::qWait(100);
+  EXPECT_EQ(window().size(), whole);
+  EXPECT_EQ(window().viewport().size(), before);
+}
+
+TEST_F(FirstHourTest, TheSizeOfThePartIsNotToldFourTimes) {
+  openPart(plinth());
+  choosePage(Page::Prepare);
+  int told = 0;
+  for (const QLabel* label : window().findChildren<QLabel*>())
+    told += label->text().contains(QString::fromUtf8("9.0 × 9.0 × 5.0"));
+  EXPECT_LE(told, 2); // where it is scaled, and in the status line
+  auto* tree = find<QTreeWidget>("tree");
+  for (int column = 0; column < tree->columnCount(); ++column)
+    EXPECT_FALSE(tree->topLevelItem(0)->text(column).contains("9.0"));
+}
+
+} // namespace
+} // namespace voluta::test

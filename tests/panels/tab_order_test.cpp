@@ -1,0 +1,75 @@
+#include "forms/tab_order.h"
+
+#include "forms/choices_form.h"
+#include "forms/parameter_form.h"
+#include "panels/placement_panel.h"
+#include "pipeline/road.h"
+
+#include <QLabel>
+#include <QTest>
+#include <QVBoxLayout>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+
+namespace {
+// What Tab goes through inside `top`, from its first field on.
+std::vector<QWidget*> tabbed(QWidget* top) {
+  std::vector<QWidget*> all;
+  QWidget* const first = forms::inReadingOrder(top).front();
+  QWidget* at = first;
+  do {
+    if (top->isAncestorOf(at) && (at->focusPolicy() & Qt::TabFocus) && at->isVisibleTo(top))
+      all.push_back(at);
+    at = at->nextInFocusChain();
+  } while (at != first);
+  return all;
+}
+
+// Each field is further down than the one before, or further right in the same line.
+void expectReadingOrder(QWidget* top) {
+  const std::vector<QWidget*> order = tabbed(top);
+  ASSERT_GT(order.size(), 3u);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const QPoint before = order[i - 1]->mapTo(top, order[i - 1]->rect().center());
+    const QPoint now = order[i]->mapTo(top, order[i]->rect().center());
+    const bool sameLine = std::abs(now.y() - before.y()) < order[i]->height() / 2;
+    EXPECT_TRUE(sameLine ? now.x() > before.x() : now.y() > before.y())
+        << qPrintable(order[i - 1]->objectName()) << " and then "
+        << qPrintable(order[i]->objectName());
+  }
+}
+
+TEST(TabOrder, GoesThroughASettingsFormAsItIsRead) {
+  auto* choices = new forms::ChoicesForm; // made first, shown second
+  forms::ParameterForm form(pipeline::allParameters());
+  form.setHeader(choices);
+  form.setShowAll(true);
+  form.resize(320, 3000);
+  form.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&form));
+  forms::tabInReadingOrder({&form});
+  expectReadingOrder(&form);
+}
+
+TEST(TabOrder, GoesThroughThePlacementAsItIsRead) {
+  panels::PlacementPanel panel;
+  panel.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+  forms::tabInReadingOrder({&panel});
+  expectReadingOrder(&panel);
+}
+
+TEST(TabOrder, GoesFromOneToTheNext) {
+  QWidget window;
+  auto* column = new QVBoxLayout(&window);
+  auto* second = new panels::PlacementPanel; // made in another order than shown
+  auto* first = new forms::ChoicesForm;
+  column->addWidget(first);
+  column->addWidget(second);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  forms::tabInReadingOrder({first, second});
+  expectReadingOrder(&window);
+}
+} // namespace

@@ -1,0 +1,41 @@
+#include "document/exporting.h"
+
+#include "base/files.h"
+#include "language/words.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace voluta::document {
+
+Exporting::Exporting(QObject* parent) : QObject(parent) {}
+
+QStringList Exporting::inTheWay(const QString& folder, const pipeline::Programs& programs) {
+  QStringList there;
+  for (const std::string& name : pipeline::handoverNames(programs))
+    if (const QString file = QString::fromStdString(name);
+        QFileInfo::exists(QDir(folder).filePath(file)))
+      there << file;
+  return there;
+}
+
+void Exporting::write(const QString& folder, std::shared_ptr<const pipeline::PlanResult> plan,
+                      pipeline::Programs programs) {
+  runner_.run(
+      [folder = folder.toStdString(), plan = std::move(plan),
+       programs = std::move(programs)](const base::RunContext& ctx) {
+        base::StagedFolder staged(folder);
+        pipeline::writeHandover(plan->job.report, programs, staged.path(), ctx);
+        staged.commit();
+        return static_cast<int>(pipeline::handoverNames(programs).size());
+      },
+      [this, folder](const base::Outcome<int>& outcome) {
+        if (const int* files = std::get_if<int>(&outcome))
+          emit written(folder, *files);
+        else if (const auto* error = std::get_if<base::Error>(&outcome))
+          emit failed(language::words(error->whole()));
+      },
+      1);
+}
+
+} // namespace voluta::document
