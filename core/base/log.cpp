@@ -31,7 +31,8 @@ Log::Log(const std::filesystem::path& file, std::size_t mostBytes) {
         "voluta", std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), mostBytes,
                                                                          kOlderFiles));
   } catch (const spdlog::spdlog_ex& e) {
-    throw Error(ErrorCode::CannotWrite, e.what(), file.string());
+    throw Error(ErrorCode::CannotWrite,
+                message("cannot be written: {why}"_text, std::string(e.what())), file.string());
   }
   logger_->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
   logger_->flush_on(spdlog::level::trace);
