@@ -38,9 +38,9 @@ Choices ModeSwitch::switched(const Choices& now, const std::string& mode) {
     const auto kept = companions_.find(to.aroundRod);
     const Companions with =
         kept == companions_.end() ? Companions{to.usual.cell, to.usual.process, {}} : kept->second;
-    next.cell = mode.usual.cell;
-    next.process = mode.usual.process;
-    next.placement = mode.usual.placement;
+    next.cell = with.cell;
+    next.process = with.process;
+    next.placement = with.placement;
     if (!platforms_.contains(mode))
       next.platform = to.usual.platform;
   }
