@@ -1,4 +1,4 @@
-// The stages of the road, in order (DESIGN §3).
+// The stages of the road, in order (docs/design.md, Stages).
 #pragma once
 
 #include "base/text.h"
