@@ -2,6 +2,7 @@
 // the list of keys.
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
+#include "plan/finding_kinds.h"
 
 #include <QAction>
 #include <QDialog>
@@ -84,9 +85,8 @@ TEST_F(WindowTest, CommandsCanBeUsedWhereTheyMeanSomething) {
 
 TEST_F(WindowTest, AFindingIsShownByThePageThatShowsItBest) {
   openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
-  plan::Finding finding;
   const auto shownFor = [&](const char* stage, std::optional<double> whenS) {
-    finding.stage = stage;
+    plan::Finding finding = plan::verbatimFinding(*plan::stageNamed(stage), "sample", "here", "");
     finding.whenS = whenS;
     window().pages().goTo(finding);
     return page().toStdString();

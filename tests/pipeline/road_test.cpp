@@ -9,6 +9,7 @@
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
+#include "plan/finding_kinds.h"
 
 #include <cmath>
 #include <cstdio>
@@ -271,7 +272,7 @@ TEST(Load, WithoutRepairTheMeshIsAsItWasRead) {
   EXPECT_EQ(raw.job.part->triangles.size(), 11u);
   EXPECT_FALSE(raw.job.report.model.watertight);
   ASSERT_FALSE(raw.job.report.findings.empty());
-  EXPECT_EQ(raw.job.report.findings[0].kind, "meshDefect");
+  EXPECT_EQ(voluta::plan::kindWord(raw.job.report.findings[0]), "meshDefect");
   EXPECT_FALSE(raw.job.loaded->repair);
   EXPECT_EQ(raw.job.loaded->mesh, source) << "no copy";
   // And back.

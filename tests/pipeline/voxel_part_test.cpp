@@ -160,7 +160,7 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   choices.placement.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());
   const auto turned = placedEll(choices);
   ASSERT_EQ(turned->findings.size(), 1u);
-  EXPECT_EQ(turned->findings[0].kind, "newCells");
+  EXPECT_EQ(voluta::plan::kindWord(turned->findings[0]), "newCells");
   EXPECT_THAT(voluta::plan::englishReason(turned->findings[0]), HasSubstr("quarter turns"));
   EXPECT_FALSE(turned->findings[0].blocking);
   EXPECT_GT(turned->voxels->count, 4u);
@@ -271,8 +271,8 @@ TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
   test::append(mesh, test::box({2, 2, 3}, {2.37, 5, 9}));
   const plan::Findings found = thinWallFindings(mesh, 0.8, {});
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].stage, "decompose");
-  EXPECT_EQ(found[0].kind, "thinWalls");
+  EXPECT_EQ(plan::stageOf(found[0]), plan::Stage::Decompose);
+  EXPECT_EQ(voluta::plan::kindWord(found[0]), "thinWalls");
   EXPECT_FALSE(found[0].blocking);
   ASSERT_TRUE(found[0].where);
   EXPECT_NEAR(found[0].where->x(), 2.2, 0.21);

@@ -558,7 +558,7 @@ TEST(UserPlanes, AQuadrilateralCutsWithinItsCorners) {
   EXPECT_NEAR(geometry::area(sliced.stack.patches[1].surface), 120.0, 1e-6);
   EXPECT_NEAR(volumeOf(sliced), 320.0, 1e-6);
   ASSERT_EQ(sliced.findings.size(), 1u);
-  EXPECT_EQ(sliced.findings[0].kind, "planeMisses");
+  EXPECT_EQ(voluta::plan::kindWord(sliced.findings[0]), "planeMisses");
 }
 
 TEST(UserPlanes, WrongOnesAreRefusedWithTheirPlace) {

@@ -194,7 +194,7 @@ TEST(Rod, OneStepOffItsPlanIsFound) {
   const Verification v = replayed(s, program);
   EXPECT_FALSE(v.passed);
   ASSERT_EQ(v.deviations, 1u) << told(v);
-  EXPECT_EQ(v.findings[0].kind, "externalAxisMoved");
+  EXPECT_EQ(voluta::plan::kindWord(v.findings[0]), "externalAxisMoved");
   EXPECT_EQ(v.places[0].line, 101u);
 }
 

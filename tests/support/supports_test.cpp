@@ -1,4 +1,5 @@
 // Supports for what growth misses, judged by the checker of ranks that shares nothing with growth.
+#include "plan/finding_kinds.h"
 #include "support/supports.h"
 
 #include "base/error.h"
@@ -91,7 +92,7 @@ TEST(Supports, AShadowedToothGetsOneStraightColumn) {
   expectMaskIsColumns(s, part);
   expectWhole(s, curved::platformFit(part, 0.0));
   ASSERT_EQ(s.findings.size(), 1u);
-  EXPECT_EQ(s.findings[0].kind, "supportColumn");
+  EXPECT_EQ(voluta::plan::kindWord(s.findings[0]), "supportColumn");
   EXPECT_FALSE(s.findings[0].blocking);
 }
 
@@ -131,7 +132,7 @@ TEST(Supports, WhatNoColumnReachesIsTold) {
   EXPECT_EQ(s.missedAfter, s.missedBefore);
   EXPECT_TRUE(s.columns.empty());
   ASSERT_EQ(s.findings.size(), 1u);
-  EXPECT_EQ(s.findings[0].kind, "noSupport");
+  EXPECT_EQ(voluta::plan::kindWord(s.findings[0]), "noSupport");
   EXPECT_TRUE(s.findings[0].blocking);
   EXPECT_EQ(s.findings[0].count, s.missedBefore);
 }

@@ -2,6 +2,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
+#include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/head_clearance.h"
 #include "toolpath/plan_toolpaths.h"
@@ -163,7 +164,7 @@ TEST(PlanToolpaths, NoRoomForTheHeadIsAFinding) {
   const auto r = toolpath::planToolpaths(stack, testProcess(), {}, base::RunContext{});
   EXPECT_GT(r.statistics.gouges, 0u);
   ASSERT_EQ(r.findings.size(), 1u);
-  EXPECT_EQ(r.findings[0].kind, "gouge");
+  EXPECT_EQ(voluta::plan::kindWord(r.findings[0]), "gouge");
   ASSERT_TRUE(r.findings[0].where);
   EXPECT_LT(r.findings[0].where->head<2>().norm(), 2.5);
   EXPECT_NEAR(r.findings[0].where->z(), 0.8, 0.5);
