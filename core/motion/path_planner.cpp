@@ -3,7 +3,6 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
-#include "base/units.h"
 #include "motion/even_turns.h"
 #include "motion/joint_costs.h"
 #include "motion/nozzle_frame.h"
@@ -21,97 +20,73 @@ using robot::JointVector;
 
 namespace {
 
-constexpr double kTurn = 2.0 * base::kPi;
-constexpr double kRungStep = 0.9; // rad, joint step between rungs that are some steps apart
-constexpr int kTries = 40;        // of blocking what failed and searching again
+constexpr int kTries = 40; // of blocking what failed and searching again
 constexpr int kTriesBeforeJudgingAll = 6;
 constexpr double kSmoothing = 200.0; // waves under about 24 waypoints go
 constexpr std::size_t kCheckChunk = 16;
 
-} // namespace
-
-void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
-                       const RobotState& from, const base::RunContext& ctx, std::vector<Run>& runs,
-                       std::vector<Refused>& refused) {
-  RobotState last = from;
-  std::size_t done = 0;
-  while (done < count) {
-    ctx.checkpoint();
-    const std::size_t runsBefore = runs.size(), refusedBefore = refused.size();
-    const std::size_t step = planPrefix(path, first + done, count - done, last, ctx, runs, refused);
-    // Where the run before ended is printed, whether or not it goes on from there.
-    if (refused.size() > refusedBefore && !runs.empty() &&
-        refused[refusedBefore].waypoint == runs.back().points.back().waypoint)
-      refused.erase(refused.begin() + static_cast<std::ptrdiff_t>(refusedBefore));
-    done += step;
-    if (runs.size() > runsBefore) {
-      last = runs.back().points.back().at;
-      // The next run begins where this one ended, so that nothing stays unprinted between them.
-      if (done < count)
-        --done;
-    }
+// What is left to plan of a path: as much of it as can be joined becomes a run.
+class Stretch {
+public:
+  Stretch(const MotionScene& scene, std::size_t path, std::size_t first, std::size_t count,
+          const RobotState& from, const base::RunContext& ctx, PathTimes& times)
+      : scene_(scene), ctx_(ctx), times_(times), first_(first),
+        ladder_(scene, first, count, from, times), count_(ladder_.followed()) {
+    run_.path = path;
   }
-}
 
-// Turns about the nozzle and of the rod at every waypoint from the ladder's: linear in the way
-// between rungs.
-PathPlanner::Course PathPlanner::courseOf(const Ladder& ladder, const LadderWay& way) const {
-  const plan::ToolPlan& plan = scene_.plan;
-  const int samples = scene_.options.samples;
-  Course course;
-  double turn = 0.0, rod = 0.0;
-  int last = 0;
-  for (std::size_t r = 0; r < way.reached; ++r) {
-    const LadderNode& node = ladder.rungs[r][static_cast<std::size_t>(way.node[r])];
-    const int sample = node.sample;
-    int change = r == 0 ? sample : (sample - last + samples) % samples;
-    if (change > samples / 2)
-      change -= samples;
-    const double next = turn + kTurn * change / samples, nextRod = kRodStep * node.rod;
-    if (r == 0) {
-      course.turn.push_back(next);
-      course.rod.push_back(nextRod);
-    } else {
-      const std::size_t b = ladder.places[r - 1].waypoint, e = ladder.places[r].waypoint;
-      double length = 0.0;
-      for (std::size_t i = b + 1; i <= e; ++i)
-        length += (plan.position[i] - plan.position[i - 1]).norm();
-      double travelled = 0.0;
-      for (std::size_t i = b + 1; i <= e; ++i) {
-        travelled += (plan.position[i] - plan.position[i - 1]).norm();
-        const double t = length > 0.0 ? travelled / length
-                                      : static_cast<double>(i - b) / static_cast<double>(e - b);
-        course.turn.push_back(turn + t * (next - turn));
-        course.rod.push_back(rod + t * (nextRod - rod));
-      }
-    }
-    turn = next;
-    rod = nextRod;
-    last = sample;
-  }
-  return course;
-}
+  // Appends a run, or what is refused; returns how many waypoints that deals with (>= 1).
+  std::size_t plan(std::vector<Run>& runs, std::vector<Refused>& refused);
 
-// The points of waypoints [first, first + course.turn.size()), divided where the nozzle would bend
-// off its way. False: at waypoint failedAt the joints cannot follow.
-bool PathPlanner::fill(std::size_t first, const Course& course, const JointVector& start,
-                       std::vector<RunPoint>& points, std::size_t& failedAt) const {
+private:
+  // A way that does not join all rungs: finds more of it, or settles for less. False: there is
+  // none, and nothing more to try.
+  bool goFurther(const LadderWay& way);
+  std::size_t refuseStart(const LadderWay& way, std::vector<Refused>& refused);
+  // Fills run_ along a way over all rungs. Returns the waypoints that fail; none: it is good.
+  std::vector<std::size_t> follow(const LadderWay& way);
+  // Can both ends be left? Where not, their nodes are blocked: false asks for another way.
+  bool endsLift();
+  // Settles for what comes before the first failure. False: that is nothing.
+  bool settle(std::size_t failed);
+  // Judges the rungs about each failure; where the way's own nodes stay clear, looks closer.
+  void lookCloser(const LadderWay& way, const std::vector<std::size_t>& failed, bool judgeAll);
+
+  // The points of waypoints [first, first + course.turn.size()), divided where the nozzle would
+  // bend off its way. False: at waypoint failedAt the joints cannot follow.
+  bool fill(const Course& course, const JointVector& start, std::vector<RunPoint>& points,
+            std::size_t& failedAt) const;
+  std::vector<std::size_t> failures(const std::vector<RunPoint>& points) const;
+
+  const MotionScene& scene_;
+  const base::RunContext& ctx_;
+  PathTimes& times_;
+  std::size_t first_;
+  PathLadder ladder_;
+  std::size_t count_;
+  Run run_;
+  bool wantsLift_ = true; // from both ends
+};
+
+bool Stretch::fill(const Course& course, const JointVector& start, std::vector<RunPoint>& points,
+                   std::size_t& failedAt) const {
   const plan::ToolPlan& plan = scene_.plan;
   points.clear();
   std::vector<JointVector> scratch;
   const auto toolAt = [&](std::size_t i) {
-    return turned(tools_[i - toolsFirst_], course.turn[i - first]);
+    return turned(ladder_.toolAt(i), course.turn[i - first_]);
   };
-  const auto rodTo = [&](std::size_t i) { return rodAt(i) + course.rod[i - first]; };
+  const auto rodTo = [&](std::size_t i) { return ladder_.rodAt(i) + course.rod[i - first_]; };
   JointVector q;
-  // The first solution may differ from the ladder's where turns were evened out.
-  if (!solveNear(scene_.cell, plan.position[first], toolAt(first), start, kRungStep, scratch, q)) {
-    failedAt = first;
+  // The first_ solution may differ from the ladder's where turns were evened out.
+  if (!solveNear(scene_.cell, plan.position[first_], toolAt(first_), start, kRungStepRad, scratch,
+                 q)) {
+    failedAt = first_;
     return false;
   }
   points.push_back(
-      {{plan.position[first], toolAt(first), q, rodTo(first)}, first, first, 0.0, 0.0});
-  for (std::size_t i = first + 1; i < first + course.turn.size(); ++i) {
+      {{plan.position[first_], toolAt(first_), q, rodTo(first_)}, first_, first_, 0.0, 0.0});
+  for (std::size_t i = first_ + 1; i < first_ + course.turn.size(); ++i) {
     const Quaterniond from = toolAt(i - 1), to = toolAt(i);
     const Vector3d a = plan.position[i - 1], b = plan.position[i];
     const int n = scene_.divisions(a, b, angleBetween(from, to));
@@ -139,12 +114,11 @@ bool PathPlanner::fill(std::size_t first, const Course& course, const JointVecto
   return true;
 }
 
-std::vector<std::size_t> PathPlanner::failures(const std::vector<RunPoint>& points,
-                                               const base::RunContext& ctx) const {
+std::vector<std::size_t> Stretch::failures(const std::vector<RunPoint>& points) const {
   std::vector<char> bad(points.size(), 0);
-  base::parallelChunks(ctx, points.size(), kCheckChunk, [&](std::size_t b, std::size_t e) {
+  base::parallelChunks(ctx_, points.size(), kCheckChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e; ++p)
-      bad[p] = contactAt(points[p].at.q, points[p].next).has_value();
+      bad[p] = ladder_.contactAt(points[p].at.q, points[p].next).has_value();
   });
   std::vector<std::size_t> waypoints;
   for (std::size_t p = 0; p < points.size(); ++p)
@@ -153,260 +127,173 @@ std::vector<std::size_t> PathPlanner::failures(const std::vector<RunPoint>& poin
   return waypoints;
 }
 
-// Of two ways to begin, by whole turns: near where the arm is, which may wind it up against its
-// limits, and near home. The one that gets further, then the cheaper one.
-LadderWay PathPlanner::bestWay(Ladder& ladder, const RobotState& from) const {
-  const auto search = [&] {
-    std::vector<double> startCosts;
-    for (const LadderNode& node : ladder.rungs.front())
-      startCosts.push_back(startCost(armOf(scene_.cell, from.q), armOf(scene_.cell, node.q)));
-    return shortestWay(ladder.rungs, startCosts, scene_.cell.robot().limits, ladder.options);
-  };
-  const auto beginNear = [&](const JointVector& near) {
-    bool changed = false;
-    for (LadderNode& node : ladder.rungs.front())
-      for (Eigen::Index j = 0; j < scene_.cell.armDof(); ++j) {
-        const double turns = std::round((near[j] - node.q[j]) / kTurn);
-        const auto& limit = scene_.cell.limits()[static_cast<std::size_t>(j)];
-        const double q = node.q[j] + kTurn * turns;
-        if (turns != 0.0 && q >= limit.min && q <= limit.max) {
-          node.q[j] = q;
-          changed = true;
-        }
-      }
-    return changed;
-  };
-  beginNear(from.q);
-  LadderWay near = search();
-  const JointVector first = near.reached > 0 ? near.q.front() : from.q;
-  const bool changed = beginNear(scene_.cell.home());
-  if (!changed || (near.reached == ladder.rungs.size() &&
-                   first == ladder.rungs.front()[static_cast<std::size_t>(near.node.front())].q))
-    return near;
-  LadderWay unwound = search();
-  if (unwound.reached > near.reached ||
-      (unwound.reached == near.reached && unwound.cost < near.cost))
-    return unwound;
-  return near;
+bool Stretch::goFurther(const LadderWay& way) {
+  if (ladder_.widen(way.reached, ctx_))
+    return true;
+  // Better a run that is hard to leave than none.
+  if (wantsLift_ && ladder_.allowUnliftable()) {
+    wantsLift_ = false;
+    return true;
+  }
+  if (way.reached == 0)
+    return false;
+  if (ladder_.refine(way.reached, ctx_))
+    return true;
+  if (way.reached == 1)
+    return false;
+  // Nothing further is joined: what is, is printed, and the rest begins anew.
+  ladder_.keepUpTo(way.reached - 1, ctx_);
+  count_ = ladder_.waypointOf(way.reached - 1) - first_ + 1;
+  return true;
 }
 
-std::size_t PathPlanner::planPrefix(std::size_t path, std::size_t first, std::size_t count,
-                                    const RobotState& from, const base::RunContext& ctx,
-                                    std::vector<Run>& runs, std::vector<Refused>& refused) {
-  count = carryTools(first, count, from);
-  if (count == 0) {
-    refused.push_back({first, Refusal::Unreachable, {}});
+std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& refused) {
+  if (way.reached == 0) {
+    if (ladder_.turnsRod())
+      return ladder_.refuseBlocked(ctx_, refused);
+    ladder_.judge({0}, ctx_); // for the reason
+  }
+  refused.push_back(ladder_.refusalOf(0));
+  return 1;
+}
+
+std::vector<std::size_t> Stretch::follow(const LadderWay& way) {
+  Course course = ladder_.courseOf(way);
+  std::size_t failedAt = 0;
+  base::Stopwatch watch;
+  const bool followed = fill(course, way.q.front(), run_.ladder, failedAt);
+  // On a rod it often need not turn at all.
+  const bool uneven =
+      !ladder_.turnsRod() || std::any_of(course.turn.begin(), course.turn.end(),
+                                         [&](double t) { return t != course.turn.front(); });
+  if (uneven)
+    course.turn = evened(course.turn, kSmoothing);
+  const bool smooth = followed && uneven && scene_.options.smooth &&
+                      fill(course, way.q.front(), run_.points, failedAt);
+  times_.ik += watch.seconds();
+  if (!followed)
+    return {failedAt};
+  watch = base::Stopwatch();
+  std::vector<std::size_t> failed;
+  if (!smooth || !failures(run_.points).empty()) {
+    run_.points = run_.ladder;
+    failed = failures(run_.points);
+  }
+  times_.collision += watch.seconds();
+  return failed;
+}
+
+bool Stretch::endsLift() {
+  const std::size_t last = ladder_.size() - 1;
+  const RunPoint &start = run_.points.front(), &end = run_.points.back();
+  const bool startHeld = !ladder_.wasLifted(0) && !ladder_.liftable(start.at, start.next);
+  const bool endHeld = !ladder_.wasLifted(last) && !ladder_.liftable(end.at, end.next + 1);
+  if (startHeld)
+    ladder_.blockUnliftable(0, first_, ctx_);
+  if (endHeld)
+    ladder_.blockUnliftable(last, first_ + count_, ctx_);
+  return !startHeld && !endHeld;
+}
+
+bool Stretch::settle(std::size_t failed) {
+  if (failed < first_ + 2)
+    return false;
+  count_ = failed - first_;
+  ladder_.setRungs(count_, ctx_);
+  return true;
+}
+
+void Stretch::lookCloser(const LadderWay& way, const std::vector<std::size_t>& failed,
+                         bool judgeAll) {
+  std::vector<std::size_t> about;
+  if (judgeAll) {
+    for (std::size_t r = 0; r < ladder_.size(); ++r)
+      about.push_back(r);
+  } else {
+    for (const std::size_t w : failed) {
+      const std::size_t r = ladder_.rungAt(w);
+      for (std::size_t k = r < 2 ? 0 : r - 2; k < std::min(r + 2, ladder_.size()); ++k)
+        about.push_back(k);
+    }
+  }
+  ladder_.judge(about, ctx_);
+  std::vector<std::size_t> between;
+  for (const std::size_t w : failed) {
+    const std::size_t r = ladder_.rungAt(w);
+    LadderNode& here = ladder_.node(r, way.node[r]);
+    if (here.blocked || (r > 0 && ladder_.node(r - 1, way.node[r - 1]).blocked))
+      continue;
+    if (r > 0 && ladder_.waypointOf(r) - ladder_.waypointOf(r - 1) > 1)
+      between.push_back(w);
+    else
+      here.blocked = true; // clear itself, but not on the way to it
+  }
+  for (const std::size_t w : between)
+    ladder_.refine(ladder_.rungAt(w), ctx_);
+}
+
+std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused) {
+  if (count_ == 0) {
+    refused.push_back({first_, Refusal::Unreachable, {}});
     return 1;
   }
-  Ladder ladder;
-  ladder.options.samples = scene_.options.samples;
-  ladder.options.window = std::max(1, scene_.options.samples / 12);
-  const auto setPlaces = [&](const std::vector<std::size_t>& waypoints) {
-    std::vector<Place> places;
-    std::vector<Rung> rungs;
-    std::vector<std::size_t> fresh;
-    std::size_t old = 0;
-    for (const std::size_t w : waypoints) {
-      while (old < ladder.places.size() && ladder.places[old].waypoint < w)
-        ++old;
-      if (old < ladder.places.size() && ladder.places[old].waypoint == w) {
-        places.push_back(std::move(ladder.places[old]));
-        rungs.push_back(std::move(ladder.rungs[old]));
-        ++old;
-      } else {
-        fresh.push_back(places.size());
-        places.push_back({w, false, false, false, {}, {}});
-        rungs.emplace_back();
-      }
-    }
-    ladder.places = std::move(places);
-    ladder.rungs = std::move(rungs);
-    ladder.options.maxStepRad.assign(ladder.places.size(), kRungStep);
-    for (std::size_t r = 1; r < ladder.places.size(); ++r)
-      ladder.options.maxStepRad[r] =
-          std::min(kRungStep,
-                   scene_.options.maxStepRad * static_cast<double>(ladder.places[r].waypoint -
-                                                                   ladder.places[r - 1].waypoint));
-    addNodes(ladder, fresh, from, ctx);
-    return fresh;
-  };
-  // Makes every waypoint between rungs r - 1 and r a rung. False: they were neighbours already.
-  const auto refine = [&](std::size_t r) {
-    const std::size_t b = ladder.places[r - 1].waypoint, e = ladder.places[r].waypoint;
-    if (e - b <= 1)
-      return false;
-    std::vector<std::size_t> waypoints;
-    for (const Place& p : ladder.places) {
-      if (p.waypoint == e)
-        for (std::size_t i = b + 1; i < e; ++i)
-          waypoints.push_back(i);
-      waypoints.push_back(p.waypoint);
-    }
-    judge(ladder, setPlaces(waypoints), ctx);
-    return true;
-  };
-  const auto refuse = [&](const Place& place, const Rung& rung) {
-    refused.push_back(refusal(place, rung));
-  };
-  setPlaces(rungWaypoints(first, count));
-
-  Run run;
-  run.path = path;
-  bool wantsLift = true; // from both ends
-  const auto close = [&](const LadderWay& way) {
-    // Nothing further is joined: what is, is printed, and the rest begins anew.
-    const std::size_t last = ladder.places[way.reached - 1].waypoint;
-    std::vector<std::size_t> waypoints;
-    for (const Place& p : ladder.places)
-      if (p.waypoint <= last)
-        waypoints.push_back(p.waypoint);
-    setPlaces(waypoints);
-    count = last - first + 1;
-  };
-
+  ladder_.setRungs(count_, ctx_);
   for (int tries = 0;; ++tries) {
-    ctx.checkpoint();
-    base::Stopwatch watch;
-    const LadderWay way = bestWay(ladder, from);
+    ctx_.checkpoint();
+    const base::Stopwatch watch;
+    const LadderWay way = ladder_.bestWay();
     times_.graph += watch.seconds();
 
-    if (way.reached < ladder.places.size() && widen(ladder, way.reached, from, ctx))
-      continue;
-    if (way.reached < ladder.places.size() && wantsLift) {
-      bool relaxed = false;
-      for (std::size_t r = 0; r < ladder.places.size(); ++r) {
-        for (const std::size_t n : ladder.places[r].unliftable)
-          ladder.rungs[r][n].blocked = false;
-        relaxed = relaxed || !ladder.places[r].unliftable.empty();
-        ladder.places[r].unliftable.clear();
-      }
-      // Better a run that is hard to leave than none.
-      if (relaxed) {
-        wantsLift = false;
+    if (way.reached < ladder_.size()) {
+      if (goFurther(way))
         continue;
-      }
+      return refuseStart(way, refused);
     }
-    if (way.reached == 0) {
-      if (!rod_.empty())
-        return refuseBlocked(ladder, from, ctx, refused);
-      judge(ladder, {0}, ctx); // for the reason
-      refuse(ladder.places[0], ladder.rungs[0]);
+    if (count_ < 2) {
+      refused.push_back(ladder_.refusalOf(0));
       return 1;
     }
-    if (way.reached < ladder.places.size()) {
-      const std::size_t r = way.reached;
-      if (refine(r))
+    const std::vector<std::size_t> failed = follow(way);
+    if (failed.empty()) {
+      if (wantsLift_ && !endsLift())
         continue;
-      if (r == 1) {
-        refuse(ladder.places[0], {LadderNode{}});
-        return 1;
-      }
-      close(way);
+      runs.push_back(std::move(run_));
+      return count_;
+    }
+    if (tries < kTries) {
+      lookCloser(way, failed, tries >= kTriesBeforeJudgingAll);
       continue;
     }
-    if (count < 2) {
-      refuse(ladder.places[0], {LadderNode{}});
+    if (!settle(failed.front())) {
+      refused.push_back({first_, Refusal::NoConnection, {}});
       return 1;
     }
+    tries = 0;
+  }
+}
 
-    Course course = courseOf(ladder, way);
-    std::vector<std::size_t> failed;
-    std::size_t failedAt = 0;
-    watch = base::Stopwatch();
-    const bool followed = fill(first, course, way.q.front(), run.ladder, failedAt);
-    bool good = false;
-    // On a rod it often need not turn at all.
-    const bool uneven =
-        rod_.empty() || std::any_of(course.turn.begin(), course.turn.end(),
-                                    [&](double t) { return t != course.turn.front(); });
-    if (uneven)
-      course.turn = evened(course.turn, kSmoothing);
-    if (followed && uneven && scene_.options.smooth &&
-        fill(first, course, way.q.front(), run.points, failedAt)) {
-      times_.ik += watch.seconds();
-      watch = base::Stopwatch();
-      good = failures(run.points, ctx).empty();
-      times_.collision += watch.seconds();
-    } else {
-      times_.ik += watch.seconds();
-    }
-    if (followed && !good) {
-      watch = base::Stopwatch();
-      run.points = run.ladder;
-      failed = failures(run.points, ctx);
-      times_.collision += watch.seconds();
-      good = failed.empty();
-    }
-    if (good && wantsLift) {
-      const auto endRung = ladder.places.size() - 1;
-      const bool startHeld = !ladder.places.front().lifted &&
-                             !liftable(run.points.front().at, run.points.front().next);
-      const bool endHeld = !ladder.places[endRung].lifted &&
-                           !liftable(run.points.back().at, run.points.back().next + 1);
-      if (startHeld)
-        blockUnliftable(ladder, 0, first, ctx);
-      if (endHeld)
-        blockUnliftable(ladder, endRung, first + count, ctx);
-      if (startHeld || endHeld)
-        continue;
-    }
-    if (good) {
-      runs.push_back(std::move(run));
-      return count;
-    }
-    if (!followed)
-      failed = {failedAt};
-    if (tries >= kTries) {
-      // Settle for what comes before the first failure.
-      const std::size_t end = failed.front();
-      if (end < first + 2) {
-        refuse({first, true, true, true, {}, {}}, {LadderNode{}});
-        return 1;
-      }
-      count = end - first;
-      setPlaces(rungWaypoints(first, count));
-      tries = 0;
-      continue;
-    }
+} // namespace
 
-    // Judge the rungs about each failure; where the way's own nodes stay clear, look closer.
-    std::vector<std::size_t> about;
-    if (tries >= kTriesBeforeJudgingAll) {
-      for (std::size_t r = 0; r < ladder.places.size(); ++r)
-        about.push_back(r);
-    } else {
-      for (const std::size_t w : failed) {
-        const auto at = std::lower_bound(
-            ladder.places.begin(), ladder.places.end(), w,
-            [](const Place& p, std::size_t waypoint) { return p.waypoint < waypoint; });
-        const auto r = static_cast<std::size_t>(at - ladder.places.begin());
-        for (std::size_t k = r < 2 ? 0 : r - 2; k < std::min(r + 2, ladder.places.size()); ++k)
-          about.push_back(k);
-      }
-    }
-    judge(ladder, about, ctx);
-    std::vector<std::size_t> between;
-    for (const std::size_t w : failed) {
-      const auto at = std::lower_bound(
-          ladder.places.begin(), ladder.places.end(), w,
-          [](const Place& p, std::size_t waypoint) { return p.waypoint < waypoint; });
-      const auto r = static_cast<std::size_t>(at - ladder.places.begin());
-      LadderNode& here = ladder.rungs[r][static_cast<std::size_t>(way.node[r])];
-      const bool blockedHere = here.blocked;
-      const bool blockedBefore =
-          r > 0 && ladder.rungs[r - 1][static_cast<std::size_t>(way.node[r - 1])].blocked;
-      if (blockedHere || blockedBefore)
-        continue;
-      if (r > 0 && ladder.places[r].waypoint - ladder.places[r - 1].waypoint > 1)
-        between.push_back(w);
-      else
-        here.blocked = true; // clear itself, but not on the way to it
-    }
-    for (const std::size_t w : between) {
-      const auto at = std::lower_bound(
-          ladder.places.begin(), ladder.places.end(), w,
-          [](const Place& p, std::size_t waypoint) { return p.waypoint < waypoint; });
-      refine(static_cast<std::size_t>(at - ladder.places.begin()));
+void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
+                       const RobotState& from, const base::RunContext& ctx, std::vector<Run>& runs,
+                       std::vector<Refused>& refused) {
+  RobotState last = from;
+  std::size_t done = 0;
+  while (done < count) {
+    ctx.checkpoint();
+    const std::size_t runsBefore = runs.size(), refusedBefore = refused.size();
+    const std::size_t step =
+        Stretch(scene_, path, first + done, count - done, last, ctx, times_).plan(runs, refused);
+    // Where the run before ended is printed, whether or not it goes on from there.
+    if (refused.size() > refusedBefore && !runs.empty() &&
+        refused[refusedBefore].waypoint == runs.back().points.back().waypoint)
+      refused.erase(refused.begin() + static_cast<std::ptrdiff_t>(refusedBefore));
+    done += step;
+    if (runs.size() > runsBefore) {
+      last = runs.back().points.back().at;
+      // The next run begins where this one ended, so that nothing stays unprinted between them.
+      if (done < count)
+        --done;
     }
   }
 }

@@ -1,0 +1,397 @@
+#include "motion/path_ladder.h"
+
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "base/stopwatch.h"
+#include "base/units.h"
+#include "motion/joint_costs.h"
+#include "motion/nozzle_frame.h"
+#include "motion/rod_turn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace voluta::motion {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using robot::JointVector;
+
+namespace {
+
+constexpr double kTurn = 2.0 * base::kPi;
+constexpr double kRodStep = 15.0 * base::kPi / 180.0;   // of its angle from the upright one
+constexpr double kLiftStepMm = 2.0, kLiftFactor = 10.0; // of liftMm, from both ends of a run
+constexpr std::size_t kRungChunk = 2, kJudgeChunk = 1;
+// On a rod the nozzle hardly moves in the base, however long the way: rungs come at least so often.
+constexpr std::size_t kRodRungWaypoints = 64;
+constexpr double kRodCost = 0.3;       // of a node a step of the rod's from the upright angle
+constexpr std::size_t kWidenReach = 3; // rungs to both sides
+
+Quaterniond rodTurn(double angle) {
+  return Quaterniond(std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0);
+}
+
+} // namespace
+
+PathLadder::PathLadder(const MotionScene& scene, std::size_t first, std::size_t count,
+                       const RobotState& from, PathTimes& times)
+    : scene_(scene), times_(times), first_(first), from_(from) {
+  options_.samples = scene.options.samples;
+  options_.window = std::max(1, scene.options.samples / 12);
+  followed_ = carryTools(count);
+}
+
+std::size_t PathLadder::carryTools(std::size_t count) {
+  tools_.resize(count);
+  Quaterniond tool = from_.tool;
+  if (scene_.cell.externalAxes().empty()) {
+    for (std::size_t i = 0; i < count; ++i) {
+      tool = carried(tool, scene_.plan.direction[first_ + i]);
+      tools_[i] = tool;
+    }
+    return count;
+  }
+  // As it stands in the base: round a cone it comes back to itself there, in the work frame not.
+  rod_ = uprightAngles(scene_.plan, scene_.cell, first_, count, from_.rodRad);
+  tool = rodTurn(from_.rodRad) * tool;
+  for (std::size_t i = 0; i < rod_.size(); ++i) {
+    tool = carried(tool, turnedByRod(scene_.plan.direction[first_ + i], rod_[i]));
+    tools_[i] = rodTurn(-rod_[i]) * tool;
+  }
+  return rod_.size();
+}
+
+Vector3d PathLadder::inBase(const Vector3d& v, std::size_t waypoint) const {
+  return rod_.empty() ? v : turnedByRod(v, rodAt(waypoint));
+}
+
+std::vector<std::size_t> PathLadder::rungWaypoints(std::size_t count) const {
+  const plan::ToolPlan& plan = scene_.plan;
+  std::vector<std::size_t> rungs{first_};
+  double way = 0.0, turn = 0.0;
+  for (std::size_t i = first_ + 1; i < first_ + count; ++i) {
+    const double step = (inBase(plan.position[i], i) - inBase(plan.position[i - 1], i - 1)).norm();
+    const double angle = std::acos(std::clamp(
+        inBase(plan.direction[i], i).dot(inBase(plan.direction[i - 1], i - 1)), -1.0, 1.0));
+    way += step;
+    turn += angle;
+    const bool tooFar = way > scene_.options.rungMm || turn > scene_.options.rungTurnRad ||
+                        (!rod_.empty() && i - rungs.back() > kRodRungWaypoints);
+    if (tooFar && i - 1 > rungs.back()) {
+      rungs.push_back(i - 1);
+      way = step;
+      turn = angle;
+    }
+  }
+  if (rungs.back() != first_ + count - 1)
+    rungs.push_back(first_ + count - 1);
+  return rungs;
+}
+
+void PathLadder::setRungs(std::size_t count, const base::RunContext& ctx) {
+  setPlaces(rungWaypoints(count), ctx);
+}
+
+void PathLadder::keepUpTo(std::size_t rung, const base::RunContext& ctx) {
+  std::vector<std::size_t> waypoints;
+  for (std::size_t r = 0; r <= rung; ++r)
+    waypoints.push_back(places_[r].waypoint);
+  setPlaces(waypoints, ctx);
+}
+
+void PathLadder::setPlaces(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx) {
+  std::vector<Place> places;
+  std::vector<Rung> rungs;
+  std::vector<std::size_t> fresh;
+  std::size_t old = 0;
+  for (const std::size_t w : waypoints) {
+    while (old < places_.size() && places_[old].waypoint < w)
+      ++old;
+    if (old < places_.size() && places_[old].waypoint == w) {
+      places.push_back(std::move(places_[old]));
+      rungs.push_back(std::move(rungs_[old]));
+      ++old;
+    } else {
+      fresh.push_back(places.size());
+      places.push_back({w, false, false, false, {}, {}});
+      rungs.emplace_back();
+    }
+  }
+  places_ = std::move(places);
+  rungs_ = std::move(rungs);
+  options_.maxStepRad.assign(places_.size(), kRungStepRad);
+  for (std::size_t r = 1; r < places_.size(); ++r)
+    options_.maxStepRad[r] = std::min(
+        kRungStepRad, scene_.options.maxStepRad *
+                          static_cast<double>(places_[r].waypoint - places_[r - 1].waypoint));
+  const base::Stopwatch watch;
+  base::parallelChunks(ctx, fresh.size(), kRungChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t r = b; r < e; ++r)
+      addNodes(places_[fresh[r]], rungs_[fresh[r]], {0});
+  });
+  times_.ik += watch.seconds();
+}
+
+bool PathLadder::refine(std::size_t rung, const base::RunContext& ctx) {
+  const std::size_t b = places_[rung - 1].waypoint, e = places_[rung].waypoint;
+  if (e - b <= 1)
+    return false;
+  std::vector<std::size_t> waypoints;
+  std::vector<std::size_t> fresh;
+  for (const Place& p : places_) {
+    if (p.waypoint == e)
+      for (std::size_t i = b + 1; i < e; ++i) {
+        fresh.push_back(waypoints.size());
+        waypoints.push_back(i);
+      }
+    waypoints.push_back(p.waypoint);
+  }
+  setPlaces(waypoints, ctx);
+  judge(fresh, ctx);
+  return true;
+}
+
+void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>& rodSteps) const {
+  const int samples = scene_.options.samples;
+  std::vector<JointVector> solutions;
+  for (const int rod : rodSteps) {
+    const JointVector near = withRod(scene_.cell, from_.q, rodAt(place.waypoint) + kRodStep * rod);
+    for (int k = 0; k < samples; ++k) {
+      const Quaterniond tool =
+          turned(toolAt(place.waypoint), kTurn * k / static_cast<double>(samples));
+      scene_.cell.inverse(toolPose(scene_.plan.position[place.waypoint], tool), near, solutions);
+      for (const JointVector& q : solutions)
+        rung.push_back({q, k, rod,
+                        limitCost(q, scene_.cell.robot().limits) + kRodCost * std::abs(rod),
+                        false});
+    }
+  }
+}
+
+bool PathLadder::widen(std::size_t rung, const base::RunContext& ctx) {
+  std::vector<std::size_t> todo;
+  if (!rod_.empty())
+    for (std::size_t r = rung < kWidenReach ? 0 : rung - kWidenReach;
+         r < std::min(rung + kWidenReach + 1, places_.size()); ++r)
+      if (!places_[r].widened)
+        todo.push_back(r);
+  const base::Stopwatch watch;
+  base::parallelChunks(ctx, todo.size(), kJudgeChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t t = b; t < e; ++t) {
+      Place& place = places_[todo[t]];
+      Rung& nodes = rungs_[todo[t]];
+      const std::size_t before = nodes.size();
+      addNodes(place, nodes, {-2, -1, 1, 2});
+      for (std::size_t n = before; n < nodes.size(); ++n)
+        if (const auto contact = contactAt(nodes[n].q, place.waypoint)) {
+          nodes[n].blocked = true;
+          place.contacts.push_back(*contact);
+        }
+      place.widened = true;
+      place.lifted = false;
+    }
+  });
+  times_.collision += watch.seconds();
+  return !todo.empty();
+}
+
+std::optional<collision::Contact> PathLadder::contactAt(const JointVector& q,
+                                                        std::size_t waypoint) const {
+  collision::CellCollision::Frames frames;
+  scene_.cell.framePoses(q, frames);
+  if (const auto contact = scene_.collision.bodies(frames, scene_.options.printing))
+    return contact;
+  return scene_.collision.bodiesAndPart(frames, scene_.part, waypoint, scene_.options.printing);
+}
+
+void PathLadder::judge(const std::vector<std::size_t>& rungs, const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  std::vector<std::size_t> todo;
+  for (const std::size_t r : rungs)
+    if (!places_[r].judged) {
+      places_[r].judged = true;
+      todo.push_back(r);
+    }
+  base::parallelChunks(ctx, todo.size(), kJudgeChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t t = b; t < e; ++t) {
+      Place& place = places_[todo[t]];
+      for (LadderNode& node : rungs_[todo[t]])
+        if (const auto contact = contactAt(node.q, place.waypoint)) {
+          node.blocked = true;
+          place.contacts.push_back(*contact);
+        }
+    }
+  });
+  times_.collision += watch.seconds();
+}
+
+Refused PathLadder::refusalOf(std::size_t rung) const {
+  const Place& place = places_[rung];
+  Refused r{
+      place.waypoint, rungs_[rung].empty() ? Refusal::Unreachable : Refusal::NoConnection, {}};
+  std::map<std::pair<int, int>, int> counts;
+  for (const collision::Contact& c : place.contacts)
+    ++counts[{c.first, c.second}];
+  int most = 0;
+  for (const auto& [pair, times] : counts)
+    if (times > most) {
+      most = times;
+      r.contact = {pair.first, pair.second};
+      r.why = Refusal::Collision;
+    }
+  return r;
+}
+
+std::size_t PathLadder::refuseBlocked(const base::RunContext& ctx, std::vector<Refused>& refused) {
+  const std::size_t first = places_.front().waypoint;
+  std::size_t next = first;
+  for (std::size_t r = 0; r < places_.size(); ++r) {
+    ctx.checkpoint();
+    widen(r, ctx);
+    judge({r}, ctx);
+    const Rung& rung = rungs_[r];
+    if (r > 0 &&
+        std::any_of(rung.begin(), rung.end(), [](const LadderNode& n) { return !n.blocked; }))
+      break;
+    Refused why = refusalOf(r);
+    for (; next <= places_[r].waypoint; ++next) {
+      why.waypoint = next;
+      refused.push_back(why);
+    }
+  }
+  return next - first;
+}
+
+std::size_t PathLadder::rungAt(std::size_t waypoint) const {
+  const auto at = std::lower_bound(places_.begin(), places_.end(), waypoint,
+                                   [](const Place& p, std::size_t w) { return p.waypoint < w; });
+  return static_cast<std::size_t>(at - places_.begin());
+}
+
+LadderWay PathLadder::bestWay() {
+  const auto search = [&] {
+    std::vector<double> startCosts;
+    for (const LadderNode& node : rungs_.front())
+      startCosts.push_back(startCost(armOf(scene_.cell, from_.q), armOf(scene_.cell, node.q)));
+    return shortestWay(rungs_, startCosts, scene_.cell.robot().limits, options_);
+  };
+  const auto beginNear = [&](const JointVector& near) {
+    bool changed = false;
+    for (LadderNode& node : rungs_.front())
+      for (Eigen::Index j = 0; j < scene_.cell.armDof(); ++j) {
+        const double turns = std::round((near[j] - node.q[j]) / kTurn);
+        const auto& limit = scene_.cell.limits()[static_cast<std::size_t>(j)];
+        const double q = node.q[j] + kTurn * turns;
+        if (turns != 0.0 && q >= limit.min && q <= limit.max) {
+          node.q[j] = q;
+          changed = true;
+        }
+      }
+    return changed;
+  };
+  beginNear(from_.q);
+  LadderWay near = search();
+  const JointVector first = near.reached > 0 ? near.q.front() : from_.q;
+  const bool changed = beginNear(scene_.cell.home());
+  if (!changed || (near.reached == rungs_.size() &&
+                   first == rungs_.front()[static_cast<std::size_t>(near.node.front())].q))
+    return near;
+  LadderWay unwound = search();
+  if (unwound.reached > near.reached ||
+      (unwound.reached == near.reached && unwound.cost < near.cost))
+    return unwound;
+  return near;
+}
+
+Course PathLadder::courseOf(const LadderWay& way) const {
+  const plan::ToolPlan& plan = scene_.plan;
+  const int samples = scene_.options.samples;
+  Course course;
+  double turn = 0.0, rod = 0.0;
+  int last = 0;
+  for (std::size_t r = 0; r < way.reached; ++r) {
+    const LadderNode& node = rungs_[r][static_cast<std::size_t>(way.node[r])];
+    const int sample = node.sample;
+    int change = r == 0 ? sample : (sample - last + samples) % samples;
+    if (change > samples / 2)
+      change -= samples;
+    const double next = turn + kTurn * change / samples, nextRod = kRodStep * node.rod;
+    if (r == 0) {
+      course.turn.push_back(next);
+      course.rod.push_back(nextRod);
+    } else {
+      const std::size_t b = places_[r - 1].waypoint, e = places_[r].waypoint;
+      double length = 0.0;
+      for (std::size_t i = b + 1; i <= e; ++i)
+        length += (plan.position[i] - plan.position[i - 1]).norm();
+      double travelled = 0.0;
+      for (std::size_t i = b + 1; i <= e; ++i) {
+        travelled += (plan.position[i] - plan.position[i - 1]).norm();
+        const double t = length > 0.0 ? travelled / length
+                                      : static_cast<double>(i - b) / static_cast<double>(e - b);
+        course.turn.push_back(turn + t * (next - turn));
+        course.rod.push_back(rod + t * (nextRod - rod));
+      }
+    }
+    turn = next;
+    rod = nextRod;
+    last = sample;
+  }
+  return course;
+}
+
+bool PathLadder::liftable(const RobotState& state, std::size_t before) const {
+  std::vector<JointVector> scratch;
+  JointVector q = state.q;
+  for (double height = kLiftStepMm; height <= kLiftFactor * scene_.options.liftMm;
+       height += kLiftStepMm) {
+    const JointVector last = q;
+    if (!solveNear(scene_.cell, state.tip + height * state.direction(), state.tool, last,
+                   scene_.options.maxStepRad, scratch, q) ||
+        contactAt(q, before))
+      return false;
+  }
+  return true;
+}
+
+void PathLadder::blockUnliftable(std::size_t rung, std::size_t before,
+                                 const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  Place& place = places_[rung];
+  Rung& nodes = rungs_[rung];
+  place.lifted = true;
+  std::vector<char> bad(nodes.size(), 0);
+  base::parallelChunks(ctx, nodes.size(), 4, [&](std::size_t b, std::size_t e) {
+    for (std::size_t n = b; n < e; ++n) {
+      if (nodes[n].blocked)
+        continue;
+      const RobotState state{
+          scene_.plan.position[place.waypoint],
+          turned(toolAt(place.waypoint),
+                 kTurn * nodes[n].sample / static_cast<double>(scene_.options.samples)),
+          nodes[n].q};
+      bad[n] = contactAt(nodes[n].q, before).has_value() || !liftable(state, before);
+    }
+  });
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    if (bad[n]) {
+      nodes[n].blocked = true;
+      place.unliftable.push_back(n);
+    }
+  times_.collision += watch.seconds();
+}
+
+bool PathLadder::allowUnliftable() {
+  bool allowed = false;
+  for (std::size_t r = 0; r < places_.size(); ++r) {
+    for (const std::size_t n : places_[r].unliftable)
+      rungs_[r][n].blocked = false;
+    allowed = allowed || !places_[r].unliftable.empty();
+    places_[r].unliftable.clear();
+  }
+  return allowed;
+}
+
+} // namespace voluta::motion
