@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "project/report_fields.h"
 
 #include <algorithm>
 #include <charconv>
@@ -13,51 +14,40 @@ namespace voluta::pipeline {
 
 namespace {
 
+using project::Stage;
 using Value = std::optional<double>;
 constexpr double kSameScore = 1e-9;
 
-bool came(const CompareRow& row, project::Stage stage) {
+bool came(const CompareRow& row, Stage stage) {
   return row.reached && *row.reached >= stage;
 }
 
-Value missedVoxels(const CompareRow& row) {
-  const project::DecompositionReport& d = row.report.decomposition;
-  if (!came(row, project::Stage::Decompose) || d.voxels == 0)
-    return std::nullopt;
-  return static_cast<double>(d.missedVoxels);
+bool hasVoxels(const CompareRow& row) {
+  return came(row, Stage::Decompose) && row.report.decomposition.voxels > 0;
 }
-
-Value riskyArea(const CompareRow& row) {
-  const project::DecompositionReport& d = row.report.decomposition;
-  if (!came(row, project::Stage::Decompose) || d.pieceList.empty())
-    return std::nullopt;
-  return d.riskyAreaMm2;
+bool hasPieces(const CompareRow& row) {
+  return came(row, Stage::Decompose) && !row.report.decomposition.pieceList.empty();
 }
-
-Value supportVolume(const CompareRow& row) {
-  if (!came(row, project::Stage::Decompose))
-    return std::nullopt;
-  return row.report.decomposition.supportVolumeMm3;
+bool decomposed(const CompareRow& row) {
+  return came(row, Stage::Decompose);
 }
-
-Value pieces(const CompareRow& row) {
-  if (!came(row, project::Stage::Decompose))
-    return std::nullopt;
-  return row.report.decomposition.pieces;
+bool layered(const CompareRow& row) {
+  return came(row, Stage::Layers);
 }
-
-Value layers(const CompareRow& row) {
-  if (!came(row, project::Stage::Layers))
-    return std::nullopt;
-  return row.report.layers.count;
-}
-
 bool moves(const CompareRow& row) {
-  return came(row, project::Stage::Motion) && row.report.motion.waypoints > 0;
+  return came(row, Stage::Motion) && row.report.motion.waypoints > 0;
 }
 
-Value printTime(const CompareRow& row) {
-  return moves(row) ? Value(row.report.motion.durationS) : std::nullopt;
+// A figure of the report as it is, where it means something.
+template <auto kPart, auto kMember, bool (*kMeans)(const CompareRow&)>
+Value plain(const CompareRow& row) {
+  return kMeans(row) ? Value(static_cast<double>(row.report.*kPart.*kMember)) : std::nullopt;
+}
+template <auto kPart, auto kMember, bool (*kMeans)(const CompareRow&)>
+Figure figure(std::string_view key, base::Text label, base::Text head, double weight,
+              bool lossIfAbsent = true) {
+  return {key,   label,       head, project::unitOf(kMember), weight, plain<kPart, kMember, kMeans>,
+          false, lossIfAbsent};
 }
 
 Value reachable(const CompareRow& row) {
@@ -65,10 +55,6 @@ Value reachable(const CompareRow& row) {
   if (!moves(row))
     return std::nullopt;
   return 1.0 - static_cast<double>(m.unreachable) / static_cast<double>(m.waypoints);
-}
-
-Value collisions(const CompareRow& row) {
-  return moves(row) ? Value(static_cast<double>(row.report.motion.collisions)) : std::nullopt;
 }
 
 double weightOf(const Figure& figure, const Weights& weights) {
@@ -85,26 +71,38 @@ Value lossOf(const Figure& figure, const CompareRow& row) {
 } // namespace
 
 const std::vector<Figure>& figures() {
+  using project::Report, project::DecompositionReport;
+  constexpr auto kDecomposition = &Report::decomposition;
+  constexpr auto kMotion = &Report::motion;
   static const std::vector<Figure> kFigures{
-      {"missedVoxels", "missed voxels"_text, "Missed\nvoxels"_text, "", 4.0, missedVoxels, false,
-       false},
-      {"riskyAreaMm2", "risky area"_text, "Risky\nmm²"_text, "mm²", 4.0, riskyArea, false, false},
-      {"supportVolumeMm3", "supports"_text, "Supports\nmm³"_text, "mm³", 1.0, supportVolume},
-      {"pieces", "pieces"_text, "Pieces"_text, "", 0.5, pieces},
-      {"layers", "layers"_text, "Layers"_text, "", 0.0, layers},
-      {"printTimeS", "print time"_text, "Print\ntime"_text, "s", 1.0, printTime},
+      figure<kDecomposition, &DecompositionReport::missedVoxels, hasVoxels>(
+          "missedVoxels", "missed voxels"_text, "Missed\nvoxels"_text, 4.0, false),
+      figure<kDecomposition, &DecompositionReport::riskyAreaMm2, hasPieces>(
+          "riskyAreaMm2", "risky area"_text, "Risky\nmm²"_text, 4.0, false),
+      figure<kDecomposition, &DecompositionReport::supportVolumeMm3, decomposed>(
+          "supportVolumeMm3", "supports"_text, "Supports\nmm³"_text, 1.0),
+      figure<kDecomposition, &DecompositionReport::pieces, decomposed>("pieces", "pieces"_text,
+                                                                       "Pieces"_text, 0.5),
+      figure<&Report::layers, &project::LayersReport::count, layered>("layers", "layers"_text,
+                                                                      "Layers"_text, 0.0),
+      figure<kMotion, &project::MotionReport::durationS, moves>("printTimeS", "print time"_text,
+                                                                "Print\ntime"_text, 1.0),
       {"reachableFraction", "reachable"_text, "Reach\n%"_text, "%", 2.0, reachable, true},
-      {"collisions", "collisions"_text, "Colli-\nsions"_text, "", 2.0, collisions},
+      figure<kMotion, &project::MotionReport::collisions, moves>("collisions", "collisions"_text,
+                                                                 "Colli-\nsions"_text, 2.0),
   };
   return kFigures;
 }
 
 Value uniformMisses(const CompareRow& row) {
-  return row.combination.mode == "flat" ? missedVoxels(row) : std::nullopt;
+  return row.combination.mode == "flat"
+             ? plain<&project::Report::decomposition, &project::DecompositionReport::missedVoxels,
+                     hasVoxels>(row)
+             : std::nullopt;
 }
 
 std::optional<bool> replayPassed(const CompareRow& row) {
-  return came(row, project::Stage::Replay) ? std::optional(row.report.replay.passed) : std::nullopt;
+  return came(row, Stage::Replay) ? std::optional(row.report.replay.passed) : std::nullopt;
 }
 
 Weights defaultWeights() {

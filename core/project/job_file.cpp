@@ -5,6 +5,7 @@
 #include "project/job.h"
 #include "project/job_blocks.h"
 #include "project/message_json.h"
+#include "project/report_fields.h"
 #include "voxel/voxel_text.h"
 
 #include <charconv>
@@ -224,9 +225,10 @@ Json recordsJson(const Job& job) {
   Json all = Json::array();
   for (const StageRecord& record : job.stages) {
     Json seconds;
-    for (const TimingName& row : kTimingNames)
-      if (record.timings.*row.seconds != 0.0)
-        seconds[row.key] = record.timings.*row.seconds;
+    forEachField<Timings>([&](const auto& field) {
+      if (record.timings.*field.member != 0.0)
+        seconds[field.key] = record.timings.*field.member;
+    });
     all.push_back(Json{{"key", record.key}, {"findings", record.findings}, {"timingS", seconds}});
   }
   return all;
@@ -238,9 +240,10 @@ void readRecords(const Json& j, Job& job) {
     j.at(i).at("key").get_to(record.key);
     j.at(i).at("findings").get_to(record.findings);
     const Json& seconds = j.at(i).at("timingS");
-    for (const TimingName& row : kTimingNames)
-      if (seconds.is_object() && seconds.contains(row.key))
-        seconds.at(row.key).get_to(record.timings.*row.seconds);
+    forEachField<Timings>([&](const auto& field) {
+      if (seconds.is_object() && seconds.contains(field.key))
+        seconds.at(field.key).get_to(record.timings.*field.member);
+    });
   }
 }
 

@@ -1,5 +1,5 @@
-// report.json: what every stage of a plan measured (docs/design.md, Report). Keys are added, never
-// renamed.
+// What every stage of a plan measured (docs/design.md, Report). Its figures are listed in
+// report_fields.h.
 #pragma once
 
 #include "plan/finding.h"
@@ -70,15 +70,18 @@ struct ProgramReport {
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
 };
 
+// What a replay may come to.
+struct ThresholdsReport {
+  double covered = 0.0, unsupported = 0.0, overfill = 0.0, mass = 0.0, deviationMm = 0.0;
+  std::size_t collisions = 0, limitViolations = 0;
+};
+
 struct ReplayReport {
   bool passed = false;
   double coveredFraction = 0.0, unsupportedFraction = 0.0, overfillFraction = 0.0, massRatio = 0.0;
   std::size_t collisions = 0, limitViolations = 0;
   double maxDeviationMm = 0.0;
-  struct {
-    double covered = 0.0, unsupported = 0.0, overfill = 0.0, mass = 0.0, deviationMm = 0.0;
-    std::size_t collisions = 0, limitViolations = 0;
-  } thresholds;
+  ThresholdsReport thresholds;
 };
 
 // Disjoint wall seconds.
@@ -89,23 +92,6 @@ struct Timings {
 
   Timings& operator+=(const Timings& more);
 };
-
-// The keys of the report, in its order.
-struct TimingName {
-  const char* key;
-  double Timings::*seconds;
-};
-inline constexpr TimingName kTimingNames[] = {
-    {"load", &Timings::load},           {"repair", &Timings::repair},
-    {"voxelise", &Timings::voxelise},   {"peel", &Timings::peel},
-    {"grow", &Timings::grow},           {"smooth", &Timings::smooth},
-    {"extract", &Timings::extract},     {"trim", &Timings::trim},
-    {"decompose", &Timings::decompose}, {"toolpath", &Timings::toolpath},
-    {"orient", &Timings::orient},       {"ik", &Timings::ik},
-    {"graph", &Timings::graph},         {"jerk", &Timings::jerk},
-    {"collision", &Timings::collision}, {"transfer", &Timings::transfer},
-    {"write", &Timings::write},         {"replay", &Timings::replay},
-    {"total", &Timings::total}};
 
 struct Report {
   ModelReport model;

@@ -1,0 +1,170 @@
+// The figures of a report, each declared once: its key, where it is kept, its unit. What writes
+// report.json, what reads it and what compares by it go through these lists. Keys are added, never
+// renamed.
+#pragma once
+
+#include "project/report.h"
+
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+namespace voluta::project {
+
+template <typename R, typename T> struct Field {
+  const char* key;
+  T R::*member;
+  std::string_view unit = {}; // "%" for shares, which are fractions of 1; empty: a count or a text
+  bool later = false;         // reports of before it was kept have none
+};
+template <typename R, typename T> Field(const char*, T R::*) -> Field<R, T>;
+template <typename R, typename T> Field(const char*, T R::*, const char*) -> Field<R, T>;
+template <typename R, typename T> Field(const char*, T R::*, const char*, bool) -> Field<R, T>;
+
+constexpr auto fieldsOf(std::type_identity<ModelReport>) {
+  using R = ModelReport;
+  return std::tuple{Field{"file", &R::file},
+                    Field{"scale", &R::scale},
+                    Field{"triangles", &R::triangles},
+                    Field{"watertight", &R::watertight},
+                    Field{"volumeMm3", &R::volumeMm3, "mm³"},
+                    Field{"boundsMm", &R::boundsMm},
+                    Field{"repairs", &R::repairs}};
+}
+constexpr auto fieldsOf(std::type_identity<PieceReport>) {
+  using R = PieceReport;
+  return std::tuple{Field{"parent", &R::parent}, Field{"volumeMm3", &R::volumeMm3, "mm³"},
+                    Field{"riskyAreaMm2", &R::riskyAreaMm2, "mm²"},
+                    Field{"direction", &R::direction}, Field{"material", &R::material}};
+}
+constexpr auto fieldsOf(std::type_identity<DecompositionReport>) {
+  using R = DecompositionReport;
+  return std::tuple{Field{"mode", &R::mode},
+                    Field{"growth", &R::growth},
+                    Field{"voxelMm", &R::voxelMm, "mm"},
+                    Field{"voxels", &R::voxels},
+                    Field{"layers", &R::layers},
+                    Field{"missedVoxels", &R::missedVoxels},
+                    Field{"shadowedVoxels", &R::shadowedVoxels},
+                    Field{"unreachedVoxels", &R::unreachedVoxels},
+                    Field{"missedAfterSupports", &R::missedAfterSupports},
+                    Field{"supportVolumeMm3", &R::supportVolumeMm3, "mm³"},
+                    Field{"pieces", &R::pieces},
+                    Field{"riskyAreaMm2", &R::riskyAreaMm2, "mm²"},
+                    Field{"riskyAreaBeforeMm2", &R::riskyAreaBeforeMm2, "mm²"},
+                    Field{"pieceList", &R::pieceList, "", true}};
+}
+constexpr auto fieldsOf(std::type_identity<LayersReport>) {
+  using R = LayersReport;
+  return std::tuple{Field{"count", &R::count},
+                    Field{"areaMm2", &R::areaMm2, "mm²"},
+                    Field{"thicknessMeanMm", &R::thicknessMeanMm, "mm"},
+                    Field{"thicknessStdMm", &R::thicknessStdMm, "mm"},
+                    Field{"thicknessP01Mm", &R::thicknessP01Mm, "mm"},
+                    Field{"thicknessP99Mm", &R::thicknessP99Mm, "mm"},
+                    Field{"withinLimitsFraction", &R::withinLimitsFraction, "%"}};
+}
+constexpr auto fieldsOf(std::type_identity<ToolpathReport>) {
+  using R = ToolpathReport;
+  return std::tuple{Field{"paths", &R::paths},
+                    Field{"waypoints", &R::waypoints},
+                    Field{"lengthMm", &R::lengthMm, "mm"},
+                    Field{"travelMm", &R::travelMm, "mm"},
+                    Field{"starts", &R::starts},
+                    Field{"simpleRegions", &R::simpleRegions},
+                    Field{"coveredFraction", &R::coveredFraction, "%"},
+                    Field{"overlapFraction", &R::overlapFraction, "%"},
+                    Field{"gouges", &R::gouges},
+                    Field{"maxTurnDeg", &R::maxTurnDeg, "deg"},
+                    Field{"materialMm3", &R::materialMm3, "mm³"}};
+}
+constexpr auto fieldsOf(std::type_identity<MotionReport>) {
+  using R = MotionReport;
+  return std::tuple{Field{"robot", &R::robot},
+                    Field{"cell", &R::cell},
+                    Field{"waypoints", &R::waypoints},
+                    Field{"unreachable", &R::unreachable},
+                    Field{"collisions", &R::collisions},
+                    Field{"splits", &R::splits},
+                    Field{"maxJerk", &R::maxJerk},
+                    Field{"sumSquaredJerk", &R::sumSquaredJerk},
+                    Field{"sumSquaredJerkBefore", &R::sumSquaredJerkBefore},
+                    Field{"minClearanceMm", &R::minClearanceMm, "mm"},
+                    Field{"durationS", &R::durationS, "s"}};
+}
+constexpr auto fieldsOf(std::type_identity<ProgramReport>) {
+  using R = ProgramReport;
+  return std::tuple{Field{"format", &R::format},
+                    Field{"foreign", &R::foreign},
+                    Field{"files", &R::files},
+                    Field{"bytes", &R::bytes},
+                    Field{"maxDeviationMm", &R::maxDeviationMm, "mm"},
+                    Field{"maxDeviationRad", &R::maxDeviationRad, "rad"}};
+}
+constexpr auto fieldsOf(std::type_identity<ThresholdsReport>) {
+  using R = ThresholdsReport;
+  return std::tuple{Field{"covered", &R::covered},
+                    Field{"unsupported", &R::unsupported},
+                    Field{"overfill", &R::overfill},
+                    Field{"mass", &R::mass},
+                    Field{"collisions", &R::collisions},
+                    Field{"limitViolations", &R::limitViolations},
+                    Field{"deviationMm", &R::deviationMm, "mm"}};
+}
+constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
+  using R = ReplayReport;
+  return std::tuple{Field{"passed", &R::passed},
+                    Field{"coveredFraction", &R::coveredFraction, "%"},
+                    Field{"unsupportedFraction", &R::unsupportedFraction, "%"},
+                    Field{"overfillFraction", &R::overfillFraction, "%"},
+                    Field{"massRatio", &R::massRatio},
+                    Field{"collisions", &R::collisions},
+                    Field{"limitViolations", &R::limitViolations},
+                    Field{"maxDeviationMm", &R::maxDeviationMm, "mm"},
+                    Field{"thresholds", &R::thresholds}};
+}
+constexpr auto fieldsOf(std::type_identity<Timings>) {
+  using R = Timings;
+  return std::tuple{Field{"load", &R::load, "s"},           Field{"repair", &R::repair, "s"},
+                    Field{"voxelise", &R::voxelise, "s"},   Field{"peel", &R::peel, "s"},
+                    Field{"grow", &R::grow, "s"},           Field{"smooth", &R::smooth, "s"},
+                    Field{"extract", &R::extract, "s"},     Field{"trim", &R::trim, "s"},
+                    Field{"decompose", &R::decompose, "s"}, Field{"toolpath", &R::toolpath, "s"},
+                    Field{"orient", &R::orient, "s"},       Field{"ik", &R::ik, "s"},
+                    Field{"graph", &R::graph, "s"},         Field{"jerk", &R::jerk, "s"},
+                    Field{"collision", &R::collision, "s"}, Field{"transfer", &R::transfer, "s"},
+                    Field{"write", &R::write, "s"},         Field{"replay", &R::replay, "s"},
+                    Field{"total", &R::total, "s"}};
+}
+constexpr auto fieldsOf(std::type_identity<Report>) {
+  using R = Report;
+  return std::tuple{Field{"model", &R::model},     Field{"decomposition", &R::decomposition},
+                    Field{"layers", &R::layers},   Field{"toolpath", &R::toolpath},
+                    Field{"motion", &R::motion},   Field{"programs", &R::programs},
+                    Field{"replay", &R::replay},   Field{"findings", &R::findings},
+                    Field{"timingS", &R::timings}, Field{"peakRssMb", &R::peakRssMb, "MB"},
+                    Field{"threads", &R::threads}};
+}
+
+template <typename R>
+concept HasFields = requires {
+  fieldsOf(std::type_identity<R>{});
+};
+
+// Calls visit(field) for each, in the order of the report.
+template <HasFields R, typename Visit> constexpr void forEachField(const Visit& visit) {
+  std::apply([&](const auto&... field) { (visit(field), ...); }, fieldsOf(std::type_identity<R>{}));
+}
+
+// The unit of a figure that is in a list.
+template <HasFields R, typename T> constexpr std::string_view unitOf(T R::*member) {
+  std::string_view unit;
+  forEachField<R>([&](const auto& field) {
+    if constexpr (std::is_same_v<decltype(field.member), T R::*>)
+      if (field.member == member)
+        unit = field.unit;
+  });
+  return unit;
+}
+
+} // namespace voluta::project
