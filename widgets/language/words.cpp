@@ -11,6 +11,8 @@ constexpr const char* kContext = "Core";
 class WindowLanguage : public base::Language {
 public:
   std::string sentence(base::Text text, std::optional<long long> count) const override {
+    if (text.empty())
+      return {};
     const std::string english(text.english());
     const QString translated = QCoreApplication::translate(kContext, english.c_str(), nullptr,
                                                            count ? static_cast<int>(*count) : -1);
