@@ -5378,22 +5378,6 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>Rod</source>
         <translation>Barra</translation>
     </message>
-    <message>
-        <source>Undo %1</source>
-        <translation>Annulla: %1</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annulla</translation>
-    </message>
-    <message>
-        <source>Redo %1</source>
-        <translation>Ripeti: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Ripeti</translation>
-    </message>
 </context>
 <context>
     <name>voluta::window::PageStack</name>
