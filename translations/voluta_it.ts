@@ -4222,6 +4222,18 @@ mm³</translation>
         <source>Reset to %1</source>
         <translation>Ripristina %1</translation>
     </message>
+    <message>
+        <source>Files (%1)</source>
+        <translation>File (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Scegli un file</translation>
+    </message>
 </context>
 <context>
     <name>voluta::forms::PlatformEditor</name>

@@ -9,11 +9,15 @@
 #include "program/dialect.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace voluta::pipeline {
 
 namespace {
+
+// Where each stage ends in the time that a whole plan of a usual part takes.
+constexpr std::array<double, project::kStageCount> kEnds{0.02, 0.14, 0.22, 0.44, 0.6, 1.0};
 
 // One plan: its stages in order, each taken from the cache or made.
 class Road {
@@ -31,8 +35,8 @@ public:
     report().decomposition.mode = choices_.mode;
     ctx.report(0.0, "load"_text);
     loaded_ = request.loaded
-                  ? project::withRepair(request.loaded, choices_.repair, ctx.sub(0.0, 0.03))
-                  : project::loadPart(request.part, choices_.repair, ctx.sub(0.0, 0.03));
+                  ? project::withRepair(request.loaded, choices_.repair, span(project::Stage::Load))
+                  : project::loadPart(request.part, choices_.repair, span(project::Stage::Load));
     job().loaded = loaded_;
     job().partName = loaded_->name;
     keys_ = keysOf(*loaded_, choices_, values_, *process_);
@@ -64,6 +68,13 @@ private:
     return taken<T>(keys_[project::indexOf(T::kStage)], {}, make);
   }
 
+  // A stage's share of what this plan comes to.
+  base::RunContext span(project::Stage stage) const {
+    const std::size_t s = project::indexOf(stage);
+    const double all = kEnds[project::indexOf(until_)];
+    return ctx_.sub((s > 0 ? kEnds[s - 1] : 0.0) / all, std::min(1.0, kEnds[s] / all));
+  }
+
   // Notes that a stage is done; is there more to do?
   bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
     project::StageRecord& record = job().stages[project::indexOf(stage)];
@@ -80,7 +91,7 @@ private:
 
   bool load() {
     placed_ = taken<modes::LoadStage>(
-        [&] { return loadStage(*loaded_, choices_, *process_, ctx_.sub(0.0, 0.03)); });
+        [&] { return loadStage(*loaded_, choices_, *process_, span(project::Stage::Load)); });
     const auto& stage = placed_;
     result_.placed = stage;
     job().scale = stage->scale;
@@ -116,7 +127,7 @@ private:
         in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
           onPreview_(std::move(soFar), result_);
         };
-      return modes::findMode(choices_.mode).decompose(in, ctx_.sub(0.03, 0.22));
+      return modes::findMode(choices_.mode).decompose(in, span(project::Stage::Decompose));
     });
     job().platform = decomposed_->platform;
     job().lessPlatform = decomposed_->lessPlatform;
@@ -133,7 +144,7 @@ private:
   bool layers() {
     const auto stage = taken<modes::LayersStage>([&] {
       return modes::findMode(choices_.mode)
-          .layers(*decomposed_, job().printed(), modeChoices(), ctx_.sub(0.22, 0.3));
+          .layers(*decomposed_, job().printed(), modeChoices(), span(project::Stage::Layers));
     });
     job().layers = stage->layers;
     report().layers = stage->report;
@@ -144,7 +155,8 @@ private:
 
   bool toolpath() {
     const auto stage = taken<ToolpathStage>([&] {
-      return toolpathStage(*job().layers, job().platform, *process_, values_, ctx_.sub(0.3, 0.5));
+      return toolpathStage(*job().layers, job().platform, *process_, values_,
+                           span(project::Stage::Toolpath));
     });
     job().toolPlan = stage->toolPlan;
     report().toolpath = stage->report;
@@ -154,7 +166,7 @@ private:
   bool motion() {
     const auto stage = taken<MotionStage>([&] {
       return motionStage(*job().toolPlan, job().platform, *result_.cell, *process_, values_,
-                         choices_.seed, ctx_.sub(0.5, 0.8));
+                         choices_.seed, span(project::Stage::Motion));
     });
     job().trajectory = stage->trajectory;
     report().motion = stage->report;
@@ -173,12 +185,12 @@ private:
     plan::Findings findings;
     project::Timings timings;
     for (std::size_t i = 0; i < formats.size(); ++i) {
-      const auto share = [&](std::size_t n) {
-        return 0.8 + 0.2 * static_cast<double>(n) / static_cast<double>(formats.size());
-      };
+      const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
       const auto checked = taken<CheckedProgram>(
-          programKey(keys_, loaded_->name, *process_, formats[i]), formats[i],
-          [&] { return programStage(formats[i], in, ctx_.sub(share(i), share(i + 1))); });
+          programKey(keys_, loaded_->name, *process_, formats[i]), formats[i], [&] {
+            return programStage(formats[i], in,
+                                span(project::Stage::Replay).sub(at / count, (at + 1.0) / count));
+          });
       result_.checked.push_back(checked);
       timings += checked->timings;
       tell(*checked, i == 0, findings);

@@ -78,7 +78,7 @@ private:
   TextPlace place(std::size_t motion) const { return placeOf(in_.program, motion); }
 
   void compare() {
-    ctx_.report(0.1, "comparing with the plan"_text);
+    ctx_.report(0.06, "comparing with the plan"_text);
     const PlannedNozzle planned = plannedNozzle(in_.trajectory, in_.cell, ctx_);
     const Alignment alignment =
         alignToPlan({path_.targetTip, path_.targetDirection}, {planned.tip, planned.direction},
@@ -128,7 +128,7 @@ private:
     // Sections of thin beads have more cells, and may have fewer samples in each.
     if (ofHeight < 0.99 * ofWidth)
       depositOptions.samplesPerCell = 3;
-    beads_ = depositBeads(grid, pieces_, depositOptions, ctx_.sub(0.2, 0.5));
+    beads_ = depositBeads(grid, pieces_, depositOptions, ctx_.sub(0.1, 0.68));
     for (const BeadPiece& piece : pieces_)
       (piece.ofPart ? out_.depositedMm3 : out_.supportMm3) += static_cast<double>(piece.volumeMm3);
   }
@@ -153,7 +153,7 @@ private:
   }
 
   void judgeBeads() {
-    ctx_.report(0.5, "measuring the beads"_text);
+    ctx_.report(0.68, "measuring the beads"_text);
     const geometry::MeshQuery query(in_.part);
     const PartCells cells = partCells(in_.part, query, beads_.grid, ctx_);
     const Coverage coverage =
@@ -184,7 +184,7 @@ private:
     if (std::abs(out_.massRatio - 1.0) > limits_.massTolerance)
       add(Mass, {{"share", base::percent(100.0 * out_.massRatio)}});
 
-    ctx_.report(0.65, "looking beneath the beads"_text);
+    ctx_.report(0.73, "looking beneath the beads"_text);
     printed_.emplace(beads_, pieces_);
     const SupportedBeads support = findSupport(pieces_, *printed_, GroundProbe(in_.platform), ctx_);
     out_.beadLengthMm = support.lengthMm;
@@ -201,7 +201,7 @@ private:
     ctx_.report(0.75, "looking for collisions"_text);
     const GroundSolids ground(in_.platform, in_.cell, 0.25 * in_.process.beadWidthMm, ctx_);
     std::vector<Clash> clashes = headClashes(path_, pieces_, *printed_, in_.process, ground, ctx_);
-    ctx_.report(0.85, "looking for collisions"_text);
+    ctx_.report(0.97, "looking for collisions"_text);
     for (Clash& c : armClashes(path_, pieces_, *printed_, ground, in_.cell, ctx_))
       clashes.push_back(std::move(c));
     std::stable_sort(clashes.begin(), clashes.end(),

@@ -207,6 +207,39 @@ TEST_F(FirstHourTest, ANumberThatTheProcessDoesNotTakeIsToldBeneathItsField) {
   EXPECT_TRUE(find<QAction>("plan")->isEnabled());
 }
 
+TEST_F(FirstHourTest, AFileIsChosenWhereAParameterTakesOne) {
+  openPart(plinth());
+  choosePage(Page::Prepare);
+  project::Choices choices = document().choices();
+  choices.mode = "planar";
+  document().setChoices(choices, "mode");
+  find<QWidget>("parameters")->findChild<QAbstractButton*>("all")->click();
+  QFile cuts(path("cuts.json"));
+  ASSERT_TRUE(cuts.open(QIODevice::WriteOnly));
+  cuts.write("[]");
+  cuts.close();
+  auto* browse = row("cutPlanes")->findChild<QAbstractButton*>("browse");
+  ASSERT_TRUE(browse->isVisibleTo(&window()));
+  answerFileDialog(path("cuts.json"));
+  browse->click();
+  EXPECT_EQ(document().choices().parameters.at("cutPlanes"), path("cuts.json").toStdString());
+  EXPECT_FALSE(row("voxelMm")->findChild<QAbstractButton*>("browse")->isVisibleTo(&window()));
+}
+
+TEST_F(FirstHourTest, GroupsOfOtherModesAreNotInTheForm) {
+  openPart(plinth());
+  choosePage(Page::Prepare);
+  EXPECT_TRUE(find<QWidget>("growth")->isVisible());
+  EXPECT_FALSE(row("rodAxis")->isVisible());
+  EXPECT_FALSE(row("planarScheme")->isVisible());
+  project::Choices choices = document().choices();
+  choices.mode = "planar";
+  document().setChoices(choices, "mode");
+  EXPECT_FALSE(find<QWidget>("growth")->isVisible());
+  EXPECT_TRUE(row("planarScheme")->isVisible());
+  EXPECT_FALSE(row("layerShape")->isVisible());
+}
+
 TEST_F(FirstHourTest, ANumberThatIsBeingTypedCountsWhenPlanIsPressed) {
   openPart(plinth());
   choosePage(Page::Prepare);

@@ -3,7 +3,7 @@
 #include "forms/choices_form.h"
 #include "forms/parameter_form.h"
 #include "panels/placement_panel.h"
-#include "pipeline/road.h"
+#include "pipeline/choices.h"
 
 #include <QLabel>
 #include <QTest>

@@ -1,4 +1,5 @@
 // What a mode does not take has no say in what it makes: the form leaves it out.
+#include "modes/file_parameters.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
 #include "process/process.h"
@@ -58,6 +59,15 @@ TEST(ModeParameters, EveryModeNamesParametersThatThereAre) {
   for (const Mode& mode : modeTable())
     for (const std::string& key : mode.parameters)
       EXPECT_NE(all.find(key), nullptr) << mode.id << " " << key;
+}
+
+TEST(ModeParameters, FilesAreForTextsThatThereAre) {
+  const base::ParameterTable all = modeParameters();
+  for (const FileParameter& file : fileParameters()) {
+    const base::ParameterSpec* spec = all.find(file.key);
+    ASSERT_NE(spec, nullptr) << file.key;
+    EXPECT_EQ(spec->type, base::ParameterType::Text) << file.key;
+  }
 }
 
 } // namespace

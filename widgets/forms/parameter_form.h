@@ -38,6 +38,10 @@ public:
   // nothing. A text that its parameter cannot take, or an unknown key, is left out.
   void setValues(const std::map<std::string, std::string>& changed);
 
+  // The text of that parameter may name a file. `patterns` of names, separated by blanks; `prefix`
+  // stands before the name.
+  void offerFiles(const std::string& key, const QString& patterns, const QString& prefix);
+
   // One line by key under the rows whose values can't be used, whatever view is on; those of all
   // other rows go.
   void setProblems(const std::map<std::string, std::string>& byKey);

@@ -1,5 +1,6 @@
 #include "forms/parameter_row.h"
 
+#include "base/error.h"
 #include "forms/colours.h"
 #include "forms/icons.h"
 #include "forms/parameter_texts.h"
@@ -8,6 +9,8 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -58,6 +61,12 @@ ParameterRow::ParameterRow(const base::ParameterSpec& spec, QWidget* parent)
   editor_->setObjectName(QStringLiteral("editor"));
   label_->setBuddy(editor_);
 
+  browse_ = new QToolButton(this);
+  browse_->setObjectName(QStringLiteral("browse"));
+  browse_->setText(QStringLiteral("…"));
+  browse_->hide();
+  connect(browse_, &QToolButton::clicked, this, &ParameterRow::chooseFile);
+
   reset_ = new QToolButton(this);
   reset_->setObjectName(QStringLiteral("reset"));
   reset_->setIcon(icon(Icon::Reset));
@@ -89,6 +98,7 @@ ParameterRow::ParameterRow(const base::ParameterSpec& spec, QWidget* parent)
   row->setSpacing(4);
   row->addWidget(label_, 1);
   row->addWidget(editor_, 0);
+  row->addWidget(browse_, 0);
   row->addWidget(reset_, 0);
   column->addLayout(row);
   column->addWidget(problem_);
@@ -140,6 +150,30 @@ void ParameterRow::buildEditor() {
   }
   }
   editor_->setFixedWidth(width);
+}
+
+void ParameterRow::offerFiles(const QString& patterns, const QString& prefix) {
+  base::require(spec_.type == base::ParameterType::Text, "ParameterRow: files for a text");
+  filePatterns_ = patterns;
+  filePrefix_ = prefix;
+  const int spacing = 4;
+  browse_->show();
+  editor_->setFixedWidth(fontMetrics().averageCharWidth() * 16 - browse_->sizeHint().width() -
+                         spacing);
+}
+
+void ParameterRow::chooseFile() {
+  QString now = QString::fromStdString(std::get<std::string>(value_));
+  if (now.startsWith(filePrefix_))
+    now.remove(0, filePrefix_.size());
+  const QString chosen = QFileDialog::getOpenFileName(
+      this, language::heading(spec_.label), QFileInfo(now).absolutePath(),
+      tr("Files (%1)").arg(filePatterns_) + QStringLiteral(";;") + tr("All files (*)"));
+  if (chosen.isEmpty())
+    return;
+  const base::ParameterValue value = (filePrefix_ + chosen).toStdString();
+  commit(value);
+  showValue();
 }
 
 void ParameterRow::setValue(const base::ParameterValue& value) {
@@ -246,6 +280,8 @@ void ParameterRow::retranslate() {
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
   editor_->setAccessibleName(language::heading(spec_.label));
+  browse_->setToolTip(tr("Choose a file"));
+  browse_->setAccessibleName(tr("Choose a file"));
   reset_->setToolTip(tr("Reset to %1").arg(valueText(spec_, spec_.defaultValue)));
   if (auto* combo = qobject_cast<QComboBox*>(editor_))
     for (int i = 0; i < combo->count(); ++i)

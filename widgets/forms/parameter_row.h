@@ -27,6 +27,10 @@ public:
   base::ParameterValue value() const { return value_; }
   bool isChanged() const;
 
+  // The text may name a file: a button chooses one. `patterns` of names, separated by blanks;
+  // `prefix` stands before the name.
+  void offerFiles(const QString& patterns, const QString& prefix);
+
   // One line under the row: why the value can't be used; empty: it can.
   void setProblem(const QString& problem);
   bool hasProblem() const;
@@ -43,6 +47,7 @@ signals:
 
 private:
   void buildEditor();
+  void chooseFile();
   void commit(const base::ParameterValue& value);
   void showValue();
   void showLabel();
@@ -52,7 +57,9 @@ private:
   QStringList words_;
   QLabel* label_ = nullptr;
   QWidget* editor_ = nullptr;
+  QToolButton* browse_ = nullptr;
   QToolButton* reset_ = nullptr;
+  QString filePatterns_, filePrefix_;
   QWidget* problem_ = nullptr;
   QLabel* problemIcon_ = nullptr;
   QLabel* problemText_ = nullptr;

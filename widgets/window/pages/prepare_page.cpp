@@ -4,6 +4,7 @@
 #include "document/opening.h"
 #include "forms/parameter_form.h"
 #include "language/words.h"
+#include "modes/file_parameters.h"
 #include "modes/mode_table.h"
 #include "panels/mesh_panel.h"
 #include "panels/object_tree.h"
@@ -45,6 +46,11 @@ void PreparePage::build() {
   parameters_ = new forms::ParameterForm(pipeline::allParameters());
   parameters_->setObjectName("parameters");
   parameters_->setHeader(choices_->form());
+  const auto text = [](std::string_view view) {
+    return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+  };
+  for (const modes::FileParameter& file : modes::fileParameters())
+    parameters_->offerFiles(std::string(file.key), text(file.patterns), text(file.prefix));
   auto* part = new QWidget;
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
