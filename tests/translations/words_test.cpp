@@ -39,8 +39,10 @@ protected:
   }
 
 private:
-  int count_ = 0;
-  QCoreApplication application_{count_, nullptr};
+  char name_[5] = "test";
+  char* arguments_[2] = {name_, nullptr};
+  int count_ = 1;
+  QCoreApplication application_{count_, arguments_};
   Italian italian_;
   QLocale before_;
 };
