@@ -4047,6 +4047,26 @@ mm³</translation>
         <source>the section of the mesh by a plane crosses itself</source>
         <translation>la sezione della mesh con un piano interseca se stessa</translation>
     </message>
+    <message>
+        <source>EGL cannot start</source>
+        <translation>EGL non può partire</translation>
+    </message>
+    <message>
+        <source>EGL lacks platform displays</source>
+        <translation>a EGL mancano gli schermi di piattaforma</translation>
+    </message>
+    <message>
+        <source>its functions cannot be found</source>
+        <translation>le sue funzioni non si trovano</translation>
+    </message>
+    <message>
+        <source>no context can be made</source>
+        <translation>non si può creare un contesto</translation>
+    </message>
+    <message>
+        <source>the context cannot be used</source>
+        <translation>il contesto non si può usare</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

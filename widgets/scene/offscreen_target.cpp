@@ -25,11 +25,11 @@ namespace {
 
 constexpr int kSmallest = 16, kLargest = 8192;
 
-[[noreturn]] void noOpenGl(const char* what) {
-  throw base::Error(base::ErrorCode::UnusableInput,
-                    base::message("this machine gives no OpenGL 3.2 without a display: {why}"_text,
-                                  std::string(what)),
-                    {}, "install Mesa (libegl1, libgl1-mesa-dri)"_text);
+[[noreturn]] void noOpenGl(base::Text why) {
+  throw base::Error(
+      base::ErrorCode::UnusableInput,
+      base::message("this machine gives no OpenGL 3.2 without a display: {why}"_text, why), {},
+      "install Mesa (libegl1, libgl1-mesa-dri)"_text);
 }
 
 // VTK's GLEW asks GLX for its version and fails on EGL though every function is there.
@@ -44,7 +44,7 @@ public:
     ContextCreationTime.Modified();
     glewInit();
     if (glGenVertexArrays == nullptr || glMultiDrawElements == nullptr)
-      noOpenGl("its functions cannot be found");
+      noOpenGl("its functions cannot be found"_text);
     GlewInitValid = true;
     Initialized = true;
     int widths[2] = {1, 1};
@@ -61,10 +61,10 @@ public:
     const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
         eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (platformDisplay == nullptr)
-      noOpenGl("EGL lacks platform displays");
+      noOpenGl("EGL lacks platform displays"_text);
     display_ = platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
-      noOpenGl("EGL cannot start");
+      noOpenGl("EGL cannot start"_text);
     // Any kind of surface: none is made.
     const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
@@ -81,7 +81,7 @@ public:
       context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version);
     if (context_ == EGL_NO_CONTEXT) {
       eglTerminate(display_);
-      noOpenGl("no context can be made");
+      noOpenGl("no context can be made"_text);
     }
   }
   ~EglContext() {
@@ -94,7 +94,7 @@ public:
 
   void makeCurrent() const {
     if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
-      noOpenGl("the context cannot be used");
+      noOpenGl("the context cannot be used"_text);
   }
 
 private:
