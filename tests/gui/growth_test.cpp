@@ -47,7 +47,7 @@ protected:
     EXPECT_EQ(combo->currentIndex(), row);
   }
   const scene::ViewState& view() { return window().viewport().view(); }
-  std::string legendTitle() { return window().viewport().scene().legend().title; }
+  std::string legendTitle() { return base::english(window().viewport().scene().legend().title); }
   timeline::TimelineBar& bar() { return *find<timeline::TimelineBar>("timeline"); }
 
   // Pixels in the colour of the step being laid, whatever the light.

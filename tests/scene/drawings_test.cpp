@@ -112,8 +112,8 @@ TEST(VoxelDrawing, SupportAndEveryReasonHaveAColourAndALineInTheLegend) {
   EXPECT_EQ(found.size(), 3u) << "support and two ranks";
   const scene::Legend legend = scene::voxelLegend(*drawing, scene::lightTheme());
   ASSERT_EQ(legend.marks.size(), 4u);
-  EXPECT_EQ(legend.marks[0].label, "Support");
-  EXPECT_EQ(legend.marks[1].text(), "Missed, shadowed (1)");
+  EXPECT_EQ(base::english(legend.marks[0].label), "Support");
+  EXPECT_EQ(base::english(legend.marks[1].text()), "Missed, shadowed (1)");
   EXPECT_EQ(legend.marks[1].colour, scene::lightTheme().blocked);
 }
 
@@ -136,8 +136,8 @@ TEST(LayersDrawing, SpacingIsCentredOnTheNominalHeightWithItsLimitsMarked) {
   expectColour(4, scene::tooThickColour());
   const scene::Legend legend = scene::legendOf(values, scene::ColourBy::Spacing);
   ASSERT_EQ(legend.entries.size(), 5u);
-  EXPECT_EQ(legend.entries[0].text(), "0.40 (limit)");
-  EXPECT_EQ(legend.entries[2].text(), "0.80 (nominal)");
+  EXPECT_EQ(base::english(legend.entries[0].text()), "0.40 (limit)");
+  EXPECT_EQ(base::english(legend.entries[2].text()), "0.80 (nominal)");
   EXPECT_EQ(legend.marks.size(), 2u);
 }
 

@@ -95,10 +95,10 @@ TEST(Pieces, LegendNamesThemAndWhatNeedsSupport) {
   view.pieceNumbers = false;
   scene.setView(view);
   const scene::Legend legend = scene.legend();
-  EXPECT_EQ(legend.title, "Piece");
+  EXPECT_EQ(base::english(legend.title), "Piece");
   ASSERT_EQ(legend.entries.size(), 2u);
-  EXPECT_EQ(legend.entries[0].text(), "1 (on the plate)");
-  EXPECT_EQ(legend.entries[1].text(), "2");
+  EXPECT_EQ(base::english(legend.entries[0].text()), "1 (on the plate)");
+  EXPECT_EQ(base::english(legend.entries[1].text()), "2");
   EXPECT_EQ(legend.entries[1].colour, scene::pieceColour(1));
   ASSERT_EQ(legend.marks.size(), 1u) << "the ball's lower half leans out";
   EXPECT_EQ(legend.marks[0].colour, scene::lightTheme().risky);

@@ -152,7 +152,7 @@ void Overlay::placeLegend() {
       addRectangle(bar, left, bottom + height * s / kBarSteps, kBarWidth * ratio_,
                    height / kBarSteps, legend_.scaleColour((s + 0.5) / kBarSteps));
     for (std::size_t i = 0; i < entries.size(); ++i)
-      place(labels_[i], entries[i].text(), labelX,
+      place(labels_[i], base::english(entries[i].text()), labelX,
             bottom + height * static_cast<double>(i) / static_cast<double>(entries.size() - 1));
     marksFrom = bottom - 1.3 * kRow * ratio_;
   }
