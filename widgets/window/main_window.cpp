@@ -118,7 +118,14 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
 }
 
-MainWindow::~MainWindow() = default;
+// What ends with the window has nobody to tell.
+MainWindow::~MainWindow() {
+  for (QObject* one : {static_cast<QObject*>(&document_), static_cast<QObject*>(&planning_),
+                       static_cast<QObject*>(&live_), static_cast<QObject*>(&comparing_),
+                       static_cast<QObject*>(&files_.opening()), static_cast<QObject*>(&files_),
+                       static_cast<QObject*>(&runs_), static_cast<QObject*>(document_.undoStack())})
+    one->disconnect();
+}
 
 void MainWindow::buildDocks() {
   tree_->setObjectName("tree");
@@ -150,8 +157,8 @@ void MainWindow::buildDocks() {
 void MainWindow::buildCommands() {
   commands_->add(files_.commands());
   commands_->add(undoCommands(*document_.undoStack()));
-  commands_->add(ownCommands());
   commands_->add(pages_->commands());
+  commands_->add(ownCommands());
   commands_->add(viewCommands(*area_, picture_, *unrolled_, [this] { pages_->showView(); }));
   commands_->add(languageCommands());
   commands_->add(runs_.commands());
@@ -189,7 +196,7 @@ std::vector<Command> MainWindow::ownCommands() {
        [this] { return appearance_ == Appearance::Dark; }},
       {"exportPicture",
        "exportMenu",
-       1,
+       0,
        QT_TRANSLATE_NOOP("Commands", "P&icture…"),
        QT_TRANSLATE_NOOP("Commands", "Save the viewport as a PNG"),
        {},

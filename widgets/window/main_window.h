@@ -73,6 +73,7 @@ private:
   void retranslate();
   void fitToolBar();
 
+  QDockWidget *partDock_ = nullptr, *findingsDock_ = nullptr, *pageDock_ = nullptr;
   document::Document document_;
   document::Planning planning_;
   document::LivePreview live_;
@@ -90,7 +91,6 @@ private:
   QLabel* summary_;
   std::unique_ptr<FindingsPresenter> findingsPresenter_;
   std::unique_ptr<PageStack> pages_;
-  QDockWidget *partDock_ = nullptr, *findingsDock_ = nullptr, *pageDock_ = nullptr;
   CommandTable* commands_;
   bool closing_ = false;
 };
