@@ -2,7 +2,6 @@
 
 #include "scene/colouring.h"
 #include "scene/theme.h"
-#include "window/background.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -46,12 +45,55 @@ QString tickText(const QLocale& locale, double value, double step) {
   const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
   return locale.toString(std::abs(value) < 1e-9 * step ? 0.0 : value, 'f', digits);
 }
+
+UnrolledLook lookOf(const QPalette& p) {
+  UnrolledLook look;
+  look.sheet = p.color(QPalette::Base);
+  look.beside = between(p.color(QPalette::Base), p.color(QPalette::Window), 0.8);
+  look.outline = p.color(QPalette::WindowText);
+  look.seam = between(p.color(QPalette::WindowText), p.color(QPalette::Base), 0.4);
+  const bool dark = look.sheet.lightness() < 128;
+  look.chosen = colourOf((dark ? scene::darkTheme() : scene::lightTheme()).marker);
+  for (std::size_t i = 0; i < kPathKinds; ++i)
+    look.kinds[i] = colourOf(scene::categoricalColour(static_cast<int>(i)));
+  return look;
+}
+
+// Ticks of the frame in sight, that is drawn at `area`.
+void paintAxes(QPainter& painter, const QRectF& area, const UnrolledFrame& frame,
+               const QWidget& widget) {
+  const QLocale locale = widget.locale();
+  const QPalette palette = widget.palette();
+  const QFontMetrics metrics = widget.fontMetrics();
+  const int tall = metrics.height();
+  painter.setPen(palette.color(QPalette::Mid));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(area);
+  painter.setPen(palette.color(QPalette::WindowText));
+  const QPointF low = frame.mmAt({0.0, area.height()}), high = frame.mmAt({area.width(), 0.0});
+  const double wide = metrics.horizontalAdvance(QStringLiteral("-00.00")) + 14.0;
+  const double stepU = niceStep(wide / frame.pixelsPerMm);
+  for (double u = std::ceil(low.x() / stepU) * stepU; u <= high.x(); u += stepU) {
+    const double x = area.left() + frame.pixelOf({u, 0.0}).x();
+    painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 4));
+    painter.drawText(QRectF(x - 0.5 * wide, area.bottom() + 4, wide, tall), Qt::AlignCenter,
+                     tickText(locale, u, stepU));
+  }
+  const double stepV = niceStep(2.2 * tall / frame.pixelsPerMm);
+  for (double v = std::ceil(low.y() / stepV) * stepV; v <= high.y(); v += stepV) {
+    const double y = area.top() + frame.pixelOf({0.0, v}).y();
+    painter.drawLine(QPointF(area.left() - 4, y), QPointF(area.left(), y));
+    painter.drawText(QRectF(0.0, y - 0.5 * tall, area.left() - 6, tall),
+                     Qt::AlignRight | Qt::AlignVCenter, tickText(locale, v, stepV));
+  }
+}
 } // namespace
 
 UnrolledCanvas::UnrolledCanvas(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  connect(&drawing_, &UnrolledDrawing::changed, this, [this] { update(); });
 }
 
 UnrolledCanvas::~UnrolledCanvas() = default;
@@ -96,24 +138,6 @@ QPointF UnrolledCanvas::mmAt(const QPointF& pixel) const {
   return frame_.mmAt(pixel - plot().topLeft());
 }
 
-UnrolledLook UnrolledCanvas::look() const {
-  UnrolledLook look;
-  const QPalette p = palette();
-  look.sheet = p.color(QPalette::Base);
-  look.beside = between(p.color(QPalette::Base), p.color(QPalette::Window), 0.8);
-  look.outline = p.color(QPalette::WindowText);
-  look.seam = between(p.color(QPalette::WindowText), p.color(QPalette::Base), 0.4);
-  const bool dark = look.sheet.lightness() < 128;
-  look.chosen = colourOf((dark ? scene::darkTheme() : scene::lightTheme()).marker);
-  for (std::size_t i = 0; i < kPathKinds; ++i)
-    look.kinds[i] = colourOf(scene::categoricalColour(static_cast<int>(i)));
-  return look;
-}
-
-bool UnrolledCanvas::settled() const {
-  return !runner_.running() && drawn_ && *drawn_ == wanted();
-}
-
 void UnrolledCanvas::setFrame(const QPointF& centreMm, double pixelsPerMm) {
   frame_.centreMm = centreMm;
   frame_.pixelsPerMm = std::clamp(pixelsPerMm, kLeastPixelsPerMm, kMostPixelsPerMm);
@@ -146,56 +170,49 @@ void UnrolledCanvas::redraw() {
   frame_.size = plot().size();
   frame_.pixelRatio = devicePixelRatioF();
   update();
-  if (!runner_.running())
-    drawInBackground();
-}
-
-// One at a time, the newest next: pictures come as fast as they can be drawn, however fast the
-// wishes change.
-void UnrolledCanvas::drawInBackground() {
-  const Wanted now = wanted();
-  if (drawn_ && *drawn_ == now)
-    return;
-  inBackground(
-      runner_,
-      [now](const base::RunContext& ctx) {
-        return unrolledPicture(now.content, now.frame, now.look, ctx);
-      },
-      [this, now](QImage&& made) {
-        picture_ = std::move(made);
-        drawn_ = now;
-        update();
-        QMetaObject::invokeMethod(
-            this, [this] { redraw(); }, Qt::QueuedConnection);
-      });
+  drawing_.draw({content_, frame_, lookOf(palette())});
 }
 
 void UnrolledCanvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QRectF area = plot();
   const bool shown = content_.layer && !content_.layer->area.isEmpty();
-  painter.fillRect(area, shown ? look().beside : palette().color(QPalette::Base));
+  painter.fillRect(area, shown ? lookOf(palette()).beside : palette().color(QPalette::Base));
   if (!shown) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(area.adjusted(6, 6, -6, -6), Qt::AlignCenter | Qt::TextWordWrap, hint_);
     return;
   }
-  if (drawn_ && drawn_->content.layer) {
-    painter.save();
-    painter.setClipRect(area);
-    const UnrolledFrame& was = drawn_->frame;
-    if (was == frame_) {
-      painter.drawImage(area.topLeft(), picture_);
-    } else {
-      const QPointF corner = pixelOf(was.mmAt({0.0, 0.0}));
-      painter.drawImage(QRectF(corner, was.size * (frame_.pixelsPerMm / was.pixelsPerMm)),
-                        picture_);
-    }
-    painter.restore();
-  }
+  paintLayer(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   paintMarks(painter);
-  paintAxes(painter);
+  paintAxes(painter, area, frame_, *this);
+  painter.drawText(
+      QRectF(0.0, height() - fontMetrics().height() - 1.0, width() - 6.0, fontMetrics().height()),
+      Qt::AlignCenter,
+      fontMetrics().elidedText(tr("→ around, ↑ along [mm]"), Qt::ElideRight, width() - 6));
+  if (hasFocus()) {
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0, Qt::DotLine));
+    painter.drawRect(area.adjusted(1, 1, -1, -1));
+  }
+}
+
+// As it was drawn last, until it is drawn as it is to be.
+void UnrolledCanvas::paintLayer(QPainter& painter) const {
+  const auto& drawn = drawing_.drawn();
+  if (!drawn || !drawn->content.layer)
+    return;
+  const QRectF area = plot();
+  painter.save();
+  painter.setClipRect(area);
+  const UnrolledFrame& was = drawn->frame;
+  if (was == frame_)
+    painter.drawImage(area.topLeft(), drawing_.picture());
+  else
+    painter.drawImage(
+        QRectF(pixelOf(was.mmAt({0.0, 0.0})), was.size * (frame_.pixelsPerMm / was.pixelsPerMm)),
+        drawing_.picture());
+  painter.restore();
 }
 
 void UnrolledCanvas::paintMarks(QPainter& painter) const {
@@ -204,7 +221,7 @@ void UnrolledCanvas::paintMarks(QPainter& painter) const {
   painter.save();
   painter.setClipRect(plot());
   const double period = content_.layer->periodMm;
-  const QColor colour = look().chosen;
+  const QColor colour = lookOf(palette()).chosen;
   for (const double shift : {-period, 0.0, period}) {
     const QPointF at = pixelOf(*chosenMm_ + QPointF(shift, 0.0));
     painter.setPen(QPen(palette().color(QPalette::Base), 4.0));
@@ -215,39 +232,6 @@ void UnrolledCanvas::paintMarks(QPainter& painter) const {
       break;
   }
   painter.restore();
-}
-
-void UnrolledCanvas::paintAxes(QPainter& painter) const {
-  const QRectF area = plot();
-  const QLocale locale = this->locale();
-  const int tall = fontMetrics().height();
-  painter.setPen(palette().color(QPalette::Mid));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawRect(area);
-  painter.setPen(palette().color(QPalette::WindowText));
-  const QPointF low = mmAt(area.bottomLeft()), high = mmAt(area.topRight());
-  const double wide = fontMetrics().horizontalAdvance(QStringLiteral("-00.00")) + 14.0;
-  const double stepU = niceStep(wide / frame_.pixelsPerMm);
-  for (double u = std::ceil(low.x() / stepU) * stepU; u <= high.x(); u += stepU) {
-    const double x = pixelOf({u, 0.0}).x();
-    painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 4));
-    painter.drawText(QRectF(x - 0.5 * wide, area.bottom() + 4, wide, tall), Qt::AlignCenter,
-                     tickText(locale, u, stepU));
-  }
-  const double stepV = niceStep(2.2 * tall / frame_.pixelsPerMm);
-  for (double v = std::ceil(low.y() / stepV) * stepV; v <= high.y(); v += stepV) {
-    const double y = pixelOf({0.0, v}).y();
-    painter.drawLine(QPointF(area.left() - 4, y), QPointF(area.left(), y));
-    painter.drawText(QRectF(0.0, y - 0.5 * tall, area.left() - 6, tall),
-                     Qt::AlignRight | Qt::AlignVCenter, tickText(locale, v, stepV));
-  }
-  painter.drawText(
-      QRectF(0.0, height() - tall - 1.0, width() - 6.0, tall), Qt::AlignCenter,
-      fontMetrics().elidedText(tr("→ around, ↑ along [mm]"), Qt::ElideRight, width() - 6));
-  if (hasFocus()) {
-    painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0, Qt::DotLine));
-    painter.drawRect(area.adjusted(1, 1, -1, -1));
-  }
 }
 
 std::optional<UnrolledHit> UnrolledCanvas::hitAt(const QPointF& pixel) const {

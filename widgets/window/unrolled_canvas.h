@@ -1,7 +1,7 @@
 // An unrolled layer under the mouse: axes, zoom, what the pointer is on.
 #pragma once
 
-#include "jobs/job_runner.h"
+#include "window/unrolled_drawing.h"
 #include "window/unrolled_picture.h"
 
 #include <QWidget>
@@ -33,8 +33,8 @@ public:
   QPointF pixelOf(const QPointF& mm) const;
   QPointF mmAt(const QPointF& pixel) const;
   // Is the picture that of what is to be shown?
-  bool settled() const;
-  const QImage& picture() const { return picture_; }
+  bool settled() const { return drawing_.settled(); }
+  const QImage& picture() const { return drawing_.picture(); }
 
   QSize sizeHint() const override { return {280, 420}; }
   QSize minimumSizeHint() const override { return {150, 140}; }
@@ -60,31 +60,19 @@ protected:
 
 private:
   QRectF plot() const;
-  UnrolledLook look() const;
   void setFrame(const QPointF& centreMm, double pixelsPerMm);
   void zoomAbout(const QPointF& pixel, double factor);
   void redraw();
-  void drawInBackground();
-  void paintAxes(QPainter& painter) const;
+  void paintLayer(QPainter& painter) const;
   void paintMarks(QPainter& painter) const;
   std::optional<UnrolledHit> hitAt(const QPointF& pixel) const;
 
-  struct Wanted {
-    UnrolledContent content;
-    UnrolledFrame frame;
-    UnrolledLook look;
-    bool operator==(const Wanted&) const = default;
-  };
-  Wanted wanted() const { return {content_, frame_, look()}; }
-
-  jobs::JobRunner runner_;
+  UnrolledDrawing drawing_;
   UnrolledContent content_;
   UnrolledFrame frame_;
   std::optional<QPointF> chosenMm_;
   QString hint_;
-  QImage picture_;
-  std::optional<Wanted> drawn_; // of the picture
-  bool whole_ = true;           // the layer is shown whole, and stays so when the widget grows
+  bool whole_ = true; // the layer is shown whole, and stays so when the widget grows
   QPointF pressedAt_, last_;
   bool pressed_ = false, moved_ = false;
   int wheelRest_ = 0;
