@@ -15,12 +15,10 @@
 #include "window/status_line.h"
 #include "window/welcome.h"
 
-#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
@@ -61,15 +59,6 @@ QString sizeText(const Eigen::Vector3d& v) {
   return QString::fromUtf8("%1 × %2 × %3 mm")
       .arg(locale.toString(v.x(), 'f', 1), locale.toString(v.y(), 'f', 1),
            locale.toString(v.z(), 'f', 1));
-}
-
-// A number that is being typed counts, as if its field had been left.
-void commitTyping() {
-  QWidget* field = QApplication::focusWidget();
-  if (!qobject_cast<QAbstractSpinBox*>(field) && !qobject_cast<QLineEdit*>(field))
-    return;
-  field->clearFocus();
-  field->setFocus();
 }
 
 QDockWidget* dock(const char* name, QWidget* content, QMainWindow& window,
@@ -295,7 +284,6 @@ void MainWindow::plan(Stage until) {
     files_.choose();
     return;
   }
-  commitTyping();
   if (document_.unusable())
     return;
   if (until == Stage::Replay)

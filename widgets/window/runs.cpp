@@ -4,6 +4,9 @@
 #include "project/report.h"
 #include "window/status_line.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QLineEdit>
 #include <QLocale>
 #include <QSettings>
 #include <algorithm>
@@ -14,6 +17,15 @@ using project::Stage;
 
 namespace {
 constexpr const char* kLivePreview = "plan/livePreview";
+
+// A number that is being typed counts, as if its field had been left.
+void commitTyping() {
+  QWidget* field = QApplication::focusWidget();
+  if (!qobject_cast<QAbstractSpinBox*>(field) && !qobject_cast<QLineEdit*>(field))
+    return;
+  field->clearFocus();
+  field->setFocus();
+}
 
 QString voxelsText(std::size_t voxels, std::size_t missed) {
   const QLocale locale;
@@ -183,7 +195,7 @@ std::vector<Command> Runs::commands() {
        QT_TRANSLATE_NOOP("Commands", "&Plan"),
        QT_TRANSLATE_NOOP("Commands", "From the part to checked robot programs"),
        {QKeySequence("Ctrl+R")},
-       [this] { emit planAsked(Stage::Replay); },
+       [this] { askForPlan(Stage::Replay); },
        part,
        {},
        "plan",
@@ -194,7 +206,7 @@ std::vector<Command> Runs::commands() {
        QT_TRANSLATE_NOOP("Commands", "Plan as far as the &layers"),
        QT_TRANSLATE_NOOP("Commands", "Stops before tool-paths and motion"),
        {QKeySequence("Ctrl+L")},
-       [this] { emit planAsked(Stage::Layers); },
+       [this] { askForPlan(Stage::Layers); },
        part},
       {"cancel",
        "runMenu",
@@ -221,6 +233,11 @@ std::vector<Command> Runs::commands() {
        {},
        [this] { return live_.enabled(); }},
   };
+}
+
+void Runs::askForPlan(Stage until) {
+  commitTyping();
+  emit planAsked(until);
 }
 
 bool Runs::busy() const {

@@ -41,6 +41,7 @@ private:
   void listenToPreview();
   void listenToOthers();
   void layPart();
+  void askForPlan(project::Stage until);
 
   document::Document& document_;
   document::Planning& planning_;
