@@ -23,7 +23,7 @@ constexpr double kMostExternalDegrees = 1e7;
 constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
 constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
 
-class RapidReader {
+class RapidReader : private RapidCursor {
 public:
   RapidReader(const process::Process& process, const base::RunContext& ctx)
       : process_(process), ctx_(ctx), defects_(out_.defects) {
@@ -111,48 +111,6 @@ private:
   }
 
   // ---- structure
-
-  void advance() { token_ = tokens_.next(); }
-  bool isMark(char c) const {
-    return token_.kind == RapidTokenKind::Mark && token_.text.front() == c;
-  }
-  bool takeMark(char c) {
-    if (!isMark(c))
-      return false;
-    advance();
-    return true;
-  }
-  bool isWord(std::string_view word) const {
-    return token_.kind == RapidTokenKind::Name && sameWord(token_.text, word);
-  }
-  bool takeWord(std::string_view word) {
-    if (!isWord(word))
-      return false;
-    advance();
-    return true;
-  }
-  bool takeName(std::string& name) {
-    if (token_.kind != RapidTokenKind::Name)
-      return false;
-    name = inSmallLetters(token_.text);
-    advance();
-    return true;
-  }
-  bool takeText(std::string& text) {
-    if (token_.kind != RapidTokenKind::Text)
-      return false;
-    text = token_.text;
-    advance();
-    return true;
-  }
-  bool takeNumberToken(double& value) {
-    if (token_.kind != RapidTokenKind::Number)
-      return false;
-    value = token_.number;
-    advance();
-    return true;
-  }
-  bool takeAssign() { return takeMark(':') && takeMark('='); }
 
   bool readModule(const plan::ProgramFile& file) {
     tokens_ = RapidTokens(file.text);
@@ -601,8 +559,6 @@ private:
   plan::ReadProgram out_;
   Defects defects_;
   std::size_t file_ = 0, line_ = 0, modules_ = 0, statements_ = 0;
-  RapidTokens tokens_{{}};
-  RapidToken token_;
   const char* textEnd_ = nullptr;
   base::Message reason_;
   bool closed_ = false; // the statement's semicolon was taken

@@ -68,6 +68,52 @@ bool RapidTokens::quoted(RapidToken& token) {
   return true;
 }
 
+bool RapidCursor::isMark(char c) const {
+  return token_.kind == RapidTokenKind::Mark && token_.text.front() == c;
+}
+
+bool RapidCursor::isWord(std::string_view word) const {
+  return token_.kind == RapidTokenKind::Name && sameWord(token_.text, word);
+}
+
+bool RapidCursor::takeMark(char c) {
+  if (!isMark(c))
+    return false;
+  advance();
+  return true;
+}
+
+bool RapidCursor::takeWord(std::string_view word) {
+  if (!isWord(word))
+    return false;
+  advance();
+  return true;
+}
+
+bool RapidCursor::takeName(std::string& name) {
+  if (token_.kind != RapidTokenKind::Name)
+    return false;
+  name = inSmallLetters(token_.text);
+  advance();
+  return true;
+}
+
+bool RapidCursor::takeText(std::string& text) {
+  if (token_.kind != RapidTokenKind::Text)
+    return false;
+  text = token_.text;
+  advance();
+  return true;
+}
+
+bool RapidCursor::takeNumberToken(double& value) {
+  if (token_.kind != RapidTokenKind::Number)
+    return false;
+  value = token_.number;
+  advance();
+  return true;
+}
+
 bool sameWord(std::string_view word, std::string_view small) {
   return word.size() == small.size() && std::equal(word.begin(), word.end(), small.begin(),
                                                    [](char a, char b) { return toSmall(a) == b; });

@@ -32,6 +32,24 @@ private:
   std::size_t line_ = 1;
 };
 
+// What stands next in a text, for parsers that derive from it: each take...() gives true and goes
+// on where the next word is of that kind, else it leaves everything as it is.
+class RapidCursor {
+protected:
+  void advance() { token_ = tokens_.next(); }
+  bool isMark(char c) const;
+  bool isWord(std::string_view word) const;
+  bool takeMark(char c);
+  bool takeWord(std::string_view word);
+  bool takeName(std::string& name); // in small letters
+  bool takeText(std::string& text);
+  bool takeNumberToken(double& value);
+  bool takeAssign() { return takeMark(':') && takeMark('='); }
+
+  RapidTokens tokens_{{}};
+  RapidToken token_;
+};
+
 // RAPID tells no capital letters from small ones. `small`: in small letters.
 bool sameWord(std::string_view word, std::string_view small);
 std::string inSmallLetters(std::string_view text);

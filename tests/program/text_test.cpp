@@ -70,7 +70,7 @@ TEST(Text, defectsAreBounded) {
   std::vector<plan::ProgramDefect> list;
   Defects defects(list);
   for (int i = 0; i < 5000; ++i)
-    defects.add(0, 1, "bad");
+    defects.add(0, 1, "bad"_text);
   EXPECT_EQ(list.size(), kMaxDefects);
 }
 

@@ -4,6 +4,7 @@
 #include "scene/actors.h"
 #include "scene/bead_shader.h"
 #include "scene/camera.h"
+#include "scene/cell_actors.h"
 #include "scene/colour_values.h"
 #include "scene/drawing_data.h"
 #include "scene/mesh_buffers.h"
@@ -11,6 +12,7 @@
 #include "scene/pick.h"
 #include "scene/piece_actors.h"
 #include "scene/piece_labels.h"
+#include "scene/platform_actors.h"
 #include "scene/visible_beads.h"
 #include "scene/voxel_actors.h"
 #include "scene/vtk_modules.h"
@@ -35,10 +37,8 @@ namespace {
 constexpr double kLineBeadScale = 0.22; // beads as thin lines
 constexpr double kMarkerShare = 0.022;  // of the picture's height
 constexpr int kRingCorners = 48;
-constexpr auto kPlatformRole = static_cast<std::size_t>(robot::BodyRole::Platform);
-constexpr double kRodBesideShare = 0.25; // of what is on it, that is looked at on either side
 constexpr double kChosenPathPixels = 3.0;
-constexpr double kFrontOpacity = 0.28, kPlateFromBelow = 0.25;
+constexpr double kFrontOpacity = 0.28;
 
 // What the colours of a range actor were made for.
 struct ColourState {
@@ -93,14 +93,14 @@ struct Scene::Impl {
   std::shared_ptr<const PiecesDrawing> pieces;
   std::shared_ptr<const CellDrawing> cell;
 
-  vtkSmartPointer<vtkActor> partSurface, partEdges, plate, rod, base, outline, grid, chosenPath,
-      frontSurface, frontEdges;
+  vtkSmartPointer<vtkActor> partSurface, partEdges, chosenPath, frontSurface, frontEdges;
   // Each drawing keeps its buffers: changing between them uploads nothing.
+  std::unique_ptr<PlatformActors> platformActors;
+  std::unique_ptr<CellActors> cellActors;
   std::unique_ptr<VoxelActors> byLayer, bySteps;
   std::unique_ptr<PieceActors> pieceActors;
   std::unique_ptr<PieceLabels> pieceLabels;
   RangeActor slabs, beads, travels, markerRim, marker;
-  std::vector<vtkSmartPointer<vtkActor>> bodies;
 
   ColourState slabColours, beadColours;
   // What the line of the chosen path was made for.
@@ -115,11 +115,8 @@ struct Scene::Impl {
     renderer->GradientBackgroundOn();
     renderer->SetClippingRangeExpansion(0.05);
     addLights(renderer);
-    plate = addSolid(renderer);
-    rod = addSolid(renderer);
-    base = addSolid(renderer);
-    grid = addLines(renderer);
-    outline = addLines(renderer);
+    platformActors = std::make_unique<PlatformActors>(renderer);
+    cellActors = std::make_unique<CellActors>(renderer);
     partSurface = addSolid(renderer);
     partEdges = addLines(renderer);
     byLayer = std::make_unique<VoxelActors>(renderer);
@@ -168,10 +165,8 @@ struct Scene::Impl {
     inside->SetDiffuse(0.25);
     partSurface->SetBackfaceProperty(inside);
     setColour(partEdges, theme.partEdges);
-    for (vtkActor* actor : {plate.Get(), rod.Get(), base.Get()})
-      setColour(actor, theme.platform);
-    setColour(outline, theme.platformEdges);
-    setColour(grid, theme.grid);
+    platformActors->setTheme(theme);
+    cellActors->setTheme(theme);
     byLayer->setTheme(theme);
     bySteps->setTheme(theme);
     pieceActors->setTheme(theme);
@@ -185,27 +180,6 @@ struct Scene::Impl {
     setColour(markerRim.actor, theme.backgroundTop);
     beads.mapper->setPlainColour(theme.material);
     overlay->setTheme(theme);
-    colourBodies();
-  }
-
-  void colourBodies() {
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      setColour(bodies[i], bodyColour(cell->cell.bodies()[i]));
-  }
-  const Colour& bodyColour(const robot::Body& body) const {
-    switch (body.role) {
-    case robot::BodyRole::Link:
-      return body.frame % 2 == 0 ? theme.robotLight : theme.robotDark;
-    case robot::BodyRole::Head:
-      return theme.head;
-    case robot::BodyRole::Platform:
-      return theme.platform;
-    case robot::BodyRole::Holder:
-      return theme.robotDark;
-    case robot::BodyRole::Obstacle:
-      break;
-    }
-    return theme.obstacle;
   }
 
   void poseAll() {
@@ -221,11 +195,9 @@ struct Scene::Impl {
         for (Eigen::Isometry3d& pose : world_T_frame)
           pose = work_T_base * pose;
       }
-      for (std::size_t i = 0; i < bodies.size(); ++i)
-        setPose(bodies[i], world_T_frame[static_cast<std::size_t>(c.bodies()[i].frame)]);
+      cellActors->pose(world_T_frame);
     }
-    for (vtkActor* actor : {plate.Get(), rod.Get(), base.Get(), outline.Get(), grid.Get()})
-      setPose(actor, world_T_work);
+    platformActors->pose(world_T_work);
     for (vtkActor* actor : cutActors())
       setPose(actor, world_T_work);
     for (vtkActor* actor : {partSurface.Get(), partEdges.Get()})
@@ -258,16 +230,6 @@ struct Scene::Impl {
     partSurface->GetProperty()->SetBackfaceCulling(view.partOpacity < 1.0);
   }
 
-  void showPlatform() {
-    const bool on = shows(view.platform, platform.get());
-    const bool byCell = shows(view.cell, cell.get());
-    plate->SetVisibility(on && !byCell);
-    rod->SetVisibility(on && platform->rod && (!byCell || view.roles[kPlatformRole]));
-    base->SetVisibility(on);
-    outline->SetVisibility(on && (!platform->rod || rod->GetVisibility()));
-    grid->SetVisibility(on && !byCell);
-  }
-
   void showVoxels() {
     const bool growing = replaysGrowth();
     const bool frontOn = growing && shows(view.front, front.get());
@@ -283,13 +245,6 @@ struct Scene::Impl {
       bySteps->prepare();
     else
       bySteps->hide();
-  }
-
-  // From below the plate is glass: what stands on it is looked at through it.
-  void showPlateFromBelow() {
-    const Eigen::Vector3d eye =
-        world_T_work.inverse() * Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition());
-    plate->GetProperty()->SetOpacity(eye.z() < 0.0 ? kPlateFromBelow : 1.0);
   }
 
   bool seenFromAbove() const {
@@ -340,15 +295,6 @@ struct Scene::Impl {
       travels.mapper->setStretches(visibleTravels(*paths, view));
   }
 
-  void showCell() {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const auto role = static_cast<std::size_t>(cell->cell.bodies()[i].role);
-      // The drawing of a rod has its profile and is seen to turn; the cell's body is round.
-      bodies[i]->SetVisibility(view.cell && view.roles[role] &&
-                               !(role == kPlatformRole && rod->GetVisibility()));
-    }
-  }
-
   void showChosenPath() {
     const bool on = shows(view.paths, paths.get()) && view.path;
     chosenPath->SetVisibility(on);
@@ -395,12 +341,13 @@ struct Scene::Impl {
   void applyView() {
     poseAll();
     showPart();
-    showPlatform();
+    platformActors->show(view, shows(view.cell, cell.get()));
     showVoxels();
     showPieces();
     showLayers();
     showPaths();
-    showCell();
+    // The drawing of a rod has its profile and is seen to turn; the cell's body is round.
+    cellActors->show(view, platformActors->showsRod());
     showChosenPath();
     showMarker();
     cut();
@@ -435,21 +382,11 @@ struct Scene::Impl {
       for (vtkActor* actor : {marker.actor.Get(), markerRim.actor.Get()})
         setPose(actor, facing);
     }
-    showPlateFromBelow();
+    platformActors->lookFrom(world_T_work.inverse() *
+                             Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition()));
     renderer->ResetCameraClippingRange();
     pieceLabels->update(view, world_T_work);
     overlay->update();
-  }
-
-  // Of the rod, what lies at what is shown, or all of it. Both in the work frame.
-  Eigen::AlignedBox3d rodBeside(const Eigen::AlignedBox3d& shown) const {
-    Eigen::AlignedBox3d box = platform->rod->box;
-    if (shown.isEmpty())
-      return box;
-    const double beside = kRodBesideShare * shown.sizes().maxCoeff();
-    box.min().x() = std::max(box.min().x(), shown.min().x() - beside);
-    box.max().x() = std::min(box.max().x(), shown.max().x() + beside);
-    return box;
   }
 
   // What the camera should see: in the world.
@@ -475,15 +412,10 @@ struct Scene::Impl {
       extend(paths->box);
     if (shows(view.platform, platform.get()))
       extend(platform->box);
-    if (rod->GetVisibility() && !view.cell)
-      extend(rodBeside(box));
+    if (platformActors->showsRod() && !view.cell)
+      extend(platformActors->rodBeside(box));
     if (shows(view.cell, cell.get()))
-      for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (cell->cell.bodies()[i].role != robot::BodyRole::Obstacle) {
-          const double* b = bodies[i]->GetBounds();
-          box.extend(Eigen::Vector3d(b[0], b[2], b[4]));
-          box.extend(Eigen::Vector3d(b[1], b[3], b[5]));
-        }
+      box.extend(cellActors->box());
     return box;
   }
 };
@@ -516,11 +448,7 @@ void Scene::setPartPreview(const Eigen::Affine3d& moved_T_part) {
 }
 
 void Scene::setPlatform(std::shared_ptr<const PlatformDrawing> platform) {
-  setData(impl_->plate, platform ? platform->plate.Get() : nullptr);
-  setData(impl_->rod, platform && platform->rod ? platform->rod->surface.Get() : nullptr);
-  setData(impl_->base, platform && platform->body ? platform->body->surface.Get() : nullptr);
-  setData(impl_->outline, platform ? platform->outline.Get() : nullptr);
-  setData(impl_->grid, platform ? platform->grid.Get() : nullptr);
+  impl_->platformActors->setDrawing(platform.get());
   impl_->platform = std::move(platform);
   impl_->applyView();
 }
@@ -567,16 +495,8 @@ void Scene::setPaths(std::shared_ptr<const PathsDrawing> paths) {
 }
 
 void Scene::setCell(std::shared_ptr<const CellDrawing> cell) {
-  for (const auto& body : impl_->bodies)
-    impl_->renderer->RemoveActor(body);
-  impl_->bodies.clear();
+  impl_->cellActors->setDrawing(cell.get());
   impl_->cell = std::move(cell);
-  if (impl_->cell)
-    for (const auto& data : impl_->cell->bodies) {
-      impl_->bodies.push_back(addSolid(impl_->renderer));
-      setData(impl_->bodies.back(), data);
-    }
-  impl_->colourBodies();
   impl_->applyView();
 }
 

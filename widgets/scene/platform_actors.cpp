@@ -1,0 +1,62 @@
+#include "scene/platform_actors.h"
+
+#include <algorithm>
+#include <vtkProperty.h>
+
+namespace voluta::scene {
+
+namespace {
+constexpr auto kPlatformRole = static_cast<std::size_t>(robot::BodyRole::Platform);
+constexpr double kRodBesideShare = 0.25; // of what is on it, that is looked at on either side
+constexpr double kPlateFromBelow = 0.25;
+} // namespace
+
+PlatformActors::PlatformActors(vtkRenderer* renderer)
+    : plate_(addSolid(renderer)), rod_(addSolid(renderer)), base_(addSolid(renderer)),
+      grid_(addLines(renderer)), outline_(addLines(renderer)) {}
+
+void PlatformActors::setDrawing(const PlatformDrawing* drawing) {
+  setData(plate_, drawing ? drawing->plate.Get() : nullptr);
+  setData(rod_, drawing && drawing->rod ? drawing->rod->surface.Get() : nullptr);
+  setData(base_, drawing && drawing->body ? drawing->body->surface.Get() : nullptr);
+  setData(outline_, drawing ? drawing->outline.Get() : nullptr);
+  setData(grid_, drawing ? drawing->grid.Get() : nullptr);
+  drawing_ = drawing;
+}
+
+void PlatformActors::setTheme(const Theme& theme) {
+  for (vtkActor* actor : {plate_.Get(), rod_.Get(), base_.Get()})
+    setColour(actor, theme.platform);
+  setColour(outline_, theme.platformEdges);
+  setColour(grid_, theme.grid);
+}
+
+void PlatformActors::pose(const Eigen::Isometry3d& world_T_work) {
+  for (vtkActor* actor : {plate_.Get(), rod_.Get(), base_.Get(), outline_.Get(), grid_.Get()})
+    setPose(actor, world_T_work);
+}
+
+void PlatformActors::show(const ViewState& view, bool byCell) {
+  const bool on = view.platform && drawing_;
+  plate_->SetVisibility(on && !byCell);
+  rod_->SetVisibility(on && drawing_->rod && (!byCell || view.roles[kPlatformRole]));
+  base_->SetVisibility(on);
+  outline_->SetVisibility(on && (!drawing_->rod || showsRod()));
+  grid_->SetVisibility(on && !byCell);
+}
+
+void PlatformActors::lookFrom(const Eigen::Vector3d& eye) {
+  plate_->GetProperty()->SetOpacity(eye.z() < 0.0 ? kPlateFromBelow : 1.0);
+}
+
+Eigen::AlignedBox3d PlatformActors::rodBeside(const Eigen::AlignedBox3d& shown) const {
+  Eigen::AlignedBox3d box = drawing_->rod->box;
+  if (shown.isEmpty())
+    return box;
+  const double beside = kRodBesideShare * shown.sizes().maxCoeff();
+  box.min().x() = std::max(box.min().x(), shown.min().x() - beside);
+  box.max().x() = std::min(box.max().x(), shown.max().x() + beside);
+  return box;
+}
+
+} // namespace voluta::scene
