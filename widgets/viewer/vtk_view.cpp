@@ -9,10 +9,20 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
+#include <vtkVersion.h>
 
 namespace voluta::viewer {
 
 namespace {
+// What the context says of itself, in one line.
+QString describe(QOpenGLContext& context) {
+  const auto text = [&](GLenum name) {
+    return QString::fromUtf8(reinterpret_cast<const char*>(context.functions()->glGetString(name)));
+  };
+  return QStringLiteral("OpenGL %1, %2, %3")
+      .arg(text(GL_VERSION), text(GL_VENDOR), text(GL_RENDERER));
+}
+
 constexpr int kMajor = 3, kMinor = 2;
 
 QSurfaceFormat vtkFormat() {
@@ -101,6 +111,8 @@ void VtkView::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkView::releaseGl,
           Qt::DirectConnection);
   window_->OpenGLInit();
+  emit openGlReady(QStringLiteral("VTK %1, %2")
+                       .arg(QLatin1String(vtkVersion::GetVTKVersion()), describe(*context())));
 }
 
 void VtkView::resizeGL(int, int) {

@@ -34,6 +34,8 @@ public:
 
 signals:
   void framePainted(double ms);
+  // Can be drawn in from now on, with this VTK and OpenGL: version, vendor, renderer.
+  void openGlReady(const QString& what);
   // The display offers less than OpenGL 3.2; nothing can be drawn.
   void openGlMissing(const QString& found);
 

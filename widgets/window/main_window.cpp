@@ -75,7 +75,8 @@ QDockWidget* dock(const char* name, QWidget* content, QMainWindow& window,
 MainWindow::MainWindow(Appearance appearance, QWidget* parent)
     : QMainWindow(parent), planning_(document_), live_(document_, planning_), comparing_(document_),
       files_(document_, planning_, *this),
-      runs_(document_, planning_, live_, comparing_, files_.opening()), appearance_(appearance),
+      runs_(document_, planning_, live_, comparing_, files_.opening()),
+      log_(document::logFile(), document_, planning_, files_.opening()), appearance_(appearance),
       area_(new PictureArea(appearance, this)),
       presenter_(new Presenter(document_, area_->viewport(), this)), status_(new StatusLine(this)),
       tree_(new panels::ObjectTree(this)), findings_(new panels::FindingsPanel(this)),
@@ -220,6 +221,7 @@ std::vector<Command> MainWindow::ownCommands() {
 }
 
 void MainWindow::listen() {
+  connect(&viewport(), &viewer::VtkView::openGlReady, &log_, &document::SessionLog::note);
   const auto title = [this] { setWindowTitle(document_.name() + "[*] – Voluta"); };
   connect(&document_, &document::Document::nameChanged, this, title);
   connect(&document_, &document::Document::dirtyChanged, this,

@@ -8,6 +8,7 @@
 #include "document/document.h"
 #include "document/live_preview.h"
 #include "document/planning.h"
+#include "document/session_log.h"
 #include "window/commands.h"
 #include "window/pages/page_stack.h"
 #include "window/picture.h"
@@ -80,6 +81,7 @@ private:
   document::Comparing comparing_;
   ProjectFiles files_;
   Runs runs_;
+  document::SessionLog log_;
   Picture picture_;
   Appearance appearance_;
   PictureArea* area_;

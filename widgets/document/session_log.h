@@ -1,0 +1,43 @@
+// What was done in the window, in a log file: for whoever looks into a fault.
+#pragma once
+
+#include "base/log.h"
+#include "project/stage.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+
+namespace voluta::document {
+
+class Document;
+class Opening;
+class Planning;
+
+// VOLUTA_STATE_DIR if set, else QStandardPaths::AppDataLocation; "/voluta.log" below it.
+QString logFile();
+
+// Writes down what the program runs on, what was opened (names, no folders), how long each stage
+// took, what was found, and what failed. Where the file cannot be written there is no log.
+class SessionLog : public QObject {
+  Q_OBJECT
+
+public:
+  // All outlive this.
+  SessionLog(const QString& file, Document& document, Planning& planning, Opening& opening,
+             QObject* parent = nullptr);
+
+  void note(const QString& line) const;
+
+private:
+  void listenToOpening(Opening& opening);
+  void listenToPlanning(Planning& planning);
+  void noteStage(project::Stage stage);
+  void noteFindings() const;
+
+  base::Log log_;
+  Document& document_;
+  QElapsedTimer sinceStage_, sinceStart_;
+};
+
+} // namespace voluta::document
