@@ -35,7 +35,7 @@ Json diagnosisJson(const geometry::Diagnosis& d) {
               {"degenerateFaces", d.degenerateFaces.count},
               {"selfIntersections", d.selfIntersections.count},
               {"insideOutComponents", d.insideOutComponents.count},
-              {"defects", d.sentences()}};
+              {"defects", base::english(d.sentences())}};
 }
 
 void printText(const Json& json, const std::string& heading) {

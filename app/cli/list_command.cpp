@@ -1,6 +1,7 @@
 #include "base/nearest_name.h"
 #include "cli/commands.h"
 #include "modes/mode_table.h"
+#include "pipeline/choices.h"
 #include "program/dialect.h"
 #include "robot/cell.h"
 

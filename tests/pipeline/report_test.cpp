@@ -87,13 +87,13 @@ TEST(Report, ComesBackFromItsText) {
 
 // Numbers with their unit in the name, for programs; sentences for people.
 TEST(Report, FindingsHaveTheirValues) {
-  pipeline::Report report;
+  project::Report report;
   report.findings.push_back(
       plan::makeFinding(plan::FindingKind::OverhangOfFlat,
                         {{"area", base::mm2(12.345678)}, {"angle", base::degrees(45.0)}}));
   report.findings.push_back(plan::makeFinding(plan::FindingKind::NoSupport, {{"voxels", 12000}},
                                               Eigen::Vector3d(1, 2, 3), 12000));
-  const nlohmann::json j = nlohmann::json::parse(pipeline::reportJson(report));
+  const nlohmann::json j = nlohmann::json::parse(project::reportJson(report));
   const nlohmann::json& overhang = j.at("findings").at(0);
   EXPECT_EQ(overhang.at("kind"), "overhang");
   EXPECT_EQ(overhang.at("stage"), "decompose");

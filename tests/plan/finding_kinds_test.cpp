@@ -71,10 +71,12 @@ TEST(FindingKinds, EveryKindHasSentencesAndAnIdOfItsOwn) {
 
 TEST(FindingKinds, EveryKindIsMadeBySomething) {
   const std::set<std::string> used = usedInCore();
-  for (const FindingRow& row : findingRows())
+  for (const FindingRow& row : findingRows()) {
     if (row.kind != FindingKind::Verbatim &&
-        row.kind != FindingKind::Stopped) // made in the table's file
+        row.kind != FindingKind::Stopped) { // made in the table's file
       EXPECT_TRUE(used.contains(enumeratorOf(row.id))) << row.id << " is never told";
+    }
+  }
 }
 
 TEST(FindingKinds, ValuesAreThoseOfTheSentences) {
@@ -100,9 +102,10 @@ TEST(FindingKinds, ValuesAreThoseOfTheSentences) {
 // one, so that its form is known.
 TEST(FindingKinds, PluralFormsHaveANumberToGoBy) {
   for (const FindingRow& row : findingRows())
-    for (const base::Text text : {row.reason, row.remedy})
-      if (text.plural())
-        EXPECT_GE(base::countPlaces(text.english()), 1u) << row.id;
+    for (const base::Text text : {row.reason, row.remedy}) {
+      const std::size_t least = text.plural() ? 1 : 0;
+      EXPECT_GE(base::countPlaces(text.english()), least) << row.id;
+    }
 }
 
 TEST(Findings, TheSameFactInAnotherFormatIsOne) {

@@ -139,8 +139,8 @@ TEST_P(Translations, HasEveryTextOfCore) {
   ASSERT_GT(voluta::texts::knownTexts().size(), 500u);
   for (const voluta::base::Text& text : voluta::texts::knownTexts()) {
     const QString source = QString::fromStdString(voluta::base::english(text));
-    if (QString(source).remove(kPlace).contains(kLetter))
-      EXPECT_TRUE(known.contains(source)) << "not translated: " << source.toStdString();
+    const bool hasWords = QString(source).remove(kPlace).contains(kLetter);
+    EXPECT_TRUE(!hasWords || known.contains(source)) << "not translated: " << source.toStdString();
   }
 }
 
@@ -154,8 +154,8 @@ TEST_P(Translations, KeepsPlacesOfValues) {
       for (const QString& name : own)
         EXPECT_TRUE(places.contains(name))
             << name.toStdString() << " in " << message.key().toStdString();
-      if (i + 1 == message.forms.size())
-        EXPECT_EQ(own.size(), places.size()) << message.key().toStdString();
+      const bool last = i + 1 == message.forms.size();
+      EXPECT_TRUE(!last || own.size() == places.size()) << message.key().toStdString();
     }
   }
 }
