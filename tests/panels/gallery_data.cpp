@@ -26,6 +26,10 @@ project::ReplayReport sampleVerdict(bool passed) {
   r.thresholds = {0.97, 0.005, 0.03, 0.03, 0.05, 0, 0};
   return r;
 }
+
+base::Message said(std::string sentence) {
+  return base::message("{text}"_text, std::move(sentence));
+}
 } // namespace
 
 plan::Findings sampleFindings() {
@@ -53,9 +57,9 @@ panels::MeshSummary sampleMesh() {
   mesh.triangles = 28196;
   mesh.volumeMm3 = 96250.0;
   mesh.watertight = true;
-  mesh.found = {"1 hole with 14 edges, at 12.4, 3.1, 40.2 mm.",
-                "3 triangles without area, the first at 1.0, 2.0, 3.0 mm."};
-  mesh.repaired = {"Closed 1 hole.", "Dropped 3 triangles without area."};
+  mesh.found = {said("1 hole with 14 edges, at 12.4, 3.1, 40.2 mm."_name),
+                said("3 triangles without area, the first at 1.0, 2.0, 3.0 mm."_name)};
+  mesh.repaired = {said("Closed 1 hole."_name), said("Dropped 3 triangles without area."_name)};
   return mesh;
 }
 
