@@ -3,6 +3,7 @@
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
 #include "curved/growth_scheme.h"
+#include "pipeline/choices.h"
 #include "project/platform_kinds.h"
 #include "project/version.h"
 

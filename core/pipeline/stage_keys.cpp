@@ -18,14 +18,15 @@ namespace voluta::pipeline {
 
 namespace {
 
-std::string fileHash(const std::string& folder, const std::string& id, const std::string& what) {
-  return project::contentHash(base::readFile(base::dataFile(folder, id, what)));
+std::string fileHash(const std::string& folder, const std::string& id, base::Text unknown) {
+  return project::contentHash(base::readFile(base::dataFile(folder, id, unknown)));
 }
 
 std::string cellText(const robot::Cell& cell) {
   const std::string& robot = cell.robot().id;
-  return fmt::format("cell {} {}\nrobot {} {}\n", cell.id(), fileHash("cells", cell.id(), "cell"),
-                     robot, fileHash("robots", robot, "robot"));
+  return fmt::format("cell {} {}\nrobot {} {}\n", cell.id(),
+                     fileHash("cells", cell.id(), "unknown cell '{id}'"_text), robot,
+                     fileHash("robots", robot, "unknown robot '{id}'"_text));
 }
 
 std::string headText(const process::Process& p) {
