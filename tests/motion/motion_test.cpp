@@ -212,7 +212,7 @@ TEST(Motion, OutOfReachIsNamed) {
   ASSERT_EQ(result.skipped.size(), 20u);
   EXPECT_EQ(result.skipped.front(), first);
   ASSERT_EQ(result.findings.size(), 1u);
-  EXPECT_EQ(result.findings.front().kind, "unreachable");
+  EXPECT_EQ(plan::kindWord(result.findings.front()), "unreachable");
   EXPECT_EQ(result.findings.front().count, 20u);
   ASSERT_TRUE(result.findings.front().where);
   EXPECT_NEAR(result.findings.front().where->z(), 1500, 1e-9);
@@ -228,7 +228,7 @@ TEST(Motion, HeadInThePlateIsNamed) {
   const collision::GrowingPart part(plan, 0.5, {});
   const auto result = motion::planMotion(plan, cell, process, part, {}, {});
   ASSERT_FALSE(result.findings.empty());
-  EXPECT_EQ(result.findings.front().kind, "collision");
+  EXPECT_EQ(plan::kindWord(result.findings.front()), "collision");
   EXPECT_GE(result.statistics.collisions, 5u);
   EXPECT_FALSE(result.skipped.empty());
 }

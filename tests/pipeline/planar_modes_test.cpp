@@ -104,7 +104,7 @@ TEST(FlatMode, LayersLieWhereTheUserSays) {
   const PlanResult result = planPart(flat, context());
   EXPECT_EQ(result.job.report.layers.count, 2);
   EXPECT_NEAR(result.job.report.layers.areaMm2, 360.0 + 180.0, 1e-6);
-  EXPECT_EQ(result.job.report.findings.back().kind, "planeMisses");
+  EXPECT_EQ(plan::kindWord(result.job.report.findings.back()), "planeMisses");
   PlanRequest wrong = request("flat");
   wrong.choices.parameters["layerPlanes"] = (folder / "none.json").string();
   EXPECT_THROW(planPart(wrong, context()), base::Error);

@@ -325,7 +325,7 @@ TEST(Slicing, APieceAlongItsOwnBase) {
   // It hangs in the air where it is.
   EXPECT_EQ(sliced.unsupportedPatches, 1u);
   ASSERT_FALSE(sliced.findings.empty());
-  EXPECT_EQ(sliced.findings.back().kind, "beginsInAir");
+  EXPECT_EQ(plan::kindWord(sliced.findings.back()), "beginsInAir");
 }
 
 TEST(Slicing, WhatIsTooNarrowForABeadIsTold) {
@@ -335,7 +335,7 @@ TEST(Slicing, WhatIsTooNarrowForABeadIsTold) {
   EXPECT_EQ(sliced.slivers, 10u);
   EXPECT_NEAR(sliced.sliverVolumeMm3, 16.0, 1e-6);
   ASSERT_EQ(sliced.findings.size(), 1u);
-  EXPECT_EQ(sliced.findings.front().kind, "slivers");
+  EXPECT_EQ(plan::kindWord(sliced.findings.front()), "slivers");
 }
 
 // A gallows: a post of 10 x 10 x 16 with an arm of 10 x 10 x 4 more that hangs from x = 10 to 20.
@@ -403,7 +403,7 @@ TEST(Supports, WithoutAFootingTheyAreToldAndLeftOut) {
   const SliceResult sliced = slicePieces({pieceOf(gallows())}, supported(12), {});
   EXPECT_TRUE(supportsOf(sliced).empty());
   ASSERT_EQ(sliced.findings.size(), 1u);
-  EXPECT_EQ(sliced.findings.front().kind, "unheldOverhang");
+  EXPECT_EQ(plan::kindWord(sliced.findings.front()), "unheldOverhang");
   EXPECT_NEAR(sliced.findings.front().where->z(), 16.4, 0.41);
 }
 
