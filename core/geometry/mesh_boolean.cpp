@@ -1,14 +1,20 @@
 #include "geometry/mesh_boolean.h"
 
+#include "geometry/cgal_mesh.h"
+
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <array>
 #include <boost/optional.hpp>
 #include <exception>
 
 namespace voluta::geometry {
 
-std::optional<CgalMesh> meshBoolean(BooleanOperation operation, CgalMesh& first, CgalMesh& second,
-                                    bool refuseSelfIntersections) {
+std::optional<TriangleMesh> meshBoolean(BooleanOperation operation, const TriangleMesh& first,
+                                        const TriangleMesh& second, bool refuseSelfIntersections) {
+  auto a = toCgal(first), b = toCgal(second);
+  if (!a || !b || !CGAL::is_closed(*a) || !CGAL::is_closed(*b))
+    return std::nullopt;
   namespace pmp = CGAL::Polygon_mesh_processing;
   const std::size_t slot = operation == BooleanOperation::Union ? pmp::Corefinement::UNION
                                                                 : pmp::Corefinement::TM1_MINUS_TM2;
@@ -17,14 +23,13 @@ std::optional<CgalMesh> meshBoolean(BooleanOperation operation, CgalMesh& first,
   wanted[slot] = &result;
   try {
     const std::array<bool, 4> made = pmp::corefine_and_compute_boolean_operations(
-        first, second, wanted,
-        CGAL::parameters::throw_on_self_intersection(refuseSelfIntersections));
+        *a, *b, wanted, CGAL::parameters::throw_on_self_intersection(refuseSelfIntersections));
     if (!made[slot])
       return std::nullopt;
   } catch (const std::exception&) {
     return std::nullopt;
   }
-  return result;
+  return fromCgal(result);
 }
 
 } // namespace voluta::geometry

@@ -1,8 +1,8 @@
-// Union and difference of closed meshes in one place: CGAL's corefinement is compiled once for both.
-// For .cpp files only.
+// Union and difference of closed meshes in one place: CGAL's corefinement is compiled once for
+// both.
 #pragma once
 
-#include "geometry/cgal_mesh.h"
+#include "geometry/triangle_mesh.h"
 
 #include <optional>
 
@@ -10,11 +10,11 @@ namespace voluta::geometry {
 
 enum class BooleanOperation { Union, Difference };
 
-// What the operation makes of `first` and `second` (CGAL Polygon_mesh_processing, corefinement);
-// both are refined on the way. Nothing where the result is no manifold, and where CGAL finds a
+// What the operation makes of two meshes (CGAL Polygon_mesh_processing, corefinement). Nothing
+// where one of them is no closed, oriented manifold or the result is none, and where CGAL finds a
 // precondition broken, among them, with `refuseSelfIntersections`, a mesh that cuts itself where
-// the two meet. Precondition: closed, oriented.
-std::optional<CgalMesh> meshBoolean(BooleanOperation operation, CgalMesh& first, CgalMesh& second,
-                                    bool refuseSelfIntersections);
+// the two meet.
+std::optional<TriangleMesh> meshBoolean(BooleanOperation operation, const TriangleMesh& first,
+                                        const TriangleMesh& second, bool refuseSelfIntersections);
 
 } // namespace voluta::geometry

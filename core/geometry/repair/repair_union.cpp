@@ -45,12 +45,8 @@ std::size_t uniteComponents(TriangleMesh& mesh, const std::vector<std::pair<int,
       if (groups.find(static_cast<int>(c)) != static_cast<int>(root))
         continue;
       ctx.checkpoint();
-      auto first = toCgal(sum), second = toCgal(shells[c]);
-      const std::optional<CgalMesh> both =
-          first && second ? meshBoolean(BooleanOperation::Union, *first, *second, false)
-                          : std::nullopt;
-      if (both) {
-        sum = fromCgal(*both);
+      if (auto both = meshBoolean(BooleanOperation::Union, sum, shells[c], false)) {
+        sum = std::move(*both);
         ++members;
       } else {
         apart.push_back(&shells[c]);
