@@ -10,6 +10,7 @@
 #include "panels/mesh_panel.h"
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"
+#include "pipeline/choices.h"
 #include "pipeline/road.h"
 
 #include <QApplication>

@@ -9,6 +9,7 @@
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"
 #include "panels/verdict_table.h"
+#include "pipeline/choices.h"
 #include "pipeline/road.h"
 
 #include <QAbstractButton>

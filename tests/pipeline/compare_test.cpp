@@ -48,8 +48,8 @@ constexpr std::size_t kModesOnAPlate = 3; // curved, planar, flat
 
 CompareRow failedRow() {
   CompareRow made;
-  made.combination = {"planar", "", "fit:0"};
-  made.error = "the part is not closed";
+  made.combination = {"planar", std::nullopt, Platform("fit:0")};
+  made.error = "the part is not closed"_text;
   return made;
 }
 
@@ -146,7 +146,7 @@ TEST(Compare, OneThatCannotBePlannedIsARowWithItsReason) {
   const auto json =
       nlohmann::json::parse(compareJson(comparison, defaultWeights(), {{}, {"2-curved-auto", {}}}));
   EXPECT_EQ(json["rows"][0]["state"], "failed");
-  EXPECT_EQ(json["rows"][0]["reason"], comparison.rows[0].error);
+  EXPECT_EQ(json["rows"][0]["reason"], base::english(comparison.rows[0].error));
   EXPECT_TRUE(json["rows"][0]["score"].is_null());
 }
 

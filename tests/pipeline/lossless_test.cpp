@@ -1,4 +1,5 @@
 // supports and orient on the road: a part that growth alone cannot lay whole.
+#include "pipeline/choices.h"
 #include "pipeline/road.h"
 
 #include "base/error.h"

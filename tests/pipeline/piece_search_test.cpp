@@ -13,6 +13,7 @@ namespace voluta::pipeline {
 namespace {
 
 using Eigen::Vector3d;
+using namespace voluta::modes;
 
 base::ParameterValues values(const std::map<std::string, std::string>& set) {
   base::ParameterValues out(pieceSearchParameters());

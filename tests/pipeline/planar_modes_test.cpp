@@ -6,6 +6,7 @@
 #include "helpers/octagon_prism.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
+#include "pipeline/choices.h"
 #include "pipeline/outputs.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"

@@ -4,6 +4,7 @@
 #include "curved/forward_growth.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
+#include "pipeline/choices.h"
 #include "pipeline/road.h"
 
 #include <cstdlib>

@@ -294,7 +294,8 @@ TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
   const plan::Findings some = thinWallFindings(many, 0.8, {});
   ASSERT_EQ(some.size(), 6u);
   EXPECT_THAT(voluta::plan::englishReason(some[5]), HasSubstr("4 smaller places"));
-  EXPECT_THAT(thinWallFindings(test::box({0, 0, 0}, {0.05, 3, 3}), 0.8, {})[0].remedy,
+  EXPECT_THAT(plan::englishRemedy(
+                  thinWallFindings(test::box({0, 0, 0}, {0.05, 3, 3}), 0.8, {})[0]),
               HasSubstr("thicken the wall"));
 }
 
