@@ -135,7 +135,7 @@ TEST_P(Translations, HasEveryTextOfTheWindow) {
 // Core says what it says as data: the list for translators is made from its sources.
 TEST_P(Translations, HasEveryTextOfCore) {
   const QSet<QString> known = sourcesOf(QStringLiteral("Core"));
-  static const QRegularExpression kPlace(QLatin1String(kPlacePattern)), kLetter("[A-Za-z]");
+  static const QRegularExpression kPlace(QLatin1String{kPlacePattern}), kLetter("[A-Za-z]");
   ASSERT_GT(voluta::texts::knownTexts().size(), 500u);
   for (const voluta::base::Text& text : voluta::texts::knownTexts()) {
     const QString source = QString::fromStdString(voluta::base::english(text));
