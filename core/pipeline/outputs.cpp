@@ -102,10 +102,18 @@ void writeHandover(const project::Report& report, const Programs& programs,
                    const std::filesystem::path& folder, const base::RunContext& ctx) {
   for (const auto& checked : programs)
     writeProgram(*checked, folder, ctx);
+  const auto isThere = [&](const std::string& format) {
+    return std::any_of(programs.begin(), programs.end(),
+                       [&](const auto& checked) { return checked->program.format == format; });
+  };
   project::Report written = report;
-  std::erase_if(written.programs, [&](const project::ProgramReport& row) {
-    return std::none_of(programs.begin(), programs.end(),
-                        [&](const auto& checked) { return checked->program.format == row.format; });
+  std::erase_if(written.programs,
+                [&](const project::ProgramReport& row) { return !isThere(row.format); });
+  std::erase_if(written.findings, [&](const plan::Finding& finding) {
+    const base::Value* value = finding.value("format");
+    const auto* refused = value ? std::get_if<std::string>(&value->data()) : nullptr;
+    return (refused && !isThere(*refused)) ||
+           (!finding.program.format.empty() && !isThere(finding.program.format));
   });
   written.peakRssMb = base::peakResidentMb();
   base::writeFile(folder / kReportName, project::reportJson(written));

@@ -6,6 +6,7 @@
 #include "pipeline/choices.h"
 
 #include <QLabel>
+#include <QScrollArea>
 #include <QTest>
 #include <QVBoxLayout>
 #include <gtest/gtest.h>
@@ -13,13 +14,14 @@
 using namespace voluta;
 
 namespace {
-// What Tab goes through inside `top`, from its first field on.
+// What Tab goes through inside `top`, from its first field on; but for what scrolls others.
 std::vector<QWidget*> tabbed(QWidget* top) {
   std::vector<QWidget*> all;
   QWidget* const first = forms::inReadingOrder(top).front();
   QWidget* at = first;
   do {
-    if (top->isAncestorOf(at) && (at->focusPolicy() & Qt::TabFocus) && at->isVisibleTo(top))
+    if (top->isAncestorOf(at) && (at->focusPolicy() & Qt::TabFocus) && at->isVisibleTo(top) &&
+        !at->focusProxy() && !qobject_cast<QScrollArea*>(at))
       all.push_back(at);
     at = at->nextInFocusChain();
   } while (at != first);
