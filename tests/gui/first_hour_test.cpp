@@ -98,6 +98,8 @@ TEST_F(FirstHourTest, AMeshOpenedInASavedProjectLeavesTheProjectAsItIs) {
   EXPECT_TRUE(document().projectFile().isEmpty());
   EXPECT_TRUE(document().dirty());
   ASSERT_TRUE(planned(Stage::Load));
+  window().activateWindow(); // there may be no window manager to do it after a dialog
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window()));
   // Ctrl+S asks where to, with the part's name.
   answerFileDialog(path("second.voluta"));
   QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
