@@ -42,6 +42,7 @@ TEST(ModeParameters, WhatAModeDoesNotTakeHasNoSayInIt) {
   for (const Mode& mode : modeTable()) {
     project::Choices choices;
     choices.mode = mode.id;
+    choices.cell = mode.usual.cell;
     choices.process = mode.usual.process;
     choices.platform = mode.usual.platform;
     const std::string usual = keyOf(mode, choices);
