@@ -1,4 +1,11 @@
 // voluta: the window. `voluta [FILE]` opens a mesh, a project or sample:NAME.
+#include "base/outcome.h"
+#include "cli/exit_code.h"
+#include "language/words.h"
+#include "modes/cell_choice.h"
+#include "pipeline/automatic.h"
+#include "process/process.h"
+#include "project/choices.h"
 #include "project/version.h"
 #include "viewer/vtk_view.h"
 #include "window/icons.h"
@@ -8,6 +15,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QMessageBox>
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
@@ -46,6 +54,22 @@ void leaveWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QStrin
       stderr);
   std::_Exit(1);
 }
+
+// What a new project begins with. Throws Error where the program's data is not where it should be.
+bool readUsualData() {
+  const project::Choices usual;
+  modes::cellOnAnyPlatform(usual, process::loadProcess(usual.process));
+  return true;
+}
+
+// In a box too: who starts a window from a menu sees no terminal.
+int leaveWith(const base::Error& error) {
+  std::fprintf(stderr, "voluta: %s\n", error.what());
+  const QString platform = QGuiApplication::platformName();
+  if (platform != "offscreen" && platform != "minimal") // nobody could close it there
+    QMessageBox::critical(nullptr, "Voluta", language::words(error.whole()));
+  return cli::exitCodeOf(error.code());
+}
 } // namespace
 
 int main(int argc, char** argv) {
@@ -72,7 +96,13 @@ int main(int argc, char** argv) {
   window::chooseLanguage(window::wantedLanguage());
   QApplication::setWindowIcon(window::icon("voluta", app.palette()));
 
+  const auto data = base::outcomeOf(readUsualData);
+  if (const auto* error = std::get_if<base::Error>(&data))
+    return leaveWith(*error);
   window::MainWindow main(appearance);
+  project::Choices start;
+  start.automatic = true;
+  main.document().startWith(pipeline::automaticChoices(start).front());
   main.show();
   QTimer::singleShot(0, &main, [&] {
     main.offerRecovered();

@@ -44,6 +44,10 @@ std::string readFile(const fs::path& path) {
     throw Error(ErrorCode::UnreadableFile, "no such file"_text, path.string());
   if (fs::is_directory(path, status))
     throw Error(ErrorCode::UnreadableFile, "is a directory, not a file"_text, path.string());
+  // A device or a pipe may never end.
+  if (!fs::is_regular_file(path, status))
+    throw Error(ErrorCode::UnreadableFile, "is no ordinary file, but a device or a pipe"_text,
+                path.string(), "copy it to a file first"_text);
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw Error(ErrorCode::UnreadableFile,
@@ -149,11 +153,11 @@ void StagedFolder::commit() {
 }
 
 fs::path resourceFolder() {
-  if (const char* chosen = std::getenv("VOLUTA_RESOURCES"))
-    return chosen;
   std::error_code status;
   const fs::path self = fs::read_symlink("/proc/self/exe", status);
-  const fs::path folder = self.parent_path().parent_path() / "share" / "voluta";
+  const char* chosen = std::getenv("VOLUTA_RESOURCES");
+  const fs::path folder =
+      chosen ? fs::path(chosen) : self.parent_path().parent_path() / "share" / "voluta";
   if (!fs::is_directory(folder, status))
     throw Error(ErrorCode::UnreadableFile, "the program's data folder is missing"_text,
                 folder.string(), message("set {variable}"_text, "VOLUTA_RESOURCES"_name));

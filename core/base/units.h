@@ -6,6 +6,7 @@
 namespace voluta::base {
 
 inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kTurn = 2.0 * kPi; // a whole one
 
 constexpr double degreesToRadians(double degrees) {
   return degrees * kPi / 180.0;

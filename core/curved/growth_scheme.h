@@ -26,6 +26,11 @@ private:
   const GrowthRow* row_;
 };
 
+// For base::keyText().
+inline std::string keyOf(const GrowthScheme& scheme) {
+  return scheme.id();
+}
+
 // All there are, in the order they are offered.
 std::vector<GrowthScheme> growthSchemes();
 

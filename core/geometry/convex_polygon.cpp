@@ -52,4 +52,13 @@ std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points, 
   return hullOf(std::move(widened));
 }
 
+bool inConvexPolygon(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& point) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if ((b.x() - a.x()) * (point.y() - a.y()) - (b.y() - a.y()) * (point.x() - a.x()) < 0)
+      return false;
+  }
+  return !polygon.empty();
+}
+
 } // namespace voluta::geometry

@@ -1,6 +1,7 @@
 #include "geometry/placement.h"
 
 #include "base/error.h"
+#include "geometry/least_turn.h"
 #include "geometry/measures.h"
 
 #include <cmath>
@@ -50,7 +51,7 @@ Eigen::Quaterniond rotationLayingFlat(const Vector3d& normal) {
   // Upside down has no shortest way: about x then.
   if (n.z() > 1.0 - 1e-12)
     return Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
-  return Eigen::Quaterniond::FromTwoVectors(n, -Vector3d::UnitZ()).normalized();
+  return leastTurn(n, -Vector3d::UnitZ()).normalized();
 }
 
 UnitGuess guessUnits(const TriangleMesh& mesh) {

@@ -4,11 +4,12 @@
 #include "curved/decompose.h"
 #include "curved/forward_growth.h"
 #include "modes/curved_supports.h"
-#include "modes/parameter_text.h"
 #include "modes/part_voxels.h"
 #include "modes/plate.h"
+#include "support/supports.h"
 
-#include <fmt/format.h>
+#include <utility>
+#include <variant>
 
 namespace voluta::modes {
 
@@ -21,37 +22,41 @@ process::HeadShape frontHead(const ModeChoices& in) {
   return process::erodedHead(in.process.head, in.process.contactToleranceMm);
 }
 
-std::string curvedDecomposeKey(const ModeChoices& in) {
-  std::string key = fmt::format("growth {}\nplatform {}\n{}", in.choices.growth.id(),
-                                in.choices.platform.text(), heightsText(in.process)) +
-                    parameterText(curved::curvedParameters(), in.values) +
-                    parameterText(support::supportParameters(), in.values);
-  if (!in.choices.growth.row().peels)
-    key += parameterText(curved::forwardParameters(), in.values);
-  return key + headText(frontHead(in));
-}
-
-std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& input,
-                                                      const base::RunContext& ctx) {
-  const ModeChoices& in = input.choices;
-  auto stage = std::make_shared<DecomposeStage>();
-  ctx.report(0.0, "voxelise"_text);
-  const std::shared_ptr<const PartVoxels> part = input.voxels(ctx.sub(0.0, 0.07));
-  const voxel::SolidVoxels& solid = *part->voxels;
-  stage->timings.voxelise = part->seconds;
-  stage->platform = plateOf(in.choices.platform, solid, input.placed.platform);
-
+struct CurvedPlan {
+  double voxelMm;
+  project::Platform platform;
   curved::CurvedOptions growth;
+  bool supports;
+};
+
+CurvedPlan planOf(const ModeChoices& in) {
+  CurvedPlan plan{
+      in.values.number("voxelMm"), in.choices.platform, {}, support::supportsWanted(in.values)};
+  curved::CurvedOptions& growth = plan.growth;
   growth.growth = in.choices.growth;
-  growth.forward = curved::forwardOptions(in.values);
+  if (!growth.growth.row().peels)
+    growth.forward = curved::forwardOptions(in.values);
   growth.layerHeightMm = in.process.layerHeightMm;
   growth.heightMinMm = in.process.layerHeightMinMm;
   growth.heightMaxMm = in.process.layerHeightMaxMm;
   growth.head = frontHead(in);
   growth.headForLosses = in.values.text("frontShape") == "nozzle";
   growth.rounds = static_cast<int>(in.values.integer("fieldRounds"));
+  return plan;
+}
+
+std::shared_ptr<const DecomposeStage>
+decomposeCurved(const CurvedPlan& plan, const DecomposeInput& input, const base::RunContext& ctx) {
+  auto stage = std::make_shared<DecomposeStage>();
+  ctx.report(0.0, "voxelise"_text);
+  const std::shared_ptr<const PartVoxels> part = input.voxels(plan.voxelMm, ctx.sub(0.0, 0.07));
+  const voxel::SolidVoxels& solid = *part->voxels;
+  stage->timings.voxelise = part->seconds;
+  stage->platform = plateOf(plan.platform, solid, input.placed.platform);
+
+  const curved::CurvedOptions& growth = plan.growth;
   const support::Supports supports =
-      supportsOf(solid, stage->platform.polygon, growth, in.values, ctx.sub(0.07, 0.2));
+      supportsOf(solid, stage->platform.polygon, growth, plan.supports, ctx.sub(0.07, 0.2));
   curved::DecompositionWatch watch;
   if (input.onPreview)
     watch = [&](const curved::Decomposition& soFar) {
@@ -64,7 +69,6 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
   markSupports(supports, *decomposition);
   const curved::Decomposition& d = *decomposition;
   project::DecompositionReport& r = stage->report;
-  r.mode = in.choices.mode;
   r.growth = d.growth;
   r.voxelMm = d.grid.pitch;
   r.voxels = d.voxels;
@@ -79,27 +83,27 @@ std::shared_ptr<const DecomposeStage> decomposeCurved(const DecomposeInput& inpu
   stage->timings.grow = d.seconds.grow;
   stage->timings.smooth = d.seconds.smooth;
   tellSupports(supports, *stage);
-  stage->decomposition = decomposition;
+  stage->result = project::Voxels(decomposition);
   return stage;
 }
 
-std::string curvedLayersKey(const ModeChoices& in) {
-  return fmt::format("{}bead width {}\n", heightsText(in.process), in.process.beadWidthMm);
-}
-
-std::shared_ptr<const LayersStage> curvedLayersOf(const DecomposeStage& decomposed,
-                                                  const geometry::TriangleMesh& part,
-                                                  const ModeChoices& in,
-                                                  const base::RunContext& ctx) {
-  auto stage = std::make_shared<LayersStage>();
+curved::LayerOptions layerOptions(const ModeChoices& in) {
   curved::LayerOptions cut;
   cut.layerHeightMm = in.process.layerHeightMm;
   cut.heightMinMm = in.process.layerHeightMinMm;
   cut.heightMaxMm = in.process.layerHeightMaxMm;
   cut.beadWidthMm = in.process.beadWidthMm;
-  curved::LayersResult layers =
-      curved::curvedLayers(*decomposed.decomposition, part, cut, ctx,
-                           supportPatches(*decomposed.decomposition, part, cut, ctx));
+  return cut;
+}
+
+std::shared_ptr<const LayersStage> curvedLayersOf(const curved::LayerOptions& cut,
+                                                  const DecomposeStage& decomposed,
+                                                  const geometry::TriangleMesh& part,
+                                                  const base::RunContext& ctx) {
+  auto stage = std::make_shared<LayersStage>();
+  const curved::Decomposition& decomposition = *std::get<project::Voxels>(decomposed.result);
+  curved::LayersResult layers = curved::curvedLayers(decomposition, part, cut, ctx,
+                                                     supportPatches(decomposition, part, cut, ctx));
   stage->report = reportOf(layers.statistics);
   stage->findings = std::move(layers.findings);
   stage->timings.extract = layers.seconds.extract;
@@ -111,14 +115,14 @@ std::shared_ptr<const LayersStage> curvedLayersOf(const DecomposeStage& decompos
 } // namespace
 
 Mode curvedMode() {
-  Mode mode{"curved",        "Curved layers"_text, curvedDecomposeKey,
-            curvedLayersKey, decomposeCurved,      curvedLayersOf};
+  Mode mode{"curved",
+            "Curved layers"_text,
+            {planOf, decomposeCurved},
+            {layerOptions, curvedLayersOf},
+            project::ResultKind::InVoxels,
+            {"voxelMm", "frontShape", "fieldRounds", "growthIsp", "growthQueue", "growthBoundary",
+             "growthSacrifice", "supports", "overhangAngle"}};
   mode.grows = true;
-  for (const base::ParameterTable& table :
-       {curved::curvedParameters(), curved::forwardParameters(), support::supportParameters()})
-    for (const base::ParameterSpec& spec : table.specs())
-      mode.parameters.push_back(spec.key);
-  mode.parameters.emplace_back("overhangAngle"); // where the part is turned by it
   return mode;
 }
 

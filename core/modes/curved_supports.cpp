@@ -6,9 +6,9 @@ namespace voluta::modes {
 
 support::Supports supportsOf(const voxel::SolidVoxels& part,
                              const std::vector<Eigen::Vector2d>& platform,
-                             const curved::CurvedOptions& growth,
-                             const base::ParameterValues& values, const base::RunContext& ctx) {
-  if (values.text("supports") == "none") {
+                             const curved::CurvedOptions& growth, bool wanted,
+                             const base::RunContext& ctx) {
+  if (!wanted) {
     support::Supports none;
     none.solid = part;
     return none;

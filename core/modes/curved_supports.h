@@ -1,7 +1,6 @@
 // Supports on the way through curved mode: what is grown, what is told, what is laid.
 #pragma once
 
-#include "base/parameters.h"
 #include "base/run_context.h"
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"
@@ -16,12 +15,12 @@
 
 namespace voluta::modes {
 
-// The part's voxels with what `values` ask for as support. With supports=none, or where growth
+// The part's voxels with support where it is wanted. Where it is not, or where growth
 // misses nothing, `solid` is the part and there are no columns. Throws as support::supportsFor().
 support::Supports supportsOf(const voxel::SolidVoxels& part,
                              const std::vector<Eigen::Vector2d>& platform,
-                             const curved::CurvedOptions& growth,
-                             const base::ParameterValues& values, const base::RunContext& ctx);
+                             const curved::CurvedOptions& growth, bool wanted,
+                             const base::RunContext& ctx);
 
 // Tells the support's voxels in a decomposition of part and support together apart from the part's.
 void markSupports(const support::Supports& supports, curved::Decomposition& decomposition);

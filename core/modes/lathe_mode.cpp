@@ -5,7 +5,6 @@
 #include "geometry/measures.h"
 #include "modes/cell_choice.h"
 #include "modes/level_choices.h"
-#include "modes/parameter_text.h"
 #include "modes/platform_body.h"
 #include "modes/rod_profile.h"
 #include "plan/finding_kinds.h"
@@ -52,62 +51,87 @@ std::vector<Vector2d> within(const platform::RodShape& rod, std::vector<Vector2d
   return profile;
 }
 
-platform::RodShape rodShape(const ModeChoices& in, const robot::CellRod& own) {
-  const int sides = static_cast<int>(in.values.integer("rodSides"));
-  platform::RodShape rod = in.choices.platform.rod(sides).value_or(
-      platform::straightRod(own.diameterMm, own.lengthMm, sides));
-  const std::vector<Vector2d> profile = rodProfile(rodProfileText(in.values.text("rodProfile")));
+// The rod that is chosen, and the cell's own.
+struct RodPlan {
+  project::Platform platform;
+  int sides;
+  std::string profile; // rodProfileText
+  std::string axis;    // of the part's: "auto", "x", "y" or "z"
+  double ownDiameterMm, ownLengthMm, printableRadiusMm;
+};
+
+RodPlan rodPlan(const ModeChoices& in) {
+  const robot::CellRod own = cellRod(in);
+  return {in.choices.platform,
+          static_cast<int>(in.values.integer("rodSides")),
+          rodProfileText(in.values.text("rodProfile")),
+          in.values.text("rodAxis"),
+          own.diameterMm,
+          own.lengthMm,
+          own.printableRadiusMm};
+}
+
+platform::RodShape rodShape(const RodPlan& plan) {
+  platform::RodShape rod =
+      plan.platform.rod(plan.sides)
+          .value_or(platform::straightRod(plan.ownDiameterMm, plan.ownLengthMm, plan.sides));
+  const std::vector<Vector2d> profile = rodProfile(plan.profile);
   if (!profile.empty())
     rod.profile = within(rod, profile);
   platform::checkRod(rod);
   return rod;
 }
 
-substrate::AxisFit axisOf(const geometry::TriangleMesh& mesh, const ModeChoices& in) {
-  const std::string axis = in.values.text("rodAxis");
+substrate::AxisFit axisOf(const geometry::TriangleMesh& mesh, const std::string& axis) {
   return axis == "auto" ? substrate::fitAxis(mesh)
                         : substrate::axisAlong(mesh, Vector3d::Unit(axis[0] - 'x'));
 }
 
 // Lays the platform's body on the rod; its part goes with it.
 Eigen::Isometry3d motionOntoRod(const geometry::TriangleMesh& body, double scale,
-                                const ModeChoices& in) {
-  return motionOf(body, scale, substrate::placementOnAxis(body, scale, axisOf(body, in)));
+                                const std::string& axis) {
+  return motionOf(body, scale, substrate::placementOnAxis(body, scale, axisOf(body, axis)));
 }
 
-geometry::Placement placeOnRod(const geometry::TriangleMesh& part, double scale,
-                               const ModeChoices& in) {
-  if (const auto body = platformBody(in.choices.platform))
-    return placementBy(part, scale,
-                       motionOntoRod(*body, project::parsedScale(in.choices.scale), in));
-  return substrate::placementOnAxis(part, scale, axisOf(part, in));
+struct PlacePlan {
+  project::Platform platform; // a body brings its part along
+  double bodyScale;
+  std::string axis;
+};
+
+PlacePlan placePlan(const ModeChoices& in) {
+  const bool body = in.choices.platform.isBody();
+  return {body ? in.choices.platform : project::Platform(),
+          body ? project::parsedScale(in.choices.scale) : 1.0, in.values.text("rodAxis")};
+}
+
+geometry::Placement placeOnRod(const PlacePlan& plan, const geometry::TriangleMesh& part,
+                               double scale) {
+  if (const auto body = platformBody(plan.platform))
+    return placementBy(part, scale, motionOntoRod(*body, plan.bodyScale, plan.axis));
+  return substrate::placementOnAxis(part, scale, axisOf(part, plan.axis));
 }
 
 // Within the cell's radius about the part's own axis, and within the rod's length.
-double fittingScale(const geometry::TriangleMesh& part, double unitMm, const ModeChoices& in) {
+double fittingScale(const RodPlan& plan, const geometry::TriangleMesh& part, double unitMm) {
   constexpr double kWithin = 1.0 - 1e-9; // whatever rounding does
-  const robot::CellRod own = cellRod(in);
-  const auto& profile = rodShape(in, own).profile;
+  const auto profile = rodShape(plan).profile;
   const double half = std::min(-profile.front().x(), profile.back().x());
-  const geometry::TriangleMesh placed =
-      geometry::place(part, unitMm, substrate::placementOnAxis(part, unitMm, axisOf(part, in)));
+  const geometry::TriangleMesh placed = geometry::place(
+      part, unitMm, substrate::placementOnAxis(part, unitMm, axisOf(part, plan.axis)));
   double scale = 1.0;
   for (const Vector3d& p : placed.vertices)
-    scale = std::min({scale, kWithin * own.printableRadiusMm / p.tail<2>().norm(),
+    scale = std::min({scale, kWithin * plan.printableRadiusMm / p.tail<2>().norm(),
                       kWithin * half / std::abs(p.x())});
   return scale;
 }
 
-std::string placeKey(const ModeChoices& in) {
-  return platformText(in.choices.platform) + parameterText({"rodAxis"}, in.values);
-}
-
-platform::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
+platform::PlatformSolid platformOf(const RodPlan& plan, const LoadStage& placed) {
   platform::PlatformSolid platform;
-  platform.rod = rodShape(in, cellRod(in));
-  if (const auto body = platformBody(in.choices.platform))
+  platform.rod = rodShape(plan);
+  if (const auto body = platformBody(plan.platform))
     platform.mesh = std::make_shared<geometry::TriangleMesh>(
-        moved(*body, placed.scale, motionOntoRod(*body, placed.scale, in)));
+        moved(*body, placed.scale, motionOntoRod(*body, placed.scale, plan.axis)));
   return platform;
 }
 
@@ -116,86 +140,87 @@ substrate::RodSurface surfaceOf(const platform::PlatformSolid& platform) {
                        : substrate::RodSurface(*platform.rod);
 }
 
-substrate::LatheOptions latheOptions(const ModeChoices& in) {
-  substrate::LatheOptions options;
-  static_cast<substrate::LevelOptions&>(options) = levelOptions(in);
-  options.followsRod = in.values.text("rodLayers") == "offset";
-  return options;
-}
-
 std::optional<plan::Finding> tooFarOut(const geometry::TriangleMesh& part,
-                                       const robot::CellRod& own) {
+                                       double printableRadiusMm) {
   Vector3d farthest = Vector3d::Zero();
   for (const Vector3d& p : part.vertices)
     if (p.tail<2>().norm() > farthest.tail<2>().norm())
       farthest = p;
   constexpr double kSlackMm = 1e-6;
-  if (farthest.tail<2>().norm() <= own.printableRadiusMm + kSlackMm)
+  if (farthest.tail<2>().norm() <= printableRadiusMm + kSlackMm)
     return std::nullopt;
   return plan::makeFinding(
       plan::FindingKind::BeyondCell,
-      {{"reach", base::mm(farthest.tail<2>().norm())}, {"limit", base::mm(own.printableRadiusMm)}},
+      {{"reach", base::mm(farthest.tail<2>().norm())}, {"limit", base::mm(printableRadiusMm)}},
       farthest);
 }
 
-std::string decomposeKey(const ModeChoices& in) {
-  const robot::CellRod own = cellRod(in);
-  return platformText(in.choices.platform) +
-         fmt::format("rod {} x {} up to {}\n", own.diameterMm, own.lengthMm,
-                     own.printableRadiusMm) +
-         levelText(in) +
-         parameterText({"rodAxis", "rodSides", "rodLayers", "overhangAngle"}, in.values) +
-         fmt::format("profile {}\n", rodProfileText(in.values.text("rodProfile")));
+struct LathePlan {
+  RodPlan rod;
+  substrate::LevelOptions levels;
+  bool followsRod;
+  substrate::OverhangRule overhang;
+
+  substrate::LatheOptions options() const {
+    substrate::LatheOptions options;
+    static_cast<substrate::LevelOptions&>(options) = levels;
+    options.followsRod = followsRod;
+    return options;
+  }
+};
+
+LathePlan lathePlan(const ModeChoices& in) {
+  return {rodPlan(in), levelOptions(in), in.values.text("rodLayers") == "offset", overhangRule(in)};
 }
 
-std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
+std::shared_ptr<const DecomposeStage> decompose(const LathePlan& plan, const DecomposeInput& input,
                                                 const base::RunContext& ctx) {
   const base::Stopwatch watch;
   ctx.report(0.0, "take the rod out of the part"_text);
   auto stage = std::make_shared<DecomposeStage>();
-  const robot::CellRod own = cellRod(input.choices);
-  stage->platform = platformOf(input.placed, input.choices);
+  stage->platform = platformOf(plan.rod, input.placed);
   const substrate::RodSurface rod = surfaceOf(stage->platform);
   const auto left =
       std::make_shared<geometry::TriangleMesh>(substrate::partAroundRod(*input.placed.part, rod));
-  stage->lessPlatform = left;
+  stage->result = project::LessGround{left};
   ctx.checkpoint();
-  const substrate::LatheOptions options = latheOptions(input.choices);
-  const substrate::Overhang overhang =
-      substrate::latheOverhang(*left, rod, options, overhangRule(input.choices));
-  tellLevels(input.choices,
+  const substrate::LatheOptions options = plan.options();
+  const substrate::Overhang overhang = substrate::latheOverhang(*left, rod, options, plan.overhang);
+  tellLevels(plan.overhang,
              static_cast<int>(substrate::latheBounds(*left, rod, options).size()) - 1, overhang,
              substrate::GroundKind::Rod, *stage);
-  if (auto finding = tooFarOut(*left, own))
+  if (auto finding = tooFarOut(*left, plan.rod.printableRadiusMm))
     stage->findings.push_back(std::move(*finding));
   stage->timings.decompose = watch.seconds();
   return stage;
 }
 
-std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
+std::shared_ptr<const LayersStage> layersOf(const LathePlan& plan, const DecomposeStage& decomposed,
                                             const geometry::TriangleMesh& part,
-                                            const ModeChoices& in, const base::RunContext& ctx) {
+                                            const base::RunContext& ctx) {
   const base::Stopwatch watch;
   substrate::LatheLayers layers =
-      substrate::latheLayers(part, surfaceOf(decomposed.platform), latheOptions(in), ctx);
+      substrate::latheLayers(part, surfaceOf(decomposed.platform), plan.options(), ctx);
   return layersStage(std::move(layers), watch.seconds());
 }
 
 } // namespace
 
 Mode latheMode() {
-  Mode mode{"lathe", "Around a rod"_text, decomposeKey, levelLayersKey, decompose, layersOf};
+  Mode mode{"lathe",
+            "Around a rod"_text,
+            {lathePlan, decompose},
+            {lathePlan, layersOf},
+            project::ResultKind::OnGround,
+            {"rodAxis", "rodSides", "rodProfile", "rodLayers", "firstLayerMm", "overhangAngle"}};
   mode.platforms = {project::PlatformUse::Rod, project::PlatformUse::Body};
   mode.aroundRod = true;
   // Castelli 2020, 5.3.1: a rod of 5 mm, 200 mm long, and a nozzle that lays 0.25 mm on it.
   mode.usual = {"lathe", "fdm-0.35", project::Platform("rod:5x200")};
-  mode.place = placeOnRod;
-  mode.placeKey = placeKey;
-  mode.fittingScale = fittingScale;
-  mode.platform = platformOf;
+  mode.place = {placePlan, placeOnRod};
+  mode.fittingScale = {rodPlan, fittingScale};
+  mode.platform = {rodPlan, platformOf};
   mode.defaults = {{"infill", "woven"}};
-  mode.parameters = {"rodAxis",   "rodSides",     "rodProfile",
-                     "rodLayers", "firstLayerMm", "overhangAngle"};
   return mode;
 }
 

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "modes/parameter_text.h"
 
 #include <fmt/format.h>
 #include <utility>
@@ -22,28 +21,19 @@ substrate::LevelOptions levelOptions(const ModeChoices& in) {
   return {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm, first, p.beadWidthMm};
 }
 
-std::string levelText(const ModeChoices& in) {
-  return fmt::format("{}bead width {}\n", heightsText(in.process), in.process.beadWidthMm) +
-         parameterText({"firstLayerMm"}, in.values);
-}
-
 substrate::OverhangRule overhangRule(const ModeChoices& in) {
   return {base::degreesToRadians(in.values.number("overhangAngle")), 0.5 * in.process.layerHeightMm,
           in.process.beadWidthMm};
 }
 
-std::string levelLayersKey(const ModeChoices&) {
-  return {};
-}
-
-void tellLevels(const ModeChoices& in, int layers, const substrate::Overhang& overhang,
-                substrate::GroundKind ground, DecomposeStage& stage) {
+void tellLevels(const substrate::OverhangRule& rule, int layers,
+                const substrate::Overhang& overhang, substrate::GroundKind ground,
+                DecomposeStage& stage) {
   project::DecompositionReport& r = stage.report;
-  r.mode = in.choices.mode;
   r.pieces = 1;
   r.layers = layers;
   r.riskyAreaMm2 = r.riskyAreaBeforeMm2 = overhang.areaMm2;
-  if (auto finding = substrate::overhangFinding(overhang, overhangRule(in), ground))
+  if (auto finding = substrate::overhangFinding(overhang, rule, ground))
     stage.findings.push_back(std::move(*finding));
 }
 

@@ -1,6 +1,6 @@
 #include "modes/mode.h"
 
-#include <fmt/format.h>
+#include <algorithm>
 
 namespace voluta::modes {
 
@@ -9,16 +9,8 @@ Companions usualOnPlate() {
   return {first.cell, first.process, first.platform};
 }
 
-std::string heightsText(const process::Process& p) {
-  return fmt::format("layer height {} in [{}, {}]\n", p.layerHeightMm, p.layerHeightMinMm,
-                     p.layerHeightMaxMm);
-}
-
-std::string headText(const process::HeadShape& head) {
-  std::string text;
-  for (const process::HeadSection& s : head.sections)
-    text += fmt::format("head {} {}\n", s.zMm, s.radiusMm);
-  return text;
+bool Mode::asksFor(std::string_view parameter) const {
+  return std::find(parameters.begin(), parameters.end(), parameter) != parameters.end();
 }
 
 project::LayersReport reportOf(const layers::LayerStatistics& s) {

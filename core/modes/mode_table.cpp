@@ -19,11 +19,17 @@ const std::vector<Mode>& modeTable() {
   return kModes;
 }
 
-const Mode& findMode(std::string_view id) {
+const Mode* modeNamed(std::string_view id) {
   for (const Mode& mode : modeTable())
     if (mode.id == id)
-      return mode;
-  base::failPrecondition("mode is in the table");
+      return &mode;
+  return nullptr;
+}
+
+const Mode& findMode(std::string_view id) {
+  const Mode* mode = modeNamed(id);
+  base::require(mode != nullptr, "mode is in the table");
+  return *mode;
 }
 
 base::ParameterTable modeParameters() {
@@ -41,8 +47,7 @@ bool takesParameter(const Mode& mode, std::string_view key) {
     return true;
   if (key == "orient") // a mode that lays parts itself does not turn them
     return !mode.place;
-  return !modeParameters().find(key) ||
-         std::find(mode.parameters.begin(), mode.parameters.end(), key) != mode.parameters.end();
+  return !modeParameters().find(key) || mode.asksFor(key);
 }
 
 } // namespace voluta::modes

@@ -10,6 +10,8 @@
 namespace voluta::modes {
 
 const std::vector<Mode>& modeTable();
+// Null: no mode has that id.
+const Mode* modeNamed(std::string_view id);
 // Precondition: the id is known.
 const Mode& findMode(std::string_view id);
 

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/number_list.h"
-#include "modes/parameter_text.h"
 #include "planar/published/greedy_decompose.h"
 #include "planar/search/beam_search.h"
 
@@ -13,10 +12,6 @@ namespace voluta::modes {
 namespace {
 
 constexpr const char* kGreedy = "greedy";
-
-bool greedyChosen(const base::ParameterValues& values) {
-  return values.text("planarScheme") == kGreedy;
-}
 
 } // namespace
 
@@ -38,10 +33,10 @@ base::ParameterTable pieceSearchParameters() {
   });
 }
 
-std::string pieceSearchKey(const base::ParameterValues& values) {
-  return greedyChosen(values)
-             ? parameterText({"planarScheme", "pieceClusters", "pieceRoot"}, values)
-             : parameterText({"planarScheme"}, values);
+PieceSearch pieceSearch(const base::ParameterValues& values) {
+  if (values.text("planarScheme") != kGreedy)
+    return {};
+  return {true, static_cast<int>(values.integer("pieceClusters")), values.text("pieceRoot")};
 }
 
 std::optional<Eigen::Vector3d> pieceRoot(const std::string& text) {
@@ -60,13 +55,12 @@ std::string pieceRootText(const Eigen::Vector3d& root) {
 
 planar::PlanarDecomposition searchPieces(const geometry::TriangleMesh& part,
                                          const planar::PlanarOptions& options,
-                                         const base::ParameterValues& values,
-                                         const base::RunContext& ctx) {
-  if (!greedyChosen(values))
+                                         const PieceSearch& search, const base::RunContext& ctx) {
+  if (!search.greedy)
     return planar::beamDecompose(part, options, ctx);
   planar::GreedyOptions greedy;
-  greedy.clusters = static_cast<std::size_t>(values.integer("pieceClusters"));
-  greedy.root = pieceRoot(values.text("pieceRoot"));
+  greedy.clusters = static_cast<std::size_t>(search.clusters);
+  greedy.root = pieceRoot(search.root);
   return planar::greedyDecompose(part, options, greedy, ctx);
 }
 

@@ -15,8 +15,13 @@ namespace voluta::modes {
 // planarScheme, pieceClusters, pieceRoot.
 base::ParameterTable pieceSearchParameters();
 
-// What the pieces found depend on of these: of the chosen scheme only.
-std::string pieceSearchKey(const base::ParameterValues& values);
+// How pieces are searched for; of the scheme that is chosen only.
+struct PieceSearch {
+  bool greedy = false;
+  int clusters = 0;
+  std::string root; // pieceRoot
+};
+PieceSearch pieceSearch(const base::ParameterValues& values);
 
 // "x,y,z" in mm, of the placed part; empty: none. Throws Error{Usage}.
 std::optional<Eigen::Vector3d> pieceRoot(const std::string& text);
@@ -26,7 +31,6 @@ std::string pieceRootText(const Eigen::Vector3d& root);
 // that is no point.
 planar::PlanarDecomposition searchPieces(const geometry::TriangleMesh& part,
                                          const planar::PlanarOptions& options,
-                                         const base::ParameterValues& values,
-                                         const base::RunContext& ctx);
+                                         const PieceSearch& search, const base::RunContext& ctx);
 
 } // namespace voluta::modes

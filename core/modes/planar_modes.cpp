@@ -5,7 +5,6 @@
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "geometry/measures.h"
-#include "modes/parameter_text.h"
 #include "modes/piece_search.h"
 #include "modes/planar_platform.h"
 #include "modes/plate.h"
@@ -16,17 +15,24 @@
 #include "planar/slicing/slicing.h"
 #include "planar/slicing/uniform_misses.h"
 #include "planar/slicing/user_planes.h"
-#include "project/content_hash.h"
+#include "support/supports.h"
 
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
+#include <variant>
 
 namespace voluta::modes {
 
 namespace {
 
-planar::SliceOptions sliceOptions(const ModeChoices& in,
-                                  const std::vector<Eigen::Vector2d>& plate) {
+// Planes as JSON, in the order they are cut or laid in; empty: none are given.
+struct SlicePlan {
+  planar::SliceOptions options; // but for the plate
+  std::string planes;
+};
+
+SlicePlan slicePlan(const ModeChoices& in) {
   planar::SliceOptions options;
   options.heights.wantedMm = in.process.layerHeightMm;
   options.heights.minMm = in.process.layerHeightMinMm;
@@ -34,10 +40,20 @@ planar::SliceOptions sliceOptions(const ModeChoices& in,
   options.heights.adaptive = in.values.boolean("adaptiveLayers");
   options.heights.cuspMm = in.values.number("cuspMm");
   options.beadWidthMm = in.process.beadWidthMm;
-  options.supports = in.values.text("supports") != "none";
+  options.supports = support::supportsWanted(in.values);
   options.overhangRad = riskRule(in).overhangRad;
-  options.plate = plate;
-  return options;
+  return {options, {}};
+}
+
+std::string givenPlanes(const ModeChoices& in, const char* key) {
+  const std::string text = in.values.text(key);
+  return text.empty() ? text : planesText(text);
+}
+
+SlicePlan flatSlicePlan(const ModeChoices& in) {
+  SlicePlan plan = slicePlan(in);
+  plan.planes = givenPlanes(in, "layerPlanes");
+  return plan;
 }
 
 // "white PLA, red PLA": one a piece, from the first again where there are more pieces; the
@@ -57,35 +73,46 @@ std::vector<std::string> materialsOf(const ModeChoices& in) {
   return materials;
 }
 
-void tellPieces(const planar::PlanarDecomposition& d, const ModeChoices& in,
-                DecomposeStage& stage) {
+void tellPieces(const planar::PlanarDecomposition& d, const planar::RiskRule& rule,
+                const std::vector<std::string>& materials, DecomposeStage& stage) {
   project::DecompositionReport& r = stage.report;
-  r.mode = in.choices.mode;
   r.pieces = static_cast<int>(d.pieces.size());
   r.riskyAreaMm2 = d.riskyMm2;
   r.riskyAreaBeforeMm2 = d.riskyBeforeMm2;
-  const std::vector<std::string> materials = materialsOf(in);
   for (std::size_t i = 0; i < d.pieces.size(); ++i) {
     const planar::Piece& piece = d.pieces[i];
     r.pieceList.push_back({piece.parent, geometry::volume(piece.solid.mesh),
-                           planar::riskyArea(piece, riskRule(in)), piece.base.normal,
+                           planar::riskyArea(piece, rule), piece.base.normal,
                            materials[i % materials.size()]});
   }
   stage.findings.insert(stage.findings.end(), d.findings.begin(), d.findings.end());
 }
 
-std::string planesKey(const char* what, const std::string& planes) {
-  return planes.empty() ? std::string()
-                        : fmt::format("{} {}\n", what, project::contentHash(planesText(planes)));
-}
+struct PiecesPlan {
+  planar::RiskRule rule;
+  process::HeadShape head;
+  planar::PlanarPlatform carrier; // but for the plate
+  project::Platform platform;
+  std::vector<std::string> materials;
+  std::string cuts;        // instead of a search
+  double cutWidthMm = 0.0; // with them
+  PieceSearch search;
+};
 
-std::string planarKey(const ModeChoices& in) {
-  const std::string cuts = in.values.text("cutPlanes");
-  return fmt::format("platform {}\n{}", in.choices.platform.text(), heightsText(in.process)) +
-         headText(process::erodedHead(in.process.head, in.process.contactToleranceMm)) +
-         carrierText(in.choices, in.process) +
-         parameterText({"overhangAngle", "pieceMaterials"}, in.values) +
-         (cuts.empty() ? pieceSearchKey(in.values) : planesKey("cuts", cuts));
+PiecesPlan piecesPlan(const ModeChoices& in) {
+  PiecesPlan plan{riskRule(in),
+                  process::erodedHead(in.process.head, in.process.contactToleranceMm),
+                  carrierOf(in.choices, in.process),
+                  in.choices.platform,
+                  materialsOf(in),
+                  givenPlanes(in, "cutPlanes"),
+                  0.0,
+                  {}};
+  if (plan.cuts.empty())
+    plan.search = pieceSearch(in.values);
+  else
+    plan.cutWidthMm = in.process.beadWidthMm;
+  return plan;
 }
 
 // Motion says which waypoints.
@@ -115,26 +142,24 @@ std::optional<plan::Finding> smallFoot(const geometry::TriangleMesh& part,
                            {{"foot", base::mm2(left)}, {"whole", base::mm2(whole)}}, foot);
 }
 
-std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& input,
-                                                      const base::RunContext& ctx) {
+std::shared_ptr<const DecomposeStage>
+decomposePlanar(const PiecesPlan& plan, const DecomposeInput& input, const base::RunContext& ctx) {
   const base::Stopwatch watch;
-  const ModeChoices& in = input.choices;
   auto stage = std::make_shared<DecomposeStage>();
   planar::PlanarOptions options;
-  options.rule = riskRule(in);
-  options.head = process::erodedHead(in.process.head, in.process.contactToleranceMm);
-  options.platform = planarPlatform(in.choices, in.process, input.placed.platform);
-  const std::string cuts = in.values.text("cutPlanes");
+  options.rule = plan.rule;
+  options.head = plan.head;
+  options.platform = planarPlatform(plan.carrier, plan.platform, input.placed.platform);
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(
-      cuts.empty() ? searchPieces(*input.placed.part, options, in.values, ctx)
-                   : planar::decomposeByCuts(*input.placed.part,
-                                             planar::readGivenCuts(planesText(cuts), "cutPlanes"),
-                                             options, in.process.beadWidthMm, ctx));
+      plan.cuts.empty() ? searchPieces(*input.placed.part, options, plan.search, ctx)
+                        : planar::decomposeByCuts(*input.placed.part,
+                                                  planar::readGivenCuts(plan.cuts, "cutPlanes"),
+                                                  options, plan.cutWidthMm, ctx));
   stage->platform = planar::plateOf(pieces->pieces, options);
   if (stage->platform.polygon.size() < 3)
     throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate"_text, {},
                       "drop it to the plate"_text);
-  tellPieces(*pieces, in, *stage);
+  tellPieces(*pieces, plan.rule, plan.materials, *stage);
   const plan::Findings left =
       planar::overhangFindings(pieces->pieces, options.rule, planar::Overhangs::Pieces);
   stage->findings.insert(stage->findings.end(), left.begin(), left.end());
@@ -142,14 +167,22 @@ std::shared_ptr<const DecomposeStage> decomposePlanar(const DecomposeInput& inpu
     stage->findings.push_back(*foot);
   if (pieces->blockedPieces > 0)
     stage->findings.push_back(blockedPieces(*pieces));
-  stage->pieces = pieces;
+  stage->result = project::Pieces(pieces);
   stage->timings.decompose = watch.seconds();
   return stage;
 }
 
-std::string flatKey(const ModeChoices& in) {
-  return fmt::format("platform {}\n{}", in.choices.platform.text(), heightsText(in.process)) +
-         parameterText({"overhangAngle", "voxelMm", "pieceMaterials"}, in.values);
+struct FlatPlan {
+  double voxelMm;
+  bool supports; // carry what would be missed else; the layers tell what they cannot
+  planar::RiskRule rule;
+  project::Platform platform;
+  std::vector<std::string> materials;
+};
+
+FlatPlan flatPlan(const ModeChoices& in) {
+  return {in.values.number("voxelMm"), support::supportsWanted(in.values), riskRule(in),
+          in.choices.platform, materialsOf(in)};
 }
 
 plan::Finding uniformMissesFinding(const planar::UniformMisses& misses,
@@ -165,39 +198,30 @@ plan::Finding uniformMissesFinding(const planar::UniformMisses& misses,
                            misses.count);
 }
 
-std::shared_ptr<const DecomposeStage> decomposeFlat(const DecomposeInput& input,
-                                                    const base::RunContext& ctx) {
-  const ModeChoices& in = input.choices;
+std::shared_ptr<const DecomposeStage>
+decomposeFlat(const FlatPlan& plan, const DecomposeInput& input, const base::RunContext& ctx) {
   auto stage = std::make_shared<DecomposeStage>();
   ctx.report(0.0, "voxelise"_text);
-  const std::shared_ptr<const PartVoxels> part = input.voxels(ctx.sub(0.0, 0.8));
+  const std::shared_ptr<const PartVoxels> part = input.voxels(plan.voxelMm, ctx.sub(0.0, 0.8));
   const voxel::SolidVoxels& solid = *part->voxels;
   stage->timings.voxelise = part->seconds;
-  stage->platform = plateOf(in.choices.platform, solid, input.placed.platform);
+  stage->platform = plateOf(plan.platform, solid, input.placed.platform);
 
   const base::Stopwatch watch;
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(
-      planar::flatDecomposition(*input.placed.part, riskRule(in)));
-  tellPieces(*pieces, in, *stage);
+      planar::flatDecomposition(*input.placed.part, plan.rule));
+  tellPieces(*pieces, plan.rule, plan.materials, *stage);
   const planar::UniformMisses misses = planar::uniformMisses(solid);
   project::DecompositionReport& r = stage->report;
   r.voxelMm = solid.grid.pitch;
   r.voxels = solid.count;
-  r.missedVoxels = r.missedAfterSupports = misses.count;
-  if (misses.count > 0)
+  r.missedVoxels = misses.count;
+  r.missedAfterSupports = plan.supports ? 0 : misses.count;
+  if (r.missedAfterSupports > 0)
     stage->findings.push_back(uniformMissesFinding(misses, solid));
-  stage->pieces = pieces;
+  stage->result = project::Pieces(pieces);
   stage->timings.decompose = watch.seconds();
   return stage;
-}
-
-std::string sliceKey(const ModeChoices& in) {
-  return fmt::format("{}bead width {}\n", heightsText(in.process), in.process.beadWidthMm) +
-         parameterText({"adaptiveLayers", "cuspMm", "supports"}, in.values);
-}
-
-std::string flatLayersKey(const ModeChoices& in) {
-  return sliceKey(in) + planesKey("planes", in.values.text("layerPlanes"));
 }
 
 std::shared_ptr<const LayersStage> layersFrom(planar::SliceResult sliced) {
@@ -210,40 +234,40 @@ std::shared_ptr<const LayersStage> layersFrom(planar::SliceResult sliced) {
   return stage;
 }
 
-std::shared_ptr<const LayersStage> planarLayers(const DecomposeStage& decomposed,
-                                                const geometry::TriangleMesh&,
-                                                const ModeChoices& in,
-                                                const base::RunContext& ctx) {
-  return layersFrom(planar::slicePieces(decomposed.pieces->pieces,
-                                        sliceOptions(in, decomposed.platform.polygon), ctx));
-}
-
-std::shared_ptr<const LayersStage> flatLayers(const DecomposeStage& decomposed,
-                                              const geometry::TriangleMesh& part,
-                                              const ModeChoices& in, const base::RunContext& ctx) {
-  const std::string planes = in.values.text("layerPlanes");
-  if (planes.empty())
-    return planarLayers(decomposed, part, in, ctx);
-  return layersFrom(planar::sliceByPlanes(part,
-                                          planar::readUserPlanes(planesText(planes), "layerPlanes"),
-                                          sliceOptions(in, decomposed.platform.polygon), ctx));
+std::shared_ptr<const LayersStage> sliced(const SlicePlan& plan, const DecomposeStage& decomposed,
+                                          const geometry::TriangleMesh& part,
+                                          const base::RunContext& ctx) {
+  planar::SliceOptions options = plan.options;
+  options.plate = decomposed.platform.polygon;
+  return layersFrom(
+      plan.planes.empty()
+          ? planar::slicePieces(std::get<project::Pieces>(decomposed.result)->pieces, options, ctx)
+          : planar::sliceByPlanes(part, planar::readUserPlanes(plan.planes, "layerPlanes"), options,
+                                  ctx));
 }
 
 } // namespace
 
 Mode planarMode() {
-  Mode mode{"planar", "Planar pieces"_text, planarKey, sliceKey, decomposePlanar, planarLayers};
-  mode.parameters = {"overhangAngle",  "pieceMaterials", "cutPlanes",
-                     "planarScheme",   "pieceClusters",  "pieceRoot",
-                     "adaptiveLayers", "cuspMm",         "supports"};
+  Mode mode{"planar",
+            "Planar pieces"_text,
+            {piecesPlan, decomposePlanar},
+            {slicePlan, sliced},
+            project::ResultKind::InPieces,
+            {"overhangAngle", "pieceMaterials", "cutPlanes", "planarScheme", "pieceClusters",
+             "pieceRoot", "adaptiveLayers", "cuspMm", "supports"}};
+  mode.cuts = true;
   return mode;
 }
 
 Mode flatMode() {
-  Mode mode{"flat", "Flat layers"_text, flatKey, flatLayersKey, decomposeFlat, flatLayers};
-  mode.parameters = {"overhangAngle", "pieceMaterials", "adaptiveLayers",
-                     "cuspMm",        "supports",       "layerPlanes"};
-  return mode;
+  return {"flat",
+          "Flat layers"_text,
+          {flatPlan, decomposeFlat},
+          {flatSlicePlan, sliced},
+          project::ResultKind::InPieces,
+          {"voxelMm", "overhangAngle", "pieceMaterials", "adaptiveLayers", "cuspMm", "layerPlanes",
+           "supports"}};
 }
 
 base::ParameterTable planarModeParameters() {

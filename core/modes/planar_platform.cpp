@@ -4,13 +4,10 @@
 #include "robot/cell.h"
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <optional>
 
 namespace voluta::modes {
 
-namespace {
-
-// Thickness of the plate and the frusta about z that carry it.
 planar::PlanarPlatform carrierOf(const project::Choices& choices, const process::Process& process) {
   const robot::Cell cell = cellOnAnyPlatform(choices, process);
   planar::PlanarPlatform out;
@@ -31,26 +28,15 @@ planar::PlanarPlatform carrierOf(const project::Choices& choices, const process:
   return out;
 }
 
-} // namespace
-
-planar::PlanarPlatform planarPlatform(const project::Choices& choices,
-                                      const process::Process& process,
+planar::PlanarPlatform planarPlatform(planar::PlanarPlatform carrier,
+                                      const project::Platform& platform,
                                       const std::vector<Eigen::Vector2d>& own) {
-  planar::PlanarPlatform out = carrierOf(choices, process);
-  const std::optional<double> margin = choices.platform.marginMm();
+  const std::optional<double> margin = platform.marginMm();
   if (margin && own.empty())
-    out.marginMm = *margin;
+    carrier.marginMm = *margin;
   else
-    out.polygon = choices.platform.plateAround(own);
-  return out;
-}
-
-std::string carrierText(const project::Choices& choices, const process::Process& process) {
-  const planar::PlanarPlatform carrier = carrierOf(choices, process);
-  std::string text = fmt::format("plate {}\n", carrier.thicknessMm);
-  for (const planar::StemFrustum& f : carrier.stem)
-    text += fmt::format("stem {} {} {} {}\n", f.lowMm, f.highMm, f.lowRadiusMm, f.highRadiusMm);
-  return text;
+    carrier.polygon = platform.plateAround(own);
+  return carrier;
 }
 
 } // namespace voluta::modes

@@ -3,21 +3,22 @@
 
 #include "planar/decomposition.h"
 #include "process/process.h"
-#include "project/job.h"
+#include "project/choices.h"
 
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 namespace voluta::modes {
 
-// `own`: the polygon that the part brought along, which "fit" then stands for; where there is none,
-// "fit" is a plate made for the first piece. Throws Error{Usage}: the platform or cell chosen.
-planar::PlanarPlatform planarPlatform(const project::Choices& choices,
-                                      const process::Process& process,
-                                      const std::vector<Eigen::Vector2d>& own);
+// What carries the plate in the chosen cell: its thickness and the frusta about z below it. Throws
+// as cellOnAnyPlatform().
+planar::PlanarPlatform carrierOf(const project::Choices& choices, const process::Process& process);
 
-// What carries the plate in the chosen cell, as text for keys.
-std::string carrierText(const project::Choices& choices, const process::Process& process);
+// `own`: the polygon that the part brought along, which a plate that is made for the part then
+// follows; where there is none, that is made for the first piece. Throws Error{Usage}: what is no
+// plate.
+planar::PlanarPlatform planarPlatform(planar::PlanarPlatform carrier,
+                                      const project::Platform& platform,
+                                      const std::vector<Eigen::Vector2d>& own);
 
 } // namespace voluta::modes

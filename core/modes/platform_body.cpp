@@ -1,24 +1,10 @@
 #include "modes/platform_body.h"
 
 #include "base/error.h"
-#include "base/files.h"
 #include "geometry/measures.h"
-#include "project/content_hash.h"
 #include "project/loaded_part.h"
 
-#include <fmt/format.h>
-
 namespace voluta::modes {
-
-std::string platformText(const project::Platform& platform) {
-  if (!platform.isBody())
-    return fmt::format("platform {}\n", platform.text());
-  try {
-    return fmt::format("platform mesh {}\n", project::contentHash(base::readFile(platform.file())));
-  } catch (const base::Error&) {
-    return fmt::format("platform mesh {} that cannot be read\n", platform.file());
-  }
-}
 
 std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Platform& platform,
                                                            const base::RunContext& ctx) {

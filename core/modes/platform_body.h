@@ -8,12 +8,8 @@
 
 #include <Eigen/Geometry>
 #include <memory>
-#include <string>
 
 namespace voluta::modes {
-
-// The platform as text for keys: a body by its file's content, so that it counts wherever it lies.
-std::string platformText(const project::Platform& platform);
 
 // A platform's body as the file has it, mended; null for others. Throws
 // Error{UnreadableFile, UnusableInput} also where it is not closed.

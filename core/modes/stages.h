@@ -2,13 +2,12 @@
 // part of the report and its seconds (docs/design.md, Stages).
 #pragma once
 
-#include "curved/decomposition.h"
 #include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "plan/finding.h"
-#include "planar/decomposition.h"
 #include "platform/platform_solid.h"
+#include "project/mode_result.h"
 #include "project/report.h"
 #include "project/stage.h"
 #include "voxel/solid_voxels.h"
@@ -36,11 +35,8 @@ struct LoadStage {
 struct DecomposeStage {
   static constexpr project::Stage kStage = project::Stage::Decompose;
   platform::PlatformSolid platform; // what material starts on, work frame
-  // What of the placed part is to be printed where the platform takes some of it; null: all.
-  std::shared_ptr<const geometry::TriangleMesh> lessPlatform;
-  std::shared_ptr<const curved::Decomposition> decomposition; // null in modes without voxels
-  std::shared_ptr<const planar::PlanarDecomposition> pieces;  // null in modes without pieces
-  project::DecompositionReport report;
+  project::ModeResult result;
+  project::DecompositionReport report; // but for the mode
   plan::Findings findings;
   project::Timings timings;
 };

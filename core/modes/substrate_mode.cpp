@@ -7,9 +7,8 @@
 #include "geometry/convex_polygon.h"
 #include "geometry/measures.h"
 #include "modes/level_choices.h"
-#include "modes/parameter_text.h"
 #include "modes/platform_body.h"
-#include "project/content_hash.h"
+#include "project/file_content.h"
 #include "project/loaded_part.h"
 #include "project/platform_kinds.h"
 #include "substrate/substrate_layers.h"
@@ -45,8 +44,38 @@ Eigen::Isometry3d motionToMiddle(const geometry::TriangleMesh& body, double scal
   return motionOf(body, scale, geometry::Placement{});
 }
 
-substrate::EndSurface endSurface(const ModeChoices& in) {
-  const std::string text = in.values.text("endSurface");
+struct GroundPlan {
+  project::Platform platform;
+  double standsMm; // what is no higher stands on z = 0
+};
+
+GroundPlan groundPlan(const ModeChoices& in) {
+  return {in.choices.platform, kContactShare * in.process.layerHeightMm};
+}
+
+// As it is typed; of a file counts what it holds.
+struct EndChoice {
+  std::string text;
+};
+
+std::string keyOf(const EndChoice& end) {
+  return end.text.starts_with(kMeshPrefix)
+             ? keyOf(project::FileContent{end.text.substr(kMeshPrefix.size())})
+             : end.text;
+}
+
+struct SurfacePlan {
+  GroundPlan ground;
+  double scale; // of the files' meshes; 0: to fit
+  substrate::LevelOptions levels;
+  substrate::LevelShape shape;
+  std::string centre; // x,y,z
+  EndChoice end;
+  substrate::OverhangRule overhang;
+};
+
+substrate::EndSurface endSurface(const SurfacePlan& plan) {
+  const std::string& text = plan.end.text;
   substrate::EndSurface end;
   const auto fail = [&] {
     throw base::Error(base::ErrorCode::Usage,
@@ -67,8 +96,8 @@ substrate::EndSurface endSurface(const ModeChoices& in) {
     end.radiusMm = number;
   } else if (text.starts_with(kMeshPrefix) && !rest.empty()) {
     const auto file = project::loadPart(rest, true, {});
-    const double scale = project::parsedScale(in.choices.scale);
-    const auto body = platformBody(in.choices.platform);
+    const double scale = plan.scale;
+    const auto body = platformBody(plan.ground.platform);
     if (!body)
       throw base::Error(base::ErrorCode::Usage,
                         "endSurface mesh:FILE goes with a platform that is a body"_text, {},
@@ -82,43 +111,37 @@ substrate::EndSurface endSurface(const ModeChoices& in) {
   return end;
 }
 
-std::string endText(const ModeChoices& in) {
-  const std::string text = in.values.text("endSurface");
-  if (!text.starts_with(kMeshPrefix))
-    return fmt::format("end {}\n", text);
-  try {
-    return fmt::format("end mesh {}\n",
-                       project::contentHash(base::readFile(text.substr(kMeshPrefix.size()))));
-  } catch (const base::Error&) {
-    return fmt::format("end {} that cannot be read\n", text);
-  }
-}
-
-substrate::SubstrateOptions substrateOptions(const ModeChoices& in) {
+substrate::SubstrateOptions substrateOptions(const SurfacePlan& plan) {
   substrate::SubstrateOptions options;
-  static_cast<substrate::LevelOptions&>(options) = levelOptions(in);
-  options.shape = shapeOf(in);
-  if (const std::string text = in.values.text("layerCentre"); !text.empty()) {
+  static_cast<substrate::LevelOptions&>(options) = plan.levels;
+  options.shape = plan.shape;
+  if (const std::string& text = plan.centre; !text.empty()) {
     Vector3d& c = options.centre.emplace();
     if (!base::readNumbers(text, ',', {&c.x(), &c.y(), &c.z()}))
       throw base::Error(base::ErrorCode::Usage,
                         base::message("layerCentre '{text}' is no point"_text, text.substr(0, 40)),
                         {}, "write x,y,z in mm"_text);
   }
-  options.end = endSurface(in);
+  options.end = endSurface(plan);
   return options;
 }
 
-geometry::Placement placeOnSurface(const geometry::TriangleMesh& part, double scale,
-                                   const ModeChoices& in) {
-  const auto body = platformBody(in.choices.platform);
-  return body ? placementBy(part, scale,
-                            motionToMiddle(*body, project::parsedScale(in.choices.scale)))
-              : geometry::Placement{};
+struct PlacePlan {
+  project::Platform platform; // a body brings its part along
+  double bodyScale;
+};
+
+PlacePlan placePlan(const ModeChoices& in) {
+  if (!in.choices.platform.isBody())
+    return {{}, 1.0};
+  return {in.choices.platform, project::parsedScale(in.choices.scale)};
 }
 
-std::string placeKey(const ModeChoices& in) {
-  return in.choices.platform.isBody() ? platformText(in.choices.platform) : std::string();
+geometry::Placement placeOnSurface(const PlacePlan& plan, const geometry::TriangleMesh& part,
+                                   double scale) {
+  const auto body = platformBody(plan.platform);
+  return body ? placementBy(part, scale, motionToMiddle(*body, plan.bodyScale))
+              : geometry::Placement{};
 }
 
 // Corners of what of a mesh is no higher than heightMm.
@@ -137,17 +160,15 @@ std::vector<Vector2d> standing(const geometry::TriangleMesh& mesh, double height
   return on;
 }
 
-platform::PlatformSolid platformOf(const LoadStage& placed, const ModeChoices& in) {
+platform::PlatformSolid platformOf(const GroundPlan& plan, const LoadStage& placed) {
   platform::PlatformSolid platform;
-  if (const auto body = platformBody(in.choices.platform)) {
+  if (const auto body = platformBody(plan.platform)) {
     const auto mesh = std::make_shared<geometry::TriangleMesh>(
         moved(*body, placed.scale, motionToMiddle(*body, placed.scale)));
-    platform.polygon =
-        geometry::convexPolygon(standing(*mesh, kContactShare * in.process.layerHeightMm));
+    platform.polygon = geometry::convexPolygon(standing(*mesh, plan.standsMm));
     platform.mesh = mesh;
   } else {
-    platform.polygon = in.choices.platform.plateAround(
-        standing(*placed.part, kContactShare * in.process.layerHeightMm));
+    platform.polygon = plan.platform.plateAround(standing(*placed.part, plan.standsMm));
   }
   return platform;
 }
@@ -156,38 +177,41 @@ substrate::GroundDistance groundOf(const platform::PlatformSolid& platform) {
   return platform.mesh ? substrate::distanceFrom(*platform.mesh) : substrate::plateGround();
 }
 
-std::string decomposeKey(const ModeChoices& in) {
-  return platformText(in.choices.platform) + levelText(in) + endText(in) +
-         parameterText({"layerShape", "layerCentre", "overhangAngle"}, in.values);
+SurfacePlan surfacePlan(const ModeChoices& in) {
+  return {groundPlan(in),  project::parsedScale(in.choices.scale), levelOptions(in),
+          shapeOf(in),     in.values.text("layerCentre"),          {in.values.text("endSurface")},
+          overhangRule(in)};
 }
 
-std::shared_ptr<const DecomposeStage> decompose(const DecomposeInput& input,
-                                                const base::RunContext& ctx) {
+std::shared_ptr<const DecomposeStage>
+decompose(const SurfacePlan& plan, const DecomposeInput& input, const base::RunContext& ctx) {
   const base::Stopwatch watch;
   ctx.report(0.0, "take the surface out of the part"_text);
   auto stage = std::make_shared<DecomposeStage>();
-  const substrate::SubstrateOptions options = substrateOptions(input.choices);
-  stage->platform = platformOf(input.placed, input.choices);
+  const substrate::SubstrateOptions options = substrateOptions(plan);
+  stage->platform = platformOf(plan.ground, input.placed);
+  project::LessGround less;
   if (stage->platform.mesh)
-    stage->lessPlatform = std::make_shared<geometry::TriangleMesh>(
+    less.part = std::make_shared<geometry::TriangleMesh>(
         substrate::partOnBody(*input.placed.part, *stage->platform.mesh));
-  const geometry::TriangleMesh& part =
-      stage->lessPlatform ? *stage->lessPlatform : *input.placed.part;
+  stage->result = less;
+  const geometry::TriangleMesh& part = less.part ? *less.part : *input.placed.part;
   ctx.checkpoint();
   const substrate::LevelFamily family =
       substrate::substrateLevels(part, groundOf(stage->platform), options, ctx);
   const substrate::Overhang overhang =
-      substrate::findOverhang(part, family.ground, family.outward, overhangRule(input.choices));
-  tellLevels(input.choices, family.count, overhang, substrate::GroundKind::Surface, *stage);
+      substrate::findOverhang(part, family.ground, family.outward, plan.overhang);
+  tellLevels(plan.overhang, family.count, overhang, substrate::GroundKind::Surface, *stage);
   stage->timings.decompose = watch.seconds();
   return stage;
 }
 
-std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
+std::shared_ptr<const LayersStage> layersOf(const SurfacePlan& plan,
+                                            const DecomposeStage& decomposed,
                                             const geometry::TriangleMesh& part,
-                                            const ModeChoices& in, const base::RunContext& ctx) {
+                                            const base::RunContext& ctx) {
   const base::Stopwatch watch;
-  const substrate::SubstrateOptions options = substrateOptions(in);
+  const substrate::SubstrateOptions options = substrateOptions(plan);
   const substrate::LevelFamily family =
       substrate::substrateLevels(part, groundOf(decomposed.platform), options, ctx.sub(0.0, 0.1));
   substrate::StackedLevels stacked =
@@ -198,13 +222,15 @@ std::shared_ptr<const LayersStage> layersOf(const DecomposeStage& decomposed,
 } // namespace
 
 Mode substrateMode() {
-  Mode mode{"substrate", "On a given surface"_text, decomposeKey, levelLayersKey, decompose,
-            layersOf};
+  Mode mode{"substrate",
+            "On a given surface"_text,
+            {surfacePlan, decompose},
+            {surfacePlan, layersOf},
+            project::ResultKind::OnGround,
+            {"layerShape", "layerCentre", "endSurface", "firstLayerMm", "overhangAngle"}};
   mode.platforms = {project::PlatformUse::Body, project::PlatformUse::Plate};
-  mode.place = placeOnSurface;
-  mode.placeKey = placeKey;
-  mode.platform = platformOf;
-  mode.parameters = {"layerShape", "layerCentre", "endSurface", "firstLayerMm", "overhangAngle"};
+  mode.place = {placePlan, placeOnSurface};
+  mode.platform = {groundPlan, platformOf};
   return mode;
 }
 

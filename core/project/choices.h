@@ -13,6 +13,10 @@ namespace voluta::project {
 
 // What the user chose; together with the mesh it decides every result.
 struct Choices {
+  // The way of building is looked for when it is planned; mode and platform are then those that
+  // were taken last. What else is chosen stays.
+  bool automatic = false;
+  bool platformStays = false; // with automatic: the platform is the user's
   std::string mode = "curved";
   curved::GrowthScheme growth;
   Platform platform;

@@ -2,6 +2,11 @@
 
 namespace voluta::project {
 
+const geometry::TriangleMesh& Job::printed() const {
+  const auto* less = std::get_if<LessGround>(&result);
+  return less && less->part ? *less->part : *part;
+}
+
 StageKeys Job::keys() const {
   StageKeys keys;
   for (std::size_t i = 0; i < kStageCount; ++i)
@@ -19,9 +24,7 @@ Job upTo(Job job, std::optional<Stage> last) {
   }
   if (!keeps(Stage::Decompose)) {
     job.platform = {};
-    job.lessPlatform = nullptr;
-    job.decomposition = nullptr;
-    job.pieces = nullptr;
+    job.result = {};
     job.report.decomposition = {};
     job.report.decomposition.mode = job.choices.mode;
   }

@@ -2,16 +2,15 @@
 // (docs/design.md, Project file).
 #pragma once
 
-#include "curved/decomposition.h"
 #include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
-#include "planar/decomposition.h"
 #include "platform/platform_solid.h"
 #include "project/choices.h"
 #include "project/loaded_part.h"
+#include "project/mode_result.h"
 #include "project/report.h"
 #include "project/stage.h"
 
@@ -47,16 +46,16 @@ struct Job {
   std::optional<geometry::Placement> placement;
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
   platform::PlatformSolid platform;                   // what material starts on, work frame
-  // What of the part is to be printed where the platform takes some of it; null: all of it.
-  std::shared_ptr<const geometry::TriangleMesh> lessPlatform;
-  std::shared_ptr<const curved::Decomposition> decomposition; // also null in modes without voxels
-  std::shared_ptr<const planar::PlanarDecomposition> pieces;  // also null in modes without pieces
+  ModeResult result;
   std::shared_ptr<const layers::LayerStack> layers;
   std::shared_ptr<const plan::ToolPlan> toolPlan;
   std::shared_ptr<const plan::Trajectory> trajectory; // also null when nothing is left to print
 
   // What is to be printed. Precondition: part.
-  const geometry::TriangleMesh& printed() const { return lessPlatform ? *lessPlatform : *part; }
+  const geometry::TriangleMesh& printed() const;
+  // The result of a mode that has voxels, or pieces; else null.
+  Voxels decomposition() const { return resultAs<Voxels>(result); }
+  Pieces pieces() const { return resultAs<Pieces>(result); }
   // Keys of what is there, to be compared with stageKeys() of what is wanted.
   StageKeys keys() const;
 };

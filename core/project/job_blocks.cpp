@@ -434,9 +434,9 @@ platform::PlatformSolid getPlatform(const BlockReader& in) {
 bool isConsistent(const Job& job) {
   if (!allFinite(job.platform.polygon))
     return false;
-  if (job.decomposition && !soundDecomposition(*job.decomposition))
+  if (const Voxels voxels = job.decomposition(); voxels && !soundDecomposition(*voxels))
     return false;
-  if (job.pieces && !soundPieces(*job.pieces))
+  if (const Pieces pieces = job.pieces(); pieces && !soundPieces(*pieces))
     return false;
   if (job.layers)
     for (const layers::Patch& patch : job.layers->patches)

@@ -44,7 +44,9 @@ geometry::Placement readPlacement(const Json& j) {
 }
 
 Json choicesJson(const Choices& c) {
-  return Json{{"mode", c.mode},
+  return Json{{"automatic", c.automatic},
+              {"platformStays", c.platformStays},
+              {"mode", c.mode},
               {"growth", c.growth.id()},
               {"platform", c.platform.text()},
               {"cell", c.cell},
@@ -59,6 +61,8 @@ Json choicesJson(const Choices& c) {
 
 Choices readChoices(const Json& j, int format) {
   Choices c;
+  c.automatic = j.value("automatic", false);
+  c.platformStays = j.value("platformStays", false);
   j.at("mode").get_to(c.mode);
   c.growth = curved::GrowthScheme(j.at("growth").get<std::string>());
   c.platform = Platform(j.at("platform").get<std::string>());
@@ -319,7 +323,8 @@ Job readFrame(const Frame& frame, const std::string& where) {
     job.part = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "part"));
   job.platform = getPlatform(blocks);
   if (hasMesh(blocks, "lessPlatform"))
-    job.lessPlatform = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "lessPlatform"));
+    job.result =
+        LessGround{std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "lessPlatform"))};
   if (holds("planned"))
     job.toolPlan = std::make_shared<plan::ToolPlan>(getToolPlan(blocks));
   if (const int dof = header.at("dof").get<int>(); dof > 0)
@@ -328,9 +333,9 @@ Job readFrame(const Frame& frame, const std::string& where) {
     const std::shared_ptr<LoadedPart> loaded = getLoaded(blocks);
     job.loaded = loaded;
     if (holds("decomposed"))
-      job.decomposition = std::make_shared<curved::Decomposition>(getDecomposition(blocks));
+      job.result = Voxels(std::make_shared<curved::Decomposition>(getDecomposition(blocks)));
     if (header.value("pieces", false)) // projects of before there were any have no such key
-      job.pieces = std::make_shared<planar::PlanarDecomposition>(getPieces(blocks));
+      job.result = Pieces(std::make_shared<planar::PlanarDecomposition>(getPieces(blocks)));
     if (holds("layered"))
       job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
     job.report = readReportJson(blocks.text("report"));
@@ -356,12 +361,12 @@ std::string jobBytes(const Job& job) {
   if (job.part)
     addMesh(blocks, "part", *job.part);
   addPlatform(blocks, job.platform);
-  if (job.lessPlatform)
-    addMesh(blocks, "lessPlatform", *job.lessPlatform);
-  if (job.decomposition)
-    addDecomposition(blocks, *job.decomposition);
-  if (job.pieces)
-    addPieces(blocks, *job.pieces);
+  if (const auto* less = std::get_if<LessGround>(&job.result); less && less->part)
+    addMesh(blocks, "lessPlatform", *less->part);
+  if (const Voxels voxels = job.decomposition())
+    addDecomposition(blocks, *voxels);
+  if (const Pieces pieces = job.pieces())
+    addPieces(blocks, *pieces);
   if (job.layers)
     addLayers(blocks, *job.layers);
   if (job.toolPlan)
@@ -376,8 +381,8 @@ std::string jobBytes(const Job& job) {
               {"reached", job.reached ? Json(stageName(*job.reached)) : Json()},
               {"stages", recordsJson(job)},
               {"placed", job.part != nullptr},
-              {"decomposed", job.decomposition != nullptr},
-              {"pieces", job.pieces != nullptr},
+              {"decomposed", job.decomposition() != nullptr},
+              {"pieces", job.pieces() != nullptr},
               {"layered", job.layers != nullptr},
               {"planned", job.toolPlan != nullptr},
               {"dof", job.trajectory ? job.trajectory->dof : 0},

@@ -52,10 +52,21 @@ Json pointJson(const Eigen::Vector3d& p) {
   return pointJson(p.x(), p.y(), p.z());
 }
 
+// "10 voxels": a count with its word is the count.
+const long long* countOf(const base::Value& value) {
+  const auto* sentences = std::get_if<std::vector<base::Message>>(&value.data());
+  return sentences && sentences->size() == 1 && sentences->front().text.plural() &&
+                 sentences->front().values.size() == 1
+             ? std::get_if<long long>(&sentences->front().values.front().data())
+             : nullptr;
+}
+
 // For whoever reads the report: a number or a text.
 void addPlain(Json& all, const std::string& name, const base::Value& value) {
   if (const auto* whole = std::get_if<long long>(&value.data()))
     all[name] = *whole;
+  else if (const long long* count = countOf(value))
+    all[name] = *count;
   else if (const auto* quantity = std::get_if<base::Quantity>(&value.data()))
     all[name + endingOf(quantity->unit)] = quantity->number;
   else if (const auto* point = std::get_if<base::Point>(&value.data()))

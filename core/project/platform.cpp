@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/number_list.h"
+#include "project/file_content.h"
 #include "project/platform_kinds.h"
 
 #include <algorithm>
@@ -91,6 +92,8 @@ Platform::Platform(const PlatformKind& kind, std::string file)
 }
 
 std::string Platform::text() const {
+  if (sizesMm_.empty() && file_.empty())
+    return std::string(kind_->word);
   std::string text = fmt::format("{}:{}", kind_->word, file_);
   for (std::size_t i = 0; i < sizesMm_.size(); ++i)
     text += fmt::format("{}{}", i ? "x" : "", sizesMm_[i]);
@@ -139,7 +142,7 @@ std::vector<Eigen::Vector2d> Platform::plateAround(std::vector<Eigen::Vector2d> 
   if (!kind_->plate)
     throw Error(ErrorCode::Usage, base::message("platform '{platform}' is no plate"_text, text()),
                 {}, base::message("give {forms}"_text, platformForms({PlatformUse::Plate})));
-  if (kind_->madeForPart && standing.empty())
+  if ((kind_->madeForPart || kind_->ofCell) && standing.empty())
     throw Error(ErrorCode::UnusableInput, "the part does not touch the plate"_text, {},
                 "drop it to the plate"_text);
   return kind_->plate(sizesMm_, std::move(standing));
@@ -147,6 +150,10 @@ std::vector<Eigen::Vector2d> Platform::plateAround(std::vector<Eigen::Vector2d> 
 
 std::optional<platform::RodShape> Platform::rod(int sides) const {
   return kind_->rod ? std::optional(kind_->rod(sizesMm_, sides)) : std::nullopt;
+}
+
+std::string keyOf(const Platform& platform) {
+  return platform.file().empty() ? platform.text() : keyOf(FileContent{platform.file()});
 }
 
 } // namespace voluta::project

@@ -35,6 +35,7 @@ public:
 
   bool isFor(PlatformUse use) const;
   bool isForAnyOf(const std::vector<PlatformUse>& uses) const;
+  bool isOfCell() const { return kind_->ofCell; }
   bool isBody() const { return isFor(PlatformUse::Body); }
 
   // Around what stands on it, mm, of a plate that is made for the part; none for others.
@@ -60,5 +61,9 @@ private:
   std::vector<double> sizesMm_;
   std::string file_;
 };
+
+// For base::keyText(): a body counts by its file's content, wherever that lies. Throws nothing: a
+// file that cannot be read counts as such.
+std::string keyOf(const Platform& platform);
 
 } // namespace voluta::project

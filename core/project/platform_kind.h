@@ -34,11 +34,12 @@ struct PlatformKind {
   std::vector<PlatformField> fields = {}; // after the colon, with an x between
   bool bare = false;                      // the word alone has the usual sizes
   bool madeForPart = false;   // its first field is the margin around what of the part stands on it
+  bool ofCell = false;        // one of the plates that the cell comes with, whichever fits the part
   std::string_view file = {}; // "FILE": a path after the colon instead of fields; empty: none
 
   // Of a plate, about the origin: its corners, convex, counter-clockwise, mm. `standing`: points of
   // the part on the plate; only those that are made for the part ask for them, and these for at
-  // least one. Null: no plate.
+  // least one. Of the cell: the corners of the plate that was taken. Null: no plate.
   std::vector<Eigen::Vector2d> (*plate)(const std::vector<double>& sizesMm,
                                         std::vector<Eigen::Vector2d> standing) = nullptr;
   // Of a rod, with so many sides (0: round). Null: no rod of its own; where it is used as one, it

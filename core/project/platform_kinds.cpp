@@ -23,6 +23,10 @@ std::vector<Vector2d> aroundStanding(const Sizes& sizes, std::vector<Vector2d> s
   return geometry::convexPolygon(std::move(standing), sizes[0]);
 }
 
+std::vector<Vector2d> taken(const Sizes&, std::vector<Vector2d> plate) {
+  return plate;
+}
+
 std::vector<Vector2d> disc(const Sizes& sizes, std::vector<Vector2d>) {
   return curved::platformDisc(sizes[0]);
 }
@@ -51,6 +55,13 @@ const std::vector<PlatformKind>& platformKinds() {
        .bare = true,
        .madeForPart = true,
        .plate = aroundStanding},
+      {.word = "cell",
+       .uses = {{Plate, "Plate of the cell"_text}},
+       .shown = "plate of the cell"_text,
+       .plain = "plate of the cell"_text,
+       .bare = true,
+       .ofCell = true,
+       .plate = taken},
       {.word = "disc",
        .uses = {{Plate, "Disc, diameter"_text}},
        .shown = "disc, {sizes} mm"_text,
@@ -102,6 +113,8 @@ std::string platformForm(const PlatformKind& kind) {
   std::string sizes(kind.file);
   for (const PlatformField& field : kind.fields)
     sizes += fmt::format("{}{}", sizes.empty() ? "" : "x", field.name);
+  if (sizes.empty())
+    return std::string(kind.word);
   return kind.bare ? fmt::format("{}[:{}]", kind.word, sizes)
                    : fmt::format("{}:{}", kind.word, sizes);
 }

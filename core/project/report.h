@@ -84,6 +84,14 @@ struct ReplayReport {
   ThresholdsReport thresholds;
 };
 
+// A way of building that was tried and not taken.
+struct TriedReport {
+  std::string mode, platform;
+  std::string stage;    // where it ended
+  base::Message reason; // what blocks there
+  double seconds = 0.0;
+};
+
 // Disjoint wall seconds.
 struct Timings {
   double load = 0, repair = 0, voxelise = 0, peel = 0, grow = 0, smooth = 0, extract = 0, trim = 0,
@@ -101,6 +109,7 @@ struct Report {
   MotionReport motion;
   std::vector<ProgramReport> programs;
   ReplayReport replay;
+  std::vector<TriedReport> tried; // before the way that was taken
   plan::Findings findings;
   Timings timings;
   double peakRssMb = 0.0;

@@ -123,6 +123,12 @@ constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
                     Field{"maxDeviationMm", &R::maxDeviationMm, "mm"},
                     Field{"thresholds", &R::thresholds}};
 }
+constexpr auto fieldsOf(std::type_identity<TriedReport>) {
+  using R = TriedReport;
+  return std::tuple{Field{"mode", &R::mode}, Field{"platform", &R::platform},
+                    Field{"stage", &R::stage}, Field{"reason", &R::reason},
+                    Field{"seconds", &R::seconds, "s"}};
+}
 constexpr auto fieldsOf(std::type_identity<Timings>) {
   using R = Timings;
   return std::tuple{Field{"load", &R::load, "s"},           Field{"repair", &R::repair, "s"},
@@ -138,11 +144,17 @@ constexpr auto fieldsOf(std::type_identity<Timings>) {
 }
 constexpr auto fieldsOf(std::type_identity<Report>) {
   using R = Report;
-  return std::tuple{Field{"model", &R::model},     Field{"decomposition", &R::decomposition},
-                    Field{"layers", &R::layers},   Field{"toolpath", &R::toolpath},
-                    Field{"motion", &R::motion},   Field{"programs", &R::programs},
-                    Field{"replay", &R::replay},   Field{"findings", &R::findings},
-                    Field{"timingS", &R::timings}, Field{"peakRssMb", &R::peakRssMb, "MB"},
+  return std::tuple{Field{"model", &R::model},
+                    Field{"decomposition", &R::decomposition},
+                    Field{"layers", &R::layers},
+                    Field{"toolpath", &R::toolpath},
+                    Field{"motion", &R::motion},
+                    Field{"programs", &R::programs},
+                    Field{"replay", &R::replay},
+                    Field{"tried", &R::tried, "", true},
+                    Field{"findings", &R::findings},
+                    Field{"timingS", &R::timings},
+                    Field{"peakRssMb", &R::peakRssMb, "MB"},
                     Field{"threads", &R::threads}};
 }
 

@@ -57,6 +57,8 @@ public:
   // In a joint vector they follow the robot's own.
   const std::vector<ExternalAxis>& externalAxes() const { return externalAxes_; }
   const std::optional<CellRod>& rod() const { return rod_; }
+  // What platforms it comes with, as a user writes them, the smallest first.
+  const std::vector<std::string>& plates() const { return plates_; }
   Mount nozzleMount() const { return nozzleMount_; }
 
   // What a program needs to say where things are.
@@ -105,6 +107,7 @@ private:
   std::vector<ExternalAxis> externalAxes_; // at most one
   std::vector<JointLimits> limits_;
   std::optional<CellRod> rod_;
+  std::vector<std::string> plates_;
   JointVector home_;
   std::vector<Body> bodies_;
   std::vector<std::pair<int, int>> checkedPairs_;

@@ -8,12 +8,13 @@
 //                         flange_T_tool (z in the direction of extrusion); holder, optional, is
 //                         what carries the head, shapes in the tool frame. The head itself comes
 //                         from the process.
-//   platform              {mount: the other one, pose, thicknessMm, stem}: pose is flange_T_work or
-//                         base_T_work; the plate is the job's polygon, thicknessMm thick below
-//                         z = 0; stem, optional, is what carries it, shapes in the work frame.
-//                         Or {mount: "world", pose, rod}: rod is {diameterMm, lengthMm,
-//                         printableRadiusMm}, along x of the work frame, lengthMm free between its
-//                         bearings, which are obstacles
+//   platform              {mount: the other one, pose, thicknessMm, stem, plates}: pose is
+//                         flange_T_work or base_T_work; the plate is the job's polygon, thicknessMm
+//                         thick below z = 0; stem, optional, is what carries it, shapes in the work
+//                         frame; plates, optional: those that there are, the smallest first, as
+//                         platforms are written ("disc:120", "rect:200x150") Or {mount: "world",
+//                         pose, rod}: rod is {diameterMm, lengthMm, printableRadiusMm}, along x of
+//                         the work frame, lengthMm free between its bearings, which are obstacles
 //   obstacles             list of {name, shapes}, in the robot's base frame; may be empty
 //   homeDeg               list: the robot's joints at rest, with the plate clear of the nozzle;
 //                         external axes rest at 0
@@ -193,7 +194,7 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
     platform.allowOnly({"mount", "pose", "rod"});
     cell.rod_ = readRod(platform.at("rod"));
   } else {
-    platform.allowOnly({"mount", "pose", "thicknessMm", "stem"});
+    platform.allowOnly({"mount", "pose", "thicknessMm", "stem", "plates"});
   }
   if (cell.externalAxes_.size() != (cell.rod_ ? 1U : 0U))
     top.at("externalAxes")
@@ -222,6 +223,9 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
     cell.bodies_.push_back(rodBody(rodOf(*cell.rod_, solid.rod, cell.id_), cell.workFrame()));
   } else {
     requireConvex(solid.polygon);
+    if (platform.has("plates"))
+      for (const base::JsonNode& plate : platform.at("plates").items())
+        cell.plates_.push_back(plate.text());
     Body plate{"platform", BodyRole::Platform, cell.workFrame(), {}};
     plate.shapes.push_back(
         Prism{std::move(solid.polygon), -platform.at("thicknessMm").positive(), 0.0});

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/least_turn.h"
 
 #include <cmath>
 
@@ -35,9 +36,8 @@ std::vector<Eigen::Matrix3d> toolTurns(double tiltRad) {
   const auto add = [&](double tilt, double azimuth) {
     const Eigen::Vector3d d(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
                             std::cos(tilt));
-    turns.push_back(
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), d).toRotationMatrix() *
-        Eigen::Vector3d(1, -1, -1).asDiagonal());
+    turns.push_back(geometry::leastTurn(Eigen::Vector3d::UnitZ(), d).toRotationMatrix() *
+                    Eigen::Vector3d(1, -1, -1).asDiagonal());
   };
   turns.push_back(Eigen::Vector3d(1, -1, -1).asDiagonal());
   if (tiltRad > 0.0)

@@ -21,7 +21,6 @@ void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange
                  const JointVector& near, std::vector<JointVector>& solutions) {
   // A joint at its limit must not be lost to rounding.
   constexpr double kSlack = 1e-9;
-  constexpr double kTurn = 2.0 * base::kPi;
   base::require(near.size() >= robot.dof(), "inverseNear: fewer joints than the robot has");
 
   solutions.clear();
@@ -29,12 +28,12 @@ void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange
   const auto outside = [&](JointVector& q) {
     for (int i = 0; i < robot.dof(); ++i) {
       const JointLimits& limit = robot.limits[static_cast<std::size_t>(i)];
-      const double least = std::ceil((limit.min - kSlack - q[i]) / kTurn);
-      const double most = std::floor((limit.max + kSlack - q[i]) / kTurn);
+      const double least = std::ceil((limit.min - kSlack - q[i]) / base::kTurn);
+      const double most = std::floor((limit.max + kSlack - q[i]) / base::kTurn);
       if (least > most)
         return true;
-      const double turns = std::clamp(std::round((near[i] - q[i]) / kTurn), least, most);
-      q[i] = std::clamp(q[i] + kTurn * turns, limit.min, limit.max);
+      const double turns = std::clamp(std::round((near[i] - q[i]) / base::kTurn), least, most);
+      q[i] = std::clamp(q[i] + base::kTurn * turns, limit.min, limit.max);
     }
     return false;
   };

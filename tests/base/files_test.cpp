@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "helpers/temporary_folder.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -133,6 +134,30 @@ TEST_F(Files, StagedFolderRefusesAFile) {
   EXPECT_EQ(codeOf([&] { StagedFolder staged(folder_ / "file"); }), ErrorCode::CannotWrite);
   EXPECT_EQ(codeOf([&] { StagedFolder staged(folder_ / "file" / "under"); }),
             ErrorCode::CannotWrite);
+}
+
+TEST_F(Files, AMissingDataFolderIsToldWhereverItWasSaidToBe) {
+  const char* before = std::getenv("VOLUTA_RESOURCES");
+  const std::string kept = before ? before : "";
+  ::setenv("VOLUTA_RESOURCES", folder_.path().c_str(), 1);
+  EXPECT_EQ(resourceFolder(), folder_.path());
+  ::setenv("VOLUTA_RESOURCES", (folder_ / "none").c_str(), 1);
+  EXPECT_EQ(codeOf([] { resourceFolder(); }), ErrorCode::UnreadableFile);
+  if (before)
+    ::setenv("VOLUTA_RESOURCES", kept.c_str(), 1);
+  else
+    ::unsetenv("VOLUTA_RESOURCES");
+}
+
+TEST_F(Files, WhatMayNeverEndIsNotRead) {
+  for (const char* path : {"/dev/zero", "/dev/null"})
+    try {
+      readFile(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::UnreadableFile);
+      EXPECT_NE(std::string(e.what()).find("device"), std::string::npos);
+    }
 }
 
 } // namespace

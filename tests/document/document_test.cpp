@@ -86,39 +86,6 @@ TEST(Document, WrongParametersChangeNothing) {
   EXPECT_FALSE(document.dirty());
 }
 
-TEST(Document, ADragIsOneEdit) {
-  Document document;
-  document.openPart(test::boxPart(), {}, true);
-  geometry::Placement placement;
-  document.beginDrag();
-  for (int i = 1; i <= 50; ++i) {
-    placement.centreMm.x() = i;
-    document.place(placement, "Move the part");
-  }
-  document.endDrag();
-  EXPECT_EQ(document.undoStack()->count(), 2);
-  placement.centreMm.x() = 60.0;
-  document.place(placement, "Move the part");
-  EXPECT_EQ(document.undoStack()->count(), 3);
-  document.undoStack()->undo();
-  EXPECT_EQ(document.choices().placement.centreMm.x(), 50.0);
-  document.undoStack()->undo();
-  EXPECT_EQ(document.choices().placement.centreMm.x(), 0.0);
-}
-
-TEST(Document, ADragThereAndBackIsNoEdit) {
-  Document document;
-  document.openPart(test::boxPart(), {}, true);
-  geometry::Placement placement;
-  document.beginDrag();
-  placement.centreMm.x() = 5.0;
-  document.place(placement, "Move the part");
-  placement.centreMm.x() = 0.0;
-  document.place(placement, "Move the part");
-  document.endDrag();
-  EXPECT_EQ(document.undoStack()->count(), 1);
-}
-
 TEST(Document, DirtyIsTheUndoStackNotBeingWhereItWasSaved) {
   Document document;
   QSignalSpy dirty(&document, &Document::dirtyChanged), settled(&document, &Document::settled);

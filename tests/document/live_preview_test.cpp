@@ -40,7 +40,7 @@ protected:
 TEST_F(LivePreviewTest, AnEditOfWhatGrowsShowsNewVoxelsAndLeavesTheRestOutOfDate) {
   planBox();
   EXPECT_FALSE(document_.voxelsAhead());
-  const auto before = document_.result(Stage::Decompose)->job.decomposition;
+  const auto before = document_.result(Stage::Decompose)->job.decomposition();
   std::vector<bool> withField; // of the previews that came in
   QObject::connect(&document_, &Document::previewChanged, &document_, [&] {
     if (document_.preview())
@@ -54,7 +54,7 @@ TEST_F(LivePreviewTest, AnEditOfWhatGrowsShowsNewVoxelsAndLeavesTheRestOutOfDate
   EXPECT_FALSE(withField.front()) << "ranks come first";
   EXPECT_TRUE(withField.back());
   EXPECT_FALSE(document_.preview()) << "the result has taken its place";
-  EXPECT_NE(document_.result(Stage::Decompose)->job.decomposition, before);
+  EXPECT_NE(document_.result(Stage::Decompose)->job.decomposition(), before);
   EXPECT_EQ(document_.state(Stage::Decompose), StageState::Done);
   EXPECT_EQ(document_.state(Stage::Layers), StageState::OutOfDate);
   EXPECT_TRUE(document_.voxelsAhead());
@@ -68,9 +68,9 @@ TEST_F(LivePreviewTest, APlanGoesOnFromThePreview) {
   QSignalSpy finished(&live_, &LivePreview::finished);
   setPlatform("disc:30");
   ASSERT_TRUE(finished.wait(30000));
-  const auto previewed = document_.result(Stage::Decompose)->job.decomposition;
+  const auto previewed = document_.result(Stage::Decompose)->job.decomposition();
   plan(Stage::Layers);
-  EXPECT_EQ(document_.result(Stage::Decompose)->job.decomposition, previewed);
+  EXPECT_EQ(document_.result(Stage::Decompose)->job.decomposition(), previewed);
   EXPECT_FALSE(document_.voxelsAhead());
 }
 
@@ -151,7 +151,7 @@ TEST_F(LivePreviewTest, ACancelGoesBackToTheLastResult) {
   planBox();
   const auto before = document_.result(Stage::Decompose);
   setPlatform("disc:30");
-  document_.showPreview({before->job.decomposition, 0.8, document_.key(Stage::Load)});
+  document_.showPreview({before->job.decomposition(), 0.8, document_.key(Stage::Load)});
   live_.refresh();
   ASSERT_TRUE(live_.running());
   live_.cancel();

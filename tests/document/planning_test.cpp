@@ -108,7 +108,7 @@ TEST_F(PlanningTest, ACancelHalfWayBringsBackWhatWasOnShow) {
   QSignalSpy cancelled(&planning_, &Planning::cancelled);
   planning_.plan(Stage::Replay);
   ASSERT_TRUE(cancelled.wait(60000));
-  EXPECT_EQ(document_.result(Stage::Decompose)->job.decomposition, voxels->job.decomposition);
+  EXPECT_EQ(document_.result(Stage::Decompose)->job.decomposition(), voxels->job.decomposition());
   EXPECT_EQ(document_.result(Stage::Toolpath), paths);
   EXPECT_EQ(state(Stage::Decompose), StageState::OutOfDate);
   EXPECT_EQ(state(Stage::Toolpath), StageState::OutOfDate);

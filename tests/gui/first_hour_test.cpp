@@ -194,6 +194,8 @@ TEST_F(FirstHourTest, ANumberThatTheProcessDoesNotTakeIsToldBeneathItsField) {
   EXPECT_EQ(boxesUp(), 0);
   EXPECT_TRUE(height->hasProblem());
   EXPECT_FALSE(find<QAction>("plan")->isEnabled());
+  auto* status = find<QLabel>("statusStage");
+  EXPECT_TRUE(status->text().contains("see the mark")) << status->text().toStdString();
   EXPECT_FALSE(find<QLabel>("notice")->isVisible()) << "told once";
   EXPECT_EQ(document().failure(), nullptr);
   int told = 0;
@@ -207,6 +209,8 @@ TEST_F(FirstHourTest, ANumberThatTheProcessDoesNotTakeIsToldBeneathItsField) {
   QTest::keyClick(height->editor(), Qt::Key_Tab);
   EXPECT_FALSE(height->hasProblem());
   EXPECT_TRUE(find<QAction>("plan")->isEnabled());
+  EXPECT_TRUE(waitFor([&] { return status->text() == "Ready. Press Plan."; }, 20000))
+      << status->text().toStdString();
 }
 
 TEST_F(FirstHourTest, AFileIsChosenWhereAParameterTakesOne) {

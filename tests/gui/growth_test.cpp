@@ -177,7 +177,7 @@ TEST_F(GrowthTest, StepsOfALargePart) {
   window().open(job);
   ASSERT_TRUE(
       waitFor([&] { return window().presenter().hasVoxels() && !window().presenter().busy(); }));
-  const auto d = document().result(Stage::Decompose)->job.decomposition;
+  const auto d = document().result(Stage::Decompose)->job.decomposition();
   const auto timed = [&](const char* what, auto work) {
     QElapsedTimer timer;
     timer.start();

@@ -122,10 +122,10 @@ TEST_F(PreviewTest, PlanTakesThePreviewOn) {
   setPlatform("disc:40");
   ASSERT_TRUE(previewed());
   EXPECT_TRUE(window().viewport().view().voxels) << "newer than the layers";
-  const auto previewed = document().result(Stage::Decompose)->job.decomposition;
+  const auto previewed = document().result(Stage::Decompose)->job.decomposition();
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
-  EXPECT_EQ(document().result(Stage::Decompose)->job.decomposition, previewed);
+  EXPECT_EQ(document().result(Stage::Decompose)->job.decomposition(), previewed);
   EXPECT_FALSE(window().viewport().view().voxels);
   EXPECT_TRUE(window().viewport().view().layers);
   EXPECT_FALSE(summary().contains("Preview"));

@@ -67,6 +67,12 @@ TEST_F(WindowTest, EveryCommandIsInAMenuAndInTheListOfKeys) {
   EXPECT_EQ(listed.contains("Undo"), true);
 }
 
+TEST_F(WindowTest, HelpShowsTheLog) {
+  clickMenu("helpMenu", "showLog");
+  ASSERT_TRUE(waitFor([&] { return !given_.files().isEmpty(); }, 5000));
+  EXPECT_EQ(given_.files(), QStringList(path("voluta.log")));
+}
+
 TEST_F(WindowTest, CommandsCanBeUsedWhereTheyMeanSomething) {
   auto* move = find<QAction>("toolMove");
   EXPECT_FALSE(move->isEnabled()) << "no part";

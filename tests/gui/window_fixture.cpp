@@ -3,6 +3,7 @@
 #include "base/files.h"
 
 #include <QAction>
+#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLineEdit>
@@ -21,6 +22,14 @@ namespace voluta::test {
 
 WatchedApplication& application() {
   return *static_cast<WatchedApplication*>(QCoreApplication::instance());
+}
+
+GivenFiles::GivenFiles() {
+  QDesktopServices::setUrlHandler("file", this, "take");
+}
+
+GivenFiles::~GivenFiles() {
+  QDesktopServices::unsetUrlHandler("file");
 }
 
 void WindowTest::SetUp() {

@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QString>
 #include <QTemporaryDir>
+#include <QUrl>
 #include <functional>
 #include <gtest/gtest.h>
 #include <memory>
@@ -20,6 +21,20 @@ class QToolBar;
 namespace voluta::test {
 
 WatchedApplication& application();
+
+// Takes the files that the window gives to other programs: a test starts none.
+class GivenFiles : public QObject {
+  Q_OBJECT
+
+public:
+  GivenFiles();
+  ~GivenFiles() override;
+  Q_INVOKABLE void take(const QUrl& url) { files_ << url.toLocalFile(); }
+  const QStringList& files() const { return files_; }
+
+private:
+  QStringList files_;
+};
 
 // Ids of the pages.
 struct Page {
@@ -65,6 +80,7 @@ protected:
   }
 
   QTemporaryDir folder_;
+  GivenFiles given_;
   std::unique_ptr<window::MainWindow> window_;
 };
 

@@ -4,15 +4,18 @@
 #include "panels/findings_panel.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
+#include "window/view_options.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QDir>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTest>
 #include <QUndoStack>
 #include <algorithm>
@@ -297,6 +300,67 @@ TEST_F(WindowTest, FitsASmallScreenInEveryLanguage) {
     }
   }
 }
+
+// 1280 x 800 at 150 %: of everything, or of the text alone.
+class NarrowPanelTest : public WindowTest, public testing::WithParamInterface<bool> {
+protected:
+  void SetUp() override {
+    usual_ = QApplication::font();
+    QFont font = usual_;
+    if (GetParam())
+      font.setPointSizeF(1.5 * usual_.pointSizeF());
+    QApplication::setFont(font);
+    WindowTest::SetUp();
+    window().resize(GetParam() ? QSize(1280, 800) : QSize(853, 533));
+    find<QAction>("language_it")->trigger();
+  }
+  void TearDown() override {
+    find<QAction>("language_en")->trigger();
+    WindowTest::TearDown();
+    QApplication::setFont(usual_);
+  }
+  void expectNothingCutOff(const char* page) {
+    window().pages().show(*window().pages().find(page));
+    QTest::qWait(100);
+    for (const QScrollArea* area : window().findChildren<QScrollArea*>())
+      if (area->isVisible() && area->widget() && !area->widget()->visibleRegion().isEmpty()) {
+        EXPECT_LE(area->widget()->width(), area->viewport()->width()) << page;
+      }
+  }
+
+private:
+  QFont usual_;
+};
+
+TEST_P(NarrowPanelTest, ScrollsNothingSideways) {
+  openPart(writePart("plinth.stl", smallBox()));
+  window().planning().plan(Stage::Replay);
+  ASSERT_TRUE(planned(Stage::Replay));
+  for (const char* page :
+       {Page::Prepare, Page::Layers, Page::Simulate, Page::Export, Page::Compare})
+    expectNothingCutOff(page);
+  using window::LayerSubject;
+  const auto expectRoomFor = [&](LayerSubject subject) {
+    auto* options = find<window::ViewOptions>("viewOptions");
+    window::ViewChoices choices = options->choices();
+    choices.subject = subject;
+    options->setChoices(choices);
+    expectNothingCutOff(Page::Layers);
+  };
+  expectRoomFor(LayerSubject::Voxels);
+  expectRoomFor(LayerSubject::Layers);
+  project::Choices choices = document().choices();
+  choices.mode = "planar";
+  document().setChoices(choices, "mode");
+  window().planning().plan(Stage::Decompose);
+  ASSERT_TRUE(planned(Stage::Decompose));
+  expectRoomFor(LayerSubject::Pieces);
+}
+
+INSTANTIATE_TEST_SUITE_P(Italian, NarrowPanelTest, testing::Values(false, true),
+                         [](const testing::TestParamInfo<bool>& large) {
+                           return large.param ? "LargeText" : "LargeEverything";
+                         });
 
 // Reports the longest stretch; the limit of 50 ms is looked at on a quiet machine.
 TEST_F(WindowTest, AScriptedSessionOfAllPagesUnderTheWatchdog) {

@@ -75,8 +75,8 @@ int main() {
     bench.run("part, turning", view, turn);
     view.part = false;
   }
-  if (job.decomposition) {
-    const auto d = timed("drawVoxels", [&] { return scene::drawVoxels(*job.decomposition); });
+  if (job.decomposition()) {
+    const auto d = timed("drawVoxels", [&] { return scene::drawVoxels(*job.decomposition()); });
     bench.scene.setVoxels(d);
     view.voxels = true;
     bench.run("voxels, turning", view, turn);

@@ -17,12 +17,10 @@ using project::kStageCount;
 using project::Stage;
 
 namespace {
-constexpr int kNoMerge = -1;
-
 bool sameChoices(const project::Choices& a, const project::Choices& b) {
   const auto tied = [](const project::Choices& c) {
-    return std::tie(c.mode, c.growth, c.platform, c.cell, c.process, c.scale, c.repair, c.formats,
-                    c.parameters, c.seed, c.placement.liftMm);
+    return std::tie(c.automatic, c.platformStays, c.mode, c.growth, c.platform, c.cell, c.process,
+                    c.scale, c.repair, c.formats, c.parameters, c.seed, c.placement.liftMm);
   };
   return tied(a) == tied(b) && a.placement.centreMm == b.placement.centreMm &&
          a.placement.rotation.coeffs() == b.placement.rotation.coeffs();
@@ -53,29 +51,19 @@ public:
     std::shared_ptr<Source> source;
   };
 
-  EditCommand(Document& document, State before, State after, const QString& name, int mergeId)
+  EditCommand(Document& document, State before, State after, const QString& name)
       : QUndoCommand(name), document_(document), before_(std::move(before)),
-        after_(std::move(after)), mergeId_(mergeId) {}
+        after_(std::move(after)) {}
 
   void undo() override { document_.apply(before_.choices, before_.source); }
   void redo() override { document_.apply(after_.choices, after_.source); }
-  int id() const override { return mergeId_; }
-
-  // Only asked for commands of one id: those of one drag.
-  bool mergeWith(const QUndoCommand* next) override {
-    after_ = static_cast<const EditCommand*>(next)->after_;
-    setText(next->text());
-    setObsolete(sameChoices(before_.choices, after_.choices));
-    return true;
-  }
 
 private:
   Document& document_;
   State before_, after_;
-  int mergeId_;
 };
 
-Document::Document(QObject* parent) : QObject(parent), dragId_(kNoMerge) {
+Document::Document(QObject* parent) : QObject(parent) {
   lastName_ = name();
   connect(&undo_, &QUndoStack::cleanChanged, this, &Document::tellDirtyAndName);
 }
@@ -126,8 +114,7 @@ void Document::push(const project::Choices& choices, std::shared_ptr<Source> sou
                     const QString& editName) {
   if (source == source_ && sameChoices(choices, choices_))
     return;
-  undo_.push(
-      new EditCommand(*this, {choices_, source_}, {choices, std::move(source)}, editName, dragId_));
+  undo_.push(new EditCommand(*this, {choices_, source_}, {choices, std::move(source)}, editName));
   tellDirtyAndName();
 }
 
@@ -194,14 +181,6 @@ void Document::setScale(const QString& scale) {
   push(choices, source_, tr("Scale the part"));
 }
 
-void Document::beginDrag() {
-  dragId_ = ++drags_;
-}
-
-void Document::endDrag() {
-  dragId_ = kNoMerge;
-}
-
 void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path,
                         bool ready) {
   base::require(part != nullptr, "Document: a part to open");
@@ -256,8 +235,13 @@ void Document::replaceAll(const project::Choices& choices, std::shared_ptr<Sourc
   emit choicesChanged();
 }
 
+void Document::startWith(const project::Choices& choices) {
+  start_ = choices;
+  clear();
+}
+
 void Document::clear() {
-  replaceAll({}, nullptr, {}, false);
+  replaceAll(start_, nullptr, {}, false);
   emit stateChanged();
   tellDirtyAndName();
   emit settled();
@@ -399,6 +383,7 @@ void Document::planStarted(Stage until) {
 }
 
 void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult> result) {
+  takeWay(result->job.choices);
   const std::size_t done = indexOf(stage);
   const bool changed = shown_[done].key != result->job.stages[done].key || !shown_[done].result ||
                        stage == Stage::Replay; // a reopened one lacks the programs
@@ -413,6 +398,17 @@ void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult
   else if (aheadBefore)
     emit previewChanged();
   emit stateChanged();
+}
+
+void Document::takeWay(const project::Choices& planned) {
+  if (!choices_.automatic || !planned.automatic ||
+      (planned.mode == choices_.mode && planned.platform == choices_.platform))
+    return;
+  choices_.mode = planned.mode;
+  if (!choices_.platformStays)
+    choices_.platform = planned.platform;
+  refreshKeys();
+  emit choicesChanged();
 }
 
 void Document::planEnded(std::shared_ptr<const pipeline::PlanResult> result) {
@@ -471,6 +467,7 @@ void Document::dropPreview() {
 }
 
 void Document::previewDone(std::shared_ptr<const pipeline::PlanResult> result) {
+  takeWay(result->job.choices);
   for (const Stage stage : {Stage::Load, Stage::Decompose}) {
     const std::string& key = result->job.stages[indexOf(stage)].key;
     Shown& shown = shown_[indexOf(stage)];

@@ -79,11 +79,8 @@ public:
   void setParameter(const QString& key, const QString& text);
   void resetParameter(const QString& key);
   void resetParameters();
-  // Edits between beginDrag and endDrag become one command.
   void place(const geometry::Placement& placement, const QString& editName);
   void setScale(const QString& scale);
-  void beginDrag();
-  void endDrag();
   // Shows another part; `ready` false when a repaired version will follow. Keeps the choices but
   // for the placement and the scale. Where the project has a file, that file stays as it is: the
   // part begins a project of its own, without file and undo. Else it is an edit like any other.
@@ -92,6 +89,8 @@ public:
   void replaceSource(const std::shared_ptr<const project::LoadedPart>& part,
                      std::shared_ptr<const project::LoadedPart> repaired);
 
+  // What a new project begins with, this one too. Precondition: nothing is open.
+  void startWith(const project::Choices& choices);
   // ---- whole projects; these clear the undo stack
   void clear();
   // What readJob and resultOf made of a file; `file` empty: a project without a file of its own.
@@ -181,9 +180,12 @@ private:
                   const QString& file, bool unsaved);
   void refreshKeys();
   void dropResults();
+  // Of automatic choices: the way of building that a plan has come to. Nothing to be undone.
+  void takeWay(const project::Choices& planned);
   void endRun();
   void tellDirtyAndName();
 
+  project::Choices start_; // of a new project
   project::Choices choices_;
   std::shared_ptr<Source> source_;
   std::vector<std::weak_ptr<Source>> sources_; // all that edits may refer to
@@ -192,7 +194,6 @@ private:
   bool unsaved_ = false; // changed in a way that the undo stack does not know of
   bool wasDirty_ = false;
   QString lastName_;
-  int dragId_, drags_ = 0;
   std::uint64_t revision_ = 0;
 
   project::StageKeys keys_; // of the choices; empty texts where they have none

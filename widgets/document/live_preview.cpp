@@ -123,8 +123,7 @@ void LivePreview::start() {
           document_.previewFailed(*error);
           emit failed(language::words(error->whole()));
         }
-      },
-      planning_.threads());
+      });
   emit started();
 }
 

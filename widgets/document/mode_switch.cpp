@@ -25,12 +25,22 @@ bool cellFits(const Choices& choices) {
     return false;
   }
 }
+
+QString automaticObstacle(const Choices& choices) {
+  try {
+    pipeline::checkChoices(choices);
+    return {};
+  } catch (const base::Error& error) {
+    return language::words(error.whole());
+  }
+}
 } // namespace
 
 Choices ModeSwitch::switched(const Choices& now, const std::string& mode) {
   const modes::Mode& from = modes::findMode(now.mode);
   const modes::Mode& to = modes::findMode(mode);
   Choices next = now;
+  next.automatic = next.platformStays = false;
   next.mode = mode;
   platforms_[now.mode] = now.platform;
   if (from.aroundRod != to.aroundRod) {
@@ -71,6 +81,14 @@ Choices fitting(Choices choices) {
   return choices;
 }
 
+Choices ModeSwitch::automatic(const Choices& now) {
+  platforms_[now.mode] = now.platform;
+  Choices next = now;
+  next.automatic = true;
+  next.platformStays = false;
+  return next;
+}
+
 base::ParameterTable parametersFor(const Choices& choices) {
   std::vector<base::ParameterSpec> specs = pipeline::parametersOf(choices.mode).specs();
   try {
@@ -89,7 +107,10 @@ base::ParameterTable parametersFor(const Choices& choices) {
   return base::ParameterTable(std::move(specs));
 }
 
-QString obstacle(const Choices& choices) {
+QString obstacle(const Choices& given) {
+  if (given.automatic)
+    return automaticObstacle(given);
+  const Choices& choices = given;
   const auto say = [](const char* text) { return QCoreApplication::translate("ModeSwitch", text); };
   const modes::Mode& mode = modes::findMode(choices.mode);
   if (!choices.platform.isForAnyOf(mode.platforms))

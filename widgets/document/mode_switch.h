@@ -18,6 +18,8 @@ public:
   // The choices in that mode: with what they have where it fits, else with what was there when the
   // mode's kind was last left, else with what is usual for it. Precondition: known modes.
   project::Choices switched(const project::Choices& now, const std::string& mode);
+  // The choices with way of building and platform left to the plan.
+  project::Choices automatic(const project::Choices& now);
 
 private:
   struct Companions {

@@ -73,7 +73,7 @@ void Planning::start() {
         return std::make_shared<const pipeline::PlanResult>(
             pipeline::planPart(request, ctx, cache.get(), tell, preview));
       },
-      [this](const base::Outcome<Result>& outcome) { end(outcome); }, threads_);
+      [this](const base::Outcome<Result>& outcome) { end(outcome); });
   emit started(until_);
 }
 

@@ -38,12 +38,9 @@ public:
   // On: a change of the document while a run is under way starts it over (0.3 s after the last
   // change). Off, as at first: the run goes on and its results arrive out of date.
   void setStartsOver(bool on) { startsOver_ = on; }
-  // >= 1; jobs::defaultThreads() at first.
-  void setThreads(int threads) { threads_ = threads; }
 
   // Where the run under way, or the last one, ends.
   project::Stage until() const { return until_; }
-  int threads() const { return threads_; }
   const jobs::Progress& progress() const { return runner_.progress(); }
   // Kept results, to be seeded from an opened project; good for any thread.
   const std::shared_ptr<pipeline::StageCache>& cache() const { return cache_; }
@@ -69,7 +66,6 @@ private:
   std::optional<project::Stage> waiting_; // for the repair
   project::Stage until_ = project::Stage::Replay;
   bool startsOver_ = false;
-  int threads_ = jobs::defaultThreads();
 };
 
 } // namespace voluta::document

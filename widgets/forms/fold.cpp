@@ -46,7 +46,6 @@ void Fold::setOpen(bool open) {
   heading_->setChecked(open);
   heading_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
   content_->setVisible(open);
-  emit openChanged(open);
 }
 
 } // namespace voluta::forms

@@ -19,11 +19,7 @@ public:
   void setTitle(const QString& title);
   // A dot behind the title: something under it was changed.
   void setMarked(bool marked);
-  bool isOpen() const { return open_; }
   void setOpen(bool open);
-
-signals:
-  void openChanged(bool open);
 
 private:
   void showTitle();

@@ -182,29 +182,6 @@ void ParameterForm::setShowAll(bool all) {
   (all ? all_ : simple_)->setChecked(true);
   showSwitch();
   filter();
-  emit showAllChanged(all);
-}
-
-void ParameterForm::setSearch(const QString& text) {
-  search_->setText(text);
-}
-
-bool ParameterForm::reveal(const QString& key) {
-  for (const Group& group : groups_)
-    for (ParameterRow* row : group.rows)
-      if (row->key() == key && applies(row->spec().key)) {
-        search_->clear();
-        if (!row->spec().simple && !row->isChanged())
-          setShowAll(true);
-        group.fold->setOpen(true);
-        // The rows above may have just been shown: their places are known after a layout.
-        scroll_->widget()->layout()->activate();
-        scroll_->widget()->adjustSize();
-        scroll_->ensureWidgetVisible(row);
-        row->editor()->setFocus(Qt::OtherFocusReason);
-        return true;
-      }
-  return false;
 }
 
 void ParameterForm::showSwitch() {

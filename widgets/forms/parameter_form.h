@@ -1,5 +1,5 @@
-// A form made from a table of parameters: groups that fold, simple or all, search, marks where a
-// value is not the default, reset.
+// A form made from a table of parameters: groups that fold, simple or all, search (all words, in
+// label, key, group or help of any parameter), marks where a value is not the default, reset.
 #pragma once
 
 #include "base/parameters.h"
@@ -50,20 +50,14 @@ public:
   // At first: all.
   void setApplying(const std::set<std::string>& keys);
 
-  bool showsAll() const { return showsAll_; }
   // false: only what every user needs, and whatever was changed.
   void setShowAll(bool all);
-  // Shows only what has all words of `text` in its label, key, group or help, of all parameters.
-  void setSearch(const QString& text);
-  // Brings a parameter into sight and gives it the keyboard; false: no such key.
-  bool reveal(const QString& key);
 
 signals:
   // A value was committed; `text` is what base::parseParameter takes.
   void changed(const QString& key, const QString& text);
   void resetRequested(const QString& key);
   void resetAllRequested();
-  void showAllChanged(bool all);
 
 protected:
   void changeEvent(QEvent* event) override;

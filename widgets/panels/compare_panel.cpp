@@ -83,7 +83,7 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   connect(run_, &QPushButton::clicked, this, &ComparePanel::runAsked);
   connect(cancel_, &QPushButton::clicked, this, &ComparePanel::cancelAsked);
   auto* running = new QHBoxLayout;
-  running->addWidget(count_, 1);
+  running->addStretch(1);
   running->addWidget(run_);
   running->addWidget(cancel_);
 
@@ -98,6 +98,7 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   int line = 1;
   for (const pipeline::Figure& figure : pipeline::figures()) {
     auto* name = new QLabel(weighed);
+    name->setWordWrap(true);
     auto* box = new forms::NumberBox(weighed);
     box->setObjectName(
         QStringLiteral("weight_") +
@@ -140,6 +141,7 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   column->addLayout(adding);
   column->addSpacing(6);
   column->addLayout(far);
+  column->addWidget(count_);
   column->addLayout(running);
   column->addSpacing(6);
   column->addWidget(counts_);
@@ -162,9 +164,7 @@ void ComparePanel::fill(std::vector<Tick>& ticks, QGridLayout* grid,
     box->setToolTip(item.help);
     box->setChecked(wasTicked(item.id.toStdString()));
     connect(box, &QCheckBox::toggled, this, &ComparePanel::changed);
-    const int at = static_cast<int>(made.size());
-    const int columns = all ? 1 : 2;
-    grid->addWidget(box, at / columns, at % columns);
+    grid->addWidget(box, static_cast<int>(made.size()), 0);
     made.push_back({item.id.toStdString(), box});
   }
   for (const Tick& tick : ticks)

@@ -35,7 +35,8 @@ public:
   // Emits nothing.
   void setLists(const std::vector<forms::ChoiceItem>& modes,
                 const std::vector<forms::ChoiceItem>& growths);
-  // Names of the figures in the language of the window, in the order of pipeline::figures().
+  // What weights count against, in the language of the window, in the order of
+  // pipeline::figures().
   void setFigures(const std::vector<QString>& labels);
   // The platform of the document: always in the list, ticked as long as no other is.
   void setPlatform(const QString& platform);

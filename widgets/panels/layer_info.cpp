@@ -24,6 +24,7 @@ LayerInfo::LayerInfo(QWidget* parent) : QWidget(parent) {
   for (std::size_t row = 0; row < kRows; ++row) {
     names_[row] = new QLabel(this);
     values_[row] = new QLabel(this);
+    values_[row]->setWordWrap(true);
     values_[row]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     values_[row]->setTextInteractionFlags(Qt::TextSelectableByMouse);
     grid->addWidget(names_[row], static_cast<int>(row), 0);

@@ -90,17 +90,15 @@ void PiecesPanel::build() {
   root_->setObjectName("pickRoot");
   root_->setCheckable(true);
   root_->hide();
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(cuts_);
-  buttons->addWidget(root_);
-  buttons->addStretch(1);
+  auto* buttons = new QVBoxLayout; // side by side they would be wider than a narrow panel
+  buttons->addWidget(cuts_, 0, Qt::AlignLeft);
+  buttons->addWidget(root_, 0, Qt::AlignLeft);
   column->addWidget(tree_);
   column->addWidget(total_);
   column->addLayout(grid);
-  auto* boxes = new QHBoxLayout;
+  auto* boxes = new QVBoxLayout;
   boxes->addWidget(numbers_);
   boxes->addWidget(planes_);
-  boxes->addStretch(1);
   column->addLayout(boxes);
   column->addWidget(hint_);
   column->addLayout(buttons);

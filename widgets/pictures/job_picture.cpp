@@ -53,7 +53,7 @@ public:
     showPlatform();
   }
   void showVoxels() {
-    const auto drawing = scene::drawVoxels(*need(job_.decomposition, "voxels"_text), voxelLook());
+    const auto drawing = scene::drawVoxels(*need(job_.decomposition(), "voxels"_text), voxelLook());
     setLastLayer(scene::layerCount(*drawing));
     scene_.setVoxels(drawing);
     view_.voxels = true;
@@ -70,7 +70,7 @@ public:
     showPlatform();
   }
   void showPieces() {
-    scene_.setPieces(scene::drawPieces(need(job_.pieces, "pieces"_text)->pieces,
+    scene_.setPieces(scene::drawPieces(need(job_.pieces(), "pieces"_text)->pieces,
                                        pipeline::riskRule(job_.choices)));
     view_.pieces = true;
     showPlatform();
@@ -119,7 +119,7 @@ private:
     look.colourBy = view_.colourBy;
     if (look.colourBy == scene::ColourBy::Peeling)
       look.peeling = std::make_shared<const std::vector<std::int32_t>>(
-          curved::peelingField(*job_.decomposition, {}));
+          curved::peelingField(*job_.decomposition(), {}));
     return look;
   }
 
@@ -193,10 +193,6 @@ std::vector<std::string> pictureNames() {
   return namesOf(kShown);
 }
 
-std::vector<std::string> viewNames() {
-  return namesOf(kViews);
-}
-
 void checkNames(const PictureOptions& options) {
   chosen(kShown, options.show, "unknown picture '{name}'"_text);
   chosen(kViews, options.view, "unknown view '{name}'"_text);
@@ -212,11 +208,11 @@ scene::Image jobPicture(const project::Job& job, const PictureOptions& options) 
 }
 
 std::string furthestPicture(const project::Job& job) {
-  return job.toolPlan        ? "paths"
-         : job.layers        ? "layers"
-         : job.decomposition ? "voxels"
-         : job.pieces        ? "pieces"
-                             : "part";
+  return job.toolPlan          ? "paths"
+         : job.layers          ? "layers"
+         : job.decomposition() ? "voxels"
+         : job.pieces()        ? "pieces"
+                               : "part";
 }
 
 } // namespace voluta::pictures

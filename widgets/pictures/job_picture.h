@@ -16,14 +16,13 @@ struct PictureOptions {
   std::optional<double> timeS; // robot: at this time; none: at the end
   int width = 1280, height = 800;
   std::string colour = "layer";   // id in scene::colourByTable()
-  std::string view = "isometric"; // of viewNames()
+  std::string view = "isometric"; // front, back, left, right, top, bottom
   bool dark = false;
   bool legend = true; // and the axes
   std::string where;  // what errors name: the job's file
 };
 
 std::vector<std::string> pictureNames(); // part, voxels, pieces, layers, paths, robot
-std::vector<std::string> viewNames();
 
 // Throws Error{Usage}: a name, layer or time that there is not; Error{UnusableInput}: the job holds
 // none of what is to be shown. Good for any thread.

@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include "base/units.h"
+#include "geometry/least_turn.h"
 #include "scene/actors.h"
 #include "scene/bead_shader.h"
 #include "scene/camera.h"
@@ -377,7 +378,7 @@ struct Scene::Impl {
       const Eigen::Vector3d place = world_T_work * *view.marker;
       const Eigen::Affine3d facing =
           Eigen::Translation3d(place) *
-          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), towardsEye(renderer)) *
+          geometry::leastTurn(Eigen::Vector3d::UnitZ(), towardsEye(renderer)) *
           Eigen::Scaling(kMarkerShare * pictureHeightMm(renderer, place));
       for (vtkActor* actor : {marker.actor.Get(), markerRim.actor.Get()})
         setPose(actor, facing);
@@ -533,10 +534,6 @@ void Scene::standardView(StandardView view) {
 
 void Scene::lookAt(const Eigen::Vector3d& pointInWork, double radiusMm) {
   scene::lookAt(impl_->renderer, impl_->world_T_work * pointInWork, radiusMm);
-}
-
-void Scene::setParallelProjection(bool parallel) {
-  impl_->renderer->GetActiveCamera()->SetParallelProjection(parallel);
 }
 
 void Scene::cameraMoved() {

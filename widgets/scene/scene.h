@@ -76,7 +76,6 @@ public:
   void frameAll();
   void standardView(StandardView view);
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
-  void setParallelProjection(bool parallel);
   // Call after the camera was moved from outside (an interactor).
   void cameraMoved();
 

@@ -85,7 +85,7 @@ void JointPlots::buildWidgets() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 4, 6, 4);
   column->setSpacing(2);
-  // Two rows: one would make the panel wider than the parameters.
+  // In rows of their own: together they would make the panel wider than the parameters.
   jointRow_ = new QHBoxLayout;
   jointRow_->setSpacing(2);
   column->addLayout(jointRow_);
@@ -105,8 +105,8 @@ void JointPlots::buildWidgets() {
   limitsButton_->setCheckable(true);
   limitsButton_->setChecked(true);
   limitsButton_->setAutoRaise(true);
-  row->addWidget(limitsButton_);
   column->addLayout(row);
+  column->addWidget(limitsButton_, 0, Qt::AlignLeft);
   connect(kinds, &QButtonGroup::idClicked, this,
           [this](int id) { setKind(static_cast<PlotKind>(id)); });
   connect(limitsButton_, &QToolButton::toggled, this, &JointPlots::refresh);

@@ -8,8 +8,8 @@ class QTimer;
 
 namespace voluta::timeline {
 
-// A position in [0, end], moved at speed() * unitsPerSecond(), at up to 30 steps a second. Stops at
-// the end; play() from the end starts over.
+// A position in [0, end], moved at speed() times its units a second, in up to 30 steps a second.
+// Stops at the end; play() from the end starts over.
 class Player : public QObject {
   Q_OBJECT
 
@@ -19,7 +19,6 @@ public:
   double position() const { return position_; }
   double end() const { return end_; }
   double speed() const { return speed_; }
-  double unitsPerSecond() const { return unitsPerSecond_; }
   bool playing() const;
 
   // end >= 0; the position is held inside.

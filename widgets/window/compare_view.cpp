@@ -30,7 +30,7 @@ QImage pictureOf(const project::Job& job, bool dark) {
     look.show = job.layers ? "layers" : pictures::furthestPicture(job);
     look.width = kPictureWidth;
     look.height = kPictureHeight;
-    look.colour = job.pieces && job.pieces->pieces.size() > 1 ? "group" : "layer";
+    look.colour = job.pieces() && job.pieces()->pieces.size() > 1 ? "group" : "layer";
     look.legend = false;
     look.dark = dark;
     return pictures::jobPicture(job, look);
@@ -333,7 +333,7 @@ void CompareView::retranslate() {
   adopt_->setText(tr("Adopt this way"));
   adopt_->setToolTip(tr("Build the part as the selected row does; undo takes it back"));
   table_->setFigures(textsOf(&pipeline::Figure::head));
-  panel_->setFigures(textsOf(&pipeline::Figure::label));
+  panel_->setFigures(textsOf(&pipeline::Figure::loss));
   showRanking();
 }
 

@@ -16,8 +16,10 @@
 #include "window/welcome.h"
 
 #include <QApplication>
+#include <QDesktopServices>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
@@ -29,6 +31,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QUndoStack>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -210,6 +213,14 @@ std::vector<Command> MainWindow::ownCommands() {
        QT_TRANSLATE_NOOP("Commands", "All keys at a glance"),
        {QKeySequence("F1")},
        [this] { editShortcuts(); }},
+      {"showLog",
+       "helpMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "Show &log"),
+       QT_TRANSLATE_NOOP("Commands", "What was opened, planned and found, and what failed"),
+       {},
+       [this] { showLog(); },
+       [] { return QFileInfo::exists(document::logFile()); }},
       {"about",
        "helpMenu",
        0,
@@ -307,6 +318,12 @@ void MainWindow::editShortcuts() {
   ShortcutsDialog dialog(commands_->actions(), this);
   if (dialog.exec() == QDialog::Accepted)
     commands_->retranslate();
+}
+
+void MainWindow::showLog() {
+  const QString file = document::logFile();
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(file)))
+    tell(tr("Show the log"), tr("No program here opens %1.").arg(file));
 }
 
 void MainWindow::tell(const QString& title, const QString& message) {

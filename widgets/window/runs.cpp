@@ -1,5 +1,6 @@
 #include "window/runs.h"
 
+#include "modes/mode_table.h"
 #include "panels/listed_findings.h"
 #include "project/report.h"
 #include "window/status_line.h"
@@ -29,9 +30,10 @@ void commitTyping() {
 
 QString voxelsText(std::size_t voxels, std::size_t missed) {
   const QLocale locale;
-  return Runs::tr("%1 voxels, %2 missed")
-      .arg(locale.toString(static_cast<qulonglong>(voxels)),
-           locale.toString(static_cast<qulonglong>(missed)));
+  const QString lost = locale.toString(static_cast<qulonglong>(missed));
+  return voxels == 1 ? Runs::tr("1 voxel, %1 missed").arg(lost)
+                     : Runs::tr("%1 voxels, %2 missed")
+                           .arg(locale.toString(static_cast<qulonglong>(voxels)), lost);
 }
 
 QString figuresText(const project::Report& r, Stage reached) {
@@ -39,7 +41,7 @@ QString figuresText(const project::Report& r, Stage reached) {
   QStringList parts;
   if (r.decomposition.voxels > 0)
     parts << voxelsText(r.decomposition.voxels, r.decomposition.missedAfterSupports);
-  if (r.decomposition.mode == "planar")
+  if (const modes::Mode* mode = modes::modeNamed(r.decomposition.mode); mode && mode->cuts)
     parts << (r.decomposition.pieces == 1 ? Runs::tr("1 piece")
                                           : Runs::tr("%1 pieces").arg(r.decomposition.pieces))
           << Runs::tr("%1 mm² need support")
@@ -48,8 +50,10 @@ QString figuresText(const project::Report& r, Stage reached) {
     parts << (r.layers.count == 1 ? Runs::tr("1 layer")
                                   : Runs::tr("%1 layers").arg(r.layers.count));
   if (r.toolpath.waypoints > 0)
-    parts << Runs::tr("%1 waypoints")
-                 .arg(locale.toString(static_cast<qulonglong>(r.toolpath.waypoints)));
+    parts << (r.toolpath.waypoints == 1
+                  ? Runs::tr("1 waypoint")
+                  : Runs::tr("%1 waypoints")
+                        .arg(locale.toString(static_cast<qulonglong>(r.toolpath.waypoints))));
   if (r.toolpath.materialMm3 > 0)
     parts << Runs::tr("%1 cm³").arg(locale.toString(r.toolpath.materialMm3 / 1000.0, 'f', 1));
   if (r.motion.durationS > 0)
@@ -66,7 +70,10 @@ planned(const std::shared_ptr<const pipeline::PlanResult>& result) {
 }
 
 QString invitation(const document::Document& document) {
-  return document.source() ? Runs::tr("Ready. Press Plan.") : QString();
+  return document.unusable()
+             ? Runs::tr("Nothing can be planned like this: see the mark in the settings.")
+         : document.source() ? Runs::tr("Ready. Press Plan.")
+                             : QString();
 }
 
 // How the run that has just ended went, in a few words: the figures stand beside the page.
@@ -90,9 +97,9 @@ QString cancelText(const document::Document& document) {
 
 QString previewEndText(const document::Document& document) {
   const auto result = document.result(Stage::Decompose);
-  return result && result->job.pieces
+  return result && result->job.pieces()
              ? Runs::tr("The pieces follow the settings. Press Plan for layers and paths.")
-         : result && result->job.decomposition
+         : result && result->job.decomposition()
              ? Runs::tr("The voxels follow the settings. Press Plan for layers and paths.")
              : Runs::tr("Press Plan for layers and paths.");
 }
@@ -125,7 +132,11 @@ void Runs::listenToPlanning() {
     emit changed();
     emit said(tr("The run has stopped: see the findings."));
   });
-  connect(&document_, &document::Document::edited, this, &Runs::layPart);
+  connect(&document_, &document::Document::edited, this, [this] {
+    if (document_.unusable())
+      emit said(invitation(document_));
+    layPart();
+  });
   // An edit may have come when a run was as good as done. Queued: it is still at telling its end.
   connect(
       &planning_, &Planning::finished, this,
@@ -266,11 +277,12 @@ QString Runs::summary() const {
   if (const auto& preview = document_.preview()) {
     const curved::Decomposition& d = *preview->decomposition;
     const QString counts = voxelsText(d.voxels, d.missedVoxels);
-    return d.field.empty() ? tr("Preview: %1, %2 growth steps").arg(counts).arg(d.layers)
-                           : tr("Preview: %1, layers are being improved").arg(counts);
+    return !d.field.empty() ? tr("Preview: %1, layers are being improved").arg(counts)
+           : d.layers == 1  ? tr("Preview: %1, 1 growth step").arg(counts)
+                            : tr("Preview: %1, %2 growth steps").arg(counts).arg(d.layers);
   }
   if (document_.unusable())
-    return tr("Nothing can be planned like this: see the mark in the settings.");
+    return invitation(document_);
   const auto result = planned(document_.presentResult());
   const QString figures =
       result ? figuresText(result->job.report, *result->job.reached) : QString();

@@ -1,6 +1,7 @@
 #include "window/unrolled_dock.h"
 
 #include "document/document.h"
+#include "plan/waypoints.h"
 #include "scene/view_state.h"
 #include "timeline/layer_range_slider.h"
 #include "window/presenter.h"
@@ -17,13 +18,6 @@ using project::Stage;
 
 namespace {
 constexpr const char* kWanted = "view/unrolled";
-}
-
-const plan::ToolPath* pathOf(const plan::ToolPlan& plan, std::size_t waypoint) {
-  const auto after =
-      std::upper_bound(plan.paths.begin(), plan.paths.end(), waypoint,
-                       [](std::size_t w, const plan::ToolPath& p) { return w < p.first; });
-  return after == plan.paths.begin() || waypoint >= plan.waypointCount() ? nullptr : &*(after - 1);
 }
 
 std::shared_ptr<const plan::ToolPlan> planOfLayers(const document::Document& document) {
@@ -82,7 +76,7 @@ void UnrolledDock::choose(std::optional<std::size_t> waypoint) {
 
 void UnrolledDock::mark(scene::ViewState& view) const {
   const auto plan = planOfLayers(document_);
-  const plan::ToolPath* path = plan && chosen_ ? pathOf(*plan, *chosen_) : nullptr;
+  const plan::ToolPath* path = plan && chosen_ ? plan::pathOf(*plan, *chosen_) : nullptr;
   if (!path || !view.paths)
     return;
   view.path = static_cast<std::size_t>(path - plan->paths.data());

@@ -31,8 +31,6 @@ struct Laid {
   std::size_t end = kAllLaid;
 };
 
-// null: no path has that waypoint.
-const plan::ToolPath* pathOf(const plan::ToolPlan& plan, std::size_t waypoint);
 // Which paths the layers on show have: none that were made from other layers.
 std::shared_ptr<const plan::ToolPlan> planOfLayers(const document::Document& document);
 

@@ -1,5 +1,6 @@
 #include "window/unrolled_view.h"
 
+#include "plan/waypoints.h"
 #include "window/background.h"
 #include "window/unrolled_canvas.h"
 
@@ -26,16 +27,6 @@ QString kindName(plan::PathKind kind) {
     break;
   }
   return UnrolledView::tr("Support");
-}
-
-// Index of the path that the waypoint is of; none: of no path.
-std::optional<std::size_t> pathOf(const plan::ToolPlan& plan, std::size_t waypoint) {
-  const auto after =
-      std::upper_bound(plan.paths.begin(), plan.paths.end(), waypoint,
-                       [](std::size_t w, const plan::ToolPath& p) { return w < p.first; });
-  if (after == plan.paths.begin() || waypoint >= plan.waypointCount())
-    return std::nullopt;
-  return static_cast<std::size_t>(after - plan.paths.begin()) - 1;
 }
 } // namespace
 
@@ -117,8 +108,8 @@ void UnrolledView::refresh() {
   UnrolledContent content;
   content.layer = layer_;
   content.notLaidFrom = laidEnd_;
-  if (chosen_ && plan_)
-    content.path = pathOf(*plan_, *chosen_);
+  if (const plan::ToolPath* path = chosen_ && plan_ ? plan::pathOf(*plan_, *chosen_) : nullptr)
+    content.path = static_cast<std::size_t>(path - plan_->paths.data());
   canvas_->setContent(content);
   canvas_->setChosen(chosen_);
 }

@@ -1,5 +1,6 @@
 #include "window/view_options.h"
 
+#include "forms/value_boxes.h"
 #include "language/words.h"
 
 #include <QButtonGroup>
@@ -83,8 +84,9 @@ void ViewOptions::buildSubjects(QGridLayout& grid) {
                 "QToolButton:checked { background: palette(highlight); "
                 "color: palette(highlighted-text); }"
                 "QToolButton:disabled { color: palette(mid); }");
-  auto* row = new QHBoxLayout;
-  row->setSpacing(0);
+  // Two and two: in one row they would be wider than a narrow panel.
+  auto* pairs = new QGridLayout;
+  pairs->setSpacing(0);
   for (const LayerSubject subject :
        {LayerSubject::Furthest, LayerSubject::Voxels, LayerSubject::Pieces, LayerSubject::Layers,
         LayerSubject::Paths}) {
@@ -95,14 +97,16 @@ void ViewOptions::buildSubjects(QGridLayout& grid) {
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setObjectName(QString("subject%1").arg(id));
     subjects_->addButton(button, id);
-    row->addWidget(button);
+    const bool below = subject == LayerSubject::Layers || subject == LayerSubject::Paths;
+    const bool left = subject == LayerSubject::Furthest || subject == LayerSubject::Layers;
+    pairs->addWidget(button, below ? 1 : 0, left ? 0 : 1); // of voxels and pieces one is hidden
   }
-  colourBy_ = new QComboBox(this);
+  colourBy_ = forms::makeCombo(this); // its entries may be longer than the panel is wide
   colourBy_->setObjectName("colourBy");
   for (const scene::ColourByRow& entry : scene::colourByTable())
     colourBy_->addItem(QString(), static_cast<int>(entry.colourBy));
   grid.addWidget(subjectLabel_, 0, 0, 1, 2);
-  grid.addLayout(row, 1, 0, 1, 2);
+  grid.addLayout(pairs, 1, 0, 1, 2);
   grid.addWidget(colourLabel_, 2, 0);
   grid.addWidget(colourBy_, 2, 1);
 }

@@ -12,6 +12,8 @@
 namespace voluta::window {
 
 namespace {
+constexpr const char* kAutomatic = "auto"; // in the list of modes
+
 QString named(const std::string& text) {
   return QString::fromStdString(text);
 }
@@ -89,19 +91,31 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
     : QObject(parent), document_(document), form_(new forms::ChoicesForm) {
   form_->setObjectName("choices");
   connect(form_, &forms::ChoicesForm::changed, this, &ChoicesEditor::change);
+  connect(&document_, &document::Document::stateChanged, this, [this] {
+    if (document_.choices().automatic && !document_.unusable())
+      form_->setNotice(wayTaken(), {}, false); // no file is read for it, however often this comes
+  });
   connect(form_, &forms::ChoicesForm::noticePressed, this, &ChoicesEditor::pressNotice);
   connect(form_, &forms::ChoicesForm::rodProfileChanged, this, &ChoicesEditor::changeRod);
 }
 
 void ChoicesEditor::retranslate() {
-  form_->setLists(choiceLists());
+  forms::ChoiceLists lists = choiceLists();
+  const QString automatic = QString::fromLatin1(kAutomatic);
+  lists.modes.insert(lists.modes.begin(), {automatic, tr("Automatic"),
+                                           tr("The first way of building, and the first platform, "
+                                              "that nothing blocks.")});
+  lists.platforms[automatic] = {project::PlatformUse::Plate, project::PlatformUse::Rod,
+                                project::PlatformUse::Body};
+  form_->setLists(lists);
   show();
 }
 
 void ChoicesEditor::show() {
   const project::Choices& c = document_.choices();
-  form_->setTexts({named(c.mode), named(c.growth.id()), named(c.platform.text()), named(c.cell),
-                   named(c.process), c.seed, rodProfileOf(c)});
+  form_->setTexts({c.automatic ? QString::fromLatin1(kAutomatic) : named(c.mode),
+                   named(c.growth.id()), named(c.platform.text()), named(c.cell), named(c.process),
+                   c.seed, rodProfileOf(c)});
   form_->setGrows(modes::findMode(c.mode).grows);
   showNotice();
 }
@@ -110,19 +124,24 @@ void ChoicesEditor::change(const QString& field, const QString& text) {
   project::Choices c = document_.choices();
   const std::string value = text.toStdString();
   if (field == "mode") {
-    switchMode(value);
+    if (value == kAutomatic)
+      document_.setChoices(modeSwitch_.automatic(c), tr("way of building"));
+    else
+      switchMode(value);
     return;
   }
-  if (field == "growth")
+  if (field == "growth") {
     c.growth = curved::GrowthScheme(value);
-  else if (field == "platform")
+  } else if (field == "platform") {
     c.platform = project::Platform(value);
-  else if (field == "cell")
+    c.platformStays = c.automatic;
+  } else if (field == "cell") {
     c.cell = value;
-  else if (field == "process")
+  } else if (field == "process") {
     c.process = value;
-  else if (field == "seed")
+  } else if (field == "seed") {
     c.seed = text.toInt();
+  }
   document_.setChoices(c, editNameOf(field));
 }
 
@@ -155,6 +174,8 @@ void ChoicesEditor::showNotice() {
                      : changes.isEmpty()    ? QString()
                                             : tr("Use %1").arg(changes),
                      true);
+  } else if (choices.automatic) {
+    form_->setNotice(wayTaken(), {}, false);
   } else if (wantsBody(choices)) {
     form_->setNotice(tr("Which body is printed on? Without one it is the plate."),
                      tr("Choose the body…"), false);
@@ -163,6 +184,23 @@ void ChoicesEditor::showNotice() {
   } else {
     form_->setNotice({}, {}, false);
   }
+}
+
+QString ChoicesEditor::wayTaken() const {
+  const auto result = document_.lastResult();
+  if (!result || !result->job.choices.automatic || *result->job.reached == project::Stage::Load)
+    return {}; // the part is where it lies, and no way was tried
+  const auto labelOf = [](const std::string& id) {
+    const modes::Mode* mode = modes::modeNamed(id);
+    return mode ? language::words(mode->label) : named(id);
+  };
+  const project::Job& job = result->job;
+  QString text = tr("Taken: %1, %2.")
+                     .arg(labelOf(job.choices.mode), language::words(job.choices.platform.shown()));
+  for (const project::TriedReport& tried : job.report.tried)
+    text += QLatin1Char('\n') +
+            tr("Not taken: %1: %2.").arg(labelOf(tried.mode), language::words(tried.reason));
+  return text;
 }
 
 void ChoicesEditor::pressNotice() {

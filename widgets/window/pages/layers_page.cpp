@@ -186,7 +186,7 @@ std::shared_ptr<const LayerFacts> LayersPage::facts() const {
     return ofThese ? known : nullptr;
   default:
     return ofThese && made && !document.voxelsAhead() &&
-                   made->job.decomposition == layers->job.decomposition
+                   made->job.decomposition() == layers->job.decomposition()
                ? known
                : nullptr;
   }

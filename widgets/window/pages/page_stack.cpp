@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "panels/object_tree.h"
+#include "plan/waypoints.h"
 #include "timeline/layer_range_slider.h"
 #include "window/flow_bar.h"
 #include "window/legend_view.h"
@@ -203,7 +204,7 @@ void PageStack::chooseWaypoint(std::optional<std::size_t> waypoint) {
   if (!unrolled_.isVisible())
     return;
   const auto plan = planOfLayers(workspace_.document);
-  const plan::ToolPath* path = plan && waypoint ? pathOf(*plan, *waypoint) : nullptr;
+  const plan::ToolPath* path = plan && waypoint ? plan::pathOf(*plan, *waypoint) : nullptr;
   unrolled_.choose(path ? waypoint : std::nullopt);
   if (path)
     page_->goToWaypoint(*path, *waypoint);

@@ -1,6 +1,7 @@
 #include "window/pages/piece_cuts.h"
 
 #include "document/document.h"
+#include "geometry/least_turn.h"
 #include "geometry/measures.h"
 #include "modes/piece_search.h"
 #include "modes/planar_modes.h"
@@ -191,7 +192,7 @@ std::optional<Eigen::Isometry3d> PieceCuts::movedBase() const {
   const Eigen::Vector3d to = from - plane.heightOf(from) * plane.normal;
   Eigen::Isometry3d moved_T_base = Eigen::Isometry3d::Identity();
   moved_T_base.translate(to);
-  moved_T_base.rotate(Eigen::Quaterniond::FromTwoVectors(shown[cut].plane.normal, plane.normal));
+  moved_T_base.rotate(geometry::leastTurn(shown[cut].plane.normal, plane.normal));
   moved_T_base.translate(-from);
   return moved_T_base;
 }
@@ -253,14 +254,14 @@ void PieceCuts::pickRoot(const Eigen::Vector3d& point) {
 bool PieceCuts::concerns(const plan::Finding& finding) const {
   const auto result = work_.document.result(Stage::Decompose);
   return plan::stageOf(finding) == Stage::Decompose && finding.where &&
-         work_.presenter.hasPieces() && result && result->job.pieces;
+         work_.presenter.hasPieces() && result && result->job.pieces();
 }
 
 void PieceCuts::lookAt(const plan::Finding& finding) {
   viewer::Viewport& viewport = work_.viewport;
   panel_->setExplodeShare(0.0); // the place is on the part
   select(-1);
-  const auto pieces = work_.document.result(Stage::Decompose)->job.pieces;
+  const auto pieces = work_.document.result(Stage::Decompose)->job.pieces();
   const Eigen::Vector3d normal = faceNormal(pieces->pieces, *finding.where);
   const Eigen::Vector3d eye = scene::towardsEye(viewport.scene().renderer()).normalized();
   if (normal.dot(eye) < kLeastFacing) {

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
 #include "robot/cell.h"
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
@@ -49,7 +50,7 @@ std::optional<Laid> SimulatePage::laid() const {
     laid.end = clock->printedWaypoints(work().timeline.timeS());
   const auto plan = planOfLayers(work().document);
   const plan::ToolPath* path =
-      plan ? pathOf(*plan, std::max<std::size_t>(laid.end, 1) - 1) : nullptr;
+      plan ? plan::pathOf(*plan, std::max<std::size_t>(laid.end, 1) - 1) : nullptr;
   laid.layer = path ? path->layer : work().layers.last();
   return laid;
 }

@@ -1,0 +1,47 @@
+// What a mode does with its choices: typed options are made from them, and it sees nothing else of
+// them. So its key, made from the same options, tells all that it depends on.
+#pragma once
+
+#include "base/key_text.h"
+#include "base/parameters.h"
+#include "process/process.h"
+#include "project/choices.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace voluta::modes {
+
+struct ModeChoices {
+  const project::Choices& choices;
+  const base::ParameterValues& values;
+  const process::Process& process;
+};
+
+template <typename Signature> class FromOptions;
+
+template <typename Out, typename... In> class FromOptions<Out(In...)> {
+public:
+  FromOptions() = default; // nothing
+  template <typename Options>
+  FromOptions(Options (*options)(const ModeChoices&), Out (*make)(const Options&, In...))
+      : key_([options](const ModeChoices& in) { return base::keyText(options(in)); }),
+        make_([options, make](const ModeChoices& in, In... input) {
+          return make(options(in), std::forward<In>(input)...);
+        }) {}
+
+  explicit operator bool() const { return static_cast<bool>(make_); }
+  // Empty where there is nothing. Throws as making the options does.
+  std::string key(const ModeChoices& in) const { return key_ ? key_(in) : std::string(); }
+  // Precondition: not nothing.
+  Out operator()(const ModeChoices& in, In... input) const {
+    return make_(in, std::forward<In>(input)...);
+  }
+
+private:
+  std::function<std::string(const ModeChoices&)> key_;
+  std::function<Out(const ModeChoices&, In...)> make_;
+};
+
+} // namespace voluta::modes

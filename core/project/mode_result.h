@@ -1,0 +1,34 @@
+// What a mode came to before there are layers: each mode has its own.
+#pragma once
+
+#include "curved/decomposition.h"
+#include "geometry/triangle_mesh.h"
+#include "planar/decomposition.h"
+
+#include <memory>
+#include <variant>
+
+namespace voluta::project {
+
+// Levels over a ground: what of the part is laid on it, where the ground takes some of it; null:
+// all.
+struct LessGround {
+  std::shared_ptr<const geometry::TriangleMesh> part;
+};
+using Voxels = std::shared_ptr<const curved::Decomposition>;       // ranks and a field; not null
+using Pieces = std::shared_ptr<const planar::PlanarDecomposition>; // not null
+
+using ModeResult = std::variant<LessGround, Voxels, Pieces>;
+enum class ResultKind { OnGround, InVoxels, InPieces }; // in the order of the variant
+
+inline ResultKind kindOf(const ModeResult& result) {
+  return static_cast<ResultKind>(result.index());
+}
+
+// The result where it is of that kind; else null.
+template <typename T> T resultAs(const ModeResult& result) {
+  const T* is = std::get_if<T>(&result);
+  return is ? *is : T();
+}
+
+} // namespace voluta::project
