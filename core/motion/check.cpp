@@ -24,12 +24,16 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
                                 const std::vector<std::size_t>& headBefore, double capMm,
                                 const base::RunContext& ctx) {
   const std::size_t n = trajectory.pointCount();
-  // The waypoint a point is, or is on the way to; past the last one everything is printed.
-  std::vector<std::size_t> next(n, scene.plan.waypointCount());
+  // The waypoint a point is, or is on the way to; past the last one all that was printed is there.
+  std::vector<std::size_t> next(n, 0);
+  for (std::size_t last : trajectory.waypoint)
+    if (last != plan::kNoWaypoint)
+      next.back() = std::max(next.back(), last + 1);
   for (std::size_t i = n; i-- > 0;)
-    next[i] = trajectory.waypoint[i] != plan::kNoWaypoint ? trajectory.waypoint[i]
-              : i + 1 < n                                 ? next[i + 1]
-                                                          : scene.plan.waypointCount();
+    if (trajectory.waypoint[i] != plan::kNoWaypoint)
+      next[i] = trajectory.waypoint[i];
+    else if (i + 1 < n)
+      next[i] = next[i + 1];
 
   const auto jointsAt = [&](std::size_t i) {
     return JointVector(Eigen::Map<const Eigen::VectorXd>(trajectory.at(i), trajectory.dof));

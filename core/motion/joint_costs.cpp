@@ -10,7 +10,6 @@ namespace voluta::motion {
 using robot::JointVector;
 
 namespace {
-constexpr double kTurn = 2.0 * base::kPi;
 constexpr double kLimitCost = 0.5;  // of a joint at its limit
 constexpr double kTurnCost = 0.3;   // of turning a joint back by a whole turn
 constexpr double kBranchStep = 1.0; // rad, a joint's step beyond which the branch is another
@@ -32,8 +31,8 @@ double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& li
 double startCost(const JointVector& from, const JointVector& to) {
   double cost = 0.0, largest = 0.0;
   for (Eigen::Index j = 0; j < from.size(); ++j) {
-    const double turns = std::round((to[j] - from[j]) / kTurn);
-    const double rest = std::abs(to[j] - from[j] - kTurn * turns);
+    const double turns = std::round((to[j] - from[j]) / base::kTurn);
+    const double rest = std::abs(to[j] - from[j] - base::kTurn * turns);
     cost += rest + kTurnCost * std::abs(turns);
     largest = std::max(largest, rest);
   }

@@ -12,7 +12,6 @@ namespace voluta::motion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTurn = 2.0 * base::kPi;
 
 // L1 step of the joints that have limits here from `from` to the representative of `to` nearest to
 // it; infinite where a joint's step is larger than maxStep or its limits are left.
@@ -23,7 +22,7 @@ double step(const robot::JointVector& from, const robot::JointVector& to,
   for (Eigen::Index j = 0; j < count; ++j) {
     double d = to[j] - from[j];
     if (std::abs(d) > maxStep) {
-      d -= kTurn * std::round(d / kTurn);
+      d -= base::kTurn * std::round(d / base::kTurn);
       if (std::abs(d) > maxStep)
         return kInfinity;
       const double q = from[j] + d;
@@ -41,7 +40,7 @@ robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVect
   for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(count); ++j) {
     const double d = to[j] - from[j];
     if (std::abs(d) > maxStep)
-      to[j] = from[j] + d - kTurn * std::round(d / kTurn);
+      to[j] = from[j] + d - base::kTurn * std::round(d / base::kTurn);
   }
   return to;
 }

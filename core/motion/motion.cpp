@@ -10,13 +10,17 @@
 #include "motion/path_planner.h"
 #include "motion/refusal_findings.h"
 #include "motion/rod_turn.h"
+#include "motion/sequence.h"
 #include "motion/timing.h"
-#include "motion/transfer.h"
+#include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
+#include "process/bead_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 namespace voluta::motion {
 
@@ -24,24 +28,18 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Balls around what is printed before each path.
-std::vector<Surround> surroundsOf(const plan::ToolPlan& plan) {
-  std::vector<Surround> balls;
-  Vector3d low = Vector3d::Zero(), high = Vector3d::Zero(); // the platform's middle
-  for (const plan::ToolPath& path : plan.paths) {
-    balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
-    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-      low = low.cwiseMin(plan.position[i]);
-      high = high.cwiseMax(plan.position[i]);
-    }
-  }
-  balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
-  return balls;
-}
+constexpr int kRounds = 3; // of planning again what meets on a closer look
 
-RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q) {
-  const Eigen::Isometry3d pose = cell.work_T_tool(q);
-  return {pose.translation(), Eigen::Quaterniond(pose.linear()), q, rodAngle(cell, q)};
+double materialOf(const plan::ToolPlan& plan) {
+  const auto section = [&](std::size_t i) {
+    return process::beadArea(plan.widthMm[i], plan.heightMm[i]);
+  };
+  double volume = 0.0;
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      volume +=
+          0.5 * (section(i - 1) + section(i)) * (plan.position[i] - plan.position[i - 1]).norm();
+  return volume;
 }
 
 double radiusAboutRod(const plan::ToolPlan& plan) {
@@ -74,16 +72,10 @@ std::vector<TimedPoint> timedPoints(const RobotState& from, const Transfer& tran
     const bool joint = p.move == plan::MoveKind::Joint;
     if (timed.size() > 1 && timed.back().jointMove != joint)
       timed.back().stop = true;
-    timed.push_back({p.at.q, p.at.tip, speedMmPerS, joint, false});
+    timed.push_back({p.at.q, p.at.tip, speedMmPerS, joint, false, p.most});
   }
   return timed;
 }
-
-// Runs in order, with the way to each.
-struct Sequence {
-  std::vector<Run> runs;
-  std::vector<Transfer> ways; // to runs[i]; one more: home again
-};
 
 class MotionPlanner {
 public:
@@ -93,29 +85,29 @@ public:
       : plan_(plan), cell_(cell), process_(process), options_(options),
         collision_(cell, process), scene_{plan, cell,    collision_,
                                           part, options, radiusAboutRod(plan)},
-        planner_(scene_), surrounds_(surroundsOf(plan)), home_(stateAt(cell, cell.home())) {}
+        planner_(scene_), home_(stateAt(cell, cell.home())) {}
 
-  MotionResult plan(const base::RunContext& ctx) {
-    result_.trajectory.dof = cell_.dof();
-    result_.statistics.maxJerk.assign(static_cast<std::size_t>(cell_.dof()), 0.0);
+  MotionResult plan(const std::vector<std::size_t>& avoided, const base::RunContext& ctx) {
     base::Stopwatch watch;
     headBefore_ = headBefore(scene_.plan);
-    const std::vector<Refusal> head = headRefusals(scene_, headBefore_, ctx.sub(0.0, 0.05));
+    refusals_ = headRefusals(scene_, headBefore_, ctx.sub(0.0, 0.05));
     result_.times.collision += watch.seconds();
+    avoid(avoided);
 
-    Sequence sequence;
-    sequence.runs = planRuns(head, ctx.sub(0.05, 0.6));
-    watch = base::Stopwatch();
-    connect(sequence, ctx.sub(0.6, 0.8));
-    result_.times.transfer += watch.seconds();
-
-    watch = base::Stopwatch();
-    assemble(sequence, ctx.sub(0.8, 0.85));
-    result_.times.jerk += watch.seconds();
-
-    watch = base::Stopwatch();
-    verify(ctx.sub(0.85, 1.0));
-    result_.times.collision += watch.seconds();
+    ways_.resize(plan_.paths.size());
+    for (std::size_t p = 0; p < plan_.paths.size(); ++p) {
+      ctx.report(0.05 + 0.55 * static_cast<double>(plan_.paths[p].first) /
+                            static_cast<double>(plan_.waypointCount()),
+                 "motion"_text);
+      planPath(p, ctx);
+    }
+    join(ctx.sub(0.6, 1.0));
+    // What meets on the closer look is planned again, without the places where it does.
+    for (int round = 0; round < kRounds && !check_.collisions.empty(); ++round) {
+      for (const std::size_t p : avoid(metAt()))
+        planPath(p, ctx);
+      join(ctx.sub(0.6, 1.0));
+    }
     result_.times.ik += planner_.times().ik;
     result_.times.graph += planner_.times().graph;
     result_.times.collision += planner_.times().collision;
@@ -124,100 +116,87 @@ public:
   }
 
 private:
-  std::vector<Run> planRuns(const std::vector<Refusal>& head, const base::RunContext& ctx) {
+  // What becomes of a path.
+  struct PathWay {
     std::vector<Run> runs;
-    for (std::size_t p = 0; p < plan_.paths.size(); ++p) {
-      const plan::ToolPath& path = plan_.paths[p];
-      ctx.report(static_cast<double>(path.first) / static_cast<double>(plan_.waypointCount()),
-                 "motion"_text);
-      const std::size_t runsBefore = runs.size(), end = path.first + path.count;
-      for (std::size_t b = path.first, e = b; b < end; b = e) {
-        if (head[b] != Refusal::None) {
-          refused_.push_back({b, head[b], {}});
-          e = b + 1;
-          continue;
-        }
-        for (e = b + 1; e < end && head[e] == Refusal::None;)
-          ++e;
-        const RobotState& from = runs.empty() ? home_ : runs.back().points.back().at;
-        planner_.plan(p, b, e - b, from, ctx, runs, refused_);
-      }
-      if (runs.size() > runsBefore)
-        result_.statistics.splits += runs.size() - runsBefore - 1;
+    std::vector<Refused> refused;
+  };
+
+  // The paths that have such waypoints, ascending.
+  std::vector<std::size_t> avoid(const std::vector<std::size_t>& waypoints) {
+    std::set<std::size_t> paths;
+    for (const std::size_t w : waypoints) {
+      if (refusals_[w] == Refusal::None)
+        refusals_[w] = Refusal::CloserLook;
+      paths.insert(static_cast<std::size_t>(plan::pathOf(plan_, w) - plan_.paths.data()));
     }
-    return runs;
+    return {paths.begin(), paths.end()};
   }
 
-  // Fills in the ways; runs that cannot be come to are taken out and refused.
-  void connect(Sequence& sequence, const base::RunContext& ctx) {
-    const TransferPlanner planner(scene_);
-    std::vector<Run>& runs = sequence.runs;
-    const auto wayBetween = [&](const Run& a, const Run& b) {
-      const RunPoint &last = a.points.back(), &first = b.points.front();
-      const plan::ToolPath &pathA = plan_.paths[a.path], &pathB = plan_.paths[b.path];
-      const bool hop = pathA.layer == pathB.layer && pathA.patch == pathB.patch &&
-                       (last.at.tip - first.at.tip).norm() <= options_.hopMm;
-      return planner.plan(last.at, first.at, hop, first.next, surrounds_[b.path],
-                          options_.seed + first.next, ctx);
-    };
-    std::vector<std::optional<Transfer>> found(runs.size());
-    if (!runs.empty())
-      base::parallelChunks(ctx, runs.size() - 1, 1, [&](std::size_t b, std::size_t) {
-        found[b + 1] = wayBetween(runs[b], runs[b + 1]);
-      });
-    ctx.checkpoint();
+  // The waypoints on the way to which the finished motion meets something. One that follows the
+  // last is not among them.
+  std::vector<std::size_t> metAt() const {
+    std::vector<std::size_t> waypoints;
+    for (const TrajectoryCollision& c : check_.collisions)
+      if (const std::size_t w = plan::waypointAhead(result_.trajectory, c.point);
+          w != plan::kNoWaypoint)
+        waypoints.push_back(w);
+    return waypoints;
+  }
 
-    // Where no way leads on, the arm goes home with what is printed by then, and on from there.
-    Sequence kept;
-    std::optional<Transfer> parked; // the way home from the last kept run, once it was needed
-    const auto homeFrom = [&](const Run& run) {
-      return stateAt(cell_, homeAfter(cell_, run.points.back().at.q));
-    };
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-      const RunPoint& first = runs[r].points.front();
-      const Surround& surround = surrounds_[runs[r].path];
-      const std::uint64_t seed = options_.seed + first.next;
-      std::optional<Transfer> way;
-      if (kept.runs.empty()) {
-        way = planner.approach(home_, first.at, first.next, surround, seed, ctx);
-      } else if (!parked) {
-        way = std::move(found[r]); // from run r - 1, which is the last kept one
-        if (!way)
-          parked = planner.leave(kept.runs.back().points.back().at, homeFrom(kept.runs.back()),
-                                 first.next, surround, seed, ctx);
-      }
-      if (!way && parked &&
-          (way = planner.approach(homeFrom(kept.runs.back()), first.at, first.next, surround, seed,
-                                  ctx))) {
-        way->points.insert(way->points.begin(), parked->points.begin(), parked->points.end());
-        parked.reset();
-      }
-      if (!way) {
-        ++blockedRuns_;
-        for (const RunPoint& p : runs[r].points)
-          if (p.waypoint != plan::kNoWaypoint)
-            unapproached_.push_back(p.waypoint);
-        // What follows cannot lead on from a run that is not there.
-        if (!parked && !kept.runs.empty() && r + 1 < runs.size())
-          found[r + 1] = wayBetween(kept.runs.back(), runs[r + 1]);
+  const RobotState& before(std::size_t path) const {
+    while (path-- > 0)
+      if (!ways_[path].runs.empty())
+        return ways_[path].runs.back().points.back().at;
+    return home_;
+  }
+
+  void planPath(std::size_t p, const base::RunContext& ctx) {
+    const plan::ToolPath& path = plan_.paths[p];
+    PathWay way;
+    const std::size_t end = path.first + path.count;
+    for (std::size_t b = path.first, e = b; b < end; b = e) {
+      if (refusals_[b] != Refusal::None) {
+        way.refused.push_back({b, refusals_[b], {}});
+        e = b + 1;
         continue;
       }
-      kept.ways.push_back(std::move(*way));
-      kept.runs.push_back(std::move(runs[r]));
+      for (e = b + 1; e < end && refusals_[e] == Refusal::None;)
+        ++e;
+      const RobotState& from = way.runs.empty() ? before(p) : way.runs.back().points.back().at;
+      planner_.plan(p, b, e - b, from, ctx.quiet(), way.runs, way.refused);
     }
-    if (!kept.runs.empty()) {
-      if (!parked)
-        parked = planner.leave(kept.runs.back().points.back().at, homeFrom(kept.runs.back()),
-                               plan_.waypointCount(), surrounds_.back(), options_.seed, ctx);
-      if (parked)
-        kept.ways.push_back(std::move(*parked));
-      else
-        stranded_ = true;
-    }
-    sequence = std::move(kept);
+    ways_[p] = std::move(way);
+  }
+
+  // Connects, times and checks what the paths have become.
+  void join(const base::RunContext& ctx) {
+    base::Stopwatch watch;
+    std::vector<Run> runs;
+    for (const PathWay& way : ways_)
+      runs.insert(runs.end(), way.runs.begin(), way.runs.end());
+    ConnectedRuns connected =
+        connectRuns(scene_, std::move(runs), home_, planner_, ctx.sub(0.0, 0.5));
+    lost_ = std::move(connected.lost);
+    refusedAgain_ = std::move(connected.refused);
+    result_.times.transfer += watch.seconds();
+
+    watch = base::Stopwatch();
+    assemble(connected.sequence, ctx.sub(0.5, 0.6));
+    result_.times.jerk += watch.seconds();
+
+    watch = base::Stopwatch();
+    ctx.report(0.6, "checking the motion"_text);
+    check_ = checkTrajectory(result_.trajectory, scene_, headBefore_, kClearanceCapMm,
+                             ctx.sub(0.6, 1.0));
+    result_.times.collision += watch.seconds();
   }
 
   void assemble(const Sequence& sequence, const base::RunContext& ctx) {
+    result_.trajectory = {};
+    result_.trajectory.dof = cell_.dof();
+    result_.statistics = {};
+    result_.statistics.maxJerk.assign(static_cast<std::size_t>(cell_.dof()), 0.0);
     TimingLimits limits;
     limits.joints = cell_.limits();
     limits.accelerationMmPerS2 = process_.accelerationMmPerS2;
@@ -287,12 +266,6 @@ private:
     t.extrudedMm3.push_back(volume);
   }
 
-  void verify(const base::RunContext& ctx) {
-    ctx.report(0.0, "checking the motion"_text);
-    check_ = checkTrajectory(result_.trajectory, scene_, headBefore_, kClearanceCapMm, ctx);
-    result_.statistics.minClearanceMm = check_.minClearanceMm;
-  }
-
   void report() {
     MotionStatistics& s = result_.statistics;
     const plan::Trajectory& t = result_.trajectory;
@@ -307,15 +280,26 @@ private:
         result_.skipped.push_back(w);
         timeOf[w] = w > 0 ? timeOf[w - 1] : 0.0; // when it would have been its turn
       }
-    for (const Refused& r : refused_)
+    s.minClearanceMm = check_.minClearanceMm;
+    std::vector<Refused> refused;
+    for (const PathWay& way : ways_) {
+      refused.insert(refused.end(), way.refused.begin(), way.refused.end());
+      s.splits += way.runs.empty() ? 0 : way.runs.size() - 1;
+    }
+    refused.insert(refused.end(), refusedAgain_.begin(), refusedAgain_.end());
+    for (const Refused& r : refused)
       if (r.why == Refusal::Unreachable || r.why == Refusal::NoConnection ||
           r.why == Refusal::BeyondRod)
         ++s.unreachable;
       else
         ++s.collisions;
-    s.collisions += unapproached_.size() + check_.collisions.size();
+    for (const LostPiece& piece : lost_)
+      s.collisions += piece.waypoints.size();
+    s.collisions += check_.collisions.size();
+    const double planned = materialOf(plan_);
+    const double laid = t.extrudedMm3.empty() ? 0.0 : t.extrudedMm3.back();
+    s.leftOutFraction = planned > 0.0 ? std::max(0.0, 1.0 - laid / planned) : 0.0;
 
-    result_.findings = findingsOf(refused_, scene_, [&](std::size_t w) { return timeOf[w]; });
     const auto add = [&](plan::FindingKind kind, std::size_t waypoint, double when,
                          std::size_t count, std::vector<plan::NamedValue> values) {
       plan::Finding f = plan::makeFinding(kind, std::move(values), std::nullopt, count);
@@ -324,22 +308,43 @@ private:
       f.whenS = when;
       result_.findings.push_back(std::move(f));
     };
-    if (!unapproached_.empty())
-      add(plan::FindingKind::NoWayTo, unapproached_.front(), timeOf[unapproached_.front()],
-          unapproached_.size(),
-          {{"place", placeOf(scene_, unapproached_.front())}, {"pieces", blockedRuns_}});
-    if (stranded_)
-      add(plan::FindingKind::NoWayHome, plan_.waypointCount(), s.durationS, 1, {});
+    result_.findings = findingsOf(refused, scene_, [&](std::size_t w) { return timeOf[w]; });
+    for (const bool caught : {false, true})
+      addLost(caught, [&](const LostPiece& first, std::size_t waypoints, std::size_t pieces) {
+        const std::size_t w = first.waypoints.front();
+        add(caught ? plan::FindingKind::NoWayFrom : plan::FindingKind::NoWayTo, w, timeOf[w],
+            waypoints, {{"place", placeOf(scene_, w)}, {"pieces", pieces}});
+      });
+    // A gap here and there is told, and what the replay makes of it counts.
+    if (s.leftOutFraction <= plan::kBlockingShare) {
+      for (plan::Finding& f : result_.findings)
+        f.blocking = false;
+      if (!result_.skipped.empty())
+        add(plan::FindingKind::LeftOut, result_.skipped.front(), timeOf[result_.skipped.front()],
+            result_.skipped.size(),
+            {{"share", base::percent(100.0 * s.leftOutFraction)},
+             {"waypoints", result_.skipped.size()}});
+    }
     if (!check_.collisions.empty()) {
       const TrajectoryCollision& c = check_.collisions.front();
-      std::size_t waypoint = plan::kNoWaypoint;
-      for (std::size_t i = c.point; i < t.pointCount() && waypoint == plan::kNoWaypoint; ++i)
-        waypoint = t.waypoint[i];
-      add(plan::FindingKind::CollisionInMotion, waypoint, t.timeS[c.point],
+      add(plan::FindingKind::CollisionInMotion, plan::waypointAhead(t, c.point), t.timeS[c.point],
           check_.collisions.size(),
           {{"first", collision_.nameOf(c.contact.first)},
            {"second", collision_.nameOf(c.contact.second)}});
     }
+  }
+
+  template <typename Add> void addLost(bool caught, const Add& add) const {
+    const LostPiece* first = nullptr;
+    std::size_t waypoints = 0, pieces = 0;
+    for (const LostPiece& piece : lost_)
+      if (piece.caught == caught) {
+        first = first ? first : &piece;
+        waypoints += piece.waypoints.size();
+        ++pieces;
+      }
+    if (first)
+      add(*first, waypoints, pieces);
   }
 
   const plan::ToolPlan& plan_;
@@ -349,13 +354,12 @@ private:
   collision::CellCollision collision_;
   MotionScene scene_;
   PathPlanner planner_;
-  std::vector<Surround> surrounds_; // a path
   RobotState home_;
   std::vector<std::size_t> headBefore_;
-  std::vector<Refused> refused_;
-  std::size_t blockedRuns_ = 0;           // without a way to them
-  std::vector<std::size_t> unapproached_; // their waypoints
-  bool stranded_ = false;                 // no way home
+  std::vector<Refusal> refusals_;     // of waypoints, before any path is planned
+  std::vector<PathWay> ways_;         // a path
+  std::vector<LostPiece> lost_;       // for want of a way
+  std::vector<Refused> refusedAgain_; // where runs were planned again to be come to
   TrajectoryCheck check_;
   MotionResult result_;
 };
@@ -364,7 +368,8 @@ private:
 
 MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
                         const process::Process& process, const collision::GrowingPart& part,
-                        const MotionOptions& options, const base::RunContext& ctx) {
+                        const MotionOptions& options, const base::RunContext& ctx,
+                        const std::vector<std::size_t>& avoided) {
   base::require(plan.direction.size() == plan.waypointCount() &&
                     plan.speedMmPerS.size() == plan.waypointCount(),
                 "plan arrays of one length");
@@ -372,7 +377,9 @@ MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
   for (const plan::ToolPath& path : plan.paths)
     base::require(path.count >= 1 && path.first + path.count <= plan.waypointCount(),
                   "paths inside the plan");
-  return MotionPlanner(plan, cell, process, part, options).plan(ctx);
+  for (const std::size_t w : avoided)
+    base::require(w < plan.waypointCount(), "avoided waypoints of the plan");
+  return MotionPlanner(plan, cell, process, part, options).plan(avoided, ctx);
 }
 
 } // namespace voluta::motion

@@ -30,6 +30,7 @@ struct MotionStatistics {
   double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0; // before: turns as the ladder gave them
   double minClearanceMm = 0.0; // of bodies and part, the head's to plate and part left out; at most
                                // kClearanceCapMm
+  double leftOutFraction = 0.0; // of the plan's material, with all waypoints that are not printed
   double durationS = 0.0;
 };
 inline constexpr double kClearanceCapMm = 100.0;
@@ -49,14 +50,17 @@ struct MotionResult {
 
 // Plans the whole program: home, to the first path, every path with transfers between, home.
 // Waypoints that cannot be reached or would collide are left out, named in findings and listed in
-// skipped; the paths are printed without them. Print points carry the waypoint's index, or none
-// where a step was divided; a run's first point is reached by a Linear (or Joint) move and carries
-// its waypoint too. Where a path had to be split, the waypoint at the split appears at the end of
-// one run and again at the start of the next. extrudedMm3 rises at Print points only, by the mean
-// of the sections at both waypoints times their distance. A rod is at a multiple of its step at
-// every point; at the end it rests at a whole turn where it runs on.
-// `part` must have been grown from `plan`. The same result for any number of threads.
-// Throws Cancelled. Preconditions: part and plan belong together; process is the cell's.
+// skipped; the paths are printed without them. What meets something where the finished motion is
+// looked at more closely, between points too, is planned again without the waypoints concerned.
+// Where at most half a percent of the material is left out, that is told and does not block.
+// `avoided`: waypoints that are not to be printed, since something was found to meet there. Print
+// points carry the waypoint's index, or none where a step was divided; a run's first point is
+// reached by a Linear (or Joint) move and carries its waypoint too. Where a path had to be split,
+// the waypoint at the split appears at the end of one run and again at the start of the next.
+// extrudedMm3 rises at Print points only, by the mean of the sections at both waypoints times their
+// distance. A rod is at a multiple of its step at every point; at the end it rests at a whole turn
+// where it runs on. `part` must have been grown from `plan`. The same result for any number of
+// threads. Throws Cancelled. Preconditions: part and plan belong together; process is the cell's.
 // Example:
 //   const double pitch = collision::growingPitch(toolPlan, process);
 //   const collision::GrowingPart growing(toolPlan, pitch, ctx);
@@ -64,6 +68,7 @@ struct MotionResult {
 //       motion::planMotion(toolPlan, cell, process, growing, {}, ctx);
 MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
                         const process::Process& process, const collision::GrowingPart& part,
-                        const MotionOptions& options, const base::RunContext& ctx);
+                        const MotionOptions& options, const base::RunContext& ctx,
+                        const std::vector<std::size_t>& avoided = {});
 
 } // namespace voluta::motion

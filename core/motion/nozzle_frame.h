@@ -1,6 +1,8 @@
 // Poses of the nozzle for a tip and a direction, carried along paths without needless turns.
 #pragma once
 
+#include "geometry/least_turn.h"
+
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -10,7 +12,7 @@ namespace voluta::motion {
 inline Eigen::Quaterniond carried(const Eigen::Quaterniond& last,
                                   const Eigen::Vector3d& direction) {
   const Eigen::Vector3d now = -(last * Eigen::Vector3d::UnitZ());
-  return (Eigen::Quaterniond::FromTwoVectors(now, direction) * last).normalized();
+  return (geometry::leastTurn(now, direction) * last).normalized();
 }
 
 // The one to begin with: upright, x along the work frame's x.

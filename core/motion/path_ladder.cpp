@@ -20,7 +20,6 @@ using robot::JointVector;
 
 namespace {
 
-constexpr double kTurn = 2.0 * base::kPi;
 constexpr double kRodStep = 15.0 * base::kPi / 180.0;   // of its angle from the upright one
 constexpr double kLiftStepMm = 2.0, kLiftFactor = 10.0; // of liftMm, from both ends of a run
 constexpr std::size_t kRungChunk = 2, kJudgeChunk = 1;
@@ -160,7 +159,7 @@ void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>
     const JointVector near = withRod(scene_.cell, from_.q, rodAt(place.waypoint) + kRodStep * rod);
     for (int k = 0; k < samples; ++k) {
       const Quaterniond tool =
-          turned(toolAt(place.waypoint), kTurn * k / static_cast<double>(samples));
+          turned(toolAt(place.waypoint), base::kTurn * k / static_cast<double>(samples));
       scene_.cell.inverse(toolPose(scene_.plan.position[place.waypoint], tool), near, solutions);
       for (const JointVector& q : solutions)
         rung.push_back({q, k, rod,
@@ -281,9 +280,9 @@ LadderWay PathLadder::bestWay() {
     bool changed = false;
     for (LadderNode& node : rungs_.front())
       for (Eigen::Index j = 0; j < scene_.cell.armDof(); ++j) {
-        const double turns = std::round((near[j] - node.q[j]) / kTurn);
+        const double turns = std::round((near[j] - node.q[j]) / base::kTurn);
         const auto& limit = scene_.cell.limits()[static_cast<std::size_t>(j)];
-        const double q = node.q[j] + kTurn * turns;
+        const double q = node.q[j] + base::kTurn * turns;
         if (turns != 0.0 && q >= limit.min && q <= limit.max) {
           node.q[j] = q;
           changed = true;
@@ -317,7 +316,7 @@ Course PathLadder::courseOf(const LadderWay& way) const {
     int change = r == 0 ? sample : (sample - last + samples) % samples;
     if (change > samples / 2)
       change -= samples;
-    const double next = turn + kTurn * change / samples, nextRod = kRodStep * node.rod;
+    const double next = turn + base::kTurn * change / samples, nextRod = kRodStep * node.rod;
     if (r == 0) {
       course.turn.push_back(next);
       course.rod.push_back(nextRod);
@@ -370,7 +369,7 @@ void PathLadder::blockUnliftable(std::size_t rung, std::size_t before,
       const RobotState state{
           scene_.plan.position[place.waypoint],
           turned(toolAt(place.waypoint),
-                 kTurn * nodes[n].sample / static_cast<double>(scene_.options.samples)),
+                 base::kTurn * nodes[n].sample / static_cast<double>(scene_.options.samples)),
           nodes[n].q};
       bad[n] = contactAt(nodes[n].q, before).has_value() || !liftable(state, before);
     }

@@ -16,6 +16,7 @@ enum class Refusal : std::uint8_t {
   HeadPart,    // the head would be in the part, whatever the arm does
   HeadPlatform,
   BeyondRod,   // further out, or further along, than the cell prints around its rod
+  CloserLook,  // something meets there where the motion is looked at more closely
   NoConnection // could be reached, but from neither neighbour without a lift
 };
 struct Refused {

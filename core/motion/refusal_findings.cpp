@@ -1,7 +1,7 @@
 #include "motion/refusal_findings.h"
 #include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
 
-#include <algorithm>
 #include <map>
 
 namespace voluta::motion {
@@ -9,13 +9,6 @@ namespace voluta::motion {
 namespace {
 
 constexpr std::size_t kMostFindings = 100;
-
-const plan::ToolPath* pathOf(const plan::ToolPlan& plan, std::size_t waypoint) {
-  const auto after =
-      std::upper_bound(plan.paths.begin(), plan.paths.end(), waypoint,
-                       [](std::size_t w, const plan::ToolPath& p) { return w < p.first; });
-  return after == plan.paths.begin() ? nullptr : &*(after - 1);
-}
 
 // Of a place by itself, and of the first of further ones.
 struct Kinds {
@@ -29,6 +22,8 @@ Kinds kindsOf(Refusal why) {
     return {Unreachable, MoreUnreachable};
   case Refusal::NoConnection:
     return {Unconnected, MoreUnconnected};
+  case Refusal::CloserLook:
+    return {MeetsOnCloserLook, MoreMeetOnCloserLook};
   case Refusal::BeyondRod:
     return {BeyondRod, MoreBeyondRod};
   case Refusal::HeadPart:
@@ -56,7 +51,7 @@ std::vector<plan::NamedValue> valuesOf(const Refused& r, const MotionScene& scen
 
 base::Message placeOf(const MotionScene& scene, std::size_t waypoint) {
   const Eigen::Vector3d& p = scene.plan.position[waypoint];
-  const plan::ToolPath* path = pathOf(scene.plan, waypoint);
+  const plan::ToolPath* path = plan::pathOf(scene.plan, waypoint);
   return base::message("layer {layer}, x {x:.1f} y {y:.1f} z {z:.1f}"_text,
                        path != nullptr ? path->layer : 0, base::number(p.x()), base::number(p.y()),
                        base::number(p.z()));

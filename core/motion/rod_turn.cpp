@@ -13,7 +13,6 @@ using robot::JointVector;
 
 namespace {
 
-constexpr double kTurn = 2.0 * base::kPi;
 constexpr double kAlongRod = 1e-6; // part of a unit direction across the rod that says nothing
 
 double onStep(const robot::ExternalAxis& axis, double angle) {
@@ -57,7 +56,7 @@ std::vector<double> uprightAngles(const plan::ToolPlan& plan, const robot::Cell&
     const Vector3d& d = plan.direction[first + i];
     if (std::hypot(d.y(), d.z()) > kAlongRod) {
       const double wanted = up - angleOf(d);
-      last = wanted + kTurn * std::round((last - wanted) / kTurn);
+      last = wanted + base::kTurn * std::round((last - wanted) / base::kTurn);
     }
     angles[i] = last;
   }
@@ -74,13 +73,13 @@ std::vector<double> uprightAngles(const plan::ToolPlan& plan, const robot::Cell&
   std::size_t best = reach(0.0);
   double offset = 0.0;
   if (best < count) {
-    const auto turns = static_cast<int>(std::ceil((high - low) / kTurn)) + 1;
+    const auto turns = static_cast<int>(std::ceil((high - low) / base::kTurn)) + 1;
     for (int k = 1; k <= turns && best < count; ++k)
       for (const double sign : {-1.0, 1.0}) {
-        const std::size_t n = reach(sign * k * kTurn);
+        const std::size_t n = reach(sign * k * base::kTurn);
         if (n > best) {
           best = n;
-          offset = sign * k * kTurn;
+          offset = sign * k * base::kTurn;
         }
       }
   }
@@ -93,7 +92,7 @@ std::vector<double> uprightAngles(const plan::ToolPlan& plan, const robot::Cell&
 JointVector homeAfter(const robot::Cell& cell, const JointVector& q) {
   if (cell.externalAxes().empty() || !cell.externalAxes().front().runsOn)
     return cell.home();
-  return withRod(cell, cell.home(), kTurn * std::round(rodAngle(cell, q) / kTurn));
+  return withRod(cell, cell.home(), base::kTurn * std::round(rodAngle(cell, q) / base::kTurn));
 }
 
 } // namespace voluta::motion

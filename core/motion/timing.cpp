@@ -50,8 +50,10 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
   for (std::size_t i = 0; i < n; ++i) {
     const TimedPoint &from = points[i], &to = points[i + 1];
     const double way = (to.tip - from.tip).norm();
-    const robot::JointVector dq = (to.q - from.q).cwiseAbs();
+    robot::JointVector dq = (to.q - from.q).cwiseAbs();
     s.length[i] = std::max(1e-6, std::hypot(way, kMmPerRad * dq.head(arm).maxCoeff()));
+    if (to.most.size() > 0)
+      dq = dq.cwiseMax(to.most);
     double least = kLeastSeconds; // seconds
     for (Eigen::Index j = 0; j < dof; ++j) {
       const double fraction = limits.jointFraction * (to.jointMove ? kTravelJointSpeed : 1.0);

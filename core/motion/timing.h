@@ -25,6 +25,9 @@ struct TimedPoint {
   double speedMmPerS = 0.0; // wanted tip speed on the way here; unused for joint moves
   bool jointMove = false;
   bool stop = false; // comes to rest here; first and last point always do
+  // How far each joint would go on the way here if it went all the way as fast as where it goes
+  // fastest. Empty: evenly.
+  robot::JointVector most = {};
 };
 
 // Seconds from the first point (0) to each. Between points the tip (or the arm's fastest joint,

@@ -2,6 +2,7 @@
 
 #include "base/run_context.h"
 #include "base/units.h"
+#include "geometry/least_turn.h"
 #include "motion/nozzle_frame.h"
 #include "motion/rod_turn.h"
 #include "motion/rrt_connect.h"
@@ -41,11 +42,25 @@ collision::Margins widened(collision::Margins margins, double byMm) {
 void appendReversed(const std::vector<TransferPoint>& points, const RobotState& first,
                     std::vector<TransferPoint>& out) {
   for (std::size_t i = points.size(); i-- > 0;)
-    out.push_back({i == 0 ? first : points[i - 1].at, points[i].move});
+    out.push_back({i == 0 ? first : points[i - 1].at, points[i].move, points[i].most});
+}
+
+// Pieces of one straight move as a whole.
+TransferPoint joined(const Vector3d& from, const std::vector<TransferPoint>& pieces) {
+  TransferPoint whole = pieces.back();
+  const double length = (whole.at.tip - from).norm();
+  Vector3d last = from;
+  for (const TransferPoint& piece : pieces) {
+    const double own = (piece.at.tip - last).norm();
+    if (own > 0.0)
+      whole.most = whole.most.cwiseMax(piece.most * (length / own));
+    last = piece.at.tip;
+  }
+  return whole;
 }
 
 Vector3d slerped(const Vector3d& a, const Vector3d& b, double t) {
-  return Quaterniond::Identity().slerp(t, Quaterniond::FromTwoVectors(a, b)) * a;
+  return Quaterniond::Identity().slerp(t, geometry::leastTurn(a, b)) * a;
 }
 
 // How far along a ray from p the ball is left for good. 0 when it is not met.
@@ -74,7 +89,7 @@ bool TransferPlanner::linear(const RobotState& from, const Vector3d& tip, const 
   const int checks = std::max(
       1, static_cast<int>(std::ceil(std::max(length / kStepMm, angle / kStepRad) / written)));
   std::vector<JointVector> scratch;
-  JointVector q = from.q;
+  JointVector q = from.q, most = JointVector::Zero(q.size());
   const int steps = written * checks;
   for (int k = 1; k <= steps; ++k) {
     const double t = static_cast<double>(k) / steps;
@@ -84,8 +99,11 @@ bool TransferPlanner::linear(const RobotState& from, const Vector3d& tip, const 
     if (!solveNear(scene_.cell, p, r, last, kLinearJointStep, scratch, q) ||
         !free(q, before, margins))
       return false;
-    if (k % checks == 0)
-      points.push_back({{p, r, q}, MoveKind::Linear});
+    most = most.cwiseMax((q - last).cwiseAbs());
+    if (k % checks == 0) {
+      points.push_back({{p, r, q}, MoveKind::Linear, checks * most});
+      most.setZero();
+    }
   }
   return true;
 }
@@ -117,7 +135,7 @@ std::vector<TransferPlanner::Points> TransferPlanner::lifts(const RobotState& fr
       break;
     // One straight move, however often it was looked at.
     if (height <= kLinearPieceMm)
-      points = {points.back()};
+      points = {joined(from.tip, points)};
     last = points.back().at;
     lifted.push_back(points);
   }
@@ -186,7 +204,7 @@ std::optional<TransferKind> TransferPlanner::swing(const RobotState& from, const
     if (!free(from.q, before, care.margins) || !free(to.q, before, care.margins))
       continue;
     TreeOptions options;
-    options.iterations = scene_.options.treeIterations;
+    options.iterations = effort_ * scene_.options.treeIterations;
     options.seed = seed;
     const auto way = treeWay(
         from.q, to.q, scene_.cell.limits(),

@@ -13,6 +13,9 @@ namespace voluta::motion {
 struct TransferPoint {
   RobotState at;
   plan::MoveKind move = plan::MoveKind::Linear; // how it is reached from the point before
+  // Straight: how far each joint would go there if it went as fast all the way as where it goes
+  // fastest. Empty: evenly.
+  robot::JointVector most = {};
 };
 
 // Which kind of way was found, simplest first.
@@ -30,7 +33,9 @@ struct Surround {
 
 class TransferPlanner {
 public:
-  explicit TransferPlanner(const MotionScene& scene) : scene_(scene) {}
+  // `effort`: how many times options.treeIterations a search may take.
+  explicit TransferPlanner(const MotionScene& scene, int effort = 1)
+      : scene_(scene), effort_(effort) {}
 
   // From state to state with everything printed before waypoint `before` in place. Tried in
   // turn: lift along the nozzle, straight, down (lifts from 1 mm for hops or liftMm up); out of the
@@ -75,6 +80,7 @@ private:
                             std::size_t before) const;
 
   const MotionScene& scene_;
+  int effort_;
 };
 
 } // namespace voluta::motion

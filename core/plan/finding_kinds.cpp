@@ -106,11 +106,13 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{voxels} voxels are unreached: no path through the part from the platform"_plural,
      kJoin, kForUnreached},
     {MoreShadowed, "moreShadowed", "missedVoxels", Decompose, Blocks,
-     "{voxels} more voxels are missed in {groups} smaller groups; this is the largest"_text,
+     "{voxels} more voxel is missed; this is it|"
+     "{voxels} more voxels are missed in smaller groups ({groups}); this is the largest"_plural,
      kTurnOrShrink, kForShadowed},
     {MoreUnreached, "moreUnreached", "missedVoxels", Decompose, Blocks,
-     "{voxels} more voxels are missed in {groups} smaller groups; this is the largest"_text, kJoin,
-     kForShadowed},
+     "{voxels} more voxel is missed; this is it|"
+     "{voxels} more voxels are missed in smaller groups ({groups}); this is the largest"_plural,
+     kJoin, kForShadowed},
     {BelowPlate, "belowPlate", "unreachedVoxels", Decompose, Blocks,
      "{voxels} voxel lies below the plate|{voxels} voxels lie below the plate"_plural,
      "drop the part to the plate"_text, kForUnreached},
@@ -232,7 +234,7 @@ constexpr auto kRows = std::to_array<FindingRow>({
 
     {PatchWithoutBead, "patchWithoutBead", "patchWithoutBead", Toolpath, Depends,
      "pieces of layers are narrower than half a bead and stay empty"_text, kFiner},
-    {Gouge, "gouge", "gouge", Toolpath, Blocks,
+    {Gouge, "gouge", "gouge", Toolpath, Depends,
      "the print head would cut into material printed before, whatever way it leans"_text,
      "use a slimmer head, turn the part, or print it larger"_text},
 
@@ -281,15 +283,28 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "and further places, the first at {place}: {first} would meet {second}, however the part is "
      "turned about the nozzle"_text,
      kLessClearance},
+    {MeetsOnCloserLook, "meetsOnCloserLook", "collision", Motion, Blocks,
+     "{place}: something would meet on the way here, so this place is left out"_text,
+     kTurnOrClearance},
+    {MoreMeetOnCloserLook, "moreMeetOnCloserLook", "collision", Motion, Blocks,
+     "and further places, the first at {place}: something would meet on the way there, so they are "
+     "left out"_text,
+     kTurnOrClearance},
     {CollisionInMotion, "collisionInMotion", "collision", Motion, Blocks,
      "{first} meets {second} in the finished motion"_text, kTurnOrClearance},
     {NoWayTo, "noWayTo", "transfer", Motion, Blocks,
      "{place}: no way to {pieces} piece of a path was found that keeps clear of everything|"
      "{place}: no way to {pieces} pieces of paths was found that keeps clear of everything"_plural,
      kTurnOrClearance},
-    {NoWayHome, "noWayHome", "transfer", Motion, Blocks,
-     "no way back to the home position was found that keeps clear of everything"_text,
-     "move the robot by hand when the part is done, or allow less clearance"_text},
+    {NoWayFrom, "noWayFrom", "transfer", Motion, Blocks,
+     "{place}: the arm would not get away from where {pieces} piece of a path ends|"
+     "{place}: the arm would not get away from where {pieces} pieces of paths end"_plural,
+     kTurnOrClearance},
+    {LeftOut, "leftOut", "leftOut", Motion, Tells,
+     "{waypoints} waypoint, {share} of the material, is left out here and there, as told above|"
+     "{waypoints} waypoints, {share} of the material, are left out here and there, as told "
+     "above"_plural,
+     "look at these places in the picture; turn the part where they matter"_text},
 
     {UnreadableLine, "unreadableLine", "unreadableLine", Replay, Blocks, "{defect}"_text,
      kWriteAgain},

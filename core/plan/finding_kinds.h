@@ -78,9 +78,12 @@ enum class FindingKind : std::uint8_t {
   MoreHeadInPlatform,
   Collision,
   MoreCollisions,
+  MeetsOnCloserLook,
+  MoreMeetOnCloserLook,
   CollisionInMotion,
   NoWayTo,
-  NoWayHome,
+  NoWayFrom,
+  LeftOut,
   // replay
   UnreadableLine,
   EndMissing,

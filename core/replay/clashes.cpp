@@ -70,10 +70,11 @@ std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const M
       if (it != open.end() && t.sample <= it->sample + 4) {
         it->sample = t.sample;
         ++clashes[it->clash].samples;
+        clashes[it->clash].lastMotion = motionOf(t.sample);
         continue;
       }
       Clash c;
-      c.motion = motionOf(t.sample);
+      c.motion = c.lastMotion = motionOf(t.sample);
       c.whenS = whenOf(t.sample);
       c.where = t.where;
       nameOf(t.pair, c.first, c.second);

@@ -22,7 +22,7 @@ namespace voluta::replay {
 
 // One contact, from the sample where it begins on; samples in a row with the same pair are one.
 struct Clash {
-  std::size_t motion = 0;
+  std::size_t motion = 0, lastMotion = 0; // of the first sample and of the last
   double whenS = 0.0;
   Eigen::Vector3d where = Eigen::Vector3d::Zero(); // work frame, mm
   base::Value first, second;                       // names of what touched

@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "geometry/mesh_query.h"
 #include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
 #include "replay/alignment.h"
 #include "replay/beads.h"
 #include "replay/clashes.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace voluta::replay {
 
@@ -80,9 +82,8 @@ private:
   void compare() {
     ctx_.report(0.06, "comparing with the plan"_text);
     const PlannedNozzle planned = plannedNozzle(in_.trajectory, in_.cell, ctx_);
-    const Alignment alignment =
-        alignToPlan({path_.targetTip, path_.targetDirection}, {planned.tip, planned.direction},
-                    AlignmentOptions{}, ctx_);
+    Alignment alignment = alignToPlan({path_.targetTip, path_.targetDirection},
+                                      {planned.tip, planned.direction}, AlignmentOptions{}, ctx_);
     for (TextFinding& f : compareWithPlan(in_.program, path_, planned, in_.trajectory, alignment,
                                           ComparisonOptions{})) {
       ++out_.deviations;
@@ -96,6 +97,7 @@ private:
     deviationMotion_ = deviation.motion;
     knowledge_ =
         beadKnowledge(alignment.pointOf, in_.trajectory, in_.plan, in_.process.layerHeightMm);
+    pointOf_ = std::move(alignment.pointOf);
   }
 
   void layBeads() {
@@ -207,6 +209,12 @@ private:
     std::stable_sort(clashes.begin(), clashes.end(),
                      [](const Clash& a, const Clash& b) { return a.motion < b.motion; });
     out_.collisions = clashes.size();
+    std::set<std::size_t> waypoints;
+    for (const Clash& c : clashes)
+      for (std::size_t m = c.motion; m <= c.lastMotion; ++m)
+        if (const std::size_t w = waypointAhead(m); w != plan::kNoWaypoint)
+          waypoints.insert(w);
+    out_.metAt.assign(waypoints.begin(), waypoints.end());
     for (std::size_t k = 0; k < clashes.size() && k < kMaxListed; ++k) {
       const Clash& c = clashes[k];
       atMotion(ReplayedCollision, c.motion, {{"first", c.first}, {"second", c.second}}, c.where,
@@ -215,6 +223,13 @@ private:
     if (clashes.size() > kMaxListed)
       add(MoreReplayedCollisions, {{"collisions", clashes.size() - kMaxListed}}, std::nullopt, {},
           clashes.size() - kMaxListed);
+  }
+
+  // The waypoint that a motion leads to, by itself or by those that follow it.
+  std::size_t waypointAhead(std::size_t motion) const {
+    return motion < pointOf_.size() && pointOf_[motion] != kUnmatched
+               ? plan::waypointAhead(in_.trajectory, pointOf_[motion])
+               : plan::kNoWaypoint;
   }
 
   void tellLimits() {
@@ -313,6 +328,7 @@ private:
   const base::RunContext& ctx_;
   Verification out_;
   ExecutedPath path_;
+  std::vector<std::size_t> pointOf_; // the trajectory's point that a motion is, or kUnmatched
   std::vector<BeadKnowledge> knowledge_;
   std::vector<BeadPiece> pieces_;
   BeadGrid beads_;

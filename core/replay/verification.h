@@ -66,6 +66,9 @@ struct Verification {
   std::size_t deviations = 0;      // places where the text is not what was planned
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
 
+  // Waypoints of the plan, ascending, on the way to which something meets.
+  std::vector<std::size_t> metAt;
+
   bool armChecked = false; // false: the program says where the nozzle is, not where the arm is
   double partVolumeMm3 = 0.0, depositedMm3 = 0.0, supportMm3 = 0.0, beadLengthMm = 0.0;
   double durationS = 0.0; // lengths by speeds, without the controller's ramps

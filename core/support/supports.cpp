@@ -318,6 +318,10 @@ base::ParameterTable supportParameters() {
   });
 }
 
+bool supportsWanted(const base::ParameterValues& values) {
+  return values.text("supports") != "none";
+}
+
 Supports supportsFor(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,
                      const SupportOptions& options, const base::RunContext& ctx) {
   base::require(options.rounds >= 1 && options.trials >= 0,

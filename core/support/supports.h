@@ -19,6 +19,7 @@ namespace voluta::support {
 
 // supports (none, auto).
 base::ParameterTable supportParameters();
+bool supportsWanted(const base::ParameterValues& values);
 
 struct SupportOptions {
   curved::GrowthScheme growth;

@@ -5,6 +5,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
+#include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "toolpath/head_clearance.h"
 
@@ -227,6 +228,9 @@ private:
     const auto first = static_cast<std::size_t>(std::ranges::find(gouge, 1) - gouge.begin());
     r.findings.push_back(
         plan::makeFinding(plan::FindingKind::Gouge, {}, p.position[first], r.gouges));
+    // Motion leaves out where the head would cut in; a few places do not matter by themselves.
+    r.findings.back().blocking = static_cast<double>(r.gouges) >
+                                 plan::kBlockingShare * static_cast<double>(p.waypointCount());
   }
 
   const ToolPlan& plan_;

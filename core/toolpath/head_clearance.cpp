@@ -1,6 +1,8 @@
 #include "toolpath/head_clearance.h"
 
 #include "base/units.h"
+#include "geometry/convex_polygon.h"
+#include "geometry/least_turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +15,6 @@ using Eigen::Vector3d;
 
 constexpr int kAround = 32;      // points on a section's rim
 constexpr double kRimStep = 2.0; // mm along the platform's edge
-
-bool inside(const std::vector<Vector2d>& polygon, const Vector2d& p) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    if ((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()) < 0)
-      return false;
-  }
-  return !polygon.empty();
-}
 } // namespace
 
 HeadClearance::HeadClearance(const process::Process& process, std::vector<Vector2d> platform)
@@ -46,8 +39,7 @@ bool HeadClearance::clears(const collision::GrowingPart& part, const Vector3d& t
   if (!clearsPlatform(tip, direction))
     return false;
   Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
-  work_T_tool.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), -direction).toRotationMatrix();
+  work_T_tool.linear() = geometry::leastTurn(Vector3d::UnitZ(), -direction).toRotationMatrix();
   work_T_tool.translation() = tip;
   return std::ranges::none_of(shapes_, [&](const robot::Shape& shape) {
     return part.headTouches(shape, work_T_tool, marginMm, before);
@@ -68,7 +60,7 @@ bool HeadClearance::clearsPlatform(const Vector3d& tip, const Vector3d& d) const
       for (int k = 0; k < kAround; ++k) {
         const double a = 2 * base::kPi * k / kAround;
         const Vector3d q = tip - p.z() * d + r * (std::cos(a) * u + std::sin(a) * v);
-        if (q.z() < 0 && inside(platform_, q.head<2>()))
+        if (q.z() < 0 && geometry::inConvexPolygon(platform_, q.head<2>()))
           return false;
       }
     for (const Vector2d& r : rim_) {

@@ -1,5 +1,6 @@
 #include "base/index.h"
 #include "base/units.h"
+#include "geometry/least_turn.h"
 #include "toolpath/infill.h"
 #include "toolpath/line_cover.h"
 #include "toolpath/surface_fields.h"
@@ -29,7 +30,7 @@ std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
   if (mean.norm() > 0.1 * s.areaMm2) {
     const Vector3d m = mean.normalized();
     // Turned with the patch's own mean plane, so that no patch is cut along itself.
-    normal = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), m) * normal;
+    normal = geometry::leastTurn(Vector3d::UnitZ(), m) * normal;
   }
   std::vector<double> u(s.position.size());
   for (std::size_t v = 0; v < u.size(); ++v)

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
@@ -180,7 +181,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Pro
   if (bare > 0) {
     plan::Finding f = plan::makeFinding(plan::FindingKind::PatchWithoutBead, {},
                                         stack.patches[firstBare].surface.vertices.front(), bare);
-    f.blocking = bareMm3 > 0.005 * s.layerVolumeMm3;
+    f.blocking = bareMm3 > plan::kBlockingShare * s.layerVolumeMm3;
     r.findings.push_back(std::move(f));
   }
   return r;

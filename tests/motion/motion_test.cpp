@@ -233,6 +233,37 @@ TEST(Motion, HeadInThePlateIsNamed) {
   EXPECT_FALSE(result.skipped.empty());
 }
 
+// A nozzle that would go through what is printed at a few places of many: they are left out, told,
+// and nothing blocks.
+TEST(Motion, FewPlacesAreLeftOutAndTold) {
+  auto plan = test::cylinder(15, 12);
+  const std::size_t at = plan.paths[6].first + 30;
+  plan.direction[at] = Vector3d(1, 0, -0.2).normalized();
+  process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
+  const collision::GrowingPart part(plan, 0.45, {});
+  const auto result = motion::planMotion(plan, cell, process, part, {}, {});
+  EXPECT_EQ(result.skipped, std::vector<std::size_t>{at});
+  EXPECT_GT(result.statistics.leftOutFraction, 0.0);
+  EXPECT_LT(result.statistics.leftOutFraction, 0.005);
+  ASSERT_GE(result.findings.size(), 2u);
+  for (const auto& f : result.findings)
+    EXPECT_FALSE(f.blocking) << plan::englishReason(f);
+  EXPECT_EQ(plan::kindWord(result.findings.back()), "leftOut");
+}
+
+TEST(Motion, WhatIsToBeAvoidedIsNotPrinted) {
+  const auto plan = test::cylinder(15, 8);
+  process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
+  const collision::GrowingPart part(plan, 0.45, {});
+  const std::vector<std::size_t> avoided{100, 101, 300};
+  const auto result = motion::planMotion(plan, cell, process, part, {}, {}, avoided);
+  EXPECT_EQ(result.skipped, avoided);
+  EXPECT_EQ(plan::kindWord(result.findings.front()), "collision");
+  EXPECT_EQ(result.statistics.waypoints, plan.waypointCount() - avoided.size());
+}
+
 TEST(Motion, EmptyPlanAndCancel) {
   process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));

@@ -36,6 +36,22 @@ TEST(Timing, TrapezoidInClosedForm) {
   EXPECT_NEAR(single.back(), times.back(), 1e-9);
 }
 
+// A straight move on the way of which a joint goes far faster than from end to end, as near a
+// singular pose: it takes as long as if it went that fast all the way.
+TEST(Timing, AMoveIsTimedByWhereAJointGoesFastest) {
+  TimedPoint from, to;
+  from.q = to.q = robot::JointVector::Zero(2);
+  to.tip = {1, 0, 0};
+  to.speedMmPerS = 100;
+  to.q[1] = 0.01;
+  const motion::TimingLimits limits = limitsOf(2);
+  const double even = motion::timesOf({from, to}, limits).back();
+  to.most = robot::JointVector::Zero(2);
+  to.most[1] = 2.7;
+  EXPECT_GE(motion::timesOf({from, to}, limits).back(), 2.7 / (0.9 * 3.0));
+  EXPECT_LT(even, 0.5);
+}
+
 // A nozzle that stands still over a turning rod, r 2.75: its way is the tip's over the part, and
 // the ramps are those of the rod where it is the slower one.
 TEST(Timing, RodTurnsUnderTheTip) {

@@ -338,6 +338,20 @@ TEST(Slicing, WhatIsTooNarrowForABeadIsTold) {
   EXPECT_EQ(plan::kindWord(sliced.findings.front()), "slivers");
 }
 
+// Two blocks in one mesh, one reaching into the other: their sections cross.
+TEST(Slicing, ASectionThatCrossesItselfIsFilledByItsWinding) {
+  TriangleMesh blocks = test::box({-10, -10, 0}, {10, 10, 8});
+  test::append(blocks, test::box({5, -4, 0}, {20, 3, 8}));
+  const SliceResult sliced = slicePieces({pieceOf(blocks)}, {}, {});
+  EXPECT_NEAR(volumeOf(sliced), (20.0 * 20.0 + 10.0 * 7.0) * 8.0, 1.0);
+  EXPECT_TRUE(sliced.findings.empty());
+  // One inside the other adds nothing, and takes nothing away.
+  TriangleMesh nested = test::box({-10, -10, 0}, {10, 10, 8});
+  test::append(nested, test::box({-9, -3, -1}, {11, 3, 9}));
+  const SliceResult whole = slicePieces({pieceOf(nested)}, {}, {});
+  EXPECT_GT(volumeOf(whole), 20.0 * 20.0 * 8.0);
+}
+
 // A gallows: a post of 10 x 10 x 16 with an arm of 10 x 10 x 4 more that hangs from x = 10 to 20.
 TriangleMesh gallows() {
   return prism({{0, 0}, {10, 0}, {10, 16}, {20, 16}, {20, 20}, {0, 20}}, 10.0);
@@ -363,13 +377,25 @@ TEST(Supports, ColumnsStandOnThePlateUnderAnArm) {
   const SliceResult sliced = slicePieces(pieces, supported(25), {});
   const auto supports = supportsOf(sliced);
   EXPECT_EQ(supports.size(), 20u); // one a layer under the arm
-  for (const layers::Patch* patch : supports) {
-    const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
-    EXPECT_NEAR(box.min().x(), 10.3, 0.02); // a gap to the post
-    EXPECT_NEAR(box.max().x(), 20.0, 0.02);
-    EXPECT_NEAR(geometry::area(patch->surface), 97.0, 1.0); // round corners
+  // As wide as the arm beneath it, with a gap to the post; narrower downwards by half of what a
+  // layer may reach out, down to a trunk of four beads.
+  Eigen::AlignedBox3d above;
+  for (auto patch = supports.rbegin(); patch != supports.rend(); ++patch) {
+    const Eigen::AlignedBox3d box = geometry::bounds((*patch)->surface);
+    if (above.isEmpty()) {
+      EXPECT_NEAR(box.min().x(), 10.3, 0.02);
+      EXPECT_NEAR(box.max().x(), 20.0, 0.02);
+      EXPECT_NEAR(geometry::area((*patch)->surface), 97.0, 1.0); // round corners
+    } else {
+      EXPECT_GE(box.min().x(), above.min().x() - 0.02);
+      EXPECT_LE(box.min().x(), above.min().x() + 0.42);
+      EXPECT_LE(box.max().x(), above.max().x() + 0.02);
+    }
+    EXPECT_GE(box.max().x() - box.min().x(), 4 * 1.2);
+    above = box;
   }
-  EXPECT_NEAR(sliced.supportVolumeMm3, 16.0 * 97.0, 16.0);
+  EXPECT_LT(above.max().x() - above.min().x(), 6.0);
+  EXPECT_LT(sliced.supportVolumeMm3, 0.5 * 16.0 * 97.0);
   EXPECT_NEAR(volumeOf(sliced), 2400.0, 1e-6);
   const auto held = layers::checkSupport(sliced.stack, 1.25, {});
   for (const layers::SupportCheck& check : held)

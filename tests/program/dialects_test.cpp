@@ -108,6 +108,11 @@ TEST_F(Dialects, readBackEveryTarget) {
   }
 }
 
+TEST_F(Dialects, thatAreForAnyCellTurnItsRod) {
+  for (const Dialect& d : dialects())
+    EXPECT_TRUE(d.turnsRods || !d.forAnyCell) << d.id;
+}
+
 TEST_F(Dialects, readBackEveryTargetOnARod) {
   useRod();
   appendRandomOnRod(5, 2000);

@@ -9,9 +9,11 @@
 #include "layers/layer_findings.h"
 #include "layers/order.h"
 #include "layers/patches.h"
+#include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "planar/nudged.h"
 #include "planar/slicing/region_mesh.h"
+#include "planar/slicing/section_paths.h"
 #include "planar/slicing/support_columns.h"
 
 #include <algorithm>
@@ -27,9 +29,19 @@ using layers::Patch;
 
 namespace {
 
-constexpr double kBlockingShare = 0.005; // of the volume not laid
-
 using base::at;
+
+// Odd is inside to the region, and so it is to the section, unless loops lie over each other.
+bool fills(const RegionMesh& region, const Section& section) {
+  double area = 0.0;
+  for (const auto& t : region.triangles) {
+    const Eigen::Vector2d a = region.points[at(t[1])] - region.points[at(t[0])],
+                          b = region.points[at(t[2])] - region.points[at(t[0])];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  constexpr double kSame = 1e-6;
+  return std::abs(area - areaOf(section)) <= kSame * (1.0 + area);
+}
 
 std::optional<LevelSurface> surfaceOf(const Section& section, double edgeMm,
                                       const base::RunContext& ctx) {
@@ -39,7 +51,7 @@ std::optional<LevelSurface> surfaceOf(const Section& section, double edgeMm,
   for (const Vector3d& p : section.points)
     points.emplace_back(frame.across.dot(p), frame.along.dot(p));
   const std::optional<RegionMesh> region = meshRegion(points, section.edges, edgeMm);
-  if (!region)
+  if (!region || !fills(*region, section))
     return std::nullopt;
   LevelSurface s;
   s.surface.vertices = section.points;
@@ -118,6 +130,8 @@ void addColumns(SliceResult& result, const std::vector<Piece>& pieces,
 LevelSurface sectionSurface(const Section& section, double edgeMm, const base::RunContext& ctx) {
   auto surface = surfaceOf(section, edgeMm, ctx);
   if (!surface)
+    surface = surfaceOf(filledByWinding(section), edgeMm, ctx);
+  if (!surface)
     sectionCrosses();
   return std::move(*surface);
 }
@@ -142,7 +156,7 @@ void finishStack(SliceResult& result, const std::vector<Patch>& slivers,
   const layers::NotLaid dropped = layers::notLaid(absorbed.dropped);
   result.slivers = dropped.pieces;
   result.sliverVolumeMm3 = dropped.volumeMm3;
-  if (auto finding = layers::sliversFinding(dropped, laid, kBlockingShare))
+  if (auto finding = layers::sliversFinding(dropped, laid, plan::kBlockingShare))
     result.findings.push_back(std::move(*finding));
 
   result.statistics =
@@ -184,9 +198,14 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
             const Level& level = levels[i];
             const double middle =
                 pieces[level.piece].base.offsetMm + 0.5 * (level.low + level.high);
-            LevelSurface surface = atOrNear(middle, [&](double offsetMm) {
-              return surfaceOf(sections[level.piece].at(offsetMm), options.edgeMm, silent);
-            });
+            LevelSurface surface = atOrNear(
+                middle,
+                [&](double offsetMm) {
+                  return surfaceOf(sections[level.piece].at(offsetMm), options.edgeMm, silent);
+                },
+                [&] {
+                  return sectionSurface(sections[level.piece].at(middle), options.edgeMm, silent);
+                });
             surface.level = level.number;
             surface.thicknessMm.assign(surface.surface.vertices.size(), level.high - level.low);
             made[i] = layers::makePatches(surface, {options.beadWidthMm});

@@ -43,17 +43,18 @@ struct SliceResult {
 
 // The section as the mid-surface of a layer, ready to become patches: boundary on the section's
 // edges (points closer together than 0.15 mm are thinned out by at most 2e-3 mm), thickness 1,
-// directions along the plane's normal. Nothing for an empty section. Throws Error{UnusableInput}
-// where the section's edges cross each other; Cancelled.
+// directions along the plane's normal. Nothing for an empty section. One whose edges cross each
+// other is filled by its winding. Throws Error{UnusableInput} where that gives no region;
+// Cancelled.
 layers::LevelSurface sectionSurface(const Section& section, double edgeMm,
                                     const base::RunContext& ctx);
 
 // Slices each piece along its base's normal (layerBounds): a layer's mid-surface is the section at
 // half its height, its direction the normal. Layers run over all pieces in their order. Sections
-// that cross or touch themselves are taken up to 1e-4 mm higher or lower. What is too small for a
-// bead is left out and told, and so is what begins in the air. Throws Error{UnusableInput} where a
-// section's edges cross each other (a mesh that cuts itself there); Cancelled. Same result for any
-// number of threads.
+// that cross or touch themselves are taken up to 1e-4 mm higher or lower, else filled by their
+// winding, as slicers do with a mesh that cuts itself there. What is too small for a
+// bead is left out and told, and so is what begins in the air. Throws Cancelled. Same result for
+// any number of threads.
 // Example:
 //   const planar::PlanarDecomposition pieces = planar::beamDecompose(part, {}, ctx);
 //   const planar::SliceResult sliced = planar::slicePieces(pieces.pieces, {}, ctx);

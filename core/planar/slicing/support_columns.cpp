@@ -1,6 +1,7 @@
 #include "planar/slicing/support_columns.h"
 
 #include "base/units.h"
+#include "planar/slicing/section_paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,39 +16,16 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kUnits = 1e4;      // of the polygons' integers, a mm
-constexpr double kCleanMm = 0.02;   // details that columns may lose at each step
 constexpr double kArcMm = 0.05;     // of round corners
-constexpr double kNarrowest = 0.5;  // of a bead: what reaches out by less hangs on by itself
+constexpr double kNarrowest = 0.25; // of a bead: what reaches out by less hangs on by itself
 constexpr double kFooting = 0.5;    // share of a column's section that stands on something
+constexpr double kTaper = 0.5;      // of what a layer may reach out: a bead's middle stays carried
+constexpr double kTrunk = 4.0;      // beads: columns don't get thinner than that downwards
 constexpr double kUnderBase = 0.25; // of the first layer: how deep under a base it is asked for
 
-Paths cleaned(Paths paths) {
-  ClipperLib::CleanPolygons(paths, kCleanMm * kUnits);
-  std::erase_if(paths, [](const Path& path) { return path.size() < 3; });
-  return paths;
-}
-
-// The loops of a section.
 Paths pathsOf(const Section& section, const PlaneFrame& frame) {
-  std::vector<std::vector<int>> next(section.points.size());
-  for (const auto& [a, b] : section.edges)
-    next[static_cast<std::size_t>(a)].push_back(b);
-  Paths loops;
-  for (std::size_t start = 0; start < next.size(); ++start)
-    while (!next[start].empty()) {
-      Path loop;
-      for (auto at = start; !next[at].empty();) {
-        const Vector3d& p = section.points[at];
-        loop.emplace_back(std::llround(kUnits * frame.across.dot(p)),
-                          std::llround(kUnits * frame.along.dot(p)));
-        const int to = next[at].back();
-        next[at].pop_back();
-        at = static_cast<std::size_t>(to);
-      }
-      loops.push_back(std::move(loop));
-    }
-  ClipperLib::SimplifyPolygons(loops, ClipperLib::pftEvenOdd);
+  Paths loops = loopsOf(section, frame);
+  ClipperLib::SimplifyPolygons(loops, ClipperLib::pftNonZero);
   return cleaned(std::move(loops));
 }
 
@@ -72,10 +50,10 @@ Paths shared(const Paths& a, const Paths& b) {
 Paths grown(const Paths& a, double byMm) {
   if (a.empty())
     return a;
-  ClipperLib::ClipperOffset offset(2.0, kArcMm * kUnits);
+  ClipperLib::ClipperOffset offset(2.0, kArcMm * kPathUnits);
   offset.AddPaths(a, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
   Paths out;
-  offset.Execute(out, byMm * kUnits);
+  offset.Execute(out, byMm * kPathUnits);
   return cleaned(std::move(out));
 }
 // Less what is narrower than twice `byMm`.
@@ -87,7 +65,7 @@ double areaMm2(const Paths& paths) {
   double sum = 0.0;
   for (const Path& path : paths)
     sum += ClipperLib::Area(path);
-  return sum / (kUnits * kUnits);
+  return sum / (kPathUnits * kPathUnits);
 }
 
 // Outlines with their holes, each by itself.
@@ -104,6 +82,17 @@ std::vector<Paths> components(const Paths& paths) {
     for (const ClipperLib::PolyNode* hole : node->Childs)
       one.push_back(hole->Contour);
     out.push_back(std::move(one));
+  }
+  return out;
+}
+
+// Narrower by `byMm` all round where a trunk at least `trunkMm` wide is left of a component.
+Paths tapered(const Paths& a, double byMm, double trunkMm) {
+  Paths out;
+  for (const Paths& one : components(a)) {
+    const Paths less =
+        byMm > 0.0 && !grown(one, -byMm - 0.5 * trunkMm).empty() ? grown(one, -byMm) : one;
+    out.insert(out.end(), less.begin(), less.end());
   }
   return out;
 }
@@ -133,21 +122,6 @@ Paths widened(const Paths& a, double byMm) {
   Paths out;
   for (const Paths& one : components(a))
     out = united(out, grown(one, -byMm).empty() ? grown(one, byMm) : one);
-  return out;
-}
-
-Section sectionOf(const Paths& paths, const Plane& plane, const PlaneFrame& frame) {
-  Section out;
-  out.plane = plane;
-  for (const Path& path : paths) {
-    const auto first = static_cast<int>(out.points.size()), n = static_cast<int>(path.size());
-    for (const ClipperLib::IntPoint& p : path)
-      out.points.push_back(static_cast<double>(p.X) / kUnits * frame.across +
-                           static_cast<double>(p.Y) / kUnits * frame.along +
-                           plane.offsetMm * plane.normal);
-    for (int i = 0; i < n; ++i)
-      out.edges.push_back({first + i, first + (i + 1) % n});
-  }
   return out;
 }
 
@@ -218,7 +192,8 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
     hanging[k] = opened(without(hanging[k], grown(standing[k - 1], reach)), kNarrowest * half);
     // A tip is narrower than the column that carries it.
     const Paths heads = widened(shared(grown(hanging[k], half), levels.own(k)), half);
-    const Paths carried = united(heads, columns[k]);
+    const Paths carried =
+        united(heads, tapered(columns[k], kTaper * reach, kTrunk * options.beadWidthMm));
     const Paths occupied =
         grown(united(standing[k - 1], levels.later(levels.middle(k - 1))), options.gapMm);
     columns[k - 1] = wideEnough(without(carried, occupied), 0.9 * half);
@@ -231,8 +206,8 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
   if (pieces[piece].baseTag == kPlate) {
     Path plate;
     for (const Eigen::Vector2d& p : options.plate)
-      plate.emplace_back(std::llround(kUnits * levels.frame().across.head<2>().dot(p)),
-                         std::llround(kUnits * levels.frame().along.head<2>().dot(p)));
+      plate.emplace_back(std::llround(kPathUnits * levels.frame().across.head<2>().dot(p)),
+                         std::llround(kPathUnits * levels.frame().along.head<2>().dot(p)));
     if (plate.size() > 2 && !ClipperLib::Orientation(plate))
       std::reverse(plate.begin(), plate.end());
     below = {plate};

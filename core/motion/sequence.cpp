@@ -1,0 +1,278 @@
+#include "motion/sequence.h"
+
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "motion/rod_turn.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace voluta::motion {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int kThorough = 5; // times the usual search, where a piece would be lost else
+
+// Balls around what is printed before each path; one more: around everything.
+std::vector<Surround> surroundsOf(const plan::ToolPlan& plan) {
+  std::vector<Surround> balls;
+  Vector3d low = Vector3d::Zero(), high = Vector3d::Zero(); // the platform's middle
+  for (const plan::ToolPath& path : plan.paths) {
+    balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
+    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+      low = low.cwiseMin(plan.position[i]);
+      high = high.cwiseMax(plan.position[i]);
+    }
+  }
+  balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
+  return balls;
+}
+
+class Connector {
+public:
+  Connector(const MotionScene& scene, PathPlanner& paths, const RobotState& home,
+            const base::RunContext& ctx)
+      : scene_(scene), paths_(paths), home_(home), ctx_(ctx), usual_(scene),
+        thorough_(scene, kThorough), surrounds_(surroundsOf(scene.plan)) {}
+
+  ConnectedRuns connect(std::vector<Run> runs) {
+    std::vector<std::optional<Transfer>> ahead(runs.size());
+    if (!runs.empty())
+      base::parallelChunks(ctx_, runs.size() - 1, 1, [&](std::size_t b, std::size_t) {
+        ahead[b + 1] = between(runs[b], runs[b + 1]);
+      });
+    ctx_.checkpoint();
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      ctx_.report(static_cast<double>(r) / static_cast<double>(runs.size()), "transfers"_text);
+      // Those that were planned to follow on another state than the arm has now.
+      if (otherBranch_) {
+        const RobotState from = kept().empty() ? home_ : kept().back().points.back().at;
+        for (Run& run : planned(runs[r], from))
+          take(std::move(run), std::nullopt);
+      } else {
+        take(std::move(runs[r]), std::move(ahead[r]));
+      }
+    }
+    while (!kept().empty() && !parked_ && !park(afterLast(), surrounds_.back()))
+      if (!retreat(afterLast(), surrounds_.back()))
+        dropLast();
+    if (parked_)
+      result_.sequence.ways.push_back(std::move(*parked_));
+    return std::move(result_);
+  }
+
+private:
+  std::vector<Run>& kept() { return result_.sequence.runs; }
+
+  std::size_t afterLast() { return kept().back().points.back().next + 1; }
+
+  // Puts the run behind the last kept one; `ahead`: the way found from the run before it in the
+  // plan, which is of use where that is the last kept one, whole.
+  void take(Run run, std::optional<Transfer> ahead) {
+    const std::size_t before = run.points.front().next;
+    const Surround& surround = surrounds_[run.path];
+    std::optional<Transfer> way;
+    if (!kept().empty() && !parked_) {
+      way = lastIsWhole_ ? std::move(ahead) : between(kept().back(), run);
+      // What is not printed may be taken for printed: `before` counts it.
+      if (!way && !park(before, surround) && !retreat(before, surround) &&
+          !park(afterLast(), surround)) {
+        lose(run, 0, run.points.size(), true);
+        lastIsWhole_ = false;
+        return;
+      }
+    }
+    if (!way && (way = approach(usual_, run, 0, surround)))
+      setOut(*way);
+    if (!way && inAnotherBranch(run, surround))
+      return;
+    if (!way)
+      way = fromHome(run, surround);
+    if (!way) {
+      lose(run, 0, run.points.size(), false);
+      lastIsWhole_ = false;
+      return;
+    }
+    result_.sequence.ways.push_back(std::move(*way));
+    kept().push_back(std::move(run));
+    lastIsWhole_ = true;
+  }
+
+  std::optional<Transfer> between(const Run& a, const Run& b) const {
+    const RunPoint &last = a.points.back(), &first = b.points.front();
+    const plan::ToolPath &pathA = scene_.plan.paths[a.path], &pathB = scene_.plan.paths[b.path];
+    const bool hop = pathA.layer == pathB.layer && pathA.patch == pathB.patch &&
+                     (last.at.tip - first.at.tip).norm() <= scene_.options.hopMm;
+    return usual_.plan(last.at, first.at, hop, first.next, surrounds_[b.path],
+                       scene_.options.seed + first.next, ctx_);
+  }
+
+  RobotState rest() {
+    return kept().empty()
+               ? home_
+               : stateAt(scene_.cell, homeAfter(scene_.cell, kept().back().points.back().at.q));
+  }
+
+  // Where the last kept run ends, the arm goes home: is there a way?
+  bool park(std::size_t before, const Surround& surround) {
+    const RunPoint& end = kept().back().points.back();
+    for (const TransferPlanner* planner : {&usual_, &thorough_})
+      if ((parked_ = planner->leave(end.at, rest(), before, surround,
+                                    scene_.options.seed + end.next, ctx_)))
+        return true;
+    return false;
+  }
+
+  // There was none: the last kept run ends sooner, or is not printed, or some before it neither.
+  // False: that helps nothing, and all is as it was.
+  bool retreat(std::size_t before, const Surround& surround) {
+    constexpr std::size_t kMostRuns = 3;
+    for (std::size_t runs = 0; runs < std::min(kMostRuns, kept().size()); ++runs) {
+      const Run& run = kept()[kept().size() - 1 - runs];
+      const std::size_t n = run.points.size();
+      for (std::size_t back = runs == 0 ? 1 : 0; back + 1 < n;
+           back = std::max<std::size_t>(1, 2 * back)) {
+        std::size_t count = n - back;
+        while (count > 1 && run.points[count - 1].waypoint == plan::kNoWaypoint)
+          --count;
+        if (count < 2)
+          break;
+        const RunPoint& end = run.points[count - 1];
+        const RobotState home = stateAt(scene_.cell, homeAfter(scene_.cell, end.at.q));
+        auto way =
+            usual_.leave(end.at, home, before, surround, scene_.options.seed + end.next, ctx_);
+        if (!way)
+          continue;
+        for (std::size_t k = 0; k < runs; ++k)
+          dropLast();
+        cutLast(count);
+        parked_ = std::move(way);
+        lastIsWhole_ = false;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void dropLast() {
+    lose(kept().back(), 0, kept().back().points.size(), true);
+    kept().pop_back();
+    result_.sequence.ways.pop_back();
+    lastIsWhole_ = false;
+  }
+
+  void cutLast(std::size_t count) {
+    Run& run = kept().back();
+    if (count == run.points.size())
+      return;
+    lose(run, count, run.points.size(), true);
+    run.points.resize(count);
+    run.ladder = run.points;
+  }
+
+  // From where the arm rests to a point of the run.
+  std::optional<Transfer> approach(const TransferPlanner& planner, const Run& run, std::size_t at,
+                                   const Surround& surround) {
+    const RunPoint& start = run.points[at];
+    return planner.approach(rest(), start.at, start.next, surround,
+                            scene_.options.seed + start.next, ctx_);
+  }
+
+  // The way begins where the arm has been brought to rest.
+  void setOut(Transfer& way) {
+    if (!parked_)
+      return;
+    way.points.insert(way.points.begin(), parked_->points.begin(), parked_->points.end());
+    parked_.reset();
+  }
+
+  // The run's waypoints planned again, to follow on `from`.
+  std::vector<Run> planned(const Run& run, const RobotState& from) {
+    std::vector<Run> runs;
+    const std::size_t first = run.points.front().next, last = run.points.back().next;
+    paths_.plan(run.path, first, last - first + 1, from, ctx_.quiet(), runs, result_.refused);
+    return runs;
+  }
+
+  // The run as it is printed coming from where the arm rests: in another branch of the arm, or
+  // turned otherwise. False: that helps nothing.
+  bool inAnotherBranch(const Run& run, const Surround& surround) {
+    const std::size_t refusedBefore = result_.refused.size();
+    std::vector<Run> runs = planned(run, rest());
+    if (!runs.empty())
+      if (auto way = approach(usual_, runs.front(), 0, surround)) {
+        setOut(*way);
+        result_.sequence.ways.push_back(std::move(*way));
+        kept().push_back(std::move(runs.front()));
+        otherBranch_ = true;
+        lastIsWhole_ = false;
+        for (std::size_t i = 1; i < runs.size(); ++i)
+          take(std::move(runs[i]), std::nullopt);
+        return true;
+      }
+    result_.refused.resize(refusedBefore);
+    return false;
+  }
+
+  // From where the arm rests to the run's start, looked for harder, or as near to that as it comes;
+  // what comes before is lost then.
+  std::optional<Transfer> fromHome(Run& run, const Surround& surround) {
+    const std::size_t n = run.points.size();
+    std::optional<Transfer> way = approach(thorough_, run, 0, surround);
+    std::size_t first = 0;
+    for (std::size_t on = 1; !way && on + 1 < n; on *= 2) {
+      first = on;
+      while (first < n && run.points[first].waypoint == plan::kNoWaypoint)
+        ++first;
+      if (first + 1 < n)
+        way = approach(usual_, run, first, surround);
+    }
+    if (!way)
+      return std::nullopt;
+    if (first > 0) {
+      lose(run, 0, first, false);
+      run.points.erase(run.points.begin(), run.points.begin() + static_cast<std::ptrdiff_t>(first));
+      run.ladder = run.points;
+    }
+    setOut(*way);
+    return way;
+  }
+
+  void lose(const Run& run, std::size_t from, std::size_t to, bool caught) {
+    LostPiece piece;
+    piece.caught = caught;
+    for (std::size_t i = from; i < to; ++i)
+      if (run.points[i].waypoint != plan::kNoWaypoint)
+        piece.waypoints.push_back(run.points[i].waypoint);
+    if (!piece.waypoints.empty())
+      result_.lost.push_back(std::move(piece));
+  }
+
+  const MotionScene& scene_;
+  PathPlanner& paths_;
+  const RobotState& home_;
+  const base::RunContext& ctx_;
+  TransferPlanner usual_, thorough_;
+  std::vector<Surround> surrounds_;
+  ConnectedRuns result_;
+  std::optional<Transfer> parked_; // the way home from the last kept run, once it was needed
+  bool lastIsWhole_ = false;       // the last kept run is the last one that was taken, uncut
+  bool otherBranch_ = false;       // a run was planned again: those after it do not follow on it
+};
+
+} // namespace
+
+RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q) {
+  const Eigen::Isometry3d pose = cell.work_T_tool(q);
+  return {pose.translation(), Eigen::Quaterniond(pose.linear()), q, rodAngle(cell, q)};
+}
+
+ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,
+                          PathPlanner& paths, const base::RunContext& ctx) {
+  return Connector(scene, paths, home, ctx).connect(std::move(runs));
+}
+
+} // namespace voluta::motion

@@ -1,0 +1,17 @@
+// Where a waypoint is found: the path it is of, and the point of a trajectory that leads to it.
+#pragma once
+
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+
+#include <cstddef>
+
+namespace voluta::plan {
+
+// The path that the waypoint is of; null: the plan has no such waypoint.
+const ToolPath* pathOf(const ToolPlan& plan, std::size_t waypoint);
+
+// The waypoint that a point is, or is on the way to; kNoWaypoint: it follows the last one.
+std::size_t waypointAhead(const Trajectory& trajectory, std::size_t point);
+
+} // namespace voluta::plan
