@@ -52,6 +52,14 @@
         <translation>Tutte le scorciatoie</translation>
     </message>
     <message>
+        <source>Show &amp;log</source>
+        <translation>Mostra il &amp;registro</translation>
+    </message>
+    <message>
+        <source>What was opened, planned and found, and what failed</source>
+        <translation>Ciò che è stato aperto, pianificato e trovato, e ciò che non è riuscito</translation>
+    </message>
+    <message>
         <source>&amp;About Voluta</source>
         <translation>&amp;Informazioni su Voluta</translation>
     </message>
@@ -2083,10 +2091,6 @@ mm³</translation>
         <translation>sposta i piani, o aggiungine in mezzo</translation>
     </message>
     <message>
-        <source>move the robot by hand when the part is done, or allow less clearance</source>
-        <translation>muovi il robot a mano quando il pezzo è finito, o ammetti meno distanza</translation>
-    </message>
-    <message>
         <source>move them, or leave them out</source>
         <translation>spostali, o toglili</translation>
     </message>
@@ -2254,10 +2258,6 @@ mm³</translation>
         <translation>non resta alcun triangolo con area</translation>
     </message>
     <message>
-        <source>no way back to the home position was found that keeps clear of everything</source>
-        <translation>non si è trovata una via di ritorno alla posizione di riposo che stia lontana da tutto</translation>
-    </message>
-    <message>
         <source>nominal</source>
         <translation>nominale</translation>
     </message>
@@ -2376,6 +2376,10 @@ mm³</translation>
     <message>
         <source>out of memory</source>
         <translation>memoria esaurita</translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation>fuori portata</translation>
     </message>
     <message>
         <source>outside</source>
@@ -3805,9 +3809,12 @@ mm³</translation>
         <source>{value} is beyond process {process}</source>
         <translation>{value} è oltre il processo {process}</translation>
     </message>
-    <message>
-        <source>{voxels} more voxels are missed in {groups} smaller groups; this is the largest</source>
-        <translation>mancano altri {voxels} voxel in {groups} gruppi più piccoli; questo è il più grande</translation>
+    <message numerus="yes">
+        <source>{voxels} more voxels are missed in smaller groups ({groups}); this is the largest</source>
+        <translation>
+            <numerusform>manca un altro voxel; è questo</numerusform>
+            <numerusform>mancano altri {voxels} voxel in gruppi più piccoli ({groups}); questo è il più grande</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>{voxels} voxels are shadowed: from step {step} on they lie inside the front, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm</source>
@@ -4066,6 +4073,72 @@ mm³</translation>
     <message>
         <source>the context cannot be used</source>
         <translation>il contesto non si può usare</translation>
+    </message>
+    <message>
+        <source>Plate of the cell</source>
+        <translation>Piastra della cella</translation>
+    </message>
+    <message>
+        <source>and further places, the first at {place}: something would meet on the way there, so they are left out</source>
+        <translation>e altri punti, il primo a {place}: lungo la via qualcosa si urterebbe, perciò vengono tralasciati</translation>
+    </message>
+    <message>
+        <source>cell {cell} comes without plates</source>
+        <translation>la cella {cell} non ha piastre</translation>
+    </message>
+    <message>
+        <source>choose another platform, or another cell</source>
+        <translation>scegliere un&apos;altra piattaforma, o un&apos;altra cella</translation>
+    </message>
+    <message>
+        <source>copy it to a file first</source>
+        <translation>copiarlo prima in un file</translation>
+    </message>
+    <message>
+        <source>give --platform disc:DIAMETER, or another platform</source>
+        <translation>indicare --platform disc:DIAMETER, o un&apos;altra piattaforma</translation>
+    </message>
+    <message>
+        <source>is no ordinary file, but a device or a pipe</source>
+        <translation>non è un file ordinario, ma un dispositivo o una pipe</translation>
+    </message>
+    <message>
+        <source>look at these places in the picture; turn the part where they matter</source>
+        <translation>guardare questi punti nell&apos;immagine; girare il pezzo dove contano</translation>
+    </message>
+    <message>
+        <source>no way of building takes platform {platform} in cell {cell}</source>
+        <translation>nessun modo di costruire prende la piattaforma {platform} nella cella {cell}</translation>
+    </message>
+    <message>
+        <source>plate of the cell</source>
+        <translation>piastra della cella</translation>
+    </message>
+    <message>
+        <source>transfers</source>
+        <translation>spostamenti</translation>
+    </message>
+    <message>
+        <source>{place}: something would meet on the way here, so this place is left out</source>
+        <translation>{place}: lungo la via fin qui qualcosa si urterebbe, perciò il punto viene tralasciato</translation>
+    </message>
+    <message numerus="yes">
+        <source>{place}: the arm would not get away from where {pieces} pieces of paths end</source>
+        <translation>
+            <numerusform>{place}: il braccio non riuscirebbe ad allontanarsi da dove finisce {pieces} tratto di percorso</numerusform>
+            <numerusform>{place}: il braccio non riuscirebbe ad allontanarsi da dove finiscono {pieces} tratti di percorsi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{waypoints} waypoints, {share} of the material, are left out here and there, as told above</source>
+        <translation>
+            <numerusform>{waypoints} punto del percorso, {share} del materiale, viene tralasciato qua e là, come detto sopra</numerusform>
+            <numerusform>{waypoints} punti del percorso, {share} del materiale, vengono tralasciati qua e là, come detto sopra</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>pieces are not cut out of a mesh with defects</source>
+        <translation>da una mesh con difetti non si ritagliano pezzi</translation>
     </message>
 </context>
 <context>
@@ -5218,6 +5291,22 @@ Fai clic per sceglierne un altro</translation>
         <source>what fits the way of building</source>
         <translation>ciò che va col modo di costruire</translation>
     </message>
+    <message>
+        <source>Taken: %1, %2.</source>
+        <translation>Preso: %1, %2.</translation>
+    </message>
+    <message>
+        <source>Not taken: %1: %2.</source>
+        <translation>Non preso: %1: %2.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatico</translation>
+    </message>
+    <message>
+        <source>The first way of building, and the first platform, that nothing blocks.</source>
+        <translation>Il primo modo di costruire, e la prima piattaforma, che nulla blocca.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ComparePage</name>
@@ -5407,6 +5496,14 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Impossibile scrivere %1. Scegli un&apos;altra cartella.</translation>
     </message>
     <message>
+        <source>Show the log</source>
+        <translation>Mostra il registro</translation>
+    </message>
+    <message>
+        <source>No program here opens %1.</source>
+        <translation>Nessun programma qui apre %1.</translation>
+    </message>
+    <message>
         <source>Rod</source>
         <translation>Barra</translation>
     </message>
@@ -5584,12 +5681,20 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
 <context>
     <name>voluta::window::Runs</name>
     <message>
+        <source>1 voxel, %1 missed</source>
+        <translation>1 voxel, mancati: %1</translation>
+    </message>
+    <message>
         <source>%1 voxels, %2 missed</source>
         <translation>%1 voxel, %2 mancati</translation>
     </message>
     <message>
         <source>%1 layers</source>
         <translation>%1 strati</translation>
+    </message>
+    <message>
+        <source>1 waypoint</source>
+        <translation>1 punto</translation>
     </message>
     <message>
         <source>%1 waypoints</source>
@@ -5634,6 +5739,10 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Compared. Select a row to adopt it.</source>
         <translation>Confronto fatto. Seleziona una riga per adottarla.</translation>
+    </message>
+    <message>
+        <source>Preview: %1, 1 growth step</source>
+        <translation>Anteprima: %1, 1 passo di crescita</translation>
     </message>
     <message>
         <source>Preview: %1, %2 growth steps</source>

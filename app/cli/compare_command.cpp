@@ -43,10 +43,10 @@ private:
     for (const std::string& name : pictures::pictureNames()) {
       const project::Job& job = result.job;
       const bool there =
-          name == "part" ? !job.decomposition && !job.layers
+          name == "part" ? !job.decomposition() && !job.layers
           : name == "voxels"
-              ? job.decomposition && (!job.layers || job.decomposition->missedVoxels > 0)
-          : name == "pieces" ? job.pieces && job.pieces->pieces.size() > 1
+              ? job.decomposition() && (!job.layers || job.decomposition()->missedVoxels > 0)
+          : name == "pieces" ? job.pieces() && job.pieces()->pieces.size() > 1
           : name == "layers" ? job.layers != nullptr
                              : false;
       if (!there)
@@ -55,7 +55,7 @@ private:
       look.show = name;
       look.width = 800;
       look.height = 600;
-      look.colour = job.pieces && job.pieces->pieces.size() > 1 ? "group" : "layer";
+      look.colour = job.pieces() && job.pieces()->pieces.size() > 1 ? "group" : "layer";
       const std::string file = files.folder + "/" + name + ".png";
       try {
         const std::string png = scene::pngBytes(pictures::jobPicture(job, look));

@@ -97,11 +97,24 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
   auto& request = values->options.request;
   addPlanOptions(*plan, request, *values);
   plan->add_option("-o", values->options.folder, "folder for job, report and programs")->required();
-  plan->add_option("--mode", request.choices.mode, "way of building");
+  request.choices.automatic = true;
+  plan->add_option_function<std::string>(
+      "--mode",
+      [&request](const std::string& mode) {
+        request.choices.automatic = mode == "auto";
+        if (!request.choices.automatic)
+          request.choices.mode = mode;
+      },
+      "way of building; auto, unless given: the first that nothing blocks");
   addChoice(*plan, "--growth", request.choices.growth,
             "growth scheme of curved mode: " + growthIds());
-  addChoice(*plan, "--platform", request.choices.platform,
-            "what material starts on: " + platformForms());
+  plan->add_option_function<std::string>(
+      "--platform",
+      [&request](const std::string& platform) {
+        request.choices.platform = project::Platform(platform);
+        request.choices.platformStays = true;
+      },
+      "what material starts on: " + platformForms());
   addRunOptions(*plan, values->options.threads, values->progress);
   plan->callback([values, &parsed] {
     parsed.run = [values] {

@@ -7,6 +7,7 @@
 #include "modes/planar_modes.h"
 #include "modes/rod_profile.h"
 #include "motion/motion_options.h"
+#include "pipeline/automatic.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
 #include "project/platform_kinds.h"
@@ -93,7 +94,11 @@ base::ParameterValues parameterValues(const project::Choices& choices) {
 std::vector<std::string> chosenFormats(const project::Choices& choices, const robot::Cell& cell) {
   if (!choices.formats.empty())
     return choices.formats;
-  return {cell.robot().controller, "gcode-extended", "csv"};
+  std::vector<std::string> formats{cell.robot().controller};
+  for (const program::Dialect& dialect : program::dialects())
+    if (dialect.forAnyCell && dialect.id != formats.front())
+      formats.emplace_back(dialect.id);
+  return formats;
 }
 
 process::Process chosenProcess(const project::Choices& choices,
@@ -140,13 +145,27 @@ robot::Cell fittingCell(const project::Choices& choices, const process::Process&
                             fmt::format("{}", fmt::join(modesThere, ", "))));
 }
 
+toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
+                                            const process::Process& process) {
+  toolpath::ToolpathOptions options = toolpath::toolpathOptions(values);
+  options.stepMm = process.stepMm;
+  return options;
+}
+
+motion::MotionOptions motionOptionsOf(const base::ParameterValues& values, int seed) {
+  motion::MotionOptions options = motion::motionOptions(values);
+  options.seed = static_cast<std::uint64_t>(seed);
+  return options;
+}
+
 planar::RiskRule riskRule(const project::Choices& choices) {
   const base::ParameterValues values = parameterValues(choices);
   const process::Process process = chosenProcess(choices, values);
   return modes::riskRule({choices, values, process});
 }
 
-void checkChoices(const project::Choices& choices) {
+void checkChoices(const project::Choices& given) {
+  const project::Choices choices = given.automatic ? automaticChoices(given).front() : given;
   std::vector<std::string> modeIds, formatIds;
   for (const modes::Mode& mode : modes::modeTable())
     modeIds.emplace_back(mode.id);
@@ -164,7 +183,7 @@ void checkChoices(const project::Choices& choices) {
                               choices.mode, choices.platform.kind().word),
                 {},
                 base::message("give --platform {platforms}"_text, project::platformForms(taken)));
-  const bool laysItself = modes::findMode(choices.mode).place != nullptr;
+  const bool laysItself = static_cast<bool>(modes::findMode(choices.mode).place);
   if (const auto orient = choices.parameters.find("orient");
       laysItself && orient != choices.parameters.end() && orient->second != "none")
     throw Error(

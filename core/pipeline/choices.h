@@ -2,11 +2,13 @@
 #pragma once
 
 #include "base/parameters.h"
+#include "motion/motion_options.h"
 #include "planar/pieces.h"
 #include "process/process.h"
 #include "project/choices.h"
 #include "project/loaded_part.h"
 #include "robot/cell.h"
+#include "toolpath/options.h"
 
 #include <string>
 #include <string_view>
@@ -41,6 +43,11 @@ double unitMm(const project::LoadedPart& loaded, const project::Choices& choices
 // modes::cellOnAnyPlatform. Throws Error{Usage} also where the mode needs a rod and the cell has
 // none, or the cell has one and the mode does not print on it.
 robot::Cell fittingCell(const project::Choices& choices, const process::Process& process);
+
+// What the stages after the layers are asked for; of the tool-paths' but for the platform.
+toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
+                                            const process::Process& process);
+motion::MotionOptions motionOptionsOf(const base::ParameterValues& values, int seed);
 
 // When faces of pieces need support. Throws Error{Usage}: parameters, process.
 planar::RiskRule riskRule(const project::Choices& choices);

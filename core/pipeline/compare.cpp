@@ -23,7 +23,7 @@ bool asksFor(const modes::Mode& mode, const modes::ModeChoices& in, T project::C
   for (const T& trial : trials) {
     project::Choices choices = in.choices;
     choices.*choice = trial;
-    keys.insert(mode.decomposeKey({choices, in.values, in.process}));
+    keys.insert(mode.decompose.key({choices, in.values, in.process}));
   }
   return keys.size() > 1;
 }
@@ -89,7 +89,7 @@ std::vector<Combination> combinations(const CompareOptions& options) {
         const modes::Mode& mode = modes::findMode(id);
         const modes::ModeChoices in{choices, values, process};
         Combination row{id, growth, platform};
-        if (!asksFor(mode, in, &project::Choices::growth, curved::growthSchemes()))
+        if (!mode.grows)
           row.growth.reset();
         if (!asksFor(mode, in, &project::Choices::platform, usualPlatforms(mode)))
           row.platform = platforms.front();
@@ -100,6 +100,7 @@ std::vector<Combination> combinations(const CompareOptions& options) {
 }
 
 project::Choices choicesOf(const Combination& combination, project::Choices choices) {
+  choices.automatic = false;
   choices.mode = combination.mode;
   if (combination.growth)
     choices.growth = *combination.growth;

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "modes/mode_table.h"
 #include "project/report_fields.h"
 
 #include <algorithm>
@@ -87,7 +88,8 @@ const std::vector<Figure>& figures() {
                                                                       "Layers"_text, 0.0),
       figure<kMotion, &project::MotionReport::durationS, moves>("printTimeS", "print time"_text,
                                                                 "Print\ntime"_text, 1.0),
-      {"reachableFraction", "reachable"_text, "Reach\n%"_text, "%", 2.0, reachable, true},
+      {"reachableFraction", "reachable"_text, "Reach\n%"_text, "%", 2.0, reachable, true, true,
+       "out of reach"_text},
       figure<kMotion, &project::MotionReport::collisions, moves>("collisions", "collisions"_text,
                                                                  "Colli-\nsions"_text, 2.0),
   };
@@ -95,7 +97,9 @@ const std::vector<Figure>& figures() {
 }
 
 Value uniformMisses(const CompareRow& row) {
-  return row.combination.mode == "flat"
+  // Voxels that nothing was grown on.
+  const modes::Mode* mode = modes::modeNamed(row.combination.mode);
+  return mode && mode->result == project::ResultKind::InPieces
              ? plain<&project::Report::decomposition, &project::DecompositionReport::missedVoxels,
                      hasVoxels>(row)
              : std::nullopt;

@@ -23,6 +23,8 @@ struct Figure {
   std::optional<double> (*of)(const CompareRow&);
   bool moreIsBetter = false; // then at most 1
   bool lossIfAbsent = true;  // the road did not come so far: counts as the worst
+  // What its weight counts against: the label, but for a figure of which more is better.
+  base::Text loss = label;
 };
 
 // missedVoxels, riskyAreaMm2, supportVolumeMm3, pieces, layers, printTimeS, reachableFraction,

@@ -11,11 +11,9 @@ namespace voluta::pipeline {
 std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
                                                    const platform::PlatformSolid& platform,
                                                    const process::Process& process,
-                                                   const base::ParameterValues& values,
+                                                   toolpath::ToolpathOptions options,
                                                    const base::RunContext& ctx) {
   auto stage = std::make_shared<ToolpathStage>();
-  toolpath::ToolpathOptions options = toolpath::toolpathOptions(values);
-  options.stepMm = process.stepMm;
   options.platform = platform;
   toolpath::ToolpathResult planned = toolpath::planToolpaths(layers, process, options, ctx);
   const toolpath::ToolpathStatistics& s = planned.statistics;
@@ -41,7 +39,8 @@ std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& lay
 std::shared_ptr<const MotionStage>
 motionStage(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
             const robot::Cell& cell, const process::Process& process,
-            const base::ParameterValues& values, int seed, const base::RunContext& ctx) {
+            const motion::MotionOptions& options, const base::RunContext& ctx,
+            const std::vector<std::size_t>& avoided) {
   auto stage = std::make_shared<MotionStage>();
   project::MotionReport& r = stage->report;
   r.robot = cell.robot().id;
@@ -51,8 +50,6 @@ motionStage(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platf
     return stage;
   }
   base::Stopwatch depositing;
-  motion::MotionOptions options = motion::motionOptions(values);
-  options.seed = static_cast<std::uint64_t>(seed);
   platform::PlatformSolid ground = platform;
   ground.rod.reset(); // it is a body of the cell
   const double pitch = collision::growingPitch(toolPlan, process);
@@ -60,7 +57,7 @@ motionStage(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platf
                                        collision::groundCells(ground, pitch, ctx));
   const double deposited = depositing.seconds();
   motion::MotionResult planned =
-      motion::planMotion(toolPlan, cell, process, growing, options, ctx.sub(0.05, 1.0));
+      motion::planMotion(toolPlan, cell, process, growing, options, ctx.sub(0.05, 1.0), avoided);
   const motion::MotionStatistics& s = planned.statistics;
   r.waypoints = s.waypoints;
   r.unreachable = s.unreachable;

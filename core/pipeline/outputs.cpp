@@ -32,10 +32,10 @@ void writePieces(const std::vector<planar::Piece>& pieces, const std::filesystem
 
 void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
                 const base::RunContext& ctx) {
-  if (result.job.decomposition)
-    base::writeFile(folder / "voxels.vti", curved::voxelsVti(*result.job.decomposition));
-  if (result.job.pieces)
-    writePieces(result.job.pieces->pieces, folder / "pieces", ctx);
+  if (const project::Voxels voxels = result.job.decomposition())
+    base::writeFile(folder / "voxels.vti", curved::voxelsVti(*voxels));
+  if (const project::Pieces pieces = result.job.pieces())
+    writePieces(pieces->pieces, folder / "pieces", ctx);
   ctx.checkpoint();
   if (result.job.layers)
     base::writeFile(folder / "layers.vtp", layers::writeLayersVtp(*result.job.layers));

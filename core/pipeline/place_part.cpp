@@ -1,23 +1,24 @@
 #include "base/error.h"
+#include "base/key_text.h"
 #include "curved/platform.h"
 #include "geometry/convex_polygon.h"
 #include "geometry/measures.h"
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
 #include "modes/mode_table.h"
-#include "modes/parameter_text.h"
 #include "modes/plate.h"
+#include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
 #include "plan/finding_kinds.h"
 #include "robot/cell.h"
+#include "support/supports.h"
 #include "voxel/solid_voxels.h"
 #include "voxel/voxel_object.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace voluta::pipeline {
 
@@ -78,15 +79,16 @@ bool isUntouched(const geometry::Placement& p) {
 geometry::Placement placementByHandOrMode(const geometry::TriangleMesh& mesh, double scale,
                                           const modes::ModeChoices& in) {
   const geometry::Placement& own = in.choices.placement;
-  const auto place = modes::findMode(in.choices.mode).place;
-  return place && isUntouched(own) ? place(mesh, scale, in) : own;
+  const auto& place = modes::findMode(in.choices.mode).place;
+  return place && isUntouched(own) ? place(in, mesh, scale) : own;
 }
 
 platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
                                         const project::Choices& choices) {
   const base::ParameterValues values = parameterValues(choices);
-  if (const auto platform = modes::findMode(choices.mode).platform)
-    return platform(placed, {choices, values, chosenProcess(choices, values)});
+  const process::Process process = chosenProcess(choices, values);
+  if (const auto& platform = modes::findMode(choices.mode).platform)
+    return platform({choices, values, process}, placed);
   const bool asksForCells = choices.platform.marginMm() && placed.platform.empty();
   const voxel::SolidVoxels cells =
       !asksForCells   ? voxel::SolidVoxels{}
@@ -96,10 +98,11 @@ platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
 }
 
 std::string plannedPlatformKey(const project::Choices& choices) {
-  return fmt::format("mode {}\nplatform {}\ncell {}\n", choices.mode, choices.platform.text(),
-                     choices.cell) +
-         modes::parameterText({"voxelMm", "rodSides", "rodProfile", "rodAxis"},
-                              parameterValues(choices));
+  const base::ParameterValues values = parameterValues(choices);
+  const process::Process process = chosenProcess(choices, values);
+  if (const auto& platform = modes::findMode(choices.mode).platform)
+    return base::keyText(choices.mode) + platform.key({choices, values, process});
+  return base::keyText(choices.mode, choices.platform, values.number("voxelMm"));
 }
 
 std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loaded,
@@ -115,7 +118,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   const auto scaleFor = [&](const geometry::Placement& how) {
     return wanted > 0.0 ? wanted
            : mode.fittingScale
-               ? mode.fittingScale(*loaded.mesh, unit, in)
+               ? mode.fittingScale(in, *loaded.mesh, unit)
                : fittingScale(*loaded.mesh, unit, how, fittingCell(choices, process));
   };
   const auto place = [&](const geometry::Placement& how) {
@@ -126,7 +129,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   };
   place(placementByHandOrMode(*loaded.mesh, scaleFor(choices.placement) * unit, in));
   if (values.text("orient") != "none") {
-    TurnedPart turned = turnedPart(*stage->part, choices, values,
+    TurnedPart turned = turnedPart(*stage->part, choices.placement, turnPlan(choices, values),
                                    loaded.cells ? stage->scale * unit : values.number("voxelMm"),
                                    loaded.cells != nullptr, ctx);
     place(turned.placement);
@@ -135,6 +138,9 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   }
   if (loaded.cells)
     placeCells(loaded, stage->scale * unit, stage->placement, ctx, *stage);
+  if (choices.platform.isOfCell())
+    stage->platform =
+        cellPlate(fittingCell(choices, process), *stage->part, support::supportsWanted(values));
   const geometry::Diagnosis diagnosis = geometry::diagnose(*stage->part);
   stage->report.scale = stage->scale;
   stage->report.triangles = stage->part->triangles.size();

@@ -1,6 +1,7 @@
 #include "pipeline/remedies.h"
 
 #include "base/parameters.h"
+#include "modes/mode_table.h"
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
@@ -55,9 +56,11 @@ std::optional<project::Choices> widenPlatform(const plan::Finding&,
 
 // The parameter is for layers that are planes.
 std::optional<project::Choices> adaptLayers(const plan::Finding&, const project::Choices& choices) {
-  if (choices.mode != "planar" && choices.mode != "flat")
+  constexpr const char* kAdaptive = "adaptiveLayers";
+  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  if (!mode || !mode->asksFor(kAdaptive))
     return std::nullopt;
-  return withParameter(choices, "adaptiveLayers", "true");
+  return withParameter(choices, kAdaptive, "true");
 }
 
 std::optional<project::Choices> turnPart(const plan::Finding&, const project::Choices& choices) {

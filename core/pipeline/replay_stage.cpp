@@ -3,6 +3,8 @@
 #include "base/stopwatch.h"
 #include "program/dialect.h"
 
+#include <algorithm>
+
 namespace voluta::pipeline {
 
 namespace {
@@ -57,6 +59,15 @@ std::vector<base::Message> failedThresholds(const replay::Verification& verdict)
   return failed;
 }
 
+namespace {
+bool failsByCollisionsAlone(const replay::Verification& verdict) {
+  return verdict.deviations == 0 && verdict.collisions > 0 &&
+         std::all_of(verdict.results.begin(), verdict.results.end(), [](const auto& result) {
+           return result.passed || result.name == "collisions";
+         });
+}
+} // namespace
+
 std::shared_ptr<const CheckedProgram>
 programStage(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx) {
   auto checked = std::make_shared<CheckedProgram>();
@@ -75,6 +86,8 @@ programStage(const std::string& format, const ProgramStageInput& in, const base:
   checked->verdict = replayReport(verdict);
   checked->passed = verdict.passed;
   checked->failed = failedThresholds(verdict);
+  if (failsByCollisionsAlone(verdict))
+    checked->metAt = std::move(verdict.metAt);
   checked->maxDeviationMm = verdict.maxDeviationMm;
   checked->maxDeviationRad = verdict.maxDeviationRad;
   // Lines are of this program's text, and there are several programs.

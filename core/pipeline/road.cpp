@@ -1,8 +1,10 @@
 #include "pipeline/road.h"
 
 #include "base/error.h"
+#include "base/outcome.h"
 #include "base/stopwatch.h"
 #include "modes/mode_table.h"
+#include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/stage_keys.h"
 #include "plan/finding_kinds.h"
@@ -11,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <optional>
+#include <set>
 
 namespace voluta::pipeline {
 
@@ -19,18 +23,22 @@ namespace {
 // Where each stage ends in the time that a whole plan of a usual part takes.
 constexpr std::array<double, project::kStageCount> kEnds{0.02, 0.14, 0.22, 0.44, 0.6, 1.0};
 
+constexpr int kRounds = 3; // of moving without what the replay found
+
 // One plan: its stages in order, each taken from the cache or made.
 class Road {
 public:
-  Road(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
-       const StageObserver& onStage, const PreviewObserver& onPreview)
-      : choices_(request.choices), until_(request.until), ctx_(ctx), cache_(cache),
-        onStage_(onStage), onPreview_(onPreview), values_(parameterValues(choices_)),
+  // `untilBlocked`: what follows the first stage with a blocking finding is not made.
+  Road(const PlanRequest& request, bool untilBlocked, const base::RunContext& ctx,
+       StageCache* cache, const StageObserver& onStage, const PreviewObserver& onPreview)
+      : untilBlocked_(untilBlocked), choices_(byHand(request.choices)), until_(request.until),
+        ctx_(ctx), cache_(cache), onStage_(onStage), onPreview_(onPreview),
+        values_(parameterValues(choices_)), mode_(modes::findMode(choices_.mode)),
         process_(std::make_shared<process::Process>(chosenProcess(choices_, values_))) {
     result_.process = process_;
     result_.debug = values_.boolean("output.debug");
     result_.keepRefused = values_.boolean("output.refused");
-    job().choices = choices_;
+    job().choices = request.choices;
     report().threads = ctx.threads();
     report().decomposition.mode = choices_.mode;
     ctx.report(0.0, "load"_text);
@@ -86,7 +94,7 @@ private:
     if (onStage_)
       onStage_(stage, result_);
     ctx_.checkpoint();
-    return stage < until_;
+    return stage < until_ && !(untilBlocked_ && !nothingBlocks(report()));
   }
 
   bool load() {
@@ -111,8 +119,7 @@ private:
   modes::ModeChoices modeChoices() const { return {choices_, values_, *process_}; }
 
   // Most edits of a decomposition leave the voxels as they are.
-  std::shared_ptr<const modes::PartVoxels> voxels(const base::RunContext& ctx) {
-    const double voxelMm = values_.number("voxelMm");
+  std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx) {
     return taken<modes::PartVoxels>(
         fmt::format("{}voxels of {} mm\n", keys_[project::indexOf(project::Stage::Load)], voxelMm),
         "voxels", [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
@@ -120,20 +127,20 @@ private:
 
   bool decompose() {
     decomposed_ = taken<modes::DecomposeStage>([&] {
-      const modes::ModeChoices choices = modeChoices();
       modes::DecomposeInput in{
-          *placed_, choices, [&](const base::RunContext& ctx) { return voxels(ctx); }, {}};
+          *placed_,
+          [&](double voxelMm, const base::RunContext& ctx) { return voxels(voxelMm, ctx); },
+          {}};
       if (onPreview_)
         in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
           onPreview_(std::move(soFar), result_);
         };
-      return modes::findMode(choices_.mode).decompose(in, span(project::Stage::Decompose));
+      return mode_.decompose(modeChoices(), in, span(project::Stage::Decompose));
     });
     job().platform = decomposed_->platform;
-    job().lessPlatform = decomposed_->lessPlatform;
-    job().decomposition = decomposed_->decomposition;
-    job().pieces = decomposed_->pieces;
+    job().result = decomposed_->result;
     report().decomposition = decomposed_->report;
+    report().decomposition.mode = choices_.mode;
     result_.cell = std::make_shared<robot::Cell>(
         robot::loadCell(choices_.cell, *process_, decomposed_->platform));
     for (const std::string& format : chosenFormats(choices_, *result_.cell))
@@ -143,8 +150,8 @@ private:
 
   bool layers() {
     const auto stage = taken<modes::LayersStage>([&] {
-      return modes::findMode(choices_.mode)
-          .layers(*decomposed_, job().printed(), modeChoices(), span(project::Stage::Layers));
+      return mode_.layers(modeChoices(), *decomposed_, job().printed(),
+                          span(project::Stage::Layers));
     });
     job().layers = stage->layers;
     report().layers = stage->report;
@@ -155,8 +162,8 @@ private:
 
   bool toolpath() {
     const auto stage = taken<ToolpathStage>([&] {
-      return toolpathStage(*job().layers, job().platform, *process_, values_,
-                           span(project::Stage::Toolpath));
+      return toolpathStage(*job().layers, job().platform, *process_,
+                           toolpathOptionsOf(values_, *process_), span(project::Stage::Toolpath));
     });
     job().toolPlan = stage->toolPlan;
     report().toolpath = stage->report;
@@ -164,16 +171,54 @@ private:
   }
 
   bool motion() {
-    const auto stage = taken<MotionStage>([&] {
-      return motionStage(*job().toolPlan, job().platform, *result_.cell, *process_, values_,
-                         choices_.seed, span(project::Stage::Motion));
-    });
-    job().trajectory = stage->trajectory;
-    report().motion = stage->report;
-    return done(project::Stage::Motion, stage->findings, stage->timings) && job().trajectory;
+    motion_ = taken<MotionStage>([&] { return moved({}, span(project::Stage::Motion)); });
+    return motionDone();
+  }
+
+  std::shared_ptr<const MotionStage> moved(const std::vector<std::size_t>& avoided,
+                                           const base::RunContext& ctx) const {
+    return motionStage(*result_.job.toolPlan, result_.job.platform, *result_.cell, *process_,
+                       motionOptionsOf(values_, choices_.seed), ctx, avoided);
+  }
+
+  bool motionDone() {
+    job().trajectory = motion_->trajectory;
+    report().motion = motion_->report;
+    return done(project::Stage::Motion, motion_->findings, motion_->timings) && job().trajectory;
+  }
+
+  // The motion without the waypoints at which a replay found that something meets.
+  bool moveWithout(const std::vector<std::size_t>& avoided) {
+    const std::size_t told = job().stages[project::indexOf(project::Stage::Motion)].findings;
+    report().findings.resize(report().findings.size() - told);
+    motion_ = moved(avoided, span(project::Stage::Replay).quiet());
+    fresh_ = true;
+    return motionDone();
   }
 
   void programs() {
+    std::set<std::size_t> avoided;
+    for (int round = 0;; ++round) {
+      write(round < kRounds);
+      const std::size_t before = avoided.size();
+      for (const auto& checked : result_.checked)
+        avoided.insert(checked->metAt.begin(), checked->metAt.end());
+      if (avoided.size() == before || round == kRounds ||
+          !moveWithout({avoided.begin(), avoided.end()}))
+        break;
+    }
+    keepFresh();
+    plan::Findings findings;
+    project::Timings timings;
+    for (std::size_t i = 0; i < result_.checked.size(); ++i) {
+      timings += result_.checked[i]->timings;
+      tell(*result_.checked[i], i == 0, findings);
+    }
+    done(project::Stage::Replay, findings, timings);
+  }
+
+  // `untilMet`: not what follows a program in which something meets.
+  void write(bool untilMet) {
     const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
     const ProgramStageInput in{job().printed(),
                                job().platform,
@@ -182,20 +227,33 @@ private:
                                *result_.cell,
                                *process_,
                                std::filesystem::path(loaded_->name).stem().string()};
-    plan::Findings findings;
-    project::Timings timings;
+    result_.checked.clear();
     for (std::size_t i = 0; i < formats.size(); ++i) {
+      if (untilMet && i > 0 && !result_.checked.back()->metAt.empty())
+        return;
       const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
-      const auto checked = taken<CheckedProgram>(
-          programKey(keys_, loaded_->name, *process_, formats[i]), formats[i], [&] {
-            return programStage(formats[i], in,
-                                span(project::Stage::Replay).sub(at / count, (at + 1.0) / count));
-          });
-      result_.checked.push_back(checked);
-      timings += checked->timings;
-      tell(*checked, i == 0, findings);
+      const auto make = [&] {
+        return programStage(formats[i], in,
+                            span(project::Stage::Replay).sub(at / count, (at + 1.0) / count));
+      };
+      // What is kept was written for the motion before.
+      result_.checked.push_back(
+          fresh_ ? make() : taken<CheckedProgram>(keyOf(formats[i]), formats[i], make));
     }
-    done(project::Stage::Replay, findings, timings);
+  }
+
+  std::string keyOf(const std::string& format) const {
+    return programKey(keys_, loaded_->name, *process_, format);
+  }
+
+  // Motion and programs together: what is kept belongs together, whenever a plan is cancelled.
+  void keepFresh() {
+    if (!fresh_ || !cache_)
+      return;
+    cache_->keep<MotionStage>(keys_[project::indexOf(project::Stage::Motion)], motion_);
+    for (const auto& checked : result_.checked)
+      cache_->keep<CheckedProgram>(keyOf(checked->program.format), checked,
+                                   checked->program.format);
   }
 
   // The first program, the cell's own unless the user chose others, carries the verdict.
@@ -221,19 +279,105 @@ private:
   }
 
   base::Stopwatch whole_;
-  const project::Choices& choices_;
+  bool untilBlocked_;
+  const project::Choices choices_;
   project::Stage until_;
   const base::RunContext& ctx_;
   StageCache* cache_;
   const StageObserver& onStage_;
   const PreviewObserver& onPreview_;
   base::ParameterValues values_;
+  const modes::Mode& mode_;
   std::shared_ptr<const process::Process> process_;
   std::shared_ptr<const project::LoadedPart> loaded_;
   std::shared_ptr<const modes::LoadStage> placed_;
   std::shared_ptr<const modes::DecomposeStage> decomposed_;
+  std::shared_ptr<const MotionStage> motion_;
+  bool fresh_ = false; // the motion is another one than its key's
   project::StageKeys keys_;
   PlanResult result_;
+};
+
+// Several plans: ways of building in turn, until nothing blocks one.
+class Automatic {
+public:
+  Automatic(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+            const StageObserver& onStage, const PreviewObserver& onPreview)
+      : request_(request), ctx_(ctx), cache_(cache ? cache : &own_), onStage_(onStage),
+        onPreview_(onPreview) {
+    if (!request_.loaded)
+      request_.loaded = project::loadPart(request_.part, request_.choices.repair, ctx.sub(0, 0.02));
+  }
+
+  PlanResult run() {
+    const std::vector<project::Choices> ways = automaticChoices(request_.choices);
+    std::optional<project::Choices> best;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      const auto share = [&](std::size_t k) {
+        return 0.02 + 0.98 * static_cast<double>(k) / static_cast<double>(ways.size());
+      };
+      if (modes::findMode(ways[i].mode).cuts && !request_.loaded->remains.empty()) {
+        tried_.push_back({ways[i].mode,
+                          ways[i].platform.text(),
+                          {},
+                          "pieces are not cut out of a mesh with defects"_text,
+                          0.0});
+        continue;
+      }
+      auto outcome =
+          base::outcomeOf([&] { return plan(ways[i], true, ctx_.sub(share(i), share(i + 1))); });
+      if (std::holds_alternative<base::Cancelled>(outcome))
+        throw base::Cancelled{};
+      if (const auto* error = std::get_if<base::Error>(&outcome)) {
+        if (!error_)
+          error_ = *error;
+        tried_.push_back({ways[i].mode, ways[i].platform.text(), {}, error->whole(), 0.0});
+        continue;
+      }
+      PlanResult& result = std::get<PlanResult>(outcome);
+      if (nothingBlocks(result.job.report))
+        return told(std::move(result));
+      const project::Report& report = result.job.report;
+      const auto blocking = std::find_if(report.findings.begin(), report.findings.end(),
+                                         [](const plan::Finding& f) { return f.blocking; });
+      if (!best || *result.job.reached > furthest_) {
+        best = ways[i];
+        furthest_ = *result.job.reached;
+        bestTried_ = tried_.size();
+      }
+      tried_.push_back({ways[i].mode, ways[i].platform.text(),
+                        std::string(project::stageName(*result.job.reached)),
+                        plan::reasonOf(*blocking), report.timings.total});
+    }
+    if (!best)
+      throw *error_;
+    tried_.erase(tried_.begin() + static_cast<std::ptrdiff_t>(bestTried_));
+    return told(plan(*best, false, ctx_.quiet()));
+  }
+
+private:
+  PlanResult plan(const project::Choices& way, bool untilBlocked, const base::RunContext& ctx) {
+    PlanRequest one = request_;
+    one.choices = way;
+    return Road(one, untilBlocked, ctx, cache_, onStage_, onPreview_).run();
+  }
+  PlanResult told(PlanResult result) {
+    result.job.report.tried = std::move(tried_);
+    result.job.report.timings.total = whole_.seconds();
+    return result;
+  }
+
+  base::Stopwatch whole_;
+  PlanRequest request_;
+  const base::RunContext& ctx_;
+  StageCache own_{1};
+  StageCache* cache_;
+  const StageObserver& onStage_;
+  const PreviewObserver& onPreview_;
+  std::vector<project::TriedReport> tried_;
+  std::size_t bestTried_ = 0; // its place among them
+  project::Stage furthest_{};
+  std::optional<base::Error> error_; // of the first way that could not be planned
 };
 
 } // namespace
@@ -241,14 +385,17 @@ private:
 PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
                     const StageObserver& onStage, const PreviewObserver& onPreview) {
   checkChoices(request.choices);
-  return Road(request, ctx, cache, onStage, onPreview).run();
+  if (request.choices.automatic)
+    return Automatic(request, ctx, cache, onStage, onPreview).run();
+  return Road(request, false, ctx, cache, onStage, onPreview).run();
 }
 
 project::StageKeys stageKeys(const PlanRequest& request) {
   base::require(request.loaded != nullptr, "stageKeys: a part that is loaded");
   checkChoices(request.choices);
-  const base::ParameterValues values = parameterValues(request.choices);
-  return keysOf(*request.loaded, request.choices, values, chosenProcess(request.choices, values));
+  const project::Choices choices = byHand(request.choices);
+  const base::ParameterValues values = parameterValues(choices);
+  return keysOf(*request.loaded, choices, values, chosenProcess(choices, values));
 }
 
 PlanResult resultOf(project::Job job) {

@@ -1,5 +1,6 @@
 #include "pipeline/stage_cache.h"
 
+#include "modes/mode_table.h"
 #include "pipeline/stages.h"
 #include "project/job.h"
 
@@ -46,6 +47,14 @@ void StageCache::clear() {
   dropped.swap(shelves_);
 }
 
+namespace {
+// Is its mode one that there is, and the result of that mode's kind?
+bool holdsResult(const project::Job& job) {
+  const modes::Mode* mode = modes::modeNamed(job.choices.mode);
+  return mode && mode->result == project::kindOf(job.result);
+}
+} // namespace
+
 std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job) {
   auto load = std::make_shared<modes::LoadStage>();
   load->scale = job.scale;
@@ -69,7 +78,9 @@ void seedCache(StageCache& cache, const project::Job& job) {
     stage->report = report;
     stage->timings = record.timings;
     // A voxel object's placed cells are not in the file: they are soon made again.
-    const bool whole = T::kStage != project::Stage::Load || !job.loaded || !job.loaded->cells;
+    const bool whole = T::kStage == project::Stage::Load        ? !job.loaded || !job.loaded->cells
+                       : T::kStage == project::Stage::Decompose ? holdsResult(job)
+                                                                : true;
     if (whole && *job.reached >= T::kStage && !record.key.empty())
       cache.keep<T>(record.key, stage);
   };
@@ -77,9 +88,7 @@ void seedCache(StageCache& cache, const project::Job& job) {
   seed(load, job.report.model, nullptr);
   auto decompose = std::make_shared<modes::DecomposeStage>();
   decompose->platform = job.platform;
-  decompose->lessPlatform = job.lessPlatform;
-  decompose->decomposition = job.decomposition;
-  decompose->pieces = job.pieces;
+  decompose->result = job.result;
   seed(decompose, job.report.decomposition, &decompose->findings);
   auto layers = std::make_shared<modes::LayersStage>();
   layers->layers = job.layers;

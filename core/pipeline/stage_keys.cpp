@@ -2,17 +2,22 @@
 
 #include "base/data_files.h"
 #include "base/files.h"
-#include "curved/platform.h"
+#include "base/key_text.h"
 #include "modes/mode_table.h"
-#include "modes/parameter_text.h"
-#include "motion/motion_options.h"
 #include "pipeline/choices.h"
 #include "pipeline/turned_part.h"
 #include "project/content_hash.h"
 #include "robot/cell.h"
-#include "toolpath/options.h"
+#include "support/supports.h"
 
 #include <fmt/format.h>
+
+namespace voluta::platform {
+// Among options it is not known yet: what it comes to is told by the keys of the stages before.
+static std::string keyOf(const PlatformSolid&) {
+  return {};
+}
+} // namespace voluta::platform
 
 namespace voluta::pipeline {
 
@@ -29,47 +34,47 @@ std::string cellText(const robot::Cell& cell) {
                      fileHash("robots", robot, "unknown robot '{id}'"_text));
 }
 
-std::string headText(const process::Process& p) {
-  std::string text = fmt::format("head tolerance {}", p.contactToleranceMm);
-  for (const process::HeadSection& section : p.head.sections)
-    text += fmt::format(" {}:{}", section.zMm, section.radiusMm);
-  return text + "\n";
+// The process in the parts that stages take, so that what a stage does not take does not make it
+// run again. A new member of the process does not compile before it is in one of them.
+struct ProcessKeys {
+  std::string bead, head, travel, material;
+};
+
+ProcessKeys keysOf(const process::Process& process) {
+  const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
+               speed, travelSpeed, acceleration, tolerance, maxFlow, prime, material, density,
+               head] = process;
+  static_cast<void>(label); // nothing is made from it
+  return {
+      base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed, maxFlow),
+      base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
+      base::keyText(id, nozzle, prime, material, density)};
 }
 
-std::string beadText(const process::Process& p) {
-  return fmt::format("height {} in [{}, {}]\nwidth {} in [{}, {}]\nstep {}\nspeed {}\nflow {}\n",
-                     p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm, p.beadWidthMm,
-                     p.beadWidthMinMm, p.beadWidthMaxMm, p.stepMm, p.speedMmPerS, p.maxFlowMm3PerS);
-}
-
-std::string travelText(const process::Process& p) {
-  return fmt::format("travel {}\nacceleration {}\n", p.travelSpeedMmPerS, p.accelerationMmPerS2);
-}
-
-std::string loadText(const project::LoadedPart& loaded, const project::Choices& c,
-                     const base::ParameterValues& values, const process::Process& process,
+std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,
                      const std::string& cell) {
-  const geometry::Placement& p = c.placement;
-  const Eigen::Vector4d q = p.rotation.coeffs();
+  const project::Choices& c = in.choices;
   const bool mended = c.repair && !loaded.found.clean(); // a clean mesh stays as it is
-  std::string text =
-      fmt::format("mesh {}\nmended {}\nrotation {} {} {} {}\ncentre {} {}\nlift {}\n", loaded.hash,
-                  mended, q[3], q[0], q[1], q[2], p.centreMm.x(), p.centreMm.y(), p.liftMm);
+  std::string text = base::keyText(loaded.hash, mended, c.placement.rotation.coeffs(),
+                                   c.placement.centreMm, c.placement.liftMm);
   if (loaded.cells)
-    text += fmt::format("cells of {} mm\n", unitMm(loaded, c));
-  text += turnText(c, values);
-  if (const modes::Mode& mode = modes::findMode(c.mode); mode.placeKey)
-    text += fmt::format("placed by mode {}\n", c.mode) + mode.placeKey({c, values, process});
+    text += base::keyText(unitMm(loaded, c));
+  text += base::keyText(turnPlan(c, in.values));
+  if (c.platform.isOfCell())
+    text += "a plate of\n" + cell + base::keyText(support::supportsWanted(in.values));
+  const modes::Mode& mode = modes::findMode(c.mode);
+  if (mode.place)
+    text += base::keyText(mode.id) + mode.place.key(in);
   const double scale = project::parsedScale(c.scale);
   if (scale > 0.0)
-    return text + fmt::format("scale {}\n", scale);
-  return text + "scale to fit\n" + cell + headText(process);
+    return text + base::keyText(scale);
+  return text + "to fit\n" + cell + mode.fittingScale.key(in) + keysOf(in.process).head;
 }
 
+// All that a program is written and judged by.
 std::string programText(const std::string& partName, const process::Process& p) {
-  return fmt::format("name {}\nprocess {}\nmaterial {} {}\nprime {}\nnozzle {}\n", partName, p.id,
-                     p.material, p.densityGPerCm3, p.primeS, p.nozzleDiameterMm) +
-         beadText(p) + headText(p) + travelText(p);
+  const ProcessKeys keys = keysOf(p);
+  return base::keyText(partName) + keys.material + keys.bead + keys.head + keys.travel;
 }
 
 std::string next(const std::string& before, project::Stage stage, const std::string& own) {
@@ -91,14 +96,14 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
         stage == project::Stage::Load ? "" : keys[project::indexOf(stage) - 1];
     keys[project::indexOf(stage)] = next(before, stage, own);
   };
-  put(project::Stage::Load, loadText(loaded, choices, values, process, cellKey));
-  put(project::Stage::Decompose, fmt::format("mode {}\n", mode.id) + mode.decomposeKey(in));
-  put(project::Stage::Layers, mode.layersKey(in));
-  put(project::Stage::Toolpath, modes::parameterText(toolpath::toolpathParameters(), values) +
-                                    beadText(process) + headText(process));
-  put(project::Stage::Motion, cellKey + travelText(process) + headText(process) +
-                                  modes::parameterText(motion::motionParameters(), values) +
-                                  fmt::format("seed {}\n", choices.seed));
+  put(project::Stage::Load, loadText(loaded, in, cellKey));
+  put(project::Stage::Decompose, base::keyText(mode.id) + mode.decompose.key(in));
+  put(project::Stage::Layers, mode.layers.key(in));
+  const ProcessKeys processKeys = keysOf(process);
+  put(project::Stage::Toolpath,
+      base::keyText(toolpathOptionsOf(values, process)) + processKeys.bead + processKeys.head);
+  put(project::Stage::Motion, cellKey + processKeys.travel + processKeys.head +
+                                  base::keyText(motionOptionsOf(values, choices.seed)));
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
     formats += " " + format;

@@ -2,13 +2,13 @@
 // findings, its part of the report and its seconds (docs/design.md, Stages).
 #pragma once
 
-#include "base/parameters.h"
 #include "base/run_context.h"
 #include "curved/decomposition.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 #include "modes/mode.h"
 #include "modes/stages.h"
+#include "motion/motion_options.h"
 #include "plan/finding.h"
 #include "plan/program.h"
 #include "plan/tool_plan.h"
@@ -20,6 +20,7 @@
 #include "project/report.h"
 #include "project/stage.h"
 #include "robot/cell.h"
+#include "toolpath/options.h"
 
 #include <cstdint>
 #include <memory>
@@ -58,6 +59,7 @@ struct CheckedProgram {
   std::vector<TextLine> findingLines; // of each finding
   bool passed = false;
   std::vector<base::Message> failed; // the thresholds that were not kept
+  std::vector<std::size_t> metAt;    // as Verification::metAt, where all else was kept
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
   std::vector<TextLine> motionLines; // of each motion, as its reader found it
   project::Timings timings;
@@ -89,16 +91,19 @@ std::string plannedPlatformKey(const project::Choices& choices);
 // Defects that could not be mended, as findings.
 plan::Findings remainingDefects(const project::LoadedPart& loaded);
 
+// `options`: but for the platform.
 std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
                                                    const platform::PlatformSolid& platform,
                                                    const process::Process& process,
-                                                   const base::ParameterValues& values,
+                                                   toolpath::ToolpathOptions options,
                                                    const base::RunContext& ctx);
 
+// `avoided`: waypoints that are not to be printed.
 std::shared_ptr<const MotionStage>
 motionStage(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
             const robot::Cell& cell, const process::Process& process,
-            const base::ParameterValues& values, int seed, const base::RunContext& ctx);
+            const motion::MotionOptions& options, const base::RunContext& ctx,
+            const std::vector<std::size_t>& avoided = {});
 
 // Writes the program, reads it back and replays it. `name`: of the part, without extension.
 struct ProgramStageInput {

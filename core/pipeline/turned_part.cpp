@@ -15,6 +15,7 @@ namespace voluta::pipeline {
 namespace {
 
 constexpr double kSame = 1e-6; // rad
+constexpr std::string_view kFewestMissed = "fewestMissed";
 
 plan::Finding findingOf(const placement::Orientation& found, bool fewestMissed, bool turned) {
   using plan::FindingKind;
@@ -41,42 +42,41 @@ plan::Finding findingOf(const placement::Orientation& found, bool fewestMissed, 
 
 } // namespace
 
-TurnedPart turnedPart(const geometry::TriangleMesh& placed, const project::Choices& choices,
-                      const base::ParameterValues& values, double voxelMm, bool onlyQuarters,
+TurnPlan turnPlan(const project::Choices& choices, const base::ParameterValues& values) {
+  const std::string objective = values.text("orient");
+  if (objective == "none")
+    return {objective, 0.0, 0.0, {}};
+  return {objective, values.number("voxelMm"),
+          base::degreesToRadians(values.number("overhangAngle")),
+          objective == kFewestMissed ? choices.platform : project::Platform()};
+}
+
+TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
+                      const TurnPlan& plan, double voxelMm, bool onlyQuarters,
                       const base::RunContext& ctx) {
   TurnedPart out;
-  out.placement = choices.placement;
-  const std::string orient = values.text("orient");
-  if (orient == "none")
+  out.placement = placement;
+  if (plan.objective == "none")
     return out;
   const base::Stopwatch clock;
-  const bool fewestMissed = orient == "fewestMissed";
+  const bool fewestMissed = plan.objective == kFewestMissed;
   placement::OrientOptions options;
   options.voxelMm = voxelMm;
-  options.overhangRad = base::degreesToRadians(values.number("overhangAngle"));
+  options.overhangRad = plan.overhangRad;
   options.quarterTurns = onlyQuarters;
-  options.centreMm = choices.placement.centreMm;
+  options.centreMm = placement.centreMm;
   options.platform = [&](const voxel::SolidVoxels& part) {
-    return modes::plateOf(choices.platform, part);
+    return modes::plateOf(plan.platform, part);
   };
   const placement::Orientation found = placement::bestOrientation(
       placed, fewestMissed ? placement::Objective::FewestMissed : placement::Objective::LeastRisky,
       options, ctx);
   const bool turned = found.turn.angularDistance(Eigen::Quaterniond::Identity()) > kSame;
   if (turned)
-    out.placement.rotation = (found.turn * choices.placement.rotation.normalized()).normalized();
+    out.placement.rotation = (found.turn * placement.rotation.normalized()).normalized();
   out.findings.push_back(findingOf(found, fewestMissed, turned));
   out.seconds = clock.seconds();
   return out;
-}
-
-std::string turnText(const project::Choices& choices, const base::ParameterValues& values) {
-  const std::string orient = values.text("orient");
-  if (orient == "none")
-    return {};
-  return fmt::format("orient {}\nwidth {} mm\noverhang {}\n", orient, values.number("voxelMm"),
-                     values.number("overhangAngle")) +
-         (orient == "fewestMissed" ? fmt::format("platform {}\n", choices.platform.text()) : "");
 }
 
 } // namespace voluta::pipeline

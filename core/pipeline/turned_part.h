@@ -6,7 +6,7 @@
 #include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
 #include "plan/finding.h"
-#include "project/job.h"
+#include "project/choices.h"
 
 #include <string>
 
@@ -18,14 +18,21 @@ struct TurnedPart {
   double seconds = 0.0;
 };
 
-// `placed`: the part where choices.placement puts it. `voxelMm`: width of the voxels it will be
-// grown on. `onlyQuarters`: only turns that keep its own cells. Without orient the placement stays.
-// Throws as placement::bestOrientation(); Cancelled.
-TurnedPart turnedPart(const geometry::TriangleMesh& placed, const project::Choices& choices,
-                      const base::ParameterValues& values, double voxelMm, bool onlyQuarters,
-                      const base::RunContext& ctx);
+// How a way to lie is searched for.
+struct TurnPlan {
+  std::string objective; // of the parameter orient; "none": as it lies
+  double voxelMm = 0.0;  // width of the voxels it will be grown on
+  double overhangRad = 0.0;
+  project::Platform platform; // where voxels are missed
+};
+// Without what a search that is not asked for would take.
+TurnPlan turnPlan(const project::Choices& choices, const base::ParameterValues& values);
 
-// What `orient` adds to the key of the Load stage; empty for none.
-std::string turnText(const project::Choices& choices, const base::ParameterValues& values);
+// `placed`: the part where `placement` puts it. `voxelMm`: instead of the plan's. `onlyQuarters`:
+// only turns that keep its own cells. Without a search the placement stays. Throws as
+// placement::bestOrientation(); Cancelled.
+TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
+                      const TurnPlan& plan, double voxelMm, bool onlyQuarters,
+                      const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -64,8 +64,8 @@ std::vector<std::string> fuzz::seeds() {
   project::Job part;
   part.loaded = job.loaded;
   part.partName = "box.stl";
-  return {inputOf(project::jobBytes(job)), inputOf(project::jobBytes(part)),
-          inputOf(test::formatOneBytes(job))};
+  return {inputOf(project::jobBytes(job)), inputOf(project::jobBytes(test::sampleJobOfPieces())),
+          inputOf(project::jobBytes(part)), inputOf(test::formatOneBytes(job))};
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -198,6 +198,11 @@ TEST(CompareRule, WeightsDecide) {
     EXPECT_THROW(setWeight(weights, wrong), base::Error) << wrong;
 }
 
+TEST(CompareRule, AWeightIsNamedByWhatItCountsAgainst) {
+  for (const Figure& figure : figures())
+    EXPECT_EQ(figure.loss == figure.label, !figure.moreIsBetter) << figure.key;
+}
+
 TEST(CompareRule, TheFirstOfEqualsIsBestAndTheOthersAreNamed) {
   const std::vector<CompareRow> rows{row(9, 100), row(5, 100), row(5, 100)};
   const Ranking ranking = rank(rows, defaultWeights());

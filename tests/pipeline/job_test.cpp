@@ -77,10 +77,32 @@ TEST_F(JobFile, ThePartComesBackAsItWasRead) {
   EXPECT_TRUE(back.choices.repair);
 }
 
+TEST_F(JobFile, PiecesComeBack) {
+  const Job job = test::sampleJobOfPieces();
+  const Job back = readBack(project::jobBytes(job));
+  EXPECT_EQ(back.decomposition(), nullptr);
+  ASSERT_EQ(back.pieces()->pieces.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const planar::Piece &p = back.pieces()->pieces[i], &q = job.pieces()->pieces[i];
+    EXPECT_EQ(p.solid.mesh.vertices, q.solid.mesh.vertices);
+    EXPECT_EQ(p.solid.mesh.triangles, q.solid.mesh.triangles);
+    EXPECT_EQ(p.solid.tag, q.solid.tag);
+    EXPECT_EQ(p.base.normal, q.base.normal);
+    EXPECT_EQ(p.base.offsetMm, q.base.offsetMm);
+    EXPECT_EQ(p.baseTag, q.baseTag);
+    EXPECT_EQ(p.parent, q.parent);
+  }
+  EXPECT_EQ(back.pieces()->riskyBeforeMm2, 12.0);
+  EXPECT_EQ(back.pieces()->riskyMm2, 0.5);
+  EXPECT_EQ(back.pieces()->sectionMm2, 100.0);
+  EXPECT_EQ(back.pieces()->blockedPieces, 1u);
+  EXPECT_EQ(back.pieces()->seconds.cut, 0.5);
+}
+
 TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
   const Job job = sampleJob();
   const Job back = readBack(project::jobBytes(job));
-  const curved::Decomposition &d = *back.decomposition, &was = *job.decomposition;
+  const curved::Decomposition &d = *back.decomposition(), &was = *job.decomposition();
   EXPECT_EQ(d.rank, was.rank);
   EXPECT_EQ(d.field[1], was.field[1]);
   EXPECT_TRUE(std::isnan(d.field[2]));
@@ -97,22 +119,6 @@ TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
   EXPECT_EQ(d.growth, was.growth);
   EXPECT_EQ(d.shadowedVoxels, 1u);
   EXPECT_EQ(d.seconds.grow, 0.25);
-  ASSERT_EQ(back.pieces->pieces.size(), 2u);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const planar::Piece &p = back.pieces->pieces[i], &q = job.pieces->pieces[i];
-    EXPECT_EQ(p.solid.mesh.vertices, q.solid.mesh.vertices);
-    EXPECT_EQ(p.solid.mesh.triangles, q.solid.mesh.triangles);
-    EXPECT_EQ(p.solid.tag, q.solid.tag);
-    EXPECT_EQ(p.base.normal, q.base.normal);
-    EXPECT_EQ(p.base.offsetMm, q.base.offsetMm);
-    EXPECT_EQ(p.baseTag, q.baseTag);
-    EXPECT_EQ(p.parent, q.parent);
-  }
-  EXPECT_EQ(back.pieces->riskyBeforeMm2, 12.0);
-  EXPECT_EQ(back.pieces->riskyMm2, 0.5);
-  EXPECT_EQ(back.pieces->sectionMm2, 100.0);
-  EXPECT_EQ(back.pieces->blockedPieces, 1u);
-  EXPECT_EQ(back.pieces->seconds.cut, 0.5);
   ASSERT_EQ(back.layers->patches.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     const layers::Patch &p = back.layers->patches[i], &q = job.layers->patches[i];
@@ -252,16 +258,17 @@ TEST_F(JobFile, ContradictionsAreRefused) {
   };
   const auto withDecomposition = [&](auto&& change) {
     return [change](Job& job) {
-      curved::Decomposition d = *job.decomposition;
+      curved::Decomposition d = *job.decomposition();
       change(d);
-      job.decomposition = std::make_shared<curved::Decomposition>(d);
+      job.result = std::make_shared<curved::Decomposition>(d);
     };
   };
   const auto withPiece = [&](auto&& change) {
     return [change](Job& job) {
-      planar::PlanarDecomposition d = *job.pieces;
+      job = test::sampleJobOfPieces();
+      planar::PlanarDecomposition d = *job.pieces();
       change(d.pieces[1]);
-      job.pieces = std::make_shared<planar::PlanarDecomposition>(d);
+      job.result = std::make_shared<planar::PlanarDecomposition>(d);
     };
   };
   refused("a piece on one that is not there", withPiece([](auto& p) { p.parent = 2; }));

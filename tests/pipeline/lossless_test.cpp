@@ -63,7 +63,7 @@ TEST(Lossless, WithoutSupportsTheToothIsMissed) {
   EXPECT_EQ(r.missedAfterSupports, r.missedVoxels);
   EXPECT_EQ(r.supportVolumeMm3, 0.0);
   EXPECT_FALSE(nothingBlocks(plan.job.report));
-  EXPECT_TRUE(plan.job.decomposition->support.empty());
+  EXPECT_TRUE(plan.job.decomposition()->support.empty());
 }
 
 TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
@@ -78,7 +78,7 @@ TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
   EXPECT_EQ(countOf(report, "supportColumn"), 1u);
   EXPECT_EQ(countOf(report, "unsupportedPatches"), 0u);
 
-  const curved::Decomposition& d = *plan.job.decomposition;
+  const curved::Decomposition& d = *plan.job.decomposition();
   EXPECT_EQ(d.supportVoxels, 8u);
   EXPECT_EQ(r.voxels, d.voxels);
   EXPECT_EQ(static_cast<std::size_t>(std::count(d.support.begin(), d.support.end(), 1)), 8u);
@@ -104,8 +104,8 @@ TEST(Lossless, ASupportedPlanIsKeptInItsProject) {
   const test::TemporaryFolder folder;
   writeJob(folder / "job.voluta", plan.job);
   const Job job = readJob(folder / "job.voluta");
-  EXPECT_EQ(job.decomposition->support, plan.job.decomposition->support);
-  EXPECT_EQ(job.decomposition->supportVoxels, 8u);
+  EXPECT_EQ(job.decomposition()->support, plan.job.decomposition()->support);
+  EXPECT_EQ(job.decomposition()->supportVoxels, 8u);
   EXPECT_EQ(job.layers->patches.back().group, plan.job.layers->patches.back().group);
   EXPECT_EQ(job.report.decomposition.missedAfterSupports, 0u);
 }

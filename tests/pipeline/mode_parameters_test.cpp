@@ -34,7 +34,7 @@ std::string keyOf(const Mode& mode, const project::Choices& choices) {
   const base::ParameterValues values = pipeline::parameterValues(choices);
   const process::Process process = pipeline::chosenProcess(choices, values);
   const ModeChoices in{choices, values, process};
-  return mode.decomposeKey(in) + mode.layersKey(in) + (mode.placeKey ? mode.placeKey(in) : "");
+  return mode.decompose.key(in) + mode.layers.key(in) + mode.place.key(in);
 }
 
 TEST(ModeParameters, WhatAModeDoesNotTakeHasNoSayInIt) {

@@ -15,11 +15,11 @@ namespace {
 using Eigen::Vector3d;
 using namespace voluta::modes;
 
-base::ParameterValues values(const std::map<std::string, std::string>& set) {
+PieceSearch searched(const std::map<std::string, std::string>& set) {
   base::ParameterValues out(pieceSearchParameters());
   for (const auto& [key, value] : set)
     out.set(key, value);
-  return out;
+  return pieceSearch(out);
 }
 
 TEST(PieceRoot, IsAPointInWords) {
@@ -41,7 +41,7 @@ TEST(PieceRoot, IsAPointInWords) {
 TEST(SearchPieces, BothSchemesGiveThePartWhole) {
   const geometry::TriangleMesh block = test::box({-10, -10, 0}, {10, 10, 20});
   for (const char* scheme : {"beam", "greedy"})
-    EXPECT_EQ(searchPieces(block, {}, values({{"planarScheme", scheme}}), base::RunContext())
+    EXPECT_EQ(searchPieces(block, {}, searched({{"planarScheme", scheme}}), base::RunContext())
                   .pieces.size(),
               1u);
 }
@@ -51,7 +51,7 @@ TEST(SearchPieces, ARootThatLeadsNowhereIsSaidInOneLine) {
   geometry::TriangleMesh blocks = test::box({-10, -10, 0}, {10, 10, 20});
   test::append(blocks, test::box({20, -10, 5}, {40, 10, 25}));
   const auto search = [&](const char* root) {
-    return searchPieces(blocks, {}, values({{"planarScheme", "greedy"}, {"pieceRoot", root}}),
+    return searchPieces(blocks, {}, searched({{"planarScheme", "greedy"}, {"pieceRoot", root}}),
                         base::RunContext());
   };
   EXPECT_NO_THROW(search("0,0,0"));

@@ -106,4 +106,20 @@ TEST(Report, FindingsHaveTheirValues) {
             "no column from inside the platform reaches 12000 voxels that would be missed");
 }
 
+TEST(Report, ACountWithItsWordIsANumberToo) {
+  const auto voxels = [](int count) {
+    return base::message("{count} voxel|{count} voxels"_plural, count);
+  };
+  project::Report report;
+  report.findings.push_back(plan::makeFinding(
+      plan::FindingKind::SupportColumn,
+      {{"voxels", voxels(10)}, {"foot", "the platform"_text}, {"carried", voxels(1)}}));
+  const nlohmann::json j = nlohmann::json::parse(project::reportJson(report));
+  const nlohmann::json& column = j.at("findings").at(0);
+  EXPECT_EQ(column.at("reason"),
+            "a column of 10 voxels from the platform carries 1 voxel that would be missed");
+  EXPECT_EQ(column.at("values"),
+            nlohmann::json::parse(R"({"voxels": 10, "foot": "the platform", "carried": 1})"));
+}
+
 } // namespace

@@ -75,7 +75,7 @@ TEST_F(PlannedBox, EveryStageIsToldInOrderWithWhatIsThere) {
         told.push_back(stage);
         EXPECT_EQ(r.job.reached, stage);
         EXPECT_NE(r.job.part, nullptr);
-        EXPECT_EQ(r.job.decomposition != nullptr, stage >= Stage::Decompose);
+        EXPECT_EQ(r.job.decomposition() != nullptr, stage >= Stage::Decompose);
         EXPECT_EQ(r.cell != nullptr, stage >= Stage::Decompose);
         EXPECT_EQ(r.job.layers != nullptr, stage >= Stage::Layers);
         EXPECT_EQ(r.job.toolPlan != nullptr, stage >= Stage::Toolpath);
@@ -95,7 +95,7 @@ TEST_F(PlannedBox, EveryStageIsToldInOrderWithWhatIsThere) {
 TEST_F(PlannedBox, AnotherInfillLeavesTheLayersAndPlansTheSameAsAFreshPlan) {
   const PlanRequest request = boxRequest({{"infill", "concentric"}});
   const PlanResult second = planPart(request, context(), cache_);
-  EXPECT_EQ(second.job.decomposition, first_->job.decomposition) << "decomposed again";
+  EXPECT_EQ(second.job.decomposition(), first_->job.decomposition()) << "decomposed again";
   EXPECT_EQ(second.job.layers, first_->job.layers) << "cut again";
   EXPECT_NE(second.job.toolPlan, first_->job.toolPlan);
   const PlanResult fresh = planPart(request, context());
@@ -135,14 +135,14 @@ TEST_F(PlannedBox, ACancelledPlanKeepsWhatIsDone) {
   std::shared_ptr<const curved::Decomposition> made;
   EXPECT_THROW(planPart(boxRequest(), base::RunContext(token, 1), &cache,
                         [&](Stage stage, const PlanResult& r) {
-                          made = r.job.decomposition;
+                          made = r.job.decomposition();
                           if (stage == Stage::Decompose)
                             token.cancel();
                         }),
                base::Cancelled);
   PlanRequest again = boxRequest();
   again.until = Stage::Layers;
-  EXPECT_EQ(planPart(again, context(), &cache).job.decomposition, made);
+  EXPECT_EQ(planPart(again, context(), &cache).job.decomposition(), made);
 }
 
 TEST_F(PlannedBox, ThePlanHasTheKeysThatWereAskedForBefore) {
@@ -172,7 +172,7 @@ TEST_F(PlannedBox, AReopenedProjectPlansOnlyItsProgramsAndTheSameOnes) {
   EXPECT_EQ(stageKeys(request), job.keys());
   const PlanResult planned = planPart(request, context(), &cache);
   EXPECT_EQ(planned.job.part, job.part);
-  EXPECT_EQ(planned.job.decomposition, job.decomposition);
+  EXPECT_EQ(planned.job.decomposition(), job.decomposition());
   EXPECT_EQ(planned.job.layers, job.layers);
   EXPECT_EQ(planned.job.toolPlan, job.toolPlan);
   EXPECT_EQ(planned.job.trajectory, job.trajectory);

@@ -124,6 +124,13 @@ void addReport(Job& job) {
 
 } // namespace
 
+Job sampleJobOfPieces() {
+  Job job = sampleJob();
+  job.choices.mode = "planar";
+  job.result = samplePieces();
+  return job;
+}
+
 Job sampleJob() {
   Job job;
   job.partName = "box.stl";
@@ -134,8 +141,7 @@ Job sampleJob() {
   job.choices.placement.rotation = Eigen::Quaterniond(0.6, 0.8, 0, 0);
   job.choices.placement.centreMm = {3, -4};
   job.choices.placement.liftMm = 0.5;
-  job.decomposition = sampleDecomposition();
-  job.pieces = samplePieces();
+  job.result = sampleDecomposition();
   job.layers = sampleLayers();
   job.choices.formats = {"urscript"};
   job.choices.parameters = {{"voxelMm", "1.08"}};

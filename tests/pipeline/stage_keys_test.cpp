@@ -153,7 +153,7 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
   const std::tuple<const char*, const char*, std::size_t> rows[] = {
       {"planar", "overhangAngle", 1},  {"planar", "pieceMaterials", 1},
       {"planar", "adaptiveLayers", 2}, {"planar", "cuspMm", 2},
-      {"planar", "supports", 2},       {"flat", "supports", 2},
+      {"planar", "supports", 2},       {"flat", "supports", 1},
       {"planar", "layerPlanes", 6},    {"planar", "voxelMm", 6},
       {"planar", "cutPlanes", 1},      {"flat", "cutPlanes", 6},
       {"planar", "planarScheme", 1},   {"flat", "planarScheme", 6},

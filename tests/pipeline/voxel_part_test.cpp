@@ -91,7 +91,7 @@ TEST(VoxelPart, SamplesGoTheRoadWithNothingMissed) {
     EXPECT_NEAR(report.model.volumeMm3, voxels * 0.512, 1e-6);
     EXPECT_GT(report.layers.count, 5);
     // Exactly the object's cells, whatever the voxeliser would have made of its surface.
-    const auto& rank = result.job.decomposition->rank;
+    const auto& rank = result.job.decomposition()->rank;
     EXPECT_EQ(static_cast<std::size_t>(
                   std::count_if(rank.begin(), rank.end(), [](int r) { return r > 0; })),
               voxels);
@@ -294,8 +294,7 @@ TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
   const plan::Findings some = thinWallFindings(many, 0.8, {});
   ASSERT_EQ(some.size(), 6u);
   EXPECT_THAT(voluta::plan::englishReason(some[5]), HasSubstr("4 smaller places"));
-  EXPECT_THAT(plan::englishRemedy(
-                  thinWallFindings(test::box({0, 0, 0}, {0.05, 3, 3}), 0.8, {})[0]),
+  EXPECT_THAT(plan::englishRemedy(thinWallFindings(test::box({0, 0, 0}, {0.05, 3, 3}), 0.8, {})[0]),
               HasSubstr("thicken the wall"));
 }
 

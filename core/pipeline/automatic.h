@@ -1,0 +1,33 @@
+// Mode auto: the first way of building that nothing blocks.
+#pragma once
+
+#include "base/text.h"
+#include "project/choices.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::pipeline {
+
+// A way that is tried: mode and platform, and parameters unless the user has changed them.
+struct AutomaticWay {
+  std::string_view mode, platform;
+  std::map<std::string, std::string> parameters = {};
+};
+
+// In the order they are tried: what needs no support first, then what an ordinary printer does,
+// last what needs a pedestal made for the part.
+const std::vector<AutomaticWay>& automaticWays();
+
+// Those of them, and of the modes for rods and bodies, that go with the cell and, where it stays,
+// the platform of automatic choices: the choices with each way's mode and platform. Throws
+// Error{Usage}: there is none.
+std::vector<project::Choices> automaticChoices(const project::Choices& choices);
+
+// As somebody would choose by hand what automatic choices, with the mode of one of the ways, come
+// to: with the way's parameters. Others as they are.
+project::Choices byHand(project::Choices choices);
+
+} // namespace voluta::pipeline

@@ -1,0 +1,116 @@
+// Mode auto: which ways are tried, and what is taken.
+#include "pipeline/automatic.h"
+
+#include "base/error.h"
+#include "helpers/shapes.h"
+#include "modes/mode_table.h"
+#include "pipeline/box_request.h"
+#include "pipeline/road.h"
+
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using pipeline::automaticChoices;
+
+namespace {
+
+project::Choices automatic() {
+  project::Choices choices;
+  choices.automatic = true;
+  return choices;
+}
+
+pipeline::PlanRequest automaticRequest() {
+  pipeline::PlanRequest request = test::boxRequest();
+  request.choices.automatic = true;
+  request.choices.formats = {"urscript"};
+  return request;
+}
+
+} // namespace
+
+TEST(Automatic, WaysAreOfKnownModesAndPlatformsTheyTake) {
+  ASSERT_FALSE(pipeline::automaticWays().empty());
+  for (const pipeline::AutomaticWay& way : pipeline::automaticWays()) {
+    const modes::Mode* mode = modes::modeNamed(way.mode);
+    ASSERT_NE(mode, nullptr) << way.mode;
+    EXPECT_TRUE(project::Platform(way.platform).isForAnyOf(mode->platforms)) << way.mode;
+    for (const auto& [key, text] : way.parameters)
+      EXPECT_TRUE(modes::takesParameter(*mode, key)) << way.mode << ": " << key;
+  }
+}
+
+TEST(Automatic, WaysGoWithTheCell) {
+  for (const project::Choices& way : automaticChoices(automatic()))
+    EXPECT_FALSE(modes::findMode(way.mode).aroundRod) << way.mode;
+  project::Choices lathe = automatic();
+  lathe.cell = "lathe";
+  lathe.process = "fdm-0.35";
+  for (const project::Choices& way : automaticChoices(lathe))
+    EXPECT_TRUE(modes::findMode(way.mode).aroundRod) << way.mode;
+}
+
+TEST(Automatic, APlatformOfTheUsersStays) {
+  project::Choices choices = automatic();
+  choices.platform = project::Platform("disc:150");
+  choices.platformStays = true;
+  for (const project::Choices& way : automaticChoices(choices))
+    EXPECT_EQ(way.platform.text(), "disc:150");
+  choices.platform = project::Platform("rod:5x200");
+  try {
+    automaticChoices(choices);
+    FAIL();
+  } catch (const base::Error& e) {
+    EXPECT_EQ(e.code(), base::ErrorCode::Usage);
+  }
+}
+
+TEST(Automatic, WhatTheUserHasChangedIsNotChangedByAWay) {
+  project::Choices choices = automatic();
+  choices.parameters["supports"] = "none";
+  for (project::Choices way : automaticChoices(choices)) {
+    EXPECT_EQ(way.parameters, choices.parameters);
+    const project::Choices hand = pipeline::byHand(way);
+    EXPECT_FALSE(hand.automatic);
+    EXPECT_EQ(hand.parameters.at("supports"), "none");
+  }
+}
+
+TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
+  const pipeline::PlanResult result = pipeline::planPart(automaticRequest(), {});
+  const project::Job& job = result.job;
+  EXPECT_TRUE(pipeline::nothingBlocks(job.report));
+  EXPECT_TRUE(job.report.tried.empty());
+  EXPECT_TRUE(job.choices.automatic);
+  EXPECT_EQ(job.choices.mode, pipeline::automaticWays().front().mode);
+  EXPECT_TRUE(job.choices.parameters.empty()); // a way's own are not the user's
+  // What was planned is up to date for whoever asks with the choices that came of it.
+  pipeline::PlanRequest again = automaticRequest();
+  again.choices = job.choices;
+  EXPECT_EQ(pipeline::stageKeys(again), job.keys());
+}
+
+TEST(Automatic, WhatBlocksAWayIsTold) {
+  // A plate in the air over nothing: no way but the one with supports comes to it.
+  geometry::TriangleMesh part = test::box({-5, -5, 0}, {5, 5, 20});
+  test::append(part, test::box({20, -8, 12}, {36, 8, 16}));
+  pipeline::PlanRequest request = automaticRequest();
+  request.loaded =
+      project::loadedFrom("air.stl", std::make_shared<geometry::TriangleMesh>(part), {}, true, {});
+  const pipeline::PlanResult result = pipeline::planPart(request, {});
+  ASSERT_FALSE(result.job.report.tried.empty());
+  const project::TriedReport& first = result.job.report.tried.front();
+  EXPECT_EQ(first.mode, pipeline::automaticWays().front().mode);
+  EXPECT_FALSE(first.stage.empty());
+  EXPECT_FALSE(first.reason.empty());
+  for (const project::TriedReport& tried : result.job.report.tried)
+    EXPECT_NE(tried.mode, result.job.choices.mode);
+  const std::string json = project::reportJson(result.job.report);
+  EXPECT_EQ(project::readReportJson(json).tried.size(), result.job.report.tried.size());
+}
+
+TEST(Automatic, APartThatNoWayTakesIsAnError) {
+  pipeline::PlanRequest request = automaticRequest();
+  request.choices.process = "no such process";
+  EXPECT_THROW(pipeline::planPart(request, {}), base::Error);
+}
