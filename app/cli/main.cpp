@@ -74,6 +74,7 @@ void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValue
   command.add_option("--cell", request.choices.cell, "robot cell");
   command.add_option("--process", request.choices.process, "nozzle, material, speeds");
   command.add_option("--scale", request.choices.scale, "factor, or fit: largest <= 1 in reach");
+  command.add_option("--units", request.choices.units, "of the mesh's file: um, mm, cm, in, m");
   command.add_option("--set", values.sets, "key=value of a parameter (see: list parameters)")
       ->allow_extra_args(false);
   command.add_option("--until", values.until, "stop after this stage");

@@ -14,6 +14,8 @@
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
+#include "project/length_unit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -121,7 +123,8 @@ process::Process chosenProcess(const project::Choices& choices,
 }
 
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices) {
-  return loaded.cells ? parameterValues(choices).number("voxelMm") : 1.0;
+  return loaded.cells ? parameterValues(choices).number("voxelMm")
+                      : project::lengthUnit(choices.units).mm;
 }
 
 robot::Cell fittingCell(const project::Choices& choices, const process::Process& process) {
@@ -191,6 +194,7 @@ void checkChoices(const project::Choices& given) {
         base::message("orient={orient} turns parts on a plate; mode {mode} lays them itself"_text,
                       orient->second, choices.mode),
         {}, "give orient=none"_text);
+  static_cast<void>(project::lengthUnit(choices.units));
   if (project::parsedScale(choices.scale) == 0.0 && choices.platform.isBody())
     throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part"_text,
                 {}, "give a number"_text);

@@ -9,6 +9,7 @@
 #include "modes/plate.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
+#include "pipeline/part_size.h"
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
 #include "plan/finding_kinds.h"
@@ -27,14 +28,14 @@ namespace {
 // ask for about this much.
 constexpr double kReachTiltRad = 1.75;
 
-// Largest scale <= 1 at which the ball about the part's box, standing on the plate, is in reach.
-double fittingScale(const geometry::TriangleMesh& mesh, double unit,
-                    const geometry::Placement& placement, const robot::Cell& cell) {
+// Largest scale at which the ball about the part's box, standing on the plate, is in reach.
+double reachingScale(const geometry::TriangleMesh& mesh, double unit,
+                     const geometry::Placement& placement, const robot::Cell& cell) {
   geometry::Placement turned;
   turned.rotation = placement.rotation;
   const Eigen::AlignedBox3d box = geometry::bounds(geometry::place(mesh, unit, turned));
   const double radius = 0.5 * box.diagonal().norm();
-  return std::min(1.0, robot::reachableBallRadius(cell, kReachTiltRad) / radius);
+  return robot::reachableBallRadius(cell, kReachTiltRad) / radius;
 }
 
 // The object's cells and platform where `stage.part` has come to lie.
@@ -116,10 +117,10 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   const modes::Mode& mode = modes::findMode(choices.mode);
   const modes::ModeChoices in{choices, values, process};
   const auto scaleFor = [&](const geometry::Placement& how) {
-    return wanted > 0.0 ? wanted
-           : mode.fittingScale
-               ? mode.fittingScale(in, *loaded.mesh, unit)
-               : fittingScale(*loaded.mesh, unit, how, fittingCell(choices, process));
+    return wanted > 0.0        ? wanted
+           : mode.fittingScale ? mode.fittingScale(in, *loaded.mesh, unit)
+                               : std::min(1.0, reachingScale(*loaded.mesh, unit, how,
+                                                             fittingCell(choices, process)));
   };
   const auto place = [&](const geometry::Placement& how) {
     stage->placement = how;
@@ -147,6 +148,22 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   stage->report.watertight = diagnosis.watertight;
   stage->report.volumeMm3 = diagnosis.volumeMm3;
   stage->report.boundsMm = diagnosis.boundsMm;
+  return stage;
+}
+
+std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
+                                           const modes::LoadStage& placed,
+                                           const project::Choices& choices,
+                                           const process::Process& process,
+                                           const base::RunContext& ctx) {
+  // Of cells and of bodies to print on there is no other size.
+  const bool anyScale =
+      !loaded.cells && !choices.platform.isBody() && !modes::findMode(choices.mode).aroundRod;
+  const double reach = anyScale ? reachingScale(*loaded.mesh, unitMm(loaded, choices),
+                                                placed.placement, fittingCell(choices, process))
+                                : 0.0;
+  auto stage = std::make_shared<SizeStage>();
+  stage->findings = sizeFindings(*placed.part, placed.scale, reach, process, ctx);
   return stage;
 }
 

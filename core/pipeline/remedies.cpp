@@ -93,6 +93,79 @@ std::optional<project::Choices> dropToPlate(const plan::Finding&, const project:
   return changed;
 }
 
+// "0.35 mm" is a value's number, in its own unit.
+std::optional<double> numberOf(const plan::Finding& finding, std::string_view name) {
+  const base::Value* value = finding.value(name);
+  if (!value)
+    return std::nullopt;
+  if (const auto* quantity = std::get_if<base::Quantity>(&value->data()))
+    return quantity->number;
+  return std::nullopt;
+}
+
+std::optional<project::Choices> scaleUp(const plan::Finding& finding,
+                                        const project::Choices& choices) {
+  const std::optional<double> scale = numberOf(finding, "scale");
+  if (!scale)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.scale = base::formatParameter(*scale);
+  return changed.scale == choices.scale ? std::nullopt : std::optional(changed);
+}
+
+// The widest bead that is narrow enough: finer ones take longer.
+std::optional<project::Choices> finerProcess(const plan::Finding& finding,
+                                             const project::Choices& choices) {
+  const std::optional<double> usual = numberOf(finding, "usual");
+  std::optional<process::Process> best;
+  const double now = process::loadProcess(choices.process).beadWidthMinMm;
+  for (const std::string& id : process::processIds()) {
+    process::Process p = process::loadProcess(id);
+    if (usual && p.beadWidthMinMm <= *usual && p.beadWidthMinMm < now &&
+        (!best || p.beadWidthMinMm > best->beadWidthMinMm))
+      best = std::move(p);
+  }
+  if (!best)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.process = best->id;
+  return changed;
+}
+
+std::optional<project::Choices> withUnits(const project::Choices& choices, const char* units) {
+  if (choices.units == units)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.units = units;
+  return changed;
+}
+std::optional<project::Choices> unitsMetres(const plan::Finding&, const project::Choices& choices) {
+  return withUnits(choices, "m");
+}
+std::optional<project::Choices> unitsInches(const plan::Finding&, const project::Choices& choices) {
+  return withUnits(choices, "in");
+}
+std::optional<project::Choices> unitsMicrometres(const plan::Finding&,
+                                                 const project::Choices& choices) {
+  return withUnits(choices, "um");
+}
+
+std::optional<project::Choices> scaleToFit(const plan::Finding&, const project::Choices& choices) {
+  if (choices.scale == "fit")
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.scale = "fit";
+  return changed;
+}
+
+std::optional<project::Choices> centrePart(const plan::Finding&, const project::Choices& choices) {
+  if (choices.placement.centreMm == Eigen::Vector2d::Zero())
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.placement.centreMm.setZero();
+  return changed;
+}
+
 } // namespace
 
 std::span<const Remedy> remedies() {
@@ -113,7 +186,21 @@ std::span<const Remedy> remedies() {
        {TurnPart, "turnPart", "Turn the part"_text,
         "Searches the way to lie in which fewest voxels are missed"_text, turnPart},
        {NarrowVoxels, "narrowVoxels", "Use voxel width {fits}"_text,
-        "Narrow enough for this wall; narrower voxels take longer"_text, narrowVoxels}});
+        "Narrow enough for this wall; narrower voxels take longer"_text, narrowVoxels},
+       {ScaleUp, "scaleUp", "Print at scale {scale}"_text,
+        "As large as the least bead needs it"_text, scaleUp},
+       {FinerProcess, "finerProcess", "Use a finer process"_text,
+        "With the widest bead that these walls have room for"_text, finerProcess},
+       {ScaleToFit, "scaleToFit", "Scale to fit"_text, "As large as the robot reaches"_text,
+        scaleToFit},
+       {UnitsMetres, "unitsMetres", "It is in metres"_text, "A thousand times as large"_text,
+        unitsMetres},
+       {UnitsInches, "unitsInches", "It is in inches"_text, "25.4 times as large"_text,
+        unitsInches},
+       {UnitsMicrometres, "unitsMicrometres", "It is in micrometres"_text,
+        "A thousandth of the size"_text, unitsMicrometres},
+       {CentrePart, "centrePart", "Centre the part"_text,
+        "Over the middle of the platform's place"_text, centrePart}});
   return kRemedies;
 }
 

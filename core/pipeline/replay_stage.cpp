@@ -14,13 +14,14 @@ TextLine textLine(std::size_t file, std::size_t line) {
 } // namespace
 
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
-                    const ProgramStageInput& in, const base::RunContext& ctx) {
+                    const ProgramStageInput& in, const base::RunContext& ctx,
+                    replay::JudgedRuns* judged) {
   ctx.report(0.0, base::message("replay {format}"_text, format));
   ReadBack back;
   back.read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
   back.verdict = replay::replayProgram(
       {back.read, in.toolPlan, in.trajectory, in.cell, in.process, in.part, in.platform}, {},
-      ctx.sub(0.1, 1.0));
+      ctx.sub(0.1, 1.0), judged);
   return back;
 }
 
@@ -29,6 +30,8 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   r.passed = verdict.passed;
   r.coveredFraction = verdict.coveredFraction;
   r.unsupportedFraction = verdict.unsupportedFraction;
+  r.halfCarriedFraction = verdict.halfCarriedFraction;
+  r.longestUnsupportedMm = verdict.longestUnsupportedMm;
   r.overfillFraction = verdict.overfillFraction;
   r.massRatio = verdict.massRatio;
   r.collisions = verdict.collisions;
@@ -68,8 +71,10 @@ bool failsByCollisionsAlone(const replay::Verification& verdict) {
 }
 } // namespace
 
-std::shared_ptr<const CheckedProgram>
-programStage(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx) {
+std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
+                                                   const ProgramStageInput& in,
+                                                   const base::RunContext& ctx,
+                                                   replay::JudgedRuns* judged) {
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;
   ctx.report(0.0, base::message("write {format}"_text, format));
@@ -77,7 +82,7 @@ programStage(const std::string& format, const ProgramStageInput& in, const base:
       format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name}, ctx.sub(0.0, 0.1));
   checked->timings.write = writing.seconds();
   base::Stopwatch replaying;
-  ReadBack back = replayText(format, checked->program.files, in, ctx.sub(0.1, 1.0));
+  ReadBack back = replayText(format, checked->program.files, in, ctx.sub(0.1, 1.0), judged);
   checked->timings.replay = replaying.seconds();
   checked->motionLines.reserve(back.read.motions.size());
   for (const plan::ProgramMotion& motion : back.read.motions)

@@ -17,9 +17,11 @@ struct ReadBack {
   replay::Verification verdict;
 };
 
-// Reads `files` as `format` and replays them against what they were written from.
+// Reads `files` as `format` and replays them against what they were written from. `judged`: as
+// replay::replayProgram takes it.
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
-                    const ProgramStageInput& planned, const base::RunContext& ctx);
+                    const ProgramStageInput& planned, const base::RunContext& ctx,
+                    replay::JudgedRuns* judged = nullptr);
 
 project::ReplayReport replayReport(const replay::Verification& verdict);
 

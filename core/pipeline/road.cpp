@@ -1,6 +1,7 @@
 #include "pipeline/road.h"
 
 #include "base/error.h"
+#include "base/key_text.h"
 #include "base/outcome.h"
 #include "base/stopwatch.h"
 #include "modes/mode_table.h"
@@ -9,6 +10,8 @@
 #include "pipeline/stage_keys.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
+#include "replay/verification.h"
+#include "robot/platform_gap.h"
 
 #include <algorithm>
 #include <array>
@@ -111,9 +114,18 @@ private:
     project::Timings timings = stage->timings;
     timings.load = loaded_->readS;
     timings.repair = loaded_->repairS;
-    plan::Findings findings = remainingDefects(*loaded_);
+    const auto size =
+        taken<SizeStage>(keys_[project::indexOf(project::Stage::Load)] +
+                             base::keyText(choices_.cell, process_->id, process_->beadWidthMinMm),
+                         "size", [&] {
+                           return sizeStage(*loaded_, *placed_, choices_, *process_,
+                                            span(project::Stage::Load).quiet());
+                         });
+    plan::Findings findings = size->findings;
+    const plan::Findings defects = remainingDefects(*loaded_);
+    findings.insert(findings.end(), defects.begin(), defects.end());
     findings.insert(findings.end(), stage->findings.begin(), stage->findings.end());
-    return done(project::Stage::Load, findings, timings);
+    return done(project::Stage::Load, findings, timings) && nothingBlocks(report());
   }
 
   modes::ModeChoices modeChoices() const { return {choices_, values_, *process_}; }
@@ -145,7 +157,11 @@ private:
         robot::loadCell(choices_.cell, *process_, decomposed_->platform));
     for (const std::string& format : chosenFormats(choices_, *result_.cell))
       program::requireRodTurns(program::findDialect(format), *result_.cell);
-    return done(project::Stage::Decompose, decomposed_->findings, decomposed_->timings);
+    plan::Findings findings = decomposed_->findings;
+    if (const double gap = robot::platformGapMm(*result_.cell); gap > 0.0)
+      findings.insert(findings.begin(), plan::makeFinding(plan::FindingKind::PlatformAdrift,
+                                                          {{"distance", base::mm(gap)}}));
+    return done(project::Stage::Decompose, findings, decomposed_->timings);
   }
 
   bool layers() {
@@ -228,13 +244,15 @@ private:
                                *process_,
                                std::filesystem::path(loaded_->name).stem().string()};
     result_.checked.clear();
+    replay::JudgedRuns judged;
     for (std::size_t i = 0; i < formats.size(); ++i) {
       if (untilMet && i > 0 && !result_.checked.back()->metAt.empty())
         return;
       const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
       const auto make = [&] {
         return programStage(formats[i], in,
-                            span(project::Stage::Replay).sub(at / count, (at + 1.0) / count));
+                            span(project::Stage::Replay).sub(at / count, (at + 1.0) / count),
+                            &judged);
       };
       // What is kept was written for the motion before.
       result_.checked.push_back(

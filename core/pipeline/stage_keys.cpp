@@ -57,8 +57,8 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
   const bool mended = c.repair && !loaded.found.clean(); // a clean mesh stays as it is
   std::string text = base::keyText(loaded.hash, mended, c.placement.rotation.coeffs(),
                                    c.placement.centreMm, c.placement.liftMm);
-  if (loaded.cells)
-    text += base::keyText(unitMm(loaded, c));
+  if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
+    text += base::keyText(unit);
   text += base::keyText(turnPlan(c, in.values));
   if (c.platform.isOfCell())
     text += "a plate of\n" + cell + base::keyText(support::supportsWanted(in.values));

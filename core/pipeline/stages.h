@@ -19,6 +19,7 @@
 #include "project/job.h"
 #include "project/report.h"
 #include "project/stage.h"
+#include "replay/judged_runs.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
@@ -78,6 +79,16 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
                                                   const project::Choices& choices,
                                                   const process::Process& process,
                                                   const base::RunContext& ctx = {});
+// Whether the part is of a size to print, and its walls wide enough (part_size.h).
+struct SizeStage {
+  static constexpr project::Stage kStage = project::Stage::Load;
+  plan::Findings findings;
+};
+std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
+                                           const modes::LoadStage& placed,
+                                           const project::Choices& choices,
+                                           const process::Process& process,
+                                           const base::RunContext& ctx);
 // Where the mesh lies before any search for a better place: as the user has laid it, else as the
 // mode does.
 geometry::Placement placementByHandOrMode(const geometry::TriangleMesh& mesh, double scale,
@@ -115,7 +126,10 @@ struct ProgramStageInput {
   const process::Process& process;
   std::string name;
 };
-std::shared_ptr<const CheckedProgram>
-programStage(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx);
+// `judged`: of programs of the same motion (replay/verification.h).
+std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
+                                                   const ProgramStageInput& in,
+                                                   const base::RunContext& ctx,
+                                                   replay::JudgedRuns* judged = nullptr);
 
 } // namespace voluta::pipeline

@@ -22,6 +22,11 @@ constexpr std::array kTurn{TurnLeastRisky};
 constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
 constexpr std::array kNarrow{NarrowVoxels};
 constexpr std::array kAdapt{AdaptLayers};
+constexpr std::array kForThin{ScaleUp, FinerProcess};
+constexpr std::array kForThinInReach{FinerProcess};
+constexpr std::array kForTiny{UnitsMetres, UnitsInches};
+constexpr std::array kForHuge{ScaleToFit, UnitsMicrometres};
+constexpr std::array kCentre{CentrePart};
 
 constexpr base::Text kTurnOrShrink =
     "turn the part, make the platform smaller or add supports"_text;
@@ -63,6 +68,22 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "turn it by quarter turns and lift it by whole cells to keep its own"_text},
     {MeshDefect, "meshDefect", "meshDefect", Load, Tells, "{defect}"_text,
      "mend the mesh in a modelling program if the result looks wrong"_text},
+    {TinyPart, "tinyPart", "oddSize", Load, Blocks,
+     "the part is {size:.3g} long, if its file is in millimetres"_text,
+     "give the units that it was drawn in (--units)"_text, kForTiny},
+    {HugePart, "hugePart", "oddSize", Load, Blocks,
+     "the part is {size:.4g} long, if its file is in millimetres"_text,
+     "print it smaller (--scale fit), or give the units that it was drawn in (--units)"_text,
+     kForHuge},
+    {ThinPart, "thinPart", "thinPart", Load, Tells,
+     "{share:.2g} of the part are walls thinner than the least bead of {least}, most of them "
+     "{usual:.2f}"_text,
+     "print it at scale {scale}, or with a process of narrower beads"_text, kForThin},
+    {ThinPartInReach, "thinPartInReach", "thinPart", Load, Tells,
+     "{share:.2g} of the part are walls thinner than the least bead of {least}, most of them "
+     "{usual:.2f}"_text,
+     "use a process of narrower beads; as large as it had to be it is out of the robot's reach"_text,
+     kForThinInReach},
     {TurnedLeastRisky, "turnedLeastRisky", "turned", Load, Tells,
      "the part is turned by {angle:.0f} about ({x}, {y}, {z}): {overhang:.0f} overhang instead of "
      "{overhangBefore:.0f#}"_text,
@@ -80,6 +101,9 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "the part stays as it lies: none of {ways} ways that stand is better"_plural,
      "put it another way by hand"_text},
 
+    {PlatformAdrift, "platformAdrift", "platformAdrift", Decompose, Blocks,
+     "the platform lies {distance:.0f} beside what carries it: it would float"_text,
+     "place the part over the middle, or use a platform that reaches there"_text, kCentre},
     {ShadowedUnderFacet, "shadowedUnderFacet", "shadowedVoxels", Decompose, Blocks,
      "{voxels} voxel is shadowed: from step {step} on it lies inside the front, under its facet "
      "between {a:.0f}, {b:.0f} and {c:.0f} mm|"

@@ -20,10 +20,15 @@ enum class FindingKind : std::uint8_t {
   CellsTurned,
   CellsLifted,
   MeshDefect,
+  TinyPart,
+  HugePart,
+  ThinPart,
+  ThinPartInReach,
   TurnedLeastRisky,
   TurnedFewestMissed,
   NotTurned,
   // decompose
+  PlatformAdrift,
   ShadowedUnderFacet,
   ShadowedUnderFacetAndMore,
   ShadowedUnreached,
@@ -134,7 +139,14 @@ enum class RemedyId : std::uint8_t {
   AdaptLayers,
   TurnLeastRisky,
   TurnPart,
-  NarrowVoxels
+  NarrowVoxels,
+  ScaleUp,
+  FinerProcess,
+  UnitsMetres,
+  UnitsInches,
+  UnitsMicrometres,
+  ScaleToFit,
+  CentrePart
 };
 
 struct FindingRow {

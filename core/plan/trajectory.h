@@ -12,18 +12,18 @@ inline constexpr std::size_t kNoWaypoint = std::numeric_limits<std::size_t>::max
 
 // How a point is reached from the one before it.
 enum class MoveKind : std::uint8_t {
-  Print,    // straight in the work frame, extruding
-  Linear,   // straight in the work frame, not extruding (approach, lift, straight transfer)
-  Joint     // linear in joints, not extruding (transfer; also the first point, from rest)
+  Print,  // straight in the work frame, extruding
+  Linear, // straight in the work frame, not extruding (approach, lift, straight transfer)
+  Joint   // linear in joints, not extruding (transfer; also the first point, from rest)
 };
 
 struct Trajectory {
   int dof = 0;
-  std::vector<double> joints;          // dof values a point, radians (mm for sliding axes)
-  std::vector<double> timeS;           // per point, from 0, non-decreasing
-  std::vector<MoveKind> move;          // per point
-  std::vector<std::size_t> waypoint;   // per point: the ToolPlan waypoint it is, or kNoWaypoint
-  std::vector<double> extrudedMm3;     // per point: material laid when it is reached
+  std::vector<double> joints;        // dof values a point, radians (mm for sliding axes)
+  std::vector<double> timeS;         // per point, from 0, non-decreasing
+  std::vector<MoveKind> move;        // per point
+  std::vector<std::size_t> waypoint; // per point: the ToolPlan waypoint it is, or kNoWaypoint
+  std::vector<double> extrudedMm3;   // per point: material laid when it is reached
 
   std::size_t pointCount() const { return timeS.size(); }
   const double* at(std::size_t point) const {

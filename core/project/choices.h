@@ -22,7 +22,8 @@ struct Choices {
   Platform platform;
   std::string cell = "ur5-fixed";
   std::string process = "fdm-1.0";
-  std::string scale = "1"; // a number or "fit"
+  std::string scale = "1";  // a number or "fit"
+  std::string units = "mm"; // of a mesh's file: length_unit.h
   geometry::Placement placement;
   bool repair = true;               // false: the mesh as it was read
   std::vector<std::string> formats; // empty: the cell's controller, gcode-extended, csv

@@ -52,6 +52,7 @@ Json choicesJson(const Choices& c) {
               {"cell", c.cell},
               {"process", c.process},
               {"scale", c.scale},
+              {"units", c.units},
               {"placement", placementJson(c.placement)},
               {"repair", c.repair},
               {"formats", c.formats},
@@ -69,6 +70,7 @@ Choices readChoices(const Json& j, int format) {
   j.at("cell").get_to(c.cell);
   j.at("process").get_to(c.process);
   j.at("scale").get_to(c.scale);
+  c.units = j.value("units", c.units);
   j.at("formats").get_to(c.formats);
   j.at("parameters").get_to(c.parameters);
   j.at("seed").get_to(c.seed);

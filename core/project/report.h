@@ -79,6 +79,7 @@ struct ThresholdsReport {
 struct ReplayReport {
   bool passed = false;
   double coveredFraction = 0.0, unsupportedFraction = 0.0, overfillFraction = 0.0, massRatio = 0.0;
+  double halfCarriedFraction = 0.0, longestUnsupportedMm = 0.0;
   std::size_t collisions = 0, limitViolations = 0;
   double maxDeviationMm = 0.0;
   ThresholdsReport thresholds;

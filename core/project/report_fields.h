@@ -116,6 +116,8 @@ constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
   return std::tuple{Field{"passed", &R::passed},
                     Field{"coveredFraction", &R::coveredFraction, "%"},
                     Field{"unsupportedFraction", &R::unsupportedFraction, "%"},
+                    Field{"halfCarriedFraction", &R::halfCarriedFraction, "%", true},
+                    Field{"longestUnsupportedMm", &R::longestUnsupportedMm, "mm", true},
                     Field{"overfillFraction", &R::overfillFraction, "%"},
                     Field{"massRatio", &R::massRatio},
                     Field{"collisions", &R::collisions},

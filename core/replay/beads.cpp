@@ -77,15 +77,16 @@ std::size_t straightFrom(const std::vector<Eigen::Vector3d>& tip, std::size_t st
 }
 } // namespace
 
-std::vector<BeadPiece> beadPieces(const plan::ReadProgram& program, const ExecutedPath& path,
+std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const ExecutedPath& path,
                                   const std::vector<BeadKnowledge>& knowledge) {
-  base::require(knowledge.size() == path.motionCount(), "beadPieces: knowledge per motion");
+  base::require(knowledge.size() == path.motionCount() && volumeMm3.size() == path.motionCount(),
+                "beadPieces: volume and knowledge per motion");
   std::vector<BeadPiece> pieces;
   std::uint32_t run = 0;
   double runMm = 0.0;
   bool laying = false;
   for (std::size_t m = 0; m < path.motionCount(); ++m) {
-    const double volume = motionVolume(program, path, m);
+    const double volume = volumeMm3[m];
     if (volume <= 0.0) {
       laying = false;
       continue;
@@ -162,46 +163,90 @@ struct Ring {
 };
 constexpr std::array<Ring, 4> kRings = {{{1.25, 0.0}, {1.15, 0.48}, {1.05, 0.67}, {1.2, 0.7}}};
 constexpr int kAzimuths = 12;
+// Right beneath: places across the width, and depths in heights.
+constexpr int kAcross = 8;
+constexpr std::array<double, 3> kDepths = {1.05, 1.15, 1.25};
 
-bool isSupported(const BeadPiece& piece, std::uint32_t index, const PrintedPart& printed,
-                 const GroundProbe& ground) {
-  const Eigen::Vector3d tip = 0.5 * (piece.from + piece.to);
-  const Eigen::Vector3d up = (piece.fromDirection + piece.toDirection).normalized();
-  const double height = 0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
-  const double width = sectionOf(piece, 10.0).widthMm;
-  const Moment moment{index, piece.run, piece.runMm,
-                      static_cast<float>(std::max(3.0, 2.0 * width))};
-  const Eigen::Vector3d side = up.unitOrthogonal(), other = up.cross(side);
-  for (const Ring& ring : kRings) {
-    const int count = ring.aside > 0.0 ? kAzimuths : 1;
-    for (int a = 0; a < count; ++a) {
-      const double angle = 2.0 * base::kPi * a / kAzimuths;
-      const Eigen::Vector3d probe =
-          tip - ring.depth * height * up +
-          ring.aside * height * (std::cos(angle) * side + std::sin(angle) * other);
-      if (printed.printedAt(probe, moment) || ground.holds(probe, 0.25 * width))
-        return true;
-    }
+// What lies beneath one piece, at its middle.
+class Beneath {
+public:
+  Beneath(const BeadPiece& piece, std::uint32_t index, const PrintedPart& printed,
+          const GroundProbe& ground)
+      : printed_(printed), ground_(ground), tip_(0.5 * (piece.from + piece.to)),
+        up_((piece.fromDirection + piece.toDirection).normalized()),
+        side_(up_.cross(piece.to - piece.from)),
+        height_(0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm)),
+        width_(sectionOf(piece, 10.0).widthMm), moment_{index, piece.run, piece.runMm,
+                                                        static_cast<float>(
+                                                            std::max(3.0, 2.0 * width_))} {
+    side_ = side_.norm() > 1e-9 ? side_.normalized() : up_.unitOrthogonal();
   }
-  return false;
-}
+
+  bool supported() const {
+    const Eigen::Vector3d other = up_.cross(side_);
+    for (const Ring& ring : kRings) {
+      const int count = ring.aside > 0.0 ? kAzimuths : 1;
+      for (int a = 0; a < count; ++a) {
+        const double angle = 2.0 * base::kPi * a / kAzimuths;
+        if (holds(tip_ - ring.depth * height_ * up_ +
+                  ring.aside * height_ * (std::cos(angle) * side_ + std::sin(angle) * other)))
+          return true;
+      }
+    }
+    return false;
+  }
+
+  // Of its width.
+  double carriedShare() const {
+    int carried = 0;
+    for (int k = 0; k < kAcross; ++k) {
+      const Eigen::Vector3d at = tip_ + ((k + 0.5) / kAcross - 0.5) * width_ * side_;
+      carried += std::any_of(kDepths.begin(), kDepths.end(),
+                             [&](double depth) { return holds(at - depth * height_ * up_); });
+    }
+    return static_cast<double>(carried) / kAcross;
+  }
+
+private:
+  bool holds(const Eigen::Vector3d& point) const {
+    return printed_.printedAt(point, moment_) || ground_.holds(point, 0.25 * width_);
+  }
+
+  const PrintedPart& printed_;
+  const GroundProbe& ground_;
+  Eigen::Vector3d tip_, up_, side_;
+  double height_, width_;
+  Moment moment_;
+};
 } // namespace
 
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
                            const GroundProbe& ground, const base::RunContext& ctx) {
-  std::vector<char> supported(pieces.size());
+  struct Found {
+    bool supported = false;
+    double carried = 0.0;
+  };
+  std::vector<Found> found(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p)
-      supported[p] = isSupported(pieces[p], static_cast<std::uint32_t>(p), printed, ground);
+    for (std::size_t p = begin; p < end; ++p) {
+      const Beneath beneath(pieces[p], static_cast<std::uint32_t>(p), printed, ground);
+      found[p] = {beneath.supported(), beneath.carriedShare()};
+    }
   });
   SupportedBeads result;
+  double inTheAir = 0.0;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const double length = (pieces[p].to - pieces[p].from).norm();
     result.lengthMm += length;
-    if (!supported[p]) {
+    if (!found[p].supported) {
       result.unsupportedMm += length;
       result.unsupported.push_back(static_cast<std::uint32_t>(p));
     }
+    if (found[p].carried < 0.5)
+      result.halfCarriedMm += length;
+    const bool goesOn = p > 0 && pieces[p].run == pieces[p - 1].run;
+    inTheAir = found[p].carried > 0.0 ? 0.0 : (goesOn ? inTheAir : 0.0) + length;
+    result.longestUnsupportedMm = std::max(result.longestUnsupportedMm, inTheAir);
   }
   return result;
 }

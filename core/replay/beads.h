@@ -38,8 +38,8 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
 // Straight pieces of about a millimetre over the samples of every extruding motion, volume by
 // length. A motion that extrudes on the spot gives a piece without length (which the depositor
 // counts as excess).
-// Precondition: knowledge per motion.
-std::vector<BeadPiece> beadPieces(const plan::ReadProgram& program, const ExecutedPath& path,
+// Precondition: volume (motionVolume) and knowledge per motion.
+std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const ExecutedPath& path,
                                   const std::vector<BeadKnowledge>& knowledge);
 
 // The index of the first piece of motion m or of a later one; motions + 1 entries.
@@ -48,14 +48,17 @@ std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pie
 
 struct SupportedBeads {
   double lengthMm = 0.0, unsupportedMm = 0.0;
+  double halfCarriedMm = 0.0;             // carried on less than half their width
+  double longestUnsupportedMm = 0.0;      // of one bead, carried on none of it
   std::vector<std::uint32_t> unsupported; // pieces, in order
 };
 
 // A piece is supported where, at its middle, the ground or material laid before lies beneath the
 // bead within 1.25 heights of the tip: looked for at depths of 1.05 to 1.25 heights below the tip,
 // up to 0.7 heights aside (a cone of 35 degrees about the build direction; what lies beside the
-// bead in its own layer is no support). What the same bead laid over its last 3 mm or two widths
-// does not count. Throws Cancelled.
+// bead in its own layer is no support). Stricter, it is carried where the ground or such material
+// lies right beneath: looked for at eight places across its width, 1.05 to 1.25 heights below the
+// tip. What the same bead laid over its last 3 mm or two widths does not count. Throws Cancelled.
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
                            const GroundProbe& ground, const base::RunContext& ctx);
 

@@ -91,7 +91,8 @@ std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const M
 
 std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
                                const PrintedPart& printed, const process::Process& process,
-                               const GroundSolids& ground, const base::RunContext& ctx) {
+                               const GroundSolids& ground, const std::vector<char>& known,
+                               const base::RunContext& ctx) {
   const double tolerance = process.contactToleranceMm;
   const HeadSolid againstPlatform(process::erodedHead(process.head, tolerance));
   const HeadSolid againstPart(
@@ -118,6 +119,8 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
   base::parallelChunks(ctx, path.motionCount(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::vector<Touch>& touches = chunks[begin / kGrain];
     for (std::size_t m = begin; m < end && !ctx.cancelled(); ++m) {
+      if (!known.empty() && known[m])
+        continue;
       std::size_t p = firstPiece[m];
       for (std::size_t s = path.firstSample[m]; s < path.firstSample[m + 1]; ++s) {
         const Isometry3d work_T_head = headFrame(path.tip[s], path.direction[s]);
@@ -352,7 +355,8 @@ private:
 
 std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
                               const PrintedPart& printed, const GroundSolids& ground,
-                              const robot::Cell& cell, const base::RunContext& ctx) {
+                              const robot::Cell& cell, const std::vector<char>& known,
+                              const base::RunContext& ctx) {
   if (!path.arm)
     return {};
   const auto roleOf = [&](int b) { return cell.bodies()[static_cast<std::size_t>(b)].role; };
@@ -378,6 +382,8 @@ std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPi
   base::parallelChunks(ctx, samples, kGrain, [&](std::size_t begin, std::size_t end) {
     ArmFollower follower(cell, printed, ground.cells(), pairs);
     for (std::size_t s = begin; s < end && !ctx.cancelled(); ++s) {
+      if (!known.empty() && known[path.armMotion[s]])
+        continue;
       const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(
           path.armJoints.data() + s * static_cast<std::size_t>(path.dof), path.dof);
       Moment moment;

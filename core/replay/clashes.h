@@ -33,17 +33,20 @@ struct Clash {
 // nozzle's path, against material laid before and against the ground.
 // A cell of the part, or of a body that is the ground, counts when its centre is in the head shrunk
 // by another half cell: nearer the grid can't tell. Material of the last 2 bead widths of the same
-// path doesn't count. Throws Cancelled.
+// path doesn't count. Not looked at are motions of which `known` holds; empty: of none. Throws
+// Cancelled.
 std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
                                const PrintedPart& printed, const process::Process& process,
-                               const GroundSolids& ground, const base::RunContext& ctx);
+                               const GroundSolids& ground, const std::vector<char>& known,
+                               const base::RunContext& ctx);
 
 // Bodies of the cell against each other (its checkedPairs, but head against platform: above) and,
 // the head apart, against material laid before and a body that is the ground. Between samples
 // bodies are followed by the distance they move at most, so that pairs far from each other are
-// looked at only now and then. Empty when path.arm is false. Throws Cancelled.
+// looked at only now and then. `known` as above. Empty when path.arm is false. Throws Cancelled.
 std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
                               const PrintedPart& printed, const GroundSolids& ground,
-                              const robot::Cell& cell, const base::RunContext& ctx);
+                              const robot::Cell& cell, const std::vector<char>& known,
+                              const base::RunContext& ctx);
 
 } // namespace voluta::replay

@@ -24,11 +24,6 @@ struct Share {
   float bead, rectangle, margin;
 };
 
-// Of x >= 0.
-double fraction(double x) {
-  return x - static_cast<double>(static_cast<int>(x));
-}
-
 // Does a bead go on from one piece into the other, with a bend that is not sharp?
 bool goesOn(const BeadPiece& from, const BeadPiece& to) {
   constexpr double kSharp = 0.5; // cosine: 60 degrees
@@ -39,50 +34,45 @@ bool goesOn(const BeadPiece& from, const BeadPiece& to) {
          a.dot(b) > kSharp * lengths;
 }
 
-// Samples side by side across a piece, at one place along it and one depth but for their shifts.
-struct SampleRow {
-  struct Axis { // of the grid, in cells from the box's corner
-    float origin, along, side, sides, down, downs, last;
-  };
-  Axis axes[3];
-  float strideY, strideZ; // of the box's cells
-  float a, c;             // which place and depth
-  float first;            // across, of the first sample before its shift, mm
-  float perL, perW, perH; // steps: along (of the length), across (mm), down (of the section)
-  float top, filled;      // where the section begins below the tip, how tall: in heights
-  float planned, grows;   // height, and how much more at the end, mm
-  float halfWidth, height, widens; // of the section, mm; how the ends lean apart, 1/mm
+// A line of a slab, from one end of the piece to the other, in cells from a box's corner.
+struct Line {
+  Eigen::Vector3f from, to;
 };
 
-// Per sample the box's cell, and the length it stands for (1: its share) in margin, rectangle and
-// bead. In single precision and without branches, so that it runs several at a time: the replay
-// spends most of its time here.
-void sampleRow(const SampleRow& given, int count, const float* __restrict shiftAlong,
-               const float* __restrict shiftDown, int* __restrict cell, float* __restrict margin,
-               float* __restrict rectangle, float* __restrict bead) {
-  const SampleRow row = given;
-  const float half = 0.5f * row.height, flat = row.halfWidth - half, round = half * half;
-  for (int b = 0; b < count; ++b) {
-    const float u = (row.a + shiftDown[b]) * row.perL;
-    const float x = static_cast<float>(b) * row.perW + row.first;
-    const float depth = (row.c + shiftAlong[b]) * row.perH;
-    const float below = (row.planned + u * row.grows) * (row.top + depth * row.filled);
-    // Never outside but for rounding.
-    const auto at = [&](const SampleRow::Axis& k) {
-      const float v =
-          k.origin + u * k.along + x * (k.side + u * k.sides) - below * (k.down + u * k.downs);
-      const float notLess = v > 0.0f ? v : 0.0f;
-      return static_cast<float>(static_cast<int>(notLess < k.last ? notLess : k.last));
-    };
-    cell[b] = static_cast<int>(at(row.axes[0]) + row.strideY * at(row.axes[1]) +
-                               row.strideZ * at(row.axes[2]));
-    // On a bend the outside is longer than the inside.
-    const float leans = 1.0f + x * row.widens, share = leans > 0.0f ? leans : 0.0f;
-    const float aside = std::abs(x), off = depth * row.height - half;
-    const float beyond = aside - flat, end = beyond > 0.0f ? beyond : 0.0f;
-    margin[b] = share;
-    rectangle[b] = aside <= row.halfWidth ? share : 0.0f;
-    bead[b] = end * end + off * off <= round ? share : 0.0f;
+// Calls f(cell of the box, share of the line that lies in it), from cell to cell (Amanatides & Woo
+// 1987). Ends beyond the box but for rounding are taken into it.
+template <typename F> void alongLine(const Line& line, const Eigen::Vector3i& size, F&& f) {
+  int cell[3], step[3];
+  float next[3], across[3]; // in shares of the line: where the next cell begins, and how long it is
+  for (int k = 0; k < 3; ++k) {
+    const float last = static_cast<float>(size[k]) - 1e-3f;
+    const float from = std::clamp(line.from[k], 0.0f, last),
+                to = std::clamp(line.to[k], 0.0f, last);
+    const float way = to - from;
+    cell[k] = static_cast<int>(from);
+    step[k] = way < 0.0f ? -1 : 1;
+    if (way == 0.0f) {
+      next[k] = across[k] = 2.0f;
+      continue;
+    }
+    across[k] = 1.0f / std::abs(way);
+    const float in = from - static_cast<float>(cell[k]);
+    next[k] = (way < 0.0f ? in : 1.0f - in) * across[k];
+  }
+  const int stride[3] = {step[0], step[1] * size.x(), step[2] * size.x() * size.y()};
+  int index = cell[0] + size.x() * (cell[1] + size.y() * cell[2]);
+  for (float done = 0.0f;;) {
+    int k = next[0] <= next[1] ? 0 : 1;
+    k = next[k] <= next[2] ? k : 2;
+    cell[k] += step[k];
+    if (next[k] >= 1.0f || cell[k] < 0 || cell[k] >= size[k]) {
+      f(index, 1.0f - done);
+      return;
+    }
+    f(index, next[k] - done);
+    done = next[k];
+    index += stride[k];
+    next[k] += across[k];
   }
 }
 
@@ -107,7 +97,6 @@ public:
     // A section lower than planned lies where the bead was to lie: its bottom stays.
     const double filled = 2.0 * h / (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
     const double step = grid_.pitch / options_.samplesPerCell;
-    const int nl = std::max(2, static_cast<int>(std::ceil(length / step)));
     const int nw = std::max(6, static_cast<int>(std::ceil((1 + 2 * kMargin) * w / step)));
     const int nh = std::max(4, static_cast<int>(std::ceil(h / step)));
 
@@ -115,10 +104,10 @@ public:
                           side1 = sideAt(piece.toDirection, piece, after ? *after : piece);
     box(piece, side0, side1, w);
 
-    const double inBead = tally({piece, side0, side1, {nl, nw, nh}, w, h, filled});
+    const double inBead = tally({piece, side0, side1, {nw, nh}, w, h, filled});
     const double perSample = inBead == 0.0 ? 0.0 : bead / inBead;
     const double geometric =
-        length * (1 + 2 * kMargin) * w * h / cellVolume / (static_cast<double>(nl) * nw * nh);
+        length * (1 + 2 * kMargin) * w * h / cellVolume / (static_cast<double>(nw) * nh);
     double outside = inBead == 0.0 ? bead : 0.0;
     std::size_t at = 0;
     for (int k = 0; k < size_.z(); ++k)
@@ -142,13 +131,13 @@ public:
 
 private:
   struct Tally {
-    float bead, rectangle, margin; // samples, by the length they stand for
+    float bead, rectangle, margin; // lines, by what of their length they stand for
   };
-  // What is laid out in samples: `counts` of them along, across and down.
+  // What is laid out in lines along the piece: `counts` of them across and down.
   struct Slab {
     const BeadPiece& piece;
     Eigen::Vector3d side0, side1;
-    Eigen::Vector3i counts;
+    Eigen::Vector2i counts;
     double width, height;
     double filled; // the section's share of the planned height, from below
   };
@@ -191,79 +180,51 @@ private:
                     Tally{0.0f, 0.0f, 0.0f});
   }
 
-  // Rows are shifted against each other by fractions of a golden-ratio kind, so that no row of
-  // samples runs in step with the cells.
-  static double shift(int i, int j) {
+  // Lines are shifted against each other by fractions of a golden-ratio kind, so that no row of
+  // them runs in step with the cells.
+  static float shift(int i, int j) {
     constexpr double kR1 = 0.7548776662466927, kR2 = 0.5698402909980532;
-    return fraction(kR1 * i + kR2 * j);
+    const double x = kR1 * i + kR2 * j;
+    return static_cast<float>(x - static_cast<double>(static_cast<int>(x)));
   }
-  // Those of one index fixed, for the other from 0 on, kept.
-  struct Shifts {
-    std::vector<std::vector<float>> rows;
-    template <typename Of> const float* row(int fixed, int count, const Of& of) {
-      if (rows.size() <= static_cast<std::size_t>(fixed))
-        rows.resize(static_cast<std::size_t>(fixed) + 1);
-      std::vector<float>& r = rows[static_cast<std::size_t>(fixed)];
-      while (r.size() < static_cast<std::size_t>(count))
-        r.push_back(static_cast<float>(of(static_cast<int>(r.size()))));
-      return r.data();
-    }
-  };
 
-  // Counts samples into tallies_; returns how many of them are of the bead.
+  // Counts lines into tallies_; returns how many of them are of the bead.
   double tally(const Slab& slab) {
-    const int nl = slab.counts.x(), nw = slab.counts.y(), nh = slab.counts.z();
+    const int nw = slab.counts.x(), nh = slab.counts.y();
     const auto inCells = [&](const Eigen::Vector3d& v) {
       return Eigen::Vector3f((v / grid_.pitch).cast<float>());
     };
-    const Eigen::Vector3f origin = inCells(slab.piece.from - corner_),
-                          along = inCells(slab.piece.to - slab.piece.from),
-                          side = inCells(slab.side0), sides = inCells(slab.side1 - slab.side0),
-                          down = inCells(slab.piece.fromDirection),
-                          downs = inCells(slab.piece.toDirection - slab.piece.fromDirection);
-    const auto across = static_cast<float>((1 + 2 * kMargin) * slab.width);
-    SampleRow row;
-    for (int k = 0; k < 3; ++k)
-      row.axes[k] = {origin[k],
-                     along[k],
-                     side[k],
-                     sides[k],
-                     down[k],
-                     downs[k],
-                     static_cast<float>(size_[k] - 1)};
-    row.strideY = static_cast<float>(size_.x());
-    row.strideZ = static_cast<float>(size_.x() * size_.y());
-    row.perL = static_cast<float>(1.0 / nl);
-    row.perW = across / static_cast<float>(nw);
-    row.perH = static_cast<float>(1.0 / nh);
-    row.top = static_cast<float>(1.0 - slab.filled);
-    row.filled = static_cast<float>(slab.filled);
-    row.planned = slab.piece.fromHeightMm;
-    row.grows = slab.piece.toHeightMm - slab.piece.fromHeightMm;
-    row.halfWidth = static_cast<float>(0.5 * slab.width);
-    row.height = static_cast<float>(slab.height);
+    const Eigen::Vector3f from = inCells(slab.piece.from - corner_),
+                          to = inCells(slab.piece.to - corner_), side0 = inCells(slab.side0),
+                          side1 = inCells(slab.side1), down0 = inCells(slab.piece.fromDirection),
+                          down1 = inCells(slab.piece.toDirection);
+    const auto across = static_cast<float>((1 + 2 * kMargin) * slab.width),
+               filled = static_cast<float>(slab.filled),
+               halfWidth = static_cast<float>(0.5 * slab.width),
+               height = static_cast<float>(slab.height);
+    const float half = 0.5f * height, flat = halfWidth - half;
+    // On a bend the outside is longer than the inside.
     const Eigen::Vector3d way = slab.piece.to - slab.piece.from;
-    row.widens = static_cast<float>(way.dot(slab.side1 - slab.side0) / way.squaredNorm());
-    cell_.resize(static_cast<std::size_t>(nw));
-    sample_.resize(3 * static_cast<std::size_t>(nw));
-    int* cell = cell_.data();
-    float *margin = sample_.data(), *rectangle = margin + nw, *bead = rectangle + nw;
-    for (int a = 0; a < nl; ++a) {
-      const float* shiftA = alongShifts_.row(a, nw, [&](int b) { return shift(a, b); });
-      for (int c = 0; c < nh; ++c) {
-        const float* shiftC = downShifts_.row(c, nw, [&](int b) { return shift(b, c); });
-        row.a = static_cast<float>(a);
-        row.c = static_cast<float>(c);
-        row.first = static_cast<float>(shift(c, a) / nw - 0.5) * across;
-        sampleRow(row, nw, shiftA, shiftC, cell, margin, rectangle, bead);
-        for (int b = 0; b < nw; ++b) {
-          Tally& t = tallies_[static_cast<std::size_t>(cell[b])];
-          t.margin += margin[b];
-          t.rectangle += rectangle[b];
-          t.bead += bead[b];
-        }
+    const auto widens = static_cast<float>(way.dot(slab.side1 - slab.side0) / way.squaredNorm());
+    for (int c = 0; c < nh; ++c)
+      for (int b = 0; b < nw; ++b) {
+        const float x =
+            ((static_cast<float>(b) + shift(c, 1)) / static_cast<float>(nw) - 0.5f) * across;
+        const float share = std::max(0.0f, 1.0f + x * widens);
+        const float depth = (static_cast<float>(c) + shift(b, c)) / static_cast<float>(nh);
+        const float below = 1.0f - filled + depth * filled; // the tip, in heights
+        const float off = depth * height - half, end = std::max(0.0f, std::abs(x) - flat);
+        const float rectangle = std::abs(x) <= halfWidth ? share : 0.0f;
+        const float bead = end * end + off * off <= half * half ? share : 0.0f;
+        alongLine({from + x * side0 - below * slab.piece.fromHeightMm * down0,
+                   to + x * side1 - below * slab.piece.toHeightMm * down1},
+                  size_, [&](int cell, float part) {
+                    Tally& t = tallies_[static_cast<std::size_t>(cell)];
+                    t.margin += part * share;
+                    t.rectangle += part * rectangle;
+                    t.bead += part * bead;
+                  });
       }
-    }
     double inBead = 0.0;
     for (const Tally& t : tallies_)
       inBead += static_cast<double>(t.bead);
@@ -275,10 +236,6 @@ private:
   Eigen::Vector3i low_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
   Eigen::Vector3d corner_ = Eigen::Vector3d::Zero(); // of low_
   std::vector<Tally> tallies_;
-  // Of one row of samples across.
-  std::vector<int> cell_;
-  std::vector<float> sample_;
-  Shifts alongShifts_, downShifts_;
 };
 
 // Lays pieces one after the other.

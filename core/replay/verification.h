@@ -8,6 +8,7 @@
 #include "plan/trajectory.h"
 #include "platform/platform_solid.h"
 #include "process/process.h"
+#include "replay/judged_runs.h"
 #include "robot/cell.h"
 
 #include <cstddef>
@@ -53,26 +54,33 @@ struct TextPlace {
   std::size_t file = 0, line = 0;
 };
 
-struct Verification {
-  bool passed = false; // every threshold kept and the text free of deviations
-
+// What running a program makes, and what meets on the way.
+struct RunFigures {
   double coveredFraction = 0.0;
   double unsupportedFraction = 0.0;
-  double overfillFraction = 0.0;   // outside the part and what found no room, by part volume
-  double excessFraction = 0.0;     // of that, what found no room
-  double massRatio = 0.0;          // material laid (supports and skirts apart) by part volume
-  std::size_t collisions = 0;      // contacts; one that lasts over consecutive samples counts once
-  std::size_t limitViolations = 0; // likewise
-  std::size_t deviations = 0;      // places where the text is not what was planned
-  double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
+  double halfCarriedFraction = 0.0;  // share of bead length carried on less than half its width
+  double longestUnsupportedMm = 0.0; // of a bead, without a break, nothing right beneath it
+  double overfillFraction = 0.0;     // outside the part and what found no room, by part volume
+  double excessFraction = 0.0;       // of that, what found no room
+  double massRatio = 0.0;            // material laid (supports and skirts apart) by part volume
+  std::size_t collisions = 0; // contacts; one that lasts over consecutive samples counts once
 
   // Waypoints of the plan, ascending, on the way to which something meets.
   std::vector<std::size_t> metAt;
 
-  bool armChecked = false; // false: the program says where the nozzle is, not where the arm is
   double partVolumeMm3 = 0.0, depositedMm3 = 0.0, supportMm3 = 0.0, beadLengthMm = 0.0;
-  double durationS = 0.0; // lengths by speeds, without the controller's ramps
-  double pitchMm = 0.0;   // of the grid of beads
+  double pitchMm = 0.0; // of the grid of beads
+};
+
+struct Verification : RunFigures {
+  bool passed = false; // every threshold kept and the text free of deviations
+
+  std::size_t limitViolations = 0; // as collisions are counted
+  std::size_t deviations = 0;      // places where the text is not what was planned
+  double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
+
+  bool armChecked = false; // false: the program says where the nozzle is, not where the arm is
+  double durationS = 0.0;  // lengths by speeds, without the controller's ramps
 
   std::vector<ThresholdResult> results; // in the order of ReplayThresholds
   plan::Findings findings;              // stage "replay"
@@ -88,10 +96,14 @@ struct Verification {
 // Programs whose targets are ToolPoint carry no arm: limits and the arm's clearances are then not
 // checked (armChecked == false), the nozzle's path, the head and the beads are.
 // The result does not depend on the number of threads.
+//
+// `judged`, where given, holds the runs of programs that were written from the same plan, and takes
+// up this one's: a run that is one of them but for what the grid of beads can't tell (run.h) is not
+// judged a second time. Its text is compared, and its limits are checked, all the same.
 // Example:
 //   const replay::Verification verdict =
 //       replay::replayProgram({read, toolPlan, trajectory, cell, process, part, plate}, {}, ctx);
 Verification replayProgram(const ReplayInput& input, const ReplayThresholds& thresholds,
-                           const base::RunContext& ctx);
+                           const base::RunContext& ctx, JudgedRuns* judged = nullptr);
 
 } // namespace voluta::replay

@@ -174,9 +174,10 @@ std::vector<SurfaceCurve> evenLines(const InfillRegion& r, const std::vector<dou
   const int n = std::max(1, static_cast<int>(std::lround((high - low) * r.density / hatch)));
   const double spacing = (high - low) / n;
   LineCover lines(r, depth);
+  const EvenIsolines levels(r.surface, across, low, spacing, n);
   for (int k = 0; k < n; ++k) {
     ctx.checkpoint();
-    for (const SurfaceCurve& c : isolines(r.surface, across, low + (k + 0.5) * spacing))
+    for (const SurfaceCurve& c : levels.curvesAt(k))
       lines.add(c, k);
   }
   return lines.joined(spacing, ctx);

@@ -185,8 +185,12 @@ std::vector<double> distanceToSection(const PatchSurface& s, const Vector3d& nor
   return u;
 }
 
-std::vector<SurfaceCurve> isolines(const PatchSurface& s, const std::vector<double>& values,
-                                   double level) {
+namespace {
+// `triangleAt(k)`, k below count: the triangles that may be crossed, ascending.
+template <typename TriangleAt>
+std::vector<SurfaceCurve> isolinesAmong(const PatchSurface& s, const std::vector<double>& values,
+                                        double level, std::size_t triangleCount,
+                                        TriangleAt&& triangleAt) {
   // One crossing an edge; in each crossed triangle the curve runs from one crossing to the next.
   struct Crossing {
     SurfacePoint point;
@@ -208,7 +212,8 @@ std::vector<SurfaceCurve> isolines(const PatchSurface& s, const std::vector<doub
     }
     return it->second;
   };
-  for (std::size_t i = 0; i < s.triangles.size(); ++i) {
+  for (std::size_t among = 0; among < triangleCount; ++among) {
+    const std::size_t i = triangleAt(among);
     const auto& t = s.triangles[i];
     const int count = above(t[0]) + above(t[1]) + above(t[2]);
     if (count == 0 || count == 3 ||
@@ -247,6 +252,43 @@ std::vector<SurfaceCurve> isolines(const PatchSurface& s, const std::vector<doub
     if (!used[i])
       follow(static_cast<int>(i));
   return curves;
+}
+} // namespace
+
+std::vector<SurfaceCurve> isolines(const PatchSurface& s, const std::vector<double>& values,
+                                   double level) {
+  return isolinesAmong(s, values, level, s.triangles.size(), [](std::size_t k) { return k; });
+}
+
+EvenIsolines::EvenIsolines(const PatchSurface& s, const std::vector<double>& values, double low,
+                           double spacing, int count)
+    : s_(s), values_(values), low_(low), spacing_(spacing), start_(at(count) + 1, 0) {
+  // Levels that cross a triangle, one to either side for rounding.
+  const auto forLevels = [&](std::size_t i, auto&& f) {
+    const auto& t = s_.triangles[i];
+    const double a = values_[at(t[0])], b = values_[at(t[1])], c = values_[at(t[2])];
+    if (!std::isfinite(a + b + c))
+      return;
+    const double from = std::max(std::floor((std::min({a, b, c}) - low_) / spacing_ - 0.5), 0.0),
+                 to = std::min(std::ceil((std::max({a, b, c}) - low_) / spacing_ - 0.5),
+                               count - 1.0);
+    for (double k = from; k <= to; ++k)
+      f(static_cast<std::size_t>(k));
+  };
+  for (std::size_t i = 0; i < s_.triangles.size(); ++i)
+    forLevels(i, [&](std::size_t k) { ++start_[k + 1]; });
+  for (std::size_t k = 1; k < start_.size(); ++k)
+    start_[k] += start_[k - 1];
+  triangle_.resize(start_.back());
+  std::vector<std::size_t> fill(start_.begin(), start_.end() - 1);
+  for (std::size_t i = 0; i < s_.triangles.size(); ++i)
+    forLevels(i, [&](std::size_t k) { triangle_[fill[k]++] = i; });
+}
+
+std::vector<SurfaceCurve> EvenIsolines::curvesAt(int k) const {
+  const std::size_t begin = start_[at(k)];
+  return isolinesAmong(s_, values_, low_ + (k + 0.5) * spacing_, start_[at(k) + 1] - begin,
+                       [&](std::size_t n) { return triangle_[begin + n]; });
 }
 
 } // namespace voluta::toolpath

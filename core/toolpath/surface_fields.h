@@ -42,4 +42,19 @@ std::vector<double> distanceToSection(const PatchSurface& surface, const Eigen::
 std::vector<SurfaceCurve> isolines(const PatchSurface& surface, const std::vector<double>& values,
                                    double level);
 
+// The same at many levels, low + (k + 1/2) spacing for k below count: each looks at the triangles
+// that it may cross, not at all of them. Keeps references to both. Precondition: spacing > 0.
+class EvenIsolines {
+public:
+  EvenIsolines(const PatchSurface& surface, const std::vector<double>& values, double low,
+               double spacing, int count);
+  std::vector<SurfaceCurve> curvesAt(int k) const;
+
+private:
+  const PatchSurface& s_;
+  const std::vector<double>& values_;
+  double low_, spacing_;
+  std::vector<std::size_t> start_, triangle_; // per level, its triangles
+};
+
 } // namespace voluta::toolpath

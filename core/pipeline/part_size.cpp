@@ -1,0 +1,63 @@
+#include "pipeline/part_size.h"
+
+#include "geometry/measures.h"
+#include "plan/blocking_share.h"
+#include "plan/finding_kinds.h"
+#include "voxel/wall_thickness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace voluta::pipeline {
+
+namespace {
+
+constexpr double kTinyMm = 1.0, kHugeMm = 2000.0;
+
+// Half of all the area of thin places is over walls thinner than that.
+double usualMm(std::vector<voxel::ThinPlace> places, double areaMm2) {
+  std::ranges::sort(places, {}, &voxel::ThinPlace::usualMm);
+  double sum = 0.0;
+  for (const voxel::ThinPlace& place : places)
+    if (sum += place.areaMm2; sum >= 0.5 * areaMm2)
+      return place.usualMm;
+  return places.back().usualMm;
+}
+
+} // namespace
+
+plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale, double fits,
+                            const process::Process& process, const base::RunContext& ctx) {
+  const double size = geometry::bounds(part).sizes().maxCoeff();
+  if (size < kTinyMm)
+    return {plan::makeFinding(plan::FindingKind::TinyPart, {{"size", base::mm(size)}})};
+  if (size > kHugeMm)
+    return {plan::makeFinding(plan::FindingKind::HugePart, {{"size", base::mm(size)}})};
+  const double least = process.beadWidthMinMm;
+  const std::vector<voxel::ThinPlace> places = voxel::thinPlaces(part, least, ctx);
+  const double area =
+      std::accumulate(places.begin(), places.end(), 0.0,
+                      [](double sum, const voxel::ThinPlace& p) { return sum + p.areaMm2; });
+  // A wall has two sides.
+  const double volume =
+      std::accumulate(places.begin(), places.end(), 0.0, [](double sum, const voxel::ThinPlace& p) {
+        return sum + 0.5 * p.areaMm2 * p.usualMm;
+      });
+  const double share = volume / std::max(std::abs(geometry::volume(part)), 1e-9);
+  if (places.empty() || share <= plan::kBlockingShare)
+    return {};
+  const double usual = usualMm(places, area);
+  // To a hundredth, upwards: rounding down would leave it too thin.
+  const double wanted = std::ceil(100.0 * scale * least / std::max(usual, 1e-6)) / 100.0;
+  std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * std::min(share, 1.0))},
+                                       {"usual", base::mm(usual)},
+                                       {"least", base::mm(least)}};
+  const bool room = wanted <= fits;
+  if (room)
+    values.push_back({"scale", base::number(wanted)});
+  return {plan::makeFinding(room ? plan::FindingKind::ThinPart : plan::FindingKind::ThinPartInReach,
+                            std::move(values), places.front().at)};
+}
+
+} // namespace voluta::pipeline

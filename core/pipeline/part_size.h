@@ -1,0 +1,18 @@
+// Is the part of a size that can be printed, and its walls of a bead's?
+#pragma once
+
+#include "base/run_context.h"
+#include "geometry/triangle_mesh.h"
+#include "plan/finding.h"
+#include "process/process.h"
+
+namespace voluta::pipeline {
+
+// A part shorter than a millimetre or longer than two metres was drawn in other units: nothing can
+// be planned for it. Else what of it is thinner than the process's least bead, where that is more
+// than may be left out (plan::kBlockingShare). `fits`: the scale up to which the part is in reach.
+// Throws Cancelled.
+plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale, double fits,
+                            const process::Process& process, const base::RunContext& ctx);
+
+} // namespace voluta::pipeline

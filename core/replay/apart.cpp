@@ -1,0 +1,56 @@
+#include "base/parallel.h"
+#include "replay/run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::replay {
+
+namespace {
+
+using Eigen::Vector3d;
+
+// Of a motion's samples from the same motion's way in another run.
+void stretch(Apart& most, const ExecutedPath& path, const ExecutedPath& way, std::size_t motion,
+             double reachMm) {
+  const std::size_t begin = way.firstSample[motion], end = way.firstSample[motion + 1];
+  for (std::size_t s = path.firstSample[motion]; s < path.firstSample[motion + 1]; ++s) {
+    double nearest = INFINITY;
+    Vector3d tip = way.tip[begin], direction = way.direction[begin];
+    for (std::size_t k = std::max<std::size_t>(begin, 1); k < end; ++k) {
+      const Vector3d ab = way.tip[k] - way.tip[k - 1];
+      const double squared = ab.squaredNorm();
+      const double t = squared > 0.0
+                           ? std::clamp(ab.dot(path.tip[s] - way.tip[k - 1]) / squared, 0.0, 1.0)
+                           : 1.0;
+      const Vector3d q = way.tip[k - 1] + t * ab;
+      if (const double d = (q - path.tip[s]).squaredNorm(); d < nearest) {
+        nearest = d;
+        tip = q;
+        direction = (1.0 - t) * way.direction[k - 1] + t * way.direction[k];
+      }
+    }
+    const Vector3d off = path.tip[s] - tip;
+    most.tipMm = std::max(most.tipMm, off.norm());
+    most.headMm = std::max(most.headMm,
+                           (off + reachMm * (path.direction[s] - direction.normalized())).norm());
+  }
+}
+
+} // namespace
+
+std::vector<Apart> apart(const Run& a, const Run& b, double reachMm, const base::RunContext& ctx) {
+  if (a.pointOf != b.pointOf)
+    return {};
+  std::vector<Apart> result(a.path.motionCount());
+  base::parallelChunks(ctx, result.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end && !ctx.cancelled(); ++m) {
+      stretch(result[m], a.path, b.path, m, reachMm);
+      stretch(result[m], b.path, a.path, m, reachMm);
+    }
+  });
+  ctx.checkpoint();
+  return result;
+}
+
+} // namespace voluta::replay

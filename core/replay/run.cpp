@@ -1,0 +1,277 @@
+#include "replay/run.h"
+
+#include "base/run_context.h"
+#include "geometry/mesh_query.h"
+#include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
+#include "replay/alignment.h"
+#include "replay/coverage.h"
+#include "replay/ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace voluta::replay {
+
+namespace {
+
+using Eigen::Vector3d;
+using enum plan::FindingKind;
+
+constexpr std::size_t kMaxCells = 48'000'000;
+// Material further than this from part and plan is not followed: it counts as excess.
+constexpr double kStrayMm = 12.0;
+constexpr double kSameOfCell = 0.5, kSameInTheMean = 0.1; // of a cell of the beads' grid
+constexpr double kSameVolume = 1e-3, kLeastMm3 = 1e-6;    // of a motion's; what is no material
+
+class RunJudge {
+public:
+  RunJudge(Run run, const ReplayInput& in, const ReplayThresholds& limits,
+           const base::RunContext& ctx)
+      : in_(in), limits_(limits), ctx_(ctx) {
+    out_.run = std::move(run);
+  }
+
+  JudgedRun judge(const JudgedRuns& judged) {
+    const JudgedRun* known = nullptr;
+    for (const auto& other : judged)
+      if (!known && laysTheSame(*other))
+        known = other.get();
+    if (known) {
+      out_.laid = known->laid;
+      out_.figures = known->figures;
+      out_.beads = known->beads;
+    } else {
+      same_.assign(out_.run.path.motionCount(), 0);
+      layBeads();
+      judgeBeads();
+    }
+    findClashes(known);
+    gatherMet();
+    out_.run.path.armJoints = {};
+    out_.run.path.armMotion = {};
+    out_.run.path.armFraction = {};
+    return std::move(out_);
+  }
+
+private:
+  const ExecutedPath& path() const { return out_.run.path; }
+
+  // Fills in same_ where it holds.
+  bool laysTheSame(const JudgedRun& other) {
+    const Ball head = HeadSolid(in_.process.head).ball();
+    const std::vector<Apart> off =
+        apart(other.run, out_.run, head.centre.norm() + head.radius, ctx_);
+    if (off.size() != path().motionCount())
+      return false;
+    const double cell = other.figures.pitchMm;
+    same_.assign(off.size(), 0);
+    double moved = 0.0, volume = 0.0;
+    for (std::size_t m = 0; m < off.size(); ++m) {
+      const double mine = out_.run.volumeMm3[m], its = other.run.volumeMm3[m];
+      same_[m] = std::max(off[m].tipMm, off[m].headMm) <= kSameOfCell * cell;
+      if (mine <= 0.0 && its <= 0.0)
+        continue;
+      if (off[m].tipMm > kSameOfCell * cell ||
+          std::abs(mine - its) > kLeastMm3 + kSameVolume * std::min(mine, its))
+        return false;
+      moved += mine * off[m].tipMm;
+      volume += mine;
+    }
+    return moved <= kSameInTheMean * cell * volume;
+  }
+
+  void layBeads() {
+    auto laid = std::make_shared<LaidBeads>();
+    std::vector<BeadPiece>& pieces = laid->pieces;
+    pieces = beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge);
+    // The grid spans the part and what lies near it; a waypoint far astray must not blow it up.
+    Vector3d low = in_.part.vertices.front(), high = low;
+    const auto take = [&](const Vector3d& p) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    };
+    for (const Vector3d& v : in_.part.vertices)
+      take(v);
+    for (const Vector3d& p : in_.plan.position)
+      take(p);
+    const Vector3d mostLow = low - Vector3d::Constant(kStrayMm);
+    const Vector3d mostHigh = high + Vector3d::Constant(kStrayMm);
+    const double margin = in_.process.beadWidthMaxMm;
+    for (const BeadPiece& piece : pieces)
+      take(piece.to);
+    low = (low - Vector3d::Constant(margin)).cwiseMax(mostLow);
+    high = (high + Vector3d::Constant(margin)).cwiseMin(mostHigh);
+    // What lies beneath a bead is looked for in a quarter of its height: cells of more than half a
+    // height would hide it.
+    const double ofWidth = 0.25 * in_.process.beadWidthMm;
+    const double ofHeight = 0.5 * thinHeight();
+    const voxel::VoxelGrid grid = gridOver(low, high, std::min(ofWidth, ofHeight), kMaxCells);
+    out_.figures.pitchMm = grid.pitch;
+    DepositOptions options;
+    options.widthMaxMm = 3.0 * in_.process.beadWidthMaxMm;
+    // Sections of thin beads have more cells, and may have fewer samples in each.
+    if (ofHeight < 0.99 * ofWidth)
+      options.samplesPerCell = 3;
+    laid->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
+    laid->printed.emplace(laid->beads, laid->pieces);
+    out_.laid = std::move(laid);
+  }
+
+  // What nine tenths of the waypoints are as thick as, or the process's height where that is less.
+  double thinHeight() const {
+    std::vector<float> heights = in_.plan.heightMm;
+    if (heights.empty())
+      return in_.process.layerHeightMm;
+    const auto tenth = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
+    std::nth_element(heights.begin(), tenth, heights.end());
+    return std::clamp(static_cast<double>(*tenth), in_.process.layerHeightMinMm,
+                      in_.process.layerHeightMm);
+  }
+
+  // Of the mesh where it is closed (its own volume is exact); else of the grid.
+  double partVolume(double onGrid) const {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < in_.part.triangles.size(); ++t)
+      sum += in_.part.corner(t, 0).dot(in_.part.corner(t, 1).cross(in_.part.corner(t, 2))) / 6.0;
+    return std::abs(sum - onGrid) < 0.02 * onGrid ? sum : onGrid;
+  }
+
+  void add(plan::FindingKind kind, std::vector<plan::NamedValue> values,
+           std::optional<Vector3d> where = std::nullopt,
+           std::optional<std::size_t> motion = std::nullopt, std::size_t count = 1) {
+    out_.beads.push_back({kind, std::move(values), where, motion, count});
+  }
+
+  void judgeBeads() {
+    ctx_.report(0.65, "measuring the beads"_text);
+    const std::vector<BeadPiece>& pieces = out_.laid->pieces;
+    const BeadGrid& beads = out_.laid->beads;
+    RunFigures& figures = out_.figures;
+    const geometry::MeshQuery query(in_.part);
+    const PartCells cells = partCells(in_.part, query, beads.grid, ctx_);
+    const Coverage coverage =
+        measureCoverage(beads, cells, query, 0.25 * in_.process.beadWidthMm, ctx_);
+    figures.partVolumeMm3 = partVolume(cells.volumeMm3);
+    const double volume = std::max(figures.partVolumeMm3, 1e-9);
+    figures.coveredFraction = coverage.coveredFraction;
+    double excess = 0.0;
+    std::size_t worst = 0;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      if (pieces[p].ofPart) {
+        excess += static_cast<double>(beads.pieceExcessMm3[p]);
+        if (beads.pieceExcessMm3[p] > beads.pieceExcessMm3[worst])
+          worst = p;
+      }
+    figures.excessFraction = std::max(0.0, excess / volume);
+    figures.overfillFraction = std::max(0.0, (coverage.outsideMm3 + excess) / volume);
+    if (figures.coveredFraction < limits_.coveredMin)
+      add(Uncovered, {{"share", base::percent(100.0 * (1.0 - figures.coveredFraction))}},
+          coverage.worstGap);
+    if (figures.overfillFraction > limits_.overfillMax) {
+      std::optional<Vector3d> where;
+      std::optional<std::size_t> motion;
+      if (!pieces.empty())
+        where = pieces[worst].to, motion = pieces[worst].motion;
+      add(Overfill,
+          {{"outside", base::percent(100.0 * coverage.outsideMm3 / volume)},
+           {"noRoom", base::percent(100.0 * figures.excessFraction)}},
+          where, motion);
+    }
+    ctx_.report(0.7, "looking beneath the beads"_text);
+    const SupportedBeads support =
+        findSupport(pieces, *out_.laid->printed, GroundProbe(in_.platform), ctx_);
+    figures.beadLengthMm = support.lengthMm;
+    const double length = std::max(support.lengthMm, 1e-9);
+    figures.unsupportedFraction = support.unsupportedMm / length;
+    figures.halfCarriedFraction = support.halfCarriedMm / length;
+    figures.longestUnsupportedMm = support.longestUnsupportedMm;
+    if (figures.unsupportedFraction > limits_.unsupportedMax && !support.unsupported.empty()) {
+      const BeadPiece& first = pieces[support.unsupported.front()];
+      add(Unsupported, {{"length", base::mm(support.unsupportedMm)}}, first.to, first.motion,
+          support.unsupported.size());
+    }
+  }
+
+  void findClashes(const JudgedRun* known) {
+    ctx_.report(0.72, "looking for collisions"_text);
+    const GroundSolids ground(in_.platform, in_.cell, 0.25 * in_.process.beadWidthMm, ctx_);
+    const bool armToo = known && known->run.path.arm && path().arm;
+    if (known)
+      for (const auto* clashes : {&known->head, &known->arm})
+        for (const Clash& c : *clashes)
+          lend(c);
+    std::vector<char> armSame = armToo ? same_ : std::vector<char>(same_.size(), 0);
+    if (armToo)
+      for (std::size_t m = 0; m < armSame.size(); ++m)
+        armSame[m] = armSame[m] && sameJoints(known->run.path, m);
+    out_.head = headClashes(path(), out_.laid->pieces, *out_.laid->printed, in_.process, ground,
+                            same_, ctx_);
+    ctx_.report(0.97, "looking for collisions"_text);
+    out_.arm =
+        armClashes(path(), out_.laid->pieces, *out_.laid->printed, ground, in_.cell, armSame, ctx_);
+    if (known) {
+      takeOver(known->head, same_, known->run.path, out_.head);
+      takeOver(known->arm, armSame, known->run.path, out_.arm);
+    }
+  }
+
+  // A contact that goes on into a motion that is another is looked for anew as a whole.
+  void lend(const Clash& c) {
+    const auto begin = same_.begin() + static_cast<std::ptrdiff_t>(c.motion),
+               end = same_.begin() + static_cast<std::ptrdiff_t>(c.lastMotion) + 1;
+    if (std::find(begin, end, char{0}) != end)
+      std::fill(begin, end, char{0});
+  }
+
+  bool sameJoints(const ExecutedPath& other, std::size_t motion) const {
+    constexpr double kSameRad = 2e-4; // a tenth of a millimetre, half a metre away
+    if (other.dof != path().dof)
+      return false;
+    for (int k = 0; k < path().dof; ++k)
+      if (std::abs(other.jointsAt(motion)[k] - path().jointsAt(motion)[k]) > kSameRad)
+        return false;
+    return true;
+  }
+
+  void takeOver(const std::vector<Clash>& clashes, const std::vector<char>& same,
+                const ExecutedPath& other, std::vector<Clash>& out) const {
+    for (Clash c : clashes) {
+      if (!same[c.motion])
+        continue;
+      c.whenS = path().startS[c.motion] + (c.whenS - other.startS[c.motion]);
+      out.push_back(std::move(c));
+    }
+    std::stable_sort(out.begin(), out.end(),
+                     [](const Clash& a, const Clash& b) { return a.motion < b.motion; });
+  }
+
+  void gatherMet() {
+    out_.figures.collisions = out_.head.size() + out_.arm.size();
+    std::set<std::size_t> waypoints;
+    for (const auto* clashes : {&out_.head, &out_.arm})
+      for (const Clash& c : *clashes)
+        for (std::size_t m = c.motion; m <= c.lastMotion; ++m)
+          if (out_.run.pointOf[m] != kUnmatched)
+            if (const std::size_t w = plan::waypointAhead(in_.trajectory, out_.run.pointOf[m]);
+                w != plan::kNoWaypoint)
+              waypoints.insert(w);
+    out_.figures.metAt.assign(waypoints.begin(), waypoints.end());
+  }
+
+  const ReplayInput& in_;
+  const ReplayThresholds& limits_;
+  const base::RunContext& ctx_;
+  JudgedRun out_;
+  std::vector<char> same_; // per motion: as in the run that is known
+};
+
+} // namespace
+
+JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& thresholds,
+                   const JudgedRuns& judged, const base::RunContext& ctx) {
+  return RunJudge(std::move(run), input, thresholds, ctx).judge(judged);
+}
+
+} // namespace voluta::replay

@@ -1,0 +1,22 @@
+// Writes made parts as STL files: write_made_parts FOLDER FIRST COUNT
+#include "base/files.h"
+#include "geometry/formats/mesh_reader.h"
+#include "helpers/made_parts.h"
+
+#include <cstdlib>
+#include <fmt/format.h>
+
+int main(int count, char** arguments) {
+  if (count != 4) {
+    fmt::print(stderr, "write_made_parts FOLDER FIRST COUNT\n");
+    return 2;
+  }
+  const auto first = static_cast<unsigned>(std::atoi(arguments[2])),
+             parts = static_cast<unsigned>(std::atoi(arguments[3]));
+  for (unsigned seed = first; seed < first + parts; ++seed) {
+    const voluta::test::MadePart part = voluta::test::madePart(seed);
+    voluta::base::writeFile(std::filesystem::path(arguments[1]) / (part.name + ".stl"),
+                            voluta::geometry::writeStl(part.mesh));
+  }
+  return 0;
+}
