@@ -31,6 +31,8 @@ public:
     const Eigen::Vector3d r0 = point - centre0_;
     const double t = std::clamp(r0.dot(along_) * inverseSquared_, 0.0, 1.0);
     const Eigen::Vector3d r = r0 - t * along_;
+    if (r.squaredNorm() > reach() * reach())
+      return false;
     const Eigen::Vector3d d = direction0_ + t * turn_;
     const double height = height0_ + t * (height1_ - height0_);
     const double width = width0_ + t * (width1_ - width0_);

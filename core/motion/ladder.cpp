@@ -13,16 +13,22 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// As std::round, without a call.
+double rounded(double x) {
+  return static_cast<double>(static_cast<long>(x + (x < 0.0 ? -0.5 : 0.5)));
+}
+
 // L1 step of the joints that have limits here from `from` to the representative of `to` nearest to
-// it; infinite where a joint's step is larger than maxStep or its limits are left.
+// it; infinite where a joint's step is larger than maxStep or its limits are left, and where the sum
+// is no less than `most`.
 double step(const robot::JointVector& from, const robot::JointVector& to,
-            const std::vector<robot::JointLimits>& limits, double maxStep) {
+            const std::vector<robot::JointLimits>& limits, double maxStep, double most) {
   double sum = 0.0;
   const auto count = static_cast<Eigen::Index>(limits.size());
   for (Eigen::Index j = 0; j < count; ++j) {
     double d = to[j] - from[j];
     if (std::abs(d) > maxStep) {
-      d -= base::kTurn * std::round(d / base::kTurn);
+      d -= base::kTurn * rounded(d / base::kTurn);
       if (std::abs(d) > maxStep)
         return kInfinity;
       const double q = from[j] + d;
@@ -31,6 +37,8 @@ double step(const robot::JointVector& from, const robot::JointVector& to,
         return kInfinity;
     }
     sum += std::abs(d);
+    if (sum >= most)
+      return kInfinity;
   }
   return sum;
 }
@@ -40,7 +48,7 @@ robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVect
   for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(count); ++j) {
     const double d = to[j] - from[j];
     if (std::abs(d) > maxStep)
-      to[j] = from[j] + d - base::kTurn * std::round(d / base::kTurn);
+      to[j] = from[j] + d - base::kTurn * rounded(d / base::kTurn);
   }
   return to;
 }
@@ -74,7 +82,9 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
         cost[r][n] = startCost[n] + rung[n].cost;
         here[n] = rung[n].q;
       } else {
-        for (int k = -reach; k <= reach; ++k) {
+        // The nearest turns first: what they cost bounds the search through the others.
+        for (int turn = 0; turn <= 2 * reach; ++turn) {
+          const int k = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
           const int sample =
               ((rung[n].sample + k) % options.samples + options.samples) % options.samples;
           for (const int m : bySample[static_cast<std::size_t>(sample)]) {
@@ -84,8 +94,8 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
             const double soFar = cost[r - 1][from] + rung[n].cost;
             if (soFar >= cost[r][n])
               continue;
-            const double total =
-                soFar + step(before[from], rung[n].q, limits, options.maxStepRad[r]);
+            const double total = soFar + step(before[from], rung[n].q, limits,
+                                              options.maxStepRad[r], cost[r][n] - soFar);
             if (total < cost[r][n]) {
               cost[r][n] = total;
               parent[r][n] = m;

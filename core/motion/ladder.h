@@ -35,7 +35,7 @@ struct LadderWay {
 // first rung to the last, starting costs (one a node of the first rung) and node costs included.
 // Joints are taken by whole turns nearest to the predecessor's, as long as limits allow it. Where
 // no node of a rung can be reached the way ends before it, at the cheapest node. Ties go to the
-// node that is met first, by sample.
+// node at the nearest sample.
 // Preconditions: startCost as long as rungs.front(), maxStepRad as rungs; all q of one length,
 // limits no longer: joints behind those are where they have to be and cost nothing; samples in [0,
 // options.samples).

@@ -1,6 +1,7 @@
 #include "toolpath/cells.h"
 
 #include "toolpath/segment_grid.h"
+#include "toolpath/surface_samples.h"
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -9,14 +10,6 @@
 namespace voluta::toolpath {
 
 namespace {
-
-struct Corner {
-  Eigen::Vector3d position;
-  double thicknessMm;
-};
-Corner between(const Corner& a, const Corner& b) {
-  return {0.5 * (a.position + b.position), 0.5 * (a.thicknessMm + b.thicknessMm)};
-}
 
 // Gives samples of a surface to the nearest segment of the curves.
 class Sharer {
@@ -35,45 +28,12 @@ public:
         owner_.emplace_back(c, i);
       }
     }
-    grid_.emplace(std::move(segments), reachMm);
+    grid_.emplace(segments, reachMm);
   }
 
-  // A triangle, halved so often: four samples in each of the last pieces, one where there is none.
-  void add(const Corner& a, const Corner& b, const Corner& c, const Eigen::Vector3d& normal,
-           double area, int halved) {
-    if (halved > 1) {
-      const Corner ab = between(a, b), bc = between(b, c), ca = between(c, a);
-      add(ab, bc, ca, normal, area / 4, halved - 1);
-      add(a, ab, ca, normal, area / 4, halved - 1);
-      add(ab, b, bc, normal, area / 4, halved - 1);
-      add(ca, bc, c, normal, area / 4, halved - 1);
-      return;
-    }
-    const auto weighted = [&](double wa, double wb, double wc) {
-      const double sum = wa + wb + wc;
-      sample((wa * a.position + wb * b.position + wc * c.position) / sum, normal,
-             halved > 0 ? area / 4 : area,
-             (wa * a.thicknessMm + wb * b.thicknessMm + wc * c.thicknessMm) / sum);
-    };
-    weighted(1, 1, 1);
-    if (halved > 0) {
-      weighted(4, 1, 1);
-      weighted(1, 4, 1);
-      weighted(1, 1, 4);
-    }
-  }
-
-  Cells finish() {
-    for (CellShare& share : cells_.share)
-      for (std::size_t i = 0; i < share.areaMm2.size(); ++i)
-        if (share.areaMm2[i] > 0)
-          share.lateralMm[i] /= share.areaMm2[i];
-    return std::move(cells_);
-  }
-
-private:
-  void sample(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, double area,
-              double thickness) {
+  void add(const SurfaceSample& sample, const Eigen::Vector3d& normal) {
+    const Eigen::Vector3d& p = sample.position;
+    const double area = sample.areaMm2;
     const SegmentGrid::Hit hit = grid_->nearest(p, last_);
     last_ = hit.segment;
     if (hit.segment < 0) {
@@ -83,7 +43,7 @@ private:
     const auto [c, i] = owner_[static_cast<std::size_t>(hit.segment)];
     CellShare& share = cells_.share[c];
     share.areaMm2[i] += area;
-    share.volumeMm3[i] += area * thickness;
+    share.volumeMm3[i] += area * sample.thicknessMm;
     const auto& points = curves_[c].points;
     if (!curves_[c].closed && i == 0 && hit.t <= 0)
       share.beyondMm2[0] += area;
@@ -95,6 +55,15 @@ private:
       share.lateralMm[i] += area * normal.cross(along / length).dot(p - hit.point);
   }
 
+  Cells finish() {
+    for (CellShare& share : cells_.share)
+      for (std::size_t i = 0; i < share.areaMm2.size(); ++i)
+        if (share.areaMm2[i] > 0)
+          share.lateralMm[i] /= share.areaMm2[i];
+    return std::move(cells_);
+  }
+
+private:
   const std::vector<SurfaceCurve>& curves_;
   Cells cells_;
   std::vector<std::pair<std::size_t, std::size_t>> owner_; // of a segment: curve, its place there
@@ -105,15 +74,11 @@ private:
 } // namespace
 
 Cells shareOut(const PatchSurface& s, const std::vector<SurfaceCurve>& curves, double reachMm,
-               int halvings) {
+               double sampleMm2) {
   Sharer sharer(curves, reachMm);
-  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    const auto corner = [&](std::size_t k) {
-      const auto v = static_cast<std::size_t>(s.triangles[t][k]);
-      return Corner{s.position[v], s.thicknessMm[v]};
-    };
-    sharer.add(corner(0), corner(1), corner(2), s.triangleNormal[t], s.triangleArea[t], halvings);
-  }
+  forEachSample(s, sampleMm2, [&](const SurfaceSample& sample) {
+    sharer.add(sample, s.triangleNormal[sample.triangle]);
+  });
   return sharer.finish();
 }
 

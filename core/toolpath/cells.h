@@ -20,8 +20,8 @@ struct Cells {
   double orphanMm2 = 0.0;       // further than the reach from any curve
 };
 
-// Samples: the centres of the surface's triangles, their sides halved `halvings` times.
+// Samples stand for at most `sampleMm2` each (surface_samples.h).
 Cells shareOut(const PatchSurface& surface, const std::vector<SurfaceCurve>& curves, double reachMm,
-               int halvings);
+               double sampleMm2);
 
 } // namespace voluta::toolpath

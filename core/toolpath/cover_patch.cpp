@@ -31,8 +31,13 @@ constexpr int kRelaxations = 2;
 // mm, of beads of the usual width; with the passes, right angles become arcs of about 0.4 mm.
 constexpr double kArcStep = 0.2;
 constexpr int kArcPasses = 4;
-// Of triangles, for shares of lines as even as a winding's: coarse samples beat with them.
-constexpr int kFineHalvings = 2;
+// mm2, of beads of the usual width: what a sample of the surface stands for at most while
+// centrelines move, for their sections, and for those of lines as even as a winding's, with which
+// coarser ones beat.
+constexpr double kMoveMm2 = 0.12, kSectionMm2 = 0.03, kWoundMm2 = 0.012;
+// Hatches: further in nothing hangs on the boundary's distance but straight lines.
+constexpr double kFineDepth = 5.5;
+constexpr double kCoarser = 2.0; // are edges there
 
 struct Centrelines {
   std::vector<SurfaceCurve> curves;
@@ -199,6 +204,21 @@ PatchSurface refineAtRidges(const PatchSurface& s, const process::Process& proce
   return s.refinedAt(std::move(marks), kFine);
 }
 
+// Coarser where only straight lines lie.
+PatchSurface refined(const layers::Patch& patch, const process::Process& process,
+                     const ToolpathOptions& o, const InfillKind& kind) {
+  if (!kind.isStraightInside)
+    return PatchSurface::refine(patch, o.edgeMm);
+  const PatchSurface coarse = PatchSurface::refine(patch, kCoarser * o.edgeMm);
+  const double fine = std::max(kFineDepth, o.walls + kFineDepth - 2.0) *
+                      process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  const std::vector<double> depthMm = distanceToSegments(coarse, boundarySegments(coarse), fine);
+  std::vector<char> marks(depthMm.size());
+  for (std::size_t v = 0; v < marks.size(); ++v)
+    marks[v] = depthMm[v] < fine;
+  return coarse.refinedAt(std::move(marks), o.edgeMm);
+}
+
 Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                         const ToolpathOptions& o, const InfillKind& kind, int layer,
                         const base::RunContext& ctx) {
@@ -255,7 +275,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   PatchCover cover;
   if (patch.surface.empty())
     return cover;
-  const PatchSurface s = refineAtRidges(PatchSurface::refine(patch, o.edgeMm), process);
+  const PatchSurface s = refineAtRidges(refined(patch, process, o, kind), process);
   cover.areaMm2 = s.areaMm2;
   cover.volumeMm3 = s.volumeMm3;
   cover.simple = oneLoop(s);
@@ -276,7 +296,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   for (int i = 0; solid && i < kRelaxations; ++i) {
     ctx.checkpoint();
-    const Cells cells = shareOut(s, lines.curves, kReach * beadScale, 0);
+    const Cells cells =
+        shareOut(s, lines.curves, kReach * beadScale, kMoveMm2 * beadScale * beadScale);
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.isWound || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
@@ -291,7 +312,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();
-  Cells cells = shareOut(s, lines.curves, kReach * beadScale, kind.isWound ? kFineHalvings : 1);
+  Cells cells = shareOut(s, lines.curves, kReach * beadScale,
+                         (kind.isWound ? kWoundMm2 : kSectionMm2) * beadScale * beadScale);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)

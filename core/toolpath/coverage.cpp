@@ -2,11 +2,17 @@
 
 #include "process/bead_model.h"
 #include "toolpath/segment_grid.h"
+#include "toolpath/surface_samples.h"
 
 #include <algorithm>
 #include <cstdlib>
 
 namespace voluta::toolpath {
+
+namespace {
+// Of the square of half the widest bead: about two dozen samples across and along a width.
+constexpr double kSampleOfReach = 0.15;
+} // namespace
 
 Coverage measureCoverage(const PatchSurface& s, const std::vector<Bead>& beads) {
   struct Piece {
@@ -30,18 +36,15 @@ Coverage measureCoverage(const PatchSurface& s, const std::vector<Bead>& beads) 
     }
   Coverage result;
   const double reach = 0.5 * widest;
-  const SegmentGrid grid(std::move(segments), std::max(reach, 0.1));
+  const SegmentGrid grid(segments, std::max(reach, 0.1));
   struct Hit {
     std::size_t bead;
     double along;
   };
   std::vector<Hit> hits;
-  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    const auto& tri = s.triangles[t];
-    const Eigen::Vector3d p = (s.position[static_cast<std::size_t>(tri[0])] +
-                               s.position[static_cast<std::size_t>(tri[1])] +
-                               s.position[static_cast<std::size_t>(tri[2])]) /
-                              3;
+  const double sampleMm2 = kSampleOfReach * reach * reach;
+  forEachSample(s, std::max(sampleMm2, 1e-6), [&](const SurfaceSample& sample) {
+    const Eigen::Vector3d& p = sample.position;
     bool covered = false;
     hits.clear();
     grid.forEachWithin(p, reach, [&](int segment, double u, double distance) {
@@ -61,10 +64,10 @@ Coverage measureCoverage(const PatchSurface& s, const std::vector<Bead>& beads) 
       const double round = closed ? std::min(along, beadLength[hits[0].bead] - along) : along;
       twice = hits[i].bead != hits[0].bead || round > apart;
     }
-    result.areaMm2 += s.triangleArea[t];
-    result.coveredMm2 += covered ? s.triangleArea[t] : 0.0;
-    result.overlapMm2 += twice ? s.triangleArea[t] : 0.0;
-  }
+    result.areaMm2 += sample.areaMm2;
+    result.coveredMm2 += covered ? sample.areaMm2 : 0.0;
+    result.overlapMm2 += twice ? sample.areaMm2 : 0.0;
+  });
   return result;
 }
 

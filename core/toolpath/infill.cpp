@@ -10,7 +10,7 @@ namespace voluta::toolpath {
 
 namespace {
 constexpr std::array<InfillKind, 6> kKinds{{
-    {"zigzag", "zigzag"_text, zigzagInfill},
+    {"zigzag", "zigzag"_text, zigzagInfill, false, true},
     {"concentric", "concentric"_text, concentricInfill},
     {"woven", "woven"_text, wovenInfill, true},
     {"around", "around"_text, aroundInfill, true},

@@ -32,6 +32,8 @@ struct InfillKind {
   std::vector<SurfaceCurve> (*fill)(const InfillRegion&, const base::RunContext&);
   // Lines wind around an axis: for surfaces with a chart, on which they are even as they are.
   bool isWound = false;
+  // Lines of wide regions go straight through, whatever way the boundary runs.
+  bool isStraightInside = false;
 };
 // All kinds; the first is the default.
 std::span<const InfillKind> infillKinds();

@@ -227,6 +227,28 @@ Vector3d PatchSurface::interpolate(const std::vector<Vector3d>& values,
   return v.norm() > 1e-6 ? v.normalized() : values[at(t[0])];
 }
 
+// Is `q` the foot of `point` on triangle t, so far from its edges that no neighbour comes nearer
+// unless it folds back over it?
+bool PatchSurface::isFootInside(int triangle, const Vector3d& point, const Vector3d& q) const {
+  const Vector3d off = point - q;
+  const double away = off.squaredNorm();
+  if (away < 1e-18)
+    return true;
+  const auto& t = triangles[at(triangle)];
+  const Vector3d& n = triangleNormal[at(triangle)];
+  const double along = off.dot(n);
+  if (away - along * along > 1e-9 * away)
+    return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3d& a = position[at(t[k])];
+    const Vector3d edge = position[at(t[(k + 1) % 3])] - a;
+    const double inside = n.cross(edge).dot(q - a);
+    if (inside <= 0.0 || inside * inside < 4.0 * away * edge.squaredNorm())
+      return false;
+  }
+  return true;
+}
+
 SurfacePoint PatchSurface::project(const Vector3d& point, int start) const {
   SurfacePoint best{position[at(triangles[at(start)][0])], start};
   double least = (best.position - point).squaredNorm();
@@ -243,6 +265,8 @@ SurfacePoint PatchSurface::project(const Vector3d& point, int start) const {
   tryTriangle(start);
   for (int round = 0; round < 200; ++round) {
     const int from = best.triangle;
+    if (isFootInside(from, point, best.position))
+      break;
     for (const int v : triangles[at(from)])
       for (const int* i = ringBegin(v); i != ringEnd(v); ++i)
         tryTriangle(*i);

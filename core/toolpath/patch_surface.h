@@ -68,6 +68,7 @@ struct PatchSurface {
 
 private:
   void link();
+  bool isFootInside(int triangle, const Eigen::Vector3d& point, const Eigen::Vector3d& q) const;
   std::vector<int> ringStart_, ring_;
 };
 

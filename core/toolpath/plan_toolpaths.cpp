@@ -121,7 +121,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Pro
   base::Stopwatch watch;
   std::vector<PatchCover> covers(stack.patches.size());
   // In spans, so that progress is told from this thread.
-  constexpr std::size_t kSpan = 16;
+  constexpr std::size_t kSpan = 64;
   const base::RunContext silent = ctx.quiet();
   for (std::size_t from = 0; from < covers.size(); from += kSpan) {
     const std::size_t count = std::min(kSpan, covers.size() - from);

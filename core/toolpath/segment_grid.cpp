@@ -6,14 +6,18 @@ namespace {
 constexpr double kReachCells = 1.8; // cells that the reach of fine beads spans
 } // namespace
 
-SegmentGrid::SegmentGrid(std::vector<Segment> segments, double reachMm)
-    : segments_(std::move(segments)), reach_(reachMm), cell_(std::min(1.0, reachMm / kReachCells)) {
-  if (segments_.empty()) {
+SegmentGrid::SegmentGrid(const std::vector<Segment>& segments, double reachMm)
+    : reach_(reachMm), cell_(std::min(1.0, reachMm / kReachCells)) {
+  if (segments.empty()) {
     start_.assign(1, 0);
     return;
   }
-  Eigen::Vector3d low = segments_.front().a, high = low;
-  for (const Segment& s : segments_) {
+  Eigen::Vector3d low = segments.front().a, high = low;
+  rays_.reserve(segments.size());
+  for (const Segment& s : segments) {
+    const Eigen::Vector3d ab = s.b - s.a;
+    const double squared = ab.squaredNorm();
+    rays_.push_back({s.a, ab, squared > 0.0 ? 1.0 / squared : 0.0});
     low = low.cwiseMin(s.a).cwiseMin(s.b);
     high = high.cwiseMax(s.a).cwiseMax(s.b);
   }
@@ -42,53 +46,46 @@ SegmentGrid::SegmentGrid(std::vector<Segment> segments, double reachMm)
           f(cellAt(x, y, z));
   };
   start_.assign(static_cast<std::size_t>(size_.prod()) + 1, 0);
-  for (const Segment& s : segments_)
+  for (const Segment& s : segments)
     cellRange(s, [&](std::size_t c) { ++start_[c + 1]; });
   for (std::size_t c = 1; c < start_.size(); ++c)
     start_[c] += start_[c - 1];
   entry_.resize(static_cast<std::size_t>(start_.back()));
   std::vector<int> fill(start_.begin(), start_.end() - 1);
-  for (std::size_t i = 0; i < segments_.size(); ++i)
-    cellRange(segments_[i], [&](std::size_t c) {
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    cellRange(segments[i], [&](std::size_t c) {
       entry_[static_cast<std::size_t>(fill[c]++)] = static_cast<int>(i);
     });
 }
 
-std::pair<double, double> SegmentGrid::measure(int segment, const Eigen::Vector3d& p) const {
-  const Segment& s = segments_[static_cast<std::size_t>(segment)];
-  const Eigen::Vector3d ab = s.b - s.a;
-  const double l2 = ab.squaredNorm();
-  const double t = l2 > 0 ? std::clamp(ab.dot(p - s.a) / l2, 0.0, 1.0) : 0.0;
-  return {t, (s.a + t * ab - p).norm()};
-}
-
 SegmentGrid::Hit SegmentGrid::nearest(const Eigen::Vector3d& p, int likely) const {
   Hit best;
-  best.distanceMm = reach_;
+  double least = reach_ * reach_;
   // Most points have a neighbour within half a cell: look there first.
   double first = std::min(0.6 * cell_, reach_);
   if (likely >= 0)
-    if (const auto [t, d] = measure(likely, p); d < reach_) {
+    if (const auto [t, squared] = measure(likely, p); squared < least) {
       best.segment = likely;
       best.t = t;
-      best.distanceMm = d;
-      first = std::min(first, d);
+      least = squared;
+      first = std::min(first, std::sqrt(squared));
     }
   for (double radius = first;; radius = std::min(2 * radius, reach_)) {
     visit(p, radius, [&](int i) {
-      const auto [t, d] = measure(i, p);
-      if (d < best.distanceMm || (d == best.distanceMm && best.segment > i)) {
+      const auto [t, squared] = measure(i, p);
+      if (squared < least || (squared == least && best.segment > i)) {
         best.segment = i;
         best.t = t;
-        best.distanceMm = d;
+        least = squared;
       }
     });
-    if (radius >= reach_ || (best.segment >= 0 && best.distanceMm <= radius))
+    if (radius >= reach_ || (best.segment >= 0 && least <= radius * radius))
       break;
   }
+  best.distanceMm = std::sqrt(least);
   if (best.segment >= 0) {
-    const Segment& s = segments_[static_cast<std::size_t>(best.segment)];
-    best.point = s.a + best.t * (s.b - s.a);
+    const Ray& s = rays_[static_cast<std::size_t>(best.segment)];
+    best.point = s.a + best.t * s.ab;
   }
   return best;
 }

@@ -22,7 +22,7 @@ public:
     double distanceMm = 0.0;
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
   };
-  SegmentGrid(std::vector<Segment> segments, double reachMm);
+  SegmentGrid(const std::vector<Segment>& segments, double reachMm);
 
   // The nearest segment within the reach, the first of equals; segment -1 when there is none.
   // `likely`: one that may be near, such as the last point's; it saves time and decides nothing.
@@ -30,9 +30,9 @@ public:
   // Calls f(segment, t, distance) for every segment within `radiusMm` <= reach, each once or more.
   template <typename F> void forEachWithin(const Eigen::Vector3d& p, double radiusMm, F&& f) const {
     visit(p, radiusMm, [&](int i) {
-      const auto [t, d] = measure(i, p);
-      if (d <= radiusMm)
-        f(i, t, d);
+      const auto [t, squared] = measure(i, p);
+      if (squared <= radiusMm * radiusMm)
+        f(i, t, std::sqrt(squared));
     });
   }
 
@@ -55,9 +55,19 @@ private:
   std::size_t cellAt(int x, int y, int z) const {
     return voxel::VoxelGrid{.size = size_}.index(x, y, z);
   }
-  std::pair<double, double> measure(int segment, const Eigen::Vector3d& p) const;
+  // Where on the segment p is nearest, 0 to 1, and the square of the distance.
+  std::pair<double, double> measure(int segment, const Eigen::Vector3d& p) const {
+    const Ray& s = rays_[static_cast<std::size_t>(segment)];
+    const Eigen::Vector3d off = p - s.a;
+    const double t = std::clamp(s.ab.dot(off) * s.inverse, 0.0, 1.0);
+    return {t, (off - t * s.ab).squaredNorm()};
+  }
 
-  std::vector<Segment> segments_;
+  struct Ray {
+    Eigen::Vector3d a, ab;
+    double inverse; // of its squared length
+  };
+  std::vector<Ray> rays_;
   double reach_, cell_;
   Eigen::Vector3d low_ = Eigen::Vector3d::Zero();
   Eigen::Vector3i size_ = Eigen::Vector3i::Zero();

@@ -23,15 +23,25 @@ Vector3d closestOnSegment(const Vector3d& p, const Vector3d& a, const Vector3d& 
   return a + t * ab;
 }
 
-double arcLength(const Vector3d& p, const Vector3d& np, const Vector3d& q, const Vector3d& nq) {
+// Of the arc over a chord that leaves the tangent planes at both ends; infinity where that is no
+// less than `most`.
+double arcLength(const Vector3d& p, const Vector3d& np, const Vector3d& q, const Vector3d& nq,
+                 double most) {
   const Vector3d c = p - q;
-  const double chord = c.norm();
+  const double squared = c.squaredNorm();
+  if (squared >= most * most)
+    return INFINITY;
+  const double chord = std::sqrt(squared);
   if (chord < 1e-9)
     return chord;
   const double s1 = std::min(1.0, std::abs(c.dot(np)) / chord);
   const double s2 = std::min(1.0, std::abs(c.dot(nq)) / chord);
+  if (s1 + s2 < 2e-3) {
+    const double half = 0.5 * (s1 + s2);
+    return chord * (1 + half * half / 6);
+  }
   const double half = std::min(1.2, 0.5 * (std::asin(s1) + std::asin(s2)));
-  return half < 1e-3 ? chord * (1 + half * half / 6) : chord * half / std::sin(half);
+  return chord * half / std::sin(half);
 }
 
 struct Front {
@@ -87,7 +97,8 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
     const SourceSegment& e = sources[at(source)];
     const Vector3d& p = s.position[at(v)];
     const Vector3d q = closestOnSegment(p, e.a, e.b);
-    const double d = arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)]);
+    const double d =
+        arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)], distance[at(v)]);
     if (d < distance[at(v)]) {
       distance[at(v)] = d;
       nearest[at(v)] = source;
@@ -128,8 +139,8 @@ std::vector<double> distanceToSection(const PatchSurface& s, const Vector3d& nor
   for (const SourceSegment& e : sources)
     for (const int v : s.triangles[at(e.triangle)]) {
       const Vector3d q = closestOnSegment(s.position[at(v)], e.a, e.b);
-      const double d =
-          arcLength(s.position[at(v)], s.normal[at(v)], q, s.triangleNormal[at(e.triangle)]);
+      const double d = arcLength(s.position[at(v)], s.normal[at(v)], q,
+                                 s.triangleNormal[at(e.triangle)], u[at(v)]);
       if (d < u[at(v)]) {
         u[at(v)] = d;
         queue.push({d, v});

@@ -1,0 +1,53 @@
+// A surface as points that each stand for a bit of its area.
+#pragma once
+
+#include "toolpath/patch_surface.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+
+namespace voluta::toolpath {
+
+struct SurfaceSample {
+  Eigen::Vector3d position;
+  double thicknessMm, areaMm2;
+  std::size_t triangle;
+};
+
+namespace detail {
+struct SampleCorner {
+  Eigen::Vector3d position;
+  double thicknessMm;
+};
+inline SampleCorner between(const SampleCorner& a, const SampleCorner& b) {
+  return {0.5 * (a.position + b.position), 0.5 * (a.thicknessMm + b.thicknessMm)};
+}
+template <typename F>
+void sampleTriangle(const SampleCorner& a, const SampleCorner& b, const SampleCorner& c,
+                    double area, double mostMm2, std::size_t triangle, F&& f) {
+  if (area > mostMm2) {
+    const SampleCorner ab = between(a, b), bc = between(b, c), ca = between(c, a);
+    sampleTriangle(ab, bc, ca, area / 4, mostMm2, triangle, f);
+    sampleTriangle(a, ab, ca, area / 4, mostMm2, triangle, f);
+    sampleTriangle(ab, b, bc, area / 4, mostMm2, triangle, f);
+    sampleTriangle(ca, bc, c, area / 4, mostMm2, triangle, f);
+    return;
+  }
+  f(SurfaceSample{(a.position + b.position + c.position) / 3,
+                  (a.thicknessMm + b.thicknessMm + c.thicknessMm) / 3, area, triangle});
+}
+} // namespace detail
+
+// Calls f with the centres of the surface's triangles, each quartered until none of its parts is
+// larger than `mostMm2` > 0; in order of the triangles.
+template <typename F> void forEachSample(const PatchSurface& s, double mostMm2, F&& f) {
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const auto corner = [&](std::size_t k) {
+      const auto v = static_cast<std::size_t>(s.triangles[t][k]);
+      return detail::SampleCorner{s.position[v], s.thicknessMm[v]};
+    };
+    detail::sampleTriangle(corner(0), corner(1), corner(2), s.triangleArea[t], mostMm2, t, f);
+  }
+}
+
+} // namespace voluta::toolpath
