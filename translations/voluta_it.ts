@@ -4140,6 +4140,106 @@ mm³</translation>
         <source>pieces are not cut out of a mesh with defects</source>
         <translation>da una mesh con difetti non si ritagliano pezzi</translation>
     </message>
+    <message>
+        <source>&apos;{units}&apos; is no unit of length</source>
+        <translation>&apos;{units}&apos; non è un&apos;unità di lunghezza</translation>
+    </message>
+    <message>
+        <source>25.4 times as large</source>
+        <translation>25,4 volte più grande</translation>
+    </message>
+    <message>
+        <source>A thousand times as large</source>
+        <translation>Mille volte più grande</translation>
+    </message>
+    <message>
+        <source>A thousandth of the size</source>
+        <translation>Un millesimo della grandezza</translation>
+    </message>
+    <message>
+        <source>As large as the least bead needs it</source>
+        <translation>Grande quanto serve al cordone più stretto</translation>
+    </message>
+    <message>
+        <source>As large as the robot reaches</source>
+        <translation>Grande quanto il robot raggiunge</translation>
+    </message>
+    <message>
+        <source>Centre the part</source>
+        <translation>Centra il pezzo</translation>
+    </message>
+    <message>
+        <source>It is in inches</source>
+        <translation>È in pollici</translation>
+    </message>
+    <message>
+        <source>It is in metres</source>
+        <translation>È in metri</translation>
+    </message>
+    <message>
+        <source>It is in micrometres</source>
+        <translation>È in micrometri</translation>
+    </message>
+    <message>
+        <source>Over the middle of the platform&apos;s place</source>
+        <translation>Sopra il centro del posto della piattaforma</translation>
+    </message>
+    <message>
+        <source>Print at scale {scale}</source>
+        <translation>Stampa in scala {scale}</translation>
+    </message>
+    <message>
+        <source>Scale to fit</source>
+        <translation>Adatta la scala</translation>
+    </message>
+    <message>
+        <source>Use a finer process</source>
+        <translation>Usa un processo più fine</translation>
+    </message>
+    <message>
+        <source>With the widest bead that these walls have room for</source>
+        <translation>Con il cordone più largo per cui queste pareti hanno posto</translation>
+    </message>
+    <message>
+        <source>give one of {known}</source>
+        <translation>indicare uno di {known}</translation>
+    </message>
+    <message>
+        <source>give the units that it was drawn in (--units)</source>
+        <translation>indicare le unità in cui è stato disegnato (--units)</translation>
+    </message>
+    <message>
+        <source>place the part over the middle, or use a platform that reaches there</source>
+        <translation>mettere il pezzo sopra il centro, o usare una piattaforma che arrivi fin lì</translation>
+    </message>
+    <message>
+        <source>print it at scale {scale}, or with a process of narrower beads</source>
+        <translation>stamparlo in scala {scale}, o con un processo dai cordoni più stretti</translation>
+    </message>
+    <message>
+        <source>print it smaller (--scale fit), or give the units that it was drawn in (--units)</source>
+        <translation>stamparlo più piccolo (--scale fit), o indicare le unità in cui è stato disegnato (--units)</translation>
+    </message>
+    <message>
+        <source>the part is {size:.3g} long, if its file is in millimetres</source>
+        <translation>il pezzo è lungo {size:.3g}, se il suo file è in millimetri</translation>
+    </message>
+    <message>
+        <source>the part is {size:.4g} long, if its file is in millimetres</source>
+        <translation>il pezzo è lungo {size:.4g}, se il suo file è in millimetri</translation>
+    </message>
+    <message>
+        <source>the platform lies {distance:.0f} beside what carries it: it would float</source>
+        <translation>la piattaforma è {distance:.0f} accanto a ciò che la regge: resterebbe sospesa</translation>
+    </message>
+    <message>
+        <source>use a process of narrower beads; as large as it had to be it is out of the robot&apos;s reach</source>
+        <translation>usare un processo dai cordoni più stretti; grande quanto dovrebbe essere, il robot non lo raggiunge</translation>
+    </message>
+    <message>
+        <source>{share:.2g} of the part are walls thinner than the least bead of {least}, most of them {usual:.2f}</source>
+        <translation>{share:.2g} del pezzo sono pareti più sottili del cordone più stretto di {least}, per lo più {usual:.2f}</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -1,5 +1,4 @@
-// The turn from one direction to another. It stands apart since what it takes (a singular value
-// decomposition, where the two are opposite) costs a compiler seconds in every file.
+// The turn from one direction to another.
 #pragma once
 
 #include <Eigen/Geometry>

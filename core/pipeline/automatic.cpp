@@ -13,7 +13,7 @@ const std::vector<AutomaticWay>& automaticWays() {
   static const std::vector<AutomaticWay> kWays{
       {"curved", "cell", {{"frontShape", "nozzle"}}},
       {"planar", "cell"},
-      {"flat", "cell", {{"supports", "auto"}}},
+      {"flat", "cell", {{"supports", "auto"}, {"adaptiveLayers", "true"}}},
       {"curved", "fit"},
   };
   return kWays;

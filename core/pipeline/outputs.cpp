@@ -7,6 +7,7 @@
 #include "geometry/formats/mesh_reader.h"
 #include "layers/vtp_writer.h"
 #include "motion/trajectory_csv.h"
+#include "pipeline/pedestal.h"
 #include "planar/given_cuts.h"
 #include "toolpath/vtp_writer.h"
 
@@ -70,6 +71,8 @@ void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
   for (const auto& checked : result.checked)
     if (checked->passed || result.keepRefused)
       writeProgram(*checked, folder, ctx);
+  for (const plan::ProgramFile& file : pedestalFiles(result))
+    base::writeFile(folder / file.name, file.text);
   if (result.debug)
     writeDebug(result, folder, ctx);
   ctx.checkpoint();
@@ -89,8 +92,10 @@ Programs chosenPrograms(const PlanResult& result, const std::vector<std::string>
   return chosen;
 }
 
-std::vector<std::string> handoverNames(const Programs& programs) {
+std::vector<std::string> handoverNames(const PlanResult& result, const Programs& programs) {
   std::vector<std::string> names;
+  for (const plan::ProgramFile& file : pedestalFiles(result))
+    names.push_back(file.name);
   for (const auto& checked : programs)
     for (const plan::ProgramFile& file : checked->program.files)
       names.push_back(writtenName(*checked, file));
@@ -98,15 +103,17 @@ std::vector<std::string> handoverNames(const Programs& programs) {
   return names;
 }
 
-void writeHandover(const project::Report& report, const Programs& programs,
+void writeHandover(const PlanResult& result, const Programs& programs,
                    const std::filesystem::path& folder, const base::RunContext& ctx) {
   for (const auto& checked : programs)
     writeProgram(*checked, folder, ctx);
+  for (const plan::ProgramFile& file : pedestalFiles(result))
+    base::writeFile(folder / file.name, file.text);
   const auto isThere = [&](const std::string& format) {
     return std::any_of(programs.begin(), programs.end(),
                        [&](const auto& checked) { return checked->program.format == format; });
   };
-  project::Report written = report;
+  project::Report written = result.job.report;
   std::erase_if(written.programs,
                 [&](const project::ProgramReport& row) { return !isThere(row.format); });
   std::erase_if(written.findings, [&](const plan::Finding& finding) {

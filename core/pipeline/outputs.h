@@ -15,8 +15,9 @@ namespace voluta::pipeline {
 // it.
 std::string writtenName(const CheckedProgram& program, const plan::ProgramFile& file);
 
-// job.voluta, report.json, the programs and, where asked for, what every stage made. Fills in
-// the report's timings.write and peakRssMb. Throws Error{CannotWrite}.
+// job.voluta, report.json, the programs, the pedestal's files (pedestal.h) and, where asked for,
+// what every stage made. Fills in the report's timings.write and peakRssMb. Throws
+// Error{CannotWrite}.
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx);
 
@@ -25,10 +26,10 @@ using Programs = std::vector<std::shared_ptr<const CheckedProgram>>;
 Programs chosenPrograms(const PlanResult& result, const std::vector<std::string>& formats,
                         bool refusedToo);
 // What writeHandover leaves in its folder.
-std::vector<std::string> handoverNames(const Programs& programs);
-// What goes to the robot: the programs, and report.json, which names no others. Throws
-// Error{CannotWrite}.
-void writeHandover(const project::Report& report, const Programs& programs,
+std::vector<std::string> handoverNames(const PlanResult& result, const Programs& programs);
+// What goes to the robot and its operator: the programs, the pedestal's files (pedestal.h) and
+// report.json, which names no other programs. Throws Error{CannotWrite}.
+void writeHandover(const PlanResult& result, const Programs& programs,
                    const std::filesystem::path& folder, const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

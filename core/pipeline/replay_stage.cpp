@@ -62,15 +62,6 @@ std::vector<base::Message> failedThresholds(const replay::Verification& verdict)
   return failed;
 }
 
-namespace {
-bool failsByCollisionsAlone(const replay::Verification& verdict) {
-  return verdict.deviations == 0 && verdict.collisions > 0 &&
-         std::all_of(verdict.results.begin(), verdict.results.end(), [](const auto& result) {
-           return result.passed || result.name == "collisions";
-         });
-}
-} // namespace
-
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
                                                    const ProgramStageInput& in,
                                                    const base::RunContext& ctx,
@@ -91,7 +82,8 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   checked->verdict = replayReport(verdict);
   checked->passed = verdict.passed;
   checked->failed = failedThresholds(verdict);
-  if (failsByCollisionsAlone(verdict))
+  // Of a text that is not what was planned, its motions are not the plan's.
+  if (verdict.deviations == 0)
     checked->metAt = std::move(verdict.metAt);
   checked->maxDeviationMm = verdict.maxDeviationMm;
   checked->maxDeviationRad = verdict.maxDeviationRad;

@@ -4,6 +4,7 @@
 #include "base/key_text.h"
 #include "base/outcome.h"
 #include "base/stopwatch.h"
+#include "geometry/measures.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
@@ -25,6 +26,12 @@ namespace {
 
 // Where each stage ends in the time that a whole plan of a usual part takes.
 constexpr std::array<double, project::kStageCount> kEnds{0.02, 0.14, 0.22, 0.44, 0.6, 1.0};
+
+// Is the platform's own place, the work frame's z, beneath the part's box?
+bool coversAxis(const geometry::TriangleMesh& part) {
+  const Eigen::AlignedBox3d box = geometry::bounds(part);
+  return (box.min().head<2>().array() <= 0.0).all() && (box.max().head<2>().array() >= 0.0).all();
+}
 
 constexpr int kRounds = 3; // of moving without what the replay found
 
@@ -158,7 +165,9 @@ private:
     for (const std::string& format : chosenFormats(choices_, *result_.cell))
       program::requireRodTurns(program::findDialect(format), *result_.cell);
     plan::Findings findings = decomposed_->findings;
-    if (const double gap = robot::platformGapMm(*result_.cell); gap > 0.0)
+    // A pedestal is made for the part, whatever it stands on; but not for one beside its place.
+    const bool madeBeneath = choices_.platform.marginMm() && coversAxis(*job().part);
+    if (const double gap = robot::platformGapMm(*result_.cell); gap > 0.0 && !madeBeneath)
       findings.insert(findings.begin(), plan::makeFinding(plan::FindingKind::PlatformAdrift,
                                                           {{"distance", base::mm(gap)}}));
     return done(project::Stage::Decompose, findings, decomposed_->timings);
@@ -219,7 +228,12 @@ private:
       const std::size_t before = avoided.size();
       for (const auto& checked : result_.checked)
         avoided.insert(checked->metAt.begin(), checked->metAt.end());
-      if (avoided.size() == before || round == kRounds ||
+      // Where only a plan that nothing blocks counts, what fails by other figures too is let go.
+      const bool hopeless =
+          untilBlocked_ && std::ranges::any_of(result_.checked, [](const auto& checked) {
+            return checked->failed.size() > (checked->metAt.empty() ? 0 : 1);
+          });
+      if (avoided.size() == before || round == kRounds || hopeless ||
           !moveWithout({avoided.begin(), avoided.end()}))
         break;
     }

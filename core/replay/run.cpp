@@ -111,9 +111,6 @@ private:
     out_.figures.pitchMm = grid.pitch;
     DepositOptions options;
     options.widthMaxMm = 3.0 * in_.process.beadWidthMaxMm;
-    // Sections of thin beads have more cells, and may have fewer samples in each.
-    if (ofHeight < 0.99 * ofWidth)
-      options.samplesPerCell = 3;
     laid->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
     laid->printed.emplace(laid->beads, laid->pieces);
     out_.laid = std::move(laid);

@@ -1,11 +1,11 @@
 #include "substrate/rod_axis.h"
 
 #include "base/error.h"
+#include "geometry/least_squares.h"
 #include "geometry/least_turn.h"
 #include "geometry/measures.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,7 +48,7 @@ AxisFit axisAlong(const geometry::TriangleMesh& mesh, const Eigen::Vector3d& dir
     left += weighted;
     right += weighted * q;
   }
-  fit.point = centre + left.colPivHouseholderQr().solve(right);
+  fit.point = centre + geometry::leastSquares(left, right).x;
   return fit;
 }
 

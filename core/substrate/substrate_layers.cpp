@@ -1,6 +1,7 @@
 #include "substrate/substrate_layers.h"
 
 #include "base/error.h"
+#include "geometry/least_squares.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
 #include "geometry/subtract.h"
@@ -9,7 +10,6 @@
 #include "substrate/levels.h"
 #include "substrate/touch_fit.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -69,10 +69,10 @@ std::optional<Vector3d> ballUnder(const std::vector<Vector3d>& foot) {
     rows.row(i) << 2.0 * p.transpose(), 1.0;
     right[i] = p.squaredNorm();
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixX4d> solver(rows);
-  if (solver.rank() < 4)
+  const geometry::LeastSquares solved = geometry::leastSquares(rows, right);
+  if (solved.rank < 4)
     return std::nullopt; // flat
-  const Eigen::Vector4d fit = solver.solve(right);
+  const Eigen::Vector4d fit = solved.x;
   const Vector3d centre = mean + fit.head<3>();
   const double radius = std::sqrt(std::max(0.0, fit[3] + fit.head<3>().squaredNorm()));
   for (const Vector3d& p : foot)

@@ -1,9 +1,9 @@
 #include "substrate/touch_fit.h"
 
 #include "base/error.h"
+#include "geometry/least_squares.h"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
@@ -34,7 +34,11 @@ CircleFit circleThrough(const std::vector<Eigen::Vector2d>& points) {
     refuse("a point is not a number"_text);
   const Eigen::Vector2d mean = centred.colwise().mean();
   centred.rowwise() -= mean.transpose();
-  const Eigen::Vector2d extent = Eigen::JacobiSVD<Eigen::MatrixX2d>(centred).singularValues();
+  // Singular values, as roots of the eigenvalues of their products.
+  const Eigen::Matrix2d products = centred.transpose() * centred;
+  const double middle = 0.5 * products.trace(),
+               apart = std::hypot(0.5 * (products(0, 0) - products(1, 1)), products(0, 1));
+  const Eigen::Vector2d extent(std::sqrt(middle + apart), std::sqrt(std::max(0.0, middle - apart)));
   if (extent[1] <= kLine * extent[0])
     refuse("the points lie on a line"_text);
   // In units of their extent, so that the three columns are alike.
@@ -43,7 +47,7 @@ CircleFit circleThrough(const std::vector<Eigen::Vector2d>& points) {
   Eigen::MatrixX3d rows(n, 3);
   rows << centred, Eigen::VectorXd::Ones(n);
   const Eigen::VectorXd right = -centred.rowwise().squaredNorm();
-  const Eigen::Vector3d abc = rows.colPivHouseholderQr().solve(right);
+  const Eigen::Vector3d abc = geometry::leastSquares(rows, right).x;
   CircleFit fit;
   const Eigen::Vector2d centre = -0.5 * abc.head<2>();
   fit.centre = mean + unit * centre;

@@ -2,7 +2,7 @@
 
 #include "base/index.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "collision/polyhedron_distance.h"
 #include "collision/random_shapes.h"
+#include "geometry/least_turn.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -71,7 +72,7 @@ protected:
   // Nozzle at a point of the work frame with direction d.
   static Isometry3d toolAt(const Vector3d& p, const Vector3d& d, double turn) {
     Isometry3d t = Isometry3d::Identity();
-    t.linear() = (Eigen::Quaterniond::FromTwoVectors(-Vector3d::UnitZ(), -d) *
+    t.linear() = (geometry::leastTurn(-Vector3d::UnitZ(), -d) *
                   Eigen::AngleAxisd(base::kPi, Vector3d::UnitX()) *
                   Eigen::AngleAxisd(turn, Vector3d::UnitZ()))
                      .toRotationMatrix();

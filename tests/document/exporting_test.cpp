@@ -50,7 +50,11 @@ TEST_F(ExportingTest, LeavesTheProgramsAndAReportOfThemAndNothingElse) {
   write(csv, folder_.filePath("out"));
   const QString program =
       QString::fromStdString(pipeline::writtenName(*csv[0], csv[0]->program.files[0]));
-  EXPECT_EQ(QDir(folder_.filePath("out")).entryList(QDir::Files | QDir::Hidden).size(), 2);
+  QStringList expected{"pedestal.dxf", "pedestal.stl", "report.json", program};
+  expected.sort();
+  QStringList there = QDir(folder_.filePath("out")).entryList(QDir::Files | QDir::Hidden);
+  there.sort();
+  EXPECT_EQ(there, expected) << "the platform is made for the part";
   EXPECT_EQ(contents("out/" + program).toStdString(), csv[0]->program.files[0].text);
   const QByteArray report = contents("out/report.json");
   EXPECT_TRUE(report.contains("\"csv\""));
@@ -59,13 +63,13 @@ TEST_F(ExportingTest, LeavesTheProgramsAndAReportOfThemAndNothingElse) {
 
 TEST_F(ExportingTest, WhatItWouldReplaceIsNamed) {
   const pipeline::Programs csv = programs({"csv"});
-  EXPECT_TRUE(Exporting::inTheWay(folder_.path(), csv).isEmpty());
+  EXPECT_TRUE(Exporting::inTheWay(folder_.path(), *plan_, csv).isEmpty());
   write(csv, folder_.path());
-  const QStringList names = Exporting::inTheWay(folder_.path(), csv);
-  EXPECT_EQ(names.size(), 2);
+  const QStringList names = Exporting::inTheWay(folder_.path(), *plan_, csv);
+  EXPECT_EQ(names.size(), 4);
   EXPECT_TRUE(names.contains("report.json"));
-  EXPECT_EQ(Exporting::inTheWay(folder_.path(), programs({"gcode-extended"})),
-            QStringList{"report.json"});
+  EXPECT_EQ(Exporting::inTheWay(folder_.path(), *plan_, programs({"gcode-extended"})),
+            (QStringList{"pedestal.dxf", "pedestal.stl", "report.json"}));
 }
 
 TEST_F(ExportingTest, AFolderThatCannotBeMadeIsTold) {

@@ -214,7 +214,8 @@ TEST_F(WindowTest, RefusedProgramsAreWrittenOnlyOnTheUsersWord) {
   const QStringList names = QDir(path("out")).entryList(QDir::Files);
   ASSERT_FALSE(names.isEmpty());
   for (const QString& name : names)
-    EXPECT_TRUE(name.startsWith("refused-") || name.startsWith("small") || name == "report.json")
+    EXPECT_TRUE(name.startsWith("refused-") || name.startsWith("small") ||
+                name.startsWith("pedestal.") || name == "report.json")
         << name.toStdString();
   EXPECT_FALSE(names.filter("refused-").isEmpty());
 }

@@ -39,6 +39,8 @@ Choices choicesFor(RemedyId id) {
     choices.placement.liftMm = 4.0;
   if (id == RemedyId::AdaptLayers)
     choices.mode = "flat";
+  if (id == RemedyId::CentrePart)
+    choices.placement.centreMm = {30.0, 0.0};
   return choices;
 }
 
@@ -79,6 +81,9 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       unchanged.parameters = choices.parameters;
       unchanged.platform = choices.platform;
       unchanged.placement = choices.placement;
+      unchanged.scale = choices.scale;
+      unchanged.units = choices.units;
+      unchanged.process = choices.process;
       EXPECT_EQ(keysOf(unchanged), before) << remedy.name << " changes something else too";
       for (const std::string_view name : base::placeNames(remedy.label.english()))
         EXPECT_NE(finding.value(name), nullptr) << remedy.name << " for " << row.id;

@@ -10,9 +10,10 @@ namespace voluta::document {
 
 Exporting::Exporting(QObject* parent) : QObject(parent) {}
 
-QStringList Exporting::inTheWay(const QString& folder, const pipeline::Programs& programs) {
+QStringList Exporting::inTheWay(const QString& folder, const pipeline::PlanResult& plan,
+                                const pipeline::Programs& programs) {
   QStringList there;
-  for (const std::string& name : pipeline::handoverNames(programs))
+  for (const std::string& name : pipeline::handoverNames(plan, programs))
     if (const QString file = QString::fromStdString(name);
         QFileInfo::exists(QDir(folder).filePath(file)))
       there << file;
@@ -25,9 +26,9 @@ void Exporting::write(const QString& folder, std::shared_ptr<const pipeline::Pla
       [folder = folder.toStdString(), plan = std::move(plan),
        programs = std::move(programs)](const base::RunContext& ctx) {
         base::StagedFolder staged(folder);
-        pipeline::writeHandover(plan->job.report, programs, staged.path(), ctx);
+        pipeline::writeHandover(*plan, programs, staged.path(), ctx);
         staged.commit();
-        return static_cast<int>(pipeline::handoverNames(programs).size());
+        return static_cast<int>(pipeline::handoverNames(*plan, programs).size());
       },
       [this, folder](const base::Outcome<int>& outcome) {
         if (const int* files = std::get_if<int>(&outcome))

@@ -18,7 +18,8 @@ public:
   explicit Exporting(QObject* parent = nullptr);
 
   // Which of the files that write() would leave in the folder are there already.
-  static QStringList inTheWay(const QString& folder, const pipeline::Programs& programs);
+  static QStringList inTheWay(const QString& folder, const pipeline::PlanResult& plan,
+                              const pipeline::Programs& programs);
 
   // All of them or none: a file that cannot be written leaves the folder as it was. The folder is
   // made where it is missing. Replaces a write under way.

@@ -242,7 +242,7 @@ void ExportPage::write(const Order& order) {
                       tr("The replay refused all programs: %1.").arg(leftOut_.join(", ")));
     return;
   }
-  const QStringList there = document::Exporting::inTheWay(order.folder, programs);
+  const QStringList there = document::Exporting::inTheWay(order.folder, *result, programs);
   if (there.isEmpty() || mayReplace(order.folder, there))
     exporting_.write(order.folder, result, programs);
 }

@@ -1,0 +1,16 @@
+// The pedestal that a part stands on with platform fit, as files for whoever makes it.
+#pragma once
+
+#include "pipeline/road.h"
+#include "plan/program.h"
+
+#include <vector>
+
+namespace voluta::pipeline {
+
+// pedestal.dxf (its outline seen from above, a closed polyline of AutoCAD R12, mm) and pedestal.stl
+// (the solid). Both in the work frame: the origin is where the cell carries it, z = 0 its top.
+// None where the platform is not made for the part, or not known yet.
+std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan);
+
+} // namespace voluta::pipeline

@@ -1,0 +1,109 @@
+// What a designer gets to have the pedestal made, and how a platform stands in its cell.
+#include "base/files.h"
+#include "geometry/formats/mesh_reader.h"
+#include "geometry/measures.h"
+#include "helpers/shapes.h"
+#include "helpers/temporary_folder.h"
+#include "pipeline/pedestal.h"
+#include "plan/finding_kinds.h"
+#include "robot/platform_gap.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+
+namespace {
+
+const base::RunContext kCtx;
+
+PlanResult planned(const project::Choices& choices, const geometry::TriangleMesh& mesh) {
+  PlanRequest request;
+  request.loaded = project::loadedFrom("part.stl", std::make_shared<geometry::TriangleMesh>(mesh),
+                                       {}, true, kCtx);
+  request.choices = choices;
+  request.until = project::Stage::Decompose;
+  return planPart(request, kCtx);
+}
+
+bool tells(const PlanResult& plan, plan::FindingKind kind) {
+  return std::ranges::any_of(plan.job.report.findings,
+                             [&](const plan::Finding& f) { return f.kind == kind; });
+}
+
+project::Choices flat(const char* platform) {
+  project::Choices choices;
+  choices.mode = "flat";
+  choices.platform = project::Platform(platform);
+  return choices;
+}
+
+TEST(Pedestal, IsTheOutlineAndTheSolidOfThePlatform) {
+  const PlanResult plan = planned(flat("fit:2"), test::box({-9, -6, 0}, {9, 6, 5}));
+  const std::vector<plan::ProgramFile> files = pedestalFiles(plan);
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files[0].name, "pedestal.dxf");
+  std::size_t corners = 0;
+  for (std::size_t at = 0; (at = files[0].text.find("\nVERTEX\n", at)) != std::string::npos; ++at)
+    ++corners;
+  EXPECT_EQ(corners, plan.job.platform.polygon.size());
+  const test::TemporaryFolder folder;
+  base::writeFile(folder.path() / files[1].name, files[1].text);
+  const geometry::TriangleMesh solid = geometry::readMesh(folder.path() / files[1].name).mesh;
+  double area = 0.0;
+  const auto& outline = plan.job.platform.polygon;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Eigen::Vector2d &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  EXPECT_GT(area, 18.0 * 12.0);
+  EXPECT_NEAR(geometry::volume(solid), 5.0 * area, 1e-3 * area)
+      << "the cell's plates are 5 mm thick";
+  EXPECT_NEAR(geometry::bounds(solid).max().z(), 0.0, 1e-6);
+}
+
+TEST(Pedestal, IsNotMadeOfAPlateOfTheCell) {
+  EXPECT_TRUE(pedestalFiles(planned(flat("disc:80"), test::box({-9, -6, 0}, {9, 6, 5}))).empty());
+}
+
+TEST(PlatformsPlace, OnesThatWouldFloatBlock) {
+  const geometry::TriangleMesh box = test::box({-9, -6, 0}, {9, 6, 5});
+  EXPECT_FALSE(tells(planned(flat("fit:2"), box), plan::FindingKind::PlatformAdrift));
+  project::Choices beside = flat("fit:2");
+  beside.placement.centreMm = {150.0, 0.0};
+  const PlanResult adrift = planned(beside, box);
+  ASSERT_TRUE(tells(adrift, plan::FindingKind::PlatformAdrift));
+  EXPECT_FALSE(nothingBlocks(adrift.job.report));
+  // The plate's edge lies 11 mm nearer, the stem is 14 mm thick.
+  EXPECT_NEAR(robot::platformGapMm(*adrift.cell), 150.0 - 11.0 - 14.0, 1.5);
+  beside.platform = project::Platform("disc:80");
+  EXPECT_EQ(robot::platformGapMm(*planned(beside, box).cell), 0.0) << "it is where the cell has it";
+}
+
+TEST(PartSize, OddSizesAskForUnitsAndStop) {
+  project::Choices choices = flat("disc:80");
+  const geometry::TriangleMesh metres = test::box({0, 0, 0}, {0.02, 0.03, 0.01});
+  const PlanResult tiny = planned(choices, metres);
+  ASSERT_TRUE(tells(tiny, plan::FindingKind::TinyPart));
+  EXPECT_EQ(*tiny.job.reached, project::Stage::Load) << "nothing can be planned for it";
+  choices.units = "m";
+  const PlanResult right = planned(choices, metres);
+  EXPECT_FALSE(tells(right, plan::FindingKind::TinyPart));
+  EXPECT_NEAR(right.job.report.model.volumeMm3, 20.0 * 30.0 * 10.0, 1e-6);
+  choices.units = "mm";
+  EXPECT_TRUE(
+      tells(planned(choices, test::box({0, 0, 0}, {2500, 100, 100})), plan::FindingKind::HugePart));
+}
+
+TEST(PartSize, ThinPartsSayFirstAtWhichScaleTheyPrint) {
+  const PlanResult plan = planned(flat("disc:80"), test::box({-15, -0.25, 0}, {15, 0.25, 10}));
+  ASSERT_FALSE(plan.job.report.findings.empty());
+  const plan::Finding& first = plan.job.report.findings.front();
+  ASSERT_EQ(first.kind, plan::FindingKind::ThinPart);
+  EXPECT_EQ(plan::englishRemedy(first), "print it at scale 2, or with a process of narrower beads");
+  EXPECT_FALSE(tells(planned(flat("disc:80"), test::box({-15, -1, 0}, {15, 1, 10})),
+                     plan::FindingKind::ThinPart));
+}
+
+} // namespace
