@@ -6154,7 +6154,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     </message>
     <message>
         <source>Later voxels faintly</source>
-        <translation>Voxel successivi in trasparenza</translation>
+        <translation>Voxel futuri velati</translation>
     </message>
     <message>
         <source>While growth is replayed: what is still to be laid</source>

@@ -59,7 +59,7 @@ struct BeadGrid {
 
 struct DepositOptions {
   double widthMaxMm = 6.0; // no wider bead is believed; more volume becomes excess
-  int samplesPerCell = 4;  // lines along the bead, across and down; fewer leave cells unevenly
+  int samplesPerCell = 5;  // lines along the bead, across and down; fewer leave cells unevenly
                            // filled, which shows as gaps and excess that are not there
 };
 

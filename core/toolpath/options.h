@@ -17,7 +17,7 @@ struct ToolpathOptions {
   double infillAngleDeg = 135.0, infillTurnDeg = 90.0;
   double windingAngleDeg = 45.0; // of helical infill: 0 around the axis, 90 along it
   double stepMm = 1.0;           // longest distance of waypoints
-  double edgeMm = 0.7;           // patches are refined to edges of this length for planning
+  double edgeMm = 0.6;           // patches are refined to edges of this length for planning
   double turnLimitDeg = 5.0;     // steps in which the direction turns more are subdivided
   double smoothBeyondDeg = 10.0; // Dai 3.5.2
   // What the head has to keep clear of beside the part, work frame; none: nothing.

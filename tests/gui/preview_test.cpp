@@ -209,7 +209,7 @@ TEST_F(PreviewTest, AThinWallOffersTheWidthThatHoldsIt) {
   geometry::TriangleMesh part = plinth();
   append(part, box({14, 0, 0}, {14.5, 9, 6}));
   planLayers(writePart("fin.stl", part));
-  clickFinding("thinner than");
+  clickFinding("thinner than a voxel");
   ASSERT_NE(remedy("narrowVoxels"), nullptr);
   EXPECT_EQ(remedy("narrowVoxels")->text(), "Use voxel width 0.5 mm");
   QTest::mouseClick(remedy("narrowVoxels"), Qt::LeftButton);

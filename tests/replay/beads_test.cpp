@@ -240,6 +240,26 @@ TEST(Support, AWallStandsAndOneInMidAirDoesNot) {
   EXPECT_EQ(unsupported(air), 1.0);
 }
 
+// A wall whose layers step aside by some of their width: what is carried is the rest of it.
+SupportedBeads stepping(double asideMm) {
+  std::vector<BeadPiece> pieces;
+  for (int k = 1; k <= 6; ++k)
+    addBead(pieces, {{0, 5 + asideMm * k, 0.8 * k}, {30, 5 + asideMm * k, 0.8 * k}}, 1.2, 0.8);
+  const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20});
+  const PrintedPart printed(beads, pieces);
+  const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
+  return findSupport(pieces, printed, GroundProbe(plate), kOne);
+}
+
+TEST(Support, CarriedOnLessThanHalfIsMeasuredApart) {
+  EXPECT_EQ(stepping(0.0).halfCarriedMm, 0.0);
+  EXPECT_EQ(stepping(0.3).halfCarriedMm, 0.0);
+  // All but the first layer, which lies on the plate.
+  EXPECT_NEAR(stepping(0.9).halfCarriedMm, 5.0 * 30.0, 1.0);
+  EXPECT_EQ(stepping(0.9).longestUnsupportedMm, 0.0) << "a quarter of it is carried";
+  EXPECT_NEAR(stepping(2.0).longestUnsupportedMm, 30.0, 0.1);
+}
+
 TEST(Support, ANeighbourInTheSameLayerIsNone) {
   std::vector<BeadPiece> pieces;
   addBead(pieces, {{0, 5, 6.0}, {30, 5, 6.0}}, 1.2, 0.8);

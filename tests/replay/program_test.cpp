@@ -96,6 +96,37 @@ TEST_P(EachDialect, TheUndamagedProgramPasses) {
   EXPECT_EQ(v.places.size(), v.findings.size());
 }
 
+// The other programs of a plan lend a run what they found, but never what this one does otherwise.
+TEST_P(EachDialect, WhatOtherProgramsLendChangesNoVerdict) {
+  const test::Scene& s = scene();
+  JudgedRuns judged;
+  for (const program::Dialect& other : program::dialects())
+    if (other.id != GetParam()) {
+      const test::ProgramText text = textOf(std::string(other.id));
+      replayProgram({test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part,
+                     s.platform},
+                    {}, {}, &judged);
+    }
+  ASSERT_FALSE(judged.empty());
+  const test::ProgramText text = textOf(GetParam());
+  const auto lent = [&](const test::ProgramText& t) {
+    JudgedRuns known = judged;
+    return replayProgram(
+        {test::read(t, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform}, {},
+        {}, &known);
+  };
+  const Verification alone = verify(text), borrowed = lent(text);
+  EXPECT_EQ(borrowed.passed, alone.passed) << told(borrowed);
+  EXPECT_NEAR(borrowed.coveredFraction, alone.coveredFraction, 2e-3);
+  EXPECT_NEAR(borrowed.overfillFraction, alone.overfillFraction, 2e-3);
+  EXPECT_EQ(borrowed.collisions, alone.collisions);
+  EXPECT_EQ(borrowed.maxDeviationMm, alone.maxDeviationMm) << "of its own text";
+  EXPECT_EQ(borrowed.armChecked, alone.armChecked);
+  test::ProgramText damaged = text;
+  ASSERT_TRUE(test::moveTarget(damaged, places()[2], s.process));
+  EXPECT_FALSE(lent(damaged).passed);
+}
+
 TEST_P(EachDialect, AMovedWaypoint) {
   damageFivePlaces([](test::ProgramText& text, std::size_t point) {
     return test::moveTarget(text, point, scene().process);

@@ -37,6 +37,7 @@ QLabel* title(QWidget* parent) {
 ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   modesTitle_ = title(this);
   growthsTitle_ = title(this);
+  growthsTitle_->setWordWrap(true);
   platformsTitle_ = title(this);
   modesGrid_ = new QGridLayout;
   growthsGrid_ = new QGridLayout;
@@ -64,6 +65,7 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   adding->addWidget(add_, 0, Qt::AlignBottom);
 
   untilTitle_ = new QLabel(this);
+  untilTitle_->setWordWrap(true);
   until_ = forms::makeCombo(this);
   until_->setObjectName(QStringLiteral("until"));
   for (const project::Stage stage : {project::Stage::Replay, project::Stage::Decompose})

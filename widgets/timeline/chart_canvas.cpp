@@ -40,7 +40,7 @@ QSize ChartCanvas::sizeHint() const {
 }
 
 QSize ChartCanvas::minimumSizeHint() const {
-  return {160, 90};
+  return {140, 90};
 }
 
 void ChartCanvas::setAxisTitle(const QString& title) {

@@ -18,7 +18,7 @@
 namespace voluta::timeline {
 
 namespace {
-constexpr int kLeastButton = 36;
+constexpr int kLeastButton = 30;
 constexpr double kLeastSpanS = 0.5;
 constexpr double kMargin = 0.05; // of the values on show, above and below
 
