@@ -141,6 +141,25 @@ TEST_F(PlanningTest, AChangeWhileRunningStartsOverWhereWanted) {
   EXPECT_TRUE(started.size() == 1 || state(Stage::Toolpath) == StageState::Done);
 }
 
+TEST_F(PlanningTest, AnEditAsThePlanEndsIsPlannedToo) {
+  open();
+  planning_.setStartsOver(true);
+  bool edited = false;
+  QObject::connect(&planning_, &Planning::stageDone, &planning_, [&](Stage stage) {
+    if (stage == Stage::Layers && !edited) {
+      edited = true; // the plan ends sooner than an edit usually starts one over
+      document_.setParameter("voxelMm", "1.2");
+    }
+  });
+  QSignalSpy finished(&planning_, &Planning::finished);
+  planning_.plan(Stage::Layers);
+  ASSERT_TRUE(finished.wait(120000));
+  EXPECT_TRUE(edited);
+  EXPECT_EQ(finished.size(), 1);
+  EXPECT_EQ(state(Stage::Layers), StageState::Done);
+  EXPECT_EQ(document_.result(Stage::Layers)->job.choices.parameters.at("voxelMm"), "1.2");
+}
+
 TEST_F(PlanningTest, AChangeWhileRunningMakesTheResultOutOfDateWhereNot) {
   open();
   QSignalSpy finished(&planning_, &Planning::finished);

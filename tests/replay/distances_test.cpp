@@ -23,6 +23,9 @@ TEST(Distances, CapsulesInClosedForm) {
   const robot::Capsule ball{{0, 0, 0}, {0, 0, 0}, 5};
   EXPECT_NEAR(distanceBetween(a, at(0, 0, 0), ball, at(30, 40, 100)), 35.0, 1e-12);
   EXPECT_NEAR(segmentDistance({0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {1, 2, 0}), 2.0, 1e-12);
+  // A point beside the middle of a segment, either way round.
+  EXPECT_NEAR(segmentDistance({0, 0, 0}, {8, 0, 0}, {6, 2, 0}, {6, 2, 0}), 2.0, 1e-12);
+  EXPECT_NEAR(segmentDistance({6, 2, 0}, {6, 2, 0}, {0, 0, 0}, {8, 0, 0}), 2.0, 1e-12);
 }
 
 TEST(Distances, BoxesFrustaAndPrisms) {

@@ -347,6 +347,36 @@ TEST(Replay, TheUsualProcessKeepsItsCells) {
   EXPECT_EQ(replayPlan(s).pitchMm, 0.25 * s.process.beadWidthMm);
 }
 
+TEST(Replay, AProgramWithoutMotionsIsOneFindingThatCountsThePoints) {
+  const test::Scene& s = scene();
+  plan::ReadProgram nothing;
+  nothing.format = "csv";
+  nothing.complete = true;
+  const Verification v =
+      replayProgram({nothing, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform}, {}, {});
+  EXPECT_FALSE(v.passed);
+  const auto found =
+      std::ranges::find(v.findings, plan::FindingKind::NoMotions, &plan::Finding::kind);
+  ASSERT_NE(found, v.findings.end()) << told(v);
+  EXPECT_EQ(found->count, s.trajectory.pointCount());
+  const TextPlace place = v.places[static_cast<std::size_t>(found - v.findings.begin())];
+  EXPECT_EQ(place.file, 0u);
+  EXPECT_EQ(place.line, 1u);
+  EXPECT_EQ(v.coveredFraction, 0.0);
+}
+
+TEST(Replay, MaterialOfSupportsAndSkirtsIsNotThePart) {
+  for (const plan::PathKind kind : {plan::PathKind::Support, plan::PathKind::Skirt}) {
+    test::Scene s = test::boxScene(1);
+    for (plan::ToolPath& path : s.plan.paths)
+      path.kind = kind;
+    const Verification v = replayPlan(s);
+    EXPECT_EQ(v.depositedMm3, 0.0);
+    EXPECT_GT(v.supportMm3, 100.0);
+    EXPECT_LT(v.coveredFraction, 1e-6);
+  }
+}
+
 TEST(Replay, CancelsAndRefusesBrokenInput) {
   const test::Scene& s = scene();
   const plan::Program program =

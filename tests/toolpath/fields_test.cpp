@@ -125,4 +125,51 @@ TEST(CurveTools, ALoopShorterThanAStepStaysALoop) {
   EXPECT_EQ(r.corner.size(), r.curve.points.size());
 }
 
+// Looking at the triangles that a level may cross finds what looking at all of them does, to the
+// bit; levels beyond the values are empty.
+TEST(SurfaceFields, EvenIsolinesAreThoseOfEachLevel) {
+  const auto s = toolpath::PatchSurface::refine(
+      test::patchOver({test::star(5, 18, 9)}, 0.8, test::onSaddle(30)), 0.7);
+  std::vector<double> values;
+  for (const Vector3d& p : s.position)
+    values.push_back(p.x() + 0.3 * p.y() * p.y());
+  const auto [low, high] = std::ranges::minmax(values);
+  const int count = 23;
+  const double spacing = 1.3 * (high - low) / count, from = low - 0.1 * (high - low);
+  const toolpath::EvenIsolines even(s, values, from, spacing, count);
+  std::size_t found = 0;
+  for (int k = 0; k < count; ++k) {
+    const auto one = toolpath::isolines(s, values, from + (k + 0.5) * spacing);
+    const auto same = even.curvesAt(k);
+    ASSERT_EQ(same.size(), one.size()) << k;
+    for (std::size_t c = 0; c < one.size(); ++c) {
+      EXPECT_EQ(same[c].closed, one[c].closed);
+      ASSERT_EQ(same[c].points.size(), one[c].points.size());
+      for (std::size_t i = 0; i < one[c].points.size(); ++i)
+        EXPECT_EQ(same[c].points[i].position, one[c].points[i].position);
+    }
+    found += one.size();
+  }
+  EXPECT_GT(found, 15u);
+}
+
+// Walking downhill and stopping early where the foot lies well inside a triangle finds the point
+// that a search through all triangles finds.
+TEST(PatchSurface, ProjectsToTheNearestPointAround) {
+  const auto s = toolpath::PatchSurface::refine(
+      test::patchOver({test::circle(12)}, 0.8, test::onSphere(25)), 0.6);
+  for (std::size_t t = 0; t < s.triangles.size(); t += 7) {
+    const auto corner = [&](std::size_t k) {
+      return s.position[static_cast<std::size_t>(s.triangles[t][k])];
+    };
+    const Vector3d from = (corner(0) + corner(1) + corner(2)) / 3;
+    const Vector3d point = from + Vector3d(0.31, -0.22, 0.05 * std::sin(static_cast<double>(t)));
+    const auto found = s.project(point, static_cast<int>(t));
+    double least = INFINITY;
+    for (std::size_t k = 0; k < s.triangles.size(); ++k)
+      least = std::min(least, (s.project(point, static_cast<int>(k)).position - point).norm());
+    EXPECT_LE((found.position - point).norm(), least + 1e-6);
+  }
+}
+
 } // namespace

@@ -78,7 +78,15 @@ void Planning::start() {
 }
 
 void Planning::end(const base::Outcome<Result>& outcome) {
+  // An edit came as the plan was about to end: what it came to is no answer to it.
+  const bool edited = startOver_->isActive() && !std::holds_alternative<base::Cancelled>(outcome);
   startOver_->stop();
+  if (edited) {
+    if (const auto* result = std::get_if<Result>(&outcome))
+      document_.planEnded(*result);
+    start();
+    return;
+  }
   if (const auto* result = std::get_if<Result>(&outcome)) {
     document_.planEnded(*result);
     emit finished();
