@@ -5132,6 +5132,14 @@ Fai clic per sceglierne un altro</translation>
         <source>Not checked since the change</source>
         <translation>Non verificato dopo la modifica</translation>
     </message>
+    <message>
+        <source>Carried by less than half</source>
+        <translation>Retto da meno di metà</translation>
+    </message>
+    <message>
+        <source>Longest in the air</source>
+        <translation>Più lungo nel vuoto</translation>
+    </message>
 </context>
 <context>
     <name>voluta::timeline::JointPlots</name>

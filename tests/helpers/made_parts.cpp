@@ -166,7 +166,8 @@ TriangleMesh fins(Dice& d) {
   const double w = count * (t + gap) + gap;
   TriangleMesh m = box({0, 0, 0}, {w, depth, floor});
   for (int k = 0; k < count; ++k) {
-    const Vector3d at(gap + k * (t + gap), 2, floor - 1.5);
+    // Both corners of its foot in the floor.
+    const Vector3d at(gap + k * (t + gap), 2, floor - 0.4 - t * std::max(0.0, std::sin(-lean)));
     m = m + moved(box({0, 0, 0}, {t, depth - 4, h}),
                   Eigen::Translation3d(at) * Eigen::AngleAxisd(lean, Vector3d::UnitY()));
   }

@@ -14,7 +14,7 @@ struct MadePart {
   geometry::TriangleMesh mesh;
 };
 
-// The same for the same seed on every machine.
+// The same solid for the same seed.
 MadePart madePart(unsigned seed);
 
 } // namespace voluta::test

@@ -31,6 +31,8 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
        atLeast(shortPercent(limits.covered)), r.coveredFraction >= limits.covered},
       {VerdictTable::tr("Unsupported"), percent(r.unsupportedFraction),
        atMost(shortPercent(limits.unsupported)), r.unsupportedFraction <= limits.unsupported},
+      {VerdictTable::tr("Carried by less than half"), percent(r.halfCarriedFraction), {}, true},
+      {VerdictTable::tr("Longest in the air"), mm(r.longestUnsupportedMm), {}, true},
       {VerdictTable::tr("Overfill"), percent(r.overfillFraction),
        atMost(shortPercent(limits.overfill)), r.overfillFraction <= limits.overfill},
       {VerdictTable::tr("Mass off by"), percent(massError), atMost(shortPercent(limits.mass)),
@@ -105,9 +107,9 @@ void VerdictTable::retranslate() {
     const QString none = QStringLiteral("–");
     put(0, m.label);
     put(1, report_ ? m.value : none);
-    put(2, report_ ? m.limit : none);
+    put(2, report_ && !m.limit.isEmpty() ? m.limit : none);
     put(3, {});
-    if (!report_)
+    if (!report_ || m.limit.isEmpty())
       continue;
     const QString kept = outOfDate_ ? tr("Not checked since the change")
                          : m.passed ? tr("Kept")

@@ -10,7 +10,7 @@
 namespace voluta::panels {
 
 struct VerdictMeasure {
-  QString label, value, limit;
+  QString label, value, limit; // limit empty: it is only told
   bool passed = false;
 };
 
