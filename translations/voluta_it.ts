@@ -4237,8 +4237,8 @@ mm³</translation>
         <translation>usare un processo dai cordoni più stretti; grande quanto dovrebbe essere, il robot non lo raggiunge</translation>
     </message>
     <message>
-        <source>{share:.2g} of the part are walls thinner than the least bead of {least}, most of them {usual:.2f}</source>
-        <translation>{share:.2g} del pezzo sono pareti più sottili del cordone più stretto di {least}, per lo più {usual:.2f}</translation>
+        <source>{share:.3g} of the part are walls thinner than the least bead of {least}, most of them {usual:.2f}</source>
+        <translation>{share:.3g} del pezzo sono pareti più sottili del cordone più stretto di {least}, per lo più {usual:.2f}</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "geometry/measures.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
+#include "replay/verification.h"
 #include "voxel/wall_thickness.h"
 
 #include <algorithm>
@@ -44,20 +45,29 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale, do
       std::accumulate(places.begin(), places.end(), 0.0, [](double sum, const voxel::ThinPlace& p) {
         return sum + 0.5 * p.areaMm2 * p.usualMm;
       });
-  const double share = volume / std::max(std::abs(geometry::volume(part)), 1e-9);
+  const double whole = std::max({std::abs(geometry::volume(part)), volume, 1e-9});
+  const double share = volume / whole;
   if (places.empty() || share <= plan::kBlockingShare)
     return {};
   const double usual = usualMm(places, area);
   // To a hundredth, upwards: rounding down would leave it too thin.
   const double wanted = std::ceil(100.0 * scale * least / std::max(usual, 1e-6)) / 100.0;
-  std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * std::min(share, 1.0))},
+  std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * share)},
                                        {"usual", base::mm(usual)},
                                        {"least", base::mm(least)}};
   const bool room = wanted <= fits;
   if (room)
     values.push_back({"scale", base::number(wanted)});
-  return {plan::makeFinding(room ? plan::FindingKind::ThinPart : plan::FindingKind::ThinPartInReach,
-                            std::move(values), places.front().at)};
+  plan::Finding thin =
+      plan::makeFinding(room ? plan::FindingKind::ThinPart : plan::FindingKind::ThinPartInReach,
+                        std::move(values), places.front().at);
+  // A bead stands over a thin wall by what it is wider, or leaves the wall out.
+  const double wrong = std::accumulate(
+      places.begin(), places.end(), 0.0, [&](double sum, const voxel::ThinPlace& p) {
+        return sum + 0.5 * p.areaMm2 * std::min(least - p.usualMm, p.usualMm);
+      });
+  thin.blocking = wrong > replay::ReplayThresholds{}.overfillMax * whole;
+  return {thin};
 }
 
 } // namespace voluta::pipeline

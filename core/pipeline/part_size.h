@@ -10,8 +10,9 @@ namespace voluta::pipeline {
 
 // A part shorter than a millimetre or longer than two metres was drawn in other units: nothing can
 // be planned for it. Else what of it is thinner than the process's least bead, where that is more
-// than may be left out (plan::kBlockingShare). `fits`: the scale up to which the part is in reach.
-// Throws Cancelled.
+// than may be left out (plan::kBlockingShare); it blocks where beads would stand over, or what they
+// leave out would miss, more of the part than a replay lets pass. `fits`: the scale up to which the
+// part is in reach. Throws Cancelled.
 plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale, double fits,
                             const process::Process& process, const base::RunContext& ctx);
 

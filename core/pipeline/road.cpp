@@ -132,7 +132,11 @@ private:
     const plan::Findings defects = remainingDefects(*loaded_);
     findings.insert(findings.end(), defects.begin(), defects.end());
     findings.insert(findings.end(), stage->findings.begin(), stage->findings.end());
-    return done(project::Stage::Load, findings, timings) && nothingBlocks(report());
+    // What was drawn in other units is no part to plan.
+    const bool odd = std::ranges::any_of(findings, [](const plan::Finding& f) {
+      return f.kind == plan::FindingKind::TinyPart || f.kind == plan::FindingKind::HugePart;
+    });
+    return done(project::Stage::Load, findings, timings) && !odd;
   }
 
   modes::ModeChoices modeChoices() const { return {choices_, values_, *process_}; }

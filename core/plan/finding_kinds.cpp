@@ -75,12 +75,12 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "the part is {size:.4g} long, if its file is in millimetres"_text,
      "print it smaller (--scale fit), or give the units that it was drawn in (--units)"_text,
      kForHuge},
-    {ThinPart, "thinPart", "thinPart", Load, Tells,
-     "{share:.2g} of the part are walls thinner than the least bead of {least}, most of them "
+    {ThinPart, "thinPart", "thinPart", Load, Depends,
+     "{share:.3g} of the part are walls thinner than the least bead of {least}, most of them "
      "{usual:.2f}"_text,
      "print it at scale {scale}, or with a process of narrower beads"_text, kForThin},
-    {ThinPartInReach, "thinPartInReach", "thinPart", Load, Tells,
-     "{share:.2g} of the part are walls thinner than the least bead of {least}, most of them "
+    {ThinPartInReach, "thinPartInReach", "thinPart", Load, Depends,
+     "{share:.3g} of the part are walls thinner than the least bead of {least}, most of them "
      "{usual:.2f}"_text,
      "use a process of narrower beads; as large as it had to be it is out of the robot's reach"_text,
      kForThinInReach},
