@@ -1,10 +1,12 @@
 #include "pipeline/automatic.h"
 
 #include "base/error.h"
+#include "base/parameters.h"
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace voluta::pipeline {
@@ -13,34 +15,68 @@ const std::vector<AutomaticWay>& automaticWays() {
   static const std::vector<AutomaticWay> kWays{
       {"curved", "cell", {{"frontShape", "nozzle"}}},
       {"planar", "cell"},
-      {"flat", "cell", {{"supports", "auto"}, {"adaptiveLayers", "true"}}},
+      {"flat", "cell", {{"supports", "auto"}}},
+      {"flat", "cell", {{"supports", "auto"}}, true},
       {"curved", "fit"},
   };
   return kWays;
 }
+
+namespace {
+
+constexpr const char* kLayerHeight = "layerHeightMm";
+
+// The way that choices were taken from; nullptr: none of the table.
+const AutomaticWay* wayOf(const project::Choices& choices) {
+  const auto& ways = automaticWays();
+  const auto fits = [&](const AutomaticWay& way) {
+    return way.mode == choices.mode &&
+           (choices.platformStays || project::Platform(way.platform) == choices.platform);
+  };
+  const auto number = static_cast<std::size_t>(std::max(0, choices.automaticWay));
+  if (number < ways.size() && fits(ways[number]))
+    return &ways[number];
+  const auto first = std::ranges::find_if(ways, fits); // of before ways were numbered
+  return first == ways.end() ? nullptr : &*first;
+}
+
+// Does it lower the layers? Not those of a user who has said how high they are.
+bool lowers(const project::Choices& choices) {
+  const AutomaticWay* way = wayOf(choices);
+  return way && way->lowLayers && !choices.parameters.contains(kLayerHeight);
+}
+
+double lowLayerMm(const project::Choices& choices) {
+  const process::Process p = process::loadProcess(choices.process);
+  return p.layerHeightMinMm + 0.25 * (p.layerHeightMm - p.layerHeightMinMm);
+}
+
+} // namespace
 
 std::vector<project::Choices> automaticChoices(const project::Choices& choices) {
   const base::ParameterValues values = parameterValues(choices);
   const bool rod =
       modes::cellOnAnyPlatform(choices, chosenProcess(choices, values)).rod().has_value();
   std::vector<project::Choices> all;
-  const auto add = [&](const modes::Mode& mode, const project::Platform& platform) {
+  const auto add = [&](const modes::Mode& mode, const project::Platform& platform, int number) {
     project::Choices way = choices;
     way.mode = mode.id;
+    way.automaticWay = number;
     if (!choices.platformStays)
       way.platform = platform;
     if (mode.aroundRod != rod || !way.platform.isForAnyOf(mode.platforms))
       return;
     for (const project::Choices& other : all)
-      if (other.mode == way.mode && other.platform == way.platform)
+      if (other.mode == way.mode && other.platform == way.platform && !lowers(way))
         return;
     all.push_back(std::move(way));
   };
-  for (const AutomaticWay& way : automaticWays())
-    add(modes::findMode(way.mode), project::Platform(way.platform));
+  for (std::size_t i = 0; i < automaticWays().size(); ++i)
+    add(modes::findMode(automaticWays()[i].mode), project::Platform(automaticWays()[i].platform),
+        static_cast<int>(i));
   for (const modes::Mode& mode : modes::modeTable())
     if (all.empty())
-      add(mode, mode.usual.platform);
+      add(mode, mode.usual.platform, 0);
   if (all.empty())
     throw base::Error(
         base::ErrorCode::Usage,
@@ -54,10 +90,11 @@ project::Choices byHand(project::Choices choices) {
   if (!choices.automatic)
     return choices;
   choices.automatic = false;
-  for (const AutomaticWay& way : automaticWays())
-    if (way.mode == choices.mode &&
-        (choices.platformStays || project::Platform(way.platform) == choices.platform))
-      choices.parameters.insert(way.parameters.begin(), way.parameters.end());
+  if (const AutomaticWay* way = wayOf(choices)) {
+    if (lowers(choices))
+      choices.parameters[kLayerHeight] = base::formatParameter(lowLayerMm(choices));
+    choices.parameters.insert(way->parameters.begin(), way->parameters.end());
+  }
   return choices;
 }
 

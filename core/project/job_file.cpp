@@ -46,6 +46,7 @@ geometry::Placement readPlacement(const Json& j) {
 Json choicesJson(const Choices& c) {
   return Json{{"automatic", c.automatic},
               {"platformStays", c.platformStays},
+              {"automaticWay", c.automaticWay},
               {"mode", c.mode},
               {"growth", c.growth.id()},
               {"platform", c.platform.text()},
@@ -64,6 +65,7 @@ Choices readChoices(const Json& j, int format) {
   Choices c;
   c.automatic = j.value("automatic", false);
   c.platformStays = j.value("platformStays", false);
+  c.automaticWay = j.value("automaticWay", 0);
   j.at("mode").get_to(c.mode);
   c.growth = curved::GrowthScheme(j.at("growth").get<std::string>());
   c.platform = Platform(j.at("platform").get<std::string>());

@@ -76,6 +76,25 @@ TEST(Automatic, WhatTheUserHasChangedIsNotChangedByAWay) {
   }
 }
 
+TEST(Automatic, FlatLayersAreTriedOnceMoreInLowOnes) {
+  std::vector<std::string> heights;
+  for (const project::Choices& way : automaticChoices(automatic()))
+    if (way.mode == "flat") {
+      const project::Choices hand = pipeline::byHand(way);
+      EXPECT_EQ(hand.parameters.at("supports"), "auto");
+      heights.push_back(hand.parameters.contains("layerHeightMm")
+                            ? hand.parameters.at("layerHeightMm")
+                            : "usual");
+    }
+  EXPECT_EQ(heights, (std::vector<std::string>{"usual", "0.5"}));
+  project::Choices given = automatic();
+  given.parameters["layerHeightMm"] = "0.6";
+  int flat = 0;
+  for (const project::Choices& way : automaticChoices(given))
+    flat += way.mode == "flat";
+  EXPECT_EQ(flat, 1) << "whoever says how high layers are is not asked twice";
+}
+
 TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
   const pipeline::PlanResult result = pipeline::planPart(automaticRequest(), {});
   const project::Job& job = result.job;

@@ -19,8 +19,9 @@ using project::Stage;
 namespace {
 bool sameChoices(const project::Choices& a, const project::Choices& b) {
   const auto tied = [](const project::Choices& c) {
-    return std::tie(c.automatic, c.platformStays, c.mode, c.growth, c.platform, c.cell, c.process,
-                    c.scale, c.repair, c.formats, c.parameters, c.seed, c.placement.liftMm);
+    return std::tie(c.automatic, c.platformStays, c.automaticWay, c.mode, c.growth, c.platform,
+                    c.cell, c.process, c.scale, c.units, c.repair, c.formats, c.parameters, c.seed,
+                    c.placement.liftMm);
   };
   return tied(a) == tied(b) && a.placement.centreMm == b.placement.centreMm &&
          a.placement.rotation.coeffs() == b.placement.rotation.coeffs();
@@ -402,8 +403,10 @@ void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult
 
 void Document::takeWay(const project::Choices& planned) {
   if (!choices_.automatic || !planned.automatic ||
-      (planned.mode == choices_.mode && planned.platform == choices_.platform))
+      (planned.automaticWay == choices_.automaticWay && planned.mode == choices_.mode &&
+       planned.platform == choices_.platform))
     return;
+  choices_.automaticWay = planned.automaticWay;
   choices_.mode = planned.mode;
   if (!choices_.platformStays)
     choices_.platform = planned.platform;
