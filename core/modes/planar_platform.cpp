@@ -2,6 +2,7 @@
 
 #include "modes/cell_choice.h"
 #include "robot/cell.h"
+#include "robot/plate.h"
 
 #include <algorithm>
 #include <optional>
@@ -11,12 +12,12 @@ namespace voluta::modes {
 planar::PlanarPlatform carrierOf(const project::Choices& choices, const process::Process& process) {
   const robot::Cell cell = cellOnAnyPlatform(choices, process);
   planar::PlanarPlatform out;
+  if (const robot::Prism* plate = robot::plateOf(cell))
+    out.thicknessMm = plate->zMax - plate->zMin;
   for (const robot::Body& body : cell.bodies()) {
     if (body.role != robot::BodyRole::Platform)
       continue;
     for (const robot::Shape& shape : body.shapes) {
-      if (const auto* plate = std::get_if<robot::Prism>(&shape))
-        out.thicknessMm = plate->zMax - plate->zMin;
       if (const auto* f = std::get_if<robot::Frustum>(&shape)) {
         const bool rises = f->p0.z() < f->p1.z();
         const double low = rises ? f->r0 : f->r1, high = rises ? f->r1 : f->r0;

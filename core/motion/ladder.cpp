@@ -19,8 +19,8 @@ double rounded(double x) {
 }
 
 // L1 step of the joints that have limits here from `from` to the representative of `to` nearest to
-// it; infinite where a joint's step is larger than maxStep or its limits are left, and where the sum
-// is no less than `most`.
+// it; infinite where a joint's step is larger than maxStep or its limits are left, and where the
+// sum is no less than `most`.
 double step(const robot::JointVector& from, const robot::JointVector& to,
             const std::vector<robot::JointLimits>& limits, double maxStep, double most) {
   double sum = 0.0;

@@ -38,8 +38,8 @@ double materialOf(const plan::ToolPlan& plan) {
   double volume = 0.0;
   for (const plan::ToolPath& path : plan.paths)
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      volume +=
-          0.5 * (section(i - 1) + section(i)) * (plan.position[i] - plan.position[i - 1]).norm();
+      volume += process::beadVolume(section(i - 1), section(i),
+                                    (plan.position[i] - plan.position[i - 1]).norm());
   return volume;
 }
 

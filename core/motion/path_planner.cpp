@@ -90,10 +90,10 @@ bool Stretch::fill(const Course& course, const JointVector& start, std::vector<R
     const Quaterniond from = toolAt(i - 1), to = toolAt(i);
     const Vector3d a = plan.position[i - 1], b = plan.position[i];
     const int n = scene_.divisions(a, b, angleBetween(from, to));
-    const double volume = 0.5 *
-                          (process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]) +
-                           process::beadArea(plan.widthMm[i], plan.heightMm[i])) *
-                          (b - a).norm() / n;
+    const double volume =
+        process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
+                            process::beadArea(plan.widthMm[i], plan.heightMm[i]), (b - a).norm()) /
+        n;
     for (int k = 1; k <= n; ++k) {
       const double t = static_cast<double>(k) / n;
       const Vector3d tip = k == n ? b : Vector3d(a + t * (b - a));

@@ -10,11 +10,10 @@
 #include "pipeline/automatic.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
+#include "project/length_unit.h"
 #include "project/platform_kinds.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
-
-#include "project/length_unit.h"
 
 #include <algorithm>
 #include <cmath>

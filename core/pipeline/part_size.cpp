@@ -28,8 +28,9 @@ double usualMm(std::vector<voxel::ThinPlace> places, double areaMm2) {
 
 } // namespace
 
-plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale, double fits,
-                            const process::Process& process, const base::RunContext& ctx) {
+plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
+                            const std::function<double()>& reach, const process::Process& process,
+                            const base::RunContext& ctx) {
   const double size = geometry::bounds(part).sizes().maxCoeff();
   if (size < kTinyMm)
     return {plan::makeFinding(plan::FindingKind::TinyPart, {{"size", base::mm(size)}})};
@@ -55,7 +56,7 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale, do
   std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * share)},
                                        {"usual", base::mm(usual)},
                                        {"least", base::mm(least)}};
-  const bool room = wanted <= fits;
+  const bool room = wanted <= reach();
   if (room)
     values.push_back({"scale", base::number(wanted)});
   plan::Finding thin =

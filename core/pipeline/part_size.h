@@ -6,14 +6,18 @@
 #include "plan/finding.h"
 #include "process/process.h"
 
+#include <functional>
+
 namespace voluta::pipeline {
 
 // A part shorter than a millimetre or longer than two metres was drawn in other units: nothing can
 // be planned for it. Else what of it is thinner than the process's least bead, where that is more
 // than may be left out (plan::kBlockingShare); it blocks where beads would stand over, or what they
-// leave out would miss, more of the part than a replay lets pass. `fits`: the scale up to which the
-// part is in reach. Throws Cancelled.
-plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale, double fits,
-                            const process::Process& process, const base::RunContext& ctx);
+// leave out would miss, more of the part than a replay lets pass. `reach`: the scale up to which
+// the part is in reach; it takes half a second, and is asked for only where walls are thin. Throws
+// Cancelled.
+plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
+                            const std::function<double()>& reach, const process::Process& process,
+                            const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -1,26 +1,16 @@
 #include "pipeline/pedestal.h"
 
 #include "geometry/formats/mesh_reader.h"
+#include "robot/plate.h"
 
 #include <Eigen/Core>
 #include <fmt/format.h>
-#include <optional>
 
 namespace voluta::pipeline {
 
 namespace {
 
 using Eigen::Vector2d;
-
-// Of the cell's plates: the outline is the part's, the thickness the cell's.
-std::optional<double> thicknessMm(const robot::Cell& cell) {
-  for (const robot::Body& body : cell.bodies())
-    if (body.role == robot::BodyRole::Platform)
-      for (const robot::Shape& shape : body.shapes)
-        if (const auto* prism = std::get_if<robot::Prism>(&shape))
-          return prism->zMax - prism->zMin;
-  return std::nullopt;
-}
 
 std::string outlineDxf(const std::vector<Vector2d>& outline) {
   // Group codes and values, a line each (AutoCAD R12 DXF: POLYLINE, its closed flag, VERTEX).
@@ -52,13 +42,12 @@ geometry::TriangleMesh prism(const std::vector<Vector2d>& outline, double height
 
 std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan) {
   const project::Job& job = plan.job;
-  if (!job.choices.platform.marginMm() || job.platform.polygon.size() < 3 || !plan.cell)
+  const robot::Prism* plate = plan.cell ? robot::plateOf(*plan.cell) : nullptr;
+  if (!job.choices.platform.marginMm() || job.platform.polygon.size() < 3 || !plate)
     return {};
-  const std::optional<double> height = thicknessMm(*plan.cell);
-  if (!height)
-    return {};
+  const double height = plate->zMax - plate->zMin;
   return {{"pedestal.dxf", outlineDxf(job.platform.polygon)},
-          {"pedestal.stl", geometry::writeStl(prism(job.platform.polygon, *height))}};
+          {"pedestal.stl", geometry::writeStl(prism(job.platform.polygon, height))}};
 }
 
 } // namespace voluta::pipeline

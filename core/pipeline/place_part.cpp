@@ -159,9 +159,11 @@ std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
   // Of cells and of bodies to print on there is no other size.
   const bool anyScale =
       !loaded.cells && !choices.platform.isBody() && !modes::findMode(choices.mode).aroundRod;
-  const double reach = anyScale ? reachingScale(*loaded.mesh, unitMm(loaded, choices),
-                                                placed.placement, fittingCell(choices, process))
-                                : 0.0;
+  const auto reach = [&] {
+    return anyScale ? reachingScale(*loaded.mesh, unitMm(loaded, choices), placed.placement,
+                                    fittingCell(choices, process))
+                    : 0.0;
+  };
   auto stage = std::make_shared<SizeStage>();
   stage->findings = sizeFindings(*placed.part, placed.scale, reach, process, ctx);
   return stage;

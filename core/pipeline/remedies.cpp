@@ -77,22 +77,6 @@ std::optional<project::Choices> shrinkPlatform(const plan::Finding&,
   return changed;
 }
 
-std::optional<project::Choices> narrowVoxels(const plan::Finding& finding,
-                                             const project::Choices& choices) {
-  const auto* fits = std::get_if<base::Quantity>(&finding.value("fits")->data());
-  if (!fits || fits->number >= parameterValues(choices).number("voxelMm"))
-    return std::nullopt;
-  return withParameter(choices, "voxelMm", base::formatParameter(fits->number));
-}
-
-std::optional<project::Choices> dropToPlate(const plan::Finding&, const project::Choices& choices) {
-  if (choices.placement.liftMm == 0.0)
-    return std::nullopt;
-  project::Choices changed = choices;
-  changed.placement.liftMm = 0.0;
-  return changed;
-}
-
 // "0.35 mm" is a value's number, in its own unit.
 std::optional<double> numberOf(const plan::Finding& finding, std::string_view name) {
   const base::Value* value = finding.value(name);
@@ -101,6 +85,22 @@ std::optional<double> numberOf(const plan::Finding& finding, std::string_view na
   if (const auto* quantity = std::get_if<base::Quantity>(&value->data()))
     return quantity->number;
   return std::nullopt;
+}
+
+std::optional<project::Choices> narrowVoxels(const plan::Finding& finding,
+                                             const project::Choices& choices) {
+  const std::optional<double> fits = numberOf(finding, "fits");
+  if (!fits || *fits >= parameterValues(choices).number("voxelMm"))
+    return std::nullopt;
+  return withParameter(choices, "voxelMm", base::formatParameter(*fits));
+}
+
+std::optional<project::Choices> dropToPlate(const plan::Finding&, const project::Choices& choices) {
+  if (choices.placement.liftMm == 0.0)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.placement.liftMm = 0.0;
+  return changed;
 }
 
 std::optional<project::Choices> scaleUp(const plan::Finding& finding,

@@ -3,8 +3,6 @@
 #include "base/stopwatch.h"
 #include "program/dialect.h"
 
-#include <algorithm>
-
 namespace voluta::pipeline {
 
 namespace {

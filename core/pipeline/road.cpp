@@ -12,7 +12,7 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "replay/verification.h"
-#include "robot/platform_gap.h"
+#include "robot/plate.h"
 
 #include <algorithm>
 #include <array>
@@ -27,13 +27,13 @@ namespace {
 // Where each stage ends in the time that a whole plan of a usual part takes.
 constexpr std::array<double, project::kStageCount> kEnds{0.02, 0.14, 0.22, 0.44, 0.6, 1.0};
 
+constexpr int kRounds = 3; // of moving without what the replay found
+
 // Is the platform's own place, the work frame's z, beneath the part's box?
 bool coversAxis(const geometry::TriangleMesh& part) {
   const Eigen::AlignedBox3d box = geometry::bounds(part);
   return (box.min().head<2>().array() <= 0.0).all() && (box.max().head<2>().array() >= 0.0).all();
 }
-
-constexpr int kRounds = 3; // of moving without what the replay found
 
 // One plan: its stages in order, each taken from the cache or made.
 class Road {

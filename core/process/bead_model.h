@@ -12,6 +12,10 @@ inline constexpr double kRoundLoss = 1.0 - base::kPi / 4.0;
 constexpr double beadArea(double widthMm, double heightMm) {
   return widthMm * heightMm - kRoundLoss * heightMm * heightMm;
 }
+// mm3 of a straight piece whose section goes evenly from one area to another.
+constexpr double beadVolume(double fromMm2, double toMm2, double lengthMm) {
+  return 0.5 * (fromMm2 + toMm2) * lengthMm;
+}
 // Distance of neighbouring beads at which their overlap fills the gaps between their round ends:
 // hatch * height = area. mm.
 constexpr double hatchOf(double widthMm, double heightMm) {

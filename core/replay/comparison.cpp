@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/units.h"
+#include "geometry/triangle_queries.h"
 #include "plan/finding_kinds.h"
 #include "replay/beads.h"
 
@@ -215,15 +216,6 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
   return report.take();
 }
 
-namespace {
-double segmentPointDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d ab = b - a;
-  const double squared = ab.squaredNorm();
-  const double t = squared > 0.0 ? std::clamp((p - a).dot(ab) / squared, 0.0, 1.0) : 0.0;
-  return (p - a - t * ab).norm();
-}
-} // namespace
-
 PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& planned,
                             const plan::Trajectory& trajectory, const plan::ReadProgram& program,
                             const Alignment& alignment, const base::RunContext& ctx) {
@@ -253,7 +245,8 @@ PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& plann
         double d = (path.tip[s] - planned.tip[j]).norm();
         if (!(endOnly && !blended))
           for (std::size_t k = first; k < last; ++k)
-            d = std::min(d, segmentPointDistance(path.tip[s], planned.tip[k], planned.tip[k + 1]));
+            d = std::min(
+                d, geometry::distanceToSegment(path.tip[s], planned.tip[k], planned.tip[k + 1]));
         if (d > w.mm) {
           w.mm = d;
           w.motion = m;

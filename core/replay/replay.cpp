@@ -98,7 +98,6 @@ private:
 
   void tellBeads(const JudgedRun& run) {
     static_cast<RunFigures&>(out_) = run.figures;
-    out_.depositedMm3 = out_.supportMm3 = 0.0;
     for (std::size_t m = 0; m < run.run.volumeMm3.size(); ++m)
       (run.run.knowledge[m].ofPart ? out_.depositedMm3 : out_.supportMm3) += run.run.volumeMm3[m];
     out_.massRatio = out_.depositedMm3 / std::max(out_.partVolumeMm3, 1e-9);

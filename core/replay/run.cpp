@@ -240,8 +240,6 @@ private:
       c.whenS = path().startS[c.motion] + (c.whenS - other.startS[c.motion]);
       out.push_back(std::move(c));
     }
-    std::stable_sort(out.begin(), out.end(),
-                     [](const Clash& a, const Clash& b) { return a.motion < b.motion; });
   }
 
   void gatherMet() {

@@ -50,7 +50,7 @@ struct JudgedRun {
   std::shared_ptr<const LaidBeads> laid;
   RunFigures figures;             // collisions and metAt of the clashes below
   std::vector<BeadFinding> beads; // by the thresholds that it was judged with
-  std::vector<Clash> head, arm;
+  std::vector<Clash> head, arm;   // in no order
 };
 
 // Lays the run's beads and looks for what meets. The input's program is not asked.

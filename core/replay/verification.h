@@ -62,19 +62,20 @@ struct RunFigures {
   double longestUnsupportedMm = 0.0; // of a bead, without a break, nothing right beneath it
   double overfillFraction = 0.0;     // outside the part and what found no room, by part volume
   double excessFraction = 0.0;       // of that, what found no room
-  double massRatio = 0.0;            // material laid (supports and skirts apart) by part volume
   std::size_t collisions = 0; // contacts; one that lasts over consecutive samples counts once
 
   // Waypoints of the plan, ascending, on the way to which something meets.
   std::vector<std::size_t> metAt;
 
-  double partVolumeMm3 = 0.0, depositedMm3 = 0.0, supportMm3 = 0.0, beadLengthMm = 0.0;
+  double partVolumeMm3 = 0.0, beadLengthMm = 0.0;
   double pitchMm = 0.0; // of the grid of beads
 };
 
 struct Verification : RunFigures {
   bool passed = false; // every threshold kept and the text free of deviations
 
+  double massRatio = 0.0; // material laid (supports and skirts apart) by part volume
+  double depositedMm3 = 0.0, supportMm3 = 0.0;
   std::size_t limitViolations = 0; // as collisions are counted
   std::size_t deviations = 0;      // places where the text is not what was planned
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;

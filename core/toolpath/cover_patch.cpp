@@ -174,8 +174,8 @@ double volumeOf(const std::vector<Bead>& beads) {
       const BeadPoint &p = b.points[i - 1], &q = b.points[i];
       const Vector3d from = p.middle + 0.5 * p.heightMm * p.direction;
       const Vector3d to = q.middle + 0.5 * q.heightMm * q.direction;
-      v += (to - from).norm() * 0.5 *
-           (process::beadArea(p.widthMm, p.heightMm) + process::beadArea(q.widthMm, q.heightMm));
+      v += process::beadVolume(process::beadArea(p.widthMm, p.heightMm),
+                               process::beadArea(q.widthMm, q.heightMm), (to - from).norm());
     }
   return v;
 }

@@ -156,7 +156,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Pro
                                  static_cast<double>(r.plan.heightMm[j]));
       };
       s.lengthMm += length;
-      s.materialMm3 += length * 0.5 * (section(i) + section(i - 1));
+      s.materialMm3 += process::beadVolume(section(i - 1), section(i), length);
     }
     if (k > 0)
       s.travelMm += (r.plan.position[path.first] - r.plan.position[path.first - 1]).norm();

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/mesh_boolean.h"
+#include "helpers/lathe_parts.h"
 #include "helpers/shapes.h"
 
 #include <Eigen/Geometry>
@@ -53,22 +54,13 @@ TriangleMesh moved(TriangleMesh mesh, const Eigen::Isometry3d& to) {
 }
 
 // A closed polygon of (radius, z), radius > 0, turned about z.
-TriangleMesh turned(const std::vector<Vector2d>& section, int sides) {
-  TriangleMesh m;
-  const int n = static_cast<int>(section.size());
-  for (int i = 0; i < sides; ++i) {
-    const double a = 2 * base::kPi * i / sides;
-    for (const Vector2d& p : section)
-      m.vertices.emplace_back(p.x() * std::cos(a), p.x() * std::sin(a), p.y());
-  }
-  for (int i = 0; i < sides; ++i)
-    for (int k = 0; k < n; ++k) {
-      const int a = i * n + k, b = i * n + (k + 1) % n, c = (i + 1) % sides * n + (k + 1) % n,
-                d = (i + 1) % sides * n + k;
-      m.triangles.push_back({a, b, c});
-      m.triangles.push_back({a, c, d});
-    }
-  return facingOutward(std::move(m));
+TriangleMesh turned(std::vector<Vector2d> section, int sides) {
+  for (Vector2d& p : section)
+    p = {p.y(), p.x()};
+  TriangleMesh m = revolved(section, sides); // about x, from y to z
+  for (Vector3d& v : m.vertices)
+    v = Vector3d(v.y(), v.z(), v.x());
+  return m;
 }
 
 // A round rod along a line of points, its ends flat.

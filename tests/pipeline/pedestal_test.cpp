@@ -6,7 +6,7 @@
 #include "helpers/temporary_folder.h"
 #include "pipeline/pedestal.h"
 #include "plan/finding_kinds.h"
-#include "robot/platform_gap.h"
+#include "robot/plate.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -59,7 +59,7 @@ void TextPreview::showLine(std::size_t line) {
 }
 
 QSize TextPreview::sizeHint() const {
-  return {fontMetrics().averageCharWidth() * 40, lineHeight() * 14};
+  return {fontMetrics().averageCharWidth() * 40, lineHeight() * 12};
 }
 
 int TextPreview::lineHeight() const {
