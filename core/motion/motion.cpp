@@ -22,6 +22,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <set>
+#include <utility>
 
 namespace voluta::motion {
 
@@ -111,22 +112,22 @@ std::vector<TimedPoint> timedPoints(const RobotState& from, const Transfer& tran
   return timed;
 }
 
-class MotionPlanner {
+} // namespace
+
+class MotionPlanner::Work {
 public:
-  MotionPlanner(const plan::ToolPlan& plan, const robot::Cell& cell,
-                const process::Process& process, const collision::GrowingPart& part,
-                const MotionOptions& options)
+  Work(const plan::ToolPlan& plan, const robot::Cell& cell, const process::Process& process,
+       const collision::GrowingPart& part, const MotionOptions& options)
       : plan_(plan), cell_(cell), process_(process), options_(options),
-        collision_(cell, process), scene_{plan, cell,    collision_,
-                                          part, options, radiusAboutRod(plan)},
+        collision_(cell, process), scene_{plan, cell,     collision_,
+                                          part, options_, radiusAboutRod(plan)},
         planner_(scene_), home_(stateAt(cell, cell.home())) {}
 
-  MotionResult plan(const std::vector<std::size_t>& avoided, const base::RunContext& ctx) {
+  MotionResult plan(const base::RunContext& ctx) {
     base::Stopwatch watch;
     headBefore_ = headBefore(scene_.plan);
     refusals_ = headRefusals(scene_, headBefore_, ctx.sub(0.0, 0.05));
     result_.times.collision += watch.seconds();
-    avoid(avoided);
 
     ways_.resize(plan_.paths.size());
     for (std::size_t p = 0; p < plan_.paths.size(); ++p) {
@@ -135,18 +136,13 @@ public:
                  "motion"_text);
       planPath(p, ctx);
     }
-    join(ctx.sub(0.6, 1.0));
-    // What meets on the closer look is planned again, without the places where it does.
-    for (int round = 0; round < kRounds && !check_.collisions.empty(); ++round) {
-      for (const std::size_t p : avoid(metAt()))
-        planPath(p, ctx);
-      join(ctx.sub(0.6, 1.0));
-    }
-    result_.times.ik += planner_.times().ik;
-    result_.times.graph += planner_.times().graph;
-    result_.times.collision += planner_.times().collision;
-    report();
-    return std::move(result_);
+    return joined(ctx.sub(0.6, 1.0));
+  }
+
+  MotionResult planWithout(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx) {
+    for (const std::size_t p : avoid(waypoints))
+      planPath(p, ctx);
+    return joined(ctx);
   }
 
 private:
@@ -160,6 +156,7 @@ private:
   std::vector<std::size_t> avoid(const std::vector<std::size_t>& waypoints) {
     std::set<std::size_t> paths;
     for (const std::size_t w : waypoints) {
+      base::require(w < refusals_.size(), "waypoints of the plan, which is planned");
       if (refusals_[w] == Refusal::None)
         refusals_[w] = Refusal::CloserLook;
       paths.insert(static_cast<std::size_t>(plan::pathOf(plan_, w) - plan_.paths.data()));
@@ -201,6 +198,23 @@ private:
       planner_.plan(p, b, e - b, from, ctx.quiet(), way.runs, way.refused);
     }
     ways_[p] = std::move(way);
+  }
+
+  // What the paths have become, joined; what meets on the closer look is planned again, without the
+  // places where it does.
+  MotionResult joined(const base::RunContext& ctx) {
+    join(ctx);
+    for (int round = 0; round < kRounds && !check_.collisions.empty(); ++round) {
+      for (const std::size_t p : avoid(metAt()))
+        planPath(p, ctx);
+      join(ctx);
+    }
+    const PathTimes paths = planner_.takeTimes();
+    result_.times.ik += paths.ik;
+    result_.times.graph += paths.graph;
+    result_.times.collision += paths.collision;
+    report();
+    return std::exchange(result_, {});
   }
 
   // Connects, times and checks what the paths have become.
@@ -384,7 +398,7 @@ private:
   const plan::ToolPlan& plan_;
   const robot::Cell& cell_;
   const process::Process& process_;
-  const MotionOptions& options_;
+  const MotionOptions options_;
   collision::CellCollision collision_;
   MotionScene scene_;
   PathPlanner planner_;
@@ -398,12 +412,9 @@ private:
   MotionResult result_;
 };
 
-} // namespace
-
-MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
-                        const process::Process& process, const collision::GrowingPart& part,
-                        const MotionOptions& options, const base::RunContext& ctx,
-                        const std::vector<std::size_t>& avoided) {
+MotionPlanner::MotionPlanner(const plan::ToolPlan& plan, const robot::Cell& cell,
+                             const process::Process& process, const collision::GrowingPart& part,
+                             const MotionOptions& options) {
   base::require(plan.direction.size() == plan.waypointCount() &&
                     plan.speedMmPerS.size() == plan.waypointCount(),
                 "plan arrays of one length");
@@ -411,9 +422,24 @@ MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
   for (const plan::ToolPath& path : plan.paths)
     base::require(path.count >= 1 && path.first + path.count <= plan.waypointCount(),
                   "paths inside the plan");
-  for (const std::size_t w : avoided)
-    base::require(w < plan.waypointCount(), "avoided waypoints of the plan");
-  return MotionPlanner(plan, cell, process, part, options).plan(avoided, ctx);
+  work_ = std::make_unique<Work>(plan, cell, process, part, options);
+}
+
+MotionPlanner::~MotionPlanner() = default;
+
+MotionResult MotionPlanner::plan(const base::RunContext& ctx) {
+  return work_->plan(ctx);
+}
+
+MotionResult MotionPlanner::planWithout(const std::vector<std::size_t>& waypoints,
+                                        const base::RunContext& ctx) {
+  return work_->planWithout(waypoints, ctx);
+}
+
+MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
+                        const process::Process& process, const collision::GrowingPart& part,
+                        const MotionOptions& options, const base::RunContext& ctx) {
+  return MotionPlanner(plan, cell, process, part, options).plan(ctx);
 }
 
 } // namespace voluta::motion

@@ -10,6 +10,7 @@
 #include "robot/cell.h"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace voluta::base {
@@ -53,22 +54,42 @@ struct MotionResult {
 // skipped; the paths are printed without them. What meets something where the finished motion is
 // looked at more closely, between points too, is planned again without the waypoints concerned.
 // Where at most half a percent of the material is left out, that is told and does not block.
-// `avoided`: waypoints that are not to be printed, since something was found to meet there. Print
-// points carry the waypoint's index, or none where a step was divided; a run's first point is
+// Print points carry the waypoint's index, or none where a step was divided; a run's first point is
 // reached by a Linear (or Joint) move and carries its waypoint too. Where a path had to be split,
 // the waypoint at the split appears at the end of one run and again at the start of the next.
 // extrudedMm3 rises at Print points only, by the mean of the sections at both waypoints times their
 // distance. A rod is at a multiple of its step at every point; at the end it rests at a whole turn
-// where it runs on. `part` must have been grown from `plan`. The same result for any number of
-// threads. Throws Cancelled. Preconditions: part and plan belong together; process is the cell's.
+// where it runs on. The same result for any number of threads.
 // Example:
 //   const double pitch = collision::growingPitch(toolPlan, process);
 //   const collision::GrowingPart growing(toolPlan, pitch, ctx);
-//   const motion::MotionResult moved =
-//       motion::planMotion(toolPlan, cell, process, growing, {}, ctx);
+//   motion::MotionPlanner planner(toolPlan, cell, process, growing, {});
+//   motion::MotionResult moved = planner.plan(ctx);
+//   if (meets) // as a replay found
+//     moved = planner.planWithout({waypoint}, ctx);
+class MotionPlanner {
+public:
+  // All of them must outlive the planner. Preconditions: part was grown from `plan`; process is the
+  // cell's.
+  MotionPlanner(const plan::ToolPlan& plan, const robot::Cell& cell,
+                const process::Process& process, const collision::GrowingPart& part,
+                const MotionOptions& options);
+  ~MotionPlanner();
+
+  // Throws Cancelled; the planner is of no use then.
+  MotionResult plan(const base::RunContext& ctx);
+  // After plan: the same without these waypoints and those of earlier calls, since something was
+  // found to meet there. Only the paths that have them are planned again. Throws Cancelled.
+  MotionResult planWithout(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx);
+
+private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+// One motion, as MotionPlanner plans it.
 MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
                         const process::Process& process, const collision::GrowingPart& part,
-                        const MotionOptions& options, const base::RunContext& ctx,
-                        const std::vector<std::size_t>& avoided = {});
+                        const MotionOptions& options, const base::RunContext& ctx);
 
 } // namespace voluta::motion

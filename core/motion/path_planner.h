@@ -8,6 +8,7 @@
 #include "motion/run.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace voluta::base {
@@ -27,7 +28,8 @@ public:
   void plan(std::size_t path, std::size_t first, std::size_t count, const RobotState& from,
             const base::RunContext& ctx, std::vector<Run>& runs, std::vector<Refused>& refused);
 
-  const PathTimes& times() const { return times_; }
+  // Since it was last asked.
+  PathTimes takeTimes() { return std::exchange(times_, {}); }
 
 private:
   const MotionScene& scene_;

@@ -1,338 +1,21 @@
 #include "pipeline/road.h"
 
 #include "base/error.h"
-#include "base/key_text.h"
 #include "base/outcome.h"
 #include "base/stopwatch.h"
-#include "geometry/measures.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
+#include "pipeline/one_way.h"
 #include "pipeline/stage_keys.h"
 #include "plan/finding_kinds.h"
-#include "program/dialect.h"
-#include "replay/verification.h"
-#include "robot/plate.h"
 
 #include <algorithm>
-#include <array>
-#include <fmt/format.h>
 #include <optional>
-#include <set>
 
 namespace voluta::pipeline {
 
 namespace {
-
-// Where each stage ends in the time that a whole plan of a usual part takes.
-constexpr std::array<double, project::kStageCount> kEnds{0.02, 0.14, 0.22, 0.44, 0.6, 1.0};
-
-constexpr int kRounds = 3; // of moving without what the replay found
-
-// Is the platform's own place, the work frame's z, beneath the part's box?
-bool coversAxis(const geometry::TriangleMesh& part) {
-  const Eigen::AlignedBox3d box = geometry::bounds(part);
-  return (box.min().head<2>().array() <= 0.0).all() && (box.max().head<2>().array() >= 0.0).all();
-}
-
-// One plan: its stages in order, each taken from the cache or made.
-class Road {
-public:
-  // `untilBlocked`: what follows the first stage with a blocking finding is not made.
-  Road(const PlanRequest& request, bool untilBlocked, const base::RunContext& ctx,
-       StageCache* cache, const StageObserver& onStage, const PreviewObserver& onPreview)
-      : untilBlocked_(untilBlocked), choices_(byHand(request.choices)), until_(request.until),
-        ctx_(ctx), cache_(cache), onStage_(onStage), onPreview_(onPreview),
-        values_(parameterValues(choices_)), mode_(modes::findMode(choices_.mode)),
-        process_(std::make_shared<process::Process>(chosenProcess(choices_, values_))) {
-    result_.process = process_;
-    result_.debug = values_.boolean("output.debug");
-    result_.keepRefused = values_.boolean("output.refused");
-    job().choices = request.choices;
-    report().threads = ctx.threads();
-    report().decomposition.mode = choices_.mode;
-    ctx.report(0.0, "load"_text);
-    loaded_ = request.loaded
-                  ? project::withRepair(request.loaded, choices_.repair, span(project::Stage::Load))
-                  : project::loadPart(request.part, choices_.repair, span(project::Stage::Load));
-    job().loaded = loaded_;
-    job().partName = loaded_->name;
-    keys_ = keysOf(*loaded_, choices_, values_, *process_);
-  }
-
-  PlanResult run() {
-    if (load() && decompose() && layers() && toolpath() && motion())
-      programs();
-    report().timings.total = whole_.seconds();
-    return std::move(result_);
-  }
-
-private:
-  project::Job& job() { return result_.job; }
-  project::Report& report() { return result_.job.report; }
-
-  template <typename T, typename Make>
-  std::shared_ptr<const T> taken(const std::string& key, const std::string& slot, Make make) {
-    std::shared_ptr<const T> stage = cache_ ? cache_->find<T>(key, slot) : nullptr;
-    if (stage)
-      return stage;
-    stage = make();
-    ctx_.checkpoint();
-    if (cache_)
-      cache_->keep<T>(key, stage, slot);
-    return stage;
-  }
-  template <typename T, typename Make> std::shared_ptr<const T> taken(Make make) {
-    return taken<T>(keys_[project::indexOf(T::kStage)], {}, make);
-  }
-
-  // A stage's share of what this plan comes to.
-  base::RunContext span(project::Stage stage) const {
-    const std::size_t s = project::indexOf(stage);
-    const double all = kEnds[project::indexOf(until_)];
-    return ctx_.sub((s > 0 ? kEnds[s - 1] : 0.0) / all, std::min(1.0, kEnds[s] / all));
-  }
-
-  // Notes that a stage is done; is there more to do?
-  bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
-    project::StageRecord& record = job().stages[project::indexOf(stage)];
-    record = {keys_[project::indexOf(stage)], findings.size(), timings};
-    report().findings.insert(report().findings.end(), findings.begin(), findings.end());
-    report().timings += timings;
-    report().timings.total = whole_.seconds();
-    job().reached = stage;
-    if (onStage_)
-      onStage_(stage, result_);
-    ctx_.checkpoint();
-    return stage < until_ && !(untilBlocked_ && !nothingBlocks(report()));
-  }
-
-  bool load() {
-    placed_ = taken<modes::LoadStage>(
-        [&] { return loadStage(*loaded_, choices_, *process_, span(project::Stage::Load)); });
-    const auto& stage = placed_;
-    result_.placed = stage;
-    job().scale = stage->scale;
-    job().placement = stage->placement;
-    job().part = stage->part;
-    report().model = stage->report;
-    report().model.file = loaded_->name;
-    report().model.repairs = loaded_->notes;
-    project::Timings timings = stage->timings;
-    timings.load = loaded_->readS;
-    timings.repair = loaded_->repairS;
-    const auto size =
-        taken<SizeStage>(keys_[project::indexOf(project::Stage::Load)] +
-                             base::keyText(choices_.cell, process_->id, process_->beadWidthMinMm),
-                         "size", [&] {
-                           return sizeStage(*loaded_, *placed_, choices_, *process_,
-                                            span(project::Stage::Load).quiet());
-                         });
-    plan::Findings findings = size->findings;
-    const plan::Findings defects = remainingDefects(*loaded_);
-    findings.insert(findings.end(), defects.begin(), defects.end());
-    findings.insert(findings.end(), stage->findings.begin(), stage->findings.end());
-    // What was drawn in other units is no part to plan.
-    const bool odd = std::ranges::any_of(findings, [](const plan::Finding& f) {
-      return f.kind == plan::FindingKind::TinyPart || f.kind == plan::FindingKind::HugePart;
-    });
-    return done(project::Stage::Load, findings, timings) && !odd;
-  }
-
-  modes::ModeChoices modeChoices() const { return {choices_, values_, *process_}; }
-
-  // Most edits of a decomposition leave the voxels as they are.
-  std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx) {
-    return taken<modes::PartVoxels>(
-        fmt::format("{}voxels of {} mm\n", keys_[project::indexOf(project::Stage::Load)], voxelMm),
-        "voxels", [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
-  }
-
-  bool decompose() {
-    decomposed_ = taken<modes::DecomposeStage>([&] {
-      modes::DecomposeInput in{
-          *placed_,
-          [&](double voxelMm, const base::RunContext& ctx) { return voxels(voxelMm, ctx); },
-          {}};
-      if (onPreview_)
-        in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
-          onPreview_(std::move(soFar), result_);
-        };
-      return mode_.decompose(modeChoices(), in, span(project::Stage::Decompose));
-    });
-    job().platform = decomposed_->platform;
-    job().result = decomposed_->result;
-    report().decomposition = decomposed_->report;
-    report().decomposition.mode = choices_.mode;
-    result_.cell = std::make_shared<robot::Cell>(
-        robot::loadCell(choices_.cell, *process_, decomposed_->platform));
-    for (const std::string& format : chosenFormats(choices_, *result_.cell))
-      program::requireRodTurns(program::findDialect(format), *result_.cell);
-    plan::Findings findings = decomposed_->findings;
-    // A pedestal is made for the part, whatever it stands on; but not for one beside its place.
-    const bool madeBeneath = choices_.platform.marginMm() && coversAxis(*job().part);
-    if (const double gap = robot::platformGapMm(*result_.cell); gap > 0.0 && !madeBeneath)
-      findings.insert(findings.begin(), plan::makeFinding(plan::FindingKind::PlatformAdrift,
-                                                          {{"distance", base::mm(gap)}}));
-    return done(project::Stage::Decompose, findings, decomposed_->timings);
-  }
-
-  bool layers() {
-    const auto stage = taken<modes::LayersStage>([&] {
-      return mode_.layers(modeChoices(), *decomposed_, job().printed(),
-                          span(project::Stage::Layers));
-    });
-    job().layers = stage->layers;
-    report().layers = stage->report;
-    report().decomposition.supportVolumeMm3 =
-        decomposed_->report.supportVolumeMm3 + stage->supportVolumeMm3;
-    return done(project::Stage::Layers, stage->findings, stage->timings);
-  }
-
-  bool toolpath() {
-    const auto stage = taken<ToolpathStage>([&] {
-      return toolpathStage(*job().layers, job().platform, *process_,
-                           toolpathOptionsOf(values_, *process_), span(project::Stage::Toolpath));
-    });
-    job().toolPlan = stage->toolPlan;
-    report().toolpath = stage->report;
-    return done(project::Stage::Toolpath, stage->findings, stage->timings);
-  }
-
-  bool motion() {
-    motion_ = taken<MotionStage>([&] { return moved({}, span(project::Stage::Motion)); });
-    return motionDone();
-  }
-
-  std::shared_ptr<const MotionStage> moved(const std::vector<std::size_t>& avoided,
-                                           const base::RunContext& ctx) const {
-    return motionStage(*result_.job.toolPlan, result_.job.platform, *result_.cell, *process_,
-                       motionOptionsOf(values_, choices_.seed), ctx, avoided);
-  }
-
-  bool motionDone() {
-    job().trajectory = motion_->trajectory;
-    report().motion = motion_->report;
-    return done(project::Stage::Motion, motion_->findings, motion_->timings) && job().trajectory;
-  }
-
-  // The motion without the waypoints at which a replay found that something meets.
-  bool moveWithout(const std::vector<std::size_t>& avoided) {
-    const std::size_t told = job().stages[project::indexOf(project::Stage::Motion)].findings;
-    report().findings.resize(report().findings.size() - told);
-    motion_ = moved(avoided, span(project::Stage::Replay).quiet());
-    fresh_ = true;
-    return motionDone();
-  }
-
-  void programs() {
-    std::set<std::size_t> avoided;
-    for (int round = 0;; ++round) {
-      write(round < kRounds);
-      const std::size_t before = avoided.size();
-      for (const auto& checked : result_.checked)
-        avoided.insert(checked->metAt.begin(), checked->metAt.end());
-      // Where only a plan that nothing blocks counts, what fails by other figures too is let go.
-      const bool hopeless =
-          untilBlocked_ && std::ranges::any_of(result_.checked, [](const auto& checked) {
-            return checked->failed.size() > (checked->metAt.empty() ? 0 : 1);
-          });
-      if (avoided.size() == before || round == kRounds || hopeless ||
-          !moveWithout({avoided.begin(), avoided.end()}))
-        break;
-    }
-    keepFresh();
-    plan::Findings findings;
-    project::Timings timings;
-    for (std::size_t i = 0; i < result_.checked.size(); ++i) {
-      timings += result_.checked[i]->timings;
-      tell(*result_.checked[i], i == 0, findings);
-    }
-    done(project::Stage::Replay, findings, timings);
-  }
-
-  // `untilMet`: not what follows a program in which something meets.
-  void write(bool untilMet) {
-    const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
-    const ProgramStageInput in{job().printed(),
-                               job().platform,
-                               *job().toolPlan,
-                               *job().trajectory,
-                               *result_.cell,
-                               *process_,
-                               std::filesystem::path(loaded_->name).stem().string()};
-    result_.checked.clear();
-    replay::JudgedRuns judged;
-    for (std::size_t i = 0; i < formats.size(); ++i) {
-      if (untilMet && i > 0 && !result_.checked.back()->metAt.empty())
-        return;
-      const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
-      const auto make = [&] {
-        return programStage(formats[i], in,
-                            span(project::Stage::Replay).sub(at / count, (at + 1.0) / count),
-                            &judged);
-      };
-      // What is kept was written for the motion before.
-      result_.checked.push_back(
-          fresh_ ? make() : taken<CheckedProgram>(keyOf(formats[i]), formats[i], make));
-    }
-  }
-
-  std::string keyOf(const std::string& format) const {
-    return programKey(keys_, loaded_->name, *process_, format);
-  }
-
-  // Motion and programs together: what is kept belongs together, whenever a plan is cancelled.
-  void keepFresh() {
-    if (!fresh_ || !cache_)
-      return;
-    cache_->keep<MotionStage>(keys_[project::indexOf(project::Stage::Motion)], motion_);
-    for (const auto& checked : result_.checked)
-      cache_->keep<CheckedProgram>(keyOf(checked->program.format), checked,
-                                   checked->program.format);
-  }
-
-  // The first program, the cell's own unless the user chose others, carries the verdict.
-  void tell(const CheckedProgram& checked, bool first, plan::Findings& findings) {
-    project::ProgramReport row;
-    row.format = checked.program.format;
-    row.foreign = checked.program.foreign;
-    for (const plan::ProgramFile& file : checked.program.files) {
-      row.files.push_back(file.name);
-      row.bytes += file.text.size();
-    }
-    row.maxDeviationMm = checked.maxDeviationMm;
-    row.maxDeviationRad = checked.maxDeviationRad;
-    report().programs.push_back(std::move(row));
-    if (first)
-      report().replay = checked.verdict;
-    if (first || !checked.passed)
-      findings.insert(findings.end(), checked.findings.begin(), checked.findings.end());
-    if (!checked.passed)
-      findings.push_back(
-          plan::makeFinding(plan::FindingKind::ProgramRefused,
-                            {{"format", checked.program.format}, {"failed", checked.failed}}));
-  }
-
-  base::Stopwatch whole_;
-  bool untilBlocked_;
-  const project::Choices choices_;
-  project::Stage until_;
-  const base::RunContext& ctx_;
-  StageCache* cache_;
-  const StageObserver& onStage_;
-  const PreviewObserver& onPreview_;
-  base::ParameterValues values_;
-  const modes::Mode& mode_;
-  std::shared_ptr<const process::Process> process_;
-  std::shared_ptr<const project::LoadedPart> loaded_;
-  std::shared_ptr<const modes::LoadStage> placed_;
-  std::shared_ptr<const modes::DecomposeStage> decomposed_;
-  std::shared_ptr<const MotionStage> motion_;
-  bool fresh_ = false; // the motion is another one than its key's
-  project::StageKeys keys_;
-  PlanResult result_;
-};
 
 // Several plans: ways of building in turn, until nothing blocks one.
 class Automatic {
@@ -395,7 +78,7 @@ private:
   PlanResult plan(const project::Choices& way, bool untilBlocked, const base::RunContext& ctx) {
     PlanRequest one = request_;
     one.choices = way;
-    return Road(one, untilBlocked, ctx, cache_, onStage_, onPreview_).run();
+    return planOneWay(one, untilBlocked, ctx, cache_, onStage_, onPreview_);
   }
   PlanResult told(PlanResult result) {
     result.job.report.tried = std::move(tried_);
@@ -423,7 +106,7 @@ PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, Sta
   checkChoices(request.choices);
   if (request.choices.automatic)
     return Automatic(request, ctx, cache, onStage, onPreview).run();
-  return Road(request, false, ctx, cache, onStage, onPreview).run();
+  return planOneWay(request, false, ctx, cache, onStage, onPreview);
 }
 
 project::StageKeys stageKeys(const PlanRequest& request) {

@@ -8,7 +8,6 @@
 #include "layers/layer_stack.h"
 #include "modes/mode.h"
 #include "modes/stages.h"
-#include "motion/motion_options.h"
 #include "plan/finding.h"
 #include "plan/program.h"
 #include "plan/tool_plan.h"
@@ -108,13 +107,6 @@ std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& lay
                                                    const process::Process& process,
                                                    toolpath::ToolpathOptions options,
                                                    const base::RunContext& ctx);
-
-// `avoided`: waypoints that are not to be printed.
-std::shared_ptr<const MotionStage>
-motionStage(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
-            const robot::Cell& cell, const process::Process& process,
-            const motion::MotionOptions& options, const base::RunContext& ctx,
-            const std::vector<std::size_t>& avoided = {});
 
 // Writes the program, reads it back and replays it. `name`: of the part, without extension.
 struct ProgramStageInput {

@@ -258,10 +258,17 @@ TEST(Motion, WhatIsToBeAvoidedIsNotPrinted) {
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const collision::GrowingPart part(plan, 0.45, {});
   const std::vector<std::size_t> avoided{100, 101, 300};
-  const auto result = motion::planMotion(plan, cell, process, part, {}, {}, avoided);
+  motion::MotionPlanner planner(plan, cell, process, part, {});
+  EXPECT_TRUE(planner.plan({}).skipped.empty());
+  const auto result = planner.planWithout(avoided, {});
   EXPECT_EQ(result.skipped, avoided);
   EXPECT_EQ(plan::kindWord(result.findings.front()), "collision");
   EXPECT_EQ(result.statistics.waypoints, plan.waypointCount() - avoided.size());
+
+  // Those of earlier calls stay away.
+  const auto less = planner.planWithout({500}, {});
+  EXPECT_EQ(less.skipped, (std::vector<std::size_t>{100, 101, 300, 500}));
+  EXPECT_EQ(less.statistics.splits, 3u);
 }
 
 TEST(Motion, EmptyPlanAndCancel) {

@@ -1,0 +1,70 @@
+#include "pipeline/part_motion.h"
+
+#include "base/stopwatch.h"
+#include "collision/growing_part.h"
+#include "motion/motion.h"
+#include "plan/finding_kinds.h"
+
+#include <utility>
+
+namespace voluta::pipeline {
+
+PartMotion::PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
+                       const robot::Cell& cell, const process::Process& process,
+                       const motion::MotionOptions& options, const base::RunContext& ctx)
+    : cell_(cell) {
+  if (toolPlan.paths.empty())
+    return;
+  const base::Stopwatch depositing;
+  platform::PlatformSolid ground = platform;
+  ground.rod.reset(); // it is a body of the cell
+  const double pitch = collision::growingPitch(toolPlan, process);
+  growing_ = std::make_unique<const collision::GrowingPart>(
+      toolPlan, pitch, ctx, collision::groundCells(ground, pitch, ctx));
+  planner_ = std::make_unique<motion::MotionPlanner>(toolPlan, cell, process, *growing_, options);
+  depositS_ = depositing.seconds();
+}
+
+PartMotion::~PartMotion() = default;
+
+std::shared_ptr<const MotionStage> PartMotion::plan(const base::RunContext& ctx) {
+  if (planner_)
+    return stageOf(planner_->plan(ctx));
+  auto stage = std::make_shared<MotionStage>();
+  stage->report.robot = cell_.robot().id;
+  stage->report.cell = cell_.id();
+  stage->findings = {plan::makeFinding(plan::FindingKind::NothingToPrint)};
+  return stage;
+}
+
+std::shared_ptr<const MotionStage>
+PartMotion::planWithout(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx) {
+  return planner_ ? stageOf(planner_->planWithout(waypoints, ctx)) : plan(ctx);
+}
+
+std::shared_ptr<const MotionStage> PartMotion::stageOf(motion::MotionResult moved) {
+  auto stage = std::make_shared<MotionStage>();
+  project::MotionReport& r = stage->report;
+  r.robot = cell_.robot().id;
+  r.cell = cell_.id();
+  const motion::MotionStatistics& s = moved.statistics;
+  r.waypoints = s.waypoints;
+  r.unreachable = s.unreachable;
+  r.collisions = s.collisions;
+  r.splits = s.splits;
+  r.maxJerk = s.maxJerk;
+  r.sumSquaredJerk = s.sumSquaredJerk;
+  r.sumSquaredJerkBefore = s.sumSquaredJerkBefore;
+  r.minClearanceMm = s.minClearanceMm;
+  r.durationS = s.durationS;
+  stage->timings.ik = moved.times.ik;
+  stage->timings.graph = moved.times.graph;
+  stage->timings.collision = std::exchange(depositS_, 0.0) + moved.times.collision;
+  stage->timings.jerk = moved.times.jerk;
+  stage->timings.transfer = moved.times.transfer;
+  stage->findings = std::move(moved.findings);
+  stage->trajectory = std::make_shared<plan::Trajectory>(std::move(moved.trajectory));
+  return stage;
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,35 @@
+// From layers to tool-paths.
+#include "pipeline/stages.h"
+#include "toolpath/plan_toolpaths.h"
+
+namespace voluta::pipeline {
+
+std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
+                                                   const platform::PlatformSolid& platform,
+                                                   const process::Process& process,
+                                                   toolpath::ToolpathOptions options,
+                                                   const base::RunContext& ctx) {
+  auto stage = std::make_shared<ToolpathStage>();
+  options.platform = platform;
+  toolpath::ToolpathResult planned = toolpath::planToolpaths(layers, process, options, ctx);
+  const toolpath::ToolpathStatistics& s = planned.statistics;
+  project::ToolpathReport& r = stage->report;
+  r.paths = s.paths;
+  r.waypoints = s.waypoints;
+  r.lengthMm = s.lengthMm;
+  r.travelMm = s.travelMm;
+  r.starts = s.starts;
+  r.simpleRegions = s.simpleRegions;
+  r.coveredFraction = s.coveredFraction;
+  r.overlapFraction = s.overlapFraction;
+  r.gouges = s.gouges;
+  r.maxTurnDeg = s.maxTurnDeg;
+  r.materialMm3 = s.materialMm3;
+  stage->timings.toolpath = planned.seconds.toolpath;
+  stage->timings.orient = planned.seconds.orient;
+  stage->findings = std::move(planned.findings);
+  stage->toolPlan = std::make_shared<plan::ToolPlan>(std::move(planned.plan));
+  return stage;
+}
+
+} // namespace voluta::pipeline
