@@ -83,12 +83,17 @@ double gap(const robot::Shape& a, const Isometry3d& base_T_a, const robot::Shape
 } // namespace
 
 CellCollision::CellCollision(const robot::Cell& cell, const process::Process& process)
-    : cell_(cell) {
+    : cell_(cell), platformTopMm_(-std::numeric_limits<double>::infinity()) {
   const auto& bodies = cell.bodies();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     assemblies_.emplace_back(bodies[i].shapes);
-    if (bodies[i].role == robot::BodyRole::Platform)
+    if (bodies[i].role == robot::BodyRole::Platform) {
       platforms_.push_back(static_cast<int>(i));
+      for (const robot::Shape& shape : bodies[i].shapes)
+        platformTopMm_ = std::max(platformTopMm_, support(shape, Vector3d::UnitZ()));
+    }
+    if (bodies[i].role == robot::BodyRole::Holder && bodies[i].frame == cell.toolFrame())
+      holders_.push_back(static_cast<int>(i));
   }
   const process::HeadShape eroded = process::erodedHead(process.head, process.contactToleranceMm);
   for (std::size_t i = 1; i < eroded.sections.size(); ++i) {
@@ -215,7 +220,35 @@ bool CellCollision::headTouchesPart(const Isometry3d& work_T_tool, const Growing
   });
 }
 
+double CellCollision::lowest(const std::vector<robot::Shape>& shapes,
+                             const Isometry3d& work_T_shapes) {
+  const Vector3d down = work_T_shapes.linear().transpose() * -Vector3d::UnitZ();
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const robot::Shape& shape : shapes)
+    deepest = std::max(deepest, support(shape, down));
+  return work_T_shapes.translation().z() - deepest;
+}
+
+bool CellCollision::holderTouches(const Isometry3d& work_T_tool, const GrowingPart& part,
+                                  std::size_t before, const Margins& margins) const {
+  return std::ranges::any_of(holders_, [&](int h) {
+    const auto i = static_cast<std::size_t>(h);
+    const std::vector<robot::Shape>& shapes = cell_.bodies()[i].shapes;
+    if (std::ranges::any_of(shapes, [&](const robot::Shape& shape) {
+          return part.touches(shape, work_T_tool, margins.partMm, before);
+        }))
+      return true;
+    return lowest(shapes, work_T_tool) <= platformTopMm_ + margins.bodiesMm &&
+           std::ranges::any_of(platforms_, [&](int p) {
+             return distance(assemblies_[i], work_T_tool, assemblies_[static_cast<std::size_t>(p)],
+                             Isometry3d::Identity(), margins.bodiesMm) <= margins.bodiesMm;
+           });
+  });
+}
+
 bool CellCollision::headTouchesPlatform(const Isometry3d& work_T_tool, double marginMm) const {
+  if (lowest(erodedHeadShapes_, work_T_tool) > platformTopMm_ + marginMm)
+    return false;
   return std::any_of(platforms_.begin(), platforms_.end(), [&](int i) {
     return distance(*erodedHead_, work_T_tool, assemblies_[static_cast<std::size_t>(i)],
                     Isometry3d::Identity(), marginMm) <= marginMm;

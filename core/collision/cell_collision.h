@@ -60,6 +60,10 @@ public:
                        std::size_t before, double marginMm) const;
   // The eroded head against the plate and what carries it.
   bool headTouchesPlatform(const Eigen::Isometry3d& work_T_tool, double marginMm) const;
+  // What holds the head, and stands fast in the tool frame, against the plate, what carries it and
+  // the part. This too depends on tip and axis alone where the holder is round.
+  bool holderTouches(const Eigen::Isometry3d& work_T_tool, const GrowingPart& part,
+                     std::size_t before, const Margins& margins) const;
 
   // All of the above.
   std::optional<Contact> any(const Frames& base_T_frame, const GrowingPart& part,
@@ -81,6 +85,9 @@ private:
                   const Eigen::Isometry3d& base_T_b, double enough) const;
   double distance(const Assembly& a, const Eigen::Isometry3d& base_T_a, const Assembly& b,
                   const Eigen::Isometry3d& base_T_b, double enough) const;
+  // The least z of the work frame that the shapes come to.
+  static double lowest(const std::vector<robot::Shape>& shapes,
+                       const Eigen::Isometry3d& work_T_shapes);
   template <typename Visit>
   void forBodiesAgainstPart(const Frames& base_T_frame, Visit&& visit) const;
   bool isHeadAndPlatform(int a, int b) const;
@@ -89,7 +96,8 @@ private:
   std::vector<Assembly> assemblies_; // as cell.bodies()
   std::unique_ptr<Assembly> erodedHead_;
   std::vector<robot::Shape> erodedHeadShapes_;
-  std::vector<int> platforms_;
+  std::vector<int> platforms_, holders_; // of cell.bodies()
+  double platformTopMm_;                 // in the work frame
 };
 
 } // namespace voluta::collision

@@ -123,6 +123,9 @@ Mode curvedMode() {
             {"voxelMm", "frontShape", "fieldRounds", "growthIsp", "growthQueue", "growthBoundary",
              "growthSacrifice", "supports", "overhangAngle"}};
   mode.grows = true;
+  // Near a plate a flat front loses what the head as it is reaches; what is lost all the same is
+  // little, and thin columns carry it.
+  mode.defaults = {{"frontShape", "nozzle"}, {"supports", "auto"}};
   return mode;
 }
 

@@ -13,11 +13,9 @@ namespace voluta::pipeline {
 
 const std::vector<AutomaticWay>& automaticWays() {
   static const std::vector<AutomaticWay> kWays{
-      {"curved", "cell", {{"frontShape", "nozzle"}}},
-      {"planar", "cell"},
-      {"flat", "cell", {{"supports", "auto"}}},
-      {"flat", "cell", {{"supports", "auto"}}, true},
-      {"curved", "fit"},
+      {"curved", "cell", {{"supports", "none"}}},     {"planar", "cell"},
+      {"curved", "cell", {{"supports", "auto"}}},     {"flat", "cell", {{"supports", "auto"}}},
+      {"flat", "cell", {{"supports", "auto"}}, true}, {"curved", "fit"},
   };
   return kWays;
 }
@@ -66,10 +64,13 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
       way.platform = platform;
     if (mode.aroundRod != rod || !way.platform.isForAnyOf(mode.platforms))
       return;
-    for (const project::Choices& other : all)
-      if (other.mode == way.mode && other.platform == way.platform && !lowers(way))
-        return;
-    all.push_back(std::move(way));
+    const project::Choices hand = byHand(way);
+    if (std::ranges::none_of(all, [&](const project::Choices& other) {
+          const project::Choices taken = byHand(other);
+          return taken.mode == hand.mode && taken.platform == hand.platform &&
+                 taken.parameters == hand.parameters;
+        }))
+      all.push_back(std::move(way));
   };
   for (std::size_t i = 0; i < automaticWays().size(); ++i)
     add(modes::findMode(automaticWays()[i].mode), project::Platform(automaticWays()[i].platform),

@@ -18,9 +18,9 @@ struct AutomaticWay {
   bool lowLayers = false; // of a quarter of what the process has between its least and usual height
 };
 
-// In the order they are tried: what needs no support first, then what an ordinary printer does,
-// once more in lower layers, which cover thin and slanted places better; last what needs a pedestal
-// made for the part.
+// In the order they are tried: what needs no support first, then curved layers with thin columns
+// where growth would lose something, then what an ordinary printer does, once more in lower layers,
+// which cover thin and slanted places better; last what needs a pedestal made for the part.
 const std::vector<AutomaticWay>& automaticWays();
 
 // Those of them, and of the modes for rods and bodies, that go with the cell and, where it stays,

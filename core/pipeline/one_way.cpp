@@ -190,7 +190,7 @@ private:
 
   bool toolpath() {
     const auto stage = taken<ToolpathStage>([&] {
-      return toolpathStage(*job().layers, job().platform, *process_,
+      return toolpathStage(*job().layers, *result_.cell, job().platform, *process_,
                            toolpathOptionsOf(values_, *process_), span(project::Stage::Toolpath));
     });
     job().toolPlan = stage->toolPlan;

@@ -19,7 +19,7 @@ constexpr double kRoomMm = 20.0;
 // None where the value is what it is already, or no stage knows the parameter.
 std::optional<project::Choices> withParameter(const project::Choices& choices,
                                               const std::string& key, const std::string& value) {
-  const base::ParameterTable table = allParameters();
+  const base::ParameterTable table = parametersOf(choices.mode);
   const base::ParameterSpec* spec = table.find(key);
   if (!spec)
     return std::nullopt;

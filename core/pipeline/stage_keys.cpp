@@ -42,13 +42,13 @@ struct ProcessKeys {
 
 ProcessKeys keysOf(const process::Process& process) {
   const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
-               speed, travelSpeed, acceleration, tolerance, maxFlow, prime, material, density,
-               head] = process;
+               speed, travelSpeed, acceleration, tolerance, bridge, maxFlow, prime, material,
+               density, head] = process;
   static_cast<void>(label); // nothing is made from it
   return {
       base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed, maxFlow),
       base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
-      base::keyText(id, nozzle, prime, material, density)};
+      base::keyText(id, nozzle, bridge, prime, material, density)};
 }
 
 std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,
@@ -100,10 +100,10 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   put(project::Stage::Decompose, base::keyText(mode.id) + mode.decompose.key(in));
   put(project::Stage::Layers, mode.layers.key(in));
   const ProcessKeys processKeys = keysOf(process);
-  put(project::Stage::Toolpath,
-      base::keyText(toolpathOptionsOf(values, process)) + processKeys.bead + processKeys.head);
-  put(project::Stage::Motion, cellKey + processKeys.travel + processKeys.head +
-                                  base::keyText(motionOptionsOf(values, choices.seed)));
+  put(project::Stage::Toolpath, cellKey + base::keyText(toolpathOptionsOf(values, process)) +
+                                    processKeys.bead + processKeys.head);
+  put(project::Stage::Motion,
+      processKeys.travel + processKeys.head + base::keyText(motionOptionsOf(values, choices.seed)));
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
     formats += " " + format;

@@ -103,6 +103,7 @@ plan::Findings remainingDefects(const project::LoadedPart& loaded);
 
 // `options`: but for the platform.
 std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
+                                                   const robot::Cell& cell,
                                                    const platform::PlatformSolid& platform,
                                                    const process::Process& process,
                                                    toolpath::ToolpathOptions options,

@@ -4,14 +4,13 @@
 
 namespace voluta::pipeline {
 
-std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
-                                                   const platform::PlatformSolid& platform,
-                                                   const process::Process& process,
-                                                   toolpath::ToolpathOptions options,
-                                                   const base::RunContext& ctx) {
+std::shared_ptr<const ToolpathStage>
+toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
+              const platform::PlatformSolid& platform, const process::Process& process,
+              toolpath::ToolpathOptions options, const base::RunContext& ctx) {
   auto stage = std::make_shared<ToolpathStage>();
   options.platform = platform;
-  toolpath::ToolpathResult planned = toolpath::planToolpaths(layers, process, options, ctx);
+  toolpath::ToolpathResult planned = toolpath::planToolpaths(layers, cell, process, options, ctx);
   const toolpath::ToolpathStatistics& s = planned.statistics;
   project::ToolpathReport& r = stage->report;
   r.paths = s.paths;

@@ -111,6 +111,7 @@ enum class FindingKind : std::uint8_t {
   Overfill,
   Mass,
   Unsupported,
+  LongBridge,
   ReplayedCollision,
   MoreReplayedCollisions,
   OutOfReach,

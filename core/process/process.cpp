@@ -11,6 +11,8 @@ namespace voluta::process {
 namespace {
 using base::JsonNode;
 
+constexpr double kBridgeWidths = 5.0; // of a process that says nothing of bridges
+
 // A size that is chosen within limits: 0 < min <= default <= max.
 void readRange(const JsonNode& node, double& usual, double& least, double& most) {
   node.allowOnly({"default", "min", "max"});
@@ -53,7 +55,7 @@ Process readProcess(const std::filesystem::path& file) {
   const JsonNode top = JsonNode::readFile(file);
   top.allowOnly({"id", "label", "nozzleDiameterMm", "layerHeightMm", "beadWidthMm", "stepMm",
                  "speedMmPerS", "travelSpeedMmPerS", "accelerationMmPerS2", "contactToleranceMm",
-                 "maxFlowMm3PerS", "primeS", "material", "densityGPerCm3", "head"});
+                 "bridgeMm", "maxFlowMm3PerS", "primeS", "material", "densityGPerCm3", "head"});
   Process p;
   p.id = top.at("id").text();
   p.label = top.at("label").text();
@@ -65,6 +67,8 @@ Process readProcess(const std::filesystem::path& file) {
   p.travelSpeedMmPerS = top.at("travelSpeedMmPerS").positive();
   p.accelerationMmPerS2 = top.at("accelerationMmPerS2").positive();
   p.contactToleranceMm = top.at("contactToleranceMm").notNegative();
+  p.bridgeMm =
+      top.has("bridgeMm") ? top.at("bridgeMm").notNegative() : kBridgeWidths * p.beadWidthMm;
   p.maxFlowMm3PerS = top.at("maxFlowMm3PerS").positive();
   p.primeS = top.at("primeS").notNegative();
   p.material = top.at("material").text();

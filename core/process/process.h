@@ -29,6 +29,7 @@ struct Process {
   double accelerationMmPerS2 = 500.0;
   double contactToleranceMm = 0.4; // the head may be this deep in soft, rounded beads: contact,
                                    // not collision
+  double bridgeMm = 6.0;           // a bead spans so much with nothing beneath it
   double maxFlowMm3PerS = 40.0;    // flow at the analogue output's full scale
   double primeS = 0.2;             // extruder runs this long before a path moves
   std::string material = "PLA";

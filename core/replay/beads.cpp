@@ -235,6 +235,7 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
   });
   SupportedBeads result;
   double inTheAir = 0.0;
+  std::size_t from = 0;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const double length = (pieces[p].to - pieces[p].from).norm();
     result.lengthMm += length;
@@ -245,8 +246,17 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
     if (found[p].carried < 0.5)
       result.halfCarriedMm += length;
     const bool goesOn = p > 0 && pieces[p].run == pieces[p - 1].run;
-    inTheAir = found[p].carried > 0.0 ? 0.0 : (goesOn ? inTheAir : 0.0) + length;
-    result.longestUnsupportedMm = std::max(result.longestUnsupportedMm, inTheAir);
+    if (!goesOn || found[p].carried > 0.0)
+      inTheAir = 0.0;
+    if (found[p].carried > 0.0)
+      continue;
+    if (inTheAir == 0.0)
+      from = p;
+    inTheAir += length;
+    if (inTheAir > result.longestUnsupportedMm) {
+      result.longestUnsupportedMm = inTheAir;
+      result.longestFrom = static_cast<std::uint32_t>(from);
+    }
   }
   return result;
 }

@@ -49,8 +49,10 @@ std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pie
 struct SupportedBeads {
   double lengthMm = 0.0, unsupportedMm = 0.0;
   double halfCarriedMm = 0.0;             // carried on less than half their width
-  double longestUnsupportedMm = 0.0;      // of one bead, carried on none of it
   std::vector<std::uint32_t> unsupported; // pieces, in order
+  // The longest stretch of one bead that is carried on none of its width, and its first piece.
+  double longestUnsupportedMm = 0.0;
+  std::uint32_t longestFrom = 0;
 };
 
 // A piece is supported where, at its middle, the ground or material laid before lies beneath the

@@ -189,6 +189,13 @@ private:
       add(Unsupported, {{"length", base::mm(support.unsupportedMm)}}, first.to, first.motion,
           support.unsupported.size());
     }
+    if (support.longestUnsupportedMm > in_.process.bridgeMm) {
+      const BeadPiece& first = pieces[support.longestFrom];
+      add(LongBridge,
+          {{"length", base::mm(support.longestUnsupportedMm)},
+           {"bridge", base::mm(in_.process.bridgeMm)}},
+          first.to, first.motion);
+    }
   }
 
   void findClashes(const JudgedRun* known) {

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace voluta::toolpath {
 
@@ -26,6 +27,7 @@ constexpr std::size_t kGrain = 512;
 // From what is printed already, where a direction keeps it: programs are judged by the head as it
 // is, and ways between waypoints come nearer.
 constexpr double kMarginMm = 0.05;
+const double kGoldenAngle = base::kPi * (3.0 - std::sqrt(5.0));
 
 double angleBetween(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -42,10 +44,9 @@ Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
 
 class Orienter {
 public:
-  Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear,
+  Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear, const robot::Cell& cell,
            const process::Process& process, const ToolpathOptions& o, const base::RunContext& ctx)
-      : plan_(plan), clear_(clear), process_(process), o_(o), ctx_(ctx),
-        head_(process, o.platform.polygon) {
+      : plan_(plan), clear_(clear), process_(process), o_(o), ctx_(ctx), head_(cell, process) {
     middle_.resize(plan.waypointCount());
     for (std::size_t i = 0; i < middle_.size(); ++i)
       middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];
@@ -108,15 +109,41 @@ private:
     return std::nullopt;
   }
 
+  // Of directions all about the layer's own, 6 degrees apart, the nearest to it that is clear:
+  // what is left between two walls is narrower than the rings are dense. `last`: what came of this
+  // for the waypoint before, which mostly goes on.
+  std::optional<Vector3d> narrowClear(const collision::GrowingPart& part, std::size_t i,
+                                      const std::optional<Vector3d>& last) const {
+    constexpr int kSphere = 1000;
+    const double least = std::cos(base::degreesToRadians(75.0));
+    const Vector3d& t = plan_.direction[i];
+    if (last && last->dot(t) >= least && clears(part, i, *last))
+      return last;
+    const Vector3d u = t.unitOrthogonal(), v = t.cross(u);
+    for (int k = 0; k < kSphere; ++k) {
+      const double along = 1.0 - (2.0 * k + 1.0) / kSphere;
+      if (along < least)
+        break;
+      const double across = std::sqrt(1.0 - along * along), angle = k * kGoldenAngle;
+      const Vector3d d = along * t + across * (std::cos(angle) * u + std::sin(angle) * v);
+      if (clears(part, i, d))
+        return d;
+    }
+    return std::nullopt;
+  }
+
   void choose(const collision::GrowingPart& part) {
     direction_ = plan_.direction;
     base::parallelChunks(ctx_, direction_.size(), kGrain, [&](std::size_t b, std::size_t e) {
+      std::optional<Vector3d> narrow;
       for (std::size_t i = b; i < e; ++i) {
         if (i % 64 == 0 && ctx_.cancelled())
           return;
         std::optional<Vector3d> clear = firstClear(part, i, kMarginMm);
         if (!clear)
           clear = firstClear(part, i, 0.0);
+        if (!clear)
+          clear = narrow = narrowClear(part, i, narrow);
         direction_[i] = clear.value_or(clear_[i]);
       }
     });
@@ -229,8 +256,15 @@ private:
     r.findings.push_back(
         plan::makeFinding(plan::FindingKind::Gouge, {}, p.position[first], r.gouges));
     // Motion leaves out where the head would cut in; a few places do not matter by themselves.
-    r.findings.back().blocking = static_cast<double>(r.gouges) >
-                                 plan::kBlockingShare * static_cast<double>(p.waypointCount());
+    double length = 0.0, gouged = 0.0;
+    for (const plan::ToolPath& path : p.paths)
+      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+        const double step = (p.position[i] - p.position[i - 1]).norm();
+        length += step;
+        if (gouge[i] || gouge[i - 1])
+          gouged += step;
+      }
+    r.findings.back().blocking = gouged > plan::kBlockingShare * length;
   }
 
   const ToolPlan& plan_;
@@ -245,27 +279,30 @@ private:
 } // namespace
 
 OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>& clearDirection,
-                              const process::Process& process, const ToolpathOptions& options,
-                              const base::RunContext& ctx) {
+                              const robot::Cell& cell, const process::Process& process,
+                              const ToolpathOptions& options, const base::RunContext& ctx) {
   base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
   if (plan.waypointCount() == 0)
     return {};
   // Leaning moves tips and beads a little, and subdividing adds waypoints: what isn't clear after
-  // that is gone over again.
+  // that is gone over again, as long as that helps.
   constexpr int kRounds = 4;
   ToolPlan current = plan;
   std::vector<Vector3d> clear = clearDirection;
-  OrientResult result;
+  OrientResult best;
   for (int round = 0; round < kRounds; ++round) {
-    Orienter orienter(current, clear, process, options,
+    Orienter orienter(current, clear, cell, process, options,
                       round == 0 ? ctx.sub(0.0, 0.7) : ctx.sub(0.7, 1.0));
-    result = orienter.run();
-    if (result.gouges == 0)
+    OrientResult result = orienter.run();
+    if (round > 0 && result.gouges >= best.gouges)
+      break;
+    best = std::move(result);
+    if (best.gouges == 0)
       break;
     clear = orienter.subdividedClear();
-    current = result.plan;
+    current = best.plan;
   }
-  return result;
+  return best;
 }
 
 } // namespace voluta::toolpath

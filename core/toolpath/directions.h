@@ -4,6 +4,7 @@
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
 #include "process/process.h"
+#include "robot/cell.h"
 #include "toolpath/options.h"
 
 #include <Eigen/Core>
@@ -23,16 +24,16 @@ struct OrientResult {
 };
 
 // Keeps each waypoint's direction (that of its layer: Dai eq. 3.3 with the closest point of the
-// layer before, which the level surfaces' gradient is) where the head clears what is printed before
-// it, and leans it towards its clear direction only as far as it must, else towards whatever
-// nearby clears; low-passes along the path where neighbours differ by more than smoothBeyondDeg
-// (Dai 3.5.2) unless that gouges; subdivides steps that turn more than turnLimitDeg. The middle of
-// each bead stays where it is: tip = middle + 1/2 height x direction. Gone over up to four times
-// while anything gouges. clearDirection: per waypoint, unit. Preconditions: sizes match. Throws
-// Cancelled.
+// layer before, which the level surfaces' gradient is) where head and holder clear the plate, what
+// carries it and what is printed before, and leans it towards its clear direction only as far as it
+// must, else towards whatever nearby clears, up to 75 degrees from its own; low-passes along the
+// path where neighbours differ by more than smoothBeyondDeg (Dai 3.5.2) unless that gouges;
+// subdivides steps that turn more than turnLimitDeg. The middle of each bead stays where it is: tip
+// = middle + 1/2 height x direction. Gone over up to four times while less and less gouges.
+// clearDirection: per waypoint, unit. Preconditions: sizes match. Throws Cancelled.
 OrientResult orientDirections(const plan::ToolPlan& plan,
                               const std::vector<Eigen::Vector3d>& clearDirection,
-                              const process::Process& process, const ToolpathOptions& options,
-                              const base::RunContext& ctx);
+                              const robot::Cell& cell, const process::Process& process,
+                              const ToolpathOptions& options, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

@@ -1,33 +1,31 @@
 // Does the head, at a waypoint, reach into what is printed or into the plate?
 #pragma once
 
+#include "collision/cell_collision.h"
 #include "collision/growing_part.h"
 #include "process/process.h"
-#include "robot/body.h"
+#include "robot/cell.h"
 
-#include <Eigen/Geometry>
-#include <vector>
+#include <Eigen/Core>
+#include <cstddef>
 
 namespace voluta::toolpath {
 
+// By the same queries as the motion planner's, so that neither refuses what the other took.
 class HeadClearance {
 public:
-  // The head less the contact tolerance (process::erodedHead). platform: convex, counter-clockwise,
-  // work frame, solid below z = 0; empty: none.
-  HeadClearance(const process::Process& process, std::vector<Eigen::Vector2d> platform);
+  // `cell` must outlive this; process is the cell's.
+  HeadClearance(const robot::Cell& cell, const process::Process& process);
 
-  // Is the head clear of the plate, and by marginMm of all that is filled before waypoint `before`,
-  // with the tip at `tip` and the nozzle coming from `direction` (unit)? What lies in it by less
-  // than half a cell of the part's grid does not count, as in CellCollision. Work frame, mm.
+  // With the tip at `tip` and the nozzle coming from `direction` (unit): is the head, less the
+  // contact tolerance, clear of the plate and what carries it, and by marginMm of all that is
+  // filled before waypoint `before` (what lies in it by less than half a cell of the part's grid
+  // does not count)? Is the head's holder as far from both as from any body? Work frame, mm.
   bool clears(const collision::GrowingPart& part, const Eigen::Vector3d& tip,
               const Eigen::Vector3d& direction, std::size_t before, double marginMm = 0.0) const;
 
 private:
-  bool clearsPlatform(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction) const;
-
-  std::vector<robot::Frustum> frusta_; // tool frame: z in the direction of extrusion
-  std::vector<robot::Shape> shapes_;
-  std::vector<Eigen::Vector2d> platform_, rim_; // rim: points along the platform's edge
+  collision::CellCollision collision_;
 };
 
 } // namespace voluta::toolpath

@@ -20,9 +20,8 @@ struct ToolpathOptions {
   double edgeMm = 0.6;           // patches are refined to edges of this length for planning
   double turnLimitDeg = 5.0;     // steps in which the direction turns more are subdivided
   double smoothBeyondDeg = 10.0; // Dai 3.5.2
-  // What the head has to keep clear of beside the part, work frame; none: nothing.
+  // What of it is no plate is there before the part, work frame; the plate is the cell's.
   platform::PlatformSolid platform;
-  double platformThicknessMm = 8.0;
 };
 
 // Keys walls, infill, infillDensity, infillAngle, infillTurn, windingAngle.

@@ -115,8 +115,9 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
   return out;
 }
 
-ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Process& process,
-                             const ToolpathOptions& options, const base::RunContext& ctx) {
+ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
+                             const process::Process& process, const ToolpathOptions& options,
+                             const base::RunContext& ctx) {
   ToolpathResult r;
   base::Stopwatch watch;
   std::vector<PatchCover> covers(stack.patches.size());
@@ -136,7 +137,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Pro
   r.seconds.toolpath = watch.seconds();
 
   watch = base::Stopwatch();
-  OrientResult oriented = orientDirections(assembled.plan, assembled.clearDirection, process,
+  OrientResult oriented = orientDirections(assembled.plan, assembled.clearDirection, cell, process,
                                            options, ctx.sub(0.6, 1.0));
   r.seconds.orient = watch.seconds();
   r.plan = std::move(oriented.plan);

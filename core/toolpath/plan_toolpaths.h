@@ -5,6 +5,7 @@
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
 #include "process/process.h"
+#include "robot/cell.h"
 #include "toolpath/cover_patch.h"
 #include "toolpath/options.h"
 
@@ -48,12 +49,15 @@ struct Assembled {
 Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
                    const process::Process& process);
 
-// coverPatch for every patch, assemble, orientDirections. Throws Cancelled, Error{Usage}.
+// coverPatch for every patch, assemble, orientDirections. Precondition: process is the cell's.
+// Throws Cancelled, Error{Usage}.
 // Example:
 //   toolpath::ToolpathOptions options;
 //   options.platform = plate;
-//   const toolpath::ToolpathResult made = toolpath::planToolpaths(stack, process, options, ctx);
-ToolpathResult planToolpaths(const layers::LayerStack& stack, const process::Process& process,
-                             const ToolpathOptions& options, const base::RunContext& ctx);
+//   const toolpath::ToolpathResult made =
+//       toolpath::planToolpaths(stack, cell, process, options, ctx);
+ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
+                             const process::Process& process, const ToolpathOptions& options,
+                             const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

@@ -6,6 +6,7 @@
 #include "geometry/mesh_query.h"
 #include "geometry/placement.h"
 #include "process/process.h"
+#include "robot/cell.h"
 #include "robot/robot_model.h"
 #include "samples/sample_part.h"
 #include "toolpath/plan_toolpaths.h"
@@ -84,8 +85,9 @@ void toolpathsAndGrowingPart(benchmark::State& state) {
   const geometry::TriangleMesh mesh = part();
   const layers::LayerStack stack = curved::curvedLayers(decomposed(mesh), mesh, {}, {}).stack;
   const process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, curved::platformDisc(80.0));
   for (auto _ : state) {
-    const auto planned = toolpath::planToolpaths(stack, process, {}, {});
+    const auto planned = toolpath::planToolpaths(stack, cell, process, {}, {});
     benchmark::DoNotOptimize(collision::GrowingPart(planned.plan, 0.5, {}).grid().cellCount());
   }
 }

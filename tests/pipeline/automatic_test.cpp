@@ -95,6 +95,28 @@ TEST(Automatic, FlatLayersAreTriedOnceMoreInLowOnes) {
   EXPECT_EQ(flat, 1) << "whoever says how high layers are is not asked twice";
 }
 
+TEST(Automatic, NoTwoWaysComeToTheSame) {
+  const auto differ = [](const std::vector<project::Choices>& ways) {
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const project::Choices a = pipeline::byHand(ways[i]), b = pipeline::byHand(ways[k]);
+        if (a.mode == b.mode && a.platform == b.platform && a.parameters == b.parameters)
+          return false;
+      }
+    return true;
+  };
+  const std::vector<project::Choices> all = automaticChoices(automatic());
+  EXPECT_EQ(all.size(), pipeline::automaticWays().size());
+  EXPECT_TRUE(differ(all));
+  for (const char* supports : {"none", "auto"}) {
+    project::Choices choices = automatic();
+    choices.parameters["supports"] = supports;
+    const std::vector<project::Choices> ways = automaticChoices(choices);
+    EXPECT_LT(ways.size(), all.size());
+    EXPECT_TRUE(differ(ways));
+  }
+}
+
 TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
   const pipeline::PlanResult result = pipeline::planPart(automaticRequest(), {});
   const project::Job& job = result.job;

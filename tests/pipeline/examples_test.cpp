@@ -43,11 +43,11 @@ geometry::TriangleMesh readExample(const std::filesystem::path& stl) {
   return part;
 }
 
-plan::ToolPlan coverExample(const layers::LayerStack& stack, const process::Process& process,
-                            const platform::PlatformSolid& plate) {
+plan::ToolPlan coverExample(const layers::LayerStack& stack, const robot::Cell& cell,
+                            const process::Process& process, const platform::PlatformSolid& plate) {
   toolpath::ToolpathOptions options;
   options.platform = plate;
-  const toolpath::ToolpathResult made = toolpath::planToolpaths(stack, process, options, ctx);
+  const toolpath::ToolpathResult made = toolpath::planToolpaths(stack, cell, process, options, ctx);
   EXPECT_GT(made.statistics.coveredFraction, 0.9);
   return made.plan;
 }
@@ -78,7 +78,7 @@ TEST(Examples, FromAFileToAVerdict) {
 
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, plate);
-  const plan::ToolPlan toolPlan = coverExample(layers.stack, process, plate);
+  const plan::ToolPlan toolPlan = coverExample(layers.stack, cell, process, plate);
   const plan::Trajectory trajectory = moveExample(toolPlan, cell, process);
 
   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};

@@ -88,7 +88,9 @@ TEST(Modes, ParametersAreThoseThatReachTheLayers) {
   for (const Mode& mode : modes::modeTable()) {
     for (const auto& [key, text] : mode.defaults)
       EXPECT_NE(pipeline::allParameters().find(key), nullptr) << mode.id << ": " << key;
-    for (const base::ParameterSpec& spec : table.specs()) {
+    const base::ParameterTable own = pipeline::parametersOf(mode.id);
+    for (const base::ParameterSpec& any : table.specs()) {
+      const base::ParameterSpec& spec = *own.find(any.key); // with the mode's default
       if (spec.key == "voxelMm") // also the unit of parts that are voxels
         continue;
       EXPECT_EQ(modes::takesParameter(mode, spec.key), reaches(mode, spec))

@@ -25,6 +25,11 @@ process::Process testProcess() {
   return p;
 }
 
+robot::Cell testCell(double radiusMm = 30.0) {
+  return robot::loadCell("ur5-fixed", testProcess(),
+                         platform::PlatformSolid(test::circle(radiusMm)));
+}
+
 // A dome of `count` caps over a plate; directions lean up to 40 degrees more than the dome's, so
 // that the head of a tilted nozzle would cut into the plate or into what stands around.
 layers::LayerStack dome(int count, double extraTilt) {
@@ -51,7 +56,7 @@ layers::LayerStack dome(int count, double extraTilt) {
 TEST(PlanToolpaths, KeepsThePlansContract) {
   const auto stack = dome(3, 0.0);
   toolpath::ToolpathOptions o;
-  const auto r = toolpath::planToolpaths(stack, testProcess(), o, base::RunContext{});
+  const auto r = toolpath::planToolpaths(stack, testCell(), testProcess(), o, base::RunContext{});
   const plan::ToolPlan& p = r.plan;
   ASSERT_GT(p.waypointCount(), 1000u);
   ASSERT_EQ(p.direction.size(), p.waypointCount());
@@ -88,9 +93,10 @@ TEST(PlanToolpaths, KeepsThePlansContract) {
 
 TEST(PlanToolpaths, SameForAnyNumberOfThreads) {
   const auto stack = dome(3, 0.6);
-  const auto one = toolpath::planToolpaths(stack, testProcess(), {}, base::RunContext{});
-  const auto two =
-      toolpath::planToolpaths(stack, testProcess(), {}, base::RunContext(base::CancelToken{}, 2));
+  const auto one =
+      toolpath::planToolpaths(stack, testCell(), testProcess(), {}, base::RunContext{});
+  const auto two = toolpath::planToolpaths(stack, testCell(), testProcess(), {},
+                                           base::RunContext(base::CancelToken{}, 2));
   EXPECT_EQ(toolpath::writeToolpathVtp(one.plan), toolpath::writeToolpathVtp(two.plan));
 }
 
@@ -99,7 +105,7 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
   const process::Process process = testProcess();
   toolpath::ToolpathOptions o;
   o.platform = test::circle(60);
-  const auto r = toolpath::planToolpaths(stack, process, o, base::RunContext{});
+  const auto r = toolpath::planToolpaths(stack, testCell(60), process, o, base::RunContext{});
   EXPECT_EQ(r.statistics.gouges, 0u);
   EXPECT_TRUE(r.findings.empty());
 
@@ -137,7 +143,8 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
   EXPECT_GE(lowest, -1e-9);
 
   // And there was something to lean away from.
-  const toolpath::HeadClearance clearance(process, o.platform.polygon);
+  const robot::Cell cell = testCell(60);
+  const toolpath::HeadClearance clearance(cell, process);
   std::vector<toolpath::PatchCover> covers;
   for (const layers::Patch& patch : stack.patches)
     covers.push_back(toolpath::coverPatch(patch, process, o, base::RunContext{}));
@@ -161,7 +168,7 @@ TEST(PlanToolpaths, NoRoomForTheHeadIsAFinding) {
   }
   stack.patches.push_back(test::patchOver({test::circle(2)}));
   stack.layerCount = 40;
-  const auto r = toolpath::planToolpaths(stack, testProcess(), {}, base::RunContext{});
+  const auto r = toolpath::planToolpaths(stack, testCell(), testProcess(), {}, base::RunContext{});
   EXPECT_GT(r.statistics.gouges, 0u);
   ASSERT_EQ(r.findings.size(), 1u);
   EXPECT_EQ(voluta::plan::kindWord(r.findings[0]), "gouge");
@@ -173,12 +180,13 @@ TEST(PlanToolpaths, NoRoomForTheHeadIsAFinding) {
 TEST(PlanToolpaths, Cancels) {
   base::CancelToken token;
   token.cancel();
-  EXPECT_THROW(toolpath::planToolpaths(dome(2, 0), testProcess(), {}, base::RunContext(token, 2)),
+  EXPECT_THROW(toolpath::planToolpaths(dome(2, 0), testCell(), testProcess(), {},
+                                       base::RunContext(token, 2)),
                base::Cancelled);
 }
 
 TEST(PlanToolpaths, NothingInNothingOut) {
-  const auto r = toolpath::planToolpaths({}, testProcess(), {}, base::RunContext{});
+  const auto r = toolpath::planToolpaths({}, testCell(), testProcess(), {}, base::RunContext{});
   EXPECT_EQ(r.plan.waypointCount(), 0u);
   EXPECT_TRUE(r.findings.empty());
 }
