@@ -30,7 +30,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int kRounds = 3; // of planning again what meets on a closer look
+constexpr int kRounds = 10; // of planning again what meets on a closer look
 
 double materialOf(const plan::ToolPlan& plan) {
   const auto section = [&](std::size_t i) {
@@ -152,13 +152,14 @@ private:
     std::vector<Refused> refused;
   };
 
-  // The paths that have such waypoints, ascending.
+  // The paths that have such waypoints, ascending, but those that do without them already.
   std::vector<std::size_t> avoid(const std::vector<std::size_t>& waypoints) {
     std::set<std::size_t> paths;
     for (const std::size_t w : waypoints) {
       base::require(w < refusals_.size(), "waypoints of the plan, which is planned");
-      if (refusals_[w] == Refusal::None)
-        refusals_[w] = Refusal::CloserLook;
+      if (refusals_[w] != Refusal::None)
+        continue;
+      refusals_[w] = Refusal::CloserLook;
       paths.insert(static_cast<std::size_t>(plan::pathOf(plan_, w) - plan_.paths.data()));
     }
     return {paths.begin(), paths.end()};
@@ -204,8 +205,11 @@ private:
   // places where it does.
   MotionResult joined(const base::RunContext& ctx) {
     join(ctx);
-    for (int round = 0; round < kRounds && !check_.collisions.empty(); ++round) {
-      for (const std::size_t p : avoid(metAt()))
+    for (int round = 0; round < kRounds; ++round) {
+      const std::vector<std::size_t> paths = avoid(metAt());
+      if (paths.empty())
+        break;
+      for (const std::size_t p : paths)
         planPath(p, ctx);
       join(ctx);
     }
@@ -224,7 +228,7 @@ private:
     for (const PathWay& way : ways_)
       runs.insert(runs.end(), way.runs.begin(), way.runs.end());
     ConnectedRuns connected =
-        connectRuns(scene_, std::move(runs), home_, planner_, ctx.sub(0.0, 0.5));
+        connectRuns(scene_, std::move(runs), home_, planner_, transfers_, ctx.sub(0.0, 0.5));
     lost_ = std::move(connected.lost);
     refusedAgain_ = std::move(connected.refused);
     result_.times.transfer += watch.seconds();
@@ -403,6 +407,7 @@ private:
   MotionScene scene_;
   PathPlanner planner_;
   RobotState home_;
+  KnownTransfers transfers_;
   std::vector<std::size_t> headBefore_;
   std::vector<Refusal> refusals_;     // of waypoints, before any path is planned
   std::vector<PathWay> ways_;         // a path

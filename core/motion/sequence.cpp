@@ -33,9 +33,9 @@ std::vector<Surround> surroundsOf(const plan::ToolPlan& plan) {
 
 class Connector {
 public:
-  Connector(const MotionScene& scene, PathPlanner& paths, const RobotState& home,
-            const base::RunContext& ctx)
-      : scene_(scene), paths_(paths), home_(home), ctx_(ctx), usual_(scene),
+  Connector(const MotionScene& scene, PathPlanner& paths, KnownTransfers& known,
+            const RobotState& home, const base::RunContext& ctx)
+      : scene_(scene), paths_(paths), known_(known), home_(home), ctx_(ctx), usual_(scene),
         thorough_(scene, kThorough), surrounds_(surroundsOf(scene.plan)) {}
 
   ConnectedRuns connect(std::vector<Run> runs) {
@@ -65,6 +65,8 @@ public:
   }
 
 private:
+  using Way = KnownTransfers::Way;
+
   std::vector<Run>& kept() { return result_.sequence.runs; }
 
   std::size_t afterLast() { return kept().back().points.back().next + 1; }
@@ -106,8 +108,11 @@ private:
     const plan::ToolPath &pathA = scene_.plan.paths[a.path], &pathB = scene_.plan.paths[b.path];
     const bool hop = pathA.layer == pathB.layer && pathA.patch == pathB.patch &&
                      (last.at.tip - first.at.tip).norm() <= scene_.options.hopMm;
-    return usual_.plan(last.at, first.at, hop, first.next, surrounds_[b.path],
-                       scene_.options.seed + first.next, ctx_);
+    return known_.of(Way::Between, last.at, first.at, last.next, first.next, surrounds_[b.path],
+                     [&] {
+                       return usual_.plan(last.at, first.at, hop, first.next, surrounds_[b.path],
+                                          scene_.options.seed + first.next, ctx_);
+                     });
   }
 
   RobotState rest() {
@@ -120,10 +125,19 @@ private:
   bool park(std::size_t before, const Surround& surround) {
     const RunPoint& end = kept().back().points.back();
     for (const TransferPlanner* planner : {&usual_, &thorough_})
-      if ((parked_ = planner->leave(end.at, rest(), before, surround,
-                                    scene_.options.seed + end.next, ctx_)))
+      if ((parked_ = leave(*planner, end, rest(), before, surround)))
         return true;
     return false;
+  }
+
+  std::optional<Transfer> leave(const TransferPlanner& planner, const RunPoint& end,
+                                const RobotState& rest, std::size_t before,
+                                const Surround& surround) {
+    return known_.of(&planner == &usual_ ? Way::Leave : Way::LeaveThoroughly, end.at, rest,
+                     end.next, before, surround, [&] {
+                       return planner.leave(end.at, rest, before, surround,
+                                            scene_.options.seed + end.next, ctx_);
+                     });
   }
 
   // There was none: the last kept run ends sooner, or is not printed, or some before it neither.
@@ -142,8 +156,7 @@ private:
           break;
         const RunPoint& end = run.points[count - 1];
         const RobotState home = stateAt(scene_.cell, homeAfter(scene_.cell, end.at.q));
-        auto way =
-            usual_.leave(end.at, home, before, surround, scene_.options.seed + end.next, ctx_);
+        auto way = leave(usual_, end, home, before, surround);
         if (!way)
           continue;
         for (std::size_t k = 0; k < runs; ++k)
@@ -177,8 +190,12 @@ private:
   std::optional<Transfer> approach(const TransferPlanner& planner, const Run& run, std::size_t at,
                                    const Surround& surround) {
     const RunPoint& start = run.points[at];
-    return planner.approach(rest(), start.at, start.next, surround,
-                            scene_.options.seed + start.next, ctx_);
+    const RobotState from = rest();
+    return known_.of(&planner == &usual_ ? Way::Approach : Way::ApproachThoroughly, from, start.at,
+                     start.next, start.next, surround, [&] {
+                       return planner.approach(from, start.at, start.next, surround,
+                                               scene_.options.seed + start.next, ctx_);
+                     });
   }
 
   // The way begins where the arm has been brought to rest.
@@ -253,6 +270,7 @@ private:
 
   const MotionScene& scene_;
   PathPlanner& paths_;
+  KnownTransfers& known_;
   const RobotState& home_;
   const base::RunContext& ctx_;
   TransferPlanner usual_, thorough_;
@@ -271,8 +289,8 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q) {
 }
 
 ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,
-                          PathPlanner& paths, const base::RunContext& ctx) {
-  return Connector(scene, paths, home, ctx).connect(std::move(runs));
+                          PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx) {
+  return Connector(scene, paths, known, home, ctx).connect(std::move(runs));
 }
 
 } // namespace voluta::motion

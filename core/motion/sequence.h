@@ -1,6 +1,7 @@
 // Runs in order, with the ways between them: from home to the first one, on from each, home again.
 #pragma once
 
+#include "motion/known_transfers.h"
 #include "motion/motion_scene.h"
 #include "motion/path_planner.h"
 #include "motion/refusal.h"
@@ -42,8 +43,8 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 // Where it would not get away from a run's end, that run ends where it does; where it cannot come
 // to a run's start, that run begins where it can. What is lost so is a piece of that run, at the
 // worst all of it, and never what follows. The last way, home, is always there where a run is.
-// Throws Cancelled.
+// Throws Cancelled. `known`: of this scene; grows.
 ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,
-                          PathPlanner& paths, const base::RunContext& ctx);
+                          PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx);
 
 } // namespace voluta::motion
