@@ -50,6 +50,53 @@ TEST(Polyhedron, AgainstSampling) {
   }
 }
 
+// The holder, 20 mm round and from 110 mm behind the tip on, lies down beside a plate.
+TEST(Holder, MeetsAPlateThatReachesUnderIt) {
+  const process::Process process = process::loadProcess("fdm-1.0");
+  const collision::GrowingPart nothing({}, 1.0, {});
+  const auto meets = [&](double plateMm, double tipMm) {
+    std::vector<Eigen::Vector2d> plate;
+    for (int i = 0; i < 64; ++i)
+      plate.emplace_back(plateMm * std::cos(i * base::kPi / 32),
+                         plateMm * std::sin(i * base::kPi / 32));
+    const robot::Cell cell = robot::loadCell("ur5-fixed", process, plate);
+    const collision::CellCollision collision(cell, process);
+    Isometry3d work_T_tool = Isometry3d::Identity();
+    work_T_tool.linear() =
+        geometry::leastTurn(Vector3d::UnitZ(), -Vector3d::UnitX()).toRotationMatrix();
+    work_T_tool.translation() = Vector3d(0, 0, tipMm);
+    return collision.holderTouches(work_T_tool, nothing, 0, {2.0, 2.0, 0.0});
+  };
+  EXPECT_TRUE(meets(130.0, 21.5));
+  EXPECT_FALSE(meets(130.0, 22.5)); // clear by more than the margin
+  EXPECT_FALSE(meets(100.0, 15.0)); // it begins beyond the plate's edge
+  EXPECT_FALSE(meets(130.0, -60.0)) << "beside what is below the plate";
+}
+
+// What is printed counts from the waypoint on at which it is there.
+TEST(Holder, MeetsThePartThatIsPrintedByThen) {
+  const process::Process process = process::loadProcess("fdm-1.0");
+  plan::ToolPlan plan;
+  for (int i = 0; i <= 10; ++i) {
+    plan.position.emplace_back(i, 0.0, 100.0);
+    plan.direction.push_back(Vector3d::UnitZ());
+    plan.widthMm.push_back(1.2f);
+    plan.heightMm.push_back(0.8f);
+    plan.speedMmPerS.push_back(20.0f);
+  }
+  plan.paths.push_back({.first = 0, .count = 11});
+  const collision::GrowingPart part(plan, 0.4, {});
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process,
+                                           std::vector<Eigen::Vector2d>{{-5, -5}, {5, -5}, {0, 5}});
+  const collision::CellCollision collision(cell, process);
+  Isometry3d work_T_tool = Isometry3d::Identity();
+  work_T_tool.linear() =
+      geometry::leastTurn(Vector3d::UnitZ(), -Vector3d::UnitX()).toRotationMatrix();
+  work_T_tool.translation() = Vector3d(-150.0, 0.0, 100.0); // 150 mm behind: in the holder
+  EXPECT_TRUE(collision.holderTouches(work_T_tool, part, 11, {}));
+  EXPECT_FALSE(collision.holderTouches(work_T_tool, part, 0, {}));
+}
+
 class CellCollisionTest : public testing::Test {
 protected:
   CellCollisionTest()

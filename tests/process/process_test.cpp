@@ -38,6 +38,7 @@ TEST_F(Processes, everyOneKeepsItsContract) {
     EXPECT_GE(p.beadWidthMinMm, p.nozzleDiameterMm);
     EXPECT_GT(p.stepMm, 0.0);
     EXPECT_GT(p.accelerationMmPerS2, 0.0);
+    EXPECT_GE(p.bridgeMm, p.beadWidthMm);
     EXPECT_GE(p.travelSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.primeS, 0.0);
     EXPECT_GT(p.densityGPerCm3, 0.0);

@@ -279,7 +279,24 @@ TEST(Replay, APrintInMidAirIsUnsupported) {
   const Verification v = replayPlan(s);
   EXPECT_NEAR(v.unsupportedFraction, 1.0, 1e-9);
   EXPECT_TRUE(hasKind(v, "unsupported"));
+  EXPECT_TRUE(hasKind(v, "longBridge"));
+  EXPECT_GT(v.longestUnsupportedMm, s.process.bridgeMm);
   EXPECT_GE(v.coveredFraction, 0.97);
+}
+
+// Told where a process bridges less than the longest of the beads that hang, and only there.
+TEST(Replay, ABridgeIsAsLongAsTheProcessLays) {
+  test::Scene s = test::boxScene(2);
+  s.plan = test::boxPlan(12.0, 11, 1, s.process, 9.6);
+  s.part = test::box({-6, -6, 9.6}, {6, 6, 10.4});
+  s.trajectory = test::walk(s.plan, s.cell, s.process);
+  const double longest = replayPlan(s).longestUnsupportedMm;
+  for (const double more : {-0.5, 0.5}) {
+    s.process.bridgeMm = longest + more;
+    const Verification v = replayPlan(s);
+    EXPECT_DOUBLE_EQ(v.longestUnsupportedMm, longest);
+    EXPECT_EQ(hasKind(v, "longBridge"), more < 0.0);
+  }
 }
 
 // Layers much lower than beads are wide: cells by the width alone would hide what is beneath.

@@ -4,6 +4,7 @@
 #include "collision/growing_part.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
+#include "toolpath/directions.h"
 #include "toolpath/head_clearance.h"
 #include "toolpath/plan_toolpaths.h"
 #include "toolpath/shapes.h"
@@ -154,6 +155,46 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
   for (std::size_t i = 0; i < raw.plan.waypointCount(); ++i)
     gouges += !clearance.clears(rawPart, raw.plan.position[i], raw.plan.direction[i], i);
   EXPECT_GT(gouges, 0u);
+}
+
+// A bead at the bottom of a well that leans by 30 degrees: within 4.5 degrees of its axis, between
+// the rings that are tried first, the head goes in.
+TEST(Directions, FindTheWayIntoAWellThatLeans) {
+  const process::Process process = testProcess();
+  const double radius = 9.6 + 1.0 + 45.0 * std::tan(base::degreesToRadians(4.5));
+  for (const double azimuth : {15.0, 100.0, 231.0}) {
+    const Vector3d side(std::cos(base::degreesToRadians(azimuth)),
+                        std::sin(base::degreesToRadians(azimuth)), 0.0);
+    const Vector3d axis = (0.5 * side + std::sqrt(0.75) * Vector3d::UnitZ()).normalized();
+    const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u), bottom(0, 0, 40);
+    plan::ToolPlan p;
+    const auto add = [&](const Vector3d& at, const Vector3d& d, float width, float height) {
+      p.position.push_back(at);
+      p.direction.push_back(d);
+      p.widthMm.push_back(width);
+      p.heightMm.push_back(height);
+      p.speedMmPerS.push_back(20.0f);
+      ++p.paths.back().count;
+    };
+    for (int k = 0; k < 20; ++k) {
+      p.paths.push_back({.first = p.waypointCount(), .count = 0, .layer = k});
+      for (int i = 0; i <= 96; ++i)
+        add(bottom + 2.0 * (k + 1) * axis +
+                radius * (std::cos(base::kTurn * i / 96) * u + std::sin(base::kTurn * i / 96) * v),
+            axis, 2.0f, 2.0f);
+    }
+    const std::size_t first = p.waypointCount();
+    p.paths.push_back({.first = first, .count = 0, .layer = 20});
+    for (int i = 0; i <= 4; ++i)
+      add(bottom + (0.25 * i - 0.5) * u, Vector3d::UnitZ(), 1.2f, 0.8f);
+    const std::vector<Vector3d> clear(p.waypointCount(), Vector3d::UnitZ());
+    const auto oriented =
+        toolpath::orientDirections(p, clear, testCell(), process, {}, base::RunContext{});
+    EXPECT_EQ(oriented.gouges, 0u) << azimuth;
+    for (std::size_t i = oriented.plan.paths.back().first; i < oriented.plan.waypointCount(); ++i)
+      EXPECT_GT(oriented.plan.direction[i].dot(axis), std::cos(base::degreesToRadians(5.0)))
+          << azimuth;
+  }
 }
 
 TEST(PlanToolpaths, NoRoomForTheHeadIsAFinding) {
