@@ -89,7 +89,7 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "the part lies badly: {contact:.0f} of it touch the plate, {overhang:.0f} lean over, and one "
      "pass of growth misses {missed:.2g}; it can stand on {bestContact:.0f} with "
      "{bestOverhang:.0f} leaning over and {bestMissed:.2g} missed"_text,
-     "stand it that way, turned by {x:.0f} about x, {y:.0f} about y and {z:.0f} about z, or choose "
+     "stand it that way, turned by {x:.3g} about x, {y:.3g} about y and {z:.3g} about z, or choose "
      "another of its ways to stand"_text,
      kForLying},
     {TurnedLeastRisky, "turnedLeastRisky", "turned", Load, Tells,
