@@ -128,9 +128,8 @@ private:
                            return sizeStage(*loaded_, *placed_, choices_, *process_,
                                             span(project::Stage::Load).quiet());
                          });
-    const auto stand = taken<StandStage>(
-        keys_[project::indexOf(project::Stage::Load)] + partWaysKey(choices_, *process_), "stand",
-        [&] {
+    const auto stand =
+        taken<StandStage>(standKey(*loaded_, *placed_, choices_, *process_), "stand", [&] {
           return standStage(*placed_, choices_, *process_, span(project::Stage::Load).quiet());
         });
     plan::Findings findings = size->findings;

@@ -37,6 +37,10 @@ plan::Finding findingOf(const placement::BetterWay& found, const geometry::Place
                             {"z", base::degrees(degrees.z())}});
 }
 
+bool isLaidByUser(const project::Choices& choices) {
+  return standsFreely(choices) && parameterValues(choices).text("orient") == "none";
+}
+
 } // namespace
 
 bool standsFreely(const project::Choices& choices) {
@@ -49,10 +53,12 @@ std::vector<placement::Way> partWays(const modes::LoadStage& placed,
   return placement::waysToStand(*placed.part, waysOptions(placed, choices, process), ctx);
 }
 
-std::string partWaysKey(const project::Choices& choices, const process::Process& p) {
-  return base::keyText(standsFreely(choices), parameterValues(choices).number("overhangAngle"),
-                       p.layerHeightMm, p.beadWidthMm, p.speedMmPerS, p.travelSpeedMmPerS,
-                       p.accelerationMmPerS2, p.maxFlowMm3PerS, p.primeS);
+std::string partWaysKey(const project::LoadedPart& loaded, double scale,
+                        const project::Choices& choices, const process::Process& p) {
+  return base::keyText(loaded.hash, choices.repair, scale * unitMm(loaded, choices),
+                       parameterValues(choices).number("overhangAngle"), p.layerHeightMm,
+                       p.beadWidthMm, p.speedMmPerS, p.travelSpeedMmPerS, p.accelerationMmPerS2,
+                       p.maxFlowMm3PerS, p.primeS);
 }
 
 geometry::Placement standing(const placement::Way& way, const geometry::Placement& placed) {
@@ -62,12 +68,18 @@ geometry::Placement standing(const placement::Way& way, const geometry::Placemen
   return out;
 }
 
+std::string standKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
+                     const project::Choices& choices, const process::Process& process) {
+  return partWaysKey(loaded, placed.scale, choices, process) +
+         base::keyText(placed.placement.rotation.coeffs(), isLaidByUser(choices));
+}
+
 std::shared_ptr<const StandStage> standStage(const modes::LoadStage& placed,
                                              const project::Choices& choices,
                                              const process::Process& process,
                                              const base::RunContext& ctx) {
   auto stage = std::make_shared<StandStage>();
-  if (!standsFreely(choices) || parameterValues(choices).text("orient") != "none")
+  if (!isLaidByUser(choices))
     return stage;
   if (const auto better =
           placement::betterWay(*placed.part, waysOptions(placed, choices, process), ctx))

@@ -8,6 +8,7 @@
 #include "plan/finding.h"
 #include "process/process.h"
 #include "project/choices.h"
+#include "project/loaded_part.h"
 #include "project/stage.h"
 
 #include <string>
@@ -23,8 +24,9 @@ bool standsFreely(const project::Choices& choices);
 std::vector<placement::Way> partWays(const modes::LoadStage& placed,
                                      const project::Choices& choices,
                                      const process::Process& process, const base::RunContext& ctx);
-// What of the choices and the process they are made from beside the placed part, as text.
-std::string partWaysKey(const project::Choices& choices, const process::Process& process);
+// What they are made from, as text, but for how the part is turned. `scale`: of the placed part.
+std::string partWaysKey(const project::LoadedPart& loaded, double scale,
+                        const project::Choices& choices, const process::Process& process);
 
 // The placement that stands the part so, on the plate. `placed`: with which the way was found.
 geometry::Placement standing(const placement::Way& way, const geometry::Placement& placed);
@@ -34,6 +36,9 @@ struct StandStage {
   static constexpr project::Stage kStage = project::Stage::Load;
   plan::Findings findings;
 };
+// What it is made from, as text: nothing of a platform, so that ways of building share it.
+std::string standKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
+                     const project::Choices& choices, const process::Process& process);
 // Nothing is told of parts that the mode or a search (orient) lays. Throws as partWays().
 std::shared_ptr<const StandStage> standStage(const modes::LoadStage& placed,
                                              const project::Choices& choices,

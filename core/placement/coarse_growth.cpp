@@ -22,8 +22,20 @@ voxel::SolidVoxels turnedVoxels(const geometry::TriangleMesh& mesh, const Eigen:
   return voxel::solidVoxels(geometry::place(mesh, 1.0, placement), pitchMm, ctx);
 }
 
+bool touchesPlate(const voxel::SolidVoxels& part) {
+  const int k = part.plateLayer();
+  if (!part.grid.contains(0, 0, k))
+    return false;
+  const auto first = part.solid.begin() + static_cast<std::ptrdiff_t>(part.grid.index(0, 0, k));
+  return std::any_of(first, first + part.grid.size.x() * part.grid.size.y(),
+                     [](std::uint8_t solid) { return solid != 0; });
+}
+
 CoarseGrowth grown(const voxel::SolidVoxels& part, const PlatformOf& platformOf,
                    const base::RunContext& ctx) {
+  // Of films that are thinner than what a cell lets graze it.
+  if (!touchesPlate(part))
+    return {part.count, part.count};
   const std::vector<Eigen::Vector2d> platform =
       platformOf ? platformOf(part) : curved::platformFit(part, 0.0);
   const curved::VoxelGraph graph =

@@ -19,6 +19,8 @@ namespace voluta::placement {
 
 namespace {
 
+// Of the box's diagonal: a sheet has little volume for its size.
+constexpr double kLeastCell = 0.005;
 constexpr std::size_t kPlaces = 48, kGrown = 10;
 constexpr double kLeastShare = 0.125; // of the largest contact; less is an edge or some corners
 constexpr double kBroader = 4.0;      // contact of a better way over that of a bad one
@@ -92,8 +94,10 @@ public:
         area_(geometry::area(mesh)), now_(candidate(-Eigen::Vector3d::UnitZ())) {
     for (Candidate& c : scored())
       add(std::move(c));
-    widthMm_ = coarseWidth(mesh, upright(places_.empty() ? now_ : places_.front()).first,
-                           options.process.layerHeightMm, options.voxels, ctx.sub(0.0, 0.1));
+    const double least = std::max(options.process.layerHeightMm,
+                                  kLeastCell * geometry::bounds(mesh).diagonal().norm());
+    widthMm_ = coarseWidth(mesh, upright(places_.empty() ? now_ : places_.front()).first, least,
+                           options.voxels, ctx.sub(0.0, 0.1));
   }
 
   std::vector<Way> ways() {

@@ -30,7 +30,7 @@ struct WaysOptions {
   process::Process process;                // its layer height is the contact's depth
   double overhangRad = 0.7853981633974483; // beyond which a facet is risky
   bool quarterTurns = false;               // only those
-  std::size_t voxels = 8000;               // of the grid, about; no narrower than a layer is high
+  std::size_t voxels = 8000;               // of the grid, about; none narrower than a layer is high
   std::size_t most = 4;                    // ways
 };
 

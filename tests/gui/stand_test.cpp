@@ -2,6 +2,7 @@
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/findings_panel.h"
+#include "panels/placement_panel.h"
 #include "panels/ways_list.h"
 #include "plan/finding_kinds.h"
 
@@ -79,8 +80,10 @@ TEST_F(StandTest, OneClickLaysThePartAndUndoTakesItBack) {
 
 TEST_F(StandTest, TheKeyboardLaysItToo) {
   openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
+  const auto* reset = find<panels::PlacementPanel>("placement")->findChild<QWidget*>("reset");
+  EXPECT_EQ(reset->nextInFocusChain(), way(0)) << "Tab comes there from what stands before";
+  EXPECT_EQ(way(1)->nextInFocusChain(), way(2));
   way(2)->setFocus();
-  ASSERT_TRUE(way(2)->hasFocus());
   QTest::keyClick(way(2), Qt::Key_Space);
   ASSERT_TRUE(settled());
   EXPECT_NEAR(heightMm(), 60.0, 1e-6);

@@ -65,7 +65,9 @@ TEST_F(WaysListTest, SaysWhatItIsAt) {
   EXPECT_TRUE(state().isEmpty());
   list.setWays(someWays(2));
   EXPECT_EQ(list.count(), 2u);
-  EXPECT_EQ(card(2), nullptr);
+  EXPECT_TRUE(card(1)->isVisibleTo(&list));
+  EXPECT_FALSE(card(2)->isVisibleTo(&list));
+  EXPECT_THROW(list.setWays(someWays(5)), base::Error);
 }
 
 TEST_F(WaysListTest, EveryFigureIsSaidInWordsAndHasRoom) {

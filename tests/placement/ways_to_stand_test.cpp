@@ -155,6 +155,19 @@ TEST(WaysToStand, DoNotDependOnHowThePartCame) {
   }
 }
 
+// Whatever it is like, there is an answer.
+TEST(WaysToStand, SheetsAndPartsInOtherUnitsAreNoTrouble) {
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    EXPECT_FALSE(waysOf(test::box({0, 0, 0}, scale * Eigen::Vector3d(900, 700, 0.1))).empty());
+    geometry::TriangleMesh open = test::box({0, 0, 0}, scale * Eigen::Vector3d(30, 20, 10));
+    open.triangles.resize(8);
+    EXPECT_NO_THROW(waysOf(open));
+    open.triangles.resize(2); // in one plane
+    EXPECT_NO_THROW(waysOf(open));
+    EXPECT_NO_THROW(betterWay(open, {}, kQuiet));
+  }
+}
+
 TEST(WaysToStand, AreDistinctAndFew) {
   WaysOptions options;
   options.most = 2;

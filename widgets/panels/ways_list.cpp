@@ -1,5 +1,6 @@
 #include "panels/ways_list.h"
 
+#include "base/error.h"
 #include "forms/colours.h"
 
 #include <QEvent>
@@ -28,6 +29,8 @@ WaysList::WaysList(QWidget* parent) : QWidget(parent) {
   grid_->setSpacing(4);
   for (int column = 0; column < kColumns; ++column)
     grid_->setColumnStretch(column, 1);
+  for (std::size_t n = 0; n < kMost; ++n)
+    addCard(static_cast<int>(n));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 6, 6, 6);
   column->setSpacing(4);
@@ -36,27 +39,27 @@ WaysList::WaysList(QWidget* parent) : QWidget(parent) {
   retranslate();
 }
 
+void WaysList::addCard(int n) {
+  auto* card = new WayCard(this);
+  card->setObjectName(QStringLiteral("way%1").arg(n));
+  card->hide();
+  connect(card, &QAbstractButton::clicked, this, [this, n] {
+    showState(); // a click marks nothing: how the part stands does
+    emit chosen(n);
+  });
+  grid_->addWidget(card, n / kColumns, n % kColumns);
+  cards_[static_cast<std::size_t>(n)] = card;
+}
+
 QSize WaysList::pictureSize() {
   return 3 * WayCard::kPicture;
 }
 
 void WaysList::setWays(const std::vector<ShownWay>& ways) {
-  // Those that stay keep the keyboard.
-  while (cards_.size() > ways.size()) {
-    delete cards_.back();
-    cards_.pop_back();
-  }
-  while (cards_.size() < ways.size()) {
-    const int n = static_cast<int>(cards_.size());
-    auto* card = new WayCard(this);
-    card->setObjectName(QStringLiteral("way%1").arg(n));
-    connect(card, &QAbstractButton::clicked, this, [this, n] {
-      showState(); // a click marks nothing: how the part stands does
-      emit chosen(n);
-    });
-    grid_->addWidget(card, n / kColumns, n % kColumns);
-    cards_.push_back(card);
-  }
+  base::require(ways.size() <= kMost, "WaysList: at most kMost ways");
+  count_ = ways.size();
+  for (std::size_t n = 0; n < kMost; ++n)
+    cards_[n]->setVisible(n < count_);
   for (std::size_t n = 0; n < ways.size(); ++n)
     cards_[n]->setWay(ways[n]);
   setNow(std::nullopt);
@@ -78,10 +81,10 @@ void WaysList::showState() {
   QPalette muted = palette();
   muted.setColor(QPalette::WindowText, forms::mutedColour(palette()));
   state_->setPalette(muted);
-  state_->setText(looking_         ? tr("being looked for…")
-                  : cards_.empty() ? tr("none found")
-                  : !now_          ? tr("it lies otherwise")
-                                   : QString());
+  state_->setText(looking_      ? tr("being looked for…")
+                  : count_ == 0 ? tr("none found")
+                  : !now_       ? tr("it lies otherwise")
+                                : QString());
 }
 
 void WaysList::retranslate() {

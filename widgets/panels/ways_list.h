@@ -4,6 +4,7 @@
 #include "panels/way_card.h"
 
 #include <QWidget>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -22,14 +23,16 @@ public:
   // Size of a picture that is good enough for any screen.
   static QSize pictureSize();
 
-  // The best first. None of these emits.
+  static constexpr std::size_t kMost = 4;
+
+  // The best first. Precondition (Error{Internal}): at most kMost. None of these emits.
   void setWays(const std::vector<ShownWay>& ways);
   // How the part stands now; none: otherwise.
   void setNow(std::optional<std::size_t> way);
   // Other ones are being looked for.
   void setLooking(bool looking);
   bool isLooking() const { return looking_; }
-  std::size_t count() const { return cards_.size(); }
+  std::size_t count() const { return count_; }
 
 signals:
   void chosen(int way);
@@ -38,10 +41,12 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
+  void addCard(int n);
   void retranslate();
   void showState();
 
-  std::vector<WayCard*> cards_;
+  std::array<WayCard*, kMost> cards_{}; // there from the first, so that Tab knows them
+  std::size_t count_ = 0;               // of them on show
   std::optional<std::size_t> now_;
   bool looking_ = false;
   QLabel* title_ = nullptr;

@@ -1,10 +1,8 @@
 #include "window/pages/stand_chooser.h"
 
-#include "base/key_text.h"
 #include "document/document.h"
 #include "geometry/placement.h"
 #include "panels/stand_picture.h"
-#include "pipeline/choices.h"
 #include "pipeline/part_ways.h"
 #include "window/background.h"
 #include "window/pages/part_handles.h"
@@ -88,10 +86,8 @@ void StandChooser::refresh() {
   const auto placed = document.result(Stage::Load);
   if (!placed || !placed->placed || !placed->process || !document.upToDate(Stage::Load))
     return;
-  const std::string key =
-      base::keyText(document.source()->hash, document.choices().repair,
-                    placed->job.scale * pipeline::unitMm(*document.source(), document.choices())) +
-      pipeline::partWaysKey(document.choices(), *placed->process);
+  const std::string key = pipeline::partWaysKey(*document.source(), placed->job.scale,
+                                                document.choices(), *placed->process);
   // Another way to lie is shown beside the others; where the part stands in one of them they stay.
   if (key == key_ && (wayDown(down()) || (lookedFrom_ - down()).norm() < kSame))
     showNow();
