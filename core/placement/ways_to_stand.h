@@ -52,9 +52,6 @@ double estimatedSeconds(double volumeMm3, double heightMm, double acrossMm,
 // the mesh lies but for what rounding does. Same result for any number of threads.
 // Preconditions (Error{Internal}): mesh not empty, most >= 1. Throws Error{Usage} as
 // voxel::solidVoxels(); Cancelled.
-// Example:
-//   for (const placement::Way& way : placement::waysToStand(part, options, ctx))
-//     part = way.now ? part : geometry::place(part, 1.0, {way.turn});
 std::vector<Way> waysToStand(const geometry::TriangleMesh& mesh, const WaysOptions& options,
                              const base::RunContext& ctx);
 
