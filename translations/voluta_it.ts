@@ -4240,6 +4240,34 @@ mm³</translation>
         <source>{share:.3g} of the part are walls thinner than the least bead of {least}, most of them {usual:.2f}</source>
         <translation>{share:.3g} del pezzo sono pareti più sottili del cordone più stretto di {least}, per lo più {usual:.2f}</translation>
     </message>
+    <message>
+        <source>Stand it the best way</source>
+        <translation>Appoggia nel modo migliore</translation>
+    </message>
+    <message>
+        <source>With the most contact for what leans over, and the fewest voxels missed</source>
+        <translation>Con il maggior contatto per lo sbalzo che c’è e il minor numero di voxel mancati</translation>
+    </message>
+    <message>
+        <source>give degrees about x, y and z: 90,0,0</source>
+        <translation>indica i gradi attorno a x, y e z: 90,0,0</translation>
+    </message>
+    <message>
+        <source>stand it that way, turned by {x:.3g} about x, {y:.3g} about y and {z:.3g} about z, or choose another of its ways to stand</source>
+        <translation>appoggialo in quel modo, girato di {x:.3g} attorno a x, {y:.3g} attorno a y e {z:.3g} attorno a z, oppure scegli un altro dei suoi appoggi</translation>
+    </message>
+    <message>
+        <source>the part lies badly: {contact:.0f} of it touch the plate, {overhang:.0f} lean over, and one pass of growth misses {missed:.2g}; it can stand on {bestContact:.0f} with {bestOverhang:.0f} leaning over and {bestMissed:.2g} missed</source>
+        <translation>il pezzo è appoggiato male: {contact:.0f} toccano il piatto, {overhang:.0f} sono a sbalzo e una passata di crescita ne manca {missed:.2g}; può appoggiare su {bestContact:.0f} con {bestOverhang:.0f} a sbalzo e {bestMissed:.2g} mancati</translation>
+    </message>
+    <message>
+        <source>turn &apos;{turn}&apos; is not three angles</source>
+        <translation>la rotazione «{turn}» non è fatta di tre angoli</translation>
+    </message>
+    <message>
+        <source>ways to stand</source>
+        <translation>modi di appoggio</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -5142,6 +5170,54 @@ Fai clic per sceglierne un altro</translation>
     </message>
 </context>
 <context>
+    <name>voluta::panels::WayCard</name>
+    <message>
+        <source>Contact %1 mm²</source>
+        <translation>Contatto %1 mm²</translation>
+    </message>
+    <message>
+        <source>Missed voxels %1</source>
+        <translation>Voxel mancati %1</translation>
+    </message>
+    <message>
+        <source>About %1</source>
+        <translation>Circa %1</translation>
+    </message>
+    <message>
+        <source>%1 mm² touch the plate, %2 mm² lean over
+%3 mm high
+%4 of %5 voxels missed by one pass of growth
+about %6 by its volume and height, without supports</source>
+        <translation>%1 mm² toccano il piatto, %2 mm² sono a sbalzo
+altezza %3 mm
+%4 voxel su %5 mancati da una passata di crescita
+circa %6 in base a volume e altezza, senza supporti</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::WaysList</name>
+    <message>
+        <source>being looked for…</source>
+        <translation>ricerca in corso…</translation>
+    </message>
+    <message>
+        <source>none found</source>
+        <translation>nessuno trovato</translation>
+    </message>
+    <message>
+        <source>it lies otherwise</source>
+        <translation>è appoggiato altrimenti</translation>
+    </message>
+    <message>
+        <source>Ways to stand</source>
+        <translation>Modi di appoggio</translation>
+    </message>
+    <message>
+        <source>Click one to lay the part so</source>
+        <translation>Fai clic su uno per appoggiare così il pezzo</translation>
+    </message>
+</context>
+<context>
     <name>voluta::timeline::JointPlots</name>
     <message>
         <source>Angle (°)</source>
@@ -5953,6 +6029,17 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Too thick: %1 %.</source>
         <translation>Troppo spesso: %1 %.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::StandChooser</name>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>stand it this way</source>
+        <translation>appoggia in questo modo</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,14 @@ struct InspectOptions {
 };
 ExitCode inspectCommand(const InspectOptions& options);
 
+struct OrientOptions {
+  pipeline::PlanRequest request; // a part and how it is placed
+  bool json = false;
+  int threads = 1;
+};
+// The ways in which a part can stand.
+ExitCode orientCommand(const OrientOptions& options);
+
 struct RobotOptions {
   std::string id;
   std::string forward, inverse; // comma separated; one of them

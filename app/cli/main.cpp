@@ -5,6 +5,7 @@
 #include "curved/growth_scheme.h"
 #include "pipeline/choices.h"
 #include "project/platform_kinds.h"
+#include "project/turn_text.h"
 #include "project/version.h"
 
 #include <CLI/CLI.hpp>
@@ -20,8 +21,12 @@ using namespace voluta::cli;
 const std::map<std::string, ProgressStyle> kProgressStyles{
     {"bar", ProgressStyle::Bar}, {"json", ProgressStyle::Json}, {"none", ProgressStyle::None}};
 
-void addRunOptions(CLI::App& command, int& threads, std::string& progress) {
+void addThreads(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "threads to use")->check(CLI::Range(1, 256));
+}
+
+void addRunOptions(CLI::App& command, int& threads, std::string& progress) {
+  addThreads(command, threads);
   command.add_option("--progress", progress, "bar, json or none")
       ->check(CLI::IsMember({"bar", "json", "none"}));
 }
@@ -69,12 +74,24 @@ struct PlanValues {
   std::vector<std::string> sets;
 };
 
-void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValues& values) {
+// The part, and how it comes to lie.
+void addPartOptions(CLI::App& command, pipeline::PlanRequest& request) {
+  project::Choices& choices = request.choices;
   command.add_option("PART", request.part, "mesh file, or sample:NAME")->required();
-  command.add_option("--cell", request.choices.cell, "robot cell");
-  command.add_option("--process", request.choices.process, "nozzle, material, speeds");
-  command.add_option("--scale", request.choices.scale, "factor, or fit: largest <= 1 in reach");
-  command.add_option("--units", request.choices.units, "of the mesh's file: um, mm, cm, in, m");
+  command.add_option("--cell", choices.cell, "robot cell");
+  command.add_option("--process", choices.process, "nozzle, material, speeds");
+  command.add_option("--scale", choices.scale, "factor, or fit: largest <= 1 in reach");
+  command.add_option("--units", choices.units, "of the mesh's file: um, mm, cm, in, m");
+  command.add_option_function<std::string>(
+      "--turn",
+      [&choices](const std::string& turn) {
+        choices.placement.rotation = project::parsedTurn(turn);
+      },
+      "X,Y,Z: degrees about the fixed axes, one after the other (see: orient)");
+}
+
+void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValues& values) {
+  addPartOptions(command, request);
   command.add_option("--set", values.sets, "key=value of a parameter (see: list parameters)")
       ->allow_extra_args(false);
   command.add_option("--until", values.until, "stop after this stage");
@@ -200,6 +217,17 @@ void addInspect(CLI::App& app, Parsed& parsed) {
       [options, &parsed] { parsed.run = [options] { return inspectCommand(*options); }; });
 }
 
+void addOrient(CLI::App& app, Parsed& parsed, int threads) {
+  auto options = std::make_shared<OrientOptions>();
+  options->threads = threads;
+  CLI::App* orient = app.add_subcommand("orient", "ways in which a part can stand");
+  addPartOptions(*orient, options->request);
+  orient->add_flag("--json", options->json, "as JSON");
+  addThreads(*orient, options->threads);
+  orient->callback(
+      [options, &parsed] { parsed.run = [options] { return orientCommand(*options); }; });
+}
+
 void addRobot(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<RobotOptions>();
   CLI::App* robot = app.add_subcommand("robot", "forward and inverse kinematics, degrees and mm");
@@ -244,7 +272,7 @@ std::vector<std::string> joinedNegativeValues(int argc, char** argv) {
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if ((word == "--fk" || word == "--ik") && i + 1 < argc)
+    if ((word == "--fk" || word == "--ik" || word == "--turn") && i + 1 < argc)
       words.push_back(word + "=" + argv[++i]);
     else
       words.push_back(word);
@@ -264,6 +292,7 @@ int run(int argc, char** argv) {
   addVerify(app, parsed, threads);
   addRender(app, parsed);
   addInspect(app, parsed);
+  addOrient(app, parsed, threads);
   addRobot(app, parsed);
   addList(app, parsed);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);

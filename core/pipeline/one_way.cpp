@@ -8,6 +8,7 @@
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/part_motion.h"
+#include "pipeline/part_ways.h"
 #include "pipeline/stage_keys.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
@@ -127,7 +128,12 @@ private:
                            return sizeStage(*loaded_, *placed_, choices_, *process_,
                                             span(project::Stage::Load).quiet());
                          });
+    const auto stand =
+        taken<StandStage>(standKey(*loaded_, *placed_, choices_, *process_), "stand", [&] {
+          return standStage(*placed_, choices_, *process_, span(project::Stage::Load).quiet());
+        });
     plan::Findings findings = size->findings;
+    findings.insert(findings.end(), stand->findings.begin(), stand->findings.end());
     const plan::Findings defects = remainingDefects(*loaded_);
     findings.insert(findings.end(), defects.begin(), defects.end());
     findings.insert(findings.end(), stage->findings.begin(), stage->findings.end());

@@ -5,6 +5,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
+#include "project/turn_text.h"
 
 #include <algorithm>
 #include <array>
@@ -103,6 +104,21 @@ std::optional<project::Choices> dropToPlate(const plan::Finding&, const project:
   return changed;
 }
 
+std::optional<project::Choices> standBest(const plan::Finding& finding,
+                                          const project::Choices& choices) {
+  const std::optional<double> x = numberOf(finding, "x"), y = numberOf(finding, "y"),
+                              z = numberOf(finding, "z");
+  if (!x || !y || !z)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.placement.rotation = project::turnOfDegrees({*x, *y, *z});
+  changed.placement.liftMm = 0.0;
+  constexpr double kSame = 1e-6; // rad
+  if (changed.placement.rotation.angularDistance(choices.placement.rotation.normalized()) < kSame)
+    return std::nullopt;
+  return changed;
+}
+
 std::optional<project::Choices> scaleUp(const plan::Finding& finding,
                                         const project::Choices& choices) {
   const std::optional<double> scale = numberOf(finding, "scale");
@@ -185,6 +201,8 @@ std::span<const Remedy> remedies() {
         "Searches the way to lie in which least area needs support"_text, turnLeastRisky},
        {TurnPart, "turnPart", "Turn the part"_text,
         "Searches the way to lie in which fewest voxels are missed"_text, turnPart},
+       {StandBest, "standBest", "Stand it the best way"_text,
+        "With the most contact for what leans over, and the fewest voxels missed"_text, standBest},
        {NarrowVoxels, "narrowVoxels", "Use voxel width {fits}"_text,
         "Narrow enough for this wall; narrower voxels take longer"_text, narrowVoxels},
        {ScaleUp, "scaleUp", "Print at scale {scale}"_text,

@@ -1,11 +1,7 @@
 #include "placement/orient.h"
 
 #include "base/error.h"
-#include "base/parallel.h"
 #include "base/units.h"
-#include "curved/platform.h"
-#include "curved/reverse_growth.h"
-#include "geometry/measures.h"
 #include "geometry/placement.h"
 
 #include <algorithm>
@@ -62,7 +58,7 @@ public:
   }
 
   Orientation fewestMissed() {
-    setCoarseWidth();
+    coarseMm_ = coarseWidth(mesh_, found_[0].turn, options_.voxelMm, options_.searchVoxels, ctx_);
     growCoarse(0, 0.0, 0.6);
     if (!options_.quarterTurns) {
       const std::size_t first = found_.size();
@@ -79,7 +75,9 @@ public:
     for (std::size_t n = 0; n < order.size() && fewest > 0; ++n) {
       const double at = 0.8 + 0.2 * static_cast<double>(n) / kChecked;
       const std::size_t missed =
-          missedIn(voxels(found_[order[n]].turn, options_.voxelMm, at), ctx_);
+          coarseGrowths(mesh_, {found_[order[n]].turn}, grid(options_.voxelMm), ctx_.sub(at, at))
+              .front()
+              .missed;
       if (missed < fewest) {
         fewest = missed;
         winner = order[n];
@@ -150,49 +148,17 @@ private:
     return out;
   }
 
-  // `at`: how far the search is.
-  voxel::SolidVoxels voxels(const Eigen::Quaterniond& turn, double pitch, double at) const {
-    geometry::Placement placement;
-    placement.rotation = turn;
-    placement.centreMm = options_.centreMm;
-    return voxel::solidVoxels(geometry::place(mesh_, 1.0, placement), pitch, ctx_.sub(at, at));
-  }
-
-  void setCoarseWidth() {
-    const auto wanted = static_cast<double>(options_.searchVoxels);
-    coarseMm_ = std::max(options_.voxelMm, std::cbrt(std::abs(geometry::volume(mesh_)) / wanted));
-    for (int n = 0; n < 3; ++n)
-      coarseMm_ = std::max(
-          options_.voxelMm,
-          coarseMm_ * std::cbrt(static_cast<double>(voxels(found_[0].turn, coarseMm_, 0.0).count) /
-                                wanted));
-  }
-
-  std::size_t missedIn(const voxel::SolidVoxels& part, const base::RunContext& ctx) const {
-    const std::vector<Eigen::Vector2d> platform =
-        options_.platform ? options_.platform(part) : curved::platformFit(part, 0.0);
-    const curved::VoxelGraph graph =
-        curved::voxelGraph(part.grid, part.solid, part.plateLayer(), platform);
-    const std::vector<std::int32_t> rank = curved::peel(graph, {}, {}, ctx.quiet()).rank;
-    return part.count - static_cast<std::size_t>(
-                            std::count_if(rank.begin(), rank.end(), [](auto r) { return r > 0; }));
-  }
+  CoarseGrid grid(double pitchMm) const { return {pitchMm, options_.centreMm, options_.platform}; }
 
   // Counts what the candidates from `first` on miss.
   void growCoarse(std::size_t first, double from, double to) {
-    constexpr std::size_t kAtOnce = 4;
-    for (std::size_t begin = first; begin < found_.size(); begin += kAtOnce) {
-      const double at = from + (to - from) * static_cast<double>(begin - first) /
-                                   static_cast<double>(found_.size() - first);
-      const std::size_t count = std::min(kAtOnce, found_.size() - begin);
-      std::vector<voxel::SolidVoxels> parts;
-      for (std::size_t n = 0; n < count; ++n)
-        parts.push_back(voxels(found_[begin + n].turn, coarseMm_, at));
-      base::parallelChunks(ctx_, count, 1, [&](std::size_t b, std::size_t e) {
-        for (std::size_t n = b; n < e; ++n)
-          found_[begin + n].missed = missedIn(parts[n], ctx_);
-      });
-    }
+    std::vector<Eigen::Quaterniond> turns;
+    for (std::size_t n = first; n < found_.size(); ++n)
+      turns.push_back(found_[n].turn);
+    const std::vector<CoarseGrowth> growths =
+        coarseGrowths(mesh_, turns, grid(coarseMm_), ctx_.sub(from, to));
+    for (std::size_t n = 0; n < growths.size(); ++n)
+      found_[first + n].missed = growths[n].missed;
   }
 
   const geometry::TriangleMesh& mesh_;

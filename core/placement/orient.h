@@ -4,12 +4,10 @@
 #include "base/parameters.h"
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
+#include "placement/coarse_growth.h"
 #include "placement/orientation_score.h"
-#include "voxel/solid_voxels.h"
 
 #include <Eigen/Geometry>
-#include <functional>
-#include <vector>
 
 namespace voluta::placement {
 
@@ -24,9 +22,7 @@ struct OrientOptions {
   Eigen::Vector2d centreMm{0.0, 0.0};      // where the part's box is centred
   bool quarterTurns = false;               // only those
   std::size_t searchVoxels = 18000;        // of the coarse grid
-  // The platform under a part, as in curved::voxelGraph(). Empty: the hull of what touches the
-  // plate.
-  std::function<std::vector<Eigen::Vector2d>(const voxel::SolidVoxels&)> platform;
+  PlatformOf platform = {};
 };
 
 struct Orientation {

@@ -1,6 +1,8 @@
 #include "placement/orientation_score.h"
 
 #include "base/error.h"
+#include "base/units.h"
+#include "geometry/convex_polygon.h"
 #include "geometry/measures.h"
 
 #include <algorithm>
@@ -17,39 +19,85 @@ OrientationMeasure::OrientationMeasure(const geometry::TriangleMesh& mesh, doubl
       leastContact_(kLeastContact * std::pow(std::abs(geometry::volume(mesh)), 2.0 / 3.0)) {
   base::require(!mesh.empty() && contactDepthMm > 0.0, "OrientationMeasure: facets, a depth > 0");
   normal_.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    normal_.push_back(
-        0.5 * (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)));
+  const Eigen::Vector3d middle = geometry::bounds(mesh).center();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double volume = 0.0; // six times
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Eigen::Vector3d a = mesh.corner(t, 0) - middle, b = mesh.corner(t, 1) - middle,
+                          c = mesh.corner(t, 2) - middle;
+    normal_.push_back(0.5 * (b - a).cross(c - a));
+    const double six = a.dot(b.cross(c));
+    sum += six / 4.0 * (a + b + c);
+    volume += six;
+  }
+  centre_ = std::abs(volume) > 1e-9 ? Eigen::Vector3d(middle + sum / volume) : middle;
+}
+
+OrientationMeasure::Heights OrientationMeasure::heights(const Eigen::Vector3d& up) const {
+  Heights out{{}, std::numeric_limits<double>::infinity(), 0.0};
+  out.high = -out.low;
+  out.middle.reserve(mesh_.triangles.size());
+  std::vector<double> z(mesh_.vertices.size());
+  for (std::size_t v = 0; v < z.size(); ++v)
+    z[v] = up.dot(mesh_.vertices[v]);
+  for (const auto& triangle : mesh_.triangles) {
+    double middle = 0.0;
+    for (const int v : triangle) {
+      const double at = z[static_cast<std::size_t>(v)];
+      out.low = std::min(out.low, at);
+      out.high = std::max(out.high, at);
+      middle += at / 3.0;
+    }
+    out.middle.push_back(middle);
+  }
+  return out;
 }
 
 OrientationScore OrientationMeasure::of(const Eigen::Matrix3d& turn) const {
   const Eigen::Vector3d up = turn.row(2).transpose();
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  std::vector<double> z(mesh_.vertices.size());
-  for (std::size_t v = 0; v < z.size(); ++v)
-    z[v] = up.dot(mesh_.vertices[v]);
-  for (const auto& triangle : mesh_.triangles)
-    for (const int v : triangle) {
-      low = std::min(low, z[static_cast<std::size_t>(v)]);
-      high = std::max(high, z[static_cast<std::size_t>(v)]);
-    }
+  const Heights z = heights(up);
   OrientationScore out;
-  out.heightMm = high - low;
+  out.heightMm = z.high - z.low;
+  out.middleMm = up.dot(centre_) - z.low;
   for (std::size_t t = 0; t < normal_.size(); ++t) {
     const double down = -up.dot(normal_[t]);
     if (down <= 0.0)
       continue;
-    double middle = 0.0;
-    for (const int v : mesh_.triangles[t])
-      middle += z[static_cast<std::size_t>(v)] / 3.0;
     const double area = normal_[t].norm();
-    if (middle - low <= depth_)
+    if (z.middle[t] - z.low <= depth_)
       out.contactMm2 += down;
     else if (down > sine_ * area)
       out.riskyMm2 += area;
   }
   out.stands = out.contactMm2 >= leastContact_;
   return out;
+}
+
+bool OrientationMeasure::balances(const Eigen::Matrix3d& turn) const {
+  const Heights z = heights(turn.row(2).transpose());
+  std::vector<Eigen::Vector2d> touching;
+  for (std::size_t t = 0; t < normal_.size(); ++t)
+    if (turn.row(2).dot(normal_[t]) < 0.0 && z.middle[t] - z.low <= depth_)
+      for (int k = 0; k < 3; ++k)
+        touching.emplace_back((turn * mesh_.corner(t, k)).head<2>());
+  return geometry::inConvexPolygon(geometry::convexPolygon(std::move(touching)),
+                                   (turn * centre_).head<2>());
+}
+
+Eigen::Vector3d OrientationMeasure::settled(const Eigen::Vector3d& down) const {
+  const double near = std::cos(base::degreesToRadians(1.0));
+  const Heights z = heights(-down);
+  Eigen::Vector3d flat = Eigen::Vector3d::Zero();
+  double contact = 0.0;
+  for (std::size_t t = 0; t < normal_.size(); ++t) {
+    const double facing = down.dot(normal_[t]);
+    if (facing <= 0.0 || z.middle[t] - z.low > depth_)
+      continue;
+    contact += facing;
+    if (facing >= near * normal_[t].norm())
+      flat += normal_[t];
+  }
+  return flat.norm() >= 0.5 * contact && contact > 0.0 ? flat.normalized() : down;
 }
 
 std::vector<Eigen::Vector3d> OrientationMeasure::flatPlaces(std::size_t most) const {

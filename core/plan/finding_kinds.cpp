@@ -27,6 +27,7 @@ constexpr std::array kForThinInReach{FinerProcess};
 constexpr std::array kForTiny{UnitsMetres, UnitsInches};
 constexpr std::array kForHuge{ScaleToFit, UnitsMicrometres};
 constexpr std::array kCentre{CentrePart};
+constexpr std::array kForLying{StandBest};
 
 constexpr base::Text kTurnOrShrink =
     "turn the part, make the platform smaller or add supports"_text;
@@ -84,6 +85,13 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{usual:.2f}"_text,
      "use a process of narrower beads; as large as it had to be it is out of the robot's reach"_text,
      kForThinInReach},
+    {LiesBadly, "liesBadly", "liesBadly", Load, Tells,
+     "the part lies badly: {contact:.0f} of it touch the plate, {overhang:.0f} lean over, and one "
+     "pass of growth misses {missed:.2g}; it can stand on {bestContact:.0f} with "
+     "{bestOverhang:.0f} leaning over and {bestMissed:.2g} missed"_text,
+     "stand it that way, turned by {x:.3g} about x, {y:.3g} about y and {z:.3g} about z, or choose "
+     "another of its ways to stand"_text,
+     kForLying},
     {TurnedLeastRisky, "turnedLeastRisky", "turned", Load, Tells,
      "the part is turned by {angle:.0f} about ({x}, {y}, {z}): {overhang:.0f} overhang instead of "
      "{overhangBefore:.0f#}"_text,

@@ -1,6 +1,5 @@
 #include "base/units.h"
 #include "forms/value_boxes.h"
-#include "panels/placement_angles.h"
 #include "panels/placement_panel.h"
 
 #include <QLabel>
@@ -9,7 +8,6 @@
 #include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
-#include <random>
 
 using namespace voluta;
 
@@ -41,22 +39,6 @@ protected:
   QStringList names;
 };
 } // namespace
-
-TEST(PlacementAngles, AnglesGiveTheRotationBack) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> any(-base::kPi, base::kPi);
-  for (int i = 0; i < 2000; ++i) {
-    Eigen::Vector3d angles(any(random), any(random), any(random));
-    if (i % 4 == 0)
-      angles.y() = i % 8 == 0 ? kRight : -kRight;
-    const Eigen::Vector3d near(any(random), any(random), any(random));
-    const Eigen::Quaterniond rotation = panels::rotationOf(angles);
-    const Eigen::Quaterniond back = panels::rotationOf(panels::anglesOf(rotation, near));
-    EXPECT_LT(rotation.angularDistance(back), 1e-7) << angles.transpose();
-    const Eigen::Vector3d same = panels::anglesOf(rotation, angles);
-    EXPECT_TRUE(same.isApprox(angles, 1e-9)) << angles.transpose() << " / " << same.transpose();
-  }
-}
 
 TEST_F(PlacementPanelTest, TypedAnglesStayAsTypedAtARightAngleToo) {
   type(box("turnX"), "20");

@@ -4,6 +4,7 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -123,6 +124,41 @@ TEST_F(CommandLine, WrongRequestsNameTheNearest) {
   expectOneLine(run({"robot", "urr5", "--fk", "0,0,0,0,0,0"}), 2, {"ur5"});
   expectOneLine(run({"robot", "ur5", "--fk", "0,0,0"}), 2, {"6"});
   EXPECT_EQ(entries(), std::set<std::string>{"box.stl"}) << "a refused request left something";
+}
+
+TEST_F(CommandLine, OrientListsTheWaysToStandAndPlanTakesOne) {
+  const std::string part =
+      stl("plate.stl", test::box(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(50, 6, 40)));
+  const Ended listed = run({"orient", part, "--scale", "0.5", "--json"});
+  ASSERT_EQ(listed.code, 0) << listed.err;
+  const auto found = nlohmann::json::parse(listed.out);
+  EXPECT_EQ(found["scale"], 0.5);
+  EXPECT_EQ(found["liesBadly"], true);
+  ASSERT_EQ(found["ways"].size(), 2u);
+  const auto& best = found["ways"][0];
+  EXPECT_NEAR(best["contactMm2"], 500.0, 1e-3);
+  EXPECT_NEAR(best["heightMm"], 3.0, 1e-3);
+  EXPECT_EQ(best["missedVoxels"], 0);
+  EXPECT_GT(best["estimatedS"], 10.0);
+  EXPECT_EQ(best["now"], false);
+  EXPECT_EQ(std::ranges::count_if(found["ways"], [](const auto& way) { return way["now"]; }), 1);
+
+  const std::string turn = best["turn"], out = (folder_ / "out").string();
+  const Ended text = run({"orient", part});
+  EXPECT_NE(text.out.find("as it lies"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("--turn=" + turn), std::string::npos) << text.out;
+  // Both ways to write an option whose value may begin with a dash.
+  for (const std::vector<std::string>& option :
+       {std::vector<std::string>{"--turn=" + turn}, std::vector<std::string>{"--turn", turn}}) {
+    std::vector<std::string> words{"plan", part, "-o", out, "--mode", "flat", "--until", "load"};
+    words.insert(words.end(), option.begin(), option.end());
+    ASSERT_EQ(run(words).code, 0);
+    const auto report = nlohmann::json::parse(base::readFile(folder_ / "out" / "report.json"));
+    EXPECT_NEAR(report["model"]["boundsMm"][1][2], 6.0, 1e-3);
+    EXPECT_TRUE(report["findings"].empty()) << report["findings"].dump();
+  }
+  expectOneLine(run({"orient", part, "--turn", "-90,0"}), 2, {"-90,0", "90,0,0"});
+  expectOneLine(run({"orient", (folder_ / "none.stl").string()}), 3, {"none.stl"});
 }
 
 TEST_F(CommandLine, InputThatCannotBeUsedSaysWhatAndWhere) {

@@ -2,14 +2,12 @@
 #include "placement/orient.h"
 
 #include "base/error.h"
-#include "base/units.h"
 #include "curved/grow.h"
 #include "curved/platform.h"
 #include "geometry/formats/mesh_reader.h"
-#include "geometry/placement.h"
 #include "helpers/models.h"
 #include "helpers/shapes.h"
-#include "voxel/voxel_object.h"
+#include "placement/placement_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -18,15 +16,8 @@ namespace {
 
 const base::RunContext kQuiet;
 
-template <typename Part> geometry::TriangleMesh meshOf(int nx, int ny, int nz, Part&& part) {
-  voxel::VoxelObject object;
-  object.size = {nx, ny, nz};
-  for (int k = 0; k < nz; ++k)
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i)
-        object.solid.push_back(part(i, j, k) ? 1 : 0);
-  return voxel::surfaceOf(object);
-}
+using test::meshOf;
+using test::turned;
 
 // Two posts, a beam, and a tooth that hangs from it between them, which growth from the posts'
 // feet covers before it comes there.
@@ -44,12 +35,6 @@ OrientOptions atOneMm() {
   OrientOptions options;
   options.voxelMm = 1.0;
   return options;
-}
-
-geometry::TriangleMesh turned(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& turn) {
-  geometry::Placement placement;
-  placement.rotation = turn;
-  return geometry::place(mesh, 1.0, placement);
 }
 
 std::size_t missedByGrowth(const geometry::TriangleMesh& mesh, double voxelMm) {
@@ -89,19 +74,7 @@ TEST(Orient, WhatLiesWellStays) {
 
 TEST(Orient, NothingIsStoodOnATip) {
   // A long cone has the least risky area on its tip.
-  geometry::TriangleMesh cone;
-  constexpr int kAround = 32;
-  for (int i = 0; i < kAround; ++i) {
-    const double a = 2.0 * base::kPi * i / kAround;
-    cone.vertices.emplace_back(10 * std::cos(a), 10 * std::sin(a), 40.0);
-  }
-  cone.vertices.emplace_back(0, 0, 0);
-  cone.vertices.emplace_back(0, 0, 40);
-  for (int i = 0; i < kAround; ++i) {
-    const int next = (i + 1) % kAround;
-    cone.triangles.push_back({i, kAround, next});
-    cone.triangles.push_back({i, next, kAround + 1});
-  }
+  const geometry::TriangleMesh cone = test::coneOnTip(10.0, 40.0, 32);
   for (const Objective objective : {Objective::LeastRisky, Objective::FewestMissed}) {
     const Orientation found = bestOrientation(cone, objective, atOneMm(), kQuiet);
     EXPECT_FALSE(found.before.stands);

@@ -2,7 +2,7 @@
 
 #include "base/units.h"
 #include "forms/value_boxes.h"
-#include "panels/placement_angles.h"
+#include "geometry/turn_angles.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -181,7 +181,7 @@ void PlacementPanel::listenToButtons() {
 
 void PlacementPanel::setPlacement(const geometry::Placement& placement) {
   placement_ = placement;
-  angles_ = anglesOf(placement.rotation, angles_);
+  angles_ = geometry::anglesOf(placement.rotation, angles_);
   showPlacement();
 }
 
@@ -242,7 +242,7 @@ void PlacementPanel::moved(int axis, double mm) {
 void PlacementPanel::turned(int axis, double angle) {
   geometry::Placement next = placement_;
   angles_[axis] = base::degreesToRadians(angle);
-  next.rotation = rotationOf(angles_);
+  next.rotation = geometry::rotationOf(angles_);
   change(next, tr("Turn"));
 }
 

@@ -12,6 +12,7 @@
 #include "pipeline/choices.h"
 #include "plan/finding_kinds.h"
 #include "window/mesh_summary.h"
+#include "window/pages/stand_chooser.h"
 #include "window/presenter.h"
 
 #include <QScrollArea>
@@ -34,7 +35,8 @@ std::string problemText(const base::Error& error) {
 
 PreparePage::PreparePage(const Workspace& workspace)
     : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
-      handles_(workspace, *this), choices_(new ChoicesEditor(workspace.document, this)) {
+      handles_(workspace, *this), stands_(new StandChooser(work(), handles_, this)),
+      choices_(new ChoicesEditor(workspace.document, this)) {
   build();
   listen();
 }
@@ -55,6 +57,7 @@ void PreparePage::build() {
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(placement_);
+  column->addWidget(stands_->list());
   column->addWidget(mesh_);
   column->addStretch(1);
   tabs_ = new QTabWidget;

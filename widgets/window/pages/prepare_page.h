@@ -17,6 +17,8 @@ class PlacementPanel;
 
 namespace voluta::window {
 
+class StandChooser;
+
 class PreparePage : public Page {
   Q_OBJECT
 
@@ -45,6 +47,7 @@ private:
   void showPart();
 
   PartHandles handles_;
+  StandChooser* stands_;
   ChoicesEditor* choices_;
   panels::PlacementPanel* placement_;
   panels::MeshPanel* mesh_;

@@ -1,11 +1,11 @@
-#include "panels/placement_angles.h"
+#include "geometry/turn_angles.h"
 
 #include "base/units.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace voluta::panels {
+namespace voluta::geometry {
 
 namespace {
 using base::kPi;
@@ -49,4 +49,4 @@ Eigen::Vector3d anglesOf(const Eigen::Quaterniond& rotation, const Eigen::Vector
   return {wrapped(nearest.x()), wrapped(nearest.y()), wrapped(nearest.z())};
 }
 
-} // namespace voluta::panels
+} // namespace voluta::geometry

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-namespace voluta::panels {
+namespace voluta::geometry {
 
 // Turns about the fixed X, then Y, then Z axis of the work frame by radians.
 Eigen::Quaterniond rotationOf(const Eigen::Vector3d& anglesXyz);
@@ -12,4 +12,4 @@ Eigen::Quaterniond rotationOf(const Eigen::Vector3d& anglesXyz);
 // the user typed stays as typed, also where the middle angle is a right one.
 Eigen::Vector3d anglesOf(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& near);
 
-} // namespace voluta::panels
+} // namespace voluta::geometry

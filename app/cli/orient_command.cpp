@@ -1,0 +1,105 @@
+#include "cli/commands.h"
+#include "cli/run_interruptibly.h"
+#include "pipeline/automatic.h"
+#include "pipeline/choices.h"
+#include "pipeline/part_ways.h"
+#include "pipeline/stages.h"
+#include "project/turn_text.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace voluta::cli {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+struct Found {
+  std::shared_ptr<const modes::LoadStage> placed;
+  std::vector<placement::Way> ways;
+
+  geometry::Placement placementOf(const placement::Way& way) const {
+    return pipeline::standing(way, placed->placement);
+  }
+  // Where it does not stand it is not among its ways.
+  bool liesBadly() const {
+    const auto now = std::ranges::find_if(ways, &placement::Way::now);
+    return !ways.empty() && (now == ways.end() || placement::liesBadly(*now, ways.front()));
+  }
+};
+
+Found waysOf(const pipeline::PlanRequest& request, const base::RunContext& ctx) {
+  const project::Choices choices = pipeline::byHand(request.choices);
+  pipeline::checkChoices(choices);
+  const process::Process process =
+      pipeline::chosenProcess(choices, pipeline::parameterValues(choices));
+  const auto loaded = project::loadPart(request.part, choices.repair, ctx.sub(0.0, 0.1));
+  Found found;
+  found.placed = pipeline::loadStage(*loaded, choices, process, ctx.sub(0.1, 0.2));
+  found.ways = pipeline::partWays(*found.placed, choices, process, ctx.sub(0.2, 1.0));
+  return found;
+}
+
+Json jsonOf(const Found& found, const std::string& part) {
+  Json ways = Json::array();
+  for (const placement::Way& way : found.ways) {
+    const Eigen::Quaterniond turn = found.placementOf(way).rotation;
+    const Eigen::Vector3d degrees = project::turnDegrees(turn);
+    ways.push_back({{"now", way.now},
+                    {"turn", project::turnText(turn)},
+                    {"turnDeg", {degrees.x(), degrees.y(), degrees.z()}},
+                    {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
+                    {"contactMm2", way.score.contactMm2},
+                    {"overhangMm2", way.score.riskyMm2},
+                    {"heightMm", way.score.heightMm},
+                    {"voxelMm", way.voxelMm},
+                    {"voxels", way.voxels},
+                    {"missedVoxels", way.missed},
+                    {"estimatedS", way.seconds}});
+  }
+  return {{"file", part},
+          {"scale", found.placed->scale},
+          {"liesBadly", found.liesBadly()},
+          {"ways", std::move(ways)}};
+}
+
+void say(const Found& found) {
+  if (found.ways.empty()) {
+    fmt::print("no way in which it stands was found\n");
+    return;
+  }
+  fmt::print("{:<24}{:>13}{:>14}{:>11}{:>22}{:>12}\n", "turn", "contact mm2", "overhang mm2",
+             "height mm", "missed of voxels", "about min");
+  for (const placement::Way& way : found.ways)
+    fmt::print("{:<24}{:>13.0f}{:>14.0f}{:>11.1f}{:>22}{:>12.0f}{}\n",
+               project::turnText(found.placementOf(way).rotation), way.score.contactMm2,
+               way.score.riskyMm2, way.score.heightMm,
+               fmt::format("{} of {}", way.missed, way.voxels), way.seconds / 60.0,
+               way.now ? "  as it lies" : "");
+  if (found.liesBadly())
+    fmt::print("it lies badly; to stand it the first way: plan PART --turn={}\n",
+               project::turnText(found.placementOf(found.ways.front()).rotation));
+}
+
+} // namespace
+
+ExitCode orientCommand(const OrientOptions& options) {
+  auto outcome = runInterruptibly(
+      [request = options.request](const base::RunContext& ctx) { return waysOf(request, ctx); },
+      options.threads, {}, [] {});
+  if (std::holds_alternative<base::Cancelled>(outcome))
+    return kCancelled;
+  if (const auto* error = std::get_if<base::Error>(&outcome))
+    throw *error;
+  const Found& found = std::get<Found>(outcome);
+  if (options.json)
+    fmt::print(
+        "{}\n",
+        jsonOf(found, options.request.part).dump(2, ' ', false, Json::error_handler_t::replace));
+  else
+    say(found);
+  return kDone;
+}
+
+} // namespace voluta::cli

@@ -1,0 +1,90 @@
+#include "pipeline/part_ways.h"
+
+#include "base/key_text.h"
+#include "base/units.h"
+#include "modes/mode_table.h"
+#include "pipeline/choices.h"
+#include "plan/finding_kinds.h"
+#include "project/turn_text.h"
+
+namespace voluta::pipeline {
+
+namespace {
+
+placement::WaysOptions waysOptions(const modes::LoadStage& placed, const project::Choices& choices,
+                                   const process::Process& process) {
+  placement::WaysOptions options;
+  options.process = process;
+  options.overhangRad = base::degreesToRadians(parameterValues(choices).number("overhangAngle"));
+  options.quarterTurns = placed.voxels != nullptr;
+  return options;
+}
+
+plan::Finding findingOf(const placement::BetterWay& found, const geometry::Placement& placed) {
+  const Eigen::Vector3d degrees = project::turnDegrees(standing(found.best, placed).rotation);
+  const auto share = [](const placement::Way& way) {
+    return base::percent(100.0 * way.missedShare());
+  };
+  return plan::makeFinding(plan::FindingKind::LiesBadly,
+                           {{"contact", base::mm2(found.now.score.contactMm2)},
+                            {"overhang", base::mm2(found.now.score.riskyMm2)},
+                            {"missed", share(found.now)},
+                            {"bestContact", base::mm2(found.best.score.contactMm2)},
+                            {"bestOverhang", base::mm2(found.best.score.riskyMm2)},
+                            {"bestMissed", share(found.best)},
+                            {"x", base::degrees(degrees.x())},
+                            {"y", base::degrees(degrees.y())},
+                            {"z", base::degrees(degrees.z())}});
+}
+
+bool isLaidByUser(const project::Choices& choices) {
+  return standsFreely(choices) && parameterValues(choices).text("orient") == "none";
+}
+
+} // namespace
+
+bool standsFreely(const project::Choices& choices) {
+  return !modes::findMode(choices.mode).place;
+}
+
+std::vector<placement::Way> partWays(const modes::LoadStage& placed,
+                                     const project::Choices& choices,
+                                     const process::Process& process, const base::RunContext& ctx) {
+  return placement::waysToStand(*placed.part, waysOptions(placed, choices, process), ctx);
+}
+
+std::string partWaysKey(const project::LoadedPart& loaded, double scale,
+                        const project::Choices& choices, const process::Process& p) {
+  return base::keyText(loaded.hash, choices.repair, scale * unitMm(loaded, choices),
+                       parameterValues(choices).number("overhangAngle"), p.layerHeightMm,
+                       p.beadWidthMm, p.speedMmPerS, p.travelSpeedMmPerS, p.accelerationMmPerS2,
+                       p.maxFlowMm3PerS, p.primeS);
+}
+
+geometry::Placement standing(const placement::Way& way, const geometry::Placement& placed) {
+  geometry::Placement out = placed;
+  out.rotation = (way.turn * placed.rotation.normalized()).normalized();
+  out.liftMm = 0.0;
+  return out;
+}
+
+std::string standKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
+                     const project::Choices& choices, const process::Process& process) {
+  return partWaysKey(loaded, placed.scale, choices, process) +
+         base::keyText(placed.placement.rotation.coeffs(), isLaidByUser(choices));
+}
+
+std::shared_ptr<const StandStage> standStage(const modes::LoadStage& placed,
+                                             const project::Choices& choices,
+                                             const process::Process& process,
+                                             const base::RunContext& ctx) {
+  auto stage = std::make_shared<StandStage>();
+  if (!isLaidByUser(choices))
+    return stage;
+  if (const auto better =
+          placement::betterWay(*placed.part, waysOptions(placed, choices, process), ctx))
+    stage->findings.push_back(findingOf(*better, placed.placement));
+  return stage;
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,294 @@
+#include "placement/ways_to_stand.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/units.h"
+#include "geometry/convex_polygon.h"
+#include "geometry/measures.h"
+#include "geometry/placement.h"
+#include "placement/coarse_growth.h"
+#include "placement/resting_places.h"
+#include "plan/blocking_share.h"
+#include "process/bead_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace voluta::placement {
+
+namespace {
+
+// Of the box's diagonal: a sheet has little volume for its size.
+constexpr double kLeastCell = 0.005;
+constexpr std::size_t kPlaces = 48, kGrown = 10;
+constexpr double kLeastShare = 0.125; // of the largest contact; less is an edge or some corners
+constexpr double kBroader = 4.0;      // contact of a better way over that of a bad one
+
+// A way before it is grown.
+struct Candidate {
+  Eigen::Vector3d down; // of the mesh
+  OrientationScore score;
+  double angle = 0.0; // from how the mesh lies
+
+  Eigen::Quaterniond turn() const { return geometry::rotationLayingFlat(down); }
+};
+
+double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// What hangs over for each part that stands.
+double overhangShare(const OrientationScore& s) {
+  return s.riskyMm2 / std::max(s.contactMm2, 1e-9);
+}
+
+bool isPoorFoot(const OrientationScore& now, const OrientationScore& better) {
+  const bool small =
+      kBroader * now.contactMm2 < better.contactMm2 && better.riskyMm2 <= now.riskyMm2;
+  const bool burdened =
+      now.riskyMm2 > now.contactMm2 && kBroader * overhangShare(better) < overhangShare(now);
+  return small || burdened;
+}
+
+// The footprint of a turned part: its narrowest rectangle.
+struct Footprint {
+  double angle = 0.0;    // of its longer side, towards the end where more of the volume is
+  double acrossMm = 0.0; // its diagonal
+};
+Footprint footprint(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& turn,
+                    const Eigen::Vector3d& centre) {
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(mesh.vertices.size());
+  for (const Eigen::Vector3d& v : mesh.vertices)
+    points.emplace_back((turn * v).head<2>());
+  const std::vector<Eigen::Vector2d> hull = geometry::convexPolygon(std::move(points));
+  Footprint best;
+  double least = -1.0;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Eigen::Vector2d along = (hull[(i + 1) % hull.size()] - hull[i]).normalized();
+    const Eigen::Vector2d across(-along.y(), along.x());
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& p : hull)
+      box.extend(Eigen::Vector2d(p.dot(along), p.dot(across)));
+    const Eigen::Vector2d size = box.sizes();
+    if (least >= 0.0 && size.prod() >= least)
+      continue;
+    least = size.prod();
+    Eigen::Vector2d longer = size.x() >= size.y() ? along : across;
+    const Eigen::Vector2d middle = box.center().x() * along + box.center().y() * across;
+    if (((turn * centre).head<2>() - middle).dot(longer) < 0.0)
+      longer = -longer;
+    best = {std::atan2(longer.y(), longer.x()), size.norm()};
+  }
+  return best;
+}
+
+class WaySearch {
+public:
+  WaySearch(const geometry::TriangleMesh& mesh, const WaysOptions& options,
+            const base::RunContext& ctx)
+      : mesh_(mesh), options_(options), ctx_(ctx),
+        // A chamfer of just that angle is none, whatever rounding makes of it.
+        measure_(mesh, options.process.layerHeightMm, options.overhangRad + 1e-3),
+        area_(geometry::area(mesh)), now_(candidate(-Eigen::Vector3d::UnitZ())) {
+    for (Candidate& c : scored())
+      add(std::move(c));
+    const double least = std::max(options.process.layerHeightMm,
+                                  kLeastCell * geometry::bounds(mesh).diagonal().norm());
+    widthMm_ = coarseWidth(mesh, upright(places_.empty() ? now_ : places_.front()).first, least,
+                           options.voxels, ctx.sub(0.0, 0.1));
+  }
+
+  std::vector<Way> ways() {
+    std::vector<Candidate> chosen = promising();
+    if (now_.score.stands) {
+      std::erase_if(chosen, [&](const Candidate& c) { return same(c, now_); });
+      chosen.insert(chosen.begin(), now_);
+    }
+    std::vector<Way> ways = grown(chosen, ctx_.sub(0.1, 1.0));
+    if (now_.score.stands && !ways.empty())
+      ways.front().now = true;
+    std::ranges::stable_sort(ways, {}, rank);
+    if (ways.size() > options_.most) {
+      const auto last = ways.begin() + static_cast<std::ptrdiff_t>(options_.most) - 1;
+      const auto now = std::ranges::find_if(ways, &Way::now);
+      if (now != ways.end() && now > last)
+        std::iter_swap(now, last);
+      ways.resize(options_.most);
+    }
+    return ways;
+  }
+
+  Way asItLies() {
+    Way way = grown({now_}, ctx_.sub(0.1, 0.2)).front();
+    way.now = true;
+    return way;
+  }
+
+  // Of no way could more be said, whatever it misses.
+  bool mayLieBadly(const Way& now) const {
+    return !now.score.stands || now.missedShare() > plan::kBlockingShare ||
+           std::ranges::any_of(places_,
+                               [&](const Candidate& c) { return isPoorFoot(now.score, c.score); });
+  }
+
+private:
+  Candidate candidate(const Eigen::Vector3d& down) const {
+    Candidate c;
+    c.down = down;
+    c.score = measure_.of(c.turn().toRotationMatrix());
+    c.angle = angleBetween(down, -Eigen::Vector3d::UnitZ());
+    return c;
+  }
+
+  // Those that stand, the one with most contact first.
+  std::vector<Candidate> scored() const {
+    std::vector<Eigen::Vector3d> downs = restingPlaces(mesh_, kPlaces);
+    if (options_.quarterTurns)
+      std::erase_if(downs,
+                    [](const Eigen::Vector3d& d) { return d.cwiseAbs().maxCoeff() < 0.999; });
+    std::vector<Candidate> all(downs.size());
+    base::parallelChunks(ctx_.quiet(), downs.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+        all[n] = candidate(measure_.settled(downs[n]));
+    });
+    const auto contact = [](const Candidate& c) { return c.score.contactMm2; };
+    std::ranges::stable_sort(all, std::ranges::greater{}, contact);
+    const double least = all.empty() ? 0.0 : kLeastShare * contact(all.front());
+    std::erase_if(all, [&](const Candidate& c) {
+      return !c.score.stands || contact(c) < least ||
+             !measure_.balances(c.turn().toRotationMatrix());
+    });
+    return all;
+  }
+
+  void add(Candidate c) {
+    constexpr double kNear = base::degreesToRadians(15.0), kAsNear = 1e-6;
+    for (Candidate& other : places_) {
+      if (same(c, other)) {
+        if (c.angle < other.angle - kAsNear)
+          other = std::move(c);
+        return;
+      }
+      if (angleBetween(c.down, other.down) < kNear)
+        return;
+    }
+    places_.push_back(std::move(c));
+  }
+
+  // To a hundredth: of one direction, or of directions that a symmetry takes into each other.
+  bool same(const Candidate& a, const Candidate& b) const {
+    const auto within = [](double x, double y, double of) { return std::abs(x - y) <= 0.01 * of; };
+    const OrientationScore &p = a.score, &q = b.score;
+    return within(p.contactMm2, q.contactMm2, std::max(p.contactMm2, q.contactMm2)) &&
+           within(p.heightMm, q.heightMm, p.heightMm) && within(p.riskyMm2, q.riskyMm2, area_) &&
+           within(p.middleMm, q.middleMm, p.heightMm);
+  }
+
+  // Worth a growth: those of most contact and those of least overhang.
+  std::vector<Candidate> promising() const {
+    if (places_.size() <= kGrown)
+      return places_;
+    std::vector<Candidate> chosen(places_.begin(), places_.begin() + kGrown / 2);
+    std::vector<Candidate> rest(places_.begin() + kGrown / 2, places_.end());
+    std::ranges::stable_sort(rest, {}, [](const Candidate& c) { return overhangShare(c.score); });
+    chosen.insert(chosen.end(), rest.begin(), rest.begin() + kGrown / 2);
+    return chosen;
+  }
+
+  static std::tuple<double, double, double> rank(const Way& w) {
+    return {std::floor(w.missedShare() / plan::kBlockingShare), overhangShare(w.score),
+            w.score.heightMm};
+  }
+
+  // Turned about the vertical besides, so that its voxels are the same however the mesh lies.
+  std::pair<Eigen::Quaterniond, Footprint> upright(const Candidate& c) const {
+    const Eigen::Quaterniond turn = c.turn();
+    const Footprint foot = footprint(mesh_, turn.toRotationMatrix(), measure_.centre());
+    return {Eigen::Quaterniond(Eigen::AngleAxisd(-foot.angle, Eigen::Vector3d::UnitZ()) * turn),
+            foot};
+  }
+
+  std::vector<Way> grown(const std::vector<Candidate>& chosen, const base::RunContext& ctx) const {
+    std::vector<Way> ways;
+    std::vector<Eigen::Quaterniond> turns;
+    const double volume = std::abs(geometry::volume(mesh_));
+    for (const Candidate& c : chosen) {
+      const auto& [turn, foot] = upright(c);
+      turns.push_back(turn);
+      Way way;
+      way.turn = c.turn();
+      way.score = c.score;
+      way.voxelMm = widthMm_;
+      way.seconds = estimatedSeconds(volume, c.score.heightMm, foot.acrossMm, options_.process);
+      ways.push_back(way);
+    }
+    const std::vector<CoarseGrowth> growths = coarseGrowths(mesh_, turns, {widthMm_}, ctx);
+    for (std::size_t n = 0; n < ways.size(); ++n) {
+      ways[n].voxels = growths[n].voxels;
+      ways[n].missed = growths[n].missed;
+    }
+    return ways;
+  }
+
+  const geometry::TriangleMesh& mesh_;
+  const WaysOptions& options_;
+  const base::RunContext& ctx_;
+  OrientationMeasure measure_;
+  double area_;
+  Candidate now_;
+  std::vector<Candidate> places_; // distinct
+  double widthMm_ = 0.0;
+};
+
+void check(const geometry::TriangleMesh& mesh, const WaysOptions& options) {
+  base::require(!mesh.empty() && options.most >= 1, "waysToStand: facets, a way or more");
+}
+
+} // namespace
+
+double Way::missedShare() const {
+  return voxels > 0 ? static_cast<double>(missed) / static_cast<double>(voxels) : 0.0;
+}
+
+double estimatedSeconds(double volumeMm3, double heightMm, double acrossMm,
+                        const process::Process& p) {
+  const double flow =
+      std::min(p.maxFlowMm3PerS, process::beadArea(p.beadWidthMm, p.layerHeightMm) * p.speedMmPerS);
+  const double travel =
+      acrossMm / p.travelSpeedMmPerS + p.travelSpeedMmPerS / p.accelerationMmPerS2;
+  return volumeMm3 / flow + std::ceil(heightMm / p.layerHeightMm - 1e-6) * (p.primeS + travel);
+}
+
+std::vector<Way> waysToStand(const geometry::TriangleMesh& mesh, const WaysOptions& options,
+                             const base::RunContext& ctx) {
+  check(mesh, options);
+  std::vector<Way> ways = WaySearch(mesh, options, ctx).ways();
+  ctx.report(1.0, "ways to stand"_text);
+  return ways;
+}
+
+bool liesBadly(const Way& now, const Way& better) {
+  if (!now.score.stands)
+    return better.score.stands;
+  const double is = now.missedShare(), canBe = better.missedShare();
+  if (is > canBe + plan::kBlockingShare && is > 2.0 * canBe)
+    return true;
+  return canBe <= is + plan::kBlockingShare && isPoorFoot(now.score, better.score);
+}
+
+std::optional<BetterWay> betterWay(const geometry::TriangleMesh& mesh, const WaysOptions& options,
+                                   const base::RunContext& ctx) {
+  check(mesh, options);
+  WaySearch search(mesh, options, ctx);
+  const Way now = search.asItLies();
+  if (!search.mayLieBadly(now))
+    return std::nullopt;
+  const std::vector<Way> ways = search.ways();
+  if (ways.empty() || ways.front().now || !liesBadly(now, ways.front()))
+    return std::nullopt;
+  return BetterWay{now, ways.front()};
+}
+
+} // namespace voluta::placement

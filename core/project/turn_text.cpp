@@ -1,0 +1,37 @@
+#include "project/turn_text.h"
+
+#include "base/error.h"
+#include "base/number_list.h"
+#include "base/units.h"
+#include "geometry/turn_angles.h"
+
+#include <fmt/format.h>
+
+namespace voluta::project {
+
+Eigen::Vector3d turnDegrees(const Eigen::Quaterniond& turn) {
+  constexpr double kSteps = 1000.0; // of a degree
+  const Eigen::Vector3d angles = geometry::anglesOf(turn, Eigen::Vector3d::Zero());
+  // + 0: no minus before a zero.
+  return (kSteps * angles.unaryExpr(&base::radiansToDegrees)).array().round() / kSteps + 0.0;
+}
+
+Eigen::Quaterniond turnOfDegrees(const Eigen::Vector3d& degrees) {
+  return geometry::rotationOf(degrees.unaryExpr(&base::degreesToRadians));
+}
+
+std::string turnText(const Eigen::Quaterniond& turn) {
+  const Eigen::Vector3d degrees = turnDegrees(turn);
+  return fmt::format("{:g},{:g},{:g}", degrees.x(), degrees.y(), degrees.z());
+}
+
+Eigen::Quaterniond parsedTurn(const std::string& text) {
+  Eigen::Vector3d degrees;
+  if (!base::readNumbers(text, ',', {&degrees.x(), &degrees.y(), &degrees.z()}))
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("turn '{turn}' is not three angles"_text, text), {},
+                      "give degrees about x, y and z: 90,0,0"_text);
+  return turnOfDegrees(degrees);
+}
+
+} // namespace voluta::project

@@ -1,0 +1,155 @@
+// Ways to stand: shown for every part, laid by one click, and offered where a part lies badly.
+#include "gui/window_fixture.h"
+#include "helpers/shapes.h"
+#include "panels/findings_panel.h"
+#include "panels/placement_panel.h"
+#include "panels/ways_list.h"
+#include "plan/finding_kinds.h"
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QListView>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QTest>
+#include <QUndoStack>
+
+namespace voluta::test {
+namespace {
+
+using project::Stage;
+
+class StandTest : public WindowTest {
+protected:
+  panels::WaysList* ways() { return find<panels::WaysList>("waysToStand"); }
+  QAbstractButton* way(int n) { return find<QAbstractButton>(qPrintable(QString("way%1").arg(n))); }
+  bool settled() {
+    return waitFor([&] {
+      return document().upToDate(Stage::Load) && !window().planning().running() &&
+             !window().presenter().busy() && ways()->count() > 0 && !ways()->isLooking();
+    });
+  }
+  void openStanding(const QString& file) {
+    openPart(file);
+    find<QTabWidget>("prepareTabs")->setCurrentIndex(1);
+    ASSERT_TRUE(settled());
+  }
+  double heightMm() { return window().presenter().partBox().sizes().z(); }
+  int marked() {
+    for (int n = 0; n < static_cast<int>(ways()->count()); ++n)
+      if (way(n)->isChecked())
+        return n;
+    return -1;
+  }
+  // As a hand would: into sight, then clicked.
+  void click(QAbstractButton* button) {
+    for (QWidget* up = button; up; up = up->parentWidget())
+      if (auto* area = qobject_cast<QScrollArea*>(up))
+        area->ensureWidgetVisible(button);
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  bool tellsOfLyingBadly() {
+    const auto result = document().result(Stage::Load);
+    return std::ranges::any_of(result->job.report.findings, [](const plan::Finding& finding) {
+      return finding.kind == plan::FindingKind::LiesBadly;
+    });
+  }
+};
+
+TEST_F(StandTest, OneClickLaysThePartAndUndoTakesItBack) {
+  openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
+  ASSERT_EQ(ways()->count(), 3u);
+  EXPECT_EQ(marked(), 1) << "as it came, 24 mm would be lower";
+  EXPECT_FALSE(tellsOfLyingBadly());
+  EXPECT_TRUE(way(0)->accessibleName().contains("1,800")) << way(0)->accessibleName().toStdString();
+  const QImage before = picture();
+  click(way(0));
+  ASSERT_TRUE(settled());
+  EXPECT_NEAR(heightMm(), 24.0, 1e-6);
+  EXPECT_EQ(marked(), 0);
+  EXPECT_GT(differingShare(before, picture()), 0.02);
+  EXPECT_EQ(document().undoStack()->undoText(), "stand it this way");
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(settled());
+  EXPECT_NEAR(heightMm(), 30.0, 1e-6);
+  EXPECT_EQ(marked(), 1);
+  EXPECT_EQ(document().choices().placement.rotation.coeffs(),
+            Eigen::Quaterniond::Identity().coeffs());
+}
+
+TEST_F(StandTest, TheKeyboardLaysItToo) {
+  openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
+  const auto* reset = find<panels::PlacementPanel>("placement")->findChild<QWidget*>("reset");
+  EXPECT_EQ(reset->nextInFocusChain(), way(0)) << "Tab comes there from what stands before";
+  EXPECT_EQ(way(1)->nextInFocusChain(), way(2));
+  way(2)->setFocus();
+  QTest::keyClick(way(2), Qt::Key_Space);
+  ASSERT_TRUE(settled());
+  EXPECT_NEAR(heightMm(), 60.0, 1e-6);
+  EXPECT_EQ(marked(), 2);
+}
+
+TEST_F(StandTest, APlaceOfItsOwnStays) {
+  openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
+  geometry::Placement aside;
+  aside.centreMm = {12.0, -7.0};
+  aside.liftMm = 3.0;
+  document().place(aside, "move");
+  ASSERT_TRUE(settled());
+  click(way(0));
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(document().choices().placement.centreMm, aside.centreMm);
+  EXPECT_EQ(document().choices().placement.liftMm, 0.0) << "on the plate";
+}
+
+TEST_F(StandTest, APartOnItsEdgeIsOfferedTheBestWay) {
+  openStanding(writePart("edge.stl", box({0, 0, 0}, {50.0, 6.0, 40.0})));
+  ASSERT_TRUE(tellsOfLyingBadly());
+  auto* list = find<panels::FindingsPanel>("findings")->findChild<QListView*>();
+  ASSERT_EQ(list->model()->rowCount(), 1);
+  const QModelIndex first = list->model()->index(0, 0);
+  EXPECT_TRUE(first.data().toString().contains("lies badly"));
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(first).center());
+  auto* button =
+      find<panels::FindingsPanel>("findings")->findChild<QPushButton*>("remedy_standBest");
+  ASSERT_NE(button, nullptr);
+  QTest::mouseClick(button, Qt::LeftButton);
+  window().planning().cancel();
+  clickMenu("runMenu", "planLayers");
+  ASSERT_TRUE(planned(Stage::Layers));
+  EXPECT_NEAR(heightMm(), 6.0, 1e-3);
+  EXPECT_EQ(marked(), 0);
+  EXPECT_FALSE(tellsOfLyingBadly());
+}
+
+// A part that is turned by hand is shown as it lies, beside the others.
+TEST_F(StandTest, HowItLiesByHandIsAmongThem) {
+  openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
+  geometry::Placement tipped;
+  tipped.rotation = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 1.0, 0.0).normalized());
+  document().place(tipped, "turn");
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(ways()->count(), 3u) << "on a corner it does not stand";
+  EXPECT_EQ(marked(), -1);
+  EXPECT_FALSE(find<QLabel>("waysState")->text().isEmpty());
+  click(way(0));
+  ASSERT_TRUE(settled());
+  EXPECT_NEAR(heightMm(), 24.0, 1e-3);
+  EXPECT_EQ(marked(), 0);
+}
+
+TEST_F(StandTest, ThereAreNoneAroundARod) {
+  openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
+  EXPECT_TRUE(ways()->isVisible());
+  project::Choices choices = document().choices();
+  choices.automatic = false;
+  choices.mode = "lathe";
+  choices.cell = "lathe";
+  choices.platform = project::Platform("rod:5x200");
+  document().setChoices(choices, "lathe");
+  EXPECT_FALSE(ways()->isVisible());
+}
+
+} // namespace
+} // namespace voluta::test

@@ -1,0 +1,139 @@
+// Where a part lies badly: told with the way that is best, which the remedy then takes.
+#include "pipeline/part_ways.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "helpers/shapes.h"
+#include "pipeline/remedies.h"
+#include "pipeline/road.h"
+#include "plan/finding_kinds.h"
+#include "project/turn_text.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using pipeline::PlanRequest;
+using pipeline::PlanResult;
+
+namespace {
+
+PlanRequest requestOf(const geometry::TriangleMesh& mesh) {
+  PlanRequest request;
+  request.loaded =
+      project::loadedFrom("part.stl", std::make_shared<geometry::TriangleMesh>(mesh), {}, true, {});
+  request.until = project::Stage::Load;
+  return request;
+}
+
+const geometry::TriangleMesh kOnEdge = test::box({0, 0, 0}, {50, 6, 40});
+
+const plan::Finding* toldIn(const PlanResult& result) {
+  const plan::Findings& all = result.job.report.findings;
+  const auto told = std::ranges::find(all, plan::FindingKind::LiesBadly, &plan::Finding::kind);
+  return told == all.end() ? nullptr : &*told;
+}
+
+TEST(PartWays, APlateOnItsEdgeIsToldAndTheRemedyLaysIt) {
+  PlanRequest request = requestOf(kOnEdge);
+  request.choices.placement.liftMm = 2.0;
+  const PlanResult result = pipeline::planPart(request, {});
+  const plan::Finding* told = toldIn(result);
+  ASSERT_NE(told, nullptr);
+  EXPECT_FALSE(told->blocking);
+  EXPECT_NE(plan::englishReason(*told).find("300 mm2"), std::string::npos)
+      << plan::englishReason(*told);
+  EXPECT_NE(plan::englishReason(*told).find("2000 mm2"), std::string::npos);
+  const auto offers = pipeline::remediesFor(*told, request.choices);
+  ASSERT_EQ(offers.size(), 1u);
+  EXPECT_EQ(offers[0].remedy->id, plan::RemedyId::StandBest);
+  request.choices = offers[0].choices;
+  const PlanResult laid = pipeline::planPart(request, {});
+  EXPECT_EQ(toldIn(laid), nullptr);
+  EXPECT_NEAR(geometry::bounds(*laid.job.part).sizes().z(), 6.0, 1e-3);
+  EXPECT_NEAR(geometry::bounds(*laid.job.part).min().z(), 0.0, 1e-9) << "on the plate";
+}
+
+TEST(PartWays, TheRemedyIsOfThePartAndNotOfHowItLay) {
+  PlanRequest request = requestOf(kOnEdge);
+  request.choices.placement.rotation = Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitY());
+  const PlanResult result = pipeline::planPart(request, {});
+  ASSERT_NE(toldIn(result), nullptr);
+  // Turned on by hand before the button is pressed.
+  request.choices.placement.rotation = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX());
+  request.choices = pipeline::remediesFor(*toldIn(result), request.choices).at(0).choices;
+  EXPECT_NEAR(geometry::bounds(*pipeline::planPart(request, {}).job.part).sizes().z(), 6.0, 1e-3);
+}
+
+TEST(PartWays, NothingIsToldOfWhatASearchOrTheModeLays) {
+  PlanRequest request = requestOf(kOnEdge);
+  request.choices.parameters["orient"] = "leastRisky";
+  EXPECT_EQ(toldIn(pipeline::planPart(request, {})), nullptr);
+  request = requestOf(kOnEdge);
+  request.choices.mode = "lathe";
+  request.choices.cell = "lathe";
+  request.choices.process = "fdm-0.35";
+  request.choices.platform = project::Platform("rod:5x200");
+  EXPECT_FALSE(pipeline::standsFreely(request.choices));
+  EXPECT_EQ(toldIn(pipeline::planPart(request, {})), nullptr);
+}
+
+TEST(PartWays, AreOfThePlacedPartAndStandItWhereItWas) {
+  PlanRequest request = requestOf(kOnEdge);
+  request.choices.scale = "0.5";
+  request.choices.placement.centreMm = {8.0, -3.0};
+  const PlanResult result = pipeline::planPart(request, {});
+  const auto ways = pipeline::partWays(*result.placed, request.choices, *result.process, {});
+  ASSERT_EQ(ways.size(), 2u) << "on the smallest side it would hardly stand";
+  EXPECT_NEAR(ways[0].score.heightMm, 3.0, 1e-6);
+  request.choices.placement = pipeline::standing(ways[0], result.placed->placement);
+  const Eigen::AlignedBox3d box = geometry::bounds(*pipeline::planPart(request, {}).job.part);
+  EXPECT_NEAR(box.sizes().z(), 3.0, 1e-9);
+  EXPECT_NEAR(box.center().x(), 8.0, 1e-9);
+  EXPECT_NEAR(box.center().y(), -3.0, 1e-9);
+}
+
+TEST(PartWays, TheirKeyHasAllThatTheyAreMadeFrom) {
+  const PlanRequest request = requestOf(kOnEdge);
+  const auto keyOf = [&](double scale, const project::Choices& choices,
+                         const process::Process& process) {
+    return pipeline::partWaysKey(*request.loaded, scale, choices, process);
+  };
+  project::Choices choices;
+  process::Process process;
+  const std::string key = keyOf(1.0, choices, process);
+  EXPECT_NE(keyOf(2.0, choices, process), key);
+  process.layerHeightMm = 0.6;
+  EXPECT_NE(keyOf(1.0, choices, process), key);
+  choices.parameters["overhangAngle"] = "50";
+  EXPECT_NE(keyOf(1.0, choices, {}), key);
+  choices.parameters.clear();
+  choices.units = "in";
+  EXPECT_NE(keyOf(1.0, choices, {}), key);
+  choices.units = "mm";
+  choices.parameters["walls"] = "1";
+  choices.platform = project::Platform("disc:90");
+  EXPECT_EQ(keyOf(1.0, choices, {}), key);
+}
+
+TEST(TurnText, IsReadAsItIsWritten) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> any;
+  for (int n = 0; n < 500; ++n) {
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
+    EXPECT_LT(project::parsedTurn(project::turnText(turn)).angularDistance(turn), 5e-5);
+  }
+  EXPECT_EQ(project::turnText(Eigen::Quaterniond::Identity()), "0,0,0");
+  EXPECT_EQ(project::turnText(project::parsedTurn("-90,0,0")), "-90,0,0");
+  // X first, then Z, about axes that stay.
+  EXPECT_LT(
+      (project::parsedTurn("90,0,90") * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(),
+      1e-12);
+  for (const char* wrong : {"", "90", "90,0", "90,0,0,0", "a,b,c", "nan,0,0"})
+    EXPECT_THROW(project::parsedTurn(wrong), base::Error) << wrong;
+}
+
+} // namespace

@@ -1,0 +1,44 @@
+// A way in which the part can stand: its picture, with the figures beneath.
+#pragma once
+
+#include <QAbstractButton>
+#include <QImage>
+#include <QString>
+#include <array>
+#include <cstddef>
+
+namespace voluta::panels {
+
+struct ShownWay {
+  QImage picture; // twice as large as it is shown, and more
+  double contactMm2 = 0.0, overhangMm2 = 0.0, heightMm = 0.0;
+  std::size_t missed = 0, voxels = 0;
+  QString time; // "2 h 5 min"
+};
+
+class WayCard : public QAbstractButton {
+  Q_OBJECT
+
+public:
+  static constexpr QSize kPicture{132, 88}; // as it is shown at most
+
+  explicit WayCard(QWidget* parent = nullptr);
+
+  void setWay(const ShownWay& way);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  void retranslate();
+  void paintTick(QPainter& painter) const;
+
+  ShownWay way_;
+  std::array<QString, 3> lines_;
+};
+
+} // namespace voluta::panels

@@ -1,0 +1,57 @@
+// The ways in which the part can stand, as pictures to choose from.
+#pragma once
+
+#include "panels/way_card.h"
+
+#include <QWidget>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+
+namespace voluta::panels {
+
+class WaysList : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit WaysList(QWidget* parent = nullptr);
+
+  // Size of a picture that is good enough for any screen.
+  static QSize pictureSize();
+
+  static constexpr std::size_t kMost = 4;
+
+  // The best first. Precondition (Error{Internal}): at most kMost. None of these emits.
+  void setWays(const std::vector<ShownWay>& ways);
+  // How the part stands now; none: otherwise.
+  void setNow(std::optional<std::size_t> way);
+  // Other ones are being looked for.
+  void setLooking(bool looking);
+  bool isLooking() const { return looking_; }
+  std::size_t count() const { return count_; }
+
+signals:
+  void chosen(int way);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void addCard(int n);
+  void retranslate();
+  void showState();
+
+  std::array<WayCard*, kMost> cards_{}; // there from the first, so that Tab knows them
+  std::size_t count_ = 0;               // of them on show
+  std::optional<std::size_t> now_;
+  bool looking_ = false;
+  QLabel* title_ = nullptr;
+  QLabel* state_ = nullptr;
+  QGridLayout* grid_ = nullptr;
+};
+
+} // namespace voluta::panels

@@ -1,0 +1,154 @@
+#include "window/pages/stand_chooser.h"
+
+#include "document/document.h"
+#include "geometry/placement.h"
+#include "panels/stand_picture.h"
+#include "pipeline/part_ways.h"
+#include "window/background.h"
+#include "window/pages/part_handles.h"
+#include "window/presenter.h"
+#include "window/status_line.h"
+
+#include <cmath>
+#include <utility>
+
+namespace voluta::window {
+
+using project::Stage;
+
+namespace {
+constexpr double kSame = 0.003; // of unit vectors: a sixth of a degree
+
+// No more exact than it is.
+QString roughTime(double seconds) {
+  const double minutes = std::max(1.0, std::round(seconds / 60.0));
+  return minutes < 60.0 ? StandChooser::tr("%1 min").arg(minutes) : durationText(60.0 * minutes);
+}
+
+panels::ShownWay shownWay(const placement::Way& way, const QImage& picture) {
+  panels::ShownWay shown;
+  shown.picture = picture;
+  shown.contactMm2 = way.score.contactMm2;
+  shown.overhangMm2 = way.score.riskyMm2;
+  shown.heightMm = way.score.heightMm;
+  shown.missed = way.missed;
+  shown.voxels = way.voxels;
+  shown.time = roughTime(way.seconds);
+  return shown;
+}
+} // namespace
+
+struct StandChooser::Found {
+  std::vector<placement::Way> ways;
+  std::vector<QImage> pictures;
+  Eigen::Quaterniond rotation; // of the part's file, from which the ways turn
+};
+
+StandChooser::StandChooser(const Workspace& workspace, const PartHandles& handles, QObject* parent)
+    : QObject(parent), work_(workspace), handles_(handles), list_(new panels::WaysList) {
+  list_->setObjectName(QStringLiteral("waysToStand"));
+  connect(list_, &panels::WaysList::chosen, this,
+          [this](int way) { lay(static_cast<std::size_t>(way)); });
+  using document::Document;
+  connect(&work_.document, &Document::choicesChanged, this, &StandChooser::refresh);
+  connect(&work_.document, &Document::sourceChanged, this, &StandChooser::refresh);
+  connect(&work_.document, &Document::resultChanged, this, &StandChooser::refresh);
+  // What was in sight as it lay may not be as it stands.
+  connect(&work_.presenter, &Presenter::partDrawn, this, [this] {
+    if (std::exchange(laid_, false))
+      work_.viewport.frameAll();
+  });
+  refresh();
+}
+
+Eigen::Vector3d StandChooser::down() const {
+  return handles_.placed().rotation.normalized().conjugate() * -Eigen::Vector3d::UnitZ();
+}
+
+std::optional<std::size_t> StandChooser::wayDown(const Eigen::Vector3d& down) const {
+  for (std::size_t n = 0; n < downs_.size(); ++n)
+    if ((downs_[n] - down).norm() < kSame)
+      return n;
+  return std::nullopt;
+}
+
+void StandChooser::refresh() {
+  const document::Document& document = work_.document;
+  const bool free =
+      document.source() && !document.unusable() && pipeline::standsFreely(document.choices());
+  list_->setVisible(free);
+  if (!free) {
+    key_.clear();
+    runner_.cancel();
+    list_->setLooking(false);
+    return;
+  }
+  const auto placed = document.result(Stage::Load);
+  if (!placed || !placed->placed || !placed->process || !document.upToDate(Stage::Load))
+    return;
+  const std::string key = pipeline::partWaysKey(*document.source(), placed->job.scale,
+                                                document.choices(), *placed->process);
+  // Another way to lie is shown beside the others; where the part stands in one of them they stay.
+  if (key == key_ && (wayDown(down()) || (lookedFrom_ - down()).norm() < kSame))
+    showNow();
+  else
+    look(key);
+}
+
+void StandChooser::look(const std::string& key) {
+  if (key != key_) {
+    downs_.clear();
+    list_->setWays({});
+  }
+  key_ = key;
+  lookedFrom_ = down();
+  list_->setLooking(true);
+  const auto plan = work_.document.result(Stage::Load);
+  inBackground(
+      runner_,
+      [plan, choices = work_.document.choices()](const base::RunContext& ctx) {
+        const modes::LoadStage& placed = *plan->placed;
+        Found found{pipeline::partWays(placed, choices, *plan->process, ctx),
+                    {},
+                    placed.placement.rotation.normalized()};
+        std::vector<Eigen::Quaterniond> turns;
+        for (const placement::Way& way : found.ways)
+          turns.push_back(way.turn);
+        found.pictures =
+            panels::standPictures(*placed.part, turns, panels::WaysList::pictureSize());
+        return found;
+      },
+      [this](Found&& found) { take(std::move(found)); });
+}
+
+void StandChooser::take(Found found) {
+  downs_.clear();
+  std::vector<panels::ShownWay> shown;
+  for (std::size_t n = 0; n < found.ways.size(); ++n) {
+    downs_.push_back((found.ways[n].turn * found.rotation).conjugate() * -Eigen::Vector3d::UnitZ());
+    shown.push_back(shownWay(found.ways[n], found.pictures[n]));
+  }
+  list_->setLooking(false);
+  list_->setWays(shown);
+  showNow();
+}
+
+void StandChooser::showNow() {
+  list_->setNow(wayDown(down()));
+}
+
+void StandChooser::lay(std::size_t way) {
+  if (way >= downs_.size())
+    return;
+  project::Choices choices = work_.document.choices();
+  choices.placement = handles_.placed();
+  const Eigen::Quaterniond rotation = choices.placement.rotation.normalized();
+  choices.placement.rotation =
+      (geometry::rotationLayingFlat(rotation * downs_[way]) * rotation).normalized();
+  choices.placement.liftMm = 0.0;
+  choices.parameters.erase("orient"); // a search would turn it further
+  laid_ = true;
+  work_.document.setChoices(choices, tr("stand it this way"));
+}
+
+} // namespace voluta::window
