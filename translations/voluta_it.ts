@@ -4268,6 +4268,10 @@ mm³</translation>
         <source>ways to stand</source>
         <translation>modi di appoggio</translation>
     </message>
+    <message>
+        <source>{length:.1f} of a bead have nothing right beneath them; this material bridges {bridge:.1f}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

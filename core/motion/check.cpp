@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "motion/motion_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,44 @@ namespace {
 constexpr std::size_t kChunk = 256;
 constexpr double kStraightStep = 0.02;                     // rad
 constexpr double kJointStep = base::degreesToRadians(0.5); // rad, for joint moves
+constexpr double kNearRad = 0.3; // of a joint between steps of a straight move
+
+// The states between the ends of one motion: of a straight one where the nozzle goes straight,
+// which near a singular wrist is far from where the joints would go by themselves.
+class Between {
+public:
+  Between(const robot::Cell& cell, const JointVector& from, const JointVector& to, bool straight)
+      : cell_(cell), from_(from), to_(to), last_(from),
+        straight_(straight && cell.externalAxes().empty()) {
+    if (straight_) {
+      start_ = cell.work_T_tool(from);
+      end_ = cell.work_T_tool(to);
+    }
+  }
+
+  // Asked for with rising t, from 0 to 1.
+  const JointVector& at(double t) {
+    JointVector q = from_ + t * (to_ - from_);
+    if (straight_) {
+      const Eigen::Vector3d tip =
+          start_.translation() + t * (end_.translation() - start_.translation());
+      const Eigen::Quaterniond tool =
+          Eigen::Quaterniond(start_.linear()).slerp(t, Eigen::Quaterniond(end_.linear()));
+      JointVector solved;
+      if (solveNear(cell_, tip, tool, last_, kNearRad, scratch_, solved))
+        q = solved;
+    }
+    last_ = q;
+    return last_;
+  }
+
+private:
+  const robot::Cell& cell_;
+  JointVector from_, to_, last_;
+  bool straight_;
+  Eigen::Isometry3d start_, end_;
+  std::vector<JointVector> scratch_;
+};
 
 } // namespace
 
@@ -87,8 +126,9 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
           const double step =
               trajectory.move[i] == plan::MoveKind::Joint ? kJointStep : kStraightStep;
           const int pieces = static_cast<int>(std::ceil(scene.span(last, q) / step));
+          Between between(scene.cell, last, q, trajectory.move[i] == plan::MoveKind::Linear);
           for (int k = 1; k < pieces && !contact; ++k) {
-            scene.cell.framePoses(last + static_cast<double>(k) / pieces * (q - last), frames);
+            scene.cell.framePoses(between.at(static_cast<double>(k) / pieces), frames);
             // Where printing stops or starts the head is at work too until it has left.
             const bool atWork = printing || trajectory.waypoint[i] != plan::kNoWaypoint ||
                                 trajectory.move[i - 1] == plan::MoveKind::Print;
