@@ -4270,7 +4270,7 @@ mm³</translation>
     </message>
     <message>
         <source>{length:.1f} of a bead have nothing right beneath them; this material bridges {bridge:.1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>{length:.1f} di un cordone non hanno nulla subito sotto; questo materiale ne scavalca {bridge:.1f}</translation>
     </message>
 </context>
 <context>

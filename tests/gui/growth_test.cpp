@@ -148,6 +148,9 @@ TEST_F(GrowthTest, AFindingOfMissedVoxelsFliesThereAndLooksThroughTheRest) {
   mesh.vertices.insert(mesh.vertices.end(), afloat.vertices.begin(), afloat.vertices.end());
   for (const auto& t : afloat.triangles)
     mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  project::Choices alone = document().choices();
+  alone.parameters["supports"] = "none";
+  document().setChoices(alone, "supports");
   planLayers(mesh);
   ASSERT_GT(window().presenter().voxels().missed(), 0u);
   auto* panel = find<panels::FindingsPanel>("findings");

@@ -167,6 +167,8 @@ TEST_F(PreviewTest, CanBeTurnedOffAndTheWindowRemembers) {
 TEST_F(PreviewTest, AButtonCuresAFindingAndUndoTakesItBack) {
   project::Choices wide = document().choices();
   wide.platform = project::Platform("disc:150");
+  wide.parameters["supports"] = "none";
+  wide.parameters["frontShape"] = "flat";
   document().setChoices(wide, "platform");
   planLayers(writePart("hook.stl", hook()));
   const auto missed = [&] {

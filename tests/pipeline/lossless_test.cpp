@@ -40,6 +40,7 @@ std::shared_ptr<const LoadedPart> toothPart(bool asCells) {
                     {}, true, {});
 }
 
+// With a front that loses the tooth unless `parameters` say otherwise.
 PlanResult planned(const std::map<std::string, std::string>& parameters, Stage until,
                    bool asCells = false) {
   PlanRequest request;
@@ -47,6 +48,7 @@ PlanResult planned(const std::map<std::string, std::string>& parameters, Stage u
   request.until = until;
   request.choices.parameters = parameters;
   request.choices.parameters["voxelMm"] = "1";
+  request.choices.parameters.insert({{"supports", "none"}, {"frontShape", "flat"}});
   return planPart(request, base::RunContext(base::CancelToken{}, 2));
 }
 
@@ -108,6 +110,16 @@ TEST(Lossless, ASupportedPlanIsKeptInItsProject) {
   EXPECT_EQ(job.decomposition()->supportVoxels, 8u);
   EXPECT_EQ(job.layers->patches.back().group, plan.job.layers->patches.back().group);
   EXPECT_EQ(job.report.decomposition.missedAfterSupports, 0u);
+}
+
+TEST(Lossless, ByItselfModeCurvedMissesNothing) {
+  PlanRequest request;
+  request.loaded = toothPart(false);
+  request.until = Stage::Decompose;
+  request.choices.parameters["voxelMm"] = "1";
+  const PlanResult plan = planPart(request, {});
+  EXPECT_EQ(plan.job.report.decomposition.missedAfterSupports, 0u);
+  EXPECT_TRUE(nothingBlocks(plan.job.report));
 }
 
 TEST(Lossless, TurnedItNeedsNoSupport) {

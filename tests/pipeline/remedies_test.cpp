@@ -37,6 +37,8 @@ Choices choicesFor(RemedyId id) {
     choices.platform = project::Platform("disc:80");
   if (id == RemedyId::DropToPlate)
     choices.placement.liftMm = 4.0;
+  if (id == RemedyId::AddSupports)
+    choices.parameters["supports"] = "none";
   if (id == RemedyId::AdaptLayers)
     choices.mode = "flat";
   if (id == RemedyId::CentrePart)
