@@ -98,8 +98,11 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
       path.patch = static_cast<int>(i);
       path.group = stack.patches[i].group;
       path.closed = bead.closed;
+      double last = 0.0; // section
       for (const BeadPoint& p : points) {
-        const double section = process::beadArea(p.widthMm, p.heightMm);
+        const double own = process::beadArea(p.widthMm, p.heightMm);
+        // On the way from a thicker place the extruder gives more than at the end of it.
+        const double section = std::max(own, std::exchange(last, own));
         out.plan.position.push_back(tipOf(p));
         out.plan.direction.push_back(p.direction);
         out.plan.widthMm.push_back(static_cast<float>(p.widthMm));

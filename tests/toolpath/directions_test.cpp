@@ -101,6 +101,29 @@ TEST(PlanToolpaths, SameForAnyNumberOfThreads) {
   EXPECT_EQ(toolpath::writeToolpathVtp(one.plan), toolpath::writeToolpathVtp(two.plan));
 }
 
+TEST(PlanToolpaths, NeverAskForMoreThanTheExtruderGives) {
+  layers::LayerStack stack;
+  layers::Patch p = test::patchOver({test::circle(12)}, 0.8);
+  for (std::size_t v = 0; v < p.thicknessMm.size(); ++v)
+    p.thicknessMm[v] = 0.45 + 0.5 * std::abs(std::sin(1.3 * p.surface.vertices[v].x()));
+  stack.patches.push_back(std::move(p));
+  stack.layerCount = 1;
+  process::Process process = testProcess();
+  process.maxFlowMm3PerS = 8.0;
+  const plan::ToolPlan made =
+      toolpath::planToolpaths(stack, testCell(), process, {}, base::RunContext{}).plan;
+  const auto section = [&](std::size_t i) {
+    return process::beadArea(made.widthMm[i], made.heightMm[i]);
+  };
+  double most = 0.0;
+  for (const plan::ToolPath& path : made.paths)
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      most = std::max(most, process::beadVolume(section(i - 1), section(i), 1.0) *
+                                static_cast<double>(made.speedMmPerS[i]));
+  EXPECT_LE(most, process.maxFlowMm3PerS * (1.0 + 1e-6));
+  EXPECT_GT(most, 0.9 * process.maxFlowMm3PerS);
+}
+
 TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
   const auto stack = dome(4, 1.0);
   const process::Process process = testProcess();
