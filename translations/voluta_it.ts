@@ -4272,6 +4272,17 @@ mm³</translation>
         <source>{length:.1f} of a bead have nothing right beneath them; this material bridges {bridge:.1f}</source>
         <translation>{length:.1f} di un cordone non hanno nulla subito sotto; questo materiale ne scavalca {bridge:.1f}</translation>
     </message>
+    <message>
+        <source>a pedestal made for the part clears the head&apos;s way; it comes with its drawing</source>
+        <translation>un piedistallo fatto per il pezzo lascia libera la testa; viene con il suo disegno</translation>
+    </message>
+    <message numerus="yes">
+        <source>on this plate {here} voxels would be missed without columns, on a pedestal as wide as the part&apos;s foot {there}</source>
+        <translation>
+            <numerusform>su questo piano si perderebbe {here} voxel senza colonne, su un piedistallo largo quanto la base del pezzo {there}</numerusform>
+            <numerusform>su questo piano si perderebbero {here} voxel senza colonne, su un piedistallo largo quanto la base del pezzo {there}</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -3,11 +3,17 @@
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"
 #include "curved/forward_growth.h"
+#include "curved/grow.h"
+#include "curved/platform.h"
+#include "curved/voxel_graph.h"
 #include "modes/curved_supports.h"
 #include "modes/part_voxels.h"
 #include "modes/plate.h"
+#include "plan/finding_kinds.h"
 #include "support/supports.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -43,6 +49,24 @@ CurvedPlan planOf(const ModeChoices& in) {
   growth.headForLosses = in.values.text("frontShape") == "nozzle";
   growth.rounds = static_cast<int>(in.values.integer("fieldRounds"));
   return plan;
+}
+
+// What a pedestal as wide as the part's foot would save of columns (Boge 2019, 6.2.3 and 6.4).
+std::optional<plan::Finding> pedestalGains(const voxel::SolidVoxels& part, const CurvedPlan& plan,
+                                           std::size_t missedHere, const base::RunContext& ctx) {
+  if (missedHere == 0 || plan.platform.marginMm())
+    return std::nullopt;
+  const curved::VoxelGraph graph =
+      curved::voxelGraph(part.grid, part.solid, part.plateLayer(), curved::platformFit(part, 0.0));
+  const curved::CurvedOptions& o = plan.growth;
+  const curved::Growth growth =
+      curved::grow(graph, o.growth, o.forward, ctx,
+                   o.headForLosses && !o.head.sections.empty() ? &o.head : nullptr);
+  const std::size_t there = part.count - std::min(part.count, growth.laid);
+  if (2 * there > missedHere)
+    return std::nullopt;
+  return plan::makeFinding(plan::FindingKind::PedestalGains,
+                           {{"here", missedHere}, {"there", there}}, std::nullopt, missedHere);
 }
 
 std::shared_ptr<const DecomposeStage>
@@ -83,6 +107,8 @@ decomposeCurved(const CurvedPlan& plan, const DecomposeInput& input, const base:
   stage->timings.grow = d.seconds.grow;
   stage->timings.smooth = d.seconds.smooth;
   tellSupports(supports, *stage);
+  if (const auto gains = pedestalGains(solid, plan, supports.missedBefore, ctx.quiet()))
+    stage->findings.push_back(*gains);
   stage->result = project::Voxels(decomposition);
   return stage;
 }

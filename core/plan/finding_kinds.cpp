@@ -19,6 +19,7 @@ constexpr std::array kForShadowed{ShrinkPlatform, AddSupports, TurnPart};
 constexpr std::array kForUnreached{DropToPlate, AddSupports, TurnPart};
 constexpr std::array kForOverhang{AddSupports, TurnLeastRisky};
 constexpr std::array kTurn{TurnLeastRisky};
+constexpr std::array kPedestal{ShrinkPlatform};
 constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
 constexpr std::array kNarrow{NarrowVoxels};
 constexpr std::array kAdapt{AdaptLayers};
@@ -158,6 +159,13 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{columns} more column carries what would be missed|"
      "{columns} more columns carry what would be missed"_plural,
      "turning the part may need fewer"_text},
+    {PedestalGains, "pedestalGains", "pedestal", Decompose, Tells,
+     "on this plate {here} voxel would be missed without columns, on a pedestal as wide as the "
+     "part's foot {there}|"
+     "on this plate {here} voxels would be missed without columns, on a pedestal as wide as the "
+     "part's foot {there}"_plural,
+     "a pedestal made for the part clears the head's way; it comes with its drawing"_text,
+     kPedestal},
     {NoSupport, "noSupport", "noSupport", Decompose, Blocks,
      "no column from inside the platform reaches {voxels} voxel that would be missed|"
      "no column from inside the platform reaches {voxels} voxels that would be missed"_plural,

@@ -41,6 +41,7 @@ enum class FindingKind : std::uint8_t {
   SupportColumn,
   SupportColumnTouching,
   SupportColumns,
+  PedestalGains,
   NoSupport,
   ThinWall,
   WallTooThin,

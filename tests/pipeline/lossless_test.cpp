@@ -122,6 +122,39 @@ TEST(Lossless, ByItselfModeCurvedMissesNothing) {
   EXPECT_TRUE(nothingBlocks(plan.job.report));
 }
 
+// A block that hangs over a wide plate on a stem at its side: as wide as the stem's foot, a
+// platform leaves the head room below it.
+TEST(Lossless, WhatAPedestalWouldSaveIsTold) {
+  voxel::VoxelObject object;
+  object.size = {30, 8, 16};
+  for (int k = 0; k < 16; ++k)
+    for (int j = 0; j < 8; ++j)
+      for (int i = 0; i < 30; ++i)
+        object.solid.push_back(i < 6 || k >= 12 || (i >= 24 && k >= 4));
+  PlanRequest request;
+  request.loaded = loadedFrom(
+      "hook.stl", std::make_shared<geometry::TriangleMesh>(voxel::surfaceOf(object)), {}, true, {});
+  request.until = Stage::Decompose;
+  request.choices.parameters = {{"voxelMm", "1"}, {"frontShape", "flat"}};
+  request.choices.platform = Platform("disc:150");
+  const PlanResult wide = planPart(request, {});
+  ASSERT_GT(wide.job.report.decomposition.missedVoxels, 0u);
+  ASSERT_EQ(countOf(wide.job.report, "pedestal"), 1u);
+  const auto told = std::ranges::find(wide.job.report.findings, plan::FindingKind::PedestalGains,
+                                      &plan::Finding::kind);
+  EXPECT_EQ(told->count, wide.job.report.decomposition.missedVoxels);
+
+  // As it says: without columns, on a pedestal.
+  request.choices.platform = Platform("fit:0");
+  request.choices.parameters["supports"] = "none";
+  const PlanResult fit = planPart(request, {});
+  const std::size_t missed = fit.job.report.decomposition.missedVoxels;
+  EXPECT_NE(plan::englishReason(*told).find("part's foot " + std::to_string(missed)),
+            std::string::npos)
+      << plan::englishReason(*told);
+  EXPECT_EQ(countOf(fit.job.report, "pedestal"), 0u);
+}
+
 TEST(Lossless, TurnedItNeedsNoSupport) {
   for (const bool asCells : {false, true}) {
     const PlanResult plan = planned({{"orient", "fewestMissed"}}, Stage::Decompose, asCells);
