@@ -12,17 +12,19 @@ namespace voluta::pipeline {
 PartMotion::PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
                        const robot::Cell& cell, const process::Process& process,
                        const motion::MotionOptions& options, const base::RunContext& ctx)
-    : cell_(cell) {
+    : toolPlan_(toolPlan), cell_(cell), ground_(platform),
+      pitchMm_(collision::growingPitch(toolPlan, process)) {
+  ground_.rod.reset(); // it is a body of the cell
   if (toolPlan.paths.empty())
     return;
-  const base::Stopwatch depositing;
-  platform::PlatformSolid ground = platform;
-  ground.rod.reset(); // it is a body of the cell
-  const double pitch = collision::growingPitch(toolPlan, process);
-  growing_ = std::make_unique<const collision::GrowingPart>(
-      toolPlan, pitch, ctx, collision::groundCells(ground, pitch, ctx));
+  layPart(ctx);
   planner_ = std::make_unique<motion::MotionPlanner>(toolPlan, cell, process, *growing_, options);
-  depositS_ = depositing.seconds();
+}
+
+void PartMotion::layPart(const base::RunContext& ctx) {
+  const base::Stopwatch depositing;
+  growing_.emplace(toolPlan_, pitchMm_, ctx, collision::groundCells(ground_, pitchMm_, ctx));
+  depositS_ += depositing.seconds();
 }
 
 PartMotion::~PartMotion() = default;
@@ -39,10 +41,14 @@ std::shared_ptr<const MotionStage> PartMotion::plan(const base::RunContext& ctx)
 
 std::shared_ptr<const MotionStage>
 PartMotion::planWithout(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx) {
-  return planner_ ? stageOf(planner_->planWithout(waypoints, ctx)) : plan(ctx);
+  if (!planner_)
+    return plan(ctx);
+  layPart(ctx);
+  return stageOf(planner_->planWithout(waypoints, ctx));
 }
 
 std::shared_ptr<const MotionStage> PartMotion::stageOf(motion::MotionResult moved) {
+  growing_.reset();
   auto stage = std::make_shared<MotionStage>();
   project::MotionReport& r = stage->report;
   r.robot = cell_.robot().id;

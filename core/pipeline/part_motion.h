@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "collision/growing_part.h"
 #include "motion/motion_options.h"
 #include "pipeline/stages.h"
 #include "plan/tool_plan.h"
@@ -12,11 +13,9 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
-namespace voluta::collision {
-class GrowingPart;
-}
 namespace voluta::motion {
 class MotionPlanner;
 struct MotionResult;
@@ -40,12 +39,18 @@ public:
                                                  const base::RunContext& ctx);
 
 private:
+  void layPart(const base::RunContext& ctx);
   std::shared_ptr<const MotionStage> stageOf(motion::MotionResult moved);
 
+  const plan::ToolPlan& toolPlan_;
   const robot::Cell& cell_;
-  std::unique_ptr<const collision::GrowingPart> growing_; // null: nothing to print
-  std::unique_ptr<motion::MotionPlanner> planner_;        // null: nothing to print
-  double depositS_ = 0.0;                                 // not told of yet
+  platform::PlatformSolid ground_;
+  double pitchMm_; // of the growing part's cells
+  // Only while something is planned: it is large, and laid in a fraction of a second. The planner
+  // refers to it where it stands.
+  std::optional<collision::GrowingPart> growing_;
+  std::unique_ptr<motion::MotionPlanner> planner_; // null: nothing to print
+  double depositS_ = 0.0;                          // not told of yet
 };
 
 } // namespace voluta::pipeline

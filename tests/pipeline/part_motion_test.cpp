@@ -1,0 +1,57 @@
+#include "pipeline/part_motion.h"
+
+#include "motion/motion.h"
+#include "motion/sample_plans.h"
+#include "plan/finding_kinds.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace voluta::pipeline {
+namespace {
+
+class Rings : public ::testing::Test {
+protected:
+  // The growing part is laid anew for every round: nothing of what it is depends on when.
+  static bool prints(const MotionStage& stage, std::size_t waypoint) {
+    return std::ranges::count(stage.trajectory->waypoint, waypoint) > 0;
+  }
+
+  const plan::ToolPlan plan_ = test::cylinder(15, 6);
+  const process::Process process_ = process::loadProcess("fdm-1.0");
+  const platform::PlatformSolid plate_{test::disc(20)};
+  const robot::Cell cell_ = robot::loadCell("ur5-fixed", process_, plate_);
+};
+
+TEST_F(Rings, AreMovedAlongAndAgainWithoutWhatIsMet) {
+  PartMotion moving(plan_, plate_, cell_, process_, {}, {});
+  const auto all = moving.plan({});
+  EXPECT_EQ(all->report.waypoints, plan_.waypointCount());
+  EXPECT_TRUE(all->findings.empty());
+  const auto less = moving.planWithout({40}, {});
+  EXPECT_EQ(less->report.waypoints, plan_.waypointCount() - 1);
+  EXPECT_TRUE(prints(*all, 40));
+  EXPECT_FALSE(prints(*less, 40));
+  const auto least = moving.planWithout({41}, {});
+  EXPECT_EQ(least->report.waypoints, plan_.waypointCount() - 2);
+
+  // As the planner has it with one growing part for all rounds.
+  const collision::GrowingPart growing(plan_, collision::growingPitch(plan_, process_), {});
+  motion::MotionPlanner planner(plan_, cell_, process_, growing, {});
+  EXPECT_EQ(planner.plan({}).trajectory.joints, all->trajectory->joints);
+  EXPECT_EQ(planner.planWithout({40}, {}).trajectory.joints, less->trajectory->joints);
+  EXPECT_EQ(planner.planWithout({41}, {}).trajectory.joints, least->trajectory->joints);
+}
+
+TEST_F(Rings, NothingToPrintIsTold) {
+  const plan::ToolPlan none;
+  PartMotion moving(none, plate_, cell_, process_, {}, {});
+  for (const auto& stage : {moving.plan({}), moving.planWithout({}, {})}) {
+    EXPECT_EQ(stage->trajectory, nullptr);
+    ASSERT_EQ(stage->findings.size(), 1u);
+    EXPECT_EQ(stage->findings.front().kind, plan::FindingKind::NothingToPrint);
+  }
+}
+
+} // namespace
+} // namespace voluta::pipeline
