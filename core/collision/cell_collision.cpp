@@ -220,39 +220,36 @@ bool CellCollision::headTouchesPart(const Isometry3d& work_T_tool, const Growing
   });
 }
 
-double CellCollision::lowest(const std::vector<robot::Shape>& shapes,
-                             const Isometry3d& work_T_shapes) {
-  const Vector3d down = work_T_shapes.linear().transpose() * -Vector3d::UnitZ();
+bool CellCollision::touchesPlatform(const Assembly& assembly, const Isometry3d& work_T_assembly,
+                                    double marginMm) const {
+  // Mostly all of it is above the plate.
+  const Vector3d down = work_T_assembly.linear().transpose() * -Vector3d::UnitZ();
   double deepest = -std::numeric_limits<double>::infinity();
-  for (const robot::Shape& shape : shapes)
-    deepest = std::max(deepest, support(shape, down));
-  return work_T_shapes.translation().z() - deepest;
+  for (const Solid& solid : assembly.solids)
+    deepest = std::max(deepest, support(solid.shape, down));
+  if (work_T_assembly.translation().z() - deepest > platformTopMm_ + marginMm)
+    return false;
+  return std::ranges::any_of(platforms_, [&](int i) {
+    return distance(assembly, work_T_assembly, assemblies_[static_cast<std::size_t>(i)],
+                    Isometry3d::Identity(), marginMm) <= marginMm;
+  });
 }
 
 bool CellCollision::holderTouches(const Isometry3d& work_T_tool, const GrowingPart& part,
                                   std::size_t before, const Margins& margins) const {
   return std::ranges::any_of(holders_, [&](int h) {
-    const auto i = static_cast<std::size_t>(h);
-    const std::vector<robot::Shape>& shapes = cell_.bodies()[i].shapes;
-    if (std::ranges::any_of(shapes, [&](const robot::Shape& shape) {
-          return part.touches(shape, work_T_tool, margins.partMm, before);
-        }))
-      return true;
-    return lowest(shapes, work_T_tool) <= platformTopMm_ + margins.bodiesMm &&
-           std::ranges::any_of(platforms_, [&](int p) {
-             return distance(assemblies_[i], work_T_tool, assemblies_[static_cast<std::size_t>(p)],
-                             Isometry3d::Identity(), margins.bodiesMm) <= margins.bodiesMm;
-           });
+    const Assembly& holder = assemblies_[static_cast<std::size_t>(h)];
+    return std::ranges::any_of(holder.solids,
+                               [&](const Solid& solid) {
+                                 return part.touches(solid.shape, work_T_tool, margins.partMm,
+                                                     before);
+                               }) ||
+           touchesPlatform(holder, work_T_tool, margins.bodiesMm);
   });
 }
 
 bool CellCollision::headTouchesPlatform(const Isometry3d& work_T_tool, double marginMm) const {
-  if (lowest(erodedHeadShapes_, work_T_tool) > platformTopMm_ + marginMm)
-    return false;
-  return std::any_of(platforms_.begin(), platforms_.end(), [&](int i) {
-    return distance(*erodedHead_, work_T_tool, assemblies_[static_cast<std::size_t>(i)],
-                    Isometry3d::Identity(), marginMm) <= marginMm;
-  });
+  return touchesPlatform(*erodedHead_, work_T_tool, marginMm);
 }
 
 std::optional<Contact> CellCollision::any(const Frames& base_T_frame, const GrowingPart& part,

@@ -85,9 +85,9 @@ private:
                   const Eigen::Isometry3d& base_T_b, double enough) const;
   double distance(const Assembly& a, const Eigen::Isometry3d& base_T_a, const Assembly& b,
                   const Eigen::Isometry3d& base_T_b, double enough) const;
-  // The least z of the work frame that the shapes come to.
-  static double lowest(const std::vector<robot::Shape>& shapes,
-                       const Eigen::Isometry3d& work_T_shapes);
+  // Does it come nearer than marginMm to the plate or what carries it?
+  bool touchesPlatform(const Assembly& assembly, const Eigen::Isometry3d& work_T_assembly,
+                       double marginMm) const;
   template <typename Visit>
   void forBodiesAgainstPart(const Frames& base_T_frame, Visit&& visit) const;
   bool isHeadAndPlatform(int a, int b) const;

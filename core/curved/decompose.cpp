@@ -166,6 +166,10 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
 
 } // namespace
 
+const process::HeadShape* headForLosses(const CurvedOptions& options) {
+  return options.headForLosses && !options.head.sections.empty() ? &options.head : nullptr;
+}
+
 base::ParameterTable curvedParameters() {
   return base::ParameterTable({
       base::numberParameter(
@@ -206,9 +210,8 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
   out.frontNormal.assign(voxels.grid.cellCount(), Eigen::Vector3f::Zero());
 
   const bool fits = options.growth.row().peels && options.rounds > 0;
-  const Growth growth =
-      grow(graph, options.growth, options.forward, ctx.sub(0.0, fits ? 0.15 : 0.9),
-           options.head.sections.empty() || !options.headForLosses ? nullptr : &options.head);
+  const Growth growth = grow(graph, options.growth, options.forward,
+                             ctx.sub(0.0, fits ? 0.15 : 0.9), headForLosses(options));
   out.growth = growth.scheme;
   out.layers = growth.ranks;
   if (growth.byHead > 0)

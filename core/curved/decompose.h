@@ -24,6 +24,9 @@ struct CurvedOptions {
   int rounds = 8;            // of growth and refit, at most; 0: ranks only, no field
 };
 
+// What grow() may lay by the head, where a flat front would lose it; nullptr: nothing.
+const process::HeadShape* headForLosses(const CurvedOptions& options);
+
 // voxelMm (mm, 0.8: width of the voxels), frontShape (auto: CurvedOptions::head under roofs only;
 // flat; nozzle: also where voxels would be lost) and
 // fieldRounds (CurvedOptions::rounds).

@@ -60,8 +60,7 @@ std::optional<plan::Finding> pedestalGains(const voxel::SolidVoxels& part, const
       curved::voxelGraph(part.grid, part.solid, part.plateLayer(), curved::platformFit(part, 0.0));
   const curved::CurvedOptions& o = plan.growth;
   const curved::Growth growth =
-      curved::grow(graph, o.growth, o.forward, ctx,
-                   o.headForLosses && !o.head.sections.empty() ? &o.head : nullptr);
+      curved::grow(graph, o.growth, o.forward, ctx, curved::headForLosses(o));
   const std::size_t there = part.count - std::min(part.count, growth.laid);
   if (2 * there > missedHere)
     return std::nullopt;

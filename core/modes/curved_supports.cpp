@@ -16,8 +16,8 @@ support::Supports supportsOf(const voxel::SolidVoxels& part,
   support::SupportOptions options;
   options.growth = growth.growth;
   options.forward = growth.forward;
-  if (growth.headForLosses)
-    options.head = growth.head;
+  if (const process::HeadShape* head = curved::headForLosses(growth))
+    options.head = *head;
   return support::supportsFor(part, platform, options, ctx);
 }
 

@@ -7,9 +7,9 @@ namespace voluta::motion {
 std::string KnownTransfers::keyOf(Way way, const RobotState& from, const RobotState& to,
                                   std::size_t fromWaypoint, std::size_t toWaypoint,
                                   const Surround& surround) {
-  return base::keyText(static_cast<int>(way), fromWaypoint, toWaypoint, from.q, from.tip,
-                       from.tool.coeffs(), from.rodRad, to.q, to.tip, to.tool.coeffs(), to.rodRad,
-                       surround.centre, surround.radius);
+  return base::keyText(way, fromWaypoint, toWaypoint, from.q, from.tip, from.tool.coeffs(),
+                       from.rodRad, to.q, to.tip, to.tool.coeffs(), to.rodRad, surround.centre,
+                       surround.radius);
 }
 
 } // namespace voluta::motion

@@ -441,10 +441,4 @@ MotionResult MotionPlanner::planWithout(const std::vector<std::size_t>& waypoint
   return work_->planWithout(waypoints, ctx);
 }
 
-MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
-                        const process::Process& process, const collision::GrowingPart& part,
-                        const MotionOptions& options, const base::RunContext& ctx) {
-  return MotionPlanner(plan, cell, process, part, options).plan(ctx);
-}
-
 } // namespace voluta::motion

@@ -60,6 +60,11 @@ struct MotionResult {
 // extrudedMm3 rises at Print points only, by the mean of the sections at both waypoints times their
 // distance. A rod is at a multiple of its step at every point; at the end it rests at a whole turn
 // where it runs on. The same result for any number of threads.
+// Example:
+//   const double pitch = collision::growingPitch(toolPlan, process);
+//   const collision::GrowingPart growing(toolPlan, pitch, ctx);
+//   motion::MotionPlanner planner(toolPlan, cell, process, growing, {});
+//   const motion::MotionResult moved = planner.plan(ctx);
 class MotionPlanner {
 public:
   // All of them must outlive the planner. Preconditions: part was grown from `plan`; process is the
@@ -79,15 +84,5 @@ private:
   class Work;
   std::unique_ptr<Work> work_;
 };
-
-// One motion, as MotionPlanner plans it.
-// Example:
-//   const double pitch = collision::growingPitch(toolPlan, process);
-//   const collision::GrowingPart growing(toolPlan, pitch, ctx);
-//   const motion::MotionResult moved =
-//       motion::planMotion(toolPlan, cell, process, growing, {}, ctx);
-MotionResult planMotion(const plan::ToolPlan& plan, const robot::Cell& cell,
-                        const process::Process& process, const collision::GrowingPart& part,
-                        const MotionOptions& options, const base::RunContext& ctx);
 
 } // namespace voluta::motion

@@ -55,7 +55,7 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
   const base::ParameterValues values = parameterValues(choices);
   const bool rod =
       modes::cellOnAnyPlatform(choices, chosenProcess(choices, values)).rod().has_value();
-  std::vector<project::Choices> all;
+  std::vector<project::Choices> all, hands; // each way, and what it comes to by hand
   const auto add = [&](const modes::Mode& mode, const project::Platform& platform, int number) {
     project::Choices way = choices;
     way.mode = mode.id;
@@ -64,13 +64,14 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
       way.platform = platform;
     if (mode.aroundRod != rod || !way.platform.isForAnyOf(mode.platforms))
       return;
-    const project::Choices hand = byHand(way);
-    if (std::ranges::none_of(all, [&](const project::Choices& other) {
-          const project::Choices taken = byHand(other);
-          return taken.mode == hand.mode && taken.platform == hand.platform &&
-                 taken.parameters == hand.parameters;
+    project::Choices hand = byHand(way);
+    if (std::ranges::any_of(hands, [&](const project::Choices& other) {
+          return other.mode == hand.mode && other.platform == hand.platform &&
+                 other.parameters == hand.parameters;
         }))
-      all.push_back(std::move(way));
+      return;
+    all.push_back(std::move(way));
+    hands.push_back(std::move(hand));
   };
   for (std::size_t i = 0; i < automaticWays().size(); ++i)
     add(modes::findMode(automaticWays()[i].mode), project::Platform(automaticWays()[i].platform),

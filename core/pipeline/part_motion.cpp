@@ -1,7 +1,6 @@
 #include "pipeline/part_motion.h"
 
 #include "base/stopwatch.h"
-#include "collision/growing_part.h"
 #include "motion/motion.h"
 #include "plan/finding_kinds.h"
 

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/units.h"
 #include "geometry/convex_polygon.h"
+#include "geometry/directions.h"
 #include "geometry/measures.h"
 #include "geometry/placement.h"
 #include "placement/coarse_growth.h"
@@ -19,6 +20,8 @@ namespace voluta::placement {
 
 namespace {
 
+using geometry::angleBetween;
+
 // Of the box's diagonal: a sheet has little volume for its size.
 constexpr double kLeastCell = 0.005;
 constexpr std::size_t kPlaces = 48, kGrown = 10;
@@ -33,10 +36,6 @@ struct Candidate {
 
   Eigen::Quaterniond turn() const { return geometry::rotationLayingFlat(down); }
 };
-
-double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 // What hangs over for each part that stands.
 double overhangShare(const OrientationScore& s) {

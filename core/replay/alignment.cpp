@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
+#include "geometry/directions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +11,11 @@ namespace voluta::replay {
 
 namespace {
 
+using geometry::angleBetween;
+
 // Rounding of a dialect's digits: a pair this close is taken without looking further.
 constexpr double kRoundingMm = 0.01;
 constexpr std::size_t kRunOfAgreement = 3;
-
-double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 class Walk {
 public:

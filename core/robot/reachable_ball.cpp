@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/directions.h"
 #include "geometry/least_turn.h"
 
 #include <cmath>
@@ -18,12 +19,10 @@ using base::kPi;
 
 std::vector<Eigen::Vector3d> unitBallPattern() {
   constexpr int kPoints = 64;
-  const double golden = kPi * (3.0 - std::sqrt(5.0));
   std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero()};
   for (int i = 0; i < kPoints; ++i) {
     // The poles are among them: the platform's centre and the point furthest from it.
-    const double z = 1.0 - 2.0 * i / (kPoints - 1), r = std::sqrt(std::max(0.0, 1.0 - z * z));
-    const Eigen::Vector3d p(r * std::cos(golden * i), r * std::sin(golden * i), z);
+    const Eigen::Vector3d p = geometry::onSpiral(i, 1.0 - 2.0 * i / (kPoints - 1));
     points.push_back(p);
     points.push_back(0.5 * p);
   }

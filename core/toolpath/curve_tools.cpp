@@ -1,6 +1,7 @@
 #include "toolpath/curve_tools.h"
 
 #include "base/error.h"
+#include "geometry/directions.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -59,7 +60,7 @@ std::vector<double> findCorners(const ByLength& c, bool closed, const ResampleOp
     const Vector3d p = c.at(at).position;
     const Vector3d before = p - c.at(at - window).position, after = c.at(at + window).position - p;
     s.push_back(at);
-    turn.push_back(std::atan2(before.cross(after).norm(), before.dot(after)));
+    turn.push_back(geometry::angleBetween(before, after));
   }
   std::vector<double> corners;
   for (std::size_t i = 0; i < s.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
+#include "geometry/directions.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "toolpath/head_clearance.h"
@@ -21,17 +22,13 @@ namespace voluta::toolpath {
 
 namespace {
 using Eigen::Vector3d;
+using geometry::angleBetween;
 using plan::ToolPlan;
 
 constexpr std::size_t kGrain = 512;
 // From what is printed already, where a direction keeps it: programs are judged by the head as it
 // is, and ways between waypoints come nearer.
 constexpr double kMarginMm = 0.05;
-const double kGoldenAngle = base::kPi * (3.0 - std::sqrt(5.0));
-
-double angleBetween(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
   const double angle = angleBetween(a, b);
@@ -44,9 +41,9 @@ Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
 
 class Orienter {
 public:
-  Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear, const robot::Cell& cell,
+  Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear, const HeadClearance& head,
            const process::Process& process, const ToolpathOptions& o, const base::RunContext& ctx)
-      : plan_(plan), clear_(clear), process_(process), o_(o), ctx_(ctx), head_(cell, process) {
+      : plan_(plan), clear_(clear), process_(process), o_(o), ctx_(ctx), head_(head) {
     middle_.resize(plan.waypointCount());
     for (std::size_t i = 0; i < middle_.size(); ++i)
       middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];
@@ -121,11 +118,10 @@ private:
       return last;
     const Vector3d u = t.unitOrthogonal(), v = t.cross(u);
     for (int k = 0; k < kSphere; ++k) {
-      const double along = 1.0 - (2.0 * k + 1.0) / kSphere;
-      if (along < least)
+      const Vector3d p = geometry::onSpiral(k, 1.0 - (2.0 * k + 1.0) / kSphere);
+      if (p.z() < least)
         break;
-      const double across = std::sqrt(1.0 - along * along), angle = k * kGoldenAngle;
-      const Vector3d d = along * t + across * (std::cos(angle) * u + std::sin(angle) * v);
+      const Vector3d d = p.x() * u + p.y() * v + p.z() * t;
       if (clears(part, i, d))
         return d;
     }
@@ -273,7 +269,7 @@ private:
   const ToolpathOptions& o_;
   const base::RunContext ctx_;
   std::shared_ptr<const collision::FillTimes> ground_;
-  HeadClearance head_;
+  const HeadClearance& head_;
   std::vector<Vector3d> middle_, direction_, subdividedClear_;
 };
 } // namespace
@@ -287,11 +283,12 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   // Leaning moves tips and beads a little, and subdividing adds waypoints: what isn't clear after
   // that is gone over again, as long as that helps.
   constexpr int kRounds = 4;
+  const HeadClearance head(cell, process);
   ToolPlan current = plan;
   std::vector<Vector3d> clear = clearDirection;
   OrientResult best;
   for (int round = 0; round < kRounds; ++round) {
-    Orienter orienter(current, clear, cell, process, options,
+    Orienter orienter(current, clear, head, process, options,
                       round == 0 ? ctx.sub(0.0, 0.7) : ctx.sub(0.7, 1.0));
     OrientResult result = orienter.run();
     if (round > 0 && result.gouges >= best.gouges)

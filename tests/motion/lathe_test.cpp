@@ -72,8 +72,8 @@ struct Wound {
 
   explicit Wound(plan::ToolPlan p, const std::function<void(json&)>& edit = {}, int threads = 2)
       : plan(std::move(p)), cell(cellOf(process, edit)), part(plan, 0.35, {}),
-        result(motion::planMotion(plan, cell, process, part, {},
-                                  base::RunContext(base::CancelToken(), threads))) {}
+        result(motion::MotionPlanner(plan, cell, process, part, {})
+                   .plan(base::RunContext(base::CancelToken(), threads))) {}
 
   static robot::Cell cellOf(const process::Process& process,
                             const std::function<void(json&)>& edit) {

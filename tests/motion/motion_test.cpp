@@ -23,9 +23,8 @@ struct Planned {
 
   explicit Planned(plan::ToolPlan p, double plateRadius = 20.0, int threads = 2)
       : plan(std::move(p)), cell(robot::loadCell("ur5-fixed", process, test::disc(plateRadius))),
-        part(plan, 0.45, {}),
-        result(motion::planMotion(plan, cell, process, part, {},
-                                  base::RunContext(base::CancelToken(), threads))) {}
+        part(plan, 0.45, {}), result(motion::MotionPlanner(plan, cell, process, part, {})
+                                         .plan(base::RunContext(base::CancelToken(), threads))) {}
 
   void print(const char* name) const {
     const auto& s = result.statistics;
@@ -207,7 +206,7 @@ TEST(Motion, OutOfReachIsNamed) {
   process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const collision::GrowingPart part(plan, 2.0, {});
-  const auto result = motion::planMotion(plan, cell, process, part, {}, {});
+  const auto result = motion::MotionPlanner(plan, cell, process, part, {}).plan({});
   EXPECT_EQ(result.statistics.unreachable, 20u);
   ASSERT_EQ(result.skipped.size(), 20u);
   EXPECT_EQ(result.skipped.front(), first);
@@ -226,7 +225,7 @@ TEST(Motion, HeadInThePlateIsNamed) {
   process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const collision::GrowingPart part(plan, 0.5, {});
-  const auto result = motion::planMotion(plan, cell, process, part, {}, {});
+  const auto result = motion::MotionPlanner(plan, cell, process, part, {}).plan({});
   ASSERT_FALSE(result.findings.empty());
   EXPECT_EQ(plan::kindWord(result.findings.front()), "collision");
   EXPECT_GE(result.statistics.collisions, 5u);
@@ -242,7 +241,7 @@ TEST(Motion, FewPlacesAreLeftOutAndTold) {
   process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const collision::GrowingPart part(plan, 0.45, {});
-  const auto result = motion::planMotion(plan, cell, process, part, {}, {});
+  const auto result = motion::MotionPlanner(plan, cell, process, part, {}).plan({});
   EXPECT_EQ(result.skipped, std::vector<std::size_t>{at});
   EXPECT_GT(result.statistics.leftOutFraction, 0.0);
   EXPECT_LT(result.statistics.leftOutFraction, 0.005);
@@ -276,12 +275,14 @@ TEST(Motion, EmptyPlanAndCancel) {
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const plan::ToolPlan none;
   const auto result =
-      motion::planMotion(none, cell, process, collision::GrowingPart(none, 0.5, {}), {}, {});
+      motion::MotionPlanner(none, cell, process, collision::GrowingPart(none, 0.5, {}), {})
+          .plan({});
   EXPECT_EQ(result.trajectory.pointCount(), 1u);
   const base::CancelToken cancel;
   cancel.cancel();
   const auto plan = test::cylinder(15, 2);
   const collision::GrowingPart part(plan, 0.5, {});
-  EXPECT_THROW(motion::planMotion(plan, cell, process, part, {}, base::RunContext(cancel, 2)),
-               base::Cancelled);
+  EXPECT_THROW(
+      motion::MotionPlanner(plan, cell, process, part, {}).plan(base::RunContext(cancel, 2)),
+      base::Cancelled);
 }

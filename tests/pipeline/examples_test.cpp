@@ -56,7 +56,8 @@ plan::Trajectory moveExample(const plan::ToolPlan& toolPlan, const robot::Cell& 
                              const process::Process& process) {
   const double pitch = collision::growingPitch(toolPlan, process);
   const collision::GrowingPart growing(toolPlan, pitch, ctx);
-  const motion::MotionResult moved = motion::planMotion(toolPlan, cell, process, growing, {}, ctx);
+  motion::MotionPlanner planner(toolPlan, cell, process, growing, {});
+  const motion::MotionResult moved = planner.plan(ctx);
   EXPECT_TRUE(moved.skipped.empty());
   return moved.trajectory;
 }

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/parallel.h"
 #include "base/units.h"
+#include "geometry/directions.h"
 #include "process/process.h"
 #include "robot/cell.h"
 
@@ -113,10 +114,8 @@ private:
 
 std::vector<Eigen::Vector3d> partPoints() {
   std::vector<Eigen::Vector3d> points;
-  const double golden = kPi * (3.0 - std::sqrt(5.0));
   for (int i = 0; i < 9; ++i) {
-    const double z = 1.0 - 2.0 * (i + 0.5) / 9, r = std::sqrt(1.0 - z * z);
-    const Eigen::Vector3d d(r * std::cos(golden * i), r * std::sin(golden * i), z);
+    const Eigen::Vector3d d = geometry::onSpiral(i, 1.0 - 2.0 * (i + 0.5) / 9);
     points.emplace_back(65 * (d + Eigen::Vector3d::UnitZ()));
     points.emplace_back(33 * d + 65 * Eigen::Vector3d::UnitZ());
   }

@@ -7,6 +7,11 @@ bool isDark(const QPalette& palette) {
          palette.color(QPalette::Window).lightness();
 }
 
+QColor mixed(const QColor& from, const QColor& to, double share) {
+  const auto mix = [share](int a, int b) { return static_cast<int>(a + share * (b - a)); };
+  return {mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue())};
+}
+
 QColor blockedColour(const QPalette& palette) {
   return isDark(palette) ? QColor(0xff, 0x6b, 0x60) : QColor(0xc6, 0x28, 0x28);
 }

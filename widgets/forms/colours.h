@@ -10,6 +10,9 @@ namespace voluta::forms {
 // Is text lighter than what it stands on?
 bool isDark(const QPalette& palette);
 
+// `share` of the way from one to the other.
+QColor mixed(const QColor& from, const QColor& to, double share);
+
 QColor blockedColour(const QPalette& palette); // red: blocked, and nothing else
 QColor warningColour(const QPalette& palette); // amber: worth knowing
 QColor goodColour(const QPalette& palette);    // green: passed

@@ -26,12 +26,6 @@ namespace voluta::forms {
 namespace {
 constexpr double kProblemShare = 0.22; // of the mark's colour in a field that has a problem
 
-QColor mixed(const QColor& ground, const QColor& colour, double share) {
-  const auto mix = [&](int a, int b) { return static_cast<int>(a + share * (b - a)); };
-  return {mix(ground.red(), colour.red()), mix(ground.green(), colour.green()),
-          mix(ground.blue(), colour.blue())};
-}
-
 int clampToInt(double value) {
   return static_cast<int>(std::clamp(value, double(std::numeric_limits<int>::min()),
                                      double(std::numeric_limits<int>::max())));

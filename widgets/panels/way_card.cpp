@@ -13,11 +13,6 @@ namespace voluta::panels {
 namespace {
 constexpr int kMargin = 6;
 constexpr double kRadius = 4.0, kTick = 18.0;
-
-QColor mixed(const QColor& a, const QColor& b, double share) {
-  const auto mix = [share](int x, int y) { return static_cast<int>(x + share * (y - x)); };
-  return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
-}
 } // namespace
 
 WayCard::WayCard(QWidget* parent) : QAbstractButton(parent) {
@@ -73,11 +68,12 @@ void WayCard::paintEvent(QPaintEvent*) {
   const QColor ground = palette().color(QPalette::Base), text = palette().color(QPalette::Text);
   const QRectF frame = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);
   const bool over = isDown() || (isEnabled() && underMouse());
-  painter.setBrush(isChecked() ? mixed(ground, chosen, 0.12)
-                   : over      ? mixed(ground, text, 0.07)
+  painter.setBrush(isChecked() ? forms::mixed(ground, chosen, 0.12)
+                   : over      ? forms::mixed(ground, text, 0.07)
                                : ground);
-  painter.setPen(QPen(isChecked() || hasFocus() ? chosen : mixed(ground, text, over ? 0.45 : 0.25),
-                      isChecked() ? 2.0 : 1.0));
+  painter.setPen(
+      QPen(isChecked() || hasFocus() ? chosen : forms::mixed(ground, text, over ? 0.45 : 0.25),
+           isChecked() ? 2.0 : 1.0));
   painter.drawRoundedRect(frame, kRadius, kRadius);
   if (hasFocus()) {
     painter.setBrush(Qt::NoBrush);

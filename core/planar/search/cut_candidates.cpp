@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/units.h"
+#include "geometry/directions.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
 
@@ -13,13 +14,9 @@ namespace voluta::planar {
 using Eigen::Vector3d;
 
 std::vector<Vector3d> evenDirections(int count, double zMin) {
-  const double golden = base::kPi * (3.0 - std::sqrt(5.0));
   std::vector<Vector3d> directions;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1.0 - (1.0 - zMin) * (i + 0.5) / count;
-    const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
-    directions.emplace_back(r * std::cos(golden * i), r * std::sin(golden * i), z);
-  }
+  for (int i = 0; i < count; ++i)
+    directions.push_back(geometry::onSpiral(i, 1.0 - (1.0 - zMin) * (i + 0.5) / count));
   return directions;
 }
 
