@@ -147,6 +147,12 @@ std::uint32_t FillTimes::leastAt(int level, const Vector3i& block) const {
   return at(l.size, l.least);
 }
 
+bool FillTimes::holds(const Eigen::Vector3d& point, std::uint32_t before) const {
+  const Eigen::Vector3i c = grid_.cellOf(point);
+  return grid_.contains(c.x(), c.y(), c.z()) &&
+         filledAt_[grid_.index(c.x(), c.y(), c.z())] < before;
+}
+
 bool FillTimes::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                         double marginMm, std::uint32_t before) const {
   if (filledAt_.empty())

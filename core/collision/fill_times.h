@@ -27,6 +27,9 @@ public:
   const voxel::VoxelGrid& grid() const { return grid_; }
   std::uint32_t filledAt(std::size_t cell) const { return filledAt_[cell]; }
 
+  // Is the point in a cell that is filled at a moment < `before`?
+  bool holds(const Eigen::Vector3d& point, std::uint32_t before) const;
+
   // Does the shape, placed by work_T_shape and grown by `marginMm` (negative shrinks), hold the
   // centre of a cell filled at a moment < `before`? Exact for cell centres; the pyramid of least
   // moments only prunes.

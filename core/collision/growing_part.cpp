@@ -161,6 +161,11 @@ bool GrowingPart::headTouches(const robot::Shape& shape, const Eigen::Isometry3d
          ground_->touches(shape, work_T_shape, marginMm - 0.5 * ground_->grid().pitch, moment);
 }
 
+bool GrowingPart::holds(const Eigen::Vector3d& point, std::size_t before) const {
+  const std::uint32_t moment = momentOf(before);
+  return beads_.holds(point, moment) || ground_->holds(point, moment);
+}
+
 double GrowingPart::distance(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                              double capMm, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);

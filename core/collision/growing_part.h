@@ -56,6 +56,10 @@ public:
   bool headTouches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                    double marginMm, std::size_t before) const;
 
+  // Is the cell that the point is in, of the ground or of beads, filled at a waypoint index <
+  // `before`?
+  bool holds(const Eigen::Vector3d& point, std::size_t before) const;
+
   // Distance from the shape to the nearest such centre, capped at `capMm`; 0 when inside. mm.
   double distance(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape, double capMm,
                   std::size_t before) const;

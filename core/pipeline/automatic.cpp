@@ -13,9 +13,12 @@ namespace voluta::pipeline {
 
 const std::vector<AutomaticWay>& automaticWays() {
   static const std::vector<AutomaticWay> kWays{
-      {"curved", "cell", {{"supports", "none"}}},     {"planar", "cell"},
-      {"curved", "cell", {{"supports", "auto"}}},     {"flat", "cell", {{"supports", "auto"}}},
-      {"flat", "cell", {{"supports", "auto"}}, true}, {"curved", "fit"},
+      {"curved", "curved", "cell", {{"supports", "none"}}},
+      {"pieces", "planar", "cell"},
+      {"curved-columns", "curved", "cell", {{"supports", "auto"}}},
+      {"flat", "flat", "cell", {{"supports", "auto"}}},
+      {"flat-low", "flat", "cell", {{"supports", "auto"}}, true},
+      {"pedestal", "curved", "fit"},
   };
   return kWays;
 }
@@ -31,10 +34,10 @@ const AutomaticWay* wayOf(const project::Choices& choices) {
     return way.mode == choices.mode &&
            (choices.platformStays || project::Platform(way.platform) == choices.platform);
   };
-  const auto number = static_cast<std::size_t>(std::max(0, choices.automaticWay));
-  if (number < ways.size() && fits(ways[number]))
-    return &ways[number];
-  const auto first = std::ranges::find_if(ways, fits); // of before ways were numbered
+  const auto named = std::ranges::find(ways, choices.automaticWay, &AutomaticWay::id);
+  if (named != ways.end() && fits(*named))
+    return &*named;
+  const auto first = std::ranges::find_if(ways, fits); // of a project that names none of these
   return first == ways.end() ? nullptr : &*first;
 }
 
@@ -56,10 +59,11 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
   const bool rod =
       modes::cellOnAnyPlatform(choices, chosenProcess(choices, values)).rod().has_value();
   std::vector<project::Choices> all, hands; // each way, and what it comes to by hand
-  const auto add = [&](const modes::Mode& mode, const project::Platform& platform, int number) {
+  const auto add = [&](const modes::Mode& mode, const project::Platform& platform,
+                       std::string_view id) {
     project::Choices way = choices;
     way.mode = mode.id;
-    way.automaticWay = number;
+    way.automaticWay = id;
     if (!choices.platformStays)
       way.platform = platform;
     if (mode.aroundRod != rod || !way.platform.isForAnyOf(mode.platforms))
@@ -73,12 +77,11 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
     all.push_back(std::move(way));
     hands.push_back(std::move(hand));
   };
-  for (std::size_t i = 0; i < automaticWays().size(); ++i)
-    add(modes::findMode(automaticWays()[i].mode), project::Platform(automaticWays()[i].platform),
-        static_cast<int>(i));
+  for (const AutomaticWay& way : automaticWays())
+    add(modes::findMode(way.mode), project::Platform(way.platform), way.id);
   for (const modes::Mode& mode : modes::modeTable())
     if (all.empty())
-      add(mode, mode.usual.platform, 0);
+      add(mode, mode.usual.platform, {});
   if (all.empty())
     throw base::Error(
         base::ErrorCode::Usage,

@@ -13,6 +13,7 @@ namespace voluta::pipeline {
 
 // A way that is tried: mode and platform, and parameters unless the user has changed them.
 struct AutomaticWay {
+  std::string_view id; // kept in projects: stays when ways are put in between
   std::string_view mode, platform;
   std::map<std::string, std::string> parameters = {};
   bool lowLayers = false; // of a quarter of what the process has between its least and usual height

@@ -12,6 +12,7 @@ namespace {
 using base::JsonNode;
 
 constexpr double kBridgeWidths = 5.0; // of a process that says nothing of bridges
+constexpr double kBridgeSpeed = 0.5;  // of the usual one, where a process does not say
 
 // A size that is chosen within limits: 0 < min <= default <= max.
 void readRange(const JsonNode& node, double& usual, double& least, double& most) {
@@ -55,7 +56,8 @@ Process readProcess(const std::filesystem::path& file) {
   const JsonNode top = JsonNode::readFile(file);
   top.allowOnly({"id", "label", "nozzleDiameterMm", "layerHeightMm", "beadWidthMm", "stepMm",
                  "speedMmPerS", "travelSpeedMmPerS", "accelerationMmPerS2", "contactToleranceMm",
-                 "bridgeMm", "maxFlowMm3PerS", "primeS", "material", "densityGPerCm3", "head"});
+                 "bridgeMm", "bridgeSpeedMmPerS", "maxFlowMm3PerS", "primeS", "material",
+                 "densityGPerCm3", "head"});
   Process p;
   p.id = top.at("id").text();
   p.label = top.at("label").text();
@@ -69,6 +71,8 @@ Process readProcess(const std::filesystem::path& file) {
   p.contactToleranceMm = top.at("contactToleranceMm").notNegative();
   p.bridgeMm =
       top.has("bridgeMm") ? top.at("bridgeMm").notNegative() : kBridgeWidths * p.beadWidthMm;
+  p.bridgeSpeedMmPerS = top.has("bridgeSpeedMmPerS") ? top.at("bridgeSpeedMmPerS").positive()
+                                                     : kBridgeSpeed * p.speedMmPerS;
   p.maxFlowMm3PerS = top.at("maxFlowMm3PerS").positive();
   p.primeS = top.at("primeS").notNegative();
   p.material = top.at("material").text();

@@ -30,6 +30,7 @@ struct Process {
   double contactToleranceMm = 0.4; // the head may be this deep in soft, rounded beads: contact,
                                    // not collision
   double bridgeMm = 6.0;           // a bead spans so much with nothing beneath it
+  double bridgeSpeedMmPerS = 10.0; // at most, where it does
   double maxFlowMm3PerS = 40.0;    // flow at the analogue output's full scale
   double primeS = 0.2;             // extruder runs this long before a path moves
   std::string material = "PLA";

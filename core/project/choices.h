@@ -17,7 +17,7 @@ struct Choices {
   // were taken last. What else is chosen stays.
   bool automatic = false;
   bool platformStays = false; // with automatic: the platform is the user's
-  int automaticWay = 0;       // with automatic: which way was taken last (pipeline/automatic.h)
+  std::string automaticWay;   // with automatic: which way was taken last (pipeline/automatic.h)
   std::string mode = "curved";
   curved::GrowthScheme growth;
   Platform platform;

@@ -65,7 +65,9 @@ Choices readChoices(const Json& j, int format) {
   Choices c;
   c.automatic = j.value("automatic", false);
   c.platformStays = j.value("platformStays", false);
-  c.automaticWay = j.value("automaticWay", 0);
+  // Once a number: of a list that has changed since.
+  if (const auto way = j.find("automaticWay"); way != j.end() && way->is_string())
+    way->get_to(c.automaticWay);
   j.at("mode").get_to(c.mode);
   c.growth = curved::GrowthScheme(j.at("growth").get<std::string>());
   c.platform = Platform(j.at("platform").get<std::string>());

@@ -8,6 +8,7 @@
 #include "geometry/directions.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
+#include "toolpath/bridges.h"
 #include "toolpath/head_clearance.h"
 
 #include <Eigen/Geometry>
@@ -236,6 +237,7 @@ private:
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
     const collision::GrowingPart part(p, collision::growingPitch(p, process_), ctx_, ground_);
     ctx_.report(0.8, "directions"_text);
+    r.hanging = hangingWaypoints(p, part, o_.platform, ctx_);
     std::vector<char> gouge(p.waypointCount(), 0);
     base::parallelChunks(ctx_, gouge.size(), kGrain, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i) {

@@ -18,9 +18,10 @@ namespace voluta::toolpath {
 
 struct OrientResult {
   plan::ToolPlan plan;
-  std::size_t gouges = 0;  // waypoints of the result at which the head isn't clear
-  double maxTurnDeg = 0.0; // between neighbouring waypoints of a path
-  plan::Findings findings; // stage "toolpath", kind "gouge"
+  std::size_t gouges = 0;    // waypoints of the result at which the head isn't clear
+  double maxTurnDeg = 0.0;   // between neighbouring waypoints of a path
+  std::vector<char> hanging; // per waypoint: nothing carries its bead (bridges.h)
+  plan::Findings findings;   // stage "toolpath", kind "gouge"
 };
 
 // Keeps each waypoint's direction (that of its layer: Dai eq. 3.3 with the closest point of the

@@ -7,6 +7,7 @@
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
+#include "toolpath/bridges.h"
 #include "toolpath/directions.h"
 
 #include <algorithm>
@@ -144,6 +145,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                                            options, ctx.sub(0.6, 1.0));
   r.seconds.orient = watch.seconds();
   r.plan = std::move(oriented.plan);
+  slowBridges(r.plan, oriented.hanging, process);
   r.findings = std::move(oriented.findings);
 
   ToolpathStatistics& s = r.statistics;

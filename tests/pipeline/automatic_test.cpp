@@ -8,9 +8,11 @@
 #include "pipeline/road.h"
 
 #include <gtest/gtest.h>
+#include <set>
 
 using namespace voluta;
 using pipeline::automaticChoices;
+using pipeline::byHand;
 
 namespace {
 
@@ -38,6 +40,22 @@ TEST(Automatic, WaysAreOfKnownModesAndPlatformsTheyTake) {
     for (const auto& [key, text] : way.parameters)
       EXPECT_TRUE(modes::takesParameter(*mode, key)) << way.mode << ": " << key;
   }
+}
+
+TEST(Automatic, ProjectsNameAWayWhateverIsPutBeforeIt) {
+  std::set<std::string_view> ids;
+  for (const pipeline::AutomaticWay& way : pipeline::automaticWays())
+    EXPECT_TRUE(ids.insert(way.id).second) << way.id;
+  project::Choices choices = automatic();
+  choices.mode = "flat";
+  choices.platform = project::Platform("cell");
+  choices.automaticWay = "flat-low";
+  EXPECT_TRUE(byHand(choices).parameters.contains("layerHeightMm"));
+  choices.automaticWay = "flat";
+  EXPECT_FALSE(byHand(choices).parameters.contains("layerHeightMm"));
+  choices.automaticWay = "gone"; // the first that has this mode and platform
+  EXPECT_FALSE(byHand(choices).parameters.contains("layerHeightMm"));
+  EXPECT_EQ(byHand(choices).parameters.at("supports"), "auto");
 }
 
 TEST(Automatic, WaysGoWithTheCell) {

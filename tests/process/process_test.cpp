@@ -39,6 +39,7 @@ TEST_F(Processes, everyOneKeepsItsContract) {
     EXPECT_GT(p.stepMm, 0.0);
     EXPECT_GT(p.accelerationMmPerS2, 0.0);
     EXPECT_GE(p.bridgeMm, p.beadWidthMm);
+    EXPECT_LE(p.bridgeSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.travelSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.primeS, 0.0);
     EXPECT_GT(p.densityGPerCm3, 0.0);

@@ -1,0 +1,101 @@
+#include "toolpath/bridges.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "geometry/convex_polygon.h"
+
+#include <algorithm>
+
+namespace voluta::toolpath {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kAcross = 8; // places across a bead, as programs are judged
+constexpr double kBelow = 0.25;
+
+Vector3d along(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i) {
+  const std::size_t before = i > path.first ? i - 1 : i,
+                    after = i + 1 < path.first + path.count ? i + 1 : i;
+  return plan.position[after] - plan.position[before];
+}
+
+bool onPlate(const platform::PlatformSolid& platform, const Vector3d& point) {
+  return point.z() <= 0.0 && platform.polygon.size() >= 3 &&
+         geometry::inConvexPolygon(platform.polygon, point.head<2>());
+}
+
+bool carried(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i,
+             const collision::GrowingPart& part, const platform::PlatformSolid& platform) {
+  const Vector3d& d = plan.direction[i];
+  const auto height = static_cast<double>(plan.heightMm[i]);
+  Vector3d side = d.cross(along(plan, path, i));
+  side = side.squaredNorm() > 1e-12 ? side.normalized() : d.unitOrthogonal();
+  // Cells whose centre is in the bead itself reach below it by half their size.
+  const double depth = height + std::max(kBelow * height, part.grid().pitch);
+  const Vector3d beneath = plan.position[i] - depth * d;
+  for (int k = 0; k < kAcross; ++k) {
+    const double aside = ((k + 0.5) / kAcross - 0.5) * static_cast<double>(plan.widthMm[i]);
+    const Vector3d point = beneath + aside * side;
+    if (onPlate(platform, point) || part.holds(point, i))
+      return true;
+  }
+  return false;
+}
+
+// Turns stretches of `value` that are shorter than `leastMm` into the other one. What reaches an
+// end of the path is as long as it is.
+void dropShort(const plan::ToolPlan& plan, const plan::ToolPath& path, char value, double leastMm,
+               std::vector<char>& marks) {
+  const std::size_t end = path.first + path.count;
+  for (std::size_t b = path.first; b < end;) {
+    std::size_t e = b;
+    double length = 0.0;
+    while (e < end && marks[e] == marks[b]) {
+      ++e;
+      if (e < end)
+        length += (plan.position[e] - plan.position[e - 1]).norm();
+    }
+    const bool inner = b > path.first && e < end;
+    if (marks[b] == value && length < leastMm && (value == 1 || inner))
+      std::fill(marks.begin() + static_cast<std::ptrdiff_t>(b),
+                marks.begin() + static_cast<std::ptrdiff_t>(e), static_cast<char>(1 - value));
+    b = e;
+  }
+}
+
+} // namespace
+
+std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::GrowingPart& part,
+                                   const platform::PlatformSolid& platform,
+                                   const base::RunContext& ctx) {
+  std::vector<char> hanging(plan.waypointCount(), 0);
+  base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
+    for (std::size_t p = b; p < e && !ctx.cancelled(); ++p) {
+      const plan::ToolPath& path = plan.paths[p];
+      double width = 0.0;
+      for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+        hanging[i] = !carried(plan, path, i, part, platform);
+        width = std::max(width, static_cast<double>(plan.widthMm[i]));
+      }
+      dropShort(plan, path, 0, width, hanging);
+      dropShort(plan, path, 1, width, hanging);
+    }
+  });
+  ctx.checkpoint();
+  return hanging;
+}
+
+void slowBridges(plan::ToolPlan& plan, const std::vector<char>& hanging,
+                 const process::Process& process) {
+  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
+  const auto most = static_cast<float>(process.bridgeSpeedMmPerS);
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      if (hanging[i] || (i > path.first && hanging[i - 1]))
+        plan.speedMmPerS[i] = std::min(plan.speedMmPerS[i], most);
+}
+
+} // namespace voluta::toolpath

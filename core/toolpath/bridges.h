@@ -1,0 +1,30 @@
+// Which beads hang: spans that nothing printed before carries, known before anything is moved.
+#pragma once
+
+#include "collision/growing_part.h"
+#include "plan/tool_plan.h"
+#include "platform/platform_solid.h"
+#include "process/process.h"
+
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::toolpath {
+
+// Per waypoint, 1: neither the platform nor what is laid before lies right beneath the bead, at any
+// of eight places across its width, a layer's height and a quarter more (a cell of `part` at least)
+// below the tip. Stretches of a path shorter than a bead's width do not count, neither do such
+// breaks of longer ones. `part`: the plan's beads with its ground. Throws Cancelled.
+std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::GrowingPart& part,
+                                   const platform::PlatformSolid& platform,
+                                   const base::RunContext& ctx);
+
+// Lays what hangs, and what leads to and from it, no faster than the process bridges; what comes
+// out stays in proportion, as planned speeds and sections say.
+void slowBridges(plan::ToolPlan& plan, const std::vector<char>& hanging,
+                 const process::Process& process);
+
+} // namespace voluta::toolpath

@@ -1,0 +1,105 @@
+// Beads that hang, and how fast they are laid.
+#include "toolpath/bridges.h"
+
+#include "base/run_context.h"
+#include "process/process.h"
+
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using Eigen::Vector3d;
+
+namespace {
+
+const process::Process kProcess = process::loadProcess("fdm-1.0");
+
+// A straight bead along x at y, tips at z, a waypoint a millimetre.
+void addPath(plan::ToolPlan& plan, double fromX, double toX, double y, double z, int layer) {
+  plan::ToolPath path;
+  path.first = plan.waypointCount();
+  path.layer = layer;
+  const int steps = static_cast<int>(std::round(std::abs(toX - fromX)));
+  for (int k = 0; k <= steps; ++k) {
+    plan.position.emplace_back(fromX + (toX - fromX) * k / steps, y, z);
+    plan.direction.emplace_back(Vector3d::UnitZ());
+    plan.widthMm.push_back(1.2f);
+    plan.heightMm.push_back(0.8f);
+    plan.speedMmPerS.push_back(20.0f);
+  }
+  path.count = plan.waypointCount() - path.first;
+  plan.paths.push_back(path);
+}
+
+std::vector<char> hangingOf(const plan::ToolPlan& plan, const platform::PlatformSolid& platform) {
+  const double pitch = collision::growingPitch(plan, kProcess);
+  const base::RunContext ctx;
+  const collision::GrowingPart part(plan, pitch, ctx, collision::groundCells(platform, pitch, ctx));
+  return toolpath::hangingWaypoints(plan, part, platform, ctx);
+}
+
+const platform::PlatformSolid kPlate{Eigen::Vector2d(-20, -20), {20, -20}, {20, 20}, {-20, 20}};
+
+} // namespace
+
+TEST(Bridges, SpanWhatLiesBetweenTwoWalls) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, -5, 0, 0.8, 0);
+  addPath(plan, 5, 15, 0, 0.8, 0);
+  addPath(plan, -15, 15, 0, 1.6, 1); // over the gap from x = -5 to 5, whose ends are round
+  const std::vector<char> hanging = hangingOf(plan, kPlate);
+  for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
+    const Vector3d& p = plan.position[i];
+    if (p.z() > 1.0 && std::abs(p.x()) > 4.1 && std::abs(p.x()) < 5.9)
+      continue; // above a round end
+    EXPECT_EQ(hanging[i] != 0, p.z() > 1.0 && std::abs(p.x()) <= 4.1) << p.transpose();
+  }
+}
+
+TEST(Bridges, ABeadHalfBesideTheOneBelowIsCarried) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8, 0);
+  addPath(plan, -15, 15, 0.6, 1.6, 1);
+  addPath(plan, 15, -15, 3.0, 1.6, 1); // nothing beneath
+  const std::vector<char> hanging = hangingOf(plan, kPlate);
+  for (std::size_t i = 0; i < plan.waypointCount(); ++i)
+    EXPECT_EQ(hanging[i] != 0, plan.position[i].y() > 2.0) << plan.position[i].transpose();
+}
+
+TEST(Bridges, WhatIsLaidLaterCarriesNothing) {
+  plan::ToolPlan plan;
+  addPath(plan, -10, 10, 0, 1.6, 1);
+  addPath(plan, -10, 10, 0, 0.8, 0);
+  const std::vector<char> hanging = hangingOf(plan, kPlate);
+  for (std::size_t i = 0; i < plan.waypointCount(); ++i)
+    EXPECT_EQ(hanging[i] != 0, i < plan.paths[1].first);
+}
+
+TEST(Bridges, BeyondThePlateNothingCarries) {
+  plan::ToolPlan plan;
+  addPath(plan, 0, 40, 0, 0.8, 0);
+  const std::vector<char> hanging = hangingOf(plan, kPlate);
+  for (std::size_t i = 0; i < plan.waypointCount(); ++i)
+    EXPECT_EQ(hanging[i] != 0, plan.position[i].x() > 20.0) << plan.position[i].transpose();
+}
+
+TEST(Bridges, HolesOfLessThanAWidthAreNone) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, -1, 0, 0.8, 0);
+  addPath(plan, 1, 15, 0, 0.8, 0); // round ends: less than a millimetre is left between them
+  addPath(plan, -15, 15, 0, 1.6, 1);
+  const std::vector<char> hanging = hangingOf(plan, kPlate);
+  EXPECT_EQ(std::count(hanging.begin(), hanging.end(), 1), 0);
+}
+
+TEST(Bridges, AreLaidSlowly) {
+  plan::ToolPlan plan;
+  addPath(plan, 0, 10, 0, 0.8, 0);
+  plan.speedMmPerS[6] = 3.0f; // for its own reason
+  std::vector<char> hanging(plan.waypointCount(), 0);
+  hanging[4] = hanging[5] = hanging[6] = 1;
+  toolpath::slowBridges(plan, hanging, kProcess);
+  const auto slow = static_cast<float>(kProcess.bridgeSpeedMmPerS);
+  EXPECT_LT(slow, 20.0f);
+  const std::vector<float> expected{20, 20, 20, 20, slow, slow, 3, slow, 20, 20, 20};
+  EXPECT_EQ(plan.speedMmPerS, expected);
+}
