@@ -174,7 +174,8 @@ private:
     for (const std::string& format : chosenFormats(choices_, *result_.cell))
       program::requireRodTurns(program::findDialect(format), *result_.cell);
     plan::Findings findings = decomposed_->findings;
-    // A pedestal is made for the part, whatever it stands on; but not for one beside its place.
+    // A pedestal is made for the part and has a foot as far as its stem; but not for one beside its
+    // place.
     const bool madeBeneath = choices_.platform.marginMm() && coversAxis(*job().part);
     if (const double gap = robot::platformGapMm(*result_.cell); gap > 0.0 && !madeBeneath)
       findings.insert(findings.begin(), plan::makeFinding(plan::FindingKind::PlatformAdrift,

@@ -1,6 +1,8 @@
 #include "pipeline/pedestal.h"
 
+#include "geometry/append_mesh.h"
 #include "geometry/formats/mesh_reader.h"
+#include "geometry/mesh_boolean.h"
 #include "robot/plate.h"
 
 #include <Eigen/Core>
@@ -12,19 +14,19 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::string outlineDxf(const std::vector<Vector2d>& outline) {
-  // Group codes and values, a line each (AutoCAD R12 DXF: POLYLINE, its closed flag, VERTEX).
-  std::string text = "0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\nPEDESTAL\n66\n1\n70\n1\n";
+// Group codes and values, a line each (AutoCAD R12 DXF: POLYLINE, its closed flag, VERTEX).
+std::string polylineDxf(const std::vector<Vector2d>& outline, std::string_view layer) {
+  std::string text = fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n1\n", layer);
   for (const Vector2d& p : outline)
-    text += fmt::format("0\nVERTEX\n8\nPEDESTAL\n10\n{:.4f}\n20\n{:.4f}\n30\n0.0\n", p.x(), p.y());
-  return text + "0\nSEQEND\n8\nPEDESTAL\n0\nENDSEC\n0\nEOF\n";
+    text += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.4f}\n20\n{:.4f}\n30\n0.0\n", layer, p.x(), p.y());
+  return text + fmt::format("0\nSEQEND\n8\n{}\n", layer);
 }
 
-geometry::TriangleMesh prism(const std::vector<Vector2d>& outline, double height) {
+geometry::TriangleMesh meshOf(const robot::Prism& prism) {
   geometry::TriangleMesh mesh;
-  const int n = static_cast<int>(outline.size());
-  for (const double z : {-height, 0.0})
-    for (const Vector2d& p : outline)
+  const int n = static_cast<int>(prism.polygon.size());
+  for (const double z : {prism.zMin, prism.zMax})
+    for (const Vector2d& p : prism.polygon)
       mesh.vertices.emplace_back(p.x(), p.y(), z);
   for (int i = 0; i < n; ++i) {
     const int j = (i + 1) % n;
@@ -45,9 +47,20 @@ std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan) {
   const robot::Prism* plate = plan.cell ? robot::plateOf(*plan.cell) : nullptr;
   if (!job.choices.platform.marginMm() || job.platform.polygon.size() < 3 || !plate)
     return {};
-  const double height = plate->zMax - plate->zMin;
-  return {{"pedestal.dxf", outlineDxf(job.platform.polygon)},
-          {"pedestal.stl", geometry::writeStl(prism(job.platform.polygon, height))}};
+  std::string outlines = polylineDxf(plate->polygon, "PEDESTAL");
+  geometry::TriangleMesh solid = meshOf(*plate);
+  if (const robot::Prism* foot = robot::footOf(*plan.cell)) {
+    outlines += polylineDxf(foot->polygon, "FOOT");
+    const geometry::TriangleMesh slab = meshOf(*foot);
+    // As two bodies in one another a slicer takes them for one too.
+    auto joined = geometry::meshBoolean(geometry::BooleanOperation::Union, solid, slab, false);
+    if (joined)
+      solid = *std::move(joined);
+    else
+      geometry::appendMesh(solid, slab);
+  }
+  return {{"pedestal.dxf", "0\nSECTION\n2\nENTITIES\n" + outlines + "0\nENDSEC\n0\nEOF\n"},
+          {"pedestal.stl", geometry::writeStl(solid)}};
 }
 
 } // namespace voluta::pipeline

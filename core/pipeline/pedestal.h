@@ -8,9 +8,10 @@
 
 namespace voluta::pipeline {
 
-// pedestal.dxf (its outline seen from above, a closed polyline of AutoCAD R12, mm) and pedestal.stl
-// (the solid). Both in the work frame: the origin is where the cell carries it, z = 0 its top.
-// None where the platform is not made for the part, or not known yet.
+// pedestal.dxf (its outline seen from above, a closed polyline of AutoCAD R12, mm; on a layer FOOT
+// the foot's, where it lies beside what carries it: robot/plate.h) and pedestal.stl (the solid).
+// Both in the work frame: the origin is where the cell carries it, z = 0 its top. None where the
+// platform is not made for the part, or not known yet.
 std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan);
 
 } // namespace voluta::pipeline

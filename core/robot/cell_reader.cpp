@@ -28,6 +28,7 @@
 #include "base/json_node.h"
 #include "robot/json_pose.h"
 #include "robot/limits_reader.h"
+#include "robot/plate.h"
 #include "robot/shape_reader.h"
 
 #include "base/error.h"
@@ -232,6 +233,8 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
     if (platform.has("stem"))
       for (Shape& shape : readShapes(platform.at("stem")))
         plate.shapes.push_back(std::move(shape));
+    if (auto foot = footOf(std::get<Prism>(plate.shapes.front()), plate.shapes))
+      plate.shapes.push_back(*std::move(foot));
     cell.bodies_.push_back(std::move(plate));
   }
   for (const base::JsonNode& obstacle : top.at("obstacles").items()) {

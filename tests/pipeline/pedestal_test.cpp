@@ -1,5 +1,7 @@
 // What a designer gets to have the pedestal made, and how a platform stands in its cell.
 #include "base/files.h"
+#include "geometry/append_mesh.h"
+#include "geometry/convex_polygon.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "helpers/shapes.h"
@@ -61,6 +63,38 @@ TEST(Pedestal, IsTheOutlineAndTheSolidOfThePlatform) {
   EXPECT_NEAR(geometry::volume(solid), 5.0 * area, 1e-3 * area)
       << "the cell's plates are 5 mm thick";
   EXPECT_NEAR(geometry::bounds(solid).max().z(), 0.0, 1e-6);
+}
+
+TEST(Pedestal, HasAFootWherePartsStandBesideTheirMiddle) {
+  geometry::TriangleMesh table = test::box({20, -5, 0}, {30, 5, 10}); // one leg, at its end
+  geometry::appendMesh(table, test::box({-30, -5, 9}, {30, 5, 15}));
+  const PlanResult plan = planned(flat("fit:2"), table);
+  EXPECT_FALSE(tells(plan, plan::FindingKind::PlatformAdrift));
+  const robot::Prism* foot = robot::footOf(*plan.cell);
+  ASSERT_TRUE(foot);
+  EXPECT_NEAR(robot::platformGapMm(*plan.cell), 18.0 - 14.0, 0.5) << "of the plate alone";
+  // Around the stem, 14 mm thick, and the whole outline.
+  EXPECT_TRUE(geometry::inConvexPolygon(foot->polygon, {-13.5, 0.0}));
+  EXPECT_FALSE(geometry::inConvexPolygon(foot->polygon, {-15.0, 0.0}));
+  for (const Eigen::Vector2d& corner : plan.job.platform.polygon)
+    EXPECT_TRUE(geometry::inConvexPolygon(foot->polygon, corner));
+  EXPECT_LT(foot->zMax, -2.0) << "clear of the first layer";
+  const std::vector<plan::ProgramFile> files = pedestalFiles(plan);
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_NE(files[0].text.find("\n8\nFOOT\n"), std::string::npos);
+  const test::TemporaryFolder folder;
+  base::writeFile(folder.path() / files[1].name, files[1].text);
+  const geometry::TriangleMesh solid = geometry::readMesh(folder.path() / files[1].name).mesh;
+  const auto area = [](const std::vector<Eigen::Vector2d>& outline) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Eigen::Vector2d &a = outline[i], &b = outline[(i + 1) % outline.size()];
+      sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
+    return sum;
+  };
+  const double volume = 2.5 * area(plan.job.platform.polygon) + 2.5 * area(foot->polygon);
+  EXPECT_NEAR(geometry::volume(solid), volume, 1e-3 * volume) << "one body";
 }
 
 TEST(Pedestal, IsNotMadeOfAPlateOfTheCell) {
