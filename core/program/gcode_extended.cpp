@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "program/motion_targets.h"
 #include "program/text.h"
+#include "program/walk.h"
 
 #include <algorithm>
 #include <array>
@@ -34,28 +35,16 @@ std::optional<int> nozzleCelsius(std::string_view material) {
 
 // ---- writer
 
-class GcodeWriter {
+class GcodeWriter : private Speller {
 public:
   GcodeWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), paths_(input.toolPlan) {
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)) {
     program_.format = "gcode-extended";
     program_.foreign = input.foreign;
   }
 
   plan::Program write() {
-    const std::size_t n = targets_.size();
-    out_.reserve(n * 90 + 1024);
-    start();
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i % 4096 == 0)
-        ctx_.report(static_cast<double>(i) / static_cast<double>(n),
-                    base::message("{format}"_text, "gcode-extended"_name));
-      motion(i);
-    }
-    out_ += "M104 S0\nM84\n";
-    out_ += kEnd;
-    out_ += '\n';
-    program_.files.push_back({identifierOf(in_.name) + ".gcode", std::move(out_)});
+    walkTrajectory(in_, {"gcode-extended", cutsOf(in_.trajectory, 0)}, *this, ctx_);
     return std::move(program_);
   }
 
@@ -65,7 +54,8 @@ private:
     appendFixed(out_, value, decimals, trim);
   }
 
-  void start() {
+  void beginFile(std::size_t) override {
+    out_.reserve(targets_.size() * 90 + 1024);
     const process::Process& p = in_.process;
     out_ +=
         "; Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX nY nZ"
@@ -97,10 +87,19 @@ private:
     }
   }
 
+  void endFile(std::size_t) override {
+    out_ += "M104 S0\nM84\n";
+    out_ += kEnd;
+    out_ += '\n';
+    program_.files.push_back({identifierOf(in_.name) + ".gcode", std::move(out_)});
+  }
+
+  void remark(std::string_view text) override { out_ += joined({"; ", text, "\n"}); }
+  void jointMotion(std::size_t i) override { motion(i); }
+  void straightMotion(std::size_t i, bool) override { motion(i); }
+
   void motion(std::size_t i) {
     const plan::Trajectory& t = in_.trajectory;
-    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
-      out_ += joined({"; ", path, "\n"});
     const MotionTarget& target = targets_[i];
     Eigen::Vector3d tip;
     for (int k = 0; k < 3; ++k)
@@ -127,7 +126,6 @@ private:
   const ProgramInput& in_;
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
-  PathNames paths_;
   plan::Program program_;
   std::string out_;
   Eigen::Vector3d lastTip_ = Eigen::Vector3d::Zero();

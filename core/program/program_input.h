@@ -20,9 +20,10 @@ struct ProgramInput {
   const robot::Cell& cell;
   const process::Process& process;
   std::string name; // of the part; file and function names are made from it
-  // A program longer than this is cut into files to be run one after the other, each cut where the
-  // extruder is off (URScript; the other formats are streamed and stay one file). 0: one file.
-  std::size_t maxLinesPerFile = 0;
+  // A program of more motions is cut into files to be run one after the other, each cut where the
+  // extruder is off if there is such a place (URScript, RAPID; the other formats are streamed and
+  // stay one file). 0: as the dialect has it.
+  std::size_t maxMotionsPerFile = 0;
   bool foreign = false; // for a controller that is not the cell's own; writeProgram says so
 };
 

@@ -1,9 +1,9 @@
 #include "base/units.h"
-#include "program/extruder_outputs.h"
 #include "program/motion_targets.h"
 #include "program/rapid.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
+#include "program/walk.h"
 
 #include <algorithm>
 #include <array>
@@ -19,8 +19,6 @@ constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZon
 constexpr double kStartMmPerS = 100.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
-// A module without a place where the extruder is off is cut at this many motions.
-constexpr std::size_t kMostMotions = kMotionsPerModule + kMotionsPerModule / 10;
 constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
 constexpr double kRodDegPerS = 1000.0;
@@ -33,47 +31,35 @@ std::string moduleName(const std::string& name, std::size_t part) {
   return id;
 }
 
-class RapidWriter {
+class RapidWriter : private Speller {
 public:
   RapidWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
-        paths_(input.toolPlan), name_(identifierOf(input.name)),
-        tool_(heldPlate() ? "tPlate" : "tNozzle"), object_(turnsRod() ? "wRod" : "wPrint") {
+        cuts_(cutsOf(input.trajectory,
+                     input.maxMotionsPerFile > 0 ? input.maxMotionsPerFile : kMotionsPerModule)),
+        name_(identifierOf(input.name)), tool_(heldPlate() ? "tPlate" : "tNozzle"),
+        object_(turnsRod() ? "wRod" : "wPrint") {
     program_.format = "rapid";
     program_.foreign = input.foreign;
   }
 
   plan::Program write() {
     placeInWorkObject();
-    findCuts();
-    const bool oneModule = cuts_.size() == 2;
     beginMain();
-    if (!oneModule) {
+    if (!oneModule()) {
       for (std::size_t part = 1; part < cuts_.size(); ++part)
         callModule(part);
       outputsOff();
       endModule(0);
     }
-    for (std::size_t part = 1; part < cuts_.size(); ++part) {
-      if (!oneModule)
-        beginModule(part);
-      for (std::size_t i = cuts_[part - 1]; i < cuts_[part]; ++i) {
-        if (i % 4096 == 0)
-          ctx_.report(static_cast<double>(i) / static_cast<double>(targets_.size()),
-                      base::message("{format}"_text, "rapid"_name));
-        motion(i, i + 1 == cuts_[part]);
-        if (i == 0)
-          prime();
-      }
-      line("    ! end");
-      outputsOff();
-      endModule(oneModule ? 0 : part);
-    }
+    walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
     listOfModules();
     return std::move(program_);
   }
 
 private:
+  // The motions stand in main itself.
+  bool oneModule() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
   bool turnsRod() const { return !in_.cell.externalAxes().empty(); }
   std::string unit() const { return identifierOf(in_.cell.externalAxes().front().name); }
@@ -134,17 +120,6 @@ private:
     }
   }
 
-  // cuts_[k - 1] .. cuts_[k] are the points of module k.
-  void findCuts() {
-    cuts_ = {0};
-    for (std::size_t i = 1; i < targets_.size(); ++i) {
-      const std::size_t count = i - cuts_.back();
-      if (count >= kMostMotions || (count >= kMotionsPerModule && !isPrint(in_.trajectory, i)))
-        cuts_.push_back(i);
-    }
-    cuts_.push_back(targets_.size());
-  }
-
   std::string fileName(std::size_t part) const {
     return part == 0 ? name_ + ".mod" : joined({name_, "_", std::to_string(part), ".mod"});
   }
@@ -161,10 +136,17 @@ private:
       line(joined({"    ActUnit ", unit(), ";"}));
     outputsOff();
   }
-  void beginModule(std::size_t part) {
-    line(joined({"MODULE ", moduleName(name_, part)}));
-    line(joined({"  PROC ", procedureName(part), "()"}));
+  void beginFile(std::size_t file) override {
+    if (oneModule())
+      return;
+    line(joined({"MODULE ", moduleName(name_, file + 1)}));
+    line(joined({"  PROC ", procedureName(file + 1), "()"}));
     outputsOff();
+  }
+  void endFile(std::size_t file) override {
+    line("    ! end");
+    outputsOff();
+    endModule(oneModule() ? 0 : file + 1);
   }
   static std::string procedureName(std::size_t part) {
     return joined({"runPart", std::to_string(part)});
@@ -263,42 +245,27 @@ private:
   }
 
   void outputsOff() {
-    outputs_.off();
     line("    SetDO doExtruder,0;");
     line("    SetAO aoFlow,0;");
   }
-  void flow(double mm3PerS) {
-    if (const auto share = outputs_.flow(mm3PerS))
-      line(joined({"    SetAO aoFlow,", *share, ";"}));
+  void remark(std::string_view text) override { line(joined({"    ! ", text})); }
+  void flow(std::string_view share) override { line(joined({"    SetAO aoFlow,", share, ";"})); }
+  void extruder(bool on) override {
+    line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
   }
-  void extruder(bool on) {
-    if (outputs_.turn(on))
-      line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
-  }
-  void prime() {
-    if (!(in_.process.primeS > 0.0) || in_.trajectory.extrudedMm3.back() <= 0.0)
-      return;
-    line("    ! prime");
-    flow(primeFlowMm3PerS(in_.process));
-    extruder(true);
+  void wait(double seconds) override {
     out_ += "    WaitTime ";
-    number(in_.process.primeS, 3);
+    number(seconds, 3);
     line(";");
-    extruder(false);
-    line("    ! print");
   }
 
-  void motion(std::size_t i, bool lastOfModule) {
+  void jointMotion(std::size_t i) override { motion(i, true, 0.0); }
+  void straightMotion(std::size_t i, bool stops) override {
+    motion(i, false, stops ? 0.0 : motions_.blendMm(i));
+  }
+
+  void motion(std::size_t i, bool joint, double blendMm) {
     const plan::Trajectory& t = in_.trajectory;
-    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
-      line(joined({"    ! ", path}));
-    if (isPrint(t, i)) {
-      flow(motions_.flowMm3PerS(i));
-      extruder(true);
-    } else {
-      extruder(false);
-    }
-    const bool joint = i == 0 || t.move[i] == plan::MoveKind::Joint;
     if (joint && !program_.foreign) {
       out_ += "    MoveAbsJ [";
       for (int k = 0; k < in_.cell.armDof(); ++k) {
@@ -318,7 +285,7 @@ private:
       out_ += ']';
     }
     speed(i, joint);
-    zone(joint || lastOfModule ? 0.0 : motions_.blendMm(i));
+    zone(blendMm);
     line(joined({",", tool_, "\\WObj:=", object_, ";"}));
   }
 
@@ -391,11 +358,9 @@ private:
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
-  PathNames paths_;
   plan::Program program_;
+  std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of module k
   std::string name_, tool_, object_, out_;
-  std::vector<std::size_t> cuts_;
-  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
 };
 
 } // namespace

@@ -1,11 +1,11 @@
 #include "base/error.h"
 #include "base/units.h"
-#include "program/extruder_outputs.h"
 #include "program/motion_targets.h"
 #include "program/rotation_vector.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
 #include "program/urscript.h"
+#include "program/walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,32 +21,18 @@ constexpr int kBlendDecimals = 6;
 constexpr double kMaxAccelerationMPerS2 = 10.0;
 constexpr double kStartRadPerS2 = 1.4; // the controller's own default
 
-class UrscriptWriter {
+class UrscriptWriter : private Speller {
 public:
   UrscriptWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
-        paths_(input.toolPlan) {
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_) {
     program_.format = "urscript";
     program_.foreign = input.foreign;
   }
 
   plan::Program write() {
-    const plan::Trajectory& t = in_.trajectory;
     roundTargets();
-    beginFile();
-    for (std::size_t i = 0; i < t.pointCount(); ++i) {
-      if (i % 4096 == 0)
-        ctx_.report(static_cast<double>(i) / static_cast<double>(t.pointCount()),
-                    base::message("{format}"_text, "urscript"_name));
-      if (in_.maxLinesPerFile > 0 && lines_ >= in_.maxLinesPerFile && !isPrint(t, i)) {
-        endFile();
-        beginFile();
-      }
-      motion(i);
-      if (i == 0)
-        prime();
-    }
-    endFile();
+    walkTrajectory(in_, {"urscript", cutsOf(in_.trajectory, in_.maxMotionsPerFile), &motions_},
+                   *this, ctx_);
     return std::move(program_);
   }
 
@@ -54,7 +40,6 @@ private:
   void line(std::string_view text) {
     out_ += text;
     out_ += '\n';
-    ++lines_;
   }
   void number(std::string_view before, double value, int decimals) {
     out_ += before;
@@ -87,17 +72,14 @@ private:
     }
   }
 
-  void beginFile() {
-    const std::size_t part = program_.files.size() + 1;
+  void beginFile(std::size_t file) override {
     name_ = identifierOf(in_.name);
-    if (part > 1)
-      name_ += joined({"_", std::to_string(part)});
+    if (file > 0)
+      name_ += joined({"_", std::to_string(file + 1)});
     out_.clear();
     out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 64u << 20));
-    lines_ = 0;
-    outputs_.off();
     line(joined({"def ", name_, "():"}));
-    if (part == 1)
+    if (file == 0)
       about();
     const robot::Cell& cell = in_.cell;
     out_ += "  set_tcp(";
@@ -135,7 +117,7 @@ private:
     line(" s");
   }
 
-  void endFile() {
+  void endFile(std::size_t) override {
     line("  # end");
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
@@ -144,44 +126,19 @@ private:
     program_.files.push_back({name_ + ".script", out_});
   }
 
-  void flow(double mm3PerS) {
-    if (const auto share = outputs_.flow(mm3PerS))
-      line(joined({"  set_standard_analog_out(0,", *share, ")"}));
+  void remark(std::string_view text) override { line(joined({"  # ", text})); }
+  void flow(std::string_view share) override {
+    line(joined({"  set_standard_analog_out(0,", share, ")"}));
   }
-  void extruder(bool on) {
-    if (outputs_.turn(on))
-      line(on ? "  set_standard_digital_out(0,True)" : "  set_standard_digital_out(0,False)");
+  void extruder(bool on) override {
+    line(on ? "  set_standard_digital_out(0,True)" : "  set_standard_digital_out(0,False)");
   }
-
-  void prime() {
-    if (!(in_.process.primeS > 0.0) || in_.trajectory.extrudedMm3.back() <= 0.0)
-      return;
-    line("  # prime");
-    flow(primeFlowMm3PerS(in_.process));
-    extruder(true);
-    number("  sleep(", in_.process.primeS, 3);
+  void wait(double seconds) override {
+    number("  sleep(", seconds, 3);
     line(")");
-    extruder(false);
-    line("  # print");
   }
 
-  void motion(std::size_t i) {
-    const plan::Trajectory& t = in_.trajectory;
-    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
-      line(joined({"  # ", path}));
-    if (isPrint(t, i)) {
-      flow(motions_.flowMm3PerS(i));
-      extruder(true);
-    } else {
-      extruder(false);
-    }
-    if (i == 0 || t.move[i] == plan::MoveKind::Joint)
-      jointMotion(i);
-    else
-      straightMotion(i);
-  }
-
-  void jointMotion(std::size_t i) {
+  void jointMotion(std::size_t i) override {
     const plan::Trajectory& t = in_.trajectory;
     double acceleration = kStartRadPerS2;
     if (i > 0) {
@@ -212,7 +169,7 @@ private:
     line(")");
   }
 
-  void straightMotion(std::size_t i) {
+  void straightMotion(std::size_t i, bool) override {
     const double s = motions_.seconds(i), speed = tcpSpeed(i);
     // Enough to reach this speed from the last motion's within half of this one.
     double acceleration = in_.process.accelerationMmPerS2 / 1000.0;
@@ -237,11 +194,8 @@ private:
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
   std::vector<Eigen::Vector3d> rotation_;
-  PathNames paths_;
   plan::Program program_;
   std::string out_, name_;
-  std::size_t lines_ = 0;
-  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
 };
 
 } // namespace

@@ -218,7 +218,7 @@ TEST_F(Dialects, urscriptSlowsWhatAsksForMoreThanTheFullFlow) {
 TEST_F(Dialects, urscriptIsCutOnlyWhereTheExtruderIsOff) {
   appendRandom(9, 1000);
   ProgramInput cut = input();
-  cut.maxLinesPerFile = 150;
+  cut.maxMotionsPerFile = 100;
   const plan::Program program = writeProgram("urscript", cut);
   ASSERT_GT(program.files.size(), 3u);
   const plan::ReadProgram back = readProgram("urscript", program.files, process_);
