@@ -355,7 +355,7 @@ private:
       return takeNumberToken(number) && takeMark(',') && takeNumberToken(number) && takeEnd();
     if (word == "tperase")
       return takeEnd();
-    if (word == "tpwrite")
+    if (word == "tpwrite" || word == "uimsgbox")
       return takeText(text) && takeEnd();
     return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
   }

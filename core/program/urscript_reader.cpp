@@ -161,6 +161,7 @@ constexpr std::array kHarmless = {"set_payload",
                                   "set_target_payload",
                                   "set_gravity",
                                   "textmsg",
+                                  "popup",
                                   "sync",
                                   "stopl",
                                   "stopj",
@@ -190,7 +191,7 @@ private:
 
   bool readFile(std::string_view text) {
     defined_ = {};
-    inside_ = called_ = false;
+    inside_ = called_ = closed_ = mustCall_ = false;
     tcpSet_ = false;
     outputs_.begin();
     LineReader lines(text);
@@ -200,17 +201,19 @@ private:
       if (line_ % 4096 == 0)
         ctx_.checkpoint();
       const std::string_view code = trimmed(withoutComment(line));
+      mustCall_ = mustCall_ || trimmed(line).starts_with(kCalledNote);
       if (!code.empty())
         statement(code);
     }
     if (inside_)
       defect(base::message("the function '{defined}' has no end"_text, defined_));
-    else if (!called_)
-      defect(defined_.empty() ? "no function is defined"_text
-                              : "the function is never called"_text);
+    else if (defined_.empty())
+      defect("no function is defined"_text);
+    else if (!called_ && mustCall_)
+      defect("the function is never called"_text);
     if (!outputs_.ended())
       defect("the extruder is not set off behind the last motion"_text);
-    return called_ && outputs_.ended();
+    return closed_ && (called_ || !mustCall_) && outputs_.ended();
   }
 
   void statement(std::string_view code) {
@@ -435,6 +438,7 @@ private:
   std::size_t file_ = 0, line_ = 0;
   std::string_view defined_;
   bool inside_ = false, closed_ = false, called_ = false;
+  bool mustCall_ = false; // the text says that it calls its function
   bool tcpSet_ = false, everSet_ = false;
   ReadOutputs outputs_;
 };
@@ -456,7 +460,9 @@ bool looksLikeUrscript(std::string_view text) {
 
 bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i) {
   return lines[i].find("set_payload") != std::string::npos ||
-         lines[i].find("sleep(") != std::string::npos || primes(lines, i);
+         lines[i].find("set_analog_outputdomain") != std::string::npos ||
+         lines[i].find("sleep(") != std::string::npos ||
+         lines[i].find("popup(") != std::string::npos || primes(lines, i);
 }
 
 } // namespace voluta::program
