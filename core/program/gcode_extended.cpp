@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "program/job_head.h"
 #include "program/motion_targets.h"
 #include "program/text.h"
 #include "program/walk.h"
@@ -60,21 +61,19 @@ private:
     out_ +=
         "; Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX nY nZ"
         " in the work frame\n";
-    out_ += joined({"; cell ", in_.cell.id(), ", robot ", in_.cell.robot().id, ", process ", p.id,
-                    " (", p.material, ")\n"});
+    for (const std::string& head : headLines(in_))
+      out_ += joined({"; ", head, "\n"});
     if (program_.foreign)
       out_ += "; FOREIGN: not the language of the cell's controller\n";
     out_ += "; ";
     out_ += kDiameterNote;
     word("", kFilamentDiameterMm, 3, true);
-    out_ += joined({" mm\n; ", std::to_string(targets_.size()), " motions, "});
-    word("", in_.trajectory.extrudedMm3.back(), 1);
-    out_ += " mm3, ";
-    word("", in_.trajectory.timeS.back(), 1);
-    out_ += " s\nG21\nG90\nM82\n";
+    out_ += " mm\nG21\nG90\nM82\n";
+    out_ += joined({"M117 ", kStartQuestion, "\nM0\n"});
     const std::optional<int> celsius = nozzleCelsius(p.material);
     if (celsius)
-      out_ += joined({"M104 S", std::to_string(*celsius), " ; assumed for ", p.material, "\n"});
+      out_ += joined(
+          {"M104 S", std::to_string(*celsius), " ; assumed for ", plainText(p.material), "\n"});
     out_ += "G28\n";
     if (celsius)
       out_ += joined({"M109 S", std::to_string(*celsius), "\n"});
@@ -277,7 +276,7 @@ private:
       cold_ = w['S'].value_or(1.0) == 0.0;
     else if (m == 84.0 || m == 18.0)
       motorsOff_ = true;
-    else if (m != 109.0 && m != 140.0 && m != 190.0 && m != 106.0 && m != 107.0)
+    else if (m != 0.0 && m != 109.0 && m != 140.0 && m != 190.0 && m != 106.0 && m != 107.0)
       defect("an M command that is not known to the reader"_text);
   }
 
@@ -401,7 +400,7 @@ bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::siz
   // E is 0 before the prime, not behind it.
   if (lines[i] == "G92 E0")
     return lines[i - 1].find("prime") == std::string::npos;
-  for (const char* word : {"G21", "G90", "M82", "G28", "M104 S2", "M109"})
+  for (const char* word : {"G21", "G90", "M82", "G28", "M104 S2", "M109", "M117", "M0"})
     if (lines[i].find(word) != std::string::npos)
       return true;
   return primes(lines, i);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "program/job_head.h"
 #include "program/motion_targets.h"
 #include "program/text.h"
 #include "program/walk.h"
@@ -161,8 +162,9 @@ private:
   void beginFile(std::size_t) override {
     program_.format = "csv";
     out_.reserve(in_.trajectory.pointCount() * 110 + 512);
-    out_ += joined({"# joint table, cell ", in_.cell.id(), ", robot ", in_.cell.robot().id,
-                    ", process ", in_.process.id, " (", in_.process.material, ")\n"});
+    out_ += "# joint table\n";
+    for (const std::string& head : headLines(in_))
+      out_ += joined({"# ", head, "\n"});
     out_ += "time_s";
     for (int k = 1; k <= in_.trajectory.dof; ++k)
       out_ += joined({",j", std::to_string(k), "_deg"});

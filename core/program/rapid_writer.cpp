@@ -1,4 +1,6 @@
 #include "base/units.h"
+#include "program/job_head.h"
+#include "program/language_words.h"
 #include "program/motion_targets.h"
 #include "program/rapid.h"
 #include "program/tcp_motions.h"
@@ -16,18 +18,17 @@ constexpr std::string_view kNewLine = "\r\n";
 // 1e-8 of a quaternion moves a point of the part 300 mm off by 0.000006 mm.
 constexpr int kPositionDecimals = 4, kTurnDecimals = 8, kFrameDecimals = 6, kFrameTurnDecimals = 9;
 constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZoneDecimals = 3;
-constexpr double kStartMmPerS = 100.0;
+constexpr double kStartMmPerS = 50.0, kStartDegPerS = 20.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
 constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
 constexpr double kRodDegPerS = 1000.0;
 
-// No name of the controller's own language and data begins like this.
-std::string moduleName(const std::string& name, std::size_t part) {
-  std::string id = joined({"print_", name.substr(0, 20)});
-  if (part > 0)
-    id += joined({"_", std::to_string(part)});
+std::string moduleName(const std::string& part, std::size_t module) {
+  std::string id = programName(part);
+  if (module > 0)
+    id += joined({"_", std::to_string(module)});
   return id;
 }
 
@@ -35,8 +36,9 @@ class RapidWriter : private Speller {
 public:
   RapidWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
-        cuts_(cutsOf(input.trajectory,
-                     input.maxMotionsPerFile > 0 ? input.maxMotionsPerFile : kMotionsPerModule)),
+        cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
+                                           ? input.options.motionsPerFile
+                                           : kMotionsPerModule)),
         name_(identifierOf(input.name)), tool_(heldPlate() ? "tPlate" : "tNozzle"),
         object_(turnsRod() ? "wRod" : "wPrint") {
     program_.format = "rapid";
@@ -62,7 +64,7 @@ private:
   bool oneModule() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
   bool turnsRod() const { return !in_.cell.externalAxes().empty(); }
-  std::string unit() const { return identifierOf(in_.cell.externalAxes().front().name); }
+  std::string unit() const { return rapidName(in_.cell.externalAxes().front().name); }
   // Radians. Precondition: turnsRod().
   double rodAngle(std::size_t i) const { return in_.trajectory.at(i)[in_.cell.armDof()]; }
 
@@ -125,7 +127,7 @@ private:
   }
 
   void beginMain() {
-    line(joined({"MODULE ", moduleName(name_, 0)}));
+    line(joined({"MODULE ", moduleName(in_.name, 0)}));
     about();
     declareTool();
     declareObject();
@@ -139,7 +141,7 @@ private:
   void beginFile(std::size_t file) override {
     if (oneModule())
       return;
-    line(joined({"MODULE ", moduleName(name_, file + 1)}));
+    line(joined({"MODULE ", moduleName(in_.name, file + 1)}));
     line(joined({"  PROC ", procedureName(file + 1), "()"}));
     outputsOff();
   }
@@ -172,13 +174,11 @@ private:
   }
 
   void about() {
-    const robot::Cell& cell = in_.cell;
-    const process::Process& p = in_.process;
     line("  ! Robot program for printing, RAPID");
     if (program_.foreign)
       line("  ! FOREIGN: not the language of the cell's controller; Cartesian targets only");
-    line(joined({"  ! cell ", cell.id(), ", robot ", cell.robot().id, ", process ", p.id, " (",
-                 p.material, ")"}));
+    for (const std::string& head : headLines(in_))
+      line(joined({"  ! ", head}));
     if (heldPlate())
       line("  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in the robot's "
            "base");
@@ -187,13 +187,8 @@ private:
     else
       line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object");
     out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
-    number(p.maxFlowMm3PerS, 3);
+    number(in_.process.maxFlowMm3PerS, 3);
     line(" mm3/s");
-    out_ += joined({"  ! ", std::to_string(targets_.size()), " motions, "});
-    number(in_.trajectory.extrudedMm3.back(), 1);
-    out_ += " mm3, ";
-    number(in_.trajectory.timeS.back(), 1);
-    line(" s");
     if (cuts_.size() > 2)
       line("  ! the modules that it loads are to be put into HOME:");
   }
@@ -204,17 +199,7 @@ private:
     out_ +=
         joined({"  ! the rod is the mechanical unit ", unit(), ", its angle eax_a, its frame "});
     frame(in_.cell.base_T_fixed() * workToUnit());
-    line(" of the robot's base");
-    double low = 0.0, high = 0.0;
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      low = std::min(low, rodAngle(i));
-      high = std::max(high, rodAngle(i));
-    }
-    out_ += "  ! it turns from ";
-    number(base::radiansToDegrees(low), 1);
-    out_ += " to ";
-    number(base::radiansToDegrees(high), 1);
-    line(" degrees");
+    line(" in world");
   }
 
   void declareObject() {
@@ -248,6 +233,7 @@ private:
     line("    SetDO doExtruder,0;");
     line("    SetAO aoFlow,0;");
   }
+  void ask() override { line(joined({"    UIMsgBox \"", kStartQuestion, "\";"})); }
   void remark(std::string_view text) override { line(joined({"    ! ", text})); }
   void flow(std::string_view share) override { line(joined({"    SetAO aoFlow,", share, ";"})); }
   void extruder(bool on) override {
@@ -316,7 +302,7 @@ private:
     const double s = joint ? motionSeconds(in_.trajectory, i) : motions_.seconds(i);
     const bool timed = s > 0.0 && (joint || motions_.needsTime(i));
     double mmPerS = i == 0 ? kStartMmPerS : in_.process.travelSpeedMmPerS;
-    double degPerS = kTurnDegPerS, rodDegPerS = kRodDegPerS;
+    double degPerS = i == 0 ? kStartDegPerS : kTurnDegPerS, rodDegPerS = kRodDegPerS;
     if (s > 0.0 && !timed) {
       mmPerS = motions_.speedMmPerS(i);
       // Turns must not be what the motion waits for.

@@ -1,5 +1,7 @@
 #include "base/error.h"
 #include "base/units.h"
+#include "program/job_head.h"
+#include "program/language_words.h"
 #include "program/motion_targets.h"
 #include "program/rotation_vector.h"
 #include "program/tcp_motions.h"
@@ -19,7 +21,7 @@ constexpr int kTcpDecimals = 9;
 constexpr int kSpeedDecimals = 7;
 constexpr int kBlendDecimals = 6;
 constexpr double kMaxAccelerationMPerS2 = 10.0;
-constexpr double kStartRadPerS2 = 1.4; // the controller's own default
+constexpr double kStartRadPerS2 = 0.5;
 
 class UrscriptWriter : private Speller {
 public:
@@ -31,8 +33,9 @@ public:
 
   plan::Program write() {
     roundTargets();
-    walkTrajectory(in_, {"urscript", cutsOf(in_.trajectory, in_.maxMotionsPerFile), &motions_},
-                   *this, ctx_);
+    const Walk walk{"urscript", cutsOf(in_.trajectory, in_.options.motionsPerFile), &motions_};
+    parts_ = walk.cuts.size() - 1;
+    walkTrajectory(in_, walk, *this, ctx_);
     return std::move(program_);
   }
 
@@ -73,14 +76,19 @@ private:
   }
 
   void beginFile(std::size_t file) override {
-    name_ = identifierOf(in_.name);
-    if (file > 0)
-      name_ += joined({"_", std::to_string(file + 1)});
+    const std::string part = file > 0 ? joined({"_", std::to_string(file + 1)}) : "";
+    name_ = programName(in_.name) + part;
+    file_ = joined({identifierOf(in_.name), part, ".script"});
     out_.clear();
     out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 64u << 20));
     line(joined({"def ", name_, "():"}));
+    line(in_.options.urscriptForPort ? "  # for ports 30001 and 30002: sent, it runs by itself"
+                                     : joined({"  ", kCalledNote, ", as a file node wants it"}));
     if (file == 0)
       about();
+    if (parts_ > 1)
+      line(joined({"  # file ", std::to_string(file + 1), " of ", std::to_string(parts_),
+                   ", to be run one after the other"}));
     const robot::Cell& cell = in_.cell;
     out_ += "  set_tcp(";
     const Eigen::Isometry3d& tcp = cell.flange_T_moved();
@@ -92,6 +100,7 @@ private:
     for (int k = 0; k < 3; ++k)
       number(k ? "," : "", tcp.translation()[k] / 1000.0, 4);
     line(plate ? "]) # assumed: 0.5 kg of plate, and the part" : "]) # assumed: 1 kg of head");
+    line("  set_analog_outputdomain(0,1) # 0 to 10 V");
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
   }
@@ -102,28 +111,27 @@ private:
     line("  # Robot program for printing, URScript");
     if (program_.foreign)
       line("  # FOREIGN: the cell's robot is no Universal Robot; Cartesian targets only");
-    line(joined({"  # cell ", cell.id(), ", robot ", cell.robot().id, ", process ", p.id, " (",
-                 p.material, ")"}));
+    for (const std::string& head : headLines(in_))
+      line(joined({"  # ", head}));
     line(cell.nozzleMount() == robot::Mount::World
              ? "  # fixed nozzle: the TCP is the plate's centre, poses are the plate's in Base"
              : "  # moving nozzle: the TCP is the nozzle's tip");
     out_ += "  # extruder on: digital output 0; flow: analogue output 0, 1 = ";
     appendFixed(out_, p.maxFlowMm3PerS, 3, true);
     line(" mm3/s");
-    out_ += joined({"  # ", std::to_string(targets_.size()), " motions, "});
-    appendFixed(out_, in_.trajectory.extrudedMm3.back(), 1);
-    out_ += " mm3, ";
-    appendFixed(out_, in_.trajectory.timeS.back(), 1);
-    line(" s");
   }
 
+  void ask() override {
+    line(joined({"  popup(\"", kStartQuestion, "\",title=\"Voluta\",blocking=True)"}));
+  }
   void endFile(std::size_t) override {
     line("  # end");
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
     line("end");
-    line(joined({name_, "()"}));
-    program_.files.push_back({name_ + ".script", out_});
+    if (!in_.options.urscriptForPort)
+      line(joined({name_, "()"}));
+    program_.files.push_back({file_, out_});
   }
 
   void remark(std::string_view text) override { line(joined({"  # ", text})); }
@@ -140,12 +148,7 @@ private:
 
   void jointMotion(std::size_t i) override {
     const plan::Trajectory& t = in_.trajectory;
-    double acceleration = kStartRadPerS2;
-    if (i > 0) {
-      acceleration = in_.cell.limits().front().acceleration;
-      for (const robot::JointLimits& limit : in_.cell.limits())
-        acceleration = std::min(acceleration, limit.acceleration);
-    }
+    const double acceleration = i > 0 ? in_.cell.travelAcceleration() : kStartRadPerS2;
     double speed = kStartRadPerS;
     if (const double s = motionSeconds(t, i); s > 0.0) {
       double largest = 0.0;
@@ -169,10 +172,12 @@ private:
     line(")");
   }
 
-  void straightMotion(std::size_t i, bool) override {
+  void straightMotion(std::size_t i, bool stops) override {
     const double s = motions_.seconds(i), speed = tcpSpeed(i);
-    // Enough to reach this speed from the last motion's within half of this one.
-    double acceleration = in_.process.accelerationMmPerS2 / 1000.0;
+    // Enough to reach this speed from the last motion's within half of this one, and to round its
+    // corner.
+    double acceleration =
+        std::max(in_.process.accelerationMmPerS2, motions_.blendMmPerS2(i)) / 1000.0;
     if (s > 0.0)
       acceleration = std::max(acceleration, 2.0 * std::abs(speed - tcpSpeed(i - 1)) / s);
     acceleration = std::clamp(acceleration, 0.01, kMaxAccelerationMPerS2);
@@ -180,11 +185,11 @@ private:
     out_ += "  movel(";
     pose(targets_[i].tcpMm, rotation_[i], kPoseDecimals);
     number(",a=", acceleration, 2);
-    if (motions_.needsTime(i))
+    if (s > 0.0)
       number(",t=", s, 6);
     else
-      number(",v=", speed > 0.0 ? speed : in_.process.travelSpeedMmPerS / 1000.0, kSpeedDecimals);
-    if (const double r = motions_.blendMm(i); r > 0.0)
+      number(",v=", in_.process.travelSpeedMmPerS / 1000.0, kSpeedDecimals);
+    if (const double r = stops ? 0.0 : motions_.blendMm(i); r > 0.0)
       number(",r=", r / 1000.0, kBlendDecimals);
     line(")");
   }
@@ -195,7 +200,8 @@ private:
   TcpMotions motions_;
   std::vector<Eigen::Vector3d> rotation_;
   plan::Program program_;
-  std::string out_, name_;
+  std::string out_, name_, file_;
+  std::size_t parts_ = 1;
 };
 
 } // namespace

@@ -37,6 +37,8 @@ private:
     if (walk_.outputs != nullptr && isPrint(t, i))
       flow(walk_.outputs->flowMm3PerS(i));
     extruder(isPrint(t, i));
+    if (i == 0)
+      speller_.ask();
     if (i == 0 || t.move[i] == plan::MoveKind::Joint)
       speller_.jointMotion(i);
     else

@@ -18,6 +18,8 @@ public:
   // Files are numbered from 0. Behind beginFile and endFile the extruder is off.
   virtual void beginFile(std::size_t file) = 0;
   virtual void endFile(std::size_t file) = 0;
+  // Before the first motion, which goes to where the arm may be far from.
+  virtual void ask() {}
   virtual void remark(std::string_view) {}
   // Told only where they change; of dialects that have an extruder of two outputs (Walk::outputs).
   virtual void flow(std::string_view /*share*/) {} // 0..1, of process.maxFlowMm3PerS
