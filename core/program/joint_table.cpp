@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "program/job_head.h"
 #include "program/motion_targets.h"
+#include "program/program_builder.h"
 #include "program/text.h"
 #include "program/walk.h"
 
@@ -43,18 +44,17 @@ std::size_t jointsOfHeader(std::string_view line) {
 
 class JointTableReader {
 public:
-  explicit JointTableReader(const base::RunContext& ctx) : ctx_(ctx), defects_(out_.defects) {
-    out_.format = "csv";
-  }
+  JointTableReader(const process::Process& process, const base::RunContext& ctx)
+      : ctx_(ctx), out_("csv", process) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
-    for (file_ = 0; file_ < files.size(); ++file_)
-      readFile(files[file_].text);
-    return std::move(out_);
+    for (out_.file = 0; out_.file < files.size(); ++out_.file)
+      readFile(files[out_.file].text);
+    return out_.take(complete_);
   }
 
 private:
-  void defect(base::Message reason) { defects_.add(file_, line_, std::move(reason)); }
+  void defect(base::Message reason) { out_.defect(std::move(reason)); }
 
   void readFile(std::string_view text) {
     LineReader lines(text);
@@ -63,8 +63,8 @@ private:
     joints_ = 0;
     headed_ = false;
     while (lines.next(line)) {
-      line_ = lines.number();
-      if (line_ % 4096 == 0)
+      out_.line = lines.number();
+      if (out_.line % 4096 == 0)
         ctx_.checkpoint();
       line = trimmed(line);
       if (line.empty())
@@ -82,7 +82,7 @@ private:
       defect("the header line is missing"_text);
     if (!ended)
       defect("the line '# end' is missing: the file was cut short"_text);
-    out_.complete = ended && headed_ && (file_ == 0 || out_.complete);
+    complete_ = ended && headed_ && (out_.file == 0 || complete_);
   }
 
   void header(std::string_view line) {
@@ -98,8 +98,6 @@ private:
 
   void row(std::string_view line) {
     plan::ProgramMotion m;
-    m.file = file_;
-    m.line = line_;
     m.target = plan::TargetKind::Joints;
     m.joints.resize(joints_);
     double time = 0.0, extruded = 0.0, waypoint = 0.0;
@@ -128,7 +126,7 @@ private:
     m.extruding = rest == "print" || m.volumeMm3 > 0.0;
     time_ = time;
     extruded_ = extruded;
-    out_.motions.push_back(std::move(m));
+    out_.motion(std::move(m));
   }
 
   // The number before the next comma; `rest` moves behind the comma.
@@ -142,10 +140,9 @@ private:
   }
 
   const base::RunContext& ctx_;
-  plan::ReadProgram out_;
-  Defects defects_;
-  std::size_t file_ = 0, line_ = 0, joints_ = 0;
-  bool headed_ = false;
+  ProgramBuilder out_;
+  std::size_t joints_ = 0;
+  bool headed_ = false, complete_ = false;
   double time_ = 0.0, extruded_ = 0.0;
 };
 
@@ -207,8 +204,8 @@ plan::Program writeJointTable(const ProgramInput& input, const base::RunContext&
 }
 
 plan::ReadProgram readJointTable(const std::vector<plan::ProgramFile>& files,
-                                 const process::Process&, const base::RunContext& ctx) {
-  return JointTableReader(ctx).read(files);
+                                 const process::Process& process, const base::RunContext& ctx) {
+  return JointTableReader(process, ctx).read(files);
 }
 
 bool looksLikeJointTable(std::string_view text) {

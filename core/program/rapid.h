@@ -28,10 +28,12 @@
 
 #include "base/run_context.h"
 #include "plan/program.h"
+#include "program/known_words.h"
 #include "program/program_input.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +59,8 @@ plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx)
 // module was ended and run, the extruder's outputs off behind its last motion.
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx);
+// What else may stand in a program, and where; everything else is refused.
+std::span<const KnownWord> rapidWords();
 bool looksLikeRapid(std::string_view text);
 bool mayBeMissingInRapid(const std::vector<std::string>& lines, std::size_t i); // Dialect
 // The modules that a list (.pgf) names, or that a module loads.

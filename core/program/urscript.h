@@ -19,8 +19,10 @@
 
 #include "base/run_context.h"
 #include "plan/program.h"
+#include "program/known_words.h"
 #include "program/program_input.h"
 
+#include <span>
 #include <string_view>
 
 namespace voluta::program {
@@ -38,6 +40,8 @@ plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& c
 // called, after the extruder's two outputs were set off behind the last motion.
 plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
                                const process::Process& process, const base::RunContext& ctx);
+// What else may stand in a program, and where; everything else is refused.
+std::span<const KnownWord> urscriptWords();
 bool looksLikeUrscript(std::string_view text);
 bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i); // Dialect
 

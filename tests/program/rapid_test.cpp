@@ -142,7 +142,7 @@ TEST(RapidReader, namesWhatItCannotTake) {
       {"MoveAbsJ [[0,0,0,0,0,1E5],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "limit"},
       {"SetDO doExtruder,2;", "0 or 1"},
       {"SetAO aoFlow,1.5;", "0..1"},
-      {"VelSet 50,500;", "not known"},
+      {"VelSet 50,500;", "slows the arm"},
       {"WaitTime -1;", "seconds"},
       {"IF TRUE THEN", "not known"},
       {"x:=3;", "not known"},

@@ -40,9 +40,9 @@ TEST(UrscriptReader, takesHandWrittenVariations) {
                        "  movel( p[-.4,0.1,0.31,0,3.14,0] , r = 0.001, v=.02 , a=1 )\r\n"
                        "  movel(p[-.4,0.1,0.32,0,3.14,0], v=0.02, t=0.5)\r\n"
                        "  movep(p[-.4,0.1,0.33,0,3.14,0], 1.2, 0.03, 0.004)\r\n"
-                       "  set_digital_out(3, True)\r\n"
                        "  set_digital_out(0, false)\r\n"
                        "  set_analog_out(0, 0)\r\n"
+                       "  set_digital_out(3, True)\r\n"
                        "end\r\nkitten()\r\n");
   EXPECT_TRUE(program.complete);
   for (const auto& d : program.defects)
