@@ -19,9 +19,8 @@ namespace voluta::program {
 
 namespace {
 constexpr double kUnused = 9e9; // an external axis that is none
-constexpr double kMostMm = 1e5, kMostDegrees = 6000.0, kMostSeconds = 1e5;
+constexpr double kMostMm = kMostRapidMm, kMostDegrees = 6000.0, kMostSeconds = 1e5;
 constexpr double kMostExternalDegrees = 1e7;
-constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
 constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
 
 class RapidReader : private RapidCursor {
@@ -36,6 +35,8 @@ public:
       const plan::ProgramFile& file = files[out_.file];
       out_.line = 1;
       complete = linesEndRight(file.text, out_) && complete;
+      if (isSignalList(file.text))
+        continue;
       if (isModuleList(file.text))
         complete = readModuleList(file.text, files, out_) && complete;
       else
@@ -242,6 +243,9 @@ private:
     std::string type, name;
     if (!takeName(type) || !takeName(name))
       return false;
+    if (type == "triggdata") // filled by TriggEquip
+      return takeEnd() && (declared_.try_emplace(std::move(name), Declared{type, {}}).second ||
+                           fail("a name is declared twice"_text));
     if (rapidShape(type).empty())
       return fail(base::message("data of the type {type} is not known to the reader"_text,
                                 type.substr(0, 40)));
@@ -265,19 +269,8 @@ private:
   // Does a mechanical unit move the work object?
   static bool isMoved(const RapidData& object) { return object.numbers[1] == 0.0; }
 
-  // Position and turn from numbers[at].
   bool poseOf(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose) {
-    const Eigen::Vector3d mm(numbers[at], numbers[at + 1], numbers[at + 2]);
-    const Eigen::Quaterniond turn(numbers[at + 3], numbers[at + 4], numbers[at + 5],
-                                  numbers[at + 6]);
-    if (!(mm.cwiseAbs().maxCoeff() <= kMostMm))
-      return fail("a position far outside any robot's reach"_text);
-    if (!(std::abs(turn.norm() - 1.0) <= kTurnTolerance))
-      return fail("a quaternion whose length is not 1"_text);
-    pose = Eigen::Isometry3d::Identity();
-    pose.linear() = turn.normalized().toRotationMatrix();
-    pose.translation() = mm;
-    return true;
+    return rapidPose(numbers, at, pose, reason_);
   }
 
   // ---- statements
@@ -288,7 +281,9 @@ private:
     std::string word;
     if (!takeName(word))
       return false;
-    if (word == "movel" || word == "movej" || word == "moveabsj")
+    if (word == "triggequip")
+      return triggEquip();
+    if (word == "movel" || word == "movej" || word == "moveabsj" || word == "triggl")
       return motion(word);
     if (word == "setdo")
       return output("doextruder", [&](double v) { return digital(v); });
@@ -364,6 +359,28 @@ private:
     return true;
   }
 
+  // TriggEquip name,0\Start,0\AOp:=aoFlow,share: the flow from where a TriggL begins.
+  bool triggEquip() {
+    std::string name, signal;
+    double mm = 0.0, lag = 0.0, share = 0.0;
+    const std::string_view at = token_.text;
+    if (!takeName(name) || !takeMark(',') || !takeNumberToken(mm) || !takeMark('\\') ||
+        !takeWord("start") || !takeMark(',') || !takeNumberToken(lag) || !takeMark('\\') ||
+        !takeWord("aop") || !takeAssign() || !takeName(signal) || !takeMark(',') ||
+        !takeNumberToken(share) || !takeEnd())
+      return false;
+    const auto known = declared_.find(name);
+    if (known == declared_.end() || known->second.type != "triggdata")
+      return fail(base::message("'{name}' is not declared as {type}"_text, at.substr(0, 40),
+                                "triggdata"_name));
+    if (mm != 0.0 || lag != 0.0 || signal != "aoflow")
+      return fail("only the flow at a motion's beginning is read"_text);
+    if (!(share >= 0.0 && share <= 1.0))
+      return fail("an analogue output outside 0..1"_text);
+    known->second.data.numbers = {share};
+    return true;
+  }
+
   bool supervision(bool& off) {
     std::string state;
     if (!takeMark('\\') || !takeName(state) || !takeEnd())
@@ -413,8 +430,8 @@ private:
   bool motion(const std::string& word) {
     const bool absolute = word == "moveabsj";
     plan::ProgramMotion m;
-    m.jointInterpolated = word != "movel";
-    RapidData target, speed, zone, tool;
+    m.jointInterpolated = word != "movel" && word != "triggl";
+    RapidData target, speed, trigg, zone, tool;
     RapidData object = *predeclaredRapid("wobjdata", "wobj0");
     if (!value(absolute ? "jointtarget" : "robtarget", target))
       return false;
@@ -425,6 +442,10 @@ private:
     const bool timed = takeMark('\\');
     if (timed && (!takeWord("t") || !takeAssign() || !takeNumberToken(m.durationS)))
       return false;
+    if (word == "triggl" && (!takeMark(',') || !value("triggdata", trigg)))
+      return false;
+    if (word == "triggl" && trigg.numbers.empty())
+      return fail("a TriggL before its TriggEquip"_text);
     if (!takeMark(',') || !value("zonedata", zone) || !takeMark(',') || !value("tooldata", tool))
       return false;
     if (takeMark('\\') && (!takeWord("wobj") || !takeAssign() || !value("wobjdata", object)))
@@ -440,6 +461,8 @@ private:
     last_ = absolute ? std::nullopt : std::optional(m.frame_T_tcp);
     lastKind_ = m.target;
     lastExternal_ = m.externals;
+    if (!trigg.numbers.empty())
+      out_.flow(trigg.numbers[0]);
     out_.motionByOutputs(std::move(m));
     return true;
   }
