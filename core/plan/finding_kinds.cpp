@@ -389,6 +389,23 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "this motion takes {time:.3f}, planned are {planned:.3f}"_text, kWriteAgain},
     {FlowChanged, "flowChanged", "flowChanged", Replay, Blocks,
      "this motion lays {volume:.3f}, planned are {planned:.3f}"_text, kWriteAgain},
+    {FlowsWhileStanding, "flowsWhileStanding", "flowsWhileStanding", Replay, Blocks,
+     "{volume:.3f} flow out here while the nozzle stands for {time:.3f}"_text, kWriteAgain},
+    {StandsAmidPrint, "standsAmidPrint", "standsAmidPrint", Replay, Blocks,
+     "the arm stands here for {time:.1f}, the hot nozzle on the part"_text, kWriteAgain},
+    {PrimeChanged, "primeChanged", "primeChanged", Replay, Blocks,
+     "{volume:.3f} are pushed out before the first bead, planned are {planned:.3f}"_text,
+     kWriteAgain},
+    {FirstMotionFast, "firstMotionFast", "firstMotionFast", Replay, Blocks,
+     "the first motion, from wherever the arm stands, is a fast one"_text, kWriteAgain},
+    {AccelerationChanged, "accelerationChanged", "accelerationChanged", Replay, Blocks,
+     "this motion is told to speed up {times:.1f} times as hard as planned"_text, kWriteAgain},
+    {LoadChanged, "loadChanged", "loadChanged", Replay, Blocks,
+     "the arm is told to carry {mass:.2f} kg, some {planned:.2f} kg are planned"_text, kWriteAgain},
+    {FlowErrors, "flowErrors", "flowErrors", Replay, Blocks,
+     "at the controller's own speeds {share:.2f} of the beads' length get more than 5 % "
+     "too much or too little material, the first of them here"_text,
+     "write the program again: with times instead of speeds where the format knows them"_text},
     {Uncovered, "uncovered", "uncovered", Replay, Blocks,
      "{share:.2f} of the part is in no bead; most of it round the place given"_text,
      "use lower layers or a finer nozzle, or print the part larger"_text, kAdapt},
@@ -432,13 +449,16 @@ constexpr auto kRows = std::to_array<FindingRow>({
     {ProgramRefused, "programRefused", "programRefused", Replay, Blocks,
      "the {format} program is not handed over: {failed}"_text,
      "see the findings before this one"_text},
+    {ForeignRefused, "foreignRefused", "programRefused", Replay, Tells,
+     "the {format} program, for another controller, is not handed over: {failed}"_text,
+     "take the program of the cell's own controller"_text},
 });
 
 constexpr bool inOrder() {
   for (std::size_t i = 0; i < kRows.size(); ++i)
     if (static_cast<std::size_t>(kRows[i].kind) != i)
       return false;
-  return kRows.size() == static_cast<std::size_t>(ProgramRefused) + 1;
+  return kRows.size() == static_cast<std::size_t>(ForeignRefused) + 1;
 }
 static_assert(inOrder(), "a row a kind, in the order of FindingKind");
 } // namespace

@@ -109,6 +109,13 @@ enum class FindingKind : std::uint8_t {
   ExtruderOffPrint,
   SpeedChanged,
   FlowChanged,
+  FlowsWhileStanding,
+  StandsAmidPrint,
+  PrimeChanged,
+  FirstMotionFast,
+  AccelerationChanged,
+  LoadChanged,
+  FlowErrors,
   Uncovered,
   Overfill,
   Mass,
@@ -125,6 +132,7 @@ enum class FindingKind : std::uint8_t {
   MoreLimits,
   PathDeviation,
   ProgramRefused,
+  ForeignRefused,
 };
 
 enum class Gravity {

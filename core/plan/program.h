@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,12 +46,28 @@ struct ProgramMotion {
   // frame (WorkPose, ToolPoint). 0: not given.
   double speedMmPerS = 0.0;
   double jointSpeedRadPerS = 0.0; // leading joint, joint-interpolated motions; 0: not given
-  double durationS = 0.0;   // time of this motion where the text gives it (then it rules, not the
-                            // speeds); 0: not given
-  double blendMm = 0.0;     // radius of the blend at its end
-  bool extruding = false;   // is the extruder on during this motion
-  double flowMm3PerS = 0.0; // flow while extruding, where the dialect gives a rate
-  double volumeMm3 = -1.0;  // material of this motion, where the dialect gives amounts; else -1
+  double durationS = 0.0; // time of this motion where the text gives it (then it rules, not the
+                          // speeds); 0: not given
+  double accelerationMmPerS2 = 0.0;       // with speedMmPerS; 0: not given
+  double jointAccelerationRadPerS2 = 0.0; // with jointSpeedRadPerS; 0: not given
+  double blendMm = 0.0;                   // radius of the blend at its end
+  bool extruding = false;                 // is the extruder on during this motion
+  double flowMm3PerS = 0.0;               // flow while extruding, where the dialect gives a rate
+  double volumeMm3 = -1.0; // material of this motion, where the dialect gives amounts; else -1
+};
+
+// The arm stands though the program goes on: a wait, or filament pushed or drawn on the spot.
+struct ProgramPause {
+  std::size_t file = 0, line = 0; // as of a motion
+  std::size_t before = 0;         // the motion that follows; motions.size(): none
+  double durationS = 0.0;
+  double volumeMm3 = 0.0; // flows meanwhile
+};
+
+// What the program says that the arm carries.
+struct ProgramLoad {
+  std::size_t file = 0, line = 0;
+  double kg = 0.0;
 };
 
 // Something in the text that the reader could not make sense of, or that is missing at its end.
@@ -63,6 +80,9 @@ struct ReadProgram {
   std::string format;
   Eigen::Isometry3d flange_T_tcp = Eigen::Isometry3d::Identity(); // as the program sets it
   std::vector<ProgramMotion> motions;
+  std::vector<ProgramPause> pauses; // in order
+  bool tellsPauses = false;         // the language has words for them, so a prime is to be found
+  std::optional<ProgramLoad> load;
   bool complete = false; // its end sequence was found
   std::vector<ProgramDefect> defects;
 };

@@ -9,6 +9,10 @@
 
 namespace voluta::program {
 
+// A share of the full flow as it is written, in [0, 1]: four significant digits.
+std::string shareText(double share);
+double writtenShare(double share);
+
 // What a writer last said, so that it says only what changes.
 class WrittenOutputs {
 public:
@@ -36,6 +40,9 @@ public:
   void flow(double share); // 0..1
   // Sets what the motion extrudes; false where an output was never set, which counts as off.
   bool moveWith(plan::ProgramMotion& motion, double fullFlowMm3PerS);
+  bool on() const { return on_.value_or(false); }
+  // What flows now, as a share of the full flow.
+  double flowShare() const { return on() ? flow_.value_or(0.0) : 0.0; }
   // Both were set off since the last motion.
   bool ended() const { return offSaid_ && zeroSaid_; }
 

@@ -2,13 +2,17 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "program/job_head.h"
 #include "program/motion_targets.h"
+#include "program/program_builder.h"
 #include "program/text.h"
+#include "program/walk.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace voluta::program {
 
@@ -32,30 +36,33 @@ std::optional<int> nozzleCelsius(std::string_view material) {
   return std::nullopt;
 }
 
+// Between which a nozzle prints it; makers' data sheets and what print heads stand.
+std::pair<double, double> nozzleRange(std::string_view material) {
+  if (material == "PLA")
+    return {170.0, 250.0};
+  if (material == "PETG")
+    return {200.0, 280.0};
+  if (material == "ABS")
+    return {200.0, 290.0};
+  return {100.0, 450.0};
+}
+
+// Longer than any path from an extruder's gear to the melt that slicers draw back on (they use 0.5
+// to 10 mm).
+constexpr double kMostDrawnBackMm = 20.0;
+
 // ---- writer
 
-class GcodeWriter {
+class GcodeWriter : private Speller {
 public:
   GcodeWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), paths_(input.toolPlan) {
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)) {
     program_.format = "gcode-extended";
     program_.foreign = input.foreign;
   }
 
   plan::Program write() {
-    const std::size_t n = targets_.size();
-    out_.reserve(n * 90 + 1024);
-    start();
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i % 4096 == 0)
-        ctx_.report(static_cast<double>(i) / static_cast<double>(n),
-                    base::message("{format}"_text, "gcode-extended"_name));
-      motion(i);
-    }
-    out_ += "M104 S0\nM84\n";
-    out_ += kEnd;
-    out_ += '\n';
-    program_.files.push_back({identifierOf(in_.name) + ".gcode", std::move(out_)});
+    walkTrajectory(in_, {"gcode-extended", cutsOf(in_.trajectory, 0)}, *this, ctx_);
     return std::move(program_);
   }
 
@@ -65,26 +72,25 @@ private:
     appendFixed(out_, value, decimals, trim);
   }
 
-  void start() {
+  void beginFile(std::size_t) override {
+    out_.reserve(targets_.size() * 90 + 1024);
     const process::Process& p = in_.process;
     out_ +=
         "; Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX nY nZ"
         " in the work frame\n";
-    out_ += joined({"; cell ", in_.cell.id(), ", robot ", in_.cell.robot().id, ", process ", p.id,
-                    " (", p.material, ")\n"});
+    for (const std::string& head : headLines(in_))
+      out_ += joined({"; ", head, "\n"});
     if (program_.foreign)
       out_ += "; FOREIGN: not the language of the cell's controller\n";
     out_ += "; ";
     out_ += kDiameterNote;
     word("", kFilamentDiameterMm, 3, true);
-    out_ += joined({" mm\n; ", std::to_string(targets_.size()), " motions, "});
-    word("", in_.trajectory.extrudedMm3.back(), 1);
-    out_ += " mm3, ";
-    word("", in_.trajectory.timeS.back(), 1);
-    out_ += " s\nG21\nG90\nM82\n";
+    out_ += " mm\nG21\nG90\nM82\n";
+    out_ += joined({"M117 ", kStartQuestion, "\nM0\n"});
     const std::optional<int> celsius = nozzleCelsius(p.material);
     if (celsius)
-      out_ += joined({"M104 S", std::to_string(*celsius), " ; assumed for ", p.material, "\n"});
+      out_ += joined(
+          {"M104 S", std::to_string(*celsius), " ; assumed for ", plainText(p.material), "\n"});
     out_ += "G28\n";
     if (celsius)
       out_ += joined({"M109 S", std::to_string(*celsius), "\n"});
@@ -97,10 +103,19 @@ private:
     }
   }
 
+  void endFile(std::size_t) override {
+    out_ += "M104 S0\nM84\n";
+    out_ += kEnd;
+    out_ += '\n';
+    program_.files.push_back({identifierOf(in_.name) + ".gcode", std::move(out_)});
+  }
+
+  void remark(std::string_view text) override { out_ += joined({"; ", text, "\n"}); }
+  void jointMotion(std::size_t i) override { motion(i); }
+  void straightMotion(std::size_t i, bool) override { motion(i); }
+
   void motion(std::size_t i) {
     const plan::Trajectory& t = in_.trajectory;
-    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
-      out_ += joined({"; ", path, "\n"});
     const MotionTarget& target = targets_[i];
     Eigen::Vector3d tip;
     for (int k = 0; k < 3; ++k)
@@ -127,7 +142,6 @@ private:
   const ProgramInput& in_;
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
-  PathNames paths_;
   plan::Program program_;
   std::string out_;
   Eigen::Vector3d lastTip_ = Eigen::Vector3d::Zero();
@@ -149,31 +163,32 @@ struct Words {
 
 class GcodeReader {
 public:
-  explicit GcodeReader(const base::RunContext& ctx) : ctx_(ctx), defects_(out_.defects) {
-    out_.format = "gcode-extended";
+  GcodeReader(const process::Process& process, const base::RunContext& ctx)
+      : process_(process), ctx_(ctx), out_("gcode-extended", process) {
+    out_.program().tellsPauses = true;
   }
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
-    for (file_ = 0; file_ < files.size(); ++file_) {
-      LineReader lines(files[file_].text);
+    for (out_.file = 0; out_.file < files.size(); ++out_.file) {
+      LineReader lines(files[out_.file].text);
       std::string_view line;
       while (lines.next(line)) {
-        line_ = lines.number();
-        if (line_ % 4096 == 0)
+        out_.line = lines.number();
+        if (out_.line % 4096 == 0)
           ctx_.checkpoint();
         readLine(line);
       }
     }
-    if (file_ > 0)
-      --file_; // what is missing is missing at the end of the last file
-    out_.complete = cold_ && motorsOff_ && ended_;
-    if (!out_.complete)
+    if (out_.file > 0)
+      --out_.file; // what is missing is missing at the end of the last file
+    const bool complete = cold_ && motorsOff_ && ended_;
+    if (!complete)
       defect("the end sequence (M104 S0, M84, '; end') is missing: the file was cut short"_text);
-    return std::move(out_);
+    return out_.take(complete);
   }
 
 private:
-  void defect(base::Message reason) { defects_.add(file_, line_, std::move(reason)); }
+  void defect(base::Message reason) { out_.defect(std::move(reason)); }
 
   void readLine(std::string_view line) {
     if (trimmed(line) == kEnd) {
@@ -191,7 +206,7 @@ private:
     if (ended_)
       defect("text behind the end"_text);
     Words words;
-    if (code.starts_with("M117"))
+    if (code.starts_with("M117") || code.starts_with("M118"))
       return;
     if (!wordsOf(code, words)) {
       defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
@@ -235,6 +250,11 @@ private:
         rest.remove_prefix(1);
       }
       double value = 0.0;
+      // A blank may stand between a letter and its number.
+      if (const std::string_view behind = trimmed(rest);
+          !behind.empty() &&
+          std::string_view("+-.0123456789").find(behind.front()) != std::string_view::npos)
+        rest = behind;
       // Words with nothing behind the letter (G28 X) count as 0; given twice: which one holds?
       if (!rest.empty() && rest.front() != ' ' && !takeNumber(rest, value))
         return false;
@@ -257,30 +277,55 @@ private:
       executeM(*w['M'], w);
     else if (!w['T'])
       defect("a line without a command"_text);
+    if (w['T'] && *w['T'] != 0.0)
+      defect("another tool than the one that prints"_text);
   }
 
   void executeG(double g, Words& w) {
     if (g == 0.0 || g == 1.0)
       motion(w);
+    else if (g == 4.0)
+      out_.pause(std::max(0.0, w['S'].value_or(0.0) + 1e-3 * w['P'].value_or(0.0)), 0.0);
     else if (g == 92.0)
       setPosition(w);
     else if (g == 20.0)
       defect("inches are not understood"_text);
     else if (g == 91.0)
       defect("relative positions are not understood"_text);
-    else if (g != 4.0 && g != 21.0 && g != 28.0 && g != 90.0)
+    else if (!inTable('G', g))
       defect("a G command that is not known to the reader"_text);
   }
 
   void executeM(double m, Words& w) {
     if (m == 82.0 || m == 83.0)
       relativeE_ = m == 83.0;
-    else if (m == 104.0)
-      cold_ = w['S'].value_or(1.0) == 0.0;
-    else if (m == 84.0 || m == 18.0)
-      motorsOff_ = true;
-    else if (m != 109.0 && m != 140.0 && m != 190.0 && m != 106.0 && m != 107.0)
+    else if (m == 104.0 || m == 109.0)
+      heat(m, w);
+    else if (!inTable('M', m))
       defect("an M command that is not known to the reader"_text);
+    if (m == 84.0 || m == 18.0)
+      motorsOff_ = true;
+  }
+
+  bool inTable(char letter, double number) {
+    std::string word(1, letter);
+    appendFixed(word, std::clamp(number, -1e6, 1e6), 3, true);
+    return out_.word(gcodeWords(), word);
+  }
+
+  void heat(double m, Words& w) {
+    const double celsius = w['S'] ? *w['S'] : w['R'].value_or(0.0);
+    const std::string_view word = m == 104.0 ? "M104" : "M109";
+    if (celsius == 0.0)
+      out_.wordAt(word, kBeforeMotion | kAtEnd);
+    else if (celsius != celsius_)
+      out_.wordAt(word, kAside);
+    if (const auto [least, most] = nozzleRange(process_.material);
+        celsius != 0.0 && !(celsius >= least && celsius <= most))
+      defect(base::message("{celsius} °C is no heat to print {material} with"_text,
+                           base::number(celsius), process_.material));
+    celsius_ = celsius;
+    cold_ = celsius == 0.0;
   }
 
   void setPosition(Words& w) {
@@ -305,22 +350,27 @@ private:
       }
       mmPerS_ = *w['F'] / 60.0;
     }
-    double pushedMm = 0.0;
+    double pushedMm = 0.0, filamentMm = 0.0;
     if (w['E']) {
+      const double before = e_;
       e_ = relativeE_ ? e_ + *w['E'] : *w['E'];
+      filamentMm = std::abs(e_ - before);
+      if (farthestE_ - e_ > kMostDrawnBackMm && e_ < before)
+        defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
+                             base::mm(farthestE_ - e_)));
       pushedMm = std::max(0.0, e_ - farthestE_);
       farthestE_ = std::max(farthestE_, e_);
     }
     const bool turns = w.direction[0] || w.direction[1] || w.direction[2];
     const bool moves = w.any("XYZ") || turns;
     // Before the first target material is pushed out at home (prime); later it would be a blob.
-    if (!moves && (pushedMm == 0.0 || out_.motions.empty()))
+    if (!moves && (pushedMm == 0.0 || out_.program().motions.empty())) {
+      out_.pause(mmPerS_ > 0.0 ? filamentMm / mmPerS_ : 0.0, pushedMm * filamentMm2_);
       return;
+    }
     if (!target(w, turns))
       return;
     plan::ProgramMotion m;
-    m.file = file_;
-    m.line = line_;
     m.target = plan::TargetKind::ToolPoint;
     m.position = position_;
     m.direction = direction_;
@@ -329,7 +379,7 @@ private:
     m.extruding = pushedMm > 0.0;
     if (mmPerS_ == 0.0)
       defect("a motion before any speed (F)"_text);
-    out_.motions.push_back(std::move(m));
+    out_.motion(std::move(m));
     cold_ = motorsOff_ = ended_ = false;
   }
 
@@ -362,14 +412,13 @@ private:
     return true;
   }
 
+  const process::Process& process_;
   const base::RunContext& ctx_;
-  plan::ReadProgram out_;
-  Defects defects_;
-  std::size_t file_ = 0, line_ = 0;
+  ProgramBuilder out_;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero(), direction_ = Eigen::Vector3d::UnitZ();
   std::array<bool, 3> known_{};
   double mmPerS_ = 0.0, filamentMm2_ = filamentArea(kFilamentDiameterMm);
-  double e_ = 0.0, farthestE_ = 0.0;
+  double e_ = 0.0, farthestE_ = 0.0, celsius_ = 0.0;
   bool relativeE_ = false, cold_ = false, motorsOff_ = false, ended_ = false;
 };
 
@@ -380,8 +429,8 @@ plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunConte
 }
 
 plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
-                                    const process::Process&, const base::RunContext& ctx) {
-  return GcodeReader(ctx).read(files);
+                                    const process::Process& process, const base::RunContext& ctx) {
+  return GcodeReader(process, ctx).read(files);
 }
 
 bool looksLikeExtendedGcode(std::string_view text) {
@@ -403,7 +452,7 @@ bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::siz
   // E is 0 before the prime, not behind it.
   if (lines[i] == "G92 E0")
     return lines[i - 1].find("prime") == std::string::npos;
-  for (const char* word : {"G21", "G90", "M82", "G28", "M104 S2", "M109"})
+  for (const char* word : {"G21", "G90", "M82", "G28", "M104 S2", "M109", "M117", "M0"})
     if (lines[i].find(word) != std::string::npos)
       return true;
   return primes(lines, i);

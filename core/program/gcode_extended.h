@@ -11,7 +11,10 @@
 
 #include "base/run_context.h"
 #include "plan/program.h"
+#include "program/known_words.h"
 #include "program/program_input.h"
+
+#include <span>
 
 namespace voluta::program {
 
@@ -28,6 +31,8 @@ plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunConte
 // motion.
 plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
                                     const process::Process& process, const base::RunContext& ctx);
+// What else may stand in a program, and where; everything else is refused.
+std::span<const KnownWord> gcodeWords();
 bool looksLikeExtendedGcode(std::string_view text);
 bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::size_t i); // Dialect
 

@@ -8,7 +8,8 @@
 //                  straight and turns it the shortest way. v = TCP path / time; where the TCP
 //                  hardly moves although the nozzle does on the part, \T:= rules over v.
 //   Joint          MoveAbsJ [[q1...q6],[9E9,...]] with \T:=; MoveJ to a pose in a program for
-//                  another maker's robot. The first point is reached at kStartMmPerS.
+//                  another maker's robot. The first point is reached at 50 mm/s, behind a UIMsgBox
+//                  that asks the operator.
 // Moving nozzle: TCP = the nozzle's tip, work object = the work frame. Nozzle in the world: TCP =
 // the plate's centre, as in URScript, work object = Base. Configurations are not supervised
 // (ConfL\Off, ConfJ\Off), cf1..cf6 are the plan's.
@@ -27,10 +28,12 @@
 
 #include "base/run_context.h"
 #include "plan/program.h"
+#include "program/known_words.h"
 #include "program/program_input.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +59,8 @@ plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx)
 // module was ended and run, the extruder's outputs off behind its last motion.
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx);
+// What else may stand in a program, and where; everything else is refused.
+std::span<const KnownWord> rapidWords();
 bool looksLikeRapid(std::string_view text);
 bool mayBeMissingInRapid(const std::vector<std::string>& lines, std::size_t i); // Dialect
 // The modules that a list (.pgf) names, or that a module loads.

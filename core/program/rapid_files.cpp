@@ -4,6 +4,8 @@
 #include "program/rapid_tokens.h"
 #include "program/text.h"
 
+#include <algorithm>
+
 namespace voluta::program {
 
 bool isModuleList(std::string_view text) {
@@ -19,6 +21,54 @@ bool takeModule(std::string_view& line) {
   return true;
 }
 
+bool linesEndRight(std::string_view text, ProgramBuilder& out) {
+  bool told = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool lf = text[i] == '\n', cr = text[i] == '\r';
+    const bool pair =
+        lf ? i > 0 && text[i - 1] == '\r' : !cr || (i + 1 < text.size() && text[i + 1] == '\n');
+    if (!pair && !told)
+      out.defect("a line does not end with CR LF"_text);
+    told = told || !pair;
+    out.line += lf ? 1 : 0;
+  }
+  const bool ended = !text.empty() && text.back() == '\n';
+  if (!ended)
+    out.defect("the last line has no end: the file was cut short"_text);
+  return ended;
+}
+
+bool readModuleList(std::string_view text, const std::vector<plan::ProgramFile>& files,
+                    ProgramBuilder& out) {
+  LineReader lines(text);
+  std::string_view line;
+  bool open = false, closed = false;
+  while (lines.next(line)) {
+    out.line = lines.number();
+    line = trimmed(line);
+    if (out.line == 1 || line.empty())
+      continue;
+    if (line == "<Program>" && !open) {
+      open = true;
+    } else if (line == "</Program>" && open && !closed) {
+      closed = true;
+    } else if (std::string_view name = line; open && !closed && takeModule(name)) {
+      if (std::none_of(files.begin(), files.end(),
+                       [&](const auto& f) { return f.name.ends_with(name); }))
+        out.defect(base::message("the module {name} is not here"_text, name.substr(0, 60)));
+    } else {
+      out.defect(base::message("not understood: '{code}'"_text, line.substr(0, 60)));
+    }
+  }
+  if (!closed)
+    out.defect("the list of modules has no end"_text);
+  return closed;
+}
+
+bool isSignalList(std::string_view text) {
+  return text.starts_with("EIO:CFG");
+}
+
 bool looksLikeRapid(std::string_view text) {
   const std::string_view head = text.substr(0, 16384);
   if (isModuleList(head))
@@ -27,6 +77,8 @@ bool looksLikeRapid(std::string_view text) {
 }
 
 bool mayBeMissingInRapid(const std::vector<std::string>& lines, std::size_t i) {
+  if (lines[i].find("UIMsgBox") != std::string::npos)
+    return true;
   if (lines[i].find("ConfJ") == std::string::npos)
     return primes(lines, i);
   // About motions by joints: nothing where there is none.

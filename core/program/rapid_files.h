@@ -1,12 +1,23 @@
-// Which files make up a RAPID program: its list of modules (.pgf).
+// Which files make up a RAPID program: its list of modules (.pgf), its signals (EIO.cfg).
 #pragma once
 
+#include "plan/program.h"
+#include "program/program_builder.h"
+
 #include <string_view>
+#include <vector>
 
 namespace voluta::program {
 
 bool isModuleList(std::string_view text);
+// Configuration of the controller's signals (EIO.cfg), which no program runs.
+bool isSignalList(std::string_view text);
 // A trimmed line of a list that names a module becomes the name.
 bool takeModule(std::string_view& line);
+// Of a list: is every module that it names there? Defects go to `out`. false: it has no end.
+bool readModuleList(std::string_view text, const std::vector<plan::ProgramFile>& files,
+                    ProgramBuilder& out);
+// Every line ends with CR LF; the first that doesn't is a defect. false: the last one has no end.
+bool linesEndRight(std::string_view text, ProgramBuilder& out);
 
 } // namespace voluta::program

@@ -1,5 +1,5 @@
 #include "base/units.h"
-#include "program/extruder_outputs.h"
+#include "program/program_builder.h"
 #include "program/rapid.h"
 #include "program/rapid_data.h"
 #include "program/rapid_files.h"
@@ -13,44 +13,43 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace voluta::program {
 
 namespace {
 constexpr double kUnused = 9e9; // an external axis that is none
-constexpr double kMostMm = 1e5, kMostDegrees = 6000.0, kMostSeconds = 1e5;
+constexpr double kMostMm = kMostRapidMm, kMostDegrees = 6000.0, kMostSeconds = 1e5;
 constexpr double kMostExternalDegrees = 1e7;
-constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
 constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
 
 class RapidReader : private RapidCursor {
 public:
   RapidReader(const process::Process& process, const base::RunContext& ctx)
-      : process_(process), ctx_(ctx), defects_(out_.defects) {
-    out_.format = "rapid";
-  }
+      : ctx_(ctx), out_("rapid", process) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     bool complete = true;
-    for (file_ = 0; file_ < files.size(); ++file_) {
+    for (out_.file = 0; out_.file < files.size(); ++out_.file) {
       ctx_.checkpoint();
-      const plan::ProgramFile& file = files[file_];
-      line_ = 1;
-      complete = linesEnd(file.text) && complete;
+      const plan::ProgramFile& file = files[out_.file];
+      out_.line = 1;
+      complete = linesEndRight(file.text, out_) && complete;
+      if (isSignalList(file.text))
+        continue;
       if (isModuleList(file.text))
-        complete = readList(file.text, files) && complete;
+        complete = readModuleList(file.text, files, out_) && complete;
       else
         complete = readModule(file) && complete;
     }
-    file_ = files.empty() ? 0 : files.size() - 1;
+    out_.file = files.empty() ? 0 : files.size() - 1;
     if (modules_ == 0 || modules_ - 1 < calls_.size()) {
       defect(modules_ == 0 ? "there is no module"_text
                            : base::message("the module with {procedure} is not here"_text,
                                            calls_[modules_ - 1].procedure));
       complete = false;
     }
-    out_.complete = complete;
-    return std::move(out_);
+    return out_.take(complete);
   }
 
 private:
@@ -62,53 +61,7 @@ private:
     RapidData data;
   };
 
-  void defect(base::Message reason) { defects_.add(file_, line_, std::move(reason)); }
-
-  // Every line ends with CR LF; the first that doesn't is told. false: the last one has no end.
-  bool linesEnd(std::string_view text) {
-    bool told = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      const bool lf = text[i] == '\n', cr = text[i] == '\r';
-      const bool pair =
-          lf ? i > 0 && text[i - 1] == '\r' : !cr || (i + 1 < text.size() && text[i + 1] == '\n');
-      if (!pair && !told)
-        defect("a line does not end with CR LF"_text);
-      told = told || !pair;
-      line_ += lf ? 1 : 0;
-    }
-    const bool ended = !text.empty() && text.back() == '\n';
-    if (!ended)
-      defect("the last line has no end: the file was cut short"_text);
-    return ended;
-  }
-
-  // ---- the list of modules (.pgf)
-
-  bool readList(std::string_view text, const std::vector<plan::ProgramFile>& files) {
-    LineReader lines(text);
-    std::string_view line;
-    bool open = false, closed = false;
-    while (lines.next(line)) {
-      line_ = lines.number();
-      line = trimmed(line);
-      if (line_ == 1 || line.empty())
-        continue;
-      if (line == "<Program>" && !open) {
-        open = true;
-      } else if (line == "</Program>" && open && !closed) {
-        closed = true;
-      } else if (std::string_view name = line; open && !closed && takeModule(name)) {
-        if (std::none_of(files.begin(), files.end(),
-                         [&](const auto& f) { return f.name.ends_with(name); }))
-          defect(base::message("the module {name} is not here"_text, name.substr(0, 60)));
-      } else {
-        defect(base::message("not understood: '{code}'"_text, line.substr(0, 60)));
-      }
-    }
-    if (!closed)
-      defect("the list of modules has no end"_text);
-    return closed;
-  }
+  void defect(base::Message reason) { out_.defect(std::move(reason)); }
 
   // ---- structure
 
@@ -116,17 +69,17 @@ private:
     tokens_ = RapidTokens(file.text);
     textEnd_ = file.text.data() + file.text.size();
     advance();
-    outputs_.begin();
+    out_.beginOutputs();
     procedure_ = procedureEnded_ = false;
     std::string name;
-    line_ = token_.line;
+    out_.line = token_.line;
     bool runs = false, ended = false;
     if (!takeWord("module") || !takeName(name))
       defect("a module begins with MODULE and its name"_text);
     if (!attributes())
       defect("not a module's attributes"_text);
     while (!ended && token_.kind != RapidTokenKind::End) {
-      line_ = token_.line;
+      out_.line = token_.line;
       if (takeWord("endmodule"))
         ended = true;
       else if (takeWord("proc"))
@@ -138,19 +91,19 @@ private:
       else
         whole([&] { return fail("a statement outside the procedure"_text); });
     }
-    line_ = token_.line;
+    out_.line = token_.line;
     if (ended && token_.kind != RapidTokenKind::End)
       defect("text behind ENDMODULE"_text);
     if (!ended)
       defect("ENDMODULE is missing: the file was cut short"_text);
     if (!procedure_)
       defect("the module has no procedure"_text);
-    if (!outputs_.ended())
+    if (!out_.outputsEnded())
       defect("the extruder is not set off behind the last motion"_text);
     if (!loaded_.empty())
       defect(base::message("'{loaded}' is not unloaded"_text, loaded_));
     ++modules_;
-    return ended && procedureEnded_ && runs && outputs_.ended() && loaded_.empty();
+    return ended && procedureEnded_ && runs && out_.outputsEnded() && loaded_.empty();
   }
 
   // (NOSTEPIN, VIEWONLY) and the like, behind a module's name.
@@ -185,7 +138,7 @@ private:
     }
     procedure_ = true;
     while (token_.kind != RapidTokenKind::End && !isWord("endmodule")) {
-      line_ = token_.line;
+      out_.line = token_.line;
       if (takeWord("endproc")) {
         procedureEnded_ = true;
         return runs;
@@ -195,7 +148,7 @@ private:
       whole([&] { return statement(); });
     }
     procedureEnded_ = false;
-    line_ = token_.line;
+    out_.line = token_.line;
     defect("the procedure has no ENDPROC"_text);
     return runs;
   }
@@ -290,12 +243,17 @@ private:
     std::string type, name;
     if (!takeName(type) || !takeName(name))
       return false;
+    if (type == "triggdata") // filled by TriggEquip
+      return takeEnd() && (declared_.try_emplace(std::move(name), Declared{type, {}}).second ||
+                           fail("a name is declared twice"_text));
     if (rapidShape(type).empty())
       return fail(base::message("data of the type {type} is not known to the reader"_text,
                                 type.substr(0, 40)));
     RapidData data;
     if (!takeAssign() || !value(type, data) || !takeEnd())
       return false;
+    if (type == "tooldata")
+      toolLine_ = out_.line;
     // Both say whether the robot holds it; what it holds must be the tool.
     if (type == "tooldata" && data.numbers[0] != 1.0)
       return fail("a tool that the robot does not hold is not read"_text);
@@ -311,19 +269,8 @@ private:
   // Does a mechanical unit move the work object?
   static bool isMoved(const RapidData& object) { return object.numbers[1] == 0.0; }
 
-  // Position and turn from numbers[at].
   bool poseOf(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose) {
-    const Eigen::Vector3d mm(numbers[at], numbers[at + 1], numbers[at + 2]);
-    const Eigen::Quaterniond turn(numbers[at + 3], numbers[at + 4], numbers[at + 5],
-                                  numbers[at + 6]);
-    if (!(mm.cwiseAbs().maxCoeff() <= kMostMm))
-      return fail("a position far outside any robot's reach"_text);
-    if (!(std::abs(turn.norm() - 1.0) <= kTurnTolerance))
-      return fail("a quaternion whose length is not 1"_text);
-    pose = Eigen::Isometry3d::Identity();
-    pose.linear() = turn.normalized().toRotationMatrix();
-    pose.translation() = mm;
-    return true;
+    return rapidPose(numbers, at, pose, reason_);
   }
 
   // ---- statements
@@ -334,7 +281,9 @@ private:
     std::string word;
     if (!takeName(word))
       return false;
-    if (word == "movel" || word == "movej" || word == "moveabsj")
+    if (word == "triggequip")
+      return triggEquip();
+    if (word == "movel" || word == "movej" || word == "moveabsj" || word == "triggl")
       return motion(word);
     if (word == "setdo")
       return output("doextruder", [&](double v) { return digital(v); });
@@ -347,17 +296,44 @@ private:
     if (word == "load" || word == "unload")
       return load(word == "load");
     double number = 0.0;
-    std::string text;
     if (word == "waittime")
-      return takeNumberToken(number) && takeEnd() &&
-             (number >= 0.0 || fail("WaitTime needs its seconds"_text));
-    if (word == "accset")
-      return takeNumberToken(number) && takeMark(',') && takeNumberToken(number) && takeEnd();
-    if (word == "tperase")
-      return takeEnd();
-    if (word == "tpwrite")
-      return takeText(text) && takeEnd();
-    return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
+      return wait();
+    if (word == "accset" || word == "velset")
+      return takeNumberToken(number) && takeMark(',') && fullSpeed(word, number) &&
+             takeNumberToken(number) && takeEnd() && out_.word(rapidWords(), word);
+    if (word == "singarea" && !isMark('\\'))
+      return false;
+    if (!out_.word(rapidWords(), word))
+      return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
+    if (word == "singarea" && (advance(), !isWord("off")))
+      return fail("near singular poses the arm would leave its planned turn"_text);
+    return skipStatement();
+  }
+
+  bool wait() {
+    double seconds = 0.0;
+    if (takeMark('\\') && (!takeWord("inpos") || !takeMark(',')))
+      return false;
+    if (!takeNumberToken(seconds) || !takeEnd())
+      return false;
+    if (!(seconds >= 0.0))
+      return fail("WaitTime needs its seconds"_text);
+    out_.pauseByOutputs(seconds);
+    return true;
+  }
+  bool fullSpeed(std::string_view word, double percent) {
+    return percent == 100.0 ||
+           fail(base::message("'{word}' slows the arm: the flow would not follow"_text, word));
+  }
+  // To behind its semicolon.
+  bool skipStatement() {
+    while (token_.kind != RapidTokenKind::End && !isWord("endproc") && !isWord("endmodule")) {
+      closed_ = isMark(';');
+      advance();
+      if (closed_)
+        return true;
+    }
+    return false;
   }
 
   template <typename Take> bool output(std::string_view signal, Take take) {
@@ -365,18 +341,43 @@ private:
     double value = 0.0;
     if (!takeName(name) || !takeMark(',') || !takeNumberToken(value) || !takeEnd())
       return false;
-    return name != signal || take(value);
+    if (name == signal)
+      return take(value);
+    out_.wordAt(name, kAside);
+    return true;
   }
   bool digital(double value) {
     if (value != 0.0 && value != 1.0)
       return fail("a digital output is 0 or 1"_text);
-    outputs_.turn(value == 1.0);
+    out_.turn(value == 1.0);
     return true;
   }
   bool analogue(double value) {
     if (!(value >= 0.0 && value <= 1.0))
       return fail("an analogue output outside 0..1"_text);
-    outputs_.flow(value);
+    out_.flow(value);
+    return true;
+  }
+
+  // TriggEquip name,0\Start,0\AOp:=aoFlow,share: the flow from where a TriggL begins.
+  bool triggEquip() {
+    std::string name, signal;
+    double mm = 0.0, lag = 0.0, share = 0.0;
+    const std::string_view at = token_.text;
+    if (!takeName(name) || !takeMark(',') || !takeNumberToken(mm) || !takeMark('\\') ||
+        !takeWord("start") || !takeMark(',') || !takeNumberToken(lag) || !takeMark('\\') ||
+        !takeWord("aop") || !takeAssign() || !takeName(signal) || !takeMark(',') ||
+        !takeNumberToken(share) || !takeEnd())
+      return false;
+    const auto known = declared_.find(name);
+    if (known == declared_.end() || known->second.type != "triggdata")
+      return fail(base::message("'{name}' is not declared as {type}"_text, at.substr(0, 40),
+                                "triggdata"_name));
+    if (mm != 0.0 || lag != 0.0 || signal != "aoflow")
+      return fail("only the flow at a motion's beginning is read"_text);
+    if (!(share >= 0.0 && share <= 1.0))
+      return fail("an analogue output outside 0..1"_text);
+    known->second.data.numbers = {share};
     return true;
   }
 
@@ -429,10 +430,8 @@ private:
   bool motion(const std::string& word) {
     const bool absolute = word == "moveabsj";
     plan::ProgramMotion m;
-    m.file = file_;
-    m.line = line_;
-    m.jointInterpolated = word != "movel";
-    RapidData target, speed, zone, tool;
+    m.jointInterpolated = word != "movel" && word != "triggl";
+    RapidData target, speed, trigg, zone, tool;
     RapidData object = *predeclaredRapid("wobjdata", "wobj0");
     if (!value(absolute ? "jointtarget" : "robtarget", target))
       return false;
@@ -443,6 +442,10 @@ private:
     const bool timed = takeMark('\\');
     if (timed && (!takeWord("t") || !takeAssign() || !takeNumberToken(m.durationS)))
       return false;
+    if (word == "triggl" && (!takeMark(',') || !value("triggdata", trigg)))
+      return false;
+    if (word == "triggl" && trigg.numbers.empty())
+      return fail("a TriggL before its TriggEquip"_text);
     if (!takeMark(',') || !value("zonedata", zone) || !takeMark(',') || !value("tooldata", tool))
       return false;
     if (takeMark('\\') && (!takeWord("wobj") || !takeAssign() || !value("wobjdata", object)))
@@ -455,12 +458,12 @@ private:
       return false;
     if (!absolute && !(m.jointInterpolated ? jointOff_ : linearOff_))
       defect("the arm's configuration is supervised: ConfL\\Off, ConfJ\\Off"_text);
-    if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
-      defect("the extruder's outputs are not set before this motion"_text);
     last_ = absolute ? std::nullopt : std::optional(m.frame_T_tcp);
     lastKind_ = m.target;
     lastExternal_ = m.externals;
-    out_.motions.push_back(std::move(m));
+    if (!trigg.numbers.empty())
+      out_.flow(trigg.numbers[0]);
+    out_.motionByOutputs(std::move(m));
     return true;
   }
 
@@ -510,9 +513,16 @@ private:
       m.target = isMoved(object) ? plan::TargetKind::WorkPose : plan::TargetKind::FlangePose;
       m.frame_T_tcp = (isMoved(object) ? workToUnit() : user) * frame * pose;
     }
-    if (toolSet_ && !tcp.isApprox(out_.flange_T_tcp, 1e-9))
+    Eigen::Isometry3d& known = out_.program().flange_T_tcp;
+    if (toolSet_ && !tcp.isApprox(known, 1e-9))
       return fail("a second, different tool"_text);
-    out_.flange_T_tcp = tcp;
+    known = tcp;
+    constexpr std::size_t kMass = 8; // tool0 has none
+    if (!toolSet_ && tool.size() > kMass) {
+      const std::size_t here = std::exchange(out_.line, toolLine_ > 0 ? toolLine_ : out_.line);
+      out_.load("tooldata", tool[kMass]);
+      out_.line = here;
+    }
     toolSet_ = true;
     return true;
   }
@@ -554,11 +564,9 @@ private:
     return true;
   }
 
-  const process::Process& process_;
   const base::RunContext& ctx_;
-  plan::ReadProgram out_;
-  Defects defects_;
-  std::size_t file_ = 0, line_ = 0, modules_ = 0, statements_ = 0;
+  ProgramBuilder out_;
+  std::size_t modules_ = 0, statements_ = 0;
   const char* textEnd_ = nullptr;
   base::Message reason_;
   bool closed_ = false; // the statement's semicolon was taken
@@ -568,12 +576,12 @@ private:
   bool called_ = false;     // what is loaded
   bool procedure_ = false, procedureEnded_ = false, linearOff_ = false, jointOff_ = false;
   bool toolSet_ = false;
+  std::size_t toolLine_ = 0; // where the last one was declared
   std::set<std::string, std::less<>> activeUnits_;
   // Of the last motion, where its pose is known.
   std::optional<Eigen::Isometry3d> last_; // frame_T_tcp
   plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;
   std::vector<double> lastExternal_;
-  ReadOutputs outputs_;
 };
 
 } // namespace

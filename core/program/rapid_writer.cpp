@@ -1,13 +1,16 @@
 #include "base/units.h"
-#include "program/extruder_outputs.h"
+#include "program/job_head.h"
+#include "program/language_words.h"
 #include "program/motion_targets.h"
 #include "program/rapid.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
+#include "program/walk.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace voluta::program {
 
@@ -16,67 +19,55 @@ constexpr std::string_view kNewLine = "\r\n";
 // 1e-8 of a quaternion moves a point of the part 300 mm off by 0.000006 mm.
 constexpr int kPositionDecimals = 4, kTurnDecimals = 8, kFrameDecimals = 6, kFrameTurnDecimals = 9;
 constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZoneDecimals = 3;
-constexpr double kStartMmPerS = 100.0;
+constexpr double kStartMmPerS = 50.0, kStartDegPerS = 20.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
-// A module without a place where the extruder is off is cut at this many motions.
-constexpr std::size_t kMostMotions = kMotionsPerModule + kMotionsPerModule / 10;
+constexpr double kLeastSeconds = 0.02; // of a motion, for an IRC5 to plan it in time
 constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
 constexpr double kRodDegPerS = 1000.0;
 
-// No name of the controller's own language and data begins like this.
-std::string moduleName(const std::string& name, std::size_t part) {
-  std::string id = joined({"print_", name.substr(0, 20)});
-  if (part > 0)
-    id += joined({"_", std::to_string(part)});
+std::string moduleName(const std::string& part, std::size_t module) {
+  std::string id = programName(part);
+  if (module > 0)
+    id += joined({"_", std::to_string(module)});
   return id;
 }
 
-class RapidWriter {
+class RapidWriter : private Speller {
 public:
   RapidWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
-        paths_(input.toolPlan), name_(identifierOf(input.name)),
-        tool_(heldPlate() ? "tPlate" : "tNozzle"), object_(turnsRod() ? "wRod" : "wPrint") {
+        cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
+                                           ? input.options.motionsPerFile
+                                           : kMotionsPerModule)),
+        name_(identifierOf(input.name)), tool_(heldPlate() ? "tPlate" : "tNozzle"),
+        object_(turnsRod() ? "wRod" : "wPrint") {
     program_.format = "rapid";
     program_.foreign = input.foreign;
   }
 
   plan::Program write() {
     placeInWorkObject();
-    findCuts();
-    const bool oneModule = cuts_.size() == 2;
     beginMain();
-    if (!oneModule) {
+    if (!oneModule()) {
       for (std::size_t part = 1; part < cuts_.size(); ++part)
         callModule(part);
       outputsOff();
       endModule(0);
     }
-    for (std::size_t part = 1; part < cuts_.size(); ++part) {
-      if (!oneModule)
-        beginModule(part);
-      for (std::size_t i = cuts_[part - 1]; i < cuts_[part]; ++i) {
-        if (i % 4096 == 0)
-          ctx_.report(static_cast<double>(i) / static_cast<double>(targets_.size()),
-                      base::message("{format}"_text, "rapid"_name));
-        motion(i, i + 1 == cuts_[part]);
-        if (i == 0)
-          prime();
-      }
-      line("    ! end");
-      outputsOff();
-      endModule(oneModule ? 0 : part);
-    }
+    walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
     listOfModules();
+    listOfSignals();
     return std::move(program_);
   }
 
 private:
+  // The motions stand in main itself.
+  bool oneModule() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
   bool turnsRod() const { return !in_.cell.externalAxes().empty(); }
-  std::string unit() const { return identifierOf(in_.cell.externalAxes().front().name); }
+  std::string unit() const { return rapidName(in_.cell.externalAxes().front().name); }
   // Radians. Precondition: turnsRod().
   double rodAngle(std::size_t i) const { return in_.trajectory.at(i)[in_.cell.armDof()]; }
 
@@ -134,26 +125,18 @@ private:
     }
   }
 
-  // cuts_[k - 1] .. cuts_[k] are the points of module k.
-  void findCuts() {
-    cuts_ = {0};
-    for (std::size_t i = 1; i < targets_.size(); ++i) {
-      const std::size_t count = i - cuts_.back();
-      if (count >= kMostMotions || (count >= kMotionsPerModule && !isPrint(in_.trajectory, i)))
-        cuts_.push_back(i);
-    }
-    cuts_.push_back(targets_.size());
-  }
-
   std::string fileName(std::size_t part) const {
-    return part == 0 ? name_ + ".mod" : joined({name_, "_", std::to_string(part), ".mod"});
+    const std::string_view extension = in_.options.rapidModx ? ".modx" : ".mod";
+    return part == 0 ? joined({name_, extension})
+                     : joined({name_, "_", std::to_string(part), extension});
   }
 
   void beginMain() {
-    line(joined({"MODULE ", moduleName(name_, 0)}));
+    line(joined({"MODULE ", moduleName(in_.name, 0)}));
     about();
     declareTool();
     declareObject();
+    line("  VAR triggdata tFlow;");
     line("  PROC main()");
     line("    ConfL\\Off;");
     line("    ConfJ\\Off;");
@@ -161,10 +144,17 @@ private:
       line(joined({"    ActUnit ", unit(), ";"}));
     outputsOff();
   }
-  void beginModule(std::size_t part) {
-    line(joined({"MODULE ", moduleName(name_, part)}));
-    line(joined({"  PROC ", procedureName(part), "()"}));
+  void beginFile(std::size_t file) override {
+    if (oneModule())
+      return;
+    line(joined({"MODULE ", moduleName(in_.name, file + 1)}));
+    line(joined({"  PROC ", procedureName(file + 1), "()"}));
     outputsOff();
+  }
+  void endFile(std::size_t file) override {
+    line("    ! end");
+    outputsOff();
+    endModule(oneModule() ? 0 : file + 1);
   }
   static std::string procedureName(std::size_t part) {
     return joined({"runPart", std::to_string(part)});
@@ -189,31 +179,59 @@ private:
     program_.files.push_back({name_ + ".pgf", std::move(out_)});
   }
 
+  // A fragment of the controller's configuration: without these signals a module that names them is
+  // not loaded.
+  void listOfSignals() {
+    line("EIO:CFG_1.0:6:1::");
+    line("# What the program expects; give each signal its -Device and -DeviceMap.");
+    if (turnsRod())
+      line(joined({"# Its mechanical unit, ", unit(), ", belongs into MOC.cfg."}));
+    line("#");
+    line("EIO_SIGNAL:");
+    line("");
+    line("      -Name \"doExtruder\" -SignalType \"DO\"");
+    line("");
+    line("      -Name \"aoFlow\" -SignalType \"AO\" -MaxLog 1 -MaxPhys 10 -MaxPhysLimit 10");
+    program_.files.push_back({name_ + "_EIO.cfg", std::move(out_)});
+  }
+
   void about() {
-    const robot::Cell& cell = in_.cell;
-    const process::Process& p = in_.process;
     line("  ! Robot program for printing, RAPID");
     if (program_.foreign)
       line("  ! FOREIGN: not the language of the cell's controller; Cartesian targets only");
-    line(joined({"  ! cell ", cell.id(), ", robot ", cell.robot().id, ", process ", p.id, " (",
-                 p.material, ")"}));
+    for (const std::string& head : headLines(in_))
+      line(joined({"  ! ", head}));
     if (heldPlate())
-      line("  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in the robot's "
-           "base");
+      line("  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in world, "
+           "which is the base while the base frame is zero");
     else if (turnsRod())
       aboutRod();
     else
-      line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object");
+      line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object, "
+           "which stands in world, the base while the base frame is zero");
     out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
-    number(p.maxFlowMm3PerS, 3);
+    number(in_.process.maxFlowMm3PerS, 3);
     line(" mm3/s");
-    out_ += joined({"  ! ", std::to_string(targets_.size()), " motions, "});
-    number(in_.trajectory.extrudedMm3.back(), 1);
-    out_ += " mm3, ";
-    number(in_.trajectory.timeS.back(), 1);
-    line(" s");
+    line(joined({"  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: ", name_,
+                 "_EIO.cfg"}));
+    if (turnsRod())
+      line(joined({"  ! expects the mechanical unit ", unit()}));
+    aboutDensity();
     if (cuts_.size() > 2)
       line("  ! the modules that it loads are to be put into HOME:");
+  }
+
+  // Controllers tell of close positions (event 50078) and of corners that they could not plan in
+  // time (50024) where motions are this short.
+  void aboutDensity() {
+    std::size_t few = 0;
+    for (std::size_t i = 1; i < targets_.size(); ++i)
+      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < kLeastSeconds;
+    if (few == 0)
+      return;
+    out_ += joined({"  ! ", std::to_string(few), " motions take less than "});
+    number(kLeastSeconds * 1000.0, 0);
+    line(" ms: events 50024 and 50078 may come; take longer steps (stepMm) or a lower speed");
   }
 
   void aboutRod() {
@@ -222,17 +240,7 @@ private:
     out_ +=
         joined({"  ! the rod is the mechanical unit ", unit(), ", its angle eax_a, its frame "});
     frame(in_.cell.base_T_fixed() * workToUnit());
-    line(" of the robot's base");
-    double low = 0.0, high = 0.0;
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      low = std::min(low, rodAngle(i));
-      high = std::max(high, rodAngle(i));
-    }
-    out_ += "  ! it turns from ";
-    number(base::radiansToDegrees(low), 1);
-    out_ += " to ";
-    number(base::radiansToDegrees(high), 1);
-    line(" degrees");
+    line(" in world, the base while the base frame is zero");
   }
 
   void declareObject() {
@@ -263,42 +271,36 @@ private:
   }
 
   void outputsOff() {
-    outputs_.off();
     line("    SetDO doExtruder,0;");
     line("    SetAO aoFlow,0;");
   }
-  void flow(double mm3PerS) {
-    if (const auto share = outputs_.flow(mm3PerS))
-      line(joined({"    SetAO aoFlow,", *share, ";"}));
+  void ask() override { line(joined({"    UIMsgBox \"", kStartQuestion, "\";"})); }
+  void remark(std::string_view text) override { line(joined({"    ! ", text})); }
+  // Between motions that do not stop, an assignment would run ahead of the arm: the flow is then an
+  // event at the point where the next motion begins.
+  void flow(std::string_view share) override {
+    if (stands_)
+      line(joined({"    SetAO aoFlow,", share, ";"}));
+    else
+      line(joined({"    TriggEquip tFlow,0\\Start,0\\AOp:=aoFlow,", share, ";"}));
+    atStart_ = !stands_;
   }
-  void extruder(bool on) {
-    if (outputs_.turn(on))
-      line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
+  void extruder(bool on) override {
+    line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
   }
-  void prime() {
-    if (!(in_.process.primeS > 0.0) || in_.trajectory.extrudedMm3.back() <= 0.0)
-      return;
-    line("    ! prime");
-    flow(primeFlowMm3PerS(in_.process));
-    extruder(true);
+  void wait(double seconds) override {
     out_ += "    WaitTime ";
-    number(in_.process.primeS, 3);
+    number(seconds, 3);
     line(";");
-    extruder(false);
-    line("    ! print");
   }
 
-  void motion(std::size_t i, bool lastOfModule) {
+  void jointMotion(std::size_t i) override { motion(i, true, 0.0); }
+  void straightMotion(std::size_t i, bool stops) override {
+    motion(i, false, stops ? 0.0 : motions_.blendMm(i));
+  }
+
+  void motion(std::size_t i, bool joint, double blendMm) {
     const plan::Trajectory& t = in_.trajectory;
-    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
-      line(joined({"    ! ", path}));
-    if (isPrint(t, i)) {
-      flow(motions_.flowMm3PerS(i));
-      extruder(true);
-    } else {
-      extruder(false);
-    }
-    const bool joint = i == 0 || t.move[i] == plan::MoveKind::Joint;
     if (joint && !program_.foreign) {
       out_ += "    MoveAbsJ [";
       for (int k = 0; k < in_.cell.armDof(); ++k) {
@@ -309,7 +311,7 @@ private:
       externals(i);
       out_ += "]\\NoEOffs";
     } else {
-      out_ += joint ? "    MoveJ [" : "    MoveL [";
+      out_ += joint ? "    MoveJ [" : atStart_ ? "    TriggL [" : "    MoveL [";
       position(targets_[i].tcpMm, kPositionDecimals);
       out_ += ',';
       turn(targets_[i].tcpTurn, kTurnDecimals);
@@ -318,7 +320,10 @@ private:
       out_ += ']';
     }
     speed(i, joint);
-    zone(joint || lastOfModule ? 0.0 : motions_.blendMm(i));
+    if (std::exchange(atStart_, false))
+      out_ += ",tFlow";
+    zone(blendMm);
+    stands_ = !(blendMm > 0.0);
     line(joined({",", tool_, "\\WObj:=", object_, ";"}));
   }
 
@@ -332,24 +337,38 @@ private:
     out_ += ",9E9,9E9,9E9,9E9,9E9]";
   }
 
-  // Quarters of a turn of axes 1, 4 and 6; another maker's axes say nothing here.
+  // Quarters of a turn of axes 1, 4 and 6, and which of the eight branches; another maker's axes
+  // say nothing here.
   void configuration(std::size_t i) {
+    const bool known = !program_.foreign && in_.cell.armDof() == 6;
     out_ += ",[";
     for (const int axis : {0, 3, 5}) {
-      const bool known = !program_.foreign && axis < in_.trajectory.dof;
-      const double quarters =
-          known ? std::floor(in_.trajectory.at(i)[axis] / (0.5 * base::kPi)) : 0.0;
-      number(quarters, 0);
+      number(known ? std::floor(in_.trajectory.at(i)[axis] / (0.5 * base::kPi)) : 0.0, 0);
       out_ += ',';
     }
-    out_ += "0],";
+    number(known ? branch(i) : 0, 0);
+    out_ += "],";
+  }
+
+  // confdata's cfx: 4 with the wrist's centre behind axis 1, 2 with it behind the lower arm, 1 with
+  // axis 5 below zero.
+  int branch(std::size_t i) {
+    const robot::JointVector q =
+        Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.cell.armDof());
+    in_.cell.robot().kinematics->linkPoses(q, links_);
+    const Eigen::Vector3d forward(std::cos(q[0]), std::sin(q[0]), 0.0);
+    const Eigen::Vector3d wrist = links_[5].translation();
+    const Eigen::Vector3d lower = links_[3].translation() - links_[2].translation();
+    const Eigen::Vector3d reach = wrist - links_[2].translation();
+    const bool behindArm = lower.dot(forward) * reach.z() - lower.z() * reach.dot(forward) > 0.0;
+    return (wrist.dot(forward) < 0.0 ? 4 : 0) + (behindArm ? 2 : 0) + (q[4] < 0.0 ? 1 : 0);
   }
 
   void speed(std::size_t i, bool joint) {
     const double s = joint ? motionSeconds(in_.trajectory, i) : motions_.seconds(i);
     const bool timed = s > 0.0 && (joint || motions_.needsTime(i));
     double mmPerS = i == 0 ? kStartMmPerS : in_.process.travelSpeedMmPerS;
-    double degPerS = kTurnDegPerS, rodDegPerS = kRodDegPerS;
+    double degPerS = i == 0 ? kStartDegPerS : kTurnDegPerS, rodDegPerS = kRodDegPerS;
     if (s > 0.0 && !timed) {
       mmPerS = motions_.speedMmPerS(i);
       // Turns must not be what the motion waits for.
@@ -389,13 +408,14 @@ private:
 
   const ProgramInput& in_;
   const base::RunContext& ctx_;
+  bool stands_ = true;                   // the arm, behind the last motion
+  bool atStart_ = false;                 // the flow changes where the next motion begins
+  std::vector<Eigen::Isometry3d> links_; // of branch()
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
-  PathNames paths_;
   plan::Program program_;
+  std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of module k
   std::string name_, tool_, object_, out_;
-  std::vector<std::size_t> cuts_;
-  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "program/extruder_outputs.h"
+#include "program/program_builder.h"
 #include "program/rotation_vector.h"
 #include "program/text.h"
 #include "program/urscript.h"
@@ -155,62 +155,48 @@ std::string_view withoutComment(std::string_view line) {
   return line;
 }
 
-constexpr std::array kHarmless = {"set_payload",
-                                  "set_payload_mass",
-                                  "set_payload_cog",
-                                  "set_target_payload",
-                                  "set_gravity",
-                                  "textmsg",
-                                  "sync",
-                                  "stopl",
-                                  "stopj",
-                                  "set_tool_voltage",
-                                  "set_analog_outputdomain",
-                                  "set_standard_analog_output_domain"};
-
 constexpr double kMaxJointRad = 100.0, kMaxMetres = 100.0, kMaxSpeed = 100.0;
 
 class UrscriptReader {
 public:
   UrscriptReader(const process::Process& process, const base::RunContext& ctx)
-      : process_(process), ctx_(ctx), defects_(out_.defects) {
-    out_.format = "urscript";
-  }
+      : ctx_(ctx), out_("urscript", process) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     bool complete = !files.empty();
-    for (file_ = 0; file_ < files.size(); ++file_)
-      complete = readFile(files[file_].text) && complete;
-    out_.complete = complete;
-    return std::move(out_);
+    for (out_.file = 0; out_.file < files.size(); ++out_.file)
+      complete = readFile(files[out_.file].text) && complete;
+    return out_.take(complete);
   }
 
 private:
-  void defect(base::Message reason) { defects_.add(file_, line_, std::move(reason)); }
+  void defect(base::Message reason) { out_.defect(std::move(reason)); }
 
   bool readFile(std::string_view text) {
     defined_ = {};
-    inside_ = called_ = false;
+    inside_ = called_ = closed_ = mustCall_ = false;
     tcpSet_ = false;
-    outputs_.begin();
+    out_.beginOutputs();
     LineReader lines(text);
     std::string_view line;
     while (lines.next(line)) {
-      line_ = lines.number();
-      if (line_ % 4096 == 0)
+      out_.line = lines.number();
+      if (out_.line % 4096 == 0)
         ctx_.checkpoint();
       const std::string_view code = trimmed(withoutComment(line));
+      mustCall_ = mustCall_ || trimmed(line).starts_with(kCalledNote);
       if (!code.empty())
         statement(code);
     }
     if (inside_)
       defect(base::message("the function '{defined}' has no end"_text, defined_));
-    else if (!called_)
-      defect(defined_.empty() ? "no function is defined"_text
-                              : "the function is never called"_text);
-    if (!outputs_.ended())
+    else if (defined_.empty())
+      defect("no function is defined"_text);
+    else if (!called_ && mustCall_)
+      defect("the function is never called"_text);
+    if (!out_.outputsEnded())
       defect("the extruder is not set off behind the last motion"_text);
-    return called_ && outputs_.ended();
+    return closed_ && (called_ || !mustCall_) && out_.outputsEnded();
   }
 
   void statement(std::string_view code) {
@@ -272,8 +258,27 @@ private:
       setTcp(call);
     else if (name == "sleep")
       sleep(call);
-    else if (std::find(kHarmless.begin(), kHarmless.end(), name) == kHarmless.end())
+    else if (!out_.word(urscriptWords(), name))
       defect(base::message("'{name}' is not known to the reader"_text, name.substr(0, 40)));
+    else
+      settings(call);
+  }
+
+  // Of words that the table knows, what their values mean.
+  void settings(const Call& call) {
+    const Value* first = call.count > 0 ? &call.arguments[0].value : nullptr;
+    if (call.name == "set_payload" || call.name == "set_payload_mass" ||
+        call.name == "set_target_payload") {
+      if (!first || first->kind != ValueKind::Number || !(first->number >= 0.0))
+        defect(base::message("'{name}' needs a mass"_text, call.name));
+      else
+        out_.load(call.name, first->number);
+    } else if (call.name == "set_gravity") {
+      constexpr double kG = 9.82, kSlack = 0.1;
+      if (!first || first->kind != ValueKind::List || first->count != 3 ||
+          (Eigen::Vector3d(first->list.data()) - Eigen::Vector3d(0, 0, kG)).norm() > kSlack)
+        defect("gravity other than that of an arm that stands upright"_text);
+    }
   }
 
   bool poseOf(const Value& value, Eigen::Isometry3d& pose) {
@@ -327,8 +332,6 @@ private:
 
   void motion(const Call& call) {
     plan::ProgramMotion m;
-    m.file = file_;
-    m.line = line_;
     if (call.count == 0 || !argumentsKnown(call)) {
       if (call.count == 0)
         defect("a motion without a target"_text);
@@ -372,12 +375,13 @@ private:
     }
     m.durationS = *t;
     m.blendMm = *r * 1000.0;
-    if (!(*t > 0.0))
+    if (!(*t > 0.0)) { // which rules over both
       (m.jointInterpolated ? m.jointSpeedRadPerS : m.speedMmPerS) =
           m.jointInterpolated ? *v : *v * 1000.0;
-    if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
-      defect("the extruder's outputs are not set before this motion"_text);
-    out_.motions.push_back(std::move(m));
+      (m.jointInterpolated ? m.jointAccelerationRadPerS2 : m.accelerationMmPerS2) =
+          m.jointInterpolated ? *a : *a * 1000.0;
+    }
+    out_.motionByOutputs(std::move(m));
   }
 
   // The two arguments of an output call; false (and a defect) when they are none of this kind.
@@ -395,20 +399,27 @@ private:
   void digitalOut(const Call& call) {
     int channel = 0;
     double value = 0.0;
-    if (!outputOf(call, ValueKind::Boolean, channel, value) || channel != 0)
+    if (!outputOf(call, ValueKind::Boolean, channel, value))
       return;
-    outputs_.turn(value > 0.0);
+    if (channel == 0)
+      out_.turn(value > 0.0);
+    else
+      out_.wordAt(call.name, kAside);
   }
   void analogOut(const Call& call) {
     int channel = 0;
     double value = 0.0;
-    if (!outputOf(call, ValueKind::Number, channel, value) || channel != 0)
+    if (!outputOf(call, ValueKind::Number, channel, value))
       return;
+    if (channel != 0) {
+      out_.wordAt(call.name, kAside);
+      return;
+    }
     if (value < 0.0 || value > 1.0) {
       defect("an analogue output outside 0..1"_text);
       return;
     }
-    outputs_.flow(value);
+    out_.flow(value);
   }
   void setTcp(const Call& call) {
     Eigen::Isometry3d tcp;
@@ -417,26 +428,26 @@ private:
         defect("set_tcp needs one pose"_text);
       return;
     }
-    if (everSet_ && !tcp.isApprox(out_.flange_T_tcp, 1e-9))
+    Eigen::Isometry3d& known = out_.program().flange_T_tcp;
+    if (everSet_ && !tcp.isApprox(known, 1e-9))
       defect("a second, different TCP"_text);
-    out_.flange_T_tcp = tcp;
+    known = tcp;
     tcpSet_ = everSet_ = true;
   }
   void sleep(const Call& call) {
     if (call.count != 1 || call.arguments[0].value.kind != ValueKind::Number ||
-        call.arguments[0].value.number < 0.0)
+        !(call.arguments[0].value.number >= 0.0))
       defect("sleep needs its seconds"_text);
+    else
+      out_.pauseByOutputs(call.arguments[0].value.number);
   }
 
-  const process::Process& process_;
   const base::RunContext& ctx_;
-  plan::ReadProgram out_;
-  Defects defects_;
-  std::size_t file_ = 0, line_ = 0;
+  ProgramBuilder out_;
   std::string_view defined_;
   bool inside_ = false, closed_ = false, called_ = false;
+  bool mustCall_ = false; // the text says that it calls its function
   bool tcpSet_ = false, everSet_ = false;
-  ReadOutputs outputs_;
 };
 
 } // namespace
@@ -456,7 +467,9 @@ bool looksLikeUrscript(std::string_view text) {
 
 bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i) {
   return lines[i].find("set_payload") != std::string::npos ||
-         lines[i].find("sleep(") != std::string::npos || primes(lines, i);
+         lines[i].find("set_analog_outputdomain") != std::string::npos ||
+         lines[i].find("sleep(") != std::string::npos ||
+         lines[i].find("popup(") != std::string::npos || primes(lines, i);
 }
 
 } // namespace voluta::program

@@ -4,6 +4,7 @@
 #include "plan/finding_kinds.h"
 #include "replay/alignment.h"
 #include "replay/beads.h"
+#include "replay/beside_motion.h"
 #include "replay/comparison.h"
 #include "replay/executed_path.h"
 #include "replay/run.h"
@@ -34,6 +35,8 @@ public:
     path_ = &run.path;
     out_.armChecked = path_->arm;
     out_.durationS = path_->totalS();
+    for (const plan::ProgramPause& p : in_.program.pauses)
+      out_.durationS += p.durationS;
     for (std::size_t m = 0; m < path_->motionCount(); ++m)
       run.volumeMm3.push_back(motionVolume(in_.program, *path_, m));
     compare(run);
@@ -75,17 +78,22 @@ private:
   }
   TextPlace place(std::size_t motion) const { return placeOf(in_.program, motion); }
 
+  void deviates(std::vector<TextFinding> found) {
+    for (TextFinding& f : found) {
+      ++out_.deviations;
+      out_.findings.push_back(std::move(f.finding));
+      out_.places.push_back(f.place);
+    }
+  }
+
   void compare(Run& run) {
     ctx_.report(0.06, "comparing with the plan"_text);
     const PlannedNozzle planned = plannedNozzle(in_.trajectory, in_.cell, ctx_);
     Alignment alignment = alignToPlan({path_->targetTip, path_->targetDirection},
                                       {planned.tip, planned.direction}, AlignmentOptions{}, ctx_);
-    for (TextFinding& f : compareWithPlan(in_.program, *path_, planned, in_.trajectory, alignment,
-                                          ComparisonOptions{})) {
-      ++out_.deviations;
-      out_.findings.push_back(std::move(f.finding));
-      out_.places.push_back(f.place);
-    }
+    deviates(compareWithPlan(in_.program, *path_, planned, in_.trajectory, alignment,
+                             ComparisonOptions{}));
+    deviates(judgeBesideMotion(in_.program, *path_, in_.trajectory, in_.cell, in_.process));
     const struct PathDeviation deviation =
         pathDeviation(*path_, planned, in_.trajectory, in_.program, alignment, ctx_);
     out_.maxDeviationMm = deviation.mm;
@@ -100,6 +108,10 @@ private:
     static_cast<RunFigures&>(out_) = run.figures;
     for (std::size_t m = 0; m < run.run.volumeMm3.size(); ++m)
       (run.run.knowledge[m].ofPart ? out_.depositedMm3 : out_.supportMm3) += run.run.volumeMm3[m];
+    const double standing = standingMm3(in_.program), part = std::max(out_.partVolumeMm3, 1e-9);
+    out_.depositedMm3 += standing;
+    out_.excessFraction += standing / part;
+    out_.overfillFraction += standing / part;
     out_.massRatio = out_.depositedMm3 / std::max(out_.partVolumeMm3, 1e-9);
     for (const BeadFinding& f : run.beads)
       if (f.motion)

@@ -1,0 +1,41 @@
+#include "program/gcode_extended.h"
+
+#include <array>
+
+namespace voluta::program {
+
+// RepRap G-code dictionary (reprap.org/wiki/G-code). M84 and M18, heat and tool are the reader's
+// own.
+std::span<const KnownWord> gcodeWords() {
+  static constexpr std::array kTable = {
+      KnownWord{"G17", kAnywhere, "plane of arcs, of which there are none"},
+      KnownWord{"G21", kAnywhere, "millimetres"},
+      KnownWord{"G28", kSetUp, "drives home"},
+      KnownWord{"G40", kAnywhere, "no tool compensation"},
+      KnownWord{"G49", kAnywhere, "no tool compensation"},
+      KnownWord{"G80", kAnywhere, "no cycle"},
+      KnownWord{"G90", kAnywhere, "absolute positions"},
+      KnownWord{"G94", kAnywhere, "speeds a minute"},
+      KnownWord{"M0", kAside, "waits for the operator"},
+      KnownWord{"M1", kAside, "waits for the operator"},
+      KnownWord{"M17", kSetUp, "motors on"},
+      KnownWord{"M18", kAtEnd, "motors off"},
+      KnownWord{"M84", kAtEnd, "motors off"},
+      KnownWord{"M105", kAnywhere, "asks for temperatures"},
+      KnownWord{"M106", kAnywhere, "fan"},
+      KnownWord{"M107", kAnywhere, "fan off"},
+      KnownWord{"M110", kAnywhere, "line numbers"},
+      KnownWord{"M111", kAnywhere, "messages"},
+      KnownWord{"M114", kAnywhere, "asks for the position"},
+      KnownWord{"M115", kAnywhere, "asks for the firmware"},
+      KnownWord{"M117", kAnywhere, "a message"},
+      KnownWord{"M118", kAnywhere, "a message"},
+      KnownWord{"M140", kAside, "heat of the bed"},
+      KnownWord{"M190", kAside, "heat of the bed"},
+      KnownWord{"M73", kAnywhere, "progress"},
+      KnownWord{"M400", kAnywhere, "waits until all motion is done"},
+  };
+  return kTable;
+}
+
+} // namespace voluta::program

@@ -1,0 +1,76 @@
+#include "program/program_builder.h"
+
+#include <utility>
+
+namespace voluta::program {
+
+ProgramBuilder::ProgramBuilder(std::string_view format, const process::Process& process)
+    : process_(process), defects_(program_.defects), places_(defects_) {
+  program_.format = format;
+}
+
+void ProgramBuilder::beginOutputs() {
+  outputs_.begin();
+  places_.begin();
+  program_.tellsPauses = true;
+}
+
+void ProgramBuilder::turn(bool on) {
+  const std::size_t happened = program_.motions.size() + program_.pauses.size();
+  // On and off again with nothing between: a prime that lost its wait.
+  if (outputs_.on() && !on && happened == onSince_)
+    pause(0.0, 0.0);
+  if (on && !outputs_.on())
+    onSince_ = happened;
+  outputs_.turn(on);
+}
+
+void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
+  if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
+    defect("the extruder's outputs are not set before this motion"_text);
+  motion(std::move(m));
+}
+
+void ProgramBuilder::motion(plan::ProgramMotion m) {
+  m.file = file;
+  m.line = line;
+  places_.motion();
+  if (m.extruding)
+    places_.material();
+  program_.motions.push_back(std::move(m));
+}
+
+void ProgramBuilder::pauseByOutputs(double seconds) {
+  pause(seconds, outputs_.flowShare() * process_.maxFlowMm3PerS * seconds);
+}
+
+void ProgramBuilder::pause(double seconds, double volumeMm3) {
+  if (volumeMm3 > 0.0)
+    places_.material();
+  program_.pauses.push_back({file, line, program_.motions.size(), seconds, volumeMm3});
+}
+
+bool ProgramBuilder::word(std::span<const KnownWord> table, std::string_view word) {
+  const KnownWord* known = findWord(table, word);
+  if (known)
+    wordAt(word, known->places);
+  return known != nullptr;
+}
+
+void ProgramBuilder::wordAt(std::string_view word, std::uint8_t places) {
+  places_.word(word, places, file, line, outputs_.on());
+}
+
+void ProgramBuilder::load(std::string_view word, double kg) {
+  if (!program_.load)
+    program_.load = {file, line, kg};
+  else if (program_.load->kg != kg)
+    defect(base::message("'{word}' tells the arm another load"_text, word));
+}
+
+plan::ReadProgram ProgramBuilder::take(bool complete) {
+  program_.complete = complete;
+  return std::move(program_);
+}
+
+} // namespace voluta::program

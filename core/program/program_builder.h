@@ -1,0 +1,57 @@
+// What every reader of a program feeds: motions, waits, outputs and words as they come, and what is
+// wrong with them, each at the line that is being read.
+#pragma once
+
+#include "plan/program.h"
+#include "process/process.h"
+#include "program/extruder_outputs.h"
+#include "program/known_words.h"
+#include "program/text.h"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace voluta::program {
+
+class ProgramBuilder {
+public:
+  ProgramBuilder(std::string_view format, const process::Process& process);
+  ProgramBuilder(const ProgramBuilder&) = delete;
+
+  std::size_t file = 0, line = 0; // what is being read
+  void defect(base::Message reason) { defects_.add(file, line, std::move(reason)); }
+
+  // The extruder by outputs. A file begins: nothing is known of them.
+  void beginOutputs();
+  void turn(bool on);
+  void flow(double share) { outputs_.flow(share); }
+  bool outputsEnded() const { return outputs_.ended(); }
+
+  // File and line are filled in. With the extruder as the outputs have it, or as the motion says.
+  void motionByOutputs(plan::ProgramMotion motion);
+  void motion(plan::ProgramMotion motion);
+  // The arm stands. What flows is what the outputs let, or `volumeMm3`.
+  void pauseByOutputs(double seconds);
+  void pause(double seconds, double volumeMm3);
+
+  // A word of the table at a place where it may stand; else a defect. false: it isn't in the table.
+  bool word(std::span<const KnownWord> table, std::string_view word);
+  // One that the reader knows better.
+  void wordAt(std::string_view word, std::uint8_t places);
+  // The mass that the arm is told to carry. A defect where it is told another amid the print.
+  void load(std::string_view word, double kg);
+
+  plan::ReadProgram& program() { return program_; }
+  plan::ReadProgram take(bool complete);
+
+private:
+  const process::Process& process_;
+  plan::ReadProgram program_;
+  Defects defects_;
+  WordPlaces places_;
+  ReadOutputs outputs_;
+  std::size_t onSince_ = 0; // motions and pauses when the extruder was turned on
+};
+
+} // namespace voluta::program

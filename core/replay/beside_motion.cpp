@@ -1,0 +1,179 @@
+#include "replay/beside_motion.h"
+
+#include "plan/finding_kinds.h"
+#include "process/bead_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::replay {
+
+namespace {
+
+using enum plan::FindingKind;
+
+constexpr double kLeastMm3 = 0.005, kLongestPauseS = 1.0, kPrimeTolerance = 0.1;
+constexpr double kPlateKg = 0.5, kHeadKg = 1.0, kLoadFactor = 3.0, kLoadSlackKg = 1.0;
+constexpr double kFirstRadPerS = 1.0471975511965976, kFirstRadPerS2 = 2.0, kFirstMmPerS = 250.0;
+constexpr double kHarder = 1.5;
+// Writers let the speed change within half the motion.
+constexpr double kHalf = 2.0;
+
+// Motions that extrude: first and last; count, 0 where there is none.
+struct Beads {
+  std::size_t first, last;
+};
+Beads beadsOf(const plan::ReadProgram& program) {
+  const auto lays = [](const plan::ProgramMotion& m) { return m.extruding; };
+  const auto& motions = program.motions;
+  const auto first = std::find_if(motions.begin(), motions.end(), lays);
+  const auto last = std::find_if(motions.rbegin(), motions.rend(), lays);
+  return {static_cast<std::size_t>(first - motions.begin()),
+          first == motions.end() ? 0 : static_cast<std::size_t>(motions.rend() - last) - 1};
+}
+
+class Judge {
+public:
+  Judge(const plan::ReadProgram& program, const ExecutedPath& path,
+        const plan::Trajectory& trajectory, const robot::Cell& cell,
+        const process::Process& process)
+      : program_(program), path_(path), trajectory_(trajectory), cell_(cell), process_(process),
+        beads_(beadsOf(program)) {}
+
+  std::vector<TextFinding> judge() {
+    pauses();
+    prime();
+    load();
+    firstMotion();
+    for (std::size_t m = 1; m < program_.motions.size(); ++m)
+      acceleration(m);
+    return std::move(found_);
+  }
+
+private:
+  void add(plan::FindingKind kind, TextPlace place, std::vector<plan::NamedValue> values) {
+    TextFinding f;
+    f.finding = plan::makeFinding(kind, std::move(values));
+    f.finding.program = programLine(program_, place);
+    f.place = place;
+    found_.push_back(std::move(f));
+  }
+  static TextPlace placeOfPause(const plan::ProgramPause& p) { return {p.file + 1, p.line}; }
+
+  void pauses() {
+    for (const plan::ProgramPause& p : program_.pauses) {
+      if (p.before <= beads_.first || p.before > program_.motions.size())
+        continue;
+      if (p.volumeMm3 > kLeastMm3)
+        add(FlowsWhileStanding, placeOfPause(p),
+            {{"volume", base::mm3(p.volumeMm3)}, {"time", base::seconds(p.durationS)}});
+      else if (p.durationS > kLongestPauseS && p.before <= beads_.last)
+        add(StandsAmidPrint, placeOfPause(p), {{"time", base::seconds(p.durationS)}});
+    }
+  }
+
+  void prime() {
+    const double planned = plannedPrimeMm3(trajectory_, process_);
+    if (!program_.tellsPauses || program_.motions.empty())
+      return;
+    double volume = 0.0;
+    const plan::ProgramPause* most = nullptr;
+    for (const plan::ProgramPause& p : program_.pauses) {
+      if (p.before > beads_.first)
+        continue;
+      volume += p.volumeMm3;
+      if (!most || p.volumeMm3 > most->volumeMm3)
+        most = &p;
+    }
+    if (std::abs(volume - planned) <= std::max(kLeastMm3, kPrimeTolerance * planned))
+      return;
+    const std::size_t motion = std::min(beads_.first, program_.motions.size() - 1);
+    add(PrimeChanged, most ? placeOfPause(*most) : placeOf(program_, motion),
+        {{"volume", base::mm3(volume)}, {"planned", base::mm3(planned)}});
+  }
+
+  void load() {
+    if (!program_.load)
+      return;
+    const bool head = cell_.nozzleMount() != robot::Mount::World;
+    const double part = trajectory_.extrudedMm3.empty()
+                            ? 0.0
+                            : trajectory_.extrudedMm3.back() * 1e-6 * process_.densityGPerCm3;
+    const double planned = head ? kHeadKg : kPlateKg + part, kg = program_.load->kg;
+    if (std::abs(kg - planned) <= kLoadSlackKg ||
+        (kg <= kLoadFactor * planned && planned <= kLoadFactor * kg))
+      return;
+    add(LoadChanged, {program_.load->file + 1, program_.load->line},
+        {{"mass", base::number(kg)}, {"planned", base::number(planned)}});
+  }
+
+  void firstMotion() {
+    if (program_.motions.empty())
+      return;
+    const plan::ProgramMotion& m = program_.motions.front();
+    if (m.target == plan::TargetKind::ToolPoint) // from home, by its head
+      return;
+    if (m.jointSpeedRadPerS > kFirstRadPerS || m.jointAccelerationRadPerS2 > kFirstRadPerS2 ||
+        m.speedMmPerS > kFirstMmPerS)
+      add(FirstMotionFast, placeOf(program_, 0), {});
+  }
+
+  void acceleration(std::size_t i) {
+    const plan::ProgramMotion& m = program_.motions[i];
+    double allowed = 0.0;
+    const double asked = m.jointInterpolated ? m.jointAccelerationRadPerS2 : m.accelerationMmPerS2;
+    if (m.jointInterpolated) {
+      allowed = INFINITY;
+      for (const robot::JointLimits& limit : cell_.limits())
+        allowed = std::min(allowed, limit.acceleration);
+    } else {
+      const double time = path_.durationS[i], before = path_.durationS[i - 1];
+      const double speed = time > 0.0 ? path_.commandedMm[i] / time : 0.0;
+      const bool straight = !program_.motions[i - 1].jointInterpolated;
+      const double last = straight && before > 0.0 ? path_.commandedMm[i - 1] / before : 0.0;
+      allowed = process_.accelerationMmPerS2;
+      if (time > 0.0)
+        allowed = std::max(
+            {allowed, kHalf * std::abs(speed - last) / time, kHalf * std::abs(speed) / time});
+    }
+    if (asked > kHarder * allowed)
+      add(AccelerationChanged, placeOf(program_, i), {{"times", base::number(asked / allowed)}});
+  }
+
+  const plan::ReadProgram& program_;
+  const ExecutedPath& path_;
+  const plan::Trajectory& trajectory_;
+  const robot::Cell& cell_;
+  const process::Process& process_;
+  Beads beads_;
+  std::vector<TextFinding> found_;
+};
+
+} // namespace
+
+double plannedPrimeMm3(const plan::Trajectory& trajectory, const process::Process& process) {
+  if (trajectory.extrudedMm3.empty() || !(trajectory.extrudedMm3.back() > 0.0))
+    return 0.0;
+  const double flow =
+      process::beadArea(process.beadWidthMm, process.layerHeightMm) * process.speedMmPerS;
+  return std::min(process.maxFlowMm3PerS, flow) * process.primeS;
+}
+
+double standingMm3(const plan::ReadProgram& program) {
+  const Beads beads = beadsOf(program);
+  double volume = 0.0;
+  for (const plan::ProgramPause& p : program.pauses)
+    if (p.before > beads.first)
+      volume += p.volumeMm3;
+  return volume;
+}
+
+std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
+                                           const ExecutedPath& path,
+                                           const plan::Trajectory& trajectory,
+                                           const robot::Cell& cell,
+                                           const process::Process& process) {
+  return Judge(program, path, trajectory, cell, process).judge();
+}
+
+} // namespace voluta::replay

@@ -1,0 +1,38 @@
+// What a program does beside going where it was planned to: it waits, it primes, it tells the
+// controller how hard to speed up and what the arm carries.
+#pragma once
+
+#include "plan/program.h"
+#include "process/process.h"
+#include "replay/comparison.h"
+#include "replay/executed_path.h"
+#include "robot/cell.h"
+
+#include <vector>
+
+namespace voluta::replay {
+
+// What the plan has flow out before its first bead: a usual bead's flow for the process' time, at
+// most the extruder's full flow. 0 where nothing is printed. mm3.
+double plannedPrimeMm3(const plan::Trajectory& trajectory, const process::Process& process);
+
+// Material that pauses between the first bead and the last let out; it lies in no bead. mm3.
+double standingMm3(const plan::ReadProgram& program);
+
+// Findings of pauses, prime, load, the first motion's speed and accelerations, each at its line.
+// - A pause amid the print in which more than 0.005 mm3 flow, or which is longer than a second.
+// - Before the first bead what flows is the prime, within a tenth; languages that have no word for
+//   a pause have none.
+// - The load is told within a kilogram or a factor of 3 of what is assumed (0.5 kg of plate and
+//   the part, or 1 kg of head).
+// - The first motion starts from wherever the arm stands: at most 60 degrees/s, 2 rad/s2,
+//   250 mm/s (the speed that safety standards have for teaching, ISO 10218-1).
+// - A straight motion speeds up at most half as hard again as the process does or as its own
+//   speeds ask for; a joint motion as the joints may.
+std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
+                                           const ExecutedPath& path,
+                                           const plan::Trajectory& trajectory,
+                                           const robot::Cell& cell,
+                                           const process::Process& process);
+
+} // namespace voluta::replay

@@ -1,0 +1,241 @@
+// Every word of each language, put amid a print: it is read for what it does, known to change
+// nothing, or refused at its line. The lists are the makers': URScript manual, "Module motion",
+// "Module internals", "Module interfaces", "Module ioconfiguration"; ABB, RAPID Instructions,
+// Functions and Data types; the RepRap wiki's list of G-codes.
+#include "program/dialect.h"
+#include "program/gcode_extended.h"
+#include "program/rapid.h"
+#include "program/urscript.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace voluta::program {
+namespace {
+
+plan::ReadProgram read(std::string_view format, const std::string& text) {
+  process::Process process;
+  process.maxFlowMm3PerS = 40.0;
+  return readProgram(format, {{"file", text}}, process);
+}
+
+// Of the line put amid the print of the programs below, while the extruder is on.
+constexpr std::size_t kAmid = 8;
+
+std::string urscript(const std::string& head, const std::string& amid, const std::string& end) {
+  return "def f():\n set_tcp(p[0,0,0.1,0,0,0])\n" + head +
+         " set_standard_digital_out(0,False)\n set_standard_analog_out(0,0.1)\n"
+         " movel(p[-0.4,0,0.3,0,3,0],a=1,v=0.1)\n set_standard_digital_out(0,True)\n"
+         " movel(p[-0.4,0,0.301,0,3,0],t=0.1)\n" +
+         amid +
+         " movel(p[-0.4,0,0.302,0,3,0],t=0.1)\n set_standard_digital_out(0,False)\n"
+         " set_standard_analog_out(0,0)\n" +
+         end + "end\nf()\n";
+}
+
+std::string withCrLf(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  return out;
+}
+
+std::string rapid(const std::string& head, const std::string& amid, const std::string& end) {
+  const auto move = [](const std::string& z) {
+    return "MoveL [[400,0," + z +
+           "],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v20,fine,t1\\WObj:=wobj0;\n";
+  };
+  return withCrLf("MODULE m\nPERS tooldata t1:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,100],[1,0,0,0],"
+                  "0,0,0]];\nPROC main()\nConfL\\Off;\n" +
+                  head + "SetDO doExtruder,1; SetAO aoFlow,0.1;\n" + move("300") + move("301") +
+                  amid + move("302") + "SetDO doExtruder,0;\nSetAO aoFlow,0;\n" + end +
+                  "ENDPROC\nENDMODULE\n");
+}
+
+std::string gcode(const std::string& head, const std::string& amid, const std::string& end) {
+  return "G21\nG90\nM82\n" + head +
+         "G92 E0\nG0 X0 Y0 Z1 nX0 nY0 nZ1 F600\nG1 X1 E0.1\nG1 X2 E0.2\n" + amid +
+         "G1 X3 E0.3\nM104 S0\nM84\n" + end + "; end\n";
+}
+
+bool tells(const plan::ReadProgram& with, const plan::ReadProgram& without) {
+  return !with.defects.empty() || with.pauses.size() != without.pauses.size() ||
+         with.motions.size() != without.motions.size();
+}
+
+// `taken`: of the words, those that may stand anywhere.
+void expectAllKnownOrRefused(std::string_view format, const std::vector<std::string>& lines,
+                             std::string (*program)(const std::string&, const std::string&,
+                                                    const std::string&),
+                             std::size_t line, const std::vector<std::string>& taken) {
+  const plan::ReadProgram without = read(format, program("", "", ""));
+  for (const auto& d : without.defects)
+    ADD_FAILURE() << d.line << ": " << voluta::base::english(d.reason);
+  EXPECT_TRUE(without.complete);
+  for (const std::string& code : lines) {
+    SCOPED_TRACE(code);
+    const plan::ReadProgram with = read(format, program("", code + "\n", ""));
+    const std::string word = code.substr(0, code.find_first_of(" (;"));
+    const bool free = std::find(taken.begin(), taken.end(), word) != taken.end();
+    EXPECT_EQ(tells(with, without), !free);
+    if (!with.defects.empty()) {
+      EXPECT_EQ(with.defects.front().line, line);
+    }
+  }
+}
+
+std::vector<std::string> wordsOf(const char* list, const std::string& arguments) {
+  std::istringstream in(list);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;)
+    words.push_back(word + arguments);
+  return words;
+}
+
+TEST(Words, OfUrscriptAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "conveyor_pulse_decode encoder_enable_pulse_decode encoder_enable_set_tick_count "
+      "encoder_get_tick_count encoder_set_tick_count end_force_mode end_freedrive_mode "
+      "end_screw_driving end_teach_mode force_mode force_mode_set_damping "
+      "force_mode_set_gain_scaling freedrive_mode freedrive_mode_no_incorrect_payload_check "
+      "get_conveyor_tick_count get_target_tcp_pose_along_path get_target_tcp_speed_along_path "
+      "movec path_offset_disable path_offset_enable path_offset_get path_offset_set "
+      "path_offset_set_alpha_filter path_offset_set_max_offset pause_on_error_code "
+      "position_deviation_warning reset_revolution_counter screw_driving servoc servoj servol "
+      "set_conveyor_tick_count set_pos set_safety_mode_transition_hardness speedj speedl "
+      "stop_conveyor_tracking stopj stopl teach_mode track_conveyor_circular "
+      "track_conveyor_linear force get_actual_joint_positions get_actual_tcp_pose "
+      "get_controller_temp get_inverse_kin get_steptime get_tcp_force halt high_holding_torque_"
+      "disable high_holding_torque_enable is_steady is_within_safety_limits popup powerdown "
+      "protective_stop set_gravity set_payload set_payload_cog set_payload_mass "
+      "set_target_payload set_tcp sync textmsg write_output_boolean_register "
+      "write_output_float_register enable_external_ft_sensor ft_rtde_input_enable "
+      "gripper set_analog_inputrange set_analog_out set_analog_outputdomain "
+      "set_configurable_digital_out set_digital_out set_flag set_standard_analog_input_domain "
+      "set_standard_analog_out set_standard_digital_out set_tool_analog_input_domain "
+      "set_tool_communication set_tool_digital_out set_tool_output_mode set_tool_voltage "
+      "modbus_set_output_register modbus_set_output_signal modbus_send_custom_command "
+      "rpc_factory rtde_set_watchdog socket_open socket_close socket_send_string "
+      "socket_send_line socket_read_string set_runstate_standard_digital_output_to_value "
+      "set_runstate_tool_digital_output_to_value set_input_actions_to_default "
+      "set_standard_digital_input_action sleep movel movej movep zero_ftsensor set_baselight_off "
+      "enter_critical exit_critical join kill run interpreter_mode end_interpreter_mode "
+      "clear_interpreter tool_contact set_failure_action torque_command direct_torque";
+  expectAllKnownOrRefused("urscript", wordsOf(kManual, "(1)"), urscript, kAmid,
+                          {"textmsg", "set_flag"});
+}
+
+TEST(Words, OfRapidAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "AccSet ActEventBuffer ActUnit Add AliasIO BitClear BitSet BookErrNo Break CallByVar "
+      "CamFlush "
+      "CapL CancelLoad CheckProgRef CirPathMode Clear ClearIOBuff ClearPath ClkReset ClkStart "
+      "ClkStop Close ConfJ ConfL CONNECT CopyFile CorrClear CorrCon CorrWrite DeactUnit Decr "
+      "DitherAct DitherDeact DropSensor EOffsOff EOffsOn EOffsSet EraseModule ErrLog ErrRaise "
+      "ErrWrite EXIT ExitCycle FOR GetSysData GOTO GripLoad HollowWristReset IDelete IDisable "
+      "IEnable IF Incr IndAMove IndCMove IndDMove IndReset IndRMove InvertDO IOBusStart IPers "
+      "IRMQMessage ISignalAI ISignalDI ISleep ITimer IWatch Load MakeDir ManLoadIdProc "
+      "MechUnitLoad "
+      "MotionProcessModeSet MotionSup MoveAbsJ MoveC MoveCDO MoveExtJ MoveJ MoveJDO MoveL MoveLDO "
+      "MToolRotCalib Open OpenDir PathAccLim PathLengthReset PathRecStart PathResol PDispOff "
+      "PDispOn PDispSet ProcCall ProcerrRecovery PulseDO RAISE RaiseToUser ReadAnyBin ReadBlock "
+      "RemoveDir Reset ResetPPMoved RestoPath RETURN Rewind RMQSendMessage Save SearchC SearchL "
+      "SenDevice Set SetAllDataVal SetAO SetDataVal SetDO SetGO SetSysData SimCollision SingArea "
+      "SkipWarn SocketAccept SocketConnect SocketSend SoftAct SoftDeact SoftElbow SpeedLimAxis "
+      "SpeedLimCheckPoint SpeedRefresh SpyStart StartLoad StartMove Stop StopMove StorePath "
+      "SyncMoveOff SyncMoveOn SystemStopAction TEST TestSignDefine TextTabInstall TPErase "
+      "TPReadDnum TPReadFK TPReadNum TPShow TPWrite TriggC TriggCheckIO TriggDataCopy TriggEquip "
+      "TriggInt TriggIO TriggJ TriggL TriggLIOs TriggRampAO TriggSpeed TriggStopProc TryInt "
+      "TuneReset TuneServo UIMsgBox UIShow UnLoad UnpackRawBytes VelSet WaitAI WaitDI WaitDO "
+      "WaitGI WaitLoad WaitRob WaitSyncTask WaitTestAndSet WaitTime WaitUntil WarmStart WHILE "
+      "WorldAccLim Write WriteBin WZBoxDef WZDOSet WZEnable WZFree";
+  expectAllKnownOrRefused("rapid", wordsOf(kManual, " 1;"), rapid, kAmid,
+                          {"ClkReset", "ClkStart", "ClkStop", "ErrWrite", "TPErase", "TPWrite"});
+}
+
+TEST(Words, OfGcodeAreKnownOrRefused) {
+  // All numbers that the wiki has, and those it has not.
+  std::vector<std::string> lines;
+  for (int g = 0; g < 300; ++g)
+    lines.push_back("G" + std::to_string(g) + " S5");
+  for (int m = 0; m < 1000; ++m)
+    lines.push_back("M" + std::to_string(m) + " S5");
+  for (int t = 0; t < 10; ++t)
+    lines.push_back("T" + std::to_string(t) + " S5");
+  expectAllKnownOrRefused("gcode-extended", lines, gcode, kAmid,
+                          {"G17",  "G92",  "G21",  "G40",  "G49",  "G80",  "G90",  "G94",
+                           "M73",  "M82",  "M83",  "M105", "M106", "M107", "M110", "M111",
+                           "M114", "M115", "M117", "M118", "M400", "T0"});
+}
+
+TEST(Words, StandWhereTheyMay) {
+  const struct {
+    std::string_view format;
+    std::string (*program)(const std::string&, const std::string&, const std::string&);
+    const char* line;
+    bool head, amid, end;
+  } cases[] = {
+      {"urscript", urscript, "set_payload(1.0,[0,0,0])\n", true, false, false},
+      {"urscript", urscript, "set_gravity([0,0,9.82])\n", true, false, false},
+      {"urscript", urscript, "set_gravity([0,9.82,0])\n", false, false, false},
+      {"urscript", urscript, "set_analog_outputdomain(0,1)\n", true, false, false},
+      {"urscript", urscript, "popup(\"go?\",blocking=True)\n", true, false, true},
+      {"urscript", urscript, "set_standard_digital_out(3,True)\n", true, false, true},
+      {"urscript", urscript, "stopl(1.0)\n", true, false, true},
+      {"rapid", rapid, "AccSet 100,100;\n", true, false, false},
+      {"rapid", rapid, "AccSet 20,100;\n", false, false, false},
+      {"rapid", rapid, "VelSet 100,5000;\n", true, false, false},
+      {"rapid", rapid, "SingArea\\Off;\n", true, false, false},
+      {"rapid", rapid, "SingArea\\Wrist;\n", false, false, false},
+      {"rapid", rapid, "SetDO doFan,1;\n", true, false, true},
+      {"rapid", rapid, "UIMsgBox \"go\";\n", true, false, true},
+      {"gcode-extended", gcode, "G28\n", true, false, false},
+      {"gcode-extended", gcode, "M84\n", false, false, true},
+      {"gcode-extended", gcode, "M104 S210\n", true, false, true},
+      {"gcode-extended", gcode, "M104 S400\n", false, false, false},
+      {"gcode-extended", gcode, "T1\n", false, false, false},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.line);
+    EXPECT_EQ(read(c.format, c.program(c.line, "", "")).defects.empty(), c.head);
+    EXPECT_EQ(read(c.format, c.program("", c.line, "")).defects.empty(), c.amid);
+    const plan::ReadProgram atEnd = read(c.format, c.program("", "", c.line));
+    // Heat at the end is no end.
+    EXPECT_EQ(atEnd.defects.empty(), c.end && c.line != std::string("M104 S210\n"));
+  }
+}
+
+TEST(Words, OfATableStandOnceAndMeanSomething) {
+  for (const auto table : {urscriptWords(), rapidWords(), gcodeWords()})
+    for (const KnownWord& row : table) {
+      EXPECT_EQ(findWord(table, row.word), &row) << row.word << " stands twice";
+      EXPECT_NE(row.places, 0) << row.word;
+      EXPECT_FALSE(row.meaning.empty()) << row.word;
+    }
+}
+
+TEST(Words, WaitsLetMaterialFlow) {
+  const plan::ReadProgram ur = read("urscript", urscript("", "sleep(600)\n", ""));
+  ASSERT_EQ(ur.pauses.size(), 1u);
+  EXPECT_EQ(ur.pauses[0].before, 2u);
+  EXPECT_EQ(ur.pauses[0].durationS, 600.0);
+  EXPECT_DOUBLE_EQ(ur.pauses[0].volumeMm3, 600.0 * 0.1 * 40.0);
+  const plan::ReadProgram abb = read("rapid", rapid("", "WaitTime\\InPos,2;\n", ""));
+  ASSERT_EQ(abb.pauses.size(), 1u);
+  EXPECT_DOUBLE_EQ(abb.pauses[0].volumeMm3, 2.0 * 0.1 * 40.0);
+  const plan::ReadProgram g = read("gcode-extended", gcode("", "G4 P1500\n", ""));
+  ASSERT_EQ(g.pauses.size(), 1u);
+  EXPECT_DOUBLE_EQ(g.pauses[0].durationS, 1.5);
+  EXPECT_EQ(g.pauses[0].volumeMm3, 0.0);
+}
+
+TEST(Words, FilamentDrawnOutOfTheHotEndIsADefect) {
+  EXPECT_TRUE(read("gcode-extended", gcode("", "G1 E-5 F1800\nG1 E0.2\n", "")).defects.empty());
+  const plan::ReadProgram far = read("gcode-extended", gcode("", "G1 E-400 F1800\nG1 E0.2\n", ""));
+  ASSERT_EQ(far.defects.size(), 1u);
+  EXPECT_EQ(far.defects[0].line, kAmid);
+}
+
+} // namespace
+} // namespace voluta::program

@@ -1,0 +1,150 @@
+// What a program does beside its motions: waits, prime, load, accelerations, at its line.
+#include "plan/finding_kinds.h"
+#include "program/dialect.h"
+#include "program/text_damage.h"
+#include "replay/beside_motion.h"
+#include "replay/scene.h"
+#include "replay/told.h"
+#include "replay/verification.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace voluta::replay {
+namespace {
+
+const test::Scene& scene() {
+  static const test::Scene s = test::boxScene(1);
+  return s;
+}
+
+test::ProgramText textOf(const std::string& format) {
+  const test::Scene& s = scene();
+  return test::textOf(
+      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"}));
+}
+
+Verification verify(const test::ProgramText& text) {
+  const test::Scene& s = scene();
+  return replayProgram(
+      {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+      ReplayThresholds{}, {});
+}
+
+// Behind the line of a motion amid a bead.
+void insertAmid(test::ProgramText& text, const std::string& line, std::size_t& at) {
+  at = test::read(text, scene().process).motions[8].line + 1;
+  text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(at - 1),
+                    text.format == "rapid" ? line + "\r" : line);
+}
+
+bool toldAt(const Verification& v, const std::string& word, std::size_t line) {
+  for (std::size_t i = 0; i < v.findings.size(); ++i)
+    if (voluta::plan::kindWord(v.findings[i]) == word && v.places[i].line + 1 >= line &&
+        v.places[i].line <= line + 1)
+      return true;
+  return false;
+}
+
+TEST(BesideMotion, AWaitInWhichMaterialFlowsIsFound) {
+  const struct {
+    const char *format, *line, *word;
+  } cases[] = {
+      {"urscript", "  sleep(600)", "flowsWhileStanding"},
+      {"urscript", "  sleep(0.1)", "flowsWhileStanding"},
+      {"rapid", "    WaitTime 600;", "flowsWhileStanding"},
+      {"gcode-extended", "G4 S600", "standsAmidPrint"},
+      {"gcode-extended", "G1 E-300 F60", "unreadableLine"},
+      {"gcode-extended", "G28", "unreadableLine"},
+      {"gcode-extended", "M84", "unreadableLine"},
+      {"gcode-extended", "M104 S0", "unreadableLine"},
+      {"gcode-extended", "M104 S400", "unreadableLine"},
+      {"gcode-extended", "T1", "unreadableLine"},
+      {"urscript", "  set_payload(20)", "unreadableLine"},
+      {"urscript", "  set_gravity([0,0,9.82])", "unreadableLine"},
+      {"urscript", "  set_analog_outputdomain(0,0)", "unreadableLine"},
+      {"rapid", "    AccSet 20,100;", "unreadableLine"},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.line);
+    test::ProgramText text = textOf(c.format);
+    std::size_t at = 0;
+    insertAmid(text, c.line, at);
+    const Verification v = verify(text);
+    EXPECT_FALSE(v.passed);
+    EXPECT_TRUE(toldAt(v, c.word, at)) << at << "\n" << told(v);
+  }
+}
+
+TEST(BesideMotion, WhatFlowsInAWaitIsCounted) {
+  test::ProgramText text = textOf("urscript");
+  const Verification sound = verify(text);
+  std::size_t at = 0;
+  insertAmid(text, "  sleep(10)", at);
+  const Verification v = verify(text);
+  const double flow = test::read(text, scene().process).motions[8].flowMm3PerS;
+  EXPECT_NEAR(v.depositedMm3 - sound.depositedMm3, 10.0 * flow, 1e-6);
+  EXPECT_NEAR(v.durationS - sound.durationS, 10.0, 1e-9);
+  EXPECT_NEAR(v.excessFraction - sound.excessFraction, 10.0 * flow / v.partVolumeMm3, 1e-9);
+}
+
+TEST(BesideMotion, AMissingOrOtherPrimeIsFound) {
+  for (const program::Dialect& d : program::dialects()) {
+    const test::ProgramText whole = textOf(std::string(d.id));
+    const plan::ReadProgram read = test::read(whole, scene().process);
+    if (!read.tellsPauses)
+      continue;
+    double volume = 0.0;
+    for (const plan::ProgramPause& p : read.pauses)
+      volume += p.volumeMm3;
+    EXPECT_NEAR(volume, plannedPrimeMm3(scene().trajectory, scene().process), 1e-3) << d.id;
+    const auto wait = std::find_if(read.pauses.begin(), read.pauses.end(),
+                                   [](const plan::ProgramPause& p) { return p.volumeMm3 > 0.0; });
+    ASSERT_NE(wait, read.pauses.end());
+    test::ProgramText without = whole;
+    without.lines.erase(without.lines.begin() + static_cast<std::ptrdiff_t>(wait->line - 1));
+    const Verification v = verify(without);
+    EXPECT_FALSE(v.passed) << d.id;
+    EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
+      return f.kind == plan::FindingKind::PrimeChanged;
+    })) << told(v);
+  }
+}
+
+// Numbers of the line that holds `mark`, by what they are called there.
+std::size_t change(test::ProgramText& text, const std::string& mark, const std::string& from,
+                   const std::string& to) {
+  for (std::size_t i = 0; i < text.lines.size(); ++i)
+    if (const std::size_t at = text.lines[i].find(from);
+        at != std::string::npos && text.lines[i].find(mark) != std::string::npos) {
+      text.lines[i].replace(at, from.size(), to);
+      return i + 1;
+    }
+  ADD_FAILURE() << mark << " " << from;
+  return 0;
+}
+
+TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
+  const struct {
+    const char *format, *mark, *from, *to, *word;
+  } cases[] = {
+      {"urscript", "set_payload", "(0.5", "(20", "loadChanged"},
+      {"urscript", "movej", "v=0.25", "v=2", "firstMotionFast"},
+      {"urscript", "movej", "a=0.5", "a=4.2", "firstMotionFast"},
+      {"rapid", "MoveJ", "[50,", "[1000,", "firstMotionFast"},
+      {"urscript", "movel", "t=0", "t=9", "speedChanged"}, // it rules over the acceleration
+      {"rapid", "tooldata", "[0.5", "[20", "loadChanged"},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(std::string(c.format) + " " + c.to);
+    test::ProgramText text = textOf(c.format);
+    const std::size_t line = change(text, c.mark, c.from, c.to);
+    ASSERT_GT(line, 0u);
+    const Verification v = verify(text);
+    EXPECT_FALSE(v.passed);
+    EXPECT_TRUE(toldAt(v, c.word, line)) << line << ": " << text.lines[line - 1] << "\n" << told(v);
+  }
+}
+
+} // namespace
+} // namespace voluta::replay
