@@ -2,10 +2,9 @@
 //
 // Written: one function with a set-up (set_tcp with the cell's flange_T_moved, set_payload), the
 // trajectory and an end, then its call. Metres, radians, seconds. Per point one line:
-//   Print, Linear  movel(p[x,y,z,rx,ry,rz], a=, v=, r=): pose of the TCP in Base; between two poses
-//                  the controller moves the TCP straight and turns it the shortest way. v = TCP
-//                  path / time; where the TCP hardly moves although the nozzle does on the part
-//                  (the plate turns about its own origin), t= takes the place of v.
+//   Print, Linear  movel(p[x,y,z,rx,ry,rz], a=, t=, r=): pose of the TCP in Base; between two poses
+//                  the controller moves the TCP straight and turns it the shortest way. t rules
+//                  over speed and acceleration, so that turns take no longer than planned.
 //   Joint          movej([q...], a=, v=), v of the leading joint; movej(p[...]) in a program for
 //                  another maker's robot. The first point is always a movej, at kStartRadPerS.
 // The extruder is on while standard digital output 0 is, with a flow of (standard analogue output
@@ -28,7 +27,7 @@ inline constexpr double kStartRadPerS = 0.5;
 plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood: def/end, calls of the functions named above, movep (as movel with a blend), sleep,
-// outputs by set_[standard_]digital_out and set_[standard_]analog_out, harmless set-up calls;
+// outputs by set_[standard_]digital_out and set_[standard_]analog_out, and urscriptWords();
 // positional and named arguments in any order, spaces, comments, CR LF. Everything else is a
 // defect. `complete`: every function was closed by `end` and called, after the extruder's two
 // outputs were set off behind the last motion.

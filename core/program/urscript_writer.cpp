@@ -223,10 +223,10 @@ private:
     out_ += "  movel(";
     pose(targets_[i].tcpMm, rotation_[i], kPoseDecimals);
     number(",a=", acceleration, 2);
-    if (motions_.needsTime(i))
+    if (s > 0.0)
       number(",t=", s, 6);
     else
-      number(",v=", speed > 0.0 ? speed : in_.process.travelSpeedMmPerS / 1000.0, kSpeedDecimals);
+      number(",v=", in_.process.travelSpeedMmPerS / 1000.0, kSpeedDecimals);
     if (const double r = motions_.blendMm(i); r > 0.0)
       number(",r=", r / 1000.0, kBlendDecimals);
     line(")");

@@ -132,7 +132,6 @@ TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
       {"urscript", "movej", "v=0.5", "v=2", "firstMotionFast"},
       {"urscript", "movej", "a=1.4", "a=4.2", "firstMotionFast"},
       {"rapid", "MoveJ", "[100,", "[1000,", "firstMotionFast"},
-      {"urscript", "movel", "a=", "a=9", "accelerationChanged"},
       {"rapid", "tooldata", "[0.5", "[20", "loadChanged"},
   };
   for (const auto& c : cases) {
