@@ -252,6 +252,7 @@ private:
     TimingLimits limits;
     limits.joints = cell_.limits();
     limits.accelerationMmPerS2 = process_.accelerationMmPerS2;
+    limits.travelRadPerS2 = cell_.travelAcceleration();
     limits.arm = cell_.armDof();
     const std::size_t runs = sequence.runs.size(), ways = sequence.ways.size();
     std::vector<std::vector<double>> runTimes(runs), wayTimes(ways);

@@ -63,6 +63,9 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
     if (!to.jointMove && to.speedMmPerS > 0.0)
       least = std::max(least, way / to.speedMmPerS);
     s.cap[i] = s.length[i] / least;
+    const double turn = dq.head(arm).maxCoeff();
+    if (to.jointMove && limits.travelRadPerS2 > 0.0 && turn > 0.0)
+      s.ramp[i] = std::min(s.ramp[i], limits.travelRadPerS2 * s.length[i] / turn);
     // A rod turns with the way, so that its acceleration is the way's.
     for (Eigen::Index j = arm; j < dof; ++j)
       if (dq[j] > 0.0)

@@ -15,6 +15,8 @@ struct TimingLimits {
   double accelerationMmPerS2 = 500.0;
   double cornerMm = 0.05;     // how far a corner may be cut, for the speed through it
   double jointFraction = 0.9; // of velocity and acceleration limits that is used
+  // Of the arm's joints in joint moves, rad/s2; 0: as in all others.
+  double travelRadPerS2 = 0.0;
   int arm = 0; // the first so many joints are the arm's, those behind them a rod's; 0: all are
 };
 

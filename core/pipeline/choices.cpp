@@ -10,6 +10,7 @@
 #include "pipeline/automatic.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
+#include "program/program_options.h"
 #include "project/length_unit.h"
 #include "project/platform_kinds.h"
 #include "robot/cell.h"
@@ -56,6 +57,7 @@ base::ParameterTable allParameters() {
   table.append(placement::orientParameters());
   table.append(toolpath::toolpathParameters());
   table.append(motion::motionParameters());
+  table.append(program::programParameters());
   return table;
 }
 

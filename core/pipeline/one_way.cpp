@@ -285,7 +285,8 @@ private:
                                *job().trajectory,
                                *result_.cell,
                                *process_,
-                               std::filesystem::path(loaded_->name).stem().string()};
+                               std::filesystem::path(loaded_->name).stem().string(),
+                               program::programOptions(values_)};
     result_.checked.clear();
     replay::JudgedRuns judged;
     for (std::size_t i = 0; i < formats.size(); ++i) {
@@ -304,7 +305,7 @@ private:
   }
 
   std::string keyOf(const std::string& format) const {
-    return programKey(keys_, loaded_->name, *process_, format);
+    return programKey(keys_, loaded_->name, *process_, program::programOptions(values_), format);
   }
 
   // Motion and programs together: what is kept belongs together, whenever a plan is cancelled.

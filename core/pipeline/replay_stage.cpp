@@ -71,7 +71,8 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   base::Stopwatch writing;
   ctx.report(0.0, base::message("write {format}"_text, format));
   checked->program = program::writeProgram(
-      format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name}, ctx.sub(0.0, 0.1));
+      format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name, in.options},
+      ctx.sub(0.0, 0.1));
   checked->timings.write = writing.seconds();
   base::Stopwatch replaying;
   ReadBack back = replayText(format, checked->program.files, in, ctx.sub(0.1, 1.0), judged);

@@ -72,9 +72,11 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
 }
 
 // All that a program is written and judged by.
-std::string programText(const std::string& partName, const process::Process& p) {
+std::string programText(const std::string& partName, const process::Process& p,
+                        const program::ProgramOptions& options) {
   const ProcessKeys keys = keysOf(p);
-  return base::keyText(partName) + keys.material + keys.bead + keys.head + keys.travel;
+  return base::keyText(partName) + keys.material + keys.bead + keys.head + keys.travel +
+         base::keyText(options);
 }
 
 std::string next(const std::string& before, project::Stage stage, const std::string& own) {
@@ -107,14 +109,16 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
     formats += " " + format;
-  put(project::Stage::Replay, programText(loaded.name, process) + "formats" + formats + "\n");
+  put(project::Stage::Replay, programText(loaded.name, process, program::programOptions(values)) +
+                                  "formats" + formats + "\n");
   return keys;
 }
 
 std::string programKey(const project::StageKeys& keys, const std::string& partName,
-                       const process::Process& process, const std::string& format) {
+                       const process::Process& process, const program::ProgramOptions& options,
+                       const std::string& format) {
   return next(keys[project::indexOf(project::Stage::Motion)], project::Stage::Replay,
-              programText(partName, process) + "format " + format + "\n");
+              programText(partName, process, options) + "format " + format + "\n");
 }
 
 } // namespace voluta::pipeline

@@ -3,6 +3,7 @@
 
 #include "base/parameters.h"
 #include "process/process.h"
+#include "program/program_options.h"
 #include "project/job.h"
 #include "project/stage.h"
 
@@ -18,6 +19,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
 
 // The key of one program of the Replay stage.
 std::string programKey(const project::StageKeys& keys, const std::string& partName,
-                       const process::Process& process, const std::string& format);
+                       const process::Process& process, const program::ProgramOptions& options,
+                       const std::string& format);
 
 } // namespace voluta::pipeline

@@ -15,6 +15,7 @@
 #include "planar/decomposition.h"
 #include "platform/platform_solid.h"
 #include "process/process.h"
+#include "program/program_options.h"
 #include "project/job.h"
 #include "project/report.h"
 #include "project/stage.h"
@@ -102,12 +103,10 @@ std::string plannedPlatformKey(const project::Choices& choices);
 plan::Findings remainingDefects(const project::LoadedPart& loaded);
 
 // `options`: but for the platform.
-std::shared_ptr<const ToolpathStage> toolpathStage(const layers::LayerStack& layers,
-                                                   const robot::Cell& cell,
-                                                   const platform::PlatformSolid& platform,
-                                                   const process::Process& process,
-                                                   toolpath::ToolpathOptions options,
-                                                   const base::RunContext& ctx);
+std::shared_ptr<const ToolpathStage>
+toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
+              const platform::PlatformSolid& platform, const process::Process& process,
+              toolpath::ToolpathOptions options, const base::RunContext& ctx);
 
 // Writes the program, reads it back and replays it. `name`: of the part, without extension.
 struct ProgramStageInput {
@@ -118,6 +117,7 @@ struct ProgramStageInput {
   const robot::Cell& cell;
   const process::Process& process;
   std::string name;
+  program::ProgramOptions options = {};
 };
 // `judged`: of programs of the same motion (replay/verification.h).
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,

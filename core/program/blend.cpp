@@ -7,6 +7,10 @@
 
 namespace voluta::program {
 
+double turnRad(const Eigen::Vector3d& in, const Eigen::Vector3d& out) {
+  return in.norm() > 0.0 && out.norm() > 0.0 ? std::atan2(in.cross(out).norm(), in.dot(out)) : 0.0;
+}
+
 double blendDeviationMm(double radiusMm, double turnRad) {
   return radiusMm * std::tan(turnRad / 4.0);
 }
@@ -16,10 +20,8 @@ double blendRadiusMm(const BlendSegment& in, const BlendSegment& out, double tol
   if (!(shortest > 0.0))
     return 0.0;
   const double a = in.nozzle.norm(), b = out.nozzle.norm();
-  // Turn of the nozzle's own path; a segment on which it stands still turns nothing.
-  const double turn =
-      a > 0.0 && b > 0.0 ? std::atan2(in.nozzle.cross(out.nozzle).norm(), in.nozzle.dot(out.nozzle))
-                         : 0.0;
+  // Of the nozzle's own path; a segment on which it stands still turns nothing.
+  const double turn = turnRad(in.nozzle, out.nozzle);
   // What the nozzle moves per mm of TCP path; the larger side bounds the corner that is cut off.
   const double perTcpMm = std::max(a / in.tcpMm, b / out.tcpMm);
   const double deviationPerMm = blendDeviationMm(perTcpMm, turn);

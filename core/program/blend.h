@@ -23,6 +23,9 @@ struct BlendSegment {
   Eigen::Vector3d nozzle = Eigen::Vector3d::Zero();
 };
 
+// The angle between two directions, in [0, pi]; 0 where one has no length.
+double turnRad(const Eigen::Vector3d& in, const Eigen::Vector3d& out);
+
 // Share of the shorter neighbour that a blend may take: two blends on one segment never meet.
 inline constexpr double kBlendShare = 0.45;
 

@@ -4,6 +4,7 @@
 #include "base/nearest_name.h"
 #include "program/gcode_extended.h"
 #include "program/joint_table.h"
+#include "program/language_words.h"
 #include "program/rapid.h"
 #include "program/text.h"
 #include "program/urscript.h"
@@ -23,6 +24,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
+       .isWord = isUrscriptWord,
        .remark = "#",
        .mayBeMissing = mayBeMissingInUrscript},
       {.id = "gcode-extended",
@@ -49,6 +51,7 @@ const std::vector<Dialect>& dialects() {
        .read = readRapid,
        .looksLike = looksLikeRapid,
        .goesOnIn = filesOfRapid,
+       .isWord = isRapidWord,
        .remark = "!",
        .mayBeMissing = mayBeMissingInRapid},
       {.id = "csv",

@@ -1,11 +1,12 @@
 // The registry of program formats: one row a dialect, each with its writer and its reader
 // (docs/design.md, Programs). A new dialect is a file and a row.
 //
-// Common to all writers: the same input gives the same bytes; one motion a line; one program motion
-// for each Trajectory point, in order, so that a verifier can match them one to one. What the
-// start, prime and end sequences add are outputs and waits, never motions with a target. A target
-// that is read back is within 0.001 mm at the nozzle and 1e-5 rad of the trajectory's, a motion's
-// volume within 0.1 % (of motions that lay 0.05 mm3 or more).
+// Common to all writers: they spell one walk over the trajectory (program/walk.h); the same input
+// gives the same bytes; one motion a line; one program motion for each Trajectory point, in order,
+// so that a verifier can match them one to one. What the start, prime and end sequences add are
+// outputs and waits, never motions with a target. A target that is read back is within 0.001 mm at
+// the nozzle and 1e-5 rad of the trajectory's, a motion's volume within 0.1 % (of motions that lay
+// 0.05 mm3 or more), its time within kFlowBand.
 #pragma once
 
 #include "base/run_context.h"
@@ -40,6 +41,9 @@ struct Dialect {
   // Names of the files, next to it, that a file of a program goes on in; nullptr: a dialect whose
   // files stand alone.
   std::vector<std::string> (*goesOnIn)(std::string_view text) = nullptr;
+  // Is this a word of the language, which nothing in a program may be called by? nullptr: programs
+  // of this dialect name nothing.
+  bool (*isWord)(std::string_view name) = nullptr;
   // For the tests that damage texts. What a line that is only a remark begins with, and whether
   // line i of a text may be missing without a change of what the program does, though it is no
   // remark (loads, heat, what holds anyway); nullptr: no such line.

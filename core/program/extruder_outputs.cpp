@@ -7,15 +7,25 @@
 
 namespace voluta::program {
 
+std::string shareText(double share) {
+  share = std::clamp(share, 0.0, 1.0);
+  std::string text;
+  appendFixed(text, share, decimalsFor(share, 4), true);
+  return text;
+}
+
+double writtenShare(double share) {
+  share = std::clamp(share, 0.0, 1.0);
+  return roundedTo(share, decimalsFor(share, 4));
+}
+
 void WrittenOutputs::off() {
   on_ = false;
   flowText_.clear();
 }
 
 std::optional<std::string> WrittenOutputs::flow(double mm3PerS) {
-  const double share = std::clamp(mm3PerS / full_, 0.0, 1.0);
-  std::string text;
-  appendFixed(text, share, decimalsFor(share, 4), true);
+  std::string text = shareText(mm3PerS / full_);
   if (text == flowText_)
     return std::nullopt;
   flowText_ = std::move(text);

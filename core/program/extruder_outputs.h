@@ -9,6 +9,10 @@
 
 namespace voluta::program {
 
+// A share of the full flow as it is written, in [0, 1]: four significant digits.
+std::string shareText(double share);
+double writtenShare(double share);
+
 // What a writer last said, so that it says only what changes.
 class WrittenOutputs {
 public:

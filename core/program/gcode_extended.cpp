@@ -2,9 +2,11 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "program/job_head.h"
 #include "program/motion_targets.h"
 #include "program/program_builder.h"
 #include "program/text.h"
+#include "program/walk.h"
 
 #include <algorithm>
 #include <array>
@@ -51,28 +53,16 @@ constexpr double kMostDrawnBackMm = 20.0;
 
 // ---- writer
 
-class GcodeWriter {
+class GcodeWriter : private Speller {
 public:
   GcodeWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), paths_(input.toolPlan) {
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)) {
     program_.format = "gcode-extended";
     program_.foreign = input.foreign;
   }
 
   plan::Program write() {
-    const std::size_t n = targets_.size();
-    out_.reserve(n * 90 + 1024);
-    start();
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i % 4096 == 0)
-        ctx_.report(static_cast<double>(i) / static_cast<double>(n),
-                    base::message("{format}"_text, "gcode-extended"_name));
-      motion(i);
-    }
-    out_ += "M104 S0\nM84\n";
-    out_ += kEnd;
-    out_ += '\n';
-    program_.files.push_back({identifierOf(in_.name) + ".gcode", std::move(out_)});
+    walkTrajectory(in_, {"gcode-extended", cutsOf(in_.trajectory, 0)}, *this, ctx_);
     return std::move(program_);
   }
 
@@ -82,26 +72,25 @@ private:
     appendFixed(out_, value, decimals, trim);
   }
 
-  void start() {
+  void beginFile(std::size_t) override {
+    out_.reserve(targets_.size() * 90 + 1024);
     const process::Process& p = in_.process;
     out_ +=
         "; Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX nY nZ"
         " in the work frame\n";
-    out_ += joined({"; cell ", in_.cell.id(), ", robot ", in_.cell.robot().id, ", process ", p.id,
-                    " (", p.material, ")\n"});
+    for (const std::string& head : headLines(in_))
+      out_ += joined({"; ", head, "\n"});
     if (program_.foreign)
       out_ += "; FOREIGN: not the language of the cell's controller\n";
     out_ += "; ";
     out_ += kDiameterNote;
     word("", kFilamentDiameterMm, 3, true);
-    out_ += joined({" mm\n; ", std::to_string(targets_.size()), " motions, "});
-    word("", in_.trajectory.extrudedMm3.back(), 1);
-    out_ += " mm3, ";
-    word("", in_.trajectory.timeS.back(), 1);
-    out_ += " s\nG21\nG90\nM82\n";
+    out_ += " mm\nG21\nG90\nM82\n";
+    out_ += joined({"M117 ", kStartQuestion, "\nM0\n"});
     const std::optional<int> celsius = nozzleCelsius(p.material);
     if (celsius)
-      out_ += joined({"M104 S", std::to_string(*celsius), " ; assumed for ", p.material, "\n"});
+      out_ += joined(
+          {"M104 S", std::to_string(*celsius), " ; assumed for ", plainText(p.material), "\n"});
     out_ += "G28\n";
     if (celsius)
       out_ += joined({"M109 S", std::to_string(*celsius), "\n"});
@@ -114,10 +103,19 @@ private:
     }
   }
 
+  void endFile(std::size_t) override {
+    out_ += "M104 S0\nM84\n";
+    out_ += kEnd;
+    out_ += '\n';
+    program_.files.push_back({identifierOf(in_.name) + ".gcode", std::move(out_)});
+  }
+
+  void remark(std::string_view text) override { out_ += joined({"; ", text, "\n"}); }
+  void jointMotion(std::size_t i) override { motion(i); }
+  void straightMotion(std::size_t i, bool) override { motion(i); }
+
   void motion(std::size_t i) {
     const plan::Trajectory& t = in_.trajectory;
-    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
-      out_ += joined({"; ", path, "\n"});
     const MotionTarget& target = targets_[i];
     Eigen::Vector3d tip;
     for (int k = 0; k < 3; ++k)
@@ -144,7 +142,6 @@ private:
   const ProgramInput& in_;
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
-  PathNames paths_;
   plan::Program program_;
   std::string out_;
   Eigen::Vector3d lastTip_ = Eigen::Vector3d::Zero();
@@ -455,7 +452,7 @@ bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::siz
   // E is 0 before the prime, not behind it.
   if (lines[i] == "G92 E0")
     return lines[i - 1].find("prime") == std::string::npos;
-  for (const char* word : {"G21", "G90", "M82", "G28", "M104 S2", "M109"})
+  for (const char* word : {"G21", "G90", "M82", "G28", "M104 S2", "M109", "M117", "M0"})
     if (lines[i].find(word) != std::string::npos)
       return true;
   return primes(lines, i);

@@ -2,9 +2,11 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "program/job_head.h"
 #include "program/motion_targets.h"
 #include "program/program_builder.h"
 #include "program/text.h"
+#include "program/walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,42 +146,61 @@ private:
   double time_ = 0.0, extruded_ = 0.0;
 };
 
+class JointTableWriter : private Speller {
+public:
+  explicit JointTableWriter(const ProgramInput& input) : in_(input) { checkInput(input); }
+
+  plan::Program write(const base::RunContext& ctx) {
+    walkTrajectory(in_, {"csv", cutsOf(in_.trajectory, 0)}, *this, ctx);
+    return std::move(program_);
+  }
+
+private:
+  void beginFile(std::size_t) override {
+    program_.format = "csv";
+    out_.reserve(in_.trajectory.pointCount() * 110 + 512);
+    out_ += "# joint table\n";
+    for (const std::string& head : headLines(in_))
+      out_ += joined({"# ", head, "\n"});
+    out_ += "time_s";
+    for (int k = 1; k <= in_.trajectory.dof; ++k)
+      out_ += joined({",j", std::to_string(k), "_deg"});
+    out_ += ",extruded_mm3,waypoint,move\n";
+  }
+  void endFile(std::size_t) override {
+    out_ += kEnd;
+    out_ += '\n';
+    program_.files.push_back({identifierOf(in_.name) + ".csv", std::move(out_)});
+  }
+
+  void jointMotion(std::size_t i) override { row(i); }
+  void straightMotion(std::size_t i, bool) override { row(i); }
+
+  void row(std::size_t i) {
+    const plan::Trajectory& t = in_.trajectory;
+    appendFixed(out_, t.timeS[i], 6);
+    for (int k = 0; k < t.dof; ++k) {
+      out_ += ',';
+      appendFixed(out_, base::radiansToDegrees(t.at(i)[k]), kDegreeDecimals);
+    }
+    out_ += ',';
+    appendFixed(out_, t.extrudedMm3[i], 5);
+    out_ += ',';
+    out_ += t.waypoint[i] == plan::kNoWaypoint ? "-1" : std::to_string(t.waypoint[i]);
+    out_ += ',';
+    out_ += nameOf(t.move[i]);
+    out_ += '\n';
+  }
+
+  const ProgramInput& in_;
+  plan::Program program_;
+  std::string out_;
+};
+
 } // namespace
 
 plan::Program writeJointTable(const ProgramInput& input, const base::RunContext& ctx) {
-  checkInput(input);
-  const plan::Trajectory& t = input.trajectory;
-  std::string out;
-  out.reserve(t.pointCount() * 110 + 512);
-  out += joined({"# joint table, cell ", input.cell.id(), ", robot ", input.cell.robot().id,
-                 ", process ", input.process.id, " (", input.process.material, ")\n"});
-  out += "time_s";
-  for (int k = 1; k <= t.dof; ++k)
-    out += joined({",j", std::to_string(k), "_deg"});
-  out += ",extruded_mm3,waypoint,move\n";
-  for (std::size_t i = 0; i < t.pointCount(); ++i) {
-    if (i % 4096 == 0)
-      ctx.report(static_cast<double>(i) / static_cast<double>(t.pointCount()),
-                 base::message("{format}"_text, "csv"_name));
-    appendFixed(out, t.timeS[i], 6);
-    for (int k = 0; k < t.dof; ++k) {
-      out += ',';
-      appendFixed(out, base::radiansToDegrees(t.at(i)[k]), kDegreeDecimals);
-    }
-    out += ',';
-    appendFixed(out, t.extrudedMm3[i], 5);
-    out += ',';
-    out += t.waypoint[i] == plan::kNoWaypoint ? "-1" : std::to_string(t.waypoint[i]);
-    out += ',';
-    out += nameOf(t.move[i]);
-    out += '\n';
-  }
-  out += kEnd;
-  out += '\n';
-  plan::Program program;
-  program.format = "csv";
-  program.files.push_back({identifierOf(input.name) + ".csv", std::move(out)});
-  return program;
+  return JointTableWriter(input).write(ctx);
 }
 
 plan::ReadProgram readJointTable(const std::vector<plan::ProgramFile>& files,

@@ -4,9 +4,9 @@
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 #include "process/process.h"
+#include "program/program_options.h"
 #include "robot/cell.h"
 
-#include <cstddef>
 #include <string>
 
 namespace voluta::program {
@@ -20,9 +20,7 @@ struct ProgramInput {
   const robot::Cell& cell;
   const process::Process& process;
   std::string name; // of the part; file and function names are made from it
-  // A program longer than this is cut into files to be run one after the other, each cut where the
-  // extruder is off (URScript; the other formats are streamed and stay one file). 0: one file.
-  std::size_t maxLinesPerFile = 0;
+  ProgramOptions options = {};
   bool foreign = false; // for a controller that is not the cell's own; writeProgram says so
 };
 

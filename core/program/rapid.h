@@ -8,7 +8,8 @@
 //                  straight and turns it the shortest way. v = TCP path / time; where the TCP
 //                  hardly moves although the nozzle does on the part, \T:= rules over v.
 //   Joint          MoveAbsJ [[q1...q6],[9E9,...]] with \T:=; MoveJ to a pose in a program for
-//                  another maker's robot. The first point is reached at kStartMmPerS.
+//                  another maker's robot. The first point is reached at 50 mm/s, behind a UIMsgBox
+//                  that asks the operator.
 // Moving nozzle: TCP = the nozzle's tip, work object = the work frame. Nozzle in the world: TCP =
 // the plate's centre, as in URScript, work object = Base. Configurations are not supervised
 // (ConfL\Off, ConfJ\Off), cf1..cf6 are the plan's.

@@ -1,9 +1,11 @@
 #include "base/units.h"
-#include "program/extruder_outputs.h"
+#include "program/job_head.h"
+#include "program/language_words.h"
 #include "program/motion_targets.h"
 #include "program/rapid.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
+#include "program/walk.h"
 
 #include <algorithm>
 #include <array>
@@ -16,67 +18,53 @@ constexpr std::string_view kNewLine = "\r\n";
 // 1e-8 of a quaternion moves a point of the part 300 mm off by 0.000006 mm.
 constexpr int kPositionDecimals = 4, kTurnDecimals = 8, kFrameDecimals = 6, kFrameTurnDecimals = 9;
 constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZoneDecimals = 3;
-constexpr double kStartMmPerS = 100.0;
+constexpr double kStartMmPerS = 50.0, kStartDegPerS = 20.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
-// A module without a place where the extruder is off is cut at this many motions.
-constexpr std::size_t kMostMotions = kMotionsPerModule + kMotionsPerModule / 10;
 constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
 constexpr double kRodDegPerS = 1000.0;
 
-// No name of the controller's own language and data begins like this.
-std::string moduleName(const std::string& name, std::size_t part) {
-  std::string id = joined({"print_", name.substr(0, 20)});
-  if (part > 0)
-    id += joined({"_", std::to_string(part)});
+std::string moduleName(const std::string& part, std::size_t module) {
+  std::string id = programName(part);
+  if (module > 0)
+    id += joined({"_", std::to_string(module)});
   return id;
 }
 
-class RapidWriter {
+class RapidWriter : private Speller {
 public:
   RapidWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
-        paths_(input.toolPlan), name_(identifierOf(input.name)),
-        tool_(heldPlate() ? "tPlate" : "tNozzle"), object_(turnsRod() ? "wRod" : "wPrint") {
+        cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
+                                           ? input.options.motionsPerFile
+                                           : kMotionsPerModule)),
+        name_(identifierOf(input.name)), tool_(heldPlate() ? "tPlate" : "tNozzle"),
+        object_(turnsRod() ? "wRod" : "wPrint") {
     program_.format = "rapid";
     program_.foreign = input.foreign;
   }
 
   plan::Program write() {
     placeInWorkObject();
-    findCuts();
-    const bool oneModule = cuts_.size() == 2;
     beginMain();
-    if (!oneModule) {
+    if (!oneModule()) {
       for (std::size_t part = 1; part < cuts_.size(); ++part)
         callModule(part);
       outputsOff();
       endModule(0);
     }
-    for (std::size_t part = 1; part < cuts_.size(); ++part) {
-      if (!oneModule)
-        beginModule(part);
-      for (std::size_t i = cuts_[part - 1]; i < cuts_[part]; ++i) {
-        if (i % 4096 == 0)
-          ctx_.report(static_cast<double>(i) / static_cast<double>(targets_.size()),
-                      base::message("{format}"_text, "rapid"_name));
-        motion(i, i + 1 == cuts_[part]);
-        if (i == 0)
-          prime();
-      }
-      line("    ! end");
-      outputsOff();
-      endModule(oneModule ? 0 : part);
-    }
+    walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
     listOfModules();
     return std::move(program_);
   }
 
 private:
+  // The motions stand in main itself.
+  bool oneModule() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
   bool turnsRod() const { return !in_.cell.externalAxes().empty(); }
-  std::string unit() const { return identifierOf(in_.cell.externalAxes().front().name); }
+  std::string unit() const { return rapidName(in_.cell.externalAxes().front().name); }
   // Radians. Precondition: turnsRod().
   double rodAngle(std::size_t i) const { return in_.trajectory.at(i)[in_.cell.armDof()]; }
 
@@ -134,23 +122,12 @@ private:
     }
   }
 
-  // cuts_[k - 1] .. cuts_[k] are the points of module k.
-  void findCuts() {
-    cuts_ = {0};
-    for (std::size_t i = 1; i < targets_.size(); ++i) {
-      const std::size_t count = i - cuts_.back();
-      if (count >= kMostMotions || (count >= kMotionsPerModule && !isPrint(in_.trajectory, i)))
-        cuts_.push_back(i);
-    }
-    cuts_.push_back(targets_.size());
-  }
-
   std::string fileName(std::size_t part) const {
     return part == 0 ? name_ + ".mod" : joined({name_, "_", std::to_string(part), ".mod"});
   }
 
   void beginMain() {
-    line(joined({"MODULE ", moduleName(name_, 0)}));
+    line(joined({"MODULE ", moduleName(in_.name, 0)}));
     about();
     declareTool();
     declareObject();
@@ -161,10 +138,17 @@ private:
       line(joined({"    ActUnit ", unit(), ";"}));
     outputsOff();
   }
-  void beginModule(std::size_t part) {
-    line(joined({"MODULE ", moduleName(name_, part)}));
-    line(joined({"  PROC ", procedureName(part), "()"}));
+  void beginFile(std::size_t file) override {
+    if (oneModule())
+      return;
+    line(joined({"MODULE ", moduleName(in_.name, file + 1)}));
+    line(joined({"  PROC ", procedureName(file + 1), "()"}));
     outputsOff();
+  }
+  void endFile(std::size_t file) override {
+    line("    ! end");
+    outputsOff();
+    endModule(oneModule() ? 0 : file + 1);
   }
   static std::string procedureName(std::size_t part) {
     return joined({"runPart", std::to_string(part)});
@@ -190,13 +174,11 @@ private:
   }
 
   void about() {
-    const robot::Cell& cell = in_.cell;
-    const process::Process& p = in_.process;
     line("  ! Robot program for printing, RAPID");
     if (program_.foreign)
       line("  ! FOREIGN: not the language of the cell's controller; Cartesian targets only");
-    line(joined({"  ! cell ", cell.id(), ", robot ", cell.robot().id, ", process ", p.id, " (",
-                 p.material, ")"}));
+    for (const std::string& head : headLines(in_))
+      line(joined({"  ! ", head}));
     if (heldPlate())
       line("  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in the robot's "
            "base");
@@ -205,13 +187,8 @@ private:
     else
       line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object");
     out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
-    number(p.maxFlowMm3PerS, 3);
+    number(in_.process.maxFlowMm3PerS, 3);
     line(" mm3/s");
-    out_ += joined({"  ! ", std::to_string(targets_.size()), " motions, "});
-    number(in_.trajectory.extrudedMm3.back(), 1);
-    out_ += " mm3, ";
-    number(in_.trajectory.timeS.back(), 1);
-    line(" s");
     if (cuts_.size() > 2)
       line("  ! the modules that it loads are to be put into HOME:");
   }
@@ -222,17 +199,7 @@ private:
     out_ +=
         joined({"  ! the rod is the mechanical unit ", unit(), ", its angle eax_a, its frame "});
     frame(in_.cell.base_T_fixed() * workToUnit());
-    line(" of the robot's base");
-    double low = 0.0, high = 0.0;
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      low = std::min(low, rodAngle(i));
-      high = std::max(high, rodAngle(i));
-    }
-    out_ += "  ! it turns from ";
-    number(base::radiansToDegrees(low), 1);
-    out_ += " to ";
-    number(base::radiansToDegrees(high), 1);
-    line(" degrees");
+    line(" in world");
   }
 
   void declareObject() {
@@ -263,42 +230,28 @@ private:
   }
 
   void outputsOff() {
-    outputs_.off();
     line("    SetDO doExtruder,0;");
     line("    SetAO aoFlow,0;");
   }
-  void flow(double mm3PerS) {
-    if (const auto share = outputs_.flow(mm3PerS))
-      line(joined({"    SetAO aoFlow,", *share, ";"}));
+  void ask() override { line(joined({"    UIMsgBox \"", kStartQuestion, "\";"})); }
+  void remark(std::string_view text) override { line(joined({"    ! ", text})); }
+  void flow(std::string_view share) override { line(joined({"    SetAO aoFlow,", share, ";"})); }
+  void extruder(bool on) override {
+    line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
   }
-  void extruder(bool on) {
-    if (outputs_.turn(on))
-      line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
-  }
-  void prime() {
-    if (!(in_.process.primeS > 0.0) || in_.trajectory.extrudedMm3.back() <= 0.0)
-      return;
-    line("    ! prime");
-    flow(primeFlowMm3PerS(in_.process));
-    extruder(true);
+  void wait(double seconds) override {
     out_ += "    WaitTime ";
-    number(in_.process.primeS, 3);
+    number(seconds, 3);
     line(";");
-    extruder(false);
-    line("    ! print");
   }
 
-  void motion(std::size_t i, bool lastOfModule) {
+  void jointMotion(std::size_t i) override { motion(i, true, 0.0); }
+  void straightMotion(std::size_t i, bool stops) override {
+    motion(i, false, stops ? 0.0 : motions_.blendMm(i));
+  }
+
+  void motion(std::size_t i, bool joint, double blendMm) {
     const plan::Trajectory& t = in_.trajectory;
-    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
-      line(joined({"    ! ", path}));
-    if (isPrint(t, i)) {
-      flow(motions_.flowMm3PerS(i));
-      extruder(true);
-    } else {
-      extruder(false);
-    }
-    const bool joint = i == 0 || t.move[i] == plan::MoveKind::Joint;
     if (joint && !program_.foreign) {
       out_ += "    MoveAbsJ [";
       for (int k = 0; k < in_.cell.armDof(); ++k) {
@@ -318,7 +271,7 @@ private:
       out_ += ']';
     }
     speed(i, joint);
-    zone(joint || lastOfModule ? 0.0 : motions_.blendMm(i));
+    zone(blendMm);
     line(joined({",", tool_, "\\WObj:=", object_, ";"}));
   }
 
@@ -349,7 +302,7 @@ private:
     const double s = joint ? motionSeconds(in_.trajectory, i) : motions_.seconds(i);
     const bool timed = s > 0.0 && (joint || motions_.needsTime(i));
     double mmPerS = i == 0 ? kStartMmPerS : in_.process.travelSpeedMmPerS;
-    double degPerS = kTurnDegPerS, rodDegPerS = kRodDegPerS;
+    double degPerS = i == 0 ? kStartDegPerS : kTurnDegPerS, rodDegPerS = kRodDegPerS;
     if (s > 0.0 && !timed) {
       mmPerS = motions_.speedMmPerS(i);
       // Turns must not be what the motion waits for.
@@ -391,11 +344,9 @@ private:
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
-  PathNames paths_;
   plan::Program program_;
+  std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of module k
   std::string name_, tool_, object_, out_;
-  std::vector<std::size_t> cuts_;
-  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
 };
 
 } // namespace

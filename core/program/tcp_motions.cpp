@@ -1,6 +1,7 @@
 #include "program/tcp_motions.h"
 
 #include "program/blend.h"
+#include "program/extruder_outputs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +24,25 @@ double assumedLoadKg(const ProgramInput& input) {
   return kPlateKg + input.trajectory.extrudedMm3.back() * 1e-6 * input.process.densityGPerCm3;
 }
 
-double TcpMotions::seconds(std::size_t i) const {
-  double s = motionSeconds(in_.trajectory, i);
-  if (isPrint(in_.trajectory, i))
-    s = std::max(s, motionVolumeMm3(in_.trajectory, i) / in_.process.maxFlowMm3PerS);
-  return s;
-}
-
-double TcpMotions::flowMm3PerS(std::size_t i) const {
-  const double s = seconds(i);
-  return s > 0.0 ? motionVolumeMm3(in_.trajectory, i) / s : 0.0;
+TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets)
+    : in_(input), targets_(targets), seconds_(targets.size(), 0.0), flow_(targets.size(), 0.0) {
+  const double full = in_.process.maxFlowMm3PerS;
+  double held = 0.0;
+  for (std::size_t i = 1; i < targets.size(); ++i) {
+    double s = motionSeconds(in_.trajectory, i);
+    if (isPrint(in_.trajectory, i)) {
+      const double volume = motionVolumeMm3(in_.trajectory, i);
+      s = std::max(s, volume / full);
+      const double wanted = s > 0.0 ? volume / s : 0.0;
+      if (wanted > 0.0) {
+        if (std::abs(wanted - held) > kFlowBand * held)
+          held = writtenShare(wanted / full) * full;
+        flow_[i] = held;
+        s = held > 0.0 ? volume / held : s;
+      }
+    }
+    seconds_[i] = s;
+  }
 }
 
 double TcpMotions::tcpMm(std::size_t i) const {
@@ -56,13 +66,25 @@ bool TcpMotions::needsTime(std::size_t i) const {
 
 double TcpMotions::blendMm(std::size_t i) const {
   const plan::Trajectory& t = in_.trajectory;
-  if (!isPrint(t, i) || i + 1 >= t.pointCount() || !isPrint(t, i + 1))
+  if (i + 1 >= t.pointCount() || t.move[i] == plan::MoveKind::Joint || t.move[i + 1] != t.move[i])
     return 0.0;
-  const double r = blendRadiusMm({tcpMm(i), targets_[i].tipMm - targets_[i - 1].tipMm},
-                                 {tcpMm(i + 1), targets_[i + 1].tipMm - targets_[i].tipMm},
-                                 kFirstOrderShare * kBlendToleranceMm);
+  const BlendSegment in{tcpMm(i), targets_[i].tipMm - targets_[i - 1].tipMm};
+  const BlendSegment out{tcpMm(i + 1), targets_[i + 1].tipMm - targets_[i].tipMm};
+  if (turnRad(in.nozzle, out.nozzle) > kTurnsBackRad)
+    return 0.0;
   // Rounded down: it must not grow past what was allowed.
-  return std::floor(r * 1e3) / 1e3;
+  return std::floor(blendRadiusMm(in, out, kFirstOrderShare * kBlendToleranceMm) * 1e3) / 1e3;
+}
+
+double TcpMotions::blendMmPerS2(std::size_t i) const {
+  const double r = blendMm(i);
+  if (!(r > 0.0 && seconds(i) > 0.0 && seconds(i + 1) > 0.0))
+    return 0.0;
+  const auto velocity = [&](std::size_t k) -> Eigen::Vector3d {
+    return (targets_[k].tcpMm - targets_[k - 1].tcpMm) / seconds(k);
+  };
+  const double s = r / speedMmPerS(i) + r / speedMmPerS(i + 1);
+  return (velocity(i + 1) - velocity(i)).norm() / s;
 }
 
 } // namespace voluta::program

@@ -1,16 +1,20 @@
 // URScript for Universal Robots controllers (docs/programs.md; URScript manual).
 //
-// Written: one function with a set-up (set_tcp with the cell's flange_T_moved, set_payload), the
-// trajectory and an end, then its call. Metres, radians, seconds. Per point one line:
+// Written: one function with a set-up (set_tcp with the cell's flange_T_moved, set_payload, the
+// output's domain), the trajectory and an end, then its call unless
+// ProgramOptions::urscriptForPort. Metres, radians, seconds. Per point one line:
 //   Print, Linear  movel(p[x,y,z,rx,ry,rz], a=, t=, r=): pose of the TCP in Base; between two poses
 //                  the controller moves the TCP straight and turns it the shortest way. t rules
-//                  over speed and acceleration, so that turns take no longer than planned.
-//   Joint          movej([q...], a=, v=), v of the leading joint; movej(p[...]) in a program for
-//                  another maker's robot. The first point is always a movej, at kStartRadPerS.
+//                  over v and a, for way and turn alike (a speed would leave the turn to a limit of
+//                  the controller's own); a is what ramps and blends ask for. v= where no time is
+//                  known.
+//   Joint          movej([q...], a=, v=), v of the leading joint, a the cell's travelAcceleration;
+//                  movej(p[...]) in a program for another maker's robot. The first point is always
+//                  a movej, at kStartRadPerS, behind a popup that asks the operator.
 // The extruder is on while standard digital output 0 is, with a flow of (standard analogue output
-// 0, in 0..1) x process.maxFlowMm3PerS. Where a motion asks for more than the full flow, it is
-// slowed so that its volume stays right. Blends (program/tcp_motions.h) only between Print motions.
-// Prime: once, at the first point, before anything moves on; the extruder runs for process.primeS.
+// 0, in 0..1, 0 to 10 V) x process.maxFlowMm3PerS. Flow and times: TcpMotions. Blends
+// (program/tcp_motions.h) only between Print motions or straight travels. Prime: once, at the first
+// point, before anything moves on; the extruder runs for process.primeS.
 #pragma once
 
 #include "base/run_context.h"
@@ -19,18 +23,21 @@
 #include "program/program_input.h"
 
 #include <span>
+#include <string_view>
 
 namespace voluta::program {
 
-inline constexpr double kStartRadPerS = 0.5;
+inline constexpr double kStartRadPerS = 0.25;
+// Said by a program whose function is called behind its end, so that the call is missed.
+inline constexpr std::string_view kCalledNote = "# called in the last line";
 
 plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood: def/end, calls of the functions named above, movep (as movel with a blend), sleep,
 // outputs by set_[standard_]digital_out and set_[standard_]analog_out, and urscriptWords();
 // positional and named arguments in any order, spaces, comments, CR LF. Everything else is a
-// defect. `complete`: every function was closed by `end` and called, after the extruder's two
-// outputs were set off behind the last motion.
+// defect. `complete`: every function was closed by `end` and, where the text says kCalledNote,
+// called, after the extruder's two outputs were set off behind the last motion.
 plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
                                const process::Process& process, const base::RunContext& ctx);
 // What else may stand in a program, and where; everything else is refused.

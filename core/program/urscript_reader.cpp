@@ -29,8 +29,6 @@ std::string_view withoutComment(std::string_view line) {
   return line;
 }
 
-// Heads our own programs, which a file node runs: they call their function.
-constexpr std::string_view kOwnRemark = "# Robot program for printing, URScript";
 constexpr double kMaxJointRad = 100.0, kMaxMetres = 100.0, kMaxSpeed = 100.0;
 
 class UrscriptReader {
@@ -69,7 +67,7 @@ private:
     bool mustCall = false;
     while (reader.next(line)) {
       out_.line = reader.number();
-      mustCall = mustCall || trimmed(line) == kOwnRemark;
+      mustCall = mustCall || trimmed(line).starts_with(kCalledNote);
       if (const std::string_view code = trimmed(withoutComment(line)); !code.empty())
         lines_.push_back({reader.number(), code});
     }
@@ -109,6 +107,8 @@ private:
       }
       ++i;
     }
+    if (!lines_.empty())
+      out_.line = lines_.back().number;
     if (tops == 0)
       defect("no function is defined"_text);
     else if (!called && closed && (tops > 1 || mustCall))
@@ -450,7 +450,9 @@ bool looksLikeUrscript(std::string_view text) {
 
 bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i) {
   return lines[i].find("set_payload") != std::string::npos ||
-         lines[i].find("sleep(") != std::string::npos || primes(lines, i);
+         lines[i].find("set_analog_outputdomain") != std::string::npos ||
+         lines[i].find("sleep(") != std::string::npos ||
+         lines[i].find("popup(") != std::string::npos || primes(lines, i);
 }
 
 } // namespace voluta::program

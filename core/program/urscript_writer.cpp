@@ -1,11 +1,13 @@
 #include "base/error.h"
 #include "base/units.h"
-#include "program/extruder_outputs.h"
+#include "program/job_head.h"
+#include "program/language_words.h"
 #include "program/motion_targets.h"
 #include "program/rotation_vector.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
 #include "program/urscript.h"
+#include "program/walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,34 +21,21 @@ constexpr int kTcpDecimals = 9;
 constexpr int kSpeedDecimals = 7;
 constexpr int kBlendDecimals = 6;
 constexpr double kMaxAccelerationMPerS2 = 10.0;
-constexpr double kStartRadPerS2 = 1.4; // the controller's own default
+constexpr double kStartRadPerS2 = 0.5;
 
-class UrscriptWriter {
+class UrscriptWriter : private Speller {
 public:
   UrscriptWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
-        paths_(input.toolPlan) {
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_) {
     program_.format = "urscript";
     program_.foreign = input.foreign;
   }
 
   plan::Program write() {
-    const plan::Trajectory& t = in_.trajectory;
     roundTargets();
-    beginFile();
-    for (std::size_t i = 0; i < t.pointCount(); ++i) {
-      if (i % 4096 == 0)
-        ctx_.report(static_cast<double>(i) / static_cast<double>(t.pointCount()),
-                    base::message("{format}"_text, "urscript"_name));
-      if (in_.maxLinesPerFile > 0 && lines_ >= in_.maxLinesPerFile && !isPrint(t, i)) {
-        endFile();
-        beginFile();
-      }
-      motion(i);
-      if (i == 0)
-        prime();
-    }
-    endFile();
+    const Walk walk{"urscript", cutsOf(in_.trajectory, in_.options.motionsPerFile), &motions_};
+    parts_ = walk.cuts.size() - 1;
+    walkTrajectory(in_, walk, *this, ctx_);
     return std::move(program_);
   }
 
@@ -54,7 +43,6 @@ private:
   void line(std::string_view text) {
     out_ += text;
     out_ += '\n';
-    ++lines_;
   }
   void number(std::string_view before, double value, int decimals) {
     out_ += before;
@@ -87,18 +75,20 @@ private:
     }
   }
 
-  void beginFile() {
-    const std::size_t part = program_.files.size() + 1;
-    name_ = identifierOf(in_.name);
-    if (part > 1)
-      name_ += joined({"_", std::to_string(part)});
+  void beginFile(std::size_t file) override {
+    const std::string part = file > 0 ? joined({"_", std::to_string(file + 1)}) : "";
+    name_ = programName(in_.name) + part;
+    file_ = joined({identifierOf(in_.name), part, ".script"});
     out_.clear();
     out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 64u << 20));
-    lines_ = 0;
-    outputs_.off();
     line(joined({"def ", name_, "():"}));
-    if (part == 1)
+    line(in_.options.urscriptForPort ? "  # for ports 30001 and 30002: sent, it runs by itself"
+                                     : joined({"  ", kCalledNote, ", as a file node wants it"}));
+    if (file == 0)
       about();
+    if (parts_ > 1)
+      line(joined({"  # file ", std::to_string(file + 1), " of ", std::to_string(parts_),
+                   ", to be run one after the other"}));
     const robot::Cell& cell = in_.cell;
     out_ += "  set_tcp(";
     const Eigen::Isometry3d& tcp = cell.flange_T_moved();
@@ -110,6 +100,7 @@ private:
     for (int k = 0; k < 3; ++k)
       number(k ? "," : "", tcp.translation()[k] / 1000.0, 4);
     line(plate ? "]) # assumed: 0.5 kg of plate, and the part" : "]) # assumed: 1 kg of head");
+    line("  set_analog_outputdomain(0,1) # 0 to 10 V");
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
   }
@@ -120,75 +111,44 @@ private:
     line("  # Robot program for printing, URScript");
     if (program_.foreign)
       line("  # FOREIGN: the cell's robot is no Universal Robot; Cartesian targets only");
-    line(joined({"  # cell ", cell.id(), ", robot ", cell.robot().id, ", process ", p.id, " (",
-                 p.material, ")"}));
+    for (const std::string& head : headLines(in_))
+      line(joined({"  # ", head}));
     line(cell.nozzleMount() == robot::Mount::World
              ? "  # fixed nozzle: the TCP is the plate's centre, poses are the plate's in Base"
              : "  # moving nozzle: the TCP is the nozzle's tip");
     out_ += "  # extruder on: digital output 0; flow: analogue output 0, 1 = ";
     appendFixed(out_, p.maxFlowMm3PerS, 3, true);
     line(" mm3/s");
-    out_ += joined({"  # ", std::to_string(targets_.size()), " motions, "});
-    appendFixed(out_, in_.trajectory.extrudedMm3.back(), 1);
-    out_ += " mm3, ";
-    appendFixed(out_, in_.trajectory.timeS.back(), 1);
-    line(" s");
   }
 
-  void endFile() {
+  void ask() override {
+    line(joined({"  popup(\"", kStartQuestion, "\",title=\"Voluta\",blocking=True)"}));
+  }
+  void endFile(std::size_t) override {
     line("  # end");
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
     line("end");
-    line(joined({name_, "()"}));
-    program_.files.push_back({name_ + ".script", out_});
+    if (!in_.options.urscriptForPort)
+      line(joined({name_, "()"}));
+    program_.files.push_back({file_, out_});
   }
 
-  void flow(double mm3PerS) {
-    if (const auto share = outputs_.flow(mm3PerS))
-      line(joined({"  set_standard_analog_out(0,", *share, ")"}));
+  void remark(std::string_view text) override { line(joined({"  # ", text})); }
+  void flow(std::string_view share) override {
+    line(joined({"  set_standard_analog_out(0,", share, ")"}));
   }
-  void extruder(bool on) {
-    if (outputs_.turn(on))
-      line(on ? "  set_standard_digital_out(0,True)" : "  set_standard_digital_out(0,False)");
+  void extruder(bool on) override {
+    line(on ? "  set_standard_digital_out(0,True)" : "  set_standard_digital_out(0,False)");
   }
-
-  void prime() {
-    if (!(in_.process.primeS > 0.0) || in_.trajectory.extrudedMm3.back() <= 0.0)
-      return;
-    line("  # prime");
-    flow(primeFlowMm3PerS(in_.process));
-    extruder(true);
-    number("  sleep(", in_.process.primeS, 3);
+  void wait(double seconds) override {
+    number("  sleep(", seconds, 3);
     line(")");
-    extruder(false);
-    line("  # print");
   }
 
-  void motion(std::size_t i) {
+  void jointMotion(std::size_t i) override {
     const plan::Trajectory& t = in_.trajectory;
-    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
-      line(joined({"  # ", path}));
-    if (isPrint(t, i)) {
-      flow(motions_.flowMm3PerS(i));
-      extruder(true);
-    } else {
-      extruder(false);
-    }
-    if (i == 0 || t.move[i] == plan::MoveKind::Joint)
-      jointMotion(i);
-    else
-      straightMotion(i);
-  }
-
-  void jointMotion(std::size_t i) {
-    const plan::Trajectory& t = in_.trajectory;
-    double acceleration = kStartRadPerS2;
-    if (i > 0) {
-      acceleration = in_.cell.limits().front().acceleration;
-      for (const robot::JointLimits& limit : in_.cell.limits())
-        acceleration = std::min(acceleration, limit.acceleration);
-    }
+    const double acceleration = i > 0 ? in_.cell.travelAcceleration() : kStartRadPerS2;
     double speed = kStartRadPerS;
     if (const double s = motionSeconds(t, i); s > 0.0) {
       double largest = 0.0;
@@ -212,10 +172,12 @@ private:
     line(")");
   }
 
-  void straightMotion(std::size_t i) {
+  void straightMotion(std::size_t i, bool stops) override {
     const double s = motions_.seconds(i), speed = tcpSpeed(i);
-    // Enough to reach this speed from the last motion's within half of this one.
-    double acceleration = in_.process.accelerationMmPerS2 / 1000.0;
+    // Enough to reach this speed from the last motion's within half of this one, and to round its
+    // corner.
+    double acceleration =
+        std::max(in_.process.accelerationMmPerS2, motions_.blendMmPerS2(i)) / 1000.0;
     if (s > 0.0)
       acceleration = std::max(acceleration, 2.0 * std::abs(speed - tcpSpeed(i - 1)) / s);
     acceleration = std::clamp(acceleration, 0.01, kMaxAccelerationMPerS2);
@@ -227,7 +189,7 @@ private:
       number(",t=", s, 6);
     else
       number(",v=", in_.process.travelSpeedMmPerS / 1000.0, kSpeedDecimals);
-    if (const double r = motions_.blendMm(i); r > 0.0)
+    if (const double r = stops ? 0.0 : motions_.blendMm(i); r > 0.0)
       number(",r=", r / 1000.0, kBlendDecimals);
     line(")");
   }
@@ -237,11 +199,9 @@ private:
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
   std::vector<Eigen::Vector3d> rotation_;
-  PathNames paths_;
   plan::Program program_;
-  std::string out_, name_;
-  std::size_t lines_ = 0;
-  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
+  std::string out_, name_, file_;
+  std::size_t parts_ = 1;
 };
 
 } // namespace

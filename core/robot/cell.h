@@ -82,6 +82,8 @@ public:
 
   const std::vector<JointLimits>& limits() const { return limits_; } // dof() of them
   const JointVector& home() const { return home_; }
+  // Of the arm's joints in travels with what it carries, rad/s2.
+  double travelAcceleration() const { return travelAcceleration_; }
 
   // Bodies and their frames. Frame indices, n the robot's own joints: 0 robot base (= world), 1..n
   // links, n + 1 flange, n + 2 work frame, n + 3 tool frame.
@@ -109,6 +111,7 @@ private:
   std::optional<CellRod> rod_;
   std::vector<std::string> plates_;
   JointVector home_;
+  double travelAcceleration_ = 0.0;
   std::vector<Body> bodies_;
   std::vector<std::pair<int, int>> checkedPairs_;
   std::vector<int> bodiesAgainstPart_;

@@ -18,6 +18,9 @@
 //   obstacles             list of {name, shapes}, in the robot's base frame; may be empty
 //   homeDeg               list: the robot's joints at rest, with the plate clear of the nozzle;
 //                         external axes rest at 0
+//   travelAccelerationDegPerS2  optional: of the arm's joints in travels with what it carries, at
+//                         most what the robot's file gives; 80 where it is not given, which is what
+//                         controllers take by themselves (1.4 rad/s2)
 //   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
 //                         the cell's own are named "holder", "head" and "platform"
 //   externalAxes          a list, empty or of one for a cell with a rod: {name, minDeg, maxDeg,
@@ -39,6 +42,8 @@
 namespace voluta::robot {
 
 namespace {
+constexpr double kTravelDegPerS2 = 80.0;
+
 
 constexpr double kStepMm = 1e-9; // head sections closer than this are a step, not a frustum
 
@@ -172,7 +177,7 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
                 platform::PlatformSolid solid) {
   const base::JsonNode top = base::JsonNode::readFile(file);
   top.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
-                 "neverMeet", "externalAxes"});
+                 "travelAccelerationDegPerS2", "neverMeet", "externalAxes"});
   Cell cell;
   cell.id_ = top.at("id").text();
   if (cell.id_ != file.stem().string())
@@ -254,6 +259,15 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
       home[i].fail("is outside the joint's limits"_text);
     cell.home_[static_cast<Eigen::Index>(i)] = q;
   }
+
+  double most = cell.robot_.limits.front().acceleration;
+  for (const JointLimits& limit : cell.robot_.limits)
+    most = std::min(most, limit.acceleration);
+  const char* travel = "travelAccelerationDegPerS2";
+  const double travelDeg = top.has(travel) ? top.at(travel).positive() : kTravelDegPerS2;
+  if (top.has(travel) && base::degreesToRadians(travelDeg) > most * (1.0 + 1e-9))
+    top.at(travel).fail("is more than a joint of the robot is given"_text);
+  cell.travelAcceleration_ = std::min(most, base::degreesToRadians(travelDeg));
 
   std::vector<std::pair<int, int>> never = cell.robot_.neverMeet; // links come first in bodies_
   if (top.has("neverMeet"))

@@ -36,6 +36,19 @@ TEST(Timing, TrapezoidInClosedForm) {
   EXPECT_NEAR(single.back(), times.back(), 1e-9);
 }
 
+// A joint move from rest to rest, v 0.5 x 0.9 x 3 rad/s: of 2 rad at 1.4 rad/s2.
+TEST(Timing, ALoadedArmTravelsGently) {
+  TimedPoint from, to;
+  from.q = to.q = robot::JointVector::Zero(2);
+  to.q[1] = 2.0;
+  to.jointMove = true;
+  motion::TimingLimits limits = limitsOf(2);
+  const double before = motion::timesOf({from, to}, limits).back();
+  limits.travelRadPerS2 = 1.4;
+  EXPECT_NEAR(motion::timesOf({from, to}, limits).back(), 2.0 / 1.35 + 1.35 / 1.4, 1e-6);
+  EXPECT_LT(before, 2.0);
+}
+
 // A straight move on the way of which a joint goes far faster than from end to end, as near a
 // singular pose: it takes as long as if it went that fast all the way.
 TEST(Timing, AMoveIsTimedByWhereAJointGoesFastest) {

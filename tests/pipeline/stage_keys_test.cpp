@@ -66,6 +66,9 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"partClearanceMm", {"3", 4}},
     {"liftMm", {"3", 4}},
     {"redundancySamples", {"12", 4}},
+    {"motionsPerFile", {"2000", 5}},
+    {"urscriptForm", {"port", 5}},
+    {"rapidModules", {"modx", 5}},
 };
 
 // Works on a copy of the program's data, to be changed.

@@ -34,24 +34,30 @@ protected:
 };
 
 TEST_F(Golden, urscript) {
-  EXPECT_EQ(text("urscript"), R"(def part_1():
+  EXPECT_EQ(text("urscript"), R"(def print_part_1():
+  # called in the last line, as a file node wants it
   # Robot program for printing, URScript
+  # part part 1, job 989d904e1002c6e8
   # cell bench, robot ur5, process fdm-1.0 (PLA)
+  # 6 motions, 1.6 mm3, 0 g, 4.2 s
+  # joints go, degrees: 0 to 0.7, 0 to 0, 0 to 0, 0 to 0, 0 to 0, 0 to 90
+  # starts at joints, degrees: 0, 0, 0, 0, 0, 0; the first motion goes there slowly and straight from wherever the arm stands
   # fixed nozzle: the TCP is the plate's centre, poses are the plate's in Base
   # extruder on: digital output 0; flow: analogue output 0, 1 = 40 mm3/s
-  # 6 motions, 1.6 mm3, 4.2 s
   set_tcp(p[0.000000000,0.000000000,0.100000000,0.000000000,0.000000000,0.000000000])
   set_payload(0.5,[0,0,0.1]) # assumed: 0.5 kg of plate, and the part
+  set_analog_outputdomain(0,1) # 0 to 10 V
   set_standard_digital_out(0,False)
   set_standard_analog_out(0,0)
-  movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],a=1.4,v=0.5)
+  popup("The arm goes slowly and straight to its start. Is the way clear?",title="Voluta",blocking=True)
+  movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],a=0.5,v=0.25)
   # prime
   set_standard_analog_out(0,0.4113)
   set_standard_digital_out(0,True)
   sleep(0.2)
   set_standard_digital_out(0,False)
   # print
-  movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,1.5707963],a=13.963,v=0.7853982)
+  movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,1.5707963],a=1.396,v=0.7853982)
   # layer 7, wall, path 0
   movel(p[-0.8142947,-0.2996078,-0.0054910,1.2165601,-1.2044549,1.2165601],a=1.74,t=0.1)
   set_standard_analog_out(0,0.4)
@@ -59,12 +65,12 @@ TEST_F(Golden, urscript) {
   movel(p[-0.8139947,-0.3004219,-0.0054910,1.2172957,-1.2039786,1.2172957],a=2.78,t=0.05,r=0.00039)
   movel(p[-0.8136938,-0.3012358,-0.0054910,1.2180313,-1.2035020,1.2180313],a=0.5,t=0.05)
   set_standard_digital_out(0,False)
-  movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],a=13.963,v=0.7853982)
+  movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],a=1.396,v=0.7853982)
   # end
   set_standard_digital_out(0,False)
   set_standard_analog_out(0,0)
 end
-part_1()
+print_part_1()
 )");
 }
 
@@ -72,13 +78,16 @@ TEST_F(Golden, extendedGcode) {
   EXPECT_EQ(
       text("gcode-extended"),
       R"(; Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX nY nZ in the work frame
+; part part 1, job 989d904e1002c6e8
 ; cell bench, robot ur5, process fdm-1.0 (PLA)
+; 6 motions, 1.6 mm3, 0 g, 4.2 s
 ; FOREIGN: not the language of the cell's controller
 ; filament diameter 1.75 mm
-; 6 motions, 1.6 mm3, 4.2 s
 G21
 G90
 M82
+M117 The arm goes slowly and straight to its start. Is the way clear?
+M0
 M104 S210 ; assumed for PLA
 G28
 M109 S210
@@ -106,10 +115,11 @@ TEST_F(Golden, rapid) {
   EXPECT_EQ(lines, R"(MODULE print_part_1
   ! Robot program for printing, RAPID
   ! FOREIGN: not the language of the cell's controller; Cartesian targets only
+  ! part part 1, job 989d904e1002c6e8
   ! cell bench, robot ur5, process fdm-1.0 (PLA)
+  ! 6 motions, 1.6 mm3, 0 g, 4.2 s
   ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in the robot's base
   ! extruder on: doExtruder; flow: aoFlow, 1 = 40 mm3/s
-  ! 6 motions, 1.6 mm3, 4.2 s
   ! load assumed: 0.5 kg of plate, and the part
   PERS tooldata tPlate:=[TRUE,[[0,0,100],[1,0,0,0]],[0.5,[0,0,100],[1,0,0,0],0,0,0]];
   PERS wobjdata wPrint:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
@@ -118,7 +128,8 @@ TEST_F(Golden, rapid) {
     ConfJ\Off;
     SetDO doExtruder,0;
     SetAO aoFlow,0;
-    MoveJ [[-817.25,-291.45,-5.491],[0.70710678,0.70710678,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[100,500,5000,1000],fine,tPlate\WObj:=wPrint;
+    UIMsgBox "The arm goes slowly and straight to its start. Is the way clear?";
+    MoveJ [[-817.25,-291.45,-5.491],[0.70710678,0.70710678,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[50,20,5000,1000],fine,tPlate\WObj:=wPrint;
     ! prime
     SetAO aoFlow,0.4113;
     SetDO doExtruder,1;
@@ -146,7 +157,12 @@ ENDMODULE
 }
 
 TEST_F(Golden, jointTable) {
-  EXPECT_EQ(text("csv"), R"(# joint table, cell bench, robot ur5, process fdm-1.0 (PLA)
+  EXPECT_EQ(text("csv"), R"(# joint table
+# part part 1, job 989d904e1002c6e8
+# cell bench, robot ur5, process fdm-1.0 (PLA)
+# 6 motions, 1.6 mm3, 0 g, 4.2 s
+# joints go, degrees: 0 to 0.7, 0 to 0, 0 to 0, 0 to 0, 0 to 0, 0 to 90
+# starts at joints, degrees: 0, 0, 0, 0, 0, 0; the first motion goes there slowly and straight from wherever the arm stands
 time_s,j1_deg,j2_deg,j3_deg,j4_deg,j5_deg,j6_deg,extruded_mm3,waypoint,move
 0.000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.00000,-1,joint
 2.000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,90.0000000,0.00000,-1,joint

@@ -131,7 +131,7 @@ protected:
   }
 
   program::ProgramInput input() const {
-    return {plan_, trajectory_, *cell_, process_, "part 1", 0};
+    return {plan_, trajectory_, *cell_, process_, "part 1"};
   }
 
   process::Process process_;

@@ -426,15 +426,15 @@ TEST_F(Rapid, onARodPositionsAreThePartsAndTheRodIsAnExternalAxis) {
   const std::string& text = program.files[0].text;
   for (const char* line :
        {"  ! the rod is the mechanical unit rod, its angle eax_a, its frame "
-        "[[400,0,350],[0,0,0.707106781,0.707106781]] of the robot's base\r\n",
+        "[[400,0,350],[0,0,0.707106781,0.707106781]] in world\r\n",
         "  PERS wobjdata wRod:=[FALSE,FALSE,\"rod\",[[0,0,0],[1,0,0,0]],[[0,0,0],"
         "[0.5,-0.5,-0.5,-0.5]]];\r\n",
         "    ActUnit rod;\r\n",
-        "    MoveAbsJ [[0,0,0,0,90,0],[0,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,[100,500,5000,1000],fine,"
+        "    MoveAbsJ [[0,0,0,0,90,0],[0,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,[50,20,5000,1000],fine,"
         "tNozzle\\WObj:=wRod;\r\n",
         // A quarter turn carries (49, 159.1) to (-159.1, 49).
         "    MoveL [[0,-159.1,49],[0.5,-0.5,-0.5,-0.5],[0,0,0,0],[-90,9E9,9E9,9E9,9E9,9E9]],"
-        "[470.8614,500,5000,1000],fine,tNozzle\\WObj:=wRod;\r\n",
+        "[470.8614,500,5000,1000],[FALSE,0.085,0.085,0.085,1,1,1],tNozzle\\WObj:=wRod;\r\n",
         ",[-90.1125,9E9,9E9,9E9,9E9,9E9]],"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }

@@ -129,15 +129,16 @@ TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
     const char *format, *mark, *from, *to, *word;
   } cases[] = {
       {"urscript", "set_payload", "(0.5", "(20", "loadChanged"},
-      {"urscript", "movej", "v=0.5", "v=2", "firstMotionFast"},
-      {"urscript", "movej", "a=1.4", "a=4.2", "firstMotionFast"},
-      {"rapid", "MoveJ", "[100,", "[1000,", "firstMotionFast"},
+      {"urscript", "movej", "v=0.25", "v=2", "firstMotionFast"},
+      {"urscript", "movej", "a=0.5", "a=4.2", "firstMotionFast"},
+      {"rapid", "MoveJ", "[50,", "[1000,", "firstMotionFast"},
       {"rapid", "tooldata", "[0.5", "[20", "loadChanged"},
   };
   for (const auto& c : cases) {
     SCOPED_TRACE(std::string(c.format) + " " + c.to);
     test::ProgramText text = textOf(c.format);
     const std::size_t line = change(text, c.mark, c.from, c.to);
+    ASSERT_GT(line, 0u);
     const Verification v = verify(text);
     EXPECT_FALSE(v.passed);
     EXPECT_TRUE(toldAt(v, c.word, line)) << line << ": " << text.lines[line - 1] << "\n" << told(v);

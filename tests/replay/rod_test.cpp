@@ -137,7 +137,7 @@ TEST(Rod, RapidPasses) {
       scene(), 5, [](std::string&) {}, line);
   EXPECT_TRUE(v.passed) << told(v);
   EXPECT_TRUE(v.armChecked);
-  EXPECT_LE(v.maxDeviationMm, 0.005);
+  EXPECT_LE(v.maxDeviationMm, 0.02); // what blends may round
 }
 
 TEST(Rod, RapidWithTheRodOneStepOffOrADotMovedIsFound) {

@@ -107,6 +107,12 @@ TEST_F(Files, cellMistakesNameFileAndKey) {
   EXPECT_THAT(complaint(cell, [](json& j) { j["platform"]["thicknessMm"] = -5; }),
               HasSubstr("'platform.thicknessMm'"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["homeDeg"][2] = 181; }), HasSubstr("'homeDeg[2]'"));
+  const auto travels = [&](double value) {
+    return complaint(cell, [&](json& j) { j["travelAccelerationDegPerS2"] = value; });
+  };
+  EXPECT_EQ(travels(800.0), "");
+  EXPECT_THAT(travels(801.0), HasSubstr("'travelAccelerationDegPerS2' is more than"));
+  EXPECT_THAT(travels(0.0), HasSubstr("'travelAccelerationDegPerS2'"));
   const json axis = json::parse(R"({"name": "rail", "minDeg": -9, "maxDeg": 9, "stepDeg": 0,
       "velocityDegPerS": 1, "accelerationDegPerS2": 1, "end": "unwinds"})");
   EXPECT_THAT(complaint(cell, [&](json& j) { j["externalAxes"] = json::array({axis}); }),

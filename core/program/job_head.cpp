@@ -1,0 +1,105 @@
+#include "program/job_head.h"
+
+#include "base/units.h"
+#include "program/motion_targets.h"
+#include "program/text.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace voluta::program {
+
+namespace {
+
+// FNV-1a, 64 bits (Fowler, Noll, Vo).
+class Hash {
+public:
+  void add(std::uint64_t word) {
+    for (int k = 0; k < 8; ++k, word >>= 8)
+      value_ = (value_ ^ (word & 0xffU)) * 0x100000001b3U;
+  }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value + 0.0)); } // no -0
+  void add(std::string_view text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    for (const char c : text)
+      add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  }
+  std::string hex() const {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text;
+    for (int shift = 60; shift >= 0; shift -= 4)
+      text.push_back(kDigits[(value_ >> shift) & 0xfU]);
+    return text;
+  }
+
+private:
+  std::uint64_t value_ = 0xcbf29ce484222325U;
+};
+
+std::string fixed(double value, int decimals) {
+  std::string text;
+  appendFixed(text, value, decimals, true);
+  return text;
+}
+
+std::string degreesOf(double rad) {
+  return fixed(base::radiansToDegrees(rad), 1);
+}
+
+} // namespace
+
+std::string plainText(std::string_view text, std::size_t most) {
+  std::string plain(text.substr(0, most));
+  for (char& c : plain)
+    if (c < ' ' || c > '~' || c == '"' || c == '\\')
+      c = '_';
+  return plain;
+}
+
+std::string jobHash(const ProgramInput& input) {
+  const plan::Trajectory& t = input.trajectory;
+  Hash hash;
+  for (const std::string& id : {input.cell.id(), input.cell.robot().id, input.process.id})
+    hash.add(std::string_view(id));
+  for (const double joint : t.joints)
+    hash.add(joint);
+  for (std::size_t i = 0; i < t.pointCount(); ++i) {
+    hash.add(t.timeS[i]);
+    hash.add(t.extrudedMm3[i]);
+    hash.add(static_cast<std::uint64_t>(t.move[i]));
+  }
+  return hash.hex();
+}
+
+std::vector<std::string> headLines(const ProgramInput& input) {
+  const plan::Trajectory& t = input.trajectory;
+  const robot::Cell& cell = input.cell;
+  const process::Process& p = input.process;
+  const double mm3 = t.extrudedMm3.back();
+  std::vector<std::string> lines = {
+      joined({"part ", plainText(input.name), ", job ", jobHash(input)}),
+      joined({"cell ", plainText(cell.id()), ", robot ", plainText(cell.robot().id), ", process ",
+              plainText(p.id), " (", plainText(p.material), ")"}),
+      joined({std::to_string(t.pointCount()), " motions, ", fixed(mm3, 1), " mm3, ",
+              fixed(mm3 * 1e-3 * p.densityGPerCm3, 1), " g, ", fixed(t.timeS.back(), 1), " s"})};
+  if (input.foreign)
+    return lines;
+  std::string range = "joints go, degrees:", start = "starts at joints, degrees:";
+  for (int k = 0; k < t.dof; ++k) {
+    double low = t.at(0)[k], high = low;
+    for (std::size_t i = 1; i < t.pointCount(); ++i) {
+      low = std::min(low, t.at(i)[k]);
+      high = std::max(high, t.at(i)[k]);
+    }
+    const std::string_view comma = k > 0 ? ", " : " ";
+    range += joined({comma, degreesOf(low), " to ", degreesOf(high)});
+    start += joined({comma, degreesOf(t.at(0)[k])});
+  }
+  start += "; the first motion goes there slowly and straight from wherever the arm stands";
+  lines.push_back(std::move(range));
+  lines.push_back(std::move(start));
+  return lines;
+}
+
+} // namespace voluta::program

@@ -1,0 +1,31 @@
+// What the head of a program says of its job, the same in every dialect, and the one way in which
+// text from files gets into comments and strings.
+#pragma once
+
+#include "program/program_input.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::program {
+
+// `text` as one piece of a comment or a quoted string of any dialect: printable ASCII without
+// quotes, backslashes and line ends (each becomes '_'), at most `most` characters.
+std::string plainText(std::string_view text, std::size_t most = 60);
+
+// 16 hexadecimal digits of what is printed and with which machine: joints, times, material and
+// kinds of the motions, cell, robot and process. Programs of the same motion have the same, in
+// whatever dialect.
+std::string jobHash(const ProgramInput& input);
+
+// Lines without a dialect's mark for remarks: part, job, cell, robot, process; how much, how long;
+// between which values the joints go (unless foreign: of the cell's own arm) and where it starts.
+std::vector<std::string> headLines(const ProgramInput& input);
+
+// Asked of the operator before anything moves.
+inline constexpr std::string_view kStartQuestion =
+    "The arm goes slowly and straight to its start. Is the way clear?";
+
+} // namespace voluta::program

@@ -1,0 +1,99 @@
+#include "program/walk.h"
+
+#include "program/extruder_outputs.h"
+#include "program/motion_targets.h"
+
+#include <algorithm>
+
+namespace voluta::program {
+
+namespace {
+
+class Walker {
+public:
+  Walker(const ProgramInput& input, const Walk& walk, Speller& speller, const base::RunContext& ctx)
+      : in_(input), walk_(walk), speller_(speller), ctx_(ctx), paths_(input.toolPlan) {}
+
+  void run() {
+    for (std::size_t file = 0; file + 1 < walk_.cuts.size(); ++file) {
+      const std::size_t end = walk_.cuts[file + 1];
+      outputs_.off();
+      speller_.beginFile(file);
+      for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
+        if (i % 4096 == 0)
+          ctx_.report(static_cast<double>(i) / static_cast<double>(walk_.cuts.back()),
+                      base::message("{format}"_text, std::string(walk_.format)));
+        point(i, i + 1 == end);
+      }
+      speller_.endFile(file);
+    }
+  }
+
+private:
+  void point(std::size_t i, bool last) {
+    const plan::Trajectory& t = in_.trajectory;
+    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
+      speller_.remark(path);
+    if (walk_.outputs != nullptr && isPrint(t, i))
+      flow(walk_.outputs->flowMm3PerS(i));
+    extruder(isPrint(t, i));
+    if (i == 0)
+      speller_.ask();
+    if (i == 0 || t.move[i] == plan::MoveKind::Joint)
+      speller_.jointMotion(i);
+    else
+      speller_.straightMotion(i, last);
+    if (i == 0)
+      prime();
+  }
+
+  void flow(double mm3PerS) {
+    if (const auto share = outputs_.flow(mm3PerS))
+      speller_.flow(*share);
+  }
+  void extruder(bool on) {
+    if (walk_.outputs != nullptr && outputs_.turn(on))
+      speller_.extruder(on);
+  }
+
+  void prime() {
+    if (walk_.outputs == nullptr || !(in_.process.primeS > 0.0) ||
+        in_.trajectory.extrudedMm3.back() <= 0.0)
+      return;
+    speller_.remark("prime");
+    flow(primeFlowMm3PerS(in_.process));
+    extruder(true);
+    speller_.wait(in_.process.primeS);
+    extruder(false);
+    speller_.remark("print");
+  }
+
+  const ProgramInput& in_;
+  const Walk& walk_;
+  Speller& speller_;
+  const base::RunContext& ctx_;
+  PathNames paths_;
+  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
+};
+
+} // namespace
+
+void walkTrajectory(const ProgramInput& input, const Walk& walk, Speller& speller,
+                    const base::RunContext& ctx) {
+  Walker(input, walk, speller, ctx).run();
+}
+
+std::vector<std::size_t> cutsOf(const plan::Trajectory& trajectory, std::size_t most) {
+  std::vector<std::size_t> cuts = {0};
+  const std::size_t hard = most + std::max<std::size_t>(most / 10, 100);
+  if (most > 0)
+    for (std::size_t i = 1; i < trajectory.pointCount(); ++i) {
+      const std::size_t count = i - cuts.back();
+      if (count >= hard || (count >= most && !isPrint(trajectory, i)))
+        cuts.push_back(i);
+    }
+  cuts.push_back(trajectory.pointCount());
+  return cuts;
+}
+
+} // namespace voluta::program

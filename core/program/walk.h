@@ -1,0 +1,51 @@
+// One walk over a trajectory for all writers: what a program says, in order. A dialect spells it.
+#pragma once
+
+#include "base/run_context.h"
+#include "program/program_input.h"
+#include "program/tcp_motions.h"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace voluta::program {
+
+// The words of a dialect. Points are indices into the trajectory; a motion is that to its point.
+class Speller {
+public:
+  virtual ~Speller() = default;
+  // Files are numbered from 0. Behind beginFile and endFile the extruder is off.
+  virtual void beginFile(std::size_t file) = 0;
+  virtual void endFile(std::size_t file) = 0;
+  // Before the first motion, which goes to where the arm may be far from.
+  virtual void ask() {}
+  virtual void remark(std::string_view) {}
+  // Told only where they change; of dialects that have an extruder of two outputs (Walk::outputs).
+  virtual void flow(std::string_view /*share*/) {} // 0..1, of process.maxFlowMm3PerS
+  virtual void extruder(bool /*on*/) {}
+  virtual void wait(double /*seconds*/) {}
+  // The first point is always a joint motion.
+  virtual void jointMotion(std::size_t point) = 0;
+  // `stops`: the last one of its file.
+  virtual void straightMotion(std::size_t point, bool stops) = 0;
+};
+
+struct Walk {
+  std::string_view format; // for the progress that is told
+  // Where files begin: first 0, ascending, last the number of points.
+  std::vector<std::size_t> cuts;
+  // The flow of a dialect whose extruder is two outputs, which then primes at the first point;
+  // nullptr: amounts are told by the motions.
+  const TcpMotions* outputs = nullptr;
+};
+
+// Per point: its remark, the outputs, the motion; at the first, the prime. Throws Cancelled.
+void walkTrajectory(const ProgramInput& input, const Walk& walk, Speller& speller,
+                    const base::RunContext& ctx);
+
+// Cuts for files of about `most` motions (0: one file), each before a travel; where there is none
+// within a tenth or 100 motions more, at a bead's point.
+std::vector<std::size_t> cutsOf(const plan::Trajectory& trajectory, std::size_t most);
+
+} // namespace voluta::program
