@@ -241,13 +241,13 @@ private:
       write(round < kRounds);
       std::vector<std::size_t> met;
       for (const auto& checked : result_.checked)
-        for (const std::size_t waypoint : checked->metAt)
+        for (const std::size_t waypoint : metIn(*checked))
           if (avoided.insert(waypoint).second)
             met.push_back(waypoint);
       // Where only a plan that nothing blocks counts, what fails by other figures too is let go.
       const bool hopeless =
-          untilBlocked_ && std::ranges::any_of(result_.checked, [](const auto& checked) {
-            return checked->failed.size() > (checked->metAt.empty() ? 0 : 1);
+          untilBlocked_ && std::ranges::any_of(result_.checked, [this](const auto& checked) {
+            return decides(*checked) && checked->failed.size() > (checked->metAt.empty() ? 0 : 1);
           });
       if (met.empty() || round == kRounds || hopeless || !moveWithout(met))
         break;
@@ -255,11 +255,26 @@ private:
     keepFresh();
     plan::Findings findings;
     project::Timings timings;
+    bool told = false; // the verdict
     for (std::size_t i = 0; i < result_.checked.size(); ++i) {
       timings += result_.checked[i]->timings;
-      tell(*result_.checked[i], i == 0, findings);
+      const bool first = !told && decides(*result_.checked[i]);
+      told = told || first;
+      tell(*result_.checked[i], first, findings);
     }
     done(project::Stage::Replay, findings, timings);
+  }
+
+  // A program for another controller, which may not be able to say a motion at all, decides nothing
+  // where the cell's own robot has one.
+  bool decides(const CheckedProgram& checked) const {
+    const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
+    return !checked.program.foreign || std::ranges::all_of(formats, [&](const auto& format) {
+      return program::isForeign(program::findDialect(format), *result_.cell);
+    });
+  }
+  std::vector<std::size_t> metIn(const CheckedProgram& checked) const {
+    return decides(checked) ? checked.metAt : std::vector<std::size_t>();
   }
 
   // `untilMet`: not what follows a program in which something meets.
@@ -276,7 +291,7 @@ private:
     result_.checked.clear();
     replay::JudgedRuns judged;
     for (std::size_t i = 0; i < formats.size(); ++i) {
-      if (untilMet && i > 0 && !result_.checked.back()->metAt.empty())
+      if (untilMet && i > 0 && !metIn(*result_.checked.back()).empty())
         return;
       const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
       const auto make = [&] {
@@ -304,7 +319,7 @@ private:
                                    checked->program.format);
   }
 
-  // The first program, the cell's own unless the user chose others, carries the verdict.
+  // The first program, the cell's own unless the user chose others only, carries the verdict.
   void tell(const CheckedProgram& checked, bool first, plan::Findings& findings) {
     project::ProgramReport row;
     row.format = checked.program.format;
@@ -315,9 +330,18 @@ private:
     }
     row.maxDeviationMm = checked.maxDeviationMm;
     row.maxDeviationRad = checked.maxDeviationRad;
+    row.durationS = checked.verdict.durationS;
+    row.flowErrorFraction = checked.verdict.flowErrorFraction;
+    row.massRatio = checked.verdict.massRatio;
     report().programs.push_back(std::move(row));
     if (first)
       report().replay = checked.verdict;
+    if (!checked.passed && !decides(checked)) {
+      findings.push_back(
+          plan::makeFinding(plan::FindingKind::ForeignRefused,
+                            {{"format", checked.program.format}, {"failed", checked.failed}}));
+      return;
+    }
     if (first || !checked.passed)
       findings.insert(findings.end(), checked.findings.begin(), checked.findings.end());
     if (!checked.passed)

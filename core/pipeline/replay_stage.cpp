@@ -35,6 +35,8 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   r.collisions = verdict.collisions;
   r.limitViolations = verdict.limitViolations;
   r.maxDeviationMm = verdict.maxDeviationMm;
+  r.durationS = verdict.durationS;
+  r.flowErrorFraction = verdict.flowErrorFraction;
   const replay::ReplayThresholds limits;
   r.thresholds.covered = limits.coveredMin;
   r.thresholds.unsupported = limits.unsupportedMax;
@@ -43,6 +45,7 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   r.thresholds.collisions = limits.collisionsMax;
   r.thresholds.limitViolations = limits.limitViolationsMax;
   r.thresholds.deviationMm = limits.deviationMaxMm;
+  r.thresholds.flowError = limits.flowErrorMax;
   return r;
 }
 

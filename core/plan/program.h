@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/text.h"
+#include "plan/time_model.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -83,6 +84,7 @@ struct ReadProgram {
   std::vector<ProgramPause> pauses; // in order
   bool tellsPauses = false;         // the language has words for them, so a prime is to be found
   std::optional<ProgramLoad> load;
+  TimeModel time;        // of the dialect
   bool complete = false; // its end sequence was found
   std::vector<ProgramDefect> defects;
 };

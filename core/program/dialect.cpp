@@ -19,6 +19,8 @@ const std::vector<Dialect>& dialects() {
        .controller = "urscript",
        .needsJoints = false,
        .turnsRods = false,
+       // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
+       .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
@@ -30,6 +32,8 @@ const std::vector<Dialect>& dialects() {
        .extension = "gcode",
        .controller = "gcode-extended",
        .needsJoints = false,
+       // Marlin's own figures.
+       .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
        .write = writeExtendedGcode,
        .read = readExtendedGcode,
@@ -41,6 +45,8 @@ const std::vector<Dialect>& dialects() {
        .extension = "mod",
        .controller = "rapid",
        .needsJoints = false,
+       // IRB 1200: 0 to 1 m/s in 0.06 s.
+       .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        .write = writeRapid,
        .read = readRapid,
        .looksLike = looksLikeRapid,
@@ -122,7 +128,10 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
 
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,
                               const process::Process& process, const base::RunContext& ctx) {
-  return findDialect(id).read(files, process, ctx);
+  const Dialect& dialect = findDialect(id);
+  plan::ReadProgram program = dialect.read(files, process, ctx);
+  program.time = dialect.time;
+  return program;
 }
 
 } // namespace voluta::program

@@ -28,6 +28,7 @@ struct Dialect {
   std::string_view controller; // RobotModel::controller it is native to; empty: any robot's
   bool needsJoints = false;    // its targets are joint values, so it is bound to the cell's robot
   bool turnsRods = true;       // can it say where an external axis is, or what is on the part
+  plan::TimeModel time = {};   // of its controller; readProgram hands it on
   bool forAnyCell = false;     // written beside the cell's own where the user chooses no formats
   // Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
   plan::Program (*write)(const ProgramInput&, const base::RunContext&) = nullptr;

@@ -24,8 +24,8 @@ inline constexpr double kDirectionTolerance = 2e-3;
 
 plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunContext& ctx);
 
-// Understood besides: G4 G21 G28 G90 G92 E, M82 M83 (E per motion), M104 M109 M140 M190 M106 M107
-// M84 M18 M117, T0, line numbers and checksums, comments by ; and ( ), CR LF. Directions are
+// Understood besides: G4, G92 E, M82 M83 (E per motion), M104 M109, T0 and gcodeWords(); line
+// numbers and checksums, comments by ; and ( ), CR LF. Directions are
 // normalised; one off by more than kDirectionTolerance is a defect. Material that is drawn back and
 // pushed forward again counts once. `complete`: M104 S0, M84 and the line "; end" behind the last
 // motion.

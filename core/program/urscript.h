@@ -34,7 +34,7 @@ inline constexpr std::string_view kCalledNote = "# called in the last line";
 plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood: def/end, calls of the functions named above, movep (as movel with a blend), sleep,
-// outputs by set_[standard_]digital_out and set_[standard_]analog_out, harmless set-up calls;
+// outputs by set_[standard_]digital_out and set_[standard_]analog_out, and urscriptWords();
 // positional and named arguments in any order, spaces, comments, CR LF. Everything else is a
 // defect. `complete`: every function was closed by `end` and, where the text says kCalledNote,
 // called, after the extruder's two outputs were set off behind the last motion.

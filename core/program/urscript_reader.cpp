@@ -3,146 +3,20 @@
 #include "program/rotation_vector.h"
 #include "program/text.h"
 #include "program/urscript.h"
+#include "program/urscript_values.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace voluta::program {
 
 namespace {
-enum class ValueKind { None, Number, List, Pose, Boolean, Text };
-
-struct Value {
-  ValueKind kind = ValueKind::None;
-  double number = 0.0; // Number; Boolean as 0 or 1
-  std::array<double, 8> list{};
-  std::size_t count = 0; // of list
-};
-
-struct Argument {
-  std::string_view name; // empty: positional
-  Value value;
-};
-
-struct Call {
-  std::string_view name;
-  std::array<Argument, 8> arguments;
-  std::size_t count = 0;
-
-  // The argument called `key`, or the positional one at `position`; nullptr when it isn't given.
-  const Value* find(std::string_view key, std::size_t position) const {
-    for (std::size_t i = 0; i < count; ++i)
-      if (arguments[i].name == key || (arguments[i].name.empty() && i == position))
-        return &arguments[i].value;
-    return nullptr;
-  }
-};
-
-bool isNameStart(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool isNamePart(char c) {
-  return isNameStart(c) || (c >= '0' && c <= '9');
-}
-
-// Reads one statement from left to right; every function moves `rest` behind what it took.
-struct Scanner {
-  std::string_view rest;
-
-  void blanks() {
-    while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t'))
-      rest.remove_prefix(1);
-  }
-  bool take(char c) {
-    blanks();
-    if (rest.empty() || rest.front() != c)
-      return false;
-    rest.remove_prefix(1);
-    return true;
-  }
-  std::string_view name() {
-    blanks();
-    std::size_t n = 0;
-    if (!rest.empty() && isNameStart(rest.front()))
-      while (n < rest.size() && isNamePart(rest[n]))
-        ++n;
-    const std::string_view found = rest.substr(0, n);
-    rest.remove_prefix(n);
-    return found;
-  }
-  bool list(Value& value) { // behind '['
-    if (take(']'))
-      return true;
-    do {
-      blanks();
-      if (value.count == value.list.size() || !takeNumber(rest, value.list[value.count]))
-        return false;
-      ++value.count;
-    } while (take(','));
-    return take(']');
-  }
-  bool quoted() { // behind '"'
-    const std::size_t end = rest.find('"');
-    if (end == std::string_view::npos)
-      return false;
-    rest.remove_prefix(end + 1);
-    return true;
-  }
-  bool value(Value& value) {
-    blanks();
-    if (rest.size() >= 2 && rest[0] == 'p' && rest[1] == '[') {
-      rest.remove_prefix(2);
-      value.kind = ValueKind::Pose;
-      return list(value);
-    }
-    if (take('[')) {
-      value.kind = ValueKind::List;
-      return list(value);
-    }
-    if (take('"')) {
-      value.kind = ValueKind::Text;
-      return quoted();
-    }
-    if (!rest.empty() && isNameStart(rest.front())) {
-      const std::string_view word = name();
-      value.kind = ValueKind::Boolean;
-      value.number = word == "True" || word == "true" ? 1.0 : 0.0;
-      return value.number > 0.0 || word == "False" || word == "false";
-    }
-    value.kind = ValueKind::Number;
-    return takeNumber(rest, value.number);
-  }
-  bool argument(Argument& argument) {
-    const std::string_view before = rest;
-    const std::string_view key = name();
-    if (!key.empty() && take('=')) {
-      argument.name = key;
-    } else {
-      rest = before;
-    }
-    return value(argument.value);
-  }
-  // name(arguments) and nothing behind it.
-  bool call(Call& call) {
-    call.name = name();
-    if (call.name.empty() || !take('('))
-      return false;
-    if (!take(')')) {
-      do {
-        if (call.count == call.arguments.size() || !argument(call.arguments[call.count]))
-          return false;
-        ++call.count;
-      } while (take(','));
-      if (!take(')'))
-        return false;
-    }
-    blanks();
-    return rest.empty();
-  }
-};
-
 // The line without its comment; '#' inside a string is none.
 std::string_view withoutComment(std::string_view line) {
   bool inString = false;
@@ -172,77 +46,185 @@ public:
 private:
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
 
+  struct Line {
+    std::size_t number;
+    std::string_view code;
+  };
+  // Lines [first, end) of its body.
+  struct Function {
+    std::size_t first, end;
+  };
+
   bool readFile(std::string_view text) {
-    defined_ = {};
-    inside_ = called_ = closed_ = mustCall_ = false;
+    functions_.clear();
+    variables_.clear();
+    running_.clear();
+    lines_.clear();
     tcpSet_ = false;
     out_.beginOutputs();
-    LineReader lines(text);
+    LineReader reader(text);
     std::string_view line;
-    while (lines.next(line)) {
-      out_.line = lines.number();
-      if (out_.line % 4096 == 0)
-        ctx_.checkpoint();
-      const std::string_view code = trimmed(withoutComment(line));
-      mustCall_ = mustCall_ || trimmed(line).starts_with(kCalledNote);
-      if (!code.empty())
-        statement(code);
+    bool mustCall = false;
+    while (reader.next(line)) {
+      out_.line = reader.number();
+      mustCall = mustCall || trimmed(line).starts_with(kCalledNote);
+      if (const std::string_view code = trimmed(withoutComment(line)); !code.empty())
+        lines_.push_back({reader.number(), code});
     }
-    if (inside_)
-      defect(base::message("the function '{defined}' has no end"_text, defined_));
-    else if (defined_.empty())
-      defect("no function is defined"_text);
-    else if (!called_ && mustCall_)
-      defect("the function is never called"_text);
+    const std::size_t last = out_.line;
+    const bool ran = readFunctions(mustCall);
+    out_.line = last;
     if (!out_.outputsEnded())
       defect("the extruder is not set off behind the last motion"_text);
-    return closed_ && (called_ || !mustCall_) && out_.outputsEnded();
+    return ran && out_.outputsEnded();
+  }
+
+  // What stands outside of functions: their definitions, set-up of variables, one call. Text that
+  // is sent to a port ends with `end` and runs by itself.
+  bool readFunctions(bool mustCall) {
+    std::string_view defined;
+    std::size_t tops = 0;
+    bool closed = true, called = false;
+    for (std::size_t i = 0; i < lines_.size();) {
+      out_.line = lines_[i].number;
+      if (isDefinition(lines_[i].code)) {
+        defined = nameOfDefinition(lines_[i].code);
+        closed = define(i);
+        ++tops;
+        continue;
+      }
+      Call call;
+      if (UrscriptScanner{lines_[i].code, variables_}.call(call) &&
+          functions_.contains(call.name)) {
+        if (called)
+          defect("a second call outside the functions"_text);
+        called = true;
+        run(call);
+      } else if (lines_[i].code == "end") {
+        defect("'end' closes no function"_text);
+      } else if (!assign(lines_[i].code)) {
+        tellOutside(lines_[i].code);
+      }
+      ++i;
+    }
+    if (!lines_.empty())
+      out_.line = lines_.back().number;
+    if (tops == 0)
+      defect("no function is defined"_text);
+    else if (!called && closed && (tops > 1 || mustCall))
+      defect("the function is never called"_text);
+    if (!called && tops > 0)
+      run({.name = defined, .arguments = {}, .count = 0});
+    return tops > 0 && closed && (called || (tops == 1 && !mustCall));
+  }
+
+  void tellOutside(std::string_view code) {
+    Call call;
+    if (UrscriptScanner{code, variables_}.call(call))
+      defect(
+          base::message("'{name}' is called outside the function"_text, call.name.substr(0, 40)));
+    else
+      defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
+  }
+
+  static std::string_view wordOf(std::string_view code) {
+    static const UrscriptVariables kNone;
+    return UrscriptScanner{code, kNone}.name();
+  }
+  static bool isDefinition(std::string_view code) {
+    const std::string_view word = wordOf(code);
+    return word == "def" || word == "sec" || word == "thread";
+  }
+  static std::string_view nameOfDefinition(std::string_view code) {
+    static const UrscriptVariables kNone;
+    UrscriptScanner scanner{code, kNone};
+    scanner.name();
+    return scanner.name();
+  }
+  // Does a block begin with this line, to be closed by an `end`?
+  static bool opensBlock(std::string_view code) {
+    const std::string_view word = wordOf(code);
+    return isDefinition(code) || word == "while" || word == "for" || word == "if";
+  }
+
+  // The definition in line i, which moves behind its end. false: it has none.
+  bool define(std::size_t& i) {
+    UrscriptScanner scanner{lines_[i].code, variables_};
+    const std::string_view kind = scanner.name(), name = scanner.name();
+    if (name.empty() || !scanner.take('(') || !scanner.take(')') || !scanner.take(':') ||
+        !scanner.ended())
+      defect("not the head of a function without arguments"_text);
+    else if (kind == "thread")
+      defect("a thread of its own is not read"_text);
+    else if (functions_.contains(name))
+      defect(base::message("the function '{defined}' is defined twice"_text, name));
+    const std::size_t first = ++i;
+    for (std::size_t open = 1; i < lines_.size(); ++i) {
+      open += opensBlock(lines_[i].code) ? 1 : 0;
+      if (lines_[i].code == "end" && --open == 0) {
+        functions_.try_emplace(std::string(name), Function{first, i++});
+        return true;
+      }
+    }
+    functions_.try_emplace(std::string(name), Function{first, i});
+    if (!lines_.empty())
+      out_.line = lines_.back().number;
+    defect(base::message("the function '{defined}' has no end"_text, name));
+    return false;
+  }
+
+  void run(const Call& call) {
+    constexpr std::size_t kMostDepth = 16;
+    const auto at = functions_.find(call.name);
+    const bool again = std::find(running_.begin(), running_.end(), call.name) != running_.end();
+    if (again || running_.size() == kMostDepth || call.count > 0) {
+      if (again)
+        defect(base::message("'{name}' calls itself"_text, call.name));
+      else
+        defect(base::message("'{name}' is called as it cannot be"_text, call.name));
+      return;
+    }
+    const std::string name(call.name);
+    running_.push_back(name);
+    const std::size_t callLine = out_.line;
+    for (std::size_t i = at->second.first; i < at->second.end;) {
+      out_.line = lines_[i].number;
+      if (i % 4096 == 0)
+        ctx_.checkpoint();
+      if (isDefinition(lines_[i].code))
+        define(i);
+      else
+        statement(lines_[i++].code);
+    }
+    out_.line = callLine;
+    running_.pop_back();
+  }
+
+  // [global | local] name = value
+  bool assign(std::string_view code) {
+    UrscriptScanner scanner{code, variables_};
+    std::string_view name = scanner.name();
+    if (name == "global" || name == "local")
+      name = scanner.name();
+    if (name.empty() || !scanner.take('=') ||
+        (!scanner.rest.empty() && scanner.rest.front() == '='))
+      return false;
+    Value value;
+    if (!scanner.value(value) || !scanner.ended())
+      return false;
+    variables_.insert_or_assign(std::string(name), value);
+    return true;
   }
 
   void statement(std::string_view code) {
-    Scanner scanner{code};
-    const std::string_view word = scanner.name();
-    if (word == "def" || word == "sec") {
-      define(scanner);
-      return;
-    }
-    if (word == "end") {
-      scanner.blanks();
-      if (!inside_ || !scanner.rest.empty())
-        defect("'end' closes no function"_text);
-      closed_ = inside_;
-      inside_ = false;
-      return;
-    }
     Call call;
-    if (!Scanner{code}.call(call)) {
-      defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
-      return;
-    }
-    if (!inside_) {
-      if (closed_ && call.name == defined_ && call.count == 0 && !called_)
-        called_ = true;
+    if (UrscriptScanner{code, variables_}.call(call)) {
+      if (functions_.contains(call.name))
+        run(call);
       else
-        defect(
-            base::message("'{name}' is called outside the function"_text, call.name.substr(0, 40)));
-      return;
-    }
-    inFunction(call);
-  }
-
-  void define(Scanner& scanner) {
-    const std::string_view name = scanner.name();
-    const bool header =
-        !name.empty() && scanner.take('(') && scanner.take(')') && scanner.take(':');
-    scanner.blanks();
-    if (!header || !scanner.rest.empty())
-      defect("not the head of a function"_text);
-    else if (inside_ || !defined_.empty())
-      defect("a second function; only one is read"_text);
-    if (header && !inside_ && defined_.empty()) {
-      defined_ = name;
-      inside_ = true;
-      closed_ = false;
+        inFunction(call);
+    } else if (!assign(code)) {
+      defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
     }
   }
 
@@ -444,9 +426,10 @@ private:
 
   const base::RunContext& ctx_;
   ProgramBuilder out_;
-  std::string_view defined_;
-  bool inside_ = false, closed_ = false, called_ = false;
-  bool mustCall_ = false; // the text says that it calls its function
+  std::vector<Line> lines_; // with code in them
+  std::map<std::string, Function, std::less<>> functions_;
+  UrscriptVariables variables_;
+  std::vector<std::string> running_; // functions, the innermost last
   bool tcpSet_ = false, everSet_ = false;
 };
 

@@ -68,11 +68,13 @@ struct ProgramReport {
   std::vector<std::string> files;
   std::size_t bytes = 0;
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
+  double durationS = 0.0, flowErrorFraction = 0.0, massRatio = 0.0; // on its controller
 };
 
 // What a replay may come to.
 struct ThresholdsReport {
   double covered = 0.0, unsupported = 0.0, overfill = 0.0, mass = 0.0, deviationMm = 0.0;
+  double flowError = 0.0;
   std::size_t collisions = 0, limitViolations = 0;
 };
 
@@ -82,6 +84,7 @@ struct ReplayReport {
   double halfCarriedFraction = 0.0, longestUnsupportedMm = 0.0;
   std::size_t collisions = 0, limitViolations = 0;
   double maxDeviationMm = 0.0;
+  double durationS = 0.0, flowErrorFraction = 0.0;
   ThresholdsReport thresholds;
 };
 

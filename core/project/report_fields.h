@@ -99,7 +99,10 @@ constexpr auto fieldsOf(std::type_identity<ProgramReport>) {
                     Field{"files", &R::files},
                     Field{"bytes", &R::bytes},
                     Field{"maxDeviationMm", &R::maxDeviationMm, "mm"},
-                    Field{"maxDeviationRad", &R::maxDeviationRad, "rad"}};
+                    Field{"maxDeviationRad", &R::maxDeviationRad, "rad"},
+                    Field{"durationS", &R::durationS, "s", true},
+                    Field{"flowErrorFraction", &R::flowErrorFraction, "%", true},
+                    Field{"massRatio", &R::massRatio, "", true}};
 }
 constexpr auto fieldsOf(std::type_identity<ThresholdsReport>) {
   using R = ThresholdsReport;
@@ -109,7 +112,8 @@ constexpr auto fieldsOf(std::type_identity<ThresholdsReport>) {
                     Field{"mass", &R::mass},
                     Field{"collisions", &R::collisions},
                     Field{"limitViolations", &R::limitViolations},
-                    Field{"deviationMm", &R::deviationMm, "mm"}};
+                    Field{"deviationMm", &R::deviationMm, "mm"},
+                    Field{"flowError", &R::flowError, "", true}};
 }
 constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
   using R = ReplayReport;
@@ -123,6 +127,8 @@ constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
                     Field{"collisions", &R::collisions},
                     Field{"limitViolations", &R::limitViolations},
                     Field{"maxDeviationMm", &R::maxDeviationMm, "mm"},
+                    Field{"durationS", &R::durationS, "s", true},
+                    Field{"flowErrorFraction", &R::flowErrorFraction, "%", true},
                     Field{"thresholds", &R::thresholds}};
 }
 constexpr auto fieldsOf(std::type_identity<TriedReport>) {

@@ -67,6 +67,8 @@ public:
     path_.targetTip.resize(n);
     path_.targetDirection.resize(n);
     path_.commandedMm.assign(n, 0.0);
+    path_.turnRad.assign(n, 0.0);
+    path_.cornerRad.assign(n, 0.0);
     path_.durationS.assign(n, 0.0);
     path_.startS.assign(n, 0.0);
     findExternals();
@@ -200,7 +202,13 @@ private:
 
   void findLengths() {
     for (std::size_t m = 1; m < motions_.size(); ++m) {
-      path_.commandedMm[m] = (targets_[m].position - targets_[m - 1].position).norm();
+      const Vector3d way = targets_[m].position - targets_[m - 1].position;
+      path_.commandedMm[m] = way.norm();
+      path_.turnRad[m] = targets_[m].turn.angularDistance(targets_[m - 1].turn);
+      if (m > 1) {
+        const Vector3d before = targets_[m - 1].position - targets_[m - 2].position;
+        path_.cornerRad[m - 1] = std::atan2(before.cross(way).norm(), before.dot(way));
+      }
       const double blends = motions_[m].blendMm + motions_[m - 1].blendMm;
       if (blends > path_.commandedMm[m] + 1e-6 && isStraight(m) && motions_[m].blendMm > 0.0 &&
           motions_[m - 1].blendMm > 0.0)

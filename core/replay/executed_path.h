@@ -12,7 +12,8 @@
 // - joint motions turn all joints in proportion and stop at their target (no blends);
 // - a Cartesian target is reached with the joint solution nearest to where the arm is; external
 //   axes stay where they are unless the target says otherwise;
-// - durations are length / speed without ramps: joint motions max |dq| / joint speed;
+// - durations are length / speed without ramps, as the text says them (controller_time.h tells what
+//   a controller makes of them): joint motions max |dq| / joint speed;
 // - an axis that stands at multiples of a step turns evenly between them: held against its limit is
 //   what it turns less one step.
 #pragma once
@@ -46,6 +47,8 @@ struct ExecutedPath {
   // Per motion: where it ends by its target, not rounded by a blend.
   std::vector<Eigen::Vector3d> targetTip, targetDirection; // work frame, mm; unit, -tool z
   std::vector<double> commandedMm; // length the speed refers to: the TCP's in Base, or the tip's
+  std::vector<double> turnRad;     // of what the target describes, to there; 0 for ToolPoint
+  std::vector<double> cornerRad;   // between its way and the next motion's; 0 at the end
   std::vector<double> durationS, startS;
   int dof = 0, armDof = 0;    // all axes; those before the external ones
   std::vector<double> joints; // dof x motions at each motion's end; empty without an arm

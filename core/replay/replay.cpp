@@ -6,12 +6,15 @@
 #include "replay/beads.h"
 #include "replay/beside_motion.h"
 #include "replay/comparison.h"
+#include "replay/controller_time.h"
 #include "replay/executed_path.h"
 #include "replay/run.h"
+#include "replay/section_errors.h"
 #include "replay/verification.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace voluta::replay {
 
@@ -34,7 +37,8 @@ public:
     run.path = executeProgram(in_.program, in_.cell, ctx_);
     path_ = &run.path;
     out_.armChecked = path_->arm;
-    out_.durationS = path_->totalS();
+    seconds_ = controllerTimes(in_.program, *path_, TurnLaw::Text);
+    out_.durationS = std::accumulate(seconds_.begin(), seconds_.end(), 0.0);
     for (const plan::ProgramPause& p : in_.program.pauses)
       out_.durationS += p.durationS;
     for (std::size_t m = 0; m < path_->motionCount(); ++m)
@@ -44,6 +48,7 @@ public:
         judgeRun(std::move(run), in_, limits_, judged, ctx_.sub(0.1, 1.0))));
     path_ = &judged.back()->run.path;
     tellBeads(*judged.back());
+    tellTimes(*judged.back());
     tellClashes(*judged.back());
     tellLimits(*judged.back());
     conclude();
@@ -106,8 +111,9 @@ private:
 
   void tellBeads(const JudgedRun& run) {
     static_cast<RunFigures&>(out_) = run.figures;
-    for (std::size_t m = 0; m < run.run.volumeMm3.size(); ++m)
-      (run.run.knowledge[m].ofPart ? out_.depositedMm3 : out_.supportMm3) += run.run.volumeMm3[m];
+    const std::vector<double> volume = flowingMm3(in_.program, seconds_);
+    for (std::size_t m = 0; m < volume.size(); ++m)
+      (run.run.knowledge[m].ofPart ? out_.depositedMm3 : out_.supportMm3) += volume[m];
     const double standing = standingMm3(in_.program), part = std::max(out_.partVolumeMm3, 1e-9);
     out_.depositedMm3 += standing;
     out_.excessFraction += standing / part;
@@ -120,6 +126,41 @@ private:
         add(f.kind, f.values, f.where, {}, f.count);
     if (std::abs(out_.massRatio - 1.0) > limits_.massTolerance)
       add(Mass, {{"share", base::percent(100.0 * out_.massRatio)}});
+  }
+
+  void tellTimes(const JudgedRun& run) {
+    SectionErrors worst;
+    for (const TurnLaw law : {TurnLaw::Text, TurnLaw::WaySpeed}) {
+      if (law == TurnLaw::WaySpeed && in_.program.time.turnMmPerRad <= 0.0)
+        continue;
+      const SectionErrors errors = sectionErrors(
+          in_.program, *path_, in_.trajectory, run.run.pointOf,
+          law == TurnLaw::Text ? seconds_ : controllerTimes(in_.program, *path_, law));
+      if (errors.fraction > worst.fraction)
+        worst = errors;
+    }
+    out_.flowErrorFraction = worst.fraction;
+    if (worst.first && worst.fraction > limits_.flowErrorMax)
+      atMotion(FlowErrors, *worst.first, {{"share", base::percent(100.0 * worst.fraction)}},
+               path_->targetTip[*worst.first], path_->startS[*worst.first]);
+    for (std::size_t m = 1; m < seconds_.size(); ++m)
+      tellSlow(m, run.run.pointOf);
+  }
+
+  // A travel lays nothing, but one that crawls is none that was planned.
+  void tellSlow(std::size_t m, const std::vector<std::size_t>& pointOf) {
+    constexpr double kTimes = 2.0, kSlackS = 1.0;
+    const std::size_t j = pointOf[m];
+    if (j == 0 || j >= in_.trajectory.pointCount() || pointOf[m - 1] + 1 != j)
+      return;
+    const double planned = in_.trajectory.timeS[j] - in_.trajectory.timeS[j - 1];
+    if (seconds_[m] <= kTimes * planned + kSlackS ||
+        path_->durationS[m] > kTimes * planned + kSlackS) // told by the text's own speeds
+      return;
+    ++out_.deviations;
+    atMotion(SpeedChanged, m,
+             {{"time", base::seconds(seconds_[m])}, {"planned", base::seconds(planned)}},
+             path_->targetTip[m], path_->startS[m]);
   }
 
   void tellClashes(const JudgedRun& run) {
@@ -223,6 +264,7 @@ private:
     atMost("limitViolations", static_cast<double>(out_.limitViolations),
            static_cast<double>(limits_.limitViolationsMax));
     atMost("maxDeviationMm", out_.maxDeviationMm, limits_.deviationMaxMm);
+    atMost("flowErrorFraction", out_.flowErrorFraction, limits_.flowErrorMax);
     out_.passed =
         out_.deviations == 0 && std::all_of(out_.results.begin(), out_.results.end(),
                                             [](const ThresholdResult& r) { return r.passed; });
@@ -233,6 +275,7 @@ private:
   const base::RunContext& ctx_;
   Verification out_;
   const ExecutedPath* path_ = nullptr;
+  std::vector<double> seconds_; // of each motion, on its controller
   std::size_t deviationMotion_ = 0;
 };
 

@@ -41,6 +41,7 @@ struct ReplayThresholds {
   std::size_t collisionsMax = 0;
   std::size_t limitViolationsMax = 0;
   double deviationMaxMm = 0.05; // of the executed nozzle path from the planned one
+  double flowErrorMax = 0.01;   // share of the printed length with another section
 };
 
 struct ThresholdResult {
@@ -74,14 +75,19 @@ struct RunFigures {
 struct Verification : RunFigures {
   bool passed = false; // every threshold kept and the text free of deviations
 
-  double massRatio = 0.0; // material laid (supports and skirts apart) by part volume
+  // Material laid (supports and skirts apart) by part volume, at the controller's own speeds.
+  double massRatio = 0.0;
   double depositedMm3 = 0.0, supportMm3 = 0.0;
   std::size_t limitViolations = 0; // as collisions are counted
   std::size_t deviations = 0;      // places where the text is not what was planned
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
 
   bool armChecked = false; // false: the program says where the nozzle is, not where the arm is
-  double durationS = 0.0;  // lengths by speeds, without the controller's ramps
+  // On its controller (controller_time.h), waits included; of two laws for turns, by what the text
+  // says.
+  double durationS = 0.0;
+  // Share of the printed length whose section is then off by more than 5 %; of two laws the worse.
+  double flowErrorFraction = 0.0;
 
   std::vector<ThresholdResult> results; // in the order of ReplayThresholds
   plan::Findings findings;              // stage "replay"

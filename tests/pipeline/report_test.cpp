@@ -29,7 +29,7 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
     {"replay",
      {"passed", "coveredFraction", "unsupportedFraction", "halfCarriedFraction",
       "longestUnsupportedMm", "overfillFraction", "massRatio", "collisions", "limitViolations",
-      "maxDeviationMm", "thresholds"}},
+      "maxDeviationMm", "durationS", "flowErrorFraction", "thresholds"}},
     {"timingS",
      {"load", "repair", "voxelise", "peel", "grow", "smooth", "extract", "trim", "decompose",
       "toolpath", "orient", "ik", "graph", "jerk", "collision", "transfer", "write", "replay",
@@ -44,8 +44,8 @@ TEST(Report, EveryKeyIsThereEvenWhenEmpty) {
   for (const auto& [section, keys] : kKeys)
     for (const std::string& key : keys)
       EXPECT_TRUE(j.at(section).contains(key)) << section << "." << key;
-  for (const char* key :
-       {"format", "foreign", "files", "bytes", "maxDeviationMm", "maxDeviationRad"})
+  for (const char* key : {"format", "foreign", "files", "bytes", "maxDeviationMm",
+                          "maxDeviationRad", "durationS", "flowErrorFraction", "massRatio"})
     EXPECT_TRUE(j.at("programs")[0].contains(key)) << key;
   for (const char* key : {"stage", "kind", "where", "when", "count", "reason", "remedy", "values"})
     EXPECT_TRUE(j.at("findings")[0].contains(key)) << key;

@@ -89,13 +89,12 @@ TEST(UrscriptReader, namesWhatItCannotTake) {
       {"movec(p[0,0,0,0,0,0],p[0,0,0,0,0,0])\n", "not known"},
       {"servoj([0,0,0,0,0,0])\n", "not known"},
       {"while True:\n", "not understood"},
-      {"x = 3\n", "not understood"},
-      {"def g():\n", "second function"},
+      {"x = y\n", "not understood"},
       {"set_standard_analog_out(0,1.5)\n", "0..1"},
       {"set_standard_digital_out(0,0.5)\n", "output"},
       {"set_tcp(p[0,0,0.2,0,0,0])\n", "different TCP"},
       {"sleep()\n", "seconds"},
-      {"f()\n", "not known"},
+      {"f()\n", "calls itself"},
   };
   for (const auto& c : cases) {
     SCOPED_TRACE(c.line);
@@ -118,6 +117,58 @@ TEST(UrscriptReader, missesEndCallAndTcp) {
                                 "set_standard_analog_out(0,0)\n"
                                 "movel(p[-0.4,0,0.3,0,3,0])\nend\nf()\n"),
                4, "set_tcp");
+}
+
+// As RoboDK's post writes it: variables, a reference frame, procedures in and before the program.
+TEST(UrscriptReader, takesVariablesAndProcedures) {
+  const auto program =
+      read("urscript",
+           "def Prog1():\n  # Global parameters:\n  global speed_ms    = 0.250\n"
+           "  global accel_mss   = 1.200\n  global blend_radius_m = 0.001\n"
+           "  global ref_frame = p[0,0,0,0,0,0]\n"
+           "  def Extruder_On():\n    set_digital_out(0, True)\n  end\n"
+           "  def Extruder_Off():\n    set_digital_out(0, False)\n    set_analog_out(0, 0)\n  end\n"
+           "  ref_frame = p[0.1,0.2,0.3,0,0,1.5707963267948966]\n"
+           "  set_tcp(p[0,0,0.1,0,0,0])\n  Extruder_Off()\n"
+           "  movej([0,d2r(-90),1.5,-1.5,-1.5,0],1.4,0.75,0,0)\n"
+           "  set_analog_out(0, (0.1 + 0.3) / 2)\n  Extruder_On()\n  speed_ms = 2*0.01\n"
+           "  movel(pose_trans(ref_frame,p[0.01,0,0,0,0,0]),accel_mss,speed_ms,0,blend_radius_m)\n"
+           "  local target = p[0.1,-0.1,0.2,0,3.14,0]\n  movel(target, t=-(-0.5))\n"
+           "  Extruder_Off()\nend\nProg1()\n");
+  for (const auto& d : program.defects)
+    ADD_FAILURE() << d.line << ": " << voluta::base::english(d.reason);
+  EXPECT_TRUE(program.complete);
+  ASSERT_EQ(program.motions.size(), 3u);
+  EXPECT_NEAR(program.motions[0].joints[1], -base::kPi / 2, 1e-12);
+  EXPECT_TRUE(
+      program.motions[1].frame_T_tcp.translation().isApprox(Eigen::Vector3d(100, 210, 300), 1e-9));
+  EXPECT_DOUBLE_EQ(program.motions[1].speedMmPerS, 20.0);
+  EXPECT_DOUBLE_EQ(program.motions[1].accelerationMmPerS2, 1200.0);
+  EXPECT_DOUBLE_EQ(program.motions[1].flowMm3PerS, 8.0);
+  EXPECT_DOUBLE_EQ(program.motions[2].durationS, 0.5);
+  EXPECT_EQ(program.motions[2].line, 23u);
+}
+
+TEST(UrscriptReader, namesWhereItsUnderstandingEnds) {
+  const struct {
+    const char* line;
+    const char* part;
+  } cases[] = {{"movel(pose_add(p[0,0,0,0,0,0],p[0,0,0,0,0,0]))\n", "not understood"},
+               {"movel(get_actual_tcp_pose())\n", "not understood"},
+               {"x = 1/0\n", "not understood"},
+               {"if x == 1:\n", "not understood"},
+               {"movel(unknown)\n", "not understood"},
+               {"x = ((((((((((((((((((((((((1))))))))))))))))))))))))\n", "not understood"}};
+  const char* move = "movel(p[-0.4,0,0.3,0,3,0],a=1,v=0.1)\n";
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.line);
+    const bool block = std::string(c.line).starts_with("if");
+    expectDefect(
+        read("urscript", script(std::string(move) + c.line + move + (block ? "end\n" : ""))), 6,
+        c.part);
+  }
+  expectDefect(read("urscript", "def f():\nmovel(p[0,0,0,0,0,0])\n"), 2, "no end");
+  expectDefect(read("urscript", "def f():\nend\ndef g():\nend\n"), 4, "never called");
 }
 
 TEST(GcodeReader, takesTheAppendixAndReprap) {

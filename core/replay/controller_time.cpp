@@ -1,0 +1,169 @@
+#include "replay/controller_time.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::replay {
+
+namespace {
+
+constexpr double kLeastMm = 1e-9;
+
+// From speed v0 over `way` to v1, at most v, up and down at a. v0 and v1 are in each other's reach.
+double trapezoidS(double way, double v0, double v, double v1, double a) {
+  const double up = (v * v - v0 * v0) / (2.0 * a), down = (v * v - v1 * v1) / (2.0 * a);
+  if (up + down <= way)
+    return (v - v0) / a + (v - v1) / a + (way - up - down) / v;
+  const double top = std::sqrt(std::max(a * way + 0.5 * (v0 * v0 + v1 * v1), 0.0));
+  return (std::max(top - v0, 0.0) + std::max(top - v1, 0.0)) / a;
+}
+
+class Controller {
+public:
+  Controller(const plan::ReadProgram& program, const ExecutedPath& path, TurnLaw law)
+      : motions_(program.motions), model_(program.time), path_(path), law_(law) {}
+
+  std::vector<double> times() {
+    plan();
+    carryBackAndForth();
+    std::vector<double> seconds(motions_.size(), 0.0);
+    for (std::size_t m = 1; m < motions_.size(); ++m)
+      seconds[m] = secondsOf(m);
+    return seconds;
+  }
+
+private:
+  struct Leg {
+    bool straight = false, timed = false;
+    double way = 0.0;          // mm that the speed is of
+    double speed = 0.0;        // at most
+    double acceleration = 0.0; // 0: at once
+    double end = 0.0;          // speed at its end
+  };
+
+  bool ramps(const Leg& leg) const {
+    return leg.straight && !leg.timed && leg.acceleration > 0.0 && leg.speed > 0.0 &&
+           leg.way > kLeastMm;
+  }
+
+  void plan() {
+    legs_.resize(motions_.size());
+    for (std::size_t m = 1; m < motions_.size(); ++m) {
+      const plan::ProgramMotion& motion = motions_[m];
+      Leg& leg = legs_[m];
+      leg.straight = !motion.jointInterpolated || !path_.arm;
+      leg.timed = motion.durationS > 0.0;
+      if (!leg.straight)
+        continue;
+      leg.way = path_.commandedMm[m];
+      double seconds = path_.durationS[m];
+      if (!leg.timed && law_ == TurnLaw::WaySpeed && motion.speedMmPerS > 0.0) {
+        leg.way = std::max(leg.way, model_.turnMmPerRad * path_.turnRad[m]);
+        seconds = std::max(seconds, leg.way / motion.speedMmPerS);
+      }
+      leg.speed = seconds > 0.0 ? leg.way / seconds : 0.0;
+      leg.acceleration = motion.accelerationMmPerS2 > 0.0 ? motion.accelerationMmPerS2
+                                                          : model_.accelerationMmPerS2;
+    }
+    for (std::size_t m = 1; m + 1 < motions_.size(); ++m)
+      legs_[m].end = cornerSpeed(m);
+  }
+
+  // Of the TCP through the corner at the end of motion m, as a speed of its leg.
+  double cornerSpeed(std::size_t m) const {
+    const Leg &in = legs_[m], &out = legs_[m + 1];
+    if (!in.straight || !out.straight || in.way < kLeastMm || out.way < kLeastMm)
+      return 0.0;
+    const double speed = std::min(in.speed, out.speed);
+    const bool stands = motions_[m].blendMm <= 0.0 && model_.junctionMm <= 0.0;
+    if (stands && std::max(in.acceleration, out.acceleration) > 0.0)
+      return 0.0;
+    // Time rules: the corner is taken as fast as that wants.
+    if (in.timed || out.timed)
+      return speed;
+    const double a = std::min(in.acceleration, out.acceleration), turn = path_.cornerRad[m];
+    if (a <= 0.0)
+      return speed;
+    const double radius =
+        std::min({motions_[m].blendMm, 0.5 * path_.commandedMm[m], 0.5 * path_.commandedMm[m + 1]});
+    double corner = INFINITY;
+    if (radius > 0.0) {
+      const double bend = std::sin(0.5 * turn);
+      if (bend > 1e-9)
+        corner = std::sqrt(a * radius / bend);
+    } else {
+      const double c = std::cos(0.5 * turn);
+      if (c < 1.0 - 1e-12)
+        corner = std::sqrt(a * model_.junctionMm * std::max(c, 0.0) / (1.0 - c));
+    }
+    return std::min(speed, corner);
+  }
+
+  void carryBackAndForth() {
+    for (std::size_t m = motions_.size(); m-- > 1;)
+      if (ramps(legs_[m]))
+        legs_[m - 1].end = std::min(legs_[m - 1].end, reach(legs_[m].end, legs_[m]));
+    if (model_.lookAhead > 0)
+      lookAheadOnly();
+    for (std::size_t m = 1; m < motions_.size(); ++m)
+      if (ramps(legs_[m]))
+        legs_[m].end = std::min(legs_[m].end, reach(legs_[m - 1].end, legs_[m]));
+  }
+  static double reach(double speed, const Leg& leg) {
+    return std::sqrt(speed * speed + 2.0 * leg.acceleration * leg.way);
+  }
+  // What lies behind the motions that the controller knows is a stop to it.
+  void lookAheadOnly() {
+    for (std::size_t m = 1; m < motions_.size(); ++m) {
+      double way = 0.0, a = 0.0;
+      const std::size_t last =
+          std::min(motions_.size() - 1, m + static_cast<std::size_t>(model_.lookAhead));
+      for (std::size_t k = m + 1; k <= last && ramps(legs_[k]); ++k) {
+        way += legs_[k].way;
+        a = a > 0.0 ? std::min(a, legs_[k].acceleration) : legs_[k].acceleration;
+      }
+      if (a > 0.0)
+        legs_[m].end = std::min(legs_[m].end, std::sqrt(2.0 * a * way));
+    }
+  }
+
+  double secondsOf(std::size_t m) const {
+    const Leg& leg = legs_[m];
+    double seconds = path_.durationS[m];
+    if (ramps(leg)) {
+      const double from = std::min(legs_[m - 1].end, leg.speed), to = std::min(leg.end, leg.speed);
+      seconds = trapezoidS(leg.way, from, leg.speed, to, leg.acceleration);
+    } else if (!leg.straight && !leg.timed) {
+      seconds = jointS(m);
+    }
+    return seconds > 0.0 ? std::max(seconds, model_.cycleS) : 0.0;
+  }
+
+  double jointS(std::size_t m) const {
+    const plan::ProgramMotion& motion = motions_[m];
+    const double a = motion.jointAccelerationRadPerS2 > 0.0 ? motion.jointAccelerationRadPerS2
+                                                            : model_.jointAccelerationRadPerS2;
+    double turn = 0.0;
+    for (int k = 0; k < path_.dof; ++k)
+      turn = std::max(turn, std::abs(path_.jointsAt(m)[k] - path_.jointsAt(m - 1)[k]));
+    const double seconds = path_.durationS[m];
+    if (a <= 0.0 || seconds <= 0.0 || turn < kLeastMm)
+      return seconds;
+    return trapezoidS(turn, 0.0, turn / seconds, 0.0, a);
+  }
+
+  const std::vector<plan::ProgramMotion>& motions_;
+  const plan::TimeModel& model_;
+  const ExecutedPath& path_;
+  TurnLaw law_;
+  std::vector<Leg> legs_;
+};
+
+} // namespace
+
+std::vector<double> controllerTimes(const plan::ReadProgram& program, const ExecutedPath& path,
+                                    TurnLaw law) {
+  return Controller(program, path, law).times();
+}
+
+} // namespace voluta::replay
