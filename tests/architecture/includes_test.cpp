@@ -22,6 +22,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"process", {"geometry"}},
     {"voxel", {"geometry"}},
     {"plan", {}},
+    {"build3mf", {"geometry", "process", "voxel", "plan"}},
     {"layers", {"geometry", "voxel", "process", "plan"}},
     {"curved", {"geometry", "voxel", "process", "layers", "plan"}},
     {"support", {"geometry", "voxel", "process", "layers", "plan", "curved"}},
@@ -38,15 +39,15 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"program", {"geometry", "process", "robot", "plan"}},
     {"replay", {"geometry", "platform", "process", "voxel", "robot", "plan", "program"}},
     {"project",
-     {"texts", "geometry", "platform", "samples", "process", "voxel", "plan", "layers", "curved",
-      "planar"}},
+     {"texts", "geometry", "platform", "samples", "process", "voxel", "plan", "build3mf", "layers",
+      "curved", "planar"}},
     {"modes",
      {"geometry", "platform", "process", "voxel", "plan", "layers", "curved", "planar", "substrate",
       "support", "robot", "project"}},
     {"pipeline",
-     {"geometry", "platform", "process", "voxel", "plan", "layers", "curved", "planar", "substrate",
-      "support", "placement", "robot", "collision", "toolpath", "motion", "program", "replay",
-      "project", "modes"}},
+     {"geometry", "platform", "process", "voxel", "plan", "build3mf", "layers", "curved", "planar",
+      "substrate", "support", "placement", "robot", "collision", "toolpath", "motion", "program",
+      "replay", "project", "modes"}},
 };
 
 struct Include {

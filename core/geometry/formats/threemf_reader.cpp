@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "geometry/formats/facet_soup.h"
 #include "geometry/formats/text_scanner.h"
+#include "geometry/formats/threemf_package.h"
 #include "geometry/formats/zip_package.h"
 
 #include <Eigen/Geometry>
@@ -172,44 +173,6 @@ private:
   base::Message wrong_;
 };
 
-// Members are named without the slash that paths begin with.
-std::string memberOf(std::string_view path) {
-  return std::string(path.starts_with('/') ? path.substr(1) : path);
-}
-
-// The model that the package's relations name.
-std::string mainModel(const ZipPackage& package, const std::string& name) {
-  constexpr const char* kRelations = "_rels/.rels";
-  constexpr std::string_view kType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
-  const std::string text = package.member(kRelations);
-  std::string target;
-  const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(
-      XML_ParserCreate(nullptr), &XML_ParserFree);
-  base::require(parser != nullptr, "an XML parser");
-  XML_SetUserData(parser.get(), &target);
-  XML_SetElementHandler(
-      parser.get(),
-      [](void* user, const XML_Char* element, const XML_Char** pairs) {
-        const Attributes attributes(pairs);
-        if (localName(element) == "Relationship" && attributes.text("Type") == kType)
-          *static_cast<std::string*>(user) = attributes.text("Target");
-      },
-      nullptr);
-  XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
-  if (target.empty())
-    throw Error(ErrorCode::UnreadableFile, "names no model"_text, name + ", " + kRelations);
-  return memberOf(target);
-}
-
-// mm a unit; none: not known.
-std::optional<double> unitMm(const std::string& unit) {
-  static const std::map<std::string, double> kUnits{{"micron", 1e-3},     {"millimeter", 1.0},
-                                                    {"centimeter", 10.0}, {"inch", 25.4},
-                                                    {"foot", 304.8},      {"meter", 1000.0}};
-  const auto found = kUnits.find(unit);
-  return found == kUnits.end() ? std::nullopt : std::optional(found->second);
-}
-
 // Lays out what is built, each object where it is used.
 class Unfolding {
 public:
@@ -264,7 +227,7 @@ FacetSoup read3mf(std::string_view bytes, const std::string& name) {
   const Model& model = unfolding.model(member);
   FacetSoup soup;
   soup.format = "3MF";
-  const std::optional<double> scale = unitMm(model.unit);
+  const std::optional<double> scale = threemfUnitMm(model.unit);
   if (!scale)
     soup.repairs.push_back(
         base::message("lengths taken as mm: the unit '{unit}' is not known"_text, model.unit));

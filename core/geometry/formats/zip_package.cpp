@@ -16,6 +16,7 @@ constexpr std::uint32_t kMost = 1u << 30; // bytes of a member
 constexpr std::uint32_t kStored = 0, kDeflated = 8;
 constexpr std::uint32_t kEncrypted = 1;
 constexpr std::size_t kStep = 1 << 20;
+constexpr std::uint32_t kLarge = 1u << 24, kMostTimes = 300; // bytes, and times as large unpacked
 
 // Little-endian. Precondition: it lies inside.
 std::uint32_t numberAt(std::string_view bytes, std::size_t at, int count) {
@@ -87,6 +88,11 @@ ZipPackage::ZipPackage(std::string_view bytes, const std::string& name)
   }
 }
 
+std::size_t ZipPackage::sizeOf(const std::string& member) const {
+  const auto found = members_.find(member);
+  return found == members_.end() ? 0 : found->second.size;
+}
+
 std::string ZipPackage::member(const std::string& member) const {
   const auto unreadable = [&](const base::Message& what) {
     return base::Error(base::ErrorCode::UnreadableFile,
@@ -109,6 +115,9 @@ std::string ZipPackage::member(const std::string& member) const {
   if (begin > bytes_.size() || bytes_.size() - begin < m.packed)
     throw unreadable("is cut short"_text);
   const std::string_view packed = bytes_.substr(begin, m.packed);
+  // Nothing that is meant to be read packs so well.
+  if (m.size > kLarge && m.size / kMostTimes > m.packed)
+    throw unreadable("unpacks to more than it can mean"_text);
   std::string text;
   if (m.method == kStored)
     text = packed;

@@ -16,6 +16,8 @@ public:
   ZipPackage(std::string_view bytes, const std::string& name);
 
   bool has(const std::string& member) const { return members_.contains(member); }
+  // What its directory says a member comes to, bytes; 0 where it is not there.
+  std::size_t sizeOf(const std::string& member) const;
   // Throws Error{UnreadableFile}: not there, packed in another way, damaged.
   std::string member(const std::string& member) const;
 

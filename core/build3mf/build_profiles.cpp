@@ -1,0 +1,103 @@
+#include "build3mf/build_profiles.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace voluta::build3mf {
+
+using base::Error;
+using base::ErrorCode;
+using geometry::XmlAttributes;
+
+namespace {
+
+bool holds(const std::string& text, std::string_view word) {
+  return text.find(word) != std::string::npos;
+}
+
+// Others' names say what a path is for, if in words of their own.
+plan::PathKind kindOf(const XmlAttributes& attributes, const std::string& name) {
+  using enum plan::PathKind;
+  const std::string_view own = attributes.text("kind", kOwnSpace);
+  for (std::size_t k = 0; k < kKindNames.size(); ++k)
+    if (own == kKindNames[k])
+      return static_cast<plan::PathKind>(k);
+  const std::string word = smallLetters(name);
+  if (holds(word, "support"))
+    return Support;
+  if (holds(word, "skirt") || holds(word, "brim") || holds(word, "purge"))
+    return Skirt;
+  if (holds(word, "gap"))
+    return GapFill;
+  return holds(word, "fill") || holds(word, "hatch") ? Infill : Wall;
+}
+
+ModifierType typeOf(std::string_view word) {
+  if (word == "constant")
+    return ModifierType::Constant;
+  if (word == "linear")
+    return ModifierType::Linear;
+  if (word == "nonlinear")
+    return ModifierType::Nonlinear;
+  throw Error(ErrorCode::UnreadableFile,
+              base::message("a modifier of type '{type}', which is not known"_text, word));
+}
+
+} // namespace
+
+std::string smallLetters(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return small;
+}
+
+Profile profileOf(const XmlAttributes& attributes) {
+  Profile profile;
+  profile.name = attributes.text("name");
+  for (std::size_t m = 0; m < kModulatedNames.size(); ++m)
+    if (attributes.has(kModulatedNames[m])) {
+      profile.nominal[m] = attributes.number(kModulatedNames[m]);
+      if (!(profile.nominal[m] > 0.0))
+        throw Error(ErrorCode::UnreadableFile,
+                    base::message("'{attribute}' is not above 0"_text, kModulatedNames[m]));
+    }
+  profile.kind = kindOf(attributes, profile.name);
+  profile.waits = attributes.has("prewaittime") || attributes.has("postwaittime");
+  return profile;
+}
+
+void addModifier(Profile& profile, const XmlAttributes& attributes) {
+  const std::string_view of = attributes.text("attribute");
+  const auto known = std::find(kModulatedNames.begin(), kModulatedNames.end(), of);
+  if (known == kModulatedNames.end())
+    throw Error(ErrorCode::UnreadableFile,
+                base::message("a modifier of '{attribute}', which cannot be followed"_text, of));
+  const auto m = static_cast<std::size_t>(known - kModulatedNames.begin());
+  if (!(profile.nominal[m] > 0.0))
+    throw Error(ErrorCode::UnreadableFile,
+                base::message("a modifier of '{attribute}', which its profile lacks"_text, of));
+  const std::string_view factor = attributes.text("factor");
+  const auto letter = factor.size() == 1
+                          ? std::find(kFactors.begin(), kFactors.end(), factor.front())
+                          : kFactors.end();
+  const Modifier modifier{typeOf(attributes.text("type")), attributes.number("minvalue"),
+                          attributes.number("maxvalue"),
+                          static_cast<std::size_t>(letter - kFactors.begin())};
+  if (letter == kFactors.end() || !(modifier.least > 0.0) || !(modifier.least < modifier.most))
+    throw Error(ErrorCode::UnreadableFile,
+                base::message("a modifier of '{attribute}' without a range above 0 or without a "
+                              "factor of e, f, g and h"_text,
+                              of));
+  for (std::size_t other = 0; other < profile.modified.size(); ++other)
+    if (profile.modified[other] &&
+        (other == m || profile.modifiers[other].factor == modifier.factor))
+      throw Error(ErrorCode::UnreadableFile,
+                  base::message("two modifiers of '{attribute}' or by one factor"_text, of));
+  profile.modified[m] = true;
+  profile.modifiers[m] = modifier;
+}
+
+} // namespace voluta::build3mf

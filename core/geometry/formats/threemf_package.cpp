@@ -1,0 +1,38 @@
+#include "geometry/formats/threemf_package.h"
+
+#include "base/error.h"
+#include "geometry/formats/xml_scan.h"
+
+#include <map>
+
+namespace voluta::geometry {
+
+std::string memberOf(std::string_view path) {
+  return std::string(path.starts_with('/') ? path.substr(1) : path);
+}
+
+std::string mainModel(const ZipPackage& package, const std::string& name) {
+  constexpr const char* kRelations = "_rels/.rels";
+  constexpr std::string_view kType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+  const std::string where = name + ", " + kRelations;
+  std::string target;
+  XmlHandler handler;
+  handler.begin = [&](XmlName element, const XmlAttributes& attributes) {
+    if (element.word == "Relationship" && attributes.text("Type") == kType)
+      target = attributes.text("Target");
+  };
+  scanXml(package.member(kRelations), where, handler);
+  if (target.empty())
+    throw base::Error(base::ErrorCode::UnreadableFile, "names no model"_text, where);
+  return memberOf(target);
+}
+
+std::optional<double> threemfUnitMm(const std::string& unit) {
+  static const std::map<std::string, double> kUnits{{"micron", 1e-3},     {"millimeter", 1.0},
+                                                    {"centimeter", 10.0}, {"inch", 25.4},
+                                                    {"foot", 304.8},      {"meter", 1000.0}};
+  const auto found = kUnits.find(unit);
+  return found == kUnits.end() ? std::nullopt : std::optional(found->second);
+}
+
+} // namespace voluta::geometry
