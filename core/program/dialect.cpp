@@ -32,6 +32,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "gcode",
        .controller = "gcode-extended",
        .needsJoints = false,
+       .saysJointMotions = false,
        // Marlin's own figures.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,

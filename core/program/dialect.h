@@ -3,7 +3,8 @@
 //
 // Common to all writers: they spell one walk over the trajectory (program/walk.h); the same input
 // gives the same bytes; one motion a line; one program motion for each Trajectory point, in order,
-// so that a verifier can match them one to one. What the start, prime and end sequences add are
+// so that a verifier can match them one to one, and before it the pieces of a joint motion that a
+// dialect cannot say. What the start, prime and end sequences add are
 // outputs and waits, never motions with a target. A target that is read back is within 0.001 mm at
 // the nozzle and 1e-5 rad of the trajectory's, a motion's volume within 0.1 % (of motions that lay
 // 0.05 mm3 or more), its time within kFlowBand.
@@ -24,12 +25,13 @@ namespace voluta::program {
 struct Dialect {
   std::string_view id;
   base::Text label;
-  std::string_view extension;  // without the dot
-  std::string_view controller; // RobotModel::controller it is native to; empty: any robot's
-  bool needsJoints = false;    // its targets are joint values, so it is bound to the cell's robot
-  bool turnsRods = true;       // can it say where an external axis is, or what is on the part
-  plan::TimeModel time = {};   // of its controller; readProgram hands it on
-  bool forAnyCell = false;     // written beside the cell's own where the user chooses no formats
+  std::string_view extension;   // without the dot
+  std::string_view controller;  // RobotModel::controller it is native to; empty: any robot's
+  bool needsJoints = false;     // its targets are joint values, so it is bound to the cell's robot
+  bool saysJointMotions = true; // else they come in straight pieces (joint_pieces.h)
+  bool turnsRods = true;        // can it say where an external axis is, or what is on the part
+  plan::TimeModel time = {};    // of its controller; readProgram hands it on
+  bool forAnyCell = false;      // written beside the cell's own where the user chooses no formats
   // Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
   plan::Program (*write)(const ProgramInput&, const base::RunContext&) = nullptr;
   // Never throws on bad text: what makes no sense is a defect with its line, and the motions are

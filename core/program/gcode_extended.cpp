@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "program/job_head.h"
+#include "program/joint_pieces.h"
 #include "program/motion_targets.h"
 #include "program/program_builder.h"
 #include "program/text.h"
@@ -111,26 +112,41 @@ private:
   }
 
   void remark(std::string_view text) override { out_ += joined({"; ", text, "\n"}); }
-  void jointMotion(std::size_t i) override { motion(i); }
+  // The nozzle's way is not a straight one: it is said in pieces.
+  void jointMotion(std::size_t i) override {
+    const int pieces = i == 0 ? 1 : jointPieces(in_, i);
+    for (int k = 1; k < pieces; ++k)
+      line("G0", jointPiece(in_, i, static_cast<double>(k) / pieces),
+           motionSeconds(in_.trajectory, i) / pieces);
+    motion(i, pieces);
+  }
   void straightMotion(std::size_t i, bool) override { motion(i); }
 
-  void motion(std::size_t i) {
+  void motion(std::size_t i, int pieces = 1) {
     const plan::Trajectory& t = in_.trajectory;
-    const MotionTarget& target = targets_[i];
+    std::optional<double> filamentMm;
+    if (isPrint(t, i))
+      filamentMm = t.extrudedMm3[i] / filamentArea(kFilamentDiameterMm);
+    line(filamentMm ? "G1" : "G0", targets_[i], motionSeconds(t, i) / pieces, filamentMm);
+  }
+
+  // In `s` seconds from the last one; 0: untimed.
+  void line(std::string_view command, const MotionTarget& target, double s,
+            std::optional<double> filamentMm = std::nullopt) {
     Eigen::Vector3d tip;
     for (int k = 0; k < 3; ++k)
       tip[k] = roundedTo(target.tipMm[k], kPositionDecimals);
-    out_ += isPrint(t, i) ? "G1" : "G0";
+    out_ += command;
     word(" X", tip.x(), kPositionDecimals);
     word(" Y", tip.y(), kPositionDecimals);
     word(" Z", tip.z(), kPositionDecimals);
     word(" nX", target.direction.x(), kDirectionDecimals);
     word(" nY", target.direction.y(), kDirectionDecimals);
     word(" nZ", target.direction.z(), kDirectionDecimals);
-    if (isPrint(t, i))
-      word(" E", t.extrudedMm3[i] / filamentArea(kFilamentDiameterMm), kFilamentDecimals);
+    if (filamentMm)
+      word(" E", *filamentMm, kFilamentDecimals);
     // The speed between the targets as written, so that rounding doesn't become speed.
-    const double s = motionSeconds(t, i), length = i == 0 ? 0.0 : (tip - lastTip_).norm();
+    const double length = (tip - lastTip_).norm();
     double speed = s > 0.0 ? length / s : 0.0;
     if (speed < 1e-3) // on the spot, or untimed
       speed = in_.process.travelSpeedMmPerS;

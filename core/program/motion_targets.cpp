@@ -37,6 +37,14 @@ void checkInput(const ProgramInput& input) {
                 "the trajectory's arrays differ in length");
 }
 
+MotionTarget targetOf(const robot::Cell& cell, const robot::JointVector& q) {
+  const Eigen::Isometry3d flange = cell.robot().kinematics->flange(q);
+  const Eigen::Isometry3d tcp = flange * cell.flange_T_moved();
+  const Eigen::Isometry3d tool = cell.work_T_toolOfFlange(flange, q);
+  return {Eigen::Quaterniond(tcp.linear()), tcp.translation(), tool.translation(),
+          -tool.linear().col(2)};
+}
+
 std::vector<MotionTarget> motionTargets(const ProgramInput& input, const base::RunContext& ctx) {
   checkInput(input);
   const plan::Trajectory& t = input.trajectory;
@@ -44,12 +52,7 @@ std::vector<MotionTarget> motionTargets(const ProgramInput& input, const base::R
   std::vector<MotionTarget> targets(t.pointCount());
   base::parallelChunks(ctx, targets.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof);
-      const Eigen::Isometry3d flange = cell.robot().kinematics->flange(q);
-      const Eigen::Isometry3d tcp = flange * cell.flange_T_moved();
-      const Eigen::Isometry3d tool = cell.work_T_toolOfFlange(flange, q);
-      targets[i] = {Eigen::Quaterniond(tcp.linear()), tcp.translation(), tool.translation(),
-                    -tool.linear().col(2)};
+      targets[i] = targetOf(cell, Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof));
     }
   });
   return targets;

@@ -19,10 +19,13 @@ struct MotionTarget {
   Eigen::Vector3d direction;  // from the bead into the nozzle, work frame, unit
 };
 
+// Of an arm, with its external axes, that stands there; by forward kinematics.
+MotionTarget targetOf(const robot::Cell& cell, const robot::JointVector& q);
+
 // The preconditions of ProgramInput. Throws Error{Internal}.
 void checkInput(const ProgramInput& input);
 
-// Targets of all points of input.trajectory by forward kinematics.
+// Targets of all points of input.trajectory.
 // Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
 std::vector<MotionTarget> motionTargets(const ProgramInput& input, const base::RunContext& ctx);
 

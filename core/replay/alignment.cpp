@@ -20,8 +20,8 @@ constexpr std::size_t kRunOfAgreement = 3;
 class Walk {
 public:
   Walk(PoseSequence motions, PoseSequence points, const AlignmentOptions& options,
-       const base::RunContext& ctx)
-      : motions_(motions), points_(points), options_(options), ctx_(ctx) {
+       const base::RunContext& ctx, const IsVia& isVia)
+      : motions_(motions), points_(points), options_(options), ctx_(ctx), isVia_(isVia) {
     result_.pointOf.assign(motions.size(), kUnmatched);
   }
 
@@ -32,6 +32,10 @@ public:
         ctx_.checkpoint();
       if (agreesHere(i, j)) {
         result_.pointOf[i++] = j++;
+        continue;
+      }
+      if (isVia_ && isVia_(i, j)) {
+        ++i;
         continue;
       }
       if (result_.deviations.size() >= options_.maxDeviations) {
@@ -157,17 +161,18 @@ private:
   PoseSequence motions_, points_;
   const AlignmentOptions& options_;
   const base::RunContext& ctx_;
+  const IsVia& isVia_;
   Alignment result_;
 };
 
 } // namespace
 
 Alignment alignToPlan(PoseSequence motions, PoseSequence points, const AlignmentOptions& options,
-                      const base::RunContext& ctx) {
+                      const base::RunContext& ctx, const IsVia& isVia) {
   base::require(motions.tip.size() == motions.direction.size() &&
                     points.tip.size() == points.direction.size(),
                 "alignToPlan: a direction per tip");
-  return Walk(motions, points, options, ctx).run();
+  return Walk(motions, points, options, ctx, isVia).run();
 }
 
 } // namespace voluta::replay

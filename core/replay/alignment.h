@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -50,8 +51,11 @@ struct Alignment {
 // Walks both sequences in step. Where they differ, the nearest place (fewest motions and points
 // skipped) where three pairs in a row agree is where they go on; what lies between is paired as
 // moved or swapped when there are as many motions as points, else by least edits.
-// Leading and trailing motions without a point are `Extra` too. Throws Cancelled.
+// Leading and trailing motions without a point are `Extra` too. `isVia`, where given: does a motion
+// that is not at a point yet lie on the way to it? Such a one has no point and is no deviation.
+// Throws Cancelled.
+using IsVia = std::function<bool(std::size_t motion, std::size_t point)>;
 Alignment alignToPlan(PoseSequence motions, PoseSequence points, const AlignmentOptions& options,
-                      const base::RunContext& ctx);
+                      const base::RunContext& ctx, const IsVia& isVia = {});
 
 } // namespace voluta::replay

@@ -11,9 +11,9 @@ namespace {
 using Eigen::Vector3d;
 
 // Of a motion's samples from the same motion's way in another run.
-void stretch(Apart& most, const ExecutedPath& path, const ExecutedPath& way, std::size_t motion,
-             double reachMm) {
-  const std::size_t begin = way.firstSample[motion], end = way.firstSample[motion + 1];
+void stretch(Apart& most, const ExecutedPath& path, std::size_t motion, const ExecutedPath& way,
+             std::size_t same, double reachMm) {
+  const std::size_t begin = way.firstSample[same], end = way.firstSample[same + 1];
   for (std::size_t s = path.firstSample[motion]; s < path.firstSample[motion + 1]; ++s) {
     double nearest = INFINITY;
     Vector3d tip = way.tip[begin], direction = way.direction[begin];
@@ -40,13 +40,23 @@ void stretch(Apart& most, const ExecutedPath& path, const ExecutedPath& way, std
 } // namespace
 
 std::vector<Apart> apart(const Run& a, const Run& b, double reachMm, const base::RunContext& ctx) {
-  if (a.pointOf != b.pointOf)
-    return {};
-  std::vector<Apart> result(a.path.motionCount());
+  std::size_t points = 0;
+  for (const std::size_t point : a.pointOf)
+    if (point != kUnmatched)
+      points = std::max(points, point + 1);
+  std::vector<std::size_t> motionTo(points, kUnmatched);
+  for (std::size_t m = 0; m < a.pointOf.size(); ++m)
+    if (a.pointOf[m] != kUnmatched)
+      motionTo[a.pointOf[m]] = m;
+  std::vector<Apart> result(b.path.motionCount());
   base::parallelChunks(ctx, result.size(), 2048, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end && !ctx.cancelled(); ++m) {
-      stretch(result[m], a.path, b.path, m, reachMm);
-      stretch(result[m], b.path, a.path, m, reachMm);
+      const std::size_t same = b.pointOf[m] < points ? motionTo[b.pointOf[m]] : kUnmatched;
+      if (same == kUnmatched)
+        continue;
+      result[m].motion = same;
+      stretch(result[m], a.path, same, b.path, m, reachMm);
+      stretch(result[m], b.path, m, a.path, same, reachMm);
     }
   });
   ctx.checkpoint();

@@ -8,6 +8,7 @@
 #include "replay/comparison.h"
 #include "replay/controller_time.h"
 #include "replay/executed_path.h"
+#include "replay/joint_arcs.h"
 #include "replay/run.h"
 #include "replay/section_errors.h"
 #include "replay/verification.h"
@@ -94,8 +95,14 @@ private:
   void compare(Run& run) {
     ctx_.report(0.06, "comparing with the plan"_text);
     const PlannedNozzle planned = plannedNozzle(in_.trajectory, in_.cell, ctx_);
-    Alignment alignment = alignToPlan({path_->targetTip, path_->targetDirection},
-                                      {planned.tip, planned.direction}, AlignmentOptions{}, ctx_);
+    JointArcs arcs(in_.trajectory, in_.cell);
+    Alignment alignment =
+        alignToPlan({path_->targetTip, path_->targetDirection}, {planned.tip, planned.direction},
+                    AlignmentOptions{}, ctx_, [&](std::size_t m, std::size_t point) {
+                      const plan::ProgramMotion& motion = in_.program.motions[m];
+                      return motion.target == plan::TargetKind::ToolPoint && !motion.extruding &&
+                             arcs.passes(point, path_->targetTip[m], path_->targetDirection[m]);
+                    });
     deviates(compareWithPlan(in_.program, *path_, planned, in_.trajectory, alignment,
                              ComparisonOptions{}));
     deviates(judgeBesideMotion(in_.program, *path_, in_.trajectory, in_.cell, in_.process));

@@ -58,19 +58,22 @@ public:
 private:
   const ExecutedPath& path() const { return out_.run.path; }
 
-  // Fills in same_ where it holds.
+  // Fills in same_ and otherOf_ where it holds.
   bool laysTheSame(const JudgedRun& other) {
     const Ball head = HeadSolid(in_.process.head).ball();
     const std::vector<Apart> off =
         apart(other.run, out_.run, head.centre.norm() + head.radius, ctx_);
-    if (off.size() != path().motionCount())
-      return false;
     const double cell = other.figures.pitchMm;
     same_.assign(off.size(), 0);
+    otherOf_.assign(off.size(), kUnmatched);
     double moved = 0.0, volume = 0.0;
+    std::size_t beads = 0; // of its motions that lay something, those that are here too
     for (std::size_t m = 0; m < off.size(); ++m) {
-      const double mine = out_.run.volumeMm3[m], its = other.run.volumeMm3[m];
-      same_[m] = std::max(off[m].tipMm, off[m].headMm) <= kSameOfCell * cell;
+      const std::size_t o = otherOf_[m] = off[m].motion;
+      const double mine = out_.run.volumeMm3[m];
+      const double its = o == kUnmatched ? 0.0 : other.run.volumeMm3[o];
+      same_[m] = o != kUnmatched && std::max(off[m].tipMm, off[m].headMm) <= kSameOfCell * cell;
+      beads += its > 0.0;
       if (mine <= 0.0 && its <= 0.0)
         continue;
       if (off[m].tipMm > kSameOfCell * cell ||
@@ -79,7 +82,8 @@ private:
       moved += mine * off[m].tipMm;
       volume += mine;
     }
-    return moved <= kSameInTheMean * cell * volume;
+    const auto laid = std::ranges::count_if(other.run.volumeMm3, [](double v) { return v > 0.0; });
+    return beads == static_cast<std::size_t>(laid) && moved <= kSameInTheMean * cell * volume;
   }
 
   void layBeads() {
@@ -203,6 +207,8 @@ private:
     const GroundSolids ground(in_.platform, in_.cell, 0.25 * in_.process.beadWidthMm, ctx_);
     const bool armToo = known && known->run.path.arm && path().arm;
     if (known)
+      numberMine(known->run.path.motionCount());
+    if (known)
       for (const auto* clashes : {&known->head, &known->arm})
         for (const Clash& c : *clashes)
           lend(c);
@@ -221,20 +227,31 @@ private:
     }
   }
 
+  void numberMine(std::size_t count) {
+    mineOf_.assign(count, kUnmatched);
+    for (std::size_t m = 0; m < otherOf_.size(); ++m)
+      if (otherOf_[m] != kUnmatched)
+        mineOf_[otherOf_[m]] = m;
+  }
+
   // A contact that goes on into a motion that is another is looked for anew as a whole.
   void lend(const Clash& c) {
-    const auto begin = same_.begin() + static_cast<std::ptrdiff_t>(c.motion),
-               end = same_.begin() + static_cast<std::ptrdiff_t>(c.lastMotion) + 1;
-    if (std::find(begin, end, char{0}) != end)
-      std::fill(begin, end, char{0});
+    bool whole = true;
+    for (std::size_t o = c.motion; o <= c.lastMotion; ++o)
+      whole = whole && mineOf_[o] != kUnmatched && same_[mineOf_[o]];
+    if (whole)
+      return;
+    for (std::size_t o = c.motion; o <= c.lastMotion; ++o)
+      if (mineOf_[o] != kUnmatched)
+        same_[mineOf_[o]] = 0;
   }
 
   bool sameJoints(const ExecutedPath& other, std::size_t motion) const {
     constexpr double kSameRad = 2e-4; // a tenth of a millimetre, half a metre away
-    if (other.dof != path().dof)
+    if (other.dof != path().dof || otherOf_[motion] == kUnmatched)
       return false;
     for (int k = 0; k < path().dof; ++k)
-      if (std::abs(other.jointsAt(motion)[k] - path().jointsAt(motion)[k]) > kSameRad)
+      if (std::abs(other.jointsAt(otherOf_[motion])[k] - path().jointsAt(motion)[k]) > kSameRad)
         return false;
     return true;
   }
@@ -242,9 +259,12 @@ private:
   void takeOver(const std::vector<Clash>& clashes, const std::vector<char>& same,
                 const ExecutedPath& other, std::vector<Clash>& out) const {
     for (Clash c : clashes) {
-      if (!same[c.motion])
+      const std::size_t first = mineOf_[c.motion], last = mineOf_[c.lastMotion];
+      if (first == kUnmatched || last == kUnmatched || !same[first])
         continue;
-      c.whenS = path().startS[c.motion] + (c.whenS - other.startS[c.motion]);
+      c.whenS = path().startS[first] + (c.whenS - other.startS[c.motion]);
+      c.motion = first;
+      c.lastMotion = last;
       out.push_back(std::move(c));
     }
   }
@@ -267,6 +287,8 @@ private:
   const base::RunContext& ctx_;
   JudgedRun out_;
   std::vector<char> same_; // per motion: as in the run that is known
+  // Motions to the same point of the plan: of that run, per motion, and the other way round.
+  std::vector<std::size_t> otherOf_, mineOf_;
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan/finding.h"
+#include "replay/alignment.h"
 #include "replay/beads.h"
 #include "replay/clashes.h"
 #include "replay/executed_path.h"
@@ -63,13 +64,14 @@ struct JudgedRun {
 JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& thresholds,
                    const JudgedRuns& judged, const base::RunContext& ctx);
 
-// How far a motion of one run is from the same motion of another.
+// How far a motion of one run is from the motion of another to the same point of the plan.
 struct Apart {
+  std::size_t motion = kUnmatched; // of the other run; kUnmatched: it has none
   double tipMm = 0.0;  // the nozzle's tip from the other's way, at most; either way round
   double headMm = 0.0; // the head's far end likewise
 };
-// Per motion; `reachMm`: of the head along its axis. Empty where the motions are not the same
-// points of the plan. Throws Cancelled.
+// Per motion of b, from those of a; `reachMm`: of the head along its axis. Precondition: runs of
+// programs of one trajectory. Throws Cancelled.
 std::vector<Apart> apart(const Run& a, const Run& b, double reachMm, const base::RunContext& ctx);
 
 } // namespace voluta::replay

@@ -58,6 +58,29 @@ TEST(Alignment, FindsAMovedWaypoint) {
   }
 }
 
+TEST(Alignment, WhatLiesOnTheWayToAPointHasNoneAndIsNoDeviation) {
+  const Sequence plan = zigzag(10, 40);
+  Sequence program = plan;
+  const Vector3d off(0.0, 0.0, 30.0); // on the way to points 57 and 200
+  for (const std::size_t at : {200u, 57u, 57u}) {
+    program.tip.insert(program.tip.begin() + at, plan.tip[at] + off);
+    program.direction.insert(program.direction.begin() + at, Vector3d::UnitZ());
+  }
+  const auto isVia = [&](std::size_t motion, std::size_t point) {
+    return (point == 57 || point == 200) && program.tip[motion].z() > 20.0;
+  };
+  const Alignment a = alignToPlan(program, plan, AlignmentOptions{}, base::RunContext(), isVia);
+  EXPECT_TRUE(a.deviations.empty());
+  EXPECT_EQ(a.pointOf[57], kUnmatched);
+  EXPECT_EQ(a.pointOf[58], kUnmatched);
+  EXPECT_EQ(a.pointOf[59], 57u);
+  EXPECT_EQ(a.pointOf[202], kUnmatched);
+  EXPECT_EQ(a.pointOf[203], 200u);
+  EXPECT_EQ(a.pointOf.back(), plan.tip.size() - 1);
+  const Alignment without = align(program, plan);
+  EXPECT_EQ(without.deviations.size(), 2u);
+}
+
 TEST(Alignment, FindsTenDeletedOnAStraightLine) {
   const Sequence plan = zigzag(10, 40);
   for (const std::size_t at : {0u, 5u, 121u, 215u, 350u}) {
