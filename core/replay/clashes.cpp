@@ -90,6 +90,7 @@ std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const M
 } // namespace
 
 std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
+                               const std::vector<std::uint32_t>& firstPiece,
                                const PrintedPart& printed, const process::Process& process,
                                const GroundSolids& ground, const std::vector<char>& known,
                                const base::RunContext& ctx) {
@@ -97,7 +98,6 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
   const HeadSolid againstPlatform(process::erodedHead(process.head, tolerance));
   const HeadSolid againstPart(
       process::erodedHead(process.head, tolerance + 0.5 * printed.grid().pitch));
-  const std::vector<std::uint32_t> firstPiece = firstPieceOfMotions(pieces, path.motionCount());
   std::vector<Ball> groundBalls;
   for (const PlacedShape& solid : ground.solids()) {
     groundBalls.push_back(ballRound(solid.shape));
@@ -353,7 +353,8 @@ private:
 
 } // namespace
 
-std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
+std::vector<Clash> armClashes(const ExecutedPath& path,
+                              const std::vector<std::uint32_t>& firstPiece,
                               const PrintedPart& printed, const GroundSolids& ground,
                               const robot::Cell& cell, const std::vector<char>& known,
                               const base::RunContext& ctx) {
@@ -376,7 +377,6 @@ std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPi
       pairs.push_back({b, kGroundBody});
   }
 
-  const std::vector<std::uint32_t> firstPiece = firstPieceOfMotions(pieces, path.motionCount());
   const std::size_t samples = path.armMotion.size();
   std::vector<std::vector<Touch>> chunks((samples + kGrain - 1) / kGrain);
   base::parallelChunks(ctx, samples, kGrain, [&](std::size_t begin, std::size_t end) {

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,11 @@ struct Clash {
 // nozzle's path, against material laid before and against the ground.
 // A cell of the part, or of a body that is the ground, counts when its centre is in the head shrunk
 // by another half cell: nearer the grid can't tell. Material of the last 2 bead widths of the same
-// path doesn't count. Not looked at are motions of which `known` holds; empty: of none. Throws
-// Cancelled.
+// path doesn't count. `firstPiece`: per motion the index of the first piece that is its own or a
+// later motion's, one entry more (beads.h: firstPieceOfMotions). Not looked at are motions of which
+// `known` holds; empty: of none. Throws Cancelled.
 std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
+                               const std::vector<std::uint32_t>& firstPiece,
                                const PrintedPart& printed, const process::Process& process,
                                const GroundSolids& ground, const std::vector<char>& known,
                                const base::RunContext& ctx);
@@ -44,7 +47,8 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
 // the head apart, against material laid before and a body that is the ground. Between samples
 // bodies are followed by the distance they move at most, so that pairs far from each other are
 // looked at only now and then. `known` as above. Empty when path.arm is false. Throws Cancelled.
-std::vector<Clash> armClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
+std::vector<Clash> armClashes(const ExecutedPath& path,
+                              const std::vector<std::uint32_t>& firstPiece,
                               const PrintedPart& printed, const GroundSolids& ground,
                               const robot::Cell& cell, const std::vector<char>& known,
                               const base::RunContext& ctx);

@@ -39,9 +39,13 @@ public:
       if (!known && laysTheSame(*other))
         known = other.get();
     if (known) {
+      numberMine(known->run.path.motionCount());
       out_.laid = known->laid;
       out_.figures = known->figures;
       out_.beads = known->beads;
+      for (BeadFinding& f : out_.beads)
+        if (f.motion)
+          f.motion = mineOf_[*f.motion];
     } else {
       same_.assign(out_.run.path.motionCount(), 0);
       layBeads();
@@ -207,8 +211,6 @@ private:
     const GroundSolids ground(in_.platform, in_.cell, 0.25 * in_.process.beadWidthMm, ctx_);
     const bool armToo = known && known->run.path.arm && path().arm;
     if (known)
-      numberMine(known->run.path.motionCount());
-    if (known)
       for (const auto* clashes : {&known->head, &known->arm})
         for (const Clash& c : *clashes)
           lend(c);
@@ -216,15 +218,29 @@ private:
     if (armToo)
       for (std::size_t m = 0; m < armSame.size(); ++m)
         armSame[m] = armSame[m] && sameJoints(known->run.path, m);
-    out_.head = headClashes(path(), out_.laid->pieces, *out_.laid->printed, in_.process, ground,
-                            same_, ctx_);
+    const std::vector<std::uint32_t> firstPiece = firstPieces(known);
+    out_.head = headClashes(path(), out_.laid->pieces, firstPiece, *out_.laid->printed, in_.process,
+                            ground, same_, ctx_);
     ctx_.report(0.97, "looking for collisions"_text);
-    out_.arm =
-        armClashes(path(), out_.laid->pieces, *out_.laid->printed, ground, in_.cell, armSame, ctx_);
+    out_.arm = armClashes(path(), firstPiece, *out_.laid->printed, ground, in_.cell, armSame, ctx_);
     if (known) {
       takeOver(known->head, same_, known->run.path, out_.head);
       takeOver(known->arm, armSame, known->run.path, out_.arm);
     }
+  }
+
+  // Of each of its motions, among pieces that may be numbered by the motions of the run that lent
+  // them.
+  std::vector<std::uint32_t> firstPieces(const JudgedRun* known) const {
+    const std::size_t motions = path().motionCount();
+    if (!known)
+      return firstPieceOfMotions(out_.laid->pieces, motions);
+    const std::vector<std::uint32_t> its =
+        firstPieceOfMotions(out_.laid->pieces, known->run.path.motionCount());
+    std::vector<std::uint32_t> mine(motions + 1, its.back());
+    for (std::size_t m = motions; m-- > 0;)
+      mine[m] = otherOf_[m] != kUnmatched ? its[otherOf_[m]] : mine[m + 1];
+    return mine;
   }
 
   void numberMine(std::size_t count) {

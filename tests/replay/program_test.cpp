@@ -127,6 +127,55 @@ TEST_P(EachDialect, WhatOtherProgramsLendChangesNoVerdict) {
   EXPECT_FALSE(lent(damaged).passed);
 }
 
+// The scene's motion with a way round by joints amid the print: of dialects that cannot say it the
+// programs have more motions than others have.
+plan::Trajectory withDetour() {
+  plan::Trajectory t = scene().trajectory;
+  const auto dof = static_cast<std::size_t>(t.dof);
+  std::size_t j = t.pointCount() / 4;
+  while (t.move[j] != plan::MoveKind::Linear || t.waypoint[j] != plan::kNoWaypoint ||
+         t.move[j + 1] != plan::MoveKind::Linear || t.waypoint[j + 1] != plan::kNoWaypoint)
+    ++j;
+  const auto insert = [j](auto& values, auto value) {
+    values.insert(values.begin() + static_cast<std::ptrdiff_t>(j) + 1, value);
+  };
+  std::vector<double> aside(t.at(j), t.at(j) + dof);
+  aside[0] += 0.4;
+  for (std::size_t k = dof; k-- > 0;)
+    t.joints.insert(t.joints.begin() + static_cast<std::ptrdiff_t>((j + 1) * dof), aside[k]);
+  for (std::size_t i = j + 1; i < t.timeS.size(); ++i)
+    t.timeS[i] += 4.0;
+  insert(t.timeS, t.timeS[j] + 2.0);
+  insert(t.move, plan::MoveKind::Joint);
+  insert(t.waypoint, plan::kNoWaypoint);
+  insert(t.extrudedMm3, t.extrudedMm3[j]);
+  t.move[j + 2] = plan::MoveKind::Joint;
+  return t;
+}
+
+TEST_P(EachDialect, AWayRoundByJointsPassesAloneAndByWhatOthersLend) {
+  const test::Scene& s = scene();
+  const plan::Trajectory trajectory = withDetour();
+  const auto verdict = [&](const std::string& format, JudgedRuns* judged) {
+    const test::ProgramText text =
+        test::textOf(program::writeProgram(format, {s.plan, trajectory, s.cell, s.process, "box"}));
+    const plan::ReadProgram program = test::read(text, s.process);
+    EXPECT_EQ(program.motions.size() > trajectory.pointCount(),
+              !program::findDialect(format).saysJointMotions);
+    return replayProgram({program, s.plan, trajectory, s.cell, s.process, s.part, s.platform}, {},
+                         {}, judged);
+  };
+  const Verification alone = verdict(GetParam(), nullptr);
+  EXPECT_TRUE(alone.passed) << told(alone);
+  for (const program::Dialect& other : program::dialects()) {
+    JudgedRuns judged;
+    verdict(std::string(other.id), &judged);
+    const Verification borrowed = verdict(GetParam(), &judged);
+    EXPECT_TRUE(borrowed.passed) << other.id << told(borrowed);
+    EXPECT_NEAR(borrowed.coveredFraction, alone.coveredFraction, 2e-3);
+  }
+}
+
 TEST_P(EachDialect, AMovedWaypoint) {
   damageFivePlaces([](test::ProgramText& text, std::size_t point) {
     return test::moveTarget(text, point, scene().process);
