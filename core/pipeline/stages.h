@@ -61,6 +61,7 @@ struct CheckedProgram {
   std::vector<base::Message> failed; // the thresholds that were not kept
   std::vector<std::size_t> metAt;    // as Verification::metAt
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
+  double durationS = 0.0;            // as the program is run
   std::vector<TextLine> motionLines; // of each motion, as its reader found it
   project::Timings timings;
 };
@@ -118,6 +119,7 @@ struct ProgramStageInput {
   const robot::Cell& cell;
   const process::Process& process;
   std::string name;
+  std::size_t firstPoint = 0; // of the trajectory at which the program begins: Job::resumedAt
 };
 // `judged`: of programs of the same motion (replay/verification.h).
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
