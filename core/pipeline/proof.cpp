@@ -90,14 +90,21 @@ Json placeJson(const ProofValue& value, const char* key) {
   return Json{{key, value.value}, {"file", value.file}, {"line", value.line}, {"atS", value.atS}};
 }
 
+// Where the shares stand in the text: in one line, not in thousands.
+constexpr const char* kFilled = "filled, in one line";
+
 Json fillJson(const FillMap& fill) {
-  Json filled = Json::array();
-  for (const double share : fill.filled)
-    filled.push_back(share < 0.0 ? Json() : Json(std::round(1e4 * share) / 1e4));
   return Json{{"cellMm", fill.cellMm},
               {"originMm", {fill.origin.x(), fill.origin.y(), fill.origin.z()}},
               {"size", {fill.size.x(), fill.size.y(), fill.size.z()}},
-              {"filled", std::move(filled)}};
+              {"filled", kFilled}};
+}
+
+std::string filledJson(const FillMap& fill) {
+  Json filled = Json::array();
+  for (const double share : fill.filled)
+    filled.push_back(share < 0.0 ? Json() : Json(std::round(1e4 * share) / 1e4));
+  return filled.dump();
 }
 
 } // namespace
@@ -157,28 +164,30 @@ std::string proofJson(const Proof& proof) {
     joints.push_back(std::move(row));
   }
   const project::ReplayReport& v = proof.verdict;
-  return Json{{"part", proof.part},
-              {"format", proof.format},
-              {"foreign", proof.foreign},
-              {"files", std::move(files)},
-              {"durationS", {{"planned", proof.plannedS}, {"program", proof.programS}}},
-              {"materialMm3", proof.materialMm3},
-              {"replay",
-               {{"passed", v.passed},
-                {"coveredFraction", v.coveredFraction},
-                {"unsupportedFraction", v.unsupportedFraction},
-                {"overfillFraction", v.overfillFraction},
-                {"massRatio", v.massRatio},
-                {"collisions", v.collisions},
-                {"limitViolations", v.limitViolations},
-                {"maxDeviationMm", v.maxDeviationMm}}},
-              {"leastClearance", placeJson(proof.clearance, "mm")},
-              {"jointLimits", std::move(joints)},
-              {"singularity", placeJson(proof.isotropy, "isotropy")},
-              {"fillMap", fillJson(proof.fill)},
-              {"printedMesh", proof.printed}}
-             .dump(1, ' ', false, Json::error_handler_t::replace) +
-         "\n";
+  std::string text = Json{
+      {"part", proof.part},
+      {"format", proof.format},
+      {"foreign", proof.foreign},
+      {"files", std::move(files)},
+      {"durationS", {{"planned", proof.plannedS}, {"program", proof.programS}}},
+      {"materialMm3", proof.materialMm3},
+      {"replay",
+       {{"passed", v.passed},
+        {"coveredFraction", v.coveredFraction},
+        {"unsupportedFraction", v.unsupportedFraction},
+        {"overfillFraction", v.overfillFraction},
+        {"massRatio", v.massRatio},
+        {"collisions", v.collisions},
+        {"limitViolations", v.limitViolations},
+        {"maxDeviationMm", v.maxDeviationMm}}},
+      {"leastClearance", placeJson(proof.clearance, "mm")},
+      {"jointLimits", std::move(joints)},
+      {"singularity", placeJson(proof.isotropy, "isotropy")},
+      {"fillMap", fillJson(proof.fill)},
+      {"printedMesh",
+       proof.printed}}.dump(1, ' ', false, Json::error_handler_t::replace);
+  const std::string mark = std::string("\"") + kFilled + "\"";
+  return text.replace(text.rfind(mark), mark.size(), filledJson(proof.fill)) + "\n";
 }
 
 std::vector<std::string> proofNames(const PlanResult& result, const Programs& programs) {
