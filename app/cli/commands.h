@@ -6,6 +6,7 @@
 #include "cli/progress.h"
 #include "pipeline/compare.h"
 #include "pipeline/compare_figures.h"
+#include "pipeline/resume.h"
 #include "pipeline/road.h"
 
 #include <filesystem>
@@ -21,6 +22,8 @@ struct PlanOptions {
   ProgressStyle progress = ProgressStyle::Bar;
 };
 ExitCode planCommand(const PlanOptions& options);
+// To stdout what was planned, to stderr the one line that says why it is not complete.
+void sayReport(const project::Report& report);
 
 struct CompareCommandOptions {
   pipeline::CompareOptions compared;
@@ -39,6 +42,15 @@ struct VerifyOptions {
   ProgressStyle progress = ProgressStyle::Bar;
 };
 ExitCode verifyCommand(const VerifyOptions& options);
+
+struct ResumeOptions {
+  pipeline::ResumeRequest request;
+  std::filesystem::path folder;
+  int threads = 1;
+  ProgressStyle progress = ProgressStyle::Bar;
+};
+// Writes the rest of a print as a job of its own.
+ExitCode resumeCommand(const ResumeOptions& options);
 
 struct InspectOptions {
   std::string part;

@@ -208,6 +208,41 @@ void addVerify(CLI::App& app, Parsed& parsed, int threads) {
   });
 }
 
+void addResume(CLI::App& app, Parsed& parsed, int threads) {
+  struct Values {
+    ResumeOptions options;
+    std::size_t bead = 0, line = 0;
+    std::string progress = "bar";
+  };
+  auto values = std::make_shared<Values>();
+  values->options.threads = threads;
+  pipeline::ResumeRequest& request = values->options.request;
+  CLI::App* resume = app.add_subcommand("resume", "the rest of a print that was stopped");
+  resume->add_option("JOB", request.job, "job.voluta that was being printed")->required();
+  CLI::Option_group* where = resume->add_option_group("where");
+  CLI::Option* bead = where->add_option("--bead", values->bead, "begin with this bead, from 1");
+  CLI::Option* line =
+      where->add_option("--at", values->line, "begin where this line of the program moves from");
+  where->require_option(1);
+  resume->add_option("--program", request.program,
+                     "file that --at is a line of (the job's first program, beside it)");
+  resume->add_option("-o", values->options.folder, "folder for job, report and programs")
+      ->required();
+  resume->add_option("--format", request.formats, "program format (those of the job)")
+      ->allow_extra_args(false);
+  addRunOptions(*resume, values->options.threads, values->progress);
+  resume->callback([values, bead, line, &parsed] {
+    if (bead->count() > 0)
+      values->options.request.bead = values->bead;
+    if (line->count() > 0)
+      values->options.request.line = values->line;
+    parsed.run = [values] {
+      values->options.progress = kProgressStyles.at(values->progress);
+      return resumeCommand(values->options);
+    };
+  });
+}
+
 void addInspect(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* inspect = app.add_subcommand("inspect", "diagnosis of a mesh");
@@ -290,6 +325,7 @@ int run(int argc, char** argv) {
   addPlan(app, parsed, threads);
   addCompare(app, parsed, threads);
   addVerify(app, parsed, threads);
+  addResume(app, parsed, threads);
   addRender(app, parsed);
   addInspect(app, parsed);
   addOrient(app, parsed, threads);

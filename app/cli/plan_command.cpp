@@ -49,6 +49,11 @@ void sayResult(const project::Report& r) {
 }
 } // namespace
 
+void sayReport(const project::Report& report) {
+  sayResult(report);
+  sayFindings(report.findings);
+}
+
 ExitCode planCommand(const PlanOptions& options) {
   base::StagedFolder staged(options.folder);
   const std::filesystem::path folder = staged.path();
@@ -63,8 +68,7 @@ ExitCode planCommand(const PlanOptions& options) {
   const auto report = settled(std::move(outcome), staged, options.folder);
   if (!report)
     return kCancelled;
-  sayResult(*report);
-  sayFindings(report->findings);
+  sayReport(*report);
   return pipeline::nothingBlocks(*report) ? kDone : kNotAll;
 }
 

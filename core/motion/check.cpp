@@ -100,6 +100,7 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
 
   std::vector<std::vector<TrajectoryCollision>> found((n + kChunk - 1) / kChunk);
   std::vector<double> least(found.size(), capMm);
+  std::vector<std::size_t> closest(found.size(), 0);
   base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {
     collision::CellCollision::Frames frames;
     double& clearance = least[b / kChunk];
@@ -120,6 +121,8 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
       if (!contact && !roomy)
         contact = bodiesOf(frames, i);
       if (!contact) {
+        if (all < clearance)
+          closest[b / kChunk] = i;
         clearance = all;
         if (i > 0) {
           const JointVector last = jointsAt(i - 1);
@@ -147,7 +150,10 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
   check.minClearanceMm = capMm;
   for (std::size_t c = 0; c < found.size(); ++c) {
     check.collisions.insert(check.collisions.end(), found[c].begin(), found[c].end());
-    check.minClearanceMm = std::min(check.minClearanceMm, least[c]);
+    if (least[c] < check.minClearanceMm) {
+      check.minClearanceMm = least[c];
+      check.closestPoint = closest[c];
+    }
   }
   return check;
 }

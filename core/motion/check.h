@@ -21,6 +21,7 @@ struct TrajectoryCollision {
 struct TrajectoryCheck {
   std::vector<TrajectoryCollision> collisions; // ascending, at most one a point
   double minClearanceMm = 0.0;                 // at the points; at most capMm
+  std::size_t closestPoint = 0;                // where it is that
 };
 
 // headBefore[w]: while printing at waypoint w the head is checked against what was filled before

@@ -12,6 +12,7 @@
 #include "motion/refusal_findings.h"
 #include "motion/rod_turn.h"
 #include "motion/sequence.h"
+#include "motion/timed_points.h"
 #include "motion/timing.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
@@ -42,74 +43,6 @@ double materialOf(const plan::ToolPlan& plan) {
       volume += process::beadVolume(section(i - 1), section(i),
                                     (plan.position[i] - plan.position[i - 1]).norm());
   return volume;
-}
-
-double radiusAboutRod(const plan::ToolPlan& plan) {
-  double radius = 0.0;
-  for (const Vector3d& p : plan.position)
-    radius = std::max(radius, p.tail<2>().norm());
-  return radius;
-}
-
-// Its steps are not the rod's acceleration: the motor takes them as they come on a smooth way.
-robot::JointVector withoutSteps(const robot::Cell& cell, const RobotState& state) {
-  robot::JointVector q = state.q;
-  if (!cell.externalAxes().empty())
-    q[cell.armDof()] = state.rodRad;
-  return q;
-}
-
-// Where a joint goes fastest between two states of a straight way, near a singular wrist much
-// faster than between its ends: TimedPoint::most. Empty where that is not found.
-robot::JointVector mostBetween(const robot::Cell& cell, const RobotState& from,
-                               const RobotState& to) {
-  constexpr int kSteps = 8;
-  std::vector<robot::JointVector> scratch;
-  robot::JointVector q = from.q, most = robot::JointVector::Zero(q.size());
-  for (int k = 1; k <= kSteps; ++k) {
-    const double t = static_cast<double>(k) / kSteps;
-    const robot::JointVector last = q;
-    if (!solveNear(cell, from.tip + t * (to.tip - from.tip), from.tool.slerp(t, to.tool), last,
-                   base::kPi, scratch, q))
-      return {};
-    most = most.cwiseMax((q - last).cwiseAbs());
-  }
-  return kSteps * most;
-}
-
-std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<RunPoint>& points) {
-  constexpr double kCloserLook = 0.3; // of a joint's limit, from point to point
-  const auto isFast = [&](const RunPoint& from, const RunPoint& to) {
-    const double way = (to.at.tip - from.at.tip).norm();
-    if (to.speedMmPerS <= 0.0 || !cell.externalAxes().empty())
-      return false;
-    for (Eigen::Index j = 0; j < to.at.q.size(); ++j)
-      if (std::abs(to.at.q[j] - from.at.q[j]) * to.speedMmPerS >
-          kCloserLook * way * cell.limits()[static_cast<std::size_t>(j)].velocity)
-        return true;
-    return false;
-  };
-  std::vector<TimedPoint> timed;
-  timed.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const RunPoint& p = points[i];
-    timed.push_back({withoutSteps(cell, p.at), p.at.tip, p.speedMmPerS, false, false});
-    if (i > 0 && isFast(points[i - 1], p))
-      timed.back().most = mostBetween(cell, points[i - 1].at, p.at);
-  }
-  return timed;
-}
-
-std::vector<TimedPoint> timedPoints(const RobotState& from, const Transfer& transfer,
-                                    double speedMmPerS) {
-  std::vector<TimedPoint> timed{{from.q, from.tip, speedMmPerS, false, true}};
-  for (const TransferPoint& p : transfer.points) {
-    const bool joint = p.move == plan::MoveKind::Joint;
-    if (timed.size() > 1 && timed.back().jointMove != joint)
-      timed.back().stop = true;
-    timed.push_back({p.at.q, p.at.tip, speedMmPerS, joint, false, p.most});
-  }
-  return timed;
 }
 
 } // namespace
@@ -249,11 +182,7 @@ private:
     result_.trajectory.dof = cell_.dof();
     result_.statistics = {};
     result_.statistics.maxJerk.assign(static_cast<std::size_t>(cell_.dof()), 0.0);
-    TimingLimits limits;
-    limits.joints = cell_.limits();
-    limits.accelerationMmPerS2 = process_.accelerationMmPerS2;
-    limits.travelRadPerS2 = cell_.travelAcceleration();
-    limits.arm = cell_.armDof();
+    const TimingLimits limits = timingLimits(cell_, process_);
     const std::size_t runs = sequence.runs.size(), ways = sequence.ways.size();
     std::vector<std::vector<double>> runTimes(runs), wayTimes(ways);
     std::vector<JerkMeasure> jerks(runs), jerksBefore(runs);
@@ -334,6 +263,7 @@ private:
         timeOf[w] = w > 0 ? timeOf[w - 1] : 0.0; // when it would have been its turn
       }
     s.minClearanceMm = check_.minClearanceMm;
+    s.minClearanceAtS = t.timeS[check_.closestPoint];
     std::vector<Refused> refused;
     for (const PathWay& way : ways_) {
       refused.insert(refused.end(), way.refused.begin(), way.refused.end());

@@ -31,6 +31,7 @@ struct MotionStatistics {
   double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0; // before: turns as the ladder gave them
   double minClearanceMm = 0.0; // of bodies and part, the head's to plate and part left out; at most
                                // kClearanceCapMm
+  double minClearanceAtS = 0.0; // when it is that
   double leftOutFraction = 0.0; // of the plan's material, with all waypoints that are not printed
   double durationS = 0.0;
 };

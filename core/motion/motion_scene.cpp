@@ -53,4 +53,11 @@ bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& 
   return found;
 }
 
+double radiusAboutRod(const plan::ToolPlan& plan) {
+  double radius = 0.0;
+  for (const Eigen::Vector3d& p : plan.position)
+    radius = std::max(radius, p.tail<2>().norm());
+  return radius;
+}
+
 } // namespace voluta::motion

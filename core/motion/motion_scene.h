@@ -11,6 +11,9 @@
 
 namespace voluta::motion {
 
+// How far a plan's waypoints are from the rod's axis at most, mm.
+double radiusAboutRod(const plan::ToolPlan& plan);
+
 // All referenced objects outlive it.
 struct MotionScene {
   const plan::ToolPlan& plan;

@@ -16,21 +16,6 @@ namespace {
 
 constexpr int kThorough = 5; // times the usual search, where a piece would be lost else
 
-// Balls around what is printed before each path; one more: around everything.
-std::vector<Surround> surroundsOf(const plan::ToolPlan& plan) {
-  std::vector<Surround> balls;
-  Vector3d low = Vector3d::Zero(), high = Vector3d::Zero(); // the platform's middle
-  for (const plan::ToolPath& path : plan.paths) {
-    balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
-    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-      low = low.cwiseMin(plan.position[i]);
-      high = high.cwiseMax(plan.position[i]);
-    }
-  }
-  balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
-  return balls;
-}
-
 class Connector {
 public:
   Connector(const MotionScene& scene, PathPlanner& paths, KnownTransfers& known,
@@ -282,6 +267,20 @@ private:
 };
 
 } // namespace
+
+std::vector<Surround> surroundsOf(const plan::ToolPlan& plan) {
+  std::vector<Surround> balls;
+  Vector3d low = Vector3d::Zero(), high = Vector3d::Zero(); // the platform's middle
+  for (const plan::ToolPath& path : plan.paths) {
+    balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
+    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+      low = low.cwiseMin(plan.position[i]);
+      high = high.cwiseMax(plan.position[i]);
+    }
+  }
+  balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
+  return balls;
+}
 
 RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q) {
   const Eigen::Isometry3d pose = cell.work_T_tool(q);

@@ -34,6 +34,9 @@ struct ConnectedRuns {
   std::vector<Refused> refused; // where runs were planned again
 };
 
+// Balls around what is printed before each path; one more: around everything.
+std::vector<Surround> surroundsOf(const plan::ToolPlan& plan);
+
 // The state that the joints are.
 RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 

@@ -45,6 +45,17 @@ base::ParameterTable allParameters() {
                             true),
       base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads"_text, "step"_text,
                             "Longest distance of waypoints along a tool-path."_text),
+      base::booleanParameter("givenToolPaths", true, "Beads"_text, "tool-paths of the file"_text,
+                             "A 3MF with tool-paths (.build.3mf) is printed along these. Off: its "
+                             "object is planned anew."_text),
+      base::booleanParameter("output.build3mf", false, "Output"_text, "write a build file"_text,
+                             "Adds NAME.build.3mf: the tool-paths of the plan in 6 axes for other "
+                             "programs (3MF Toolpath Extension)."_text),
+      base::booleanParameter("output.proof", true, "Output"_text,
+                             "write a proof of each program"_text,
+                             "Adds NAME.proof.html and NAME.proof.json beside each program that "
+                             "passed: what was checked, and how near to its limits it comes; and "
+                             "NAME.printed.stl, the part as it will be printed."_text),
       base::booleanParameter("output.debug", false, "Output"_text,
                              "write what every stage made"_text,
                              "Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, "

@@ -7,8 +7,10 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
+#include "pipeline/given_paths.h"
 #include "pipeline/part_motion.h"
 #include "pipeline/part_ways.h"
+#include "pipeline/replay_stage.h"
 #include "pipeline/stage_keys.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
@@ -48,6 +50,8 @@ public:
     result_.process = process_;
     result_.debug = values_.boolean("output.debug");
     result_.keepRefused = values_.boolean("output.refused");
+    result_.proofs = values_.boolean("output.proof");
+    result_.buildFile = values_.boolean("output.build3mf");
     job().choices = request.choices;
     report().threads = ctx.threads();
     report().decomposition.mode = choices_.mode;
@@ -57,6 +61,9 @@ public:
                   : project::loadPart(request.part, choices_.repair, span(project::Stage::Load));
     job().loaded = loaded_;
     job().partName = loaded_->name;
+    given_ = takesGivenPaths(*loaded_, values_);
+    if (given_)
+      requireOwnSize(choices_);
     keys_ = keysOf(*loaded_, choices_, values_, *process_);
   }
 
@@ -163,7 +170,8 @@ private:
         in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
           onPreview_(std::move(soFar), result_);
         };
-      return mode_.decompose(modeChoices(), in, span(project::Stage::Decompose));
+      auto made = mode_.decompose(modeChoices(), in, span(project::Stage::Decompose));
+      return given_ ? onlyGround(*made) : made;
     });
     job().platform = decomposed_->platform;
     job().result = decomposed_->result;
@@ -185,6 +193,8 @@ private:
 
   bool layers() {
     const auto stage = taken<modes::LayersStage>([&] {
+      if (given_)
+        return layersOfGiven(*loaded_->toolPaths);
       return mode_.layers(modeChoices(), *decomposed_, job().printed(),
                           span(project::Stage::Layers));
     });
@@ -197,6 +207,8 @@ private:
 
   bool toolpath() {
     const auto stage = taken<ToolpathStage>([&] {
+      if (given_)
+        return givenToolpathStage(*loaded_, *placed_, *process_, span(project::Stage::Toolpath));
       return toolpathStage(*job().layers, *result_.cell, job().platform, *process_,
                            toolpathOptionsOf(values_, *process_), span(project::Stage::Toolpath));
     });
@@ -258,9 +270,9 @@ private:
     bool told = false; // the verdict
     for (std::size_t i = 0; i < result_.checked.size(); ++i) {
       timings += result_.checked[i]->timings;
-      const bool first = !told && decides(*result_.checked[i]);
+      const bool counts = decides(*result_.checked[i]), first = !told && counts;
       told = told || first;
-      tell(*result_.checked[i], first, findings);
+      tellProgram(*result_.checked[i], first, counts, report(), findings);
     }
     done(project::Stage::Replay, findings, timings);
   }
@@ -319,37 +331,6 @@ private:
                                    checked->program.format);
   }
 
-  // The first program, the cell's own unless the user chose others only, carries the verdict.
-  void tell(const CheckedProgram& checked, bool first, plan::Findings& findings) {
-    project::ProgramReport row;
-    row.format = checked.program.format;
-    row.foreign = checked.program.foreign;
-    for (const plan::ProgramFile& file : checked.program.files) {
-      row.files.push_back(file.name);
-      row.bytes += file.text.size();
-    }
-    row.maxDeviationMm = checked.maxDeviationMm;
-    row.maxDeviationRad = checked.maxDeviationRad;
-    row.durationS = checked.verdict.durationS;
-    row.flowErrorFraction = checked.verdict.flowErrorFraction;
-    row.massRatio = checked.verdict.massRatio;
-    report().programs.push_back(std::move(row));
-    if (first)
-      report().replay = checked.verdict;
-    if (!checked.passed && !decides(checked)) {
-      findings.push_back(
-          plan::makeFinding(plan::FindingKind::ForeignRefused,
-                            {{"format", checked.program.format}, {"failed", checked.failed}}));
-      return;
-    }
-    if (first || !checked.passed)
-      findings.insert(findings.end(), checked.findings.begin(), checked.findings.end());
-    if (!checked.passed)
-      findings.push_back(
-          plan::makeFinding(plan::FindingKind::ProgramRefused,
-                            {{"format", checked.program.format}, {"failed", checked.failed}}));
-  }
-
   base::Stopwatch whole_;
   bool untilBlocked_;
   const project::Choices choices_;
@@ -366,6 +347,7 @@ private:
   std::shared_ptr<const modes::DecomposeStage> decomposed_;
   std::shared_ptr<const MotionStage> motion_;
   std::unique_ptr<PartMotion> moving_; // null: the motion came from the cache
+  bool given_ = false;                 // is it printed along the tool-paths that it brings
   bool fresh_ = false;                 // the motion is another one than its key's
   project::StageKeys keys_;
   PlanResult result_;

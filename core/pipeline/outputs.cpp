@@ -3,11 +3,13 @@
 #include "base/files.h"
 #include "base/memory.h"
 #include "base/stopwatch.h"
+#include "build3mf/build_writer.h"
 #include "curved/vti_writer.h"
 #include "geometry/formats/mesh_reader.h"
 #include "layers/vtp_writer.h"
 #include "motion/trajectory_csv.h"
 #include "pipeline/pedestal.h"
+#include "pipeline/proof.h"
 #include "planar/given_cuts.h"
 #include "toolpath/vtp_writer.h"
 
@@ -63,6 +65,25 @@ void writeProgram(const CheckedProgram& checked, const std::filesystem::path& fo
 }
 } // namespace
 
+namespace {
+// Its tool-paths are the whole part's: of a print that is taken up again there is none.
+bool writesBuildFile(const PlanResult& result) {
+  return result.buildFile && result.job.toolPlan && result.job.resumedAt == 0;
+}
+} // namespace
+
+std::string buildName(const PlanResult& result) {
+  return std::filesystem::path(result.job.partName).stem().string() + build3mf::kEnding;
+}
+
+void writeBuildFile(const PlanResult& result, const std::filesystem::path& folder,
+                    const base::RunContext& ctx) {
+  if (result.job.toolPlan && result.job.part)
+    base::writeFile(
+        folder / buildName(result),
+        build3mf::writeBuild(*result.job.toolPlan, *result.job.part, result.job.partName, ctx));
+}
+
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx) {
   base::Stopwatch writing;
@@ -73,6 +94,10 @@ void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
       writeProgram(*checked, folder, ctx);
   for (const plan::ProgramFile& file : pedestalFiles(result))
     base::writeFile(folder / file.name, file.text);
+  if (result.proofs)
+    writeProofs(result, result.checked, folder, ctx);
+  if (writesBuildFile(result))
+    writeBuildFile(result, folder, ctx);
   if (result.debug)
     writeDebug(result, folder, ctx);
   ctx.checkpoint();
@@ -96,6 +121,12 @@ std::vector<std::string> handoverNames(const PlanResult& result, const Programs&
   std::vector<std::string> names;
   for (const plan::ProgramFile& file : pedestalFiles(result))
     names.push_back(file.name);
+  if (result.proofs) {
+    const std::vector<std::string> proofs = proofNames(result, programs);
+    names.insert(names.end(), proofs.begin(), proofs.end());
+  }
+  if (writesBuildFile(result))
+    names.push_back(buildName(result));
   for (const auto& checked : programs)
     for (const plan::ProgramFile& file : checked->program.files)
       names.push_back(writtenName(*checked, file));
@@ -109,6 +140,10 @@ void writeHandover(const PlanResult& result, const Programs& programs,
     writeProgram(*checked, folder, ctx);
   for (const plan::ProgramFile& file : pedestalFiles(result))
     base::writeFile(folder / file.name, file.text);
+  if (result.proofs)
+    writeProofs(result, programs, folder, ctx);
+  if (writesBuildFile(result))
+    writeBuildFile(result, folder, ctx);
   const auto isThere = [&](const std::string& format) {
     return std::any_of(programs.begin(), programs.end(),
                        [&](const auto& checked) { return checked->program.format == format; });

@@ -15,6 +15,13 @@ namespace voluta::pipeline {
 // it.
 std::string writtenName(const CheckedProgram& program, const plan::ProgramFile& file);
 
+// NAME.build.3mf, NAME being the part's.
+std::string buildName(const PlanResult& result);
+// The plan's beads for other programs (build3mf/build_writer.h); nothing where there are none yet.
+// Throws Error{CannotWrite}; Cancelled.
+void writeBuildFile(const PlanResult& result, const std::filesystem::path& folder,
+                    const base::RunContext& ctx);
+
 // job.voluta, report.json, the programs, the pedestal's files (pedestal.h) and, where asked for,
 // what every stage made. Fills in the report's timings.write and peakRssMb. Throws
 // Error{CannotWrite}.
@@ -27,8 +34,9 @@ Programs chosenPrograms(const PlanResult& result, const std::vector<std::string>
                         bool refusedToo);
 // What writeHandover leaves in its folder.
 std::vector<std::string> handoverNames(const PlanResult& result, const Programs& programs);
-// What goes to the robot and its operator: the programs, the pedestal's files (pedestal.h) and
-// report.json, which names no other programs. Throws Error{CannotWrite}.
+// What goes to the robot and its operator: the programs, their proofs (proof.h) and the build file
+// where they are asked for, the pedestal's files (pedestal.h) and report.json, which names no other
+// programs. Throws Error{CannotWrite}.
 void writeHandover(const PlanResult& result, const Programs& programs,
                    const std::filesystem::path& folder, const base::RunContext& ctx);
 

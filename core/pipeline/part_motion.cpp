@@ -61,6 +61,7 @@ std::shared_ptr<const MotionStage> PartMotion::stageOf(motion::MotionResult move
   r.sumSquaredJerk = s.sumSquaredJerk;
   r.sumSquaredJerkBefore = s.sumSquaredJerkBefore;
   r.minClearanceMm = s.minClearanceMm;
+  r.minClearanceAtS = s.minClearanceAtS;
   r.durationS = s.durationS;
   stage->timings.ik = moved.times.ik;
   stage->timings.graph = moved.times.graph;

@@ -9,6 +9,7 @@
 #include "modes/plate.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
+#include "pipeline/given_paths.h"
 #include "pipeline/part_size.h"
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
@@ -128,7 +129,11 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
     stage->part = std::make_shared<geometry::TriangleMesh>(
         geometry::place(*loaded.mesh, stage->scale * unit, how));
   };
-  place(placementByHandOrMode(*loaded.mesh, scaleFor(choices.placement) * unit, in));
+  const std::optional<geometry::Placement> given =
+      takesGivenPaths(loaded, values) && isUntouched(choices.placement) ? givenPlacement(loaded)
+                                                                        : std::nullopt;
+  place(given ? *given
+              : placementByHandOrMode(*loaded.mesh, scaleFor(choices.placement) * unit, in));
   if (values.text("orient") != "none") {
     TurnedPart turned = turnedPart(*stage->part, choices.placement, turnPlan(choices, values),
                                    loaded.cells ? stage->scale * unit : values.number("voxelMm"),

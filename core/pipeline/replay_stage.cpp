@@ -1,6 +1,8 @@
 #include "pipeline/replay_stage.h"
 
 #include "base/stopwatch.h"
+#include "motion/resume.h"
+#include "plan/finding_kinds.h"
 #include "program/dialect.h"
 
 namespace voluta::pipeline {
@@ -8,6 +10,29 @@ namespace voluta::pipeline {
 namespace {
 TextLine textLine(std::size_t file, std::size_t line) {
   return {static_cast<std::uint32_t>(file), static_cast<std::uint32_t>(line)};
+}
+
+// What was printed before the program begins, as motions of its dialect, of no line.
+std::vector<plan::ProgramMotion>
+motionsBefore(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx) {
+  const plan::Trajectory before = motion::partOf(in.trajectory, 0, in.firstPoint);
+  const plan::Program program =
+      program::writeProgram(format, {in.toolPlan, before, in.cell, in.process, in.name}, ctx);
+  plan::ReadProgram read = program::readProgram(format, program.files, in.process, ctx);
+  for (plan::ProgramMotion& motion : read.motions)
+    motion.file = motion.line = 0;
+  return std::move(read.motions);
+}
+
+plan::Program written(const std::string& format, const ProgramStageInput& in,
+                      const base::RunContext& ctx) {
+  if (in.firstPoint == 0)
+    return program::writeProgram(
+        format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name, in.options}, ctx);
+  const plan::Trajectory rest =
+      motion::partOf(in.trajectory, in.firstPoint, in.trajectory.pointCount());
+  return program::writeProgram(format,
+                               {in.toolPlan, rest, in.cell, in.process, in.name, in.options}, ctx);
 }
 } // namespace
 
@@ -17,6 +42,11 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
   ctx.report(0.0, base::message("replay {format}"_text, format));
   ReadBack back;
   back.read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
+  if (in.firstPoint > 0) {
+    std::vector<plan::ProgramMotion> motions = motionsBefore(format, in, ctx);
+    motions.insert(motions.end(), back.read.motions.begin(), back.read.motions.end());
+    back.read.motions = std::move(motions);
+  }
   back.verdict = replay::replayProgram(
       {back.read, in.toolPlan, in.trajectory, in.cell, in.process, in.part, in.platform}, {},
       ctx.sub(0.1, 1.0), judged);
@@ -70,17 +100,16 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;
   ctx.report(0.0, base::message("write {format}"_text, format));
-  checked->program = program::writeProgram(
-      format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name, in.options},
-      ctx.sub(0.0, 0.1));
+  checked->program = written(format, in, ctx.sub(0.0, 0.1));
   checked->timings.write = writing.seconds();
   base::Stopwatch replaying;
   ReadBack back = replayText(format, checked->program.files, in, ctx.sub(0.1, 1.0), judged);
   checked->timings.replay = replaying.seconds();
-  checked->motionLines.reserve(back.read.motions.size());
-  for (const plan::ProgramMotion& motion : back.read.motions)
-    checked->motionLines.push_back(textLine(motion.file, motion.line));
   replay::Verification& verdict = back.verdict;
+  checked->pointLines.resize(in.trajectory.pointCount());
+  for (std::size_t m = 0; m < back.read.motions.size(); ++m)
+    if (const std::size_t point = verdict.pointOf[m]; point < checked->pointLines.size())
+      checked->pointLines[point] = textLine(back.read.motions[m].file, back.read.motions[m].line);
   checked->verdict = replayReport(verdict);
   checked->passed = verdict.passed;
   checked->failed = failedThresholds(verdict);
@@ -89,6 +118,7 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
     checked->metAt = std::move(verdict.metAt);
   checked->maxDeviationMm = verdict.maxDeviationMm;
   checked->maxDeviationRad = verdict.maxDeviationRad;
+  checked->durationS = verdict.durationS;
   // Lines are of this program's text, and there are several programs.
   for (plan::Finding& finding : verdict.findings)
     finding.program.format = format;
@@ -98,9 +128,40 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   return checked;
 }
 
+void tellProgram(const CheckedProgram& checked, bool first, bool decides, project::Report& report,
+                 plan::Findings& findings) {
+  project::ProgramReport row;
+  row.format = checked.program.format;
+  row.foreign = checked.program.foreign;
+  for (const plan::ProgramFile& file : checked.program.files) {
+    row.files.push_back(file.name);
+    row.bytes += file.text.size();
+  }
+  row.maxDeviationMm = checked.maxDeviationMm;
+  row.maxDeviationRad = checked.maxDeviationRad;
+  row.durationS = checked.verdict.durationS;
+  row.flowErrorFraction = checked.verdict.flowErrorFraction;
+  row.massRatio = checked.verdict.massRatio;
+  report.programs.push_back(std::move(row));
+  if (first)
+    report.replay = checked.verdict;
+  if (!checked.passed && !decides) {
+    findings.push_back(
+        plan::makeFinding(plan::FindingKind::ForeignRefused,
+                          {{"format", checked.program.format}, {"failed", checked.failed}}));
+    return;
+  }
+  if (first || !checked.passed)
+    findings.insert(findings.end(), checked.findings.begin(), checked.findings.end());
+  if (!checked.passed)
+    findings.push_back(
+        plan::makeFinding(plan::FindingKind::ProgramRefused,
+                          {{"format", checked.program.format}, {"failed", checked.failed}}));
+}
+
 std::vector<TextLine> linesOfPoints(const CheckedProgram& program,
                                     const plan::Trajectory& trajectory) {
-  std::vector<TextLine> lines = program.motionLines;
+  std::vector<TextLine> lines = program.pointLines;
   lines.resize(trajectory.pointCount());
   return lines;
 }

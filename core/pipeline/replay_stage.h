@@ -28,4 +28,10 @@ project::ReplayReport replayReport(const replay::Verification& verdict);
 // "coveredFraction 0.9512 (limit 0.97)" and the like, of what failed.
 std::vector<base::Message> failedThresholds(const replay::Verification& verdict);
 
+// Puts what a program came to into the report and its findings. The first program, the cell's own
+// unless the user chose others only, carries the verdict; one that does not decide, for another
+// controller, is only told where it is refused.
+void tellProgram(const CheckedProgram& checked, bool first, bool decides, project::Report& report,
+                 plan::Findings& findings);
+
 } // namespace voluta::pipeline

@@ -6,6 +6,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
+#include "pipeline/given_paths.h"
 #include "pipeline/one_way.h"
 #include "pipeline/stage_keys.h"
 #include "plan/finding_kinds.h"
@@ -99,20 +100,36 @@ private:
   std::optional<base::Error> error_; // of the first way that could not be planned
 };
 
+// Loads the part where that is not done. Does it bring its tool-paths? Then the request's choices
+// are those for them.
+bool takesGivenPathsOf(PlanRequest& request, const base::RunContext& ctx) {
+  if (!request.loaded)
+    request.loaded = project::loadPart(request.part, request.choices.repair, ctx.sub(0, 0.02));
+  if (!takesGivenPaths(*request.loaded, parameterValues(request.choices)))
+    return false;
+  request.choices = choicesForGivenPaths(request.choices);
+  return true;
+}
+
 } // namespace
 
 PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
                     const StageObserver& onStage, const PreviewObserver& onPreview) {
   checkChoices(request.choices);
+  PlanRequest given = request;
+  if (request.choices.automatic && takesGivenPathsOf(given, ctx))
+    return planOneWay(given, false, ctx, cache, onStage, onPreview);
   if (request.choices.automatic)
-    return Automatic(request, ctx, cache, onStage, onPreview).run();
+    return Automatic(given, ctx, cache, onStage, onPreview).run();
   return planOneWay(request, false, ctx, cache, onStage, onPreview);
 }
 
 project::StageKeys stageKeys(const PlanRequest& request) {
   base::require(request.loaded != nullptr, "stageKeys: a part that is loaded");
   checkChoices(request.choices);
-  const project::Choices choices = byHand(request.choices);
+  const bool given = takesGivenPaths(*request.loaded, parameterValues(request.choices));
+  const project::Choices choices =
+      byHand(given ? choicesForGivenPaths(request.choices) : request.choices);
   const base::ParameterValues values = parameterValues(choices);
   return keysOf(*request.loaded, choices, values, chosenProcess(choices, values));
 }
@@ -127,6 +144,8 @@ PlanResult resultOf(project::Job job) {
         robot::loadCell(job.choices.cell, *result.process, job.platform));
   result.debug = values.boolean("output.debug");
   result.keepRefused = values.boolean("output.refused");
+  result.proofs = values.boolean("output.proof");
+  result.buildFile = values.boolean("output.build3mf");
   if (job.part) {
     if (!job.placement)
       job.placement =

@@ -34,6 +34,8 @@ struct PlanResult {
   std::vector<std::shared_ptr<const CheckedProgram>> checked; // one a format, refused ones too
   bool debug = false;                                         // --set output.debug=true
   bool keepRefused = false;                                   // --set output.refused=true
+  bool proofs = false;                                        // --set output.proof=true
+  bool buildFile = false;                                     // --set output.build3mf=true
 };
 
 // Called on the running thread as soon as a stage is done, taken from the cache or not, with all

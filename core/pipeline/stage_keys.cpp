@@ -5,6 +5,7 @@
 #include "base/key_text.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
+#include "pipeline/given_paths.h"
 #include "pipeline/turned_part.h"
 #include "project/content_hash.h"
 #include "robot/cell.h"
@@ -60,6 +61,8 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
   text += base::keyText(turnPlan(c, in.values));
+  if (takesGivenPaths(loaded, in.values))
+    text += "along given paths\n";
   if (c.platform.isOfCell())
     text += "a plate of\n" + cell + base::keyText(support::supportsWanted(in.values));
   const modes::Mode& mode = modes::findMode(c.mode);

@@ -62,12 +62,13 @@ struct CheckedProgram {
   std::vector<base::Message> failed; // the thresholds that were not kept
   std::vector<std::size_t> metAt;    // as Verification::metAt
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
-  std::vector<TextLine> motionLines; // of each motion, as its reader found it
+  double durationS = 0.0;           // as the program is run
+  std::vector<TextLine> pointLines; // of each point of the trajectory; line 0: it has none
   project::Timings timings;
 };
 
-// The line of each point of the trajectory that `program` was written from: writers make one motion
-// a point. A point whose motion is missing from the text has line 0.
+// The line of each point of the trajectory that `program` was written from. A point whose motion is
+// missing from the text has line 0.
 std::vector<TextLine> linesOfPoints(const CheckedProgram& program,
                                     const plan::Trajectory& trajectory);
 
@@ -118,6 +119,7 @@ struct ProgramStageInput {
   const process::Process& process;
   std::string name;
   program::ProgramOptions options = {};
+  std::size_t firstPoint = 0; // of the trajectory at which the program begins: Job::resumedAt
 };
 // `judged`: of programs of the same motion (replay/verification.h).
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,

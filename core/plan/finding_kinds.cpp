@@ -272,6 +272,14 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{share:.0f} of the layers' area is thinner than {least} or thicker than {most}"_text,
      "move the planes, or add some between"_text},
 
+    {GivenWithoutSection, "givenWithoutSection", "givenWithoutSection", Toolpath, Tells,
+     "the file does not say how wide, high or fast {points} points of its tool-paths are printed: "
+     "taken from process {process}"_text,
+     "give the process that the tool-paths were made for"_text},
+    {GivenTooFast, "givenTooFast", "givenTooFast", Toolpath, Tells,
+     "{points} points of the file's tool-paths ask for more than the extruder's {limit}: printed "
+     "slower"_text,
+     "a larger nozzle, or slower tool-paths"_text},
     {PatchWithoutBead, "patchWithoutBead", "patchWithoutBead", Toolpath, Depends,
      "pieces of layers are narrower than half a bead and stay empty"_text, kFiner},
     {Gouge, "gouge", "gouge", Toolpath, Depends,
@@ -336,6 +344,10 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{place}: no way to {pieces} piece of a path was found that keeps clear of everything|"
      "{place}: no way to {pieces} pieces of paths was found that keeps clear of everything"_plural,
      kTurnOrClearance},
+    {NoWayBack, "noWayBack", "transfer", Motion, Blocks,
+     "{place}: no way leads from home to where the print is to go on, clear of what is printed by "
+     "then"_text,
+     "choose a bead before it or after it"_text},
     {NoWayFrom, "noWayFrom", "transfer", Motion, Blocks,
      "{place}: the arm would not get away from where {pieces} piece of a path ends|"
      "{place}: the arm would not get away from where {pieces} pieces of paths end"_plural,

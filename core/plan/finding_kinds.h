@@ -69,6 +69,8 @@ enum class FindingKind : std::uint8_t {
   PlaneMisses,
   HeightBeyondLimits,
   // toolpath
+  GivenWithoutSection,
+  GivenTooFast,
   PatchWithoutBead,
   Gouge,
   // motion
@@ -89,6 +91,7 @@ enum class FindingKind : std::uint8_t {
   MoreMeetOnCloserLook,
   CollisionInMotion,
   NoWayTo,
+  NoWayBack,
   NoWayFrom,
   LeftOut,
   // replay

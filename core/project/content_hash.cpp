@@ -29,4 +29,16 @@ std::string contentHash(const geometry::TriangleMesh& mesh) {
                      mesh.triangles.size(), hashed(bytesOf(mesh.triangles)));
 }
 
+std::string contentHash(const plan::ToolPlan& plan) {
+  std::string text;
+  for (const plan::ToolPath& p : plan.paths)
+    text += fmt::format("{} {} {} {} {} {} {}\n", p.first, p.count, static_cast<int>(p.kind),
+                        p.layer, p.patch, p.group, p.closed);
+  text += bytesOf(plan.position);
+  text += bytesOf(plan.direction);
+  for (const auto* values : {&plan.widthMm, &plan.heightMm, &plan.speedMmPerS})
+    text += bytesOf(*values);
+  return contentHash(text);
+}
+
 } // namespace voluta::project

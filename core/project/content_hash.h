@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
+#include "plan/tool_plan.h"
 
 #include <string>
 #include <string_view>
@@ -12,5 +13,8 @@ namespace voluta::project {
 std::string contentHash(std::string_view bytes);
 // Of vertices and triangles, and how many there are.
 std::string contentHash(const geometry::TriangleMesh& mesh);
+
+// Of all its arrays.
+std::string contentHash(const plan::ToolPlan& toolPlan);
 
 } // namespace voluta::project

@@ -38,6 +38,7 @@ Job upTo(Job job, std::optional<Stage> last) {
   }
   if (!keeps(Stage::Motion)) {
     job.trajectory = nullptr;
+    job.resumedAt = 0;
     job.report.motion = {};
   }
   if (!keeps(Stage::Replay)) {

@@ -50,6 +50,9 @@ struct Job {
   std::shared_ptr<const layers::LayerStack> layers;
   std::shared_ptr<const plan::ToolPlan> toolPlan;
   std::shared_ptr<const plan::Trajectory> trajectory; // also null when nothing is left to print
+  // Of a print that is taken up again: the point of the trajectory at which its programs begin;
+  // what comes before was printed earlier. 0: the whole.
+  std::size_t resumedAt = 0;
 
   // What is to be printed. Precondition: part.
   const geometry::TriangleMesh& printed() const;

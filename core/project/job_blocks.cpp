@@ -82,16 +82,6 @@ bool soundPieces(const planar::PlanarDecomposition& d) {
   });
 }
 
-bool soundToolPlan(const plan::ToolPlan& p) {
-  const std::size_t n = p.waypointCount();
-  if (p.direction.size() != n || p.widthMm.size() != n || p.heightMm.size() != n ||
-      p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction))
-    return false;
-  return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
-    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Support;
-  });
-}
-
 bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) {
   const std::size_t n = t.pointCount();
   if (t.dof <= 0 || t.joints.size() != n * static_cast<std::size_t>(t.dof) || t.move.size() != n ||
@@ -347,29 +337,29 @@ layers::LayerStack getLayers(const BlockReader& in) {
   return stack;
 }
 
-void addToolPlan(BlockWriter& out, const plan::ToolPlan& p) {
-  out.add("plan.position", p.position);
-  out.add("plan.direction", p.direction);
-  out.add("plan.width", p.widthMm);
-  out.add("plan.height", p.heightMm);
-  out.add("plan.speed", p.speedMmPerS);
+void addToolPlan(BlockWriter& out, const plan::ToolPlan& p, const std::string& name) {
+  out.add(name + ".position", p.position);
+  out.add(name + ".direction", p.direction);
+  out.add(name + ".width", p.widthMm);
+  out.add(name + ".height", p.heightMm);
+  out.add(name + ".speed", p.speedMmPerS);
   std::vector<std::int64_t> rows;
   for (const plan::ToolPath& path : p.paths)
     rows.insert(rows.end(),
                 {static_cast<std::int64_t>(path.first), static_cast<std::int64_t>(path.count),
                  static_cast<std::int64_t>(path.kind), path.layer, path.patch, path.group,
                  path.closed ? 1 : 0});
-  out.addOwned("plan.paths", rows);
+  out.addOwned(name + ".paths", rows);
 }
 
-plan::ToolPlan getToolPlan(const BlockReader& in) {
+plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
   plan::ToolPlan p;
-  p.position = in.get<Eigen::Vector3d>("plan.position");
-  p.direction = in.get<Eigen::Vector3d>("plan.direction");
-  p.widthMm = in.get<float>("plan.width");
-  p.heightMm = in.get<float>("plan.height");
-  p.speedMmPerS = in.get<float>("plan.speed");
-  const std::vector<std::int64_t> rows = in.get<std::int64_t>("plan.paths");
+  p.position = in.get<Eigen::Vector3d>(name + ".position");
+  p.direction = in.get<Eigen::Vector3d>(name + ".direction");
+  p.widthMm = in.get<float>(name + ".width");
+  p.heightMm = in.get<float>(name + ".height");
+  p.speedMmPerS = in.get<float>(name + ".speed");
+  const std::vector<std::int64_t> rows = in.get<std::int64_t>(name + ".paths");
   for (std::size_t i = 0; i + kPathColumns <= rows.size(); i += kPathColumns) {
     plan::ToolPath path;
     path.first = static_cast<std::size_t>(rows[i]);
@@ -431,6 +421,16 @@ platform::PlatformSolid getPlatform(const BlockReader& in) {
   return platform;
 }
 
+bool isSound(const plan::ToolPlan& p) {
+  const std::size_t n = p.waypointCount();
+  if (p.direction.size() != n || p.widthMm.size() != n || p.heightMm.size() != n ||
+      p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction))
+    return false;
+  return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
+    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Support;
+  });
+}
+
 bool isConsistent(const Job& job) {
   if (!allFinite(job.platform.polygon))
     return false;
@@ -442,9 +442,11 @@ bool isConsistent(const Job& job) {
     for (const layers::Patch& patch : job.layers->patches)
       if (!soundMesh(patch.surface) || !allFinite(patch.chart.at))
         return false;
-  if (job.toolPlan && !soundToolPlan(*job.toolPlan))
+  if (job.toolPlan && !isSound(*job.toolPlan))
     return false;
   if (job.trajectory && !soundTrajectory(*job.trajectory, job.toolPlan.get()))
+    return false;
+  if (job.resumedAt > 0 && (!job.trajectory || job.resumedAt >= job.trajectory->pointCount()))
     return false;
   return holdsWhatItReached(job);
 }

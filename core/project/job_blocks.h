@@ -32,8 +32,11 @@ planar::PlanarDecomposition getPieces(const BlockReader& in);
 void addLayers(BlockWriter& out, const layers::LayerStack& stack);
 layers::LayerStack getLayers(const BlockReader& in);
 
-void addToolPlan(BlockWriter& out, const plan::ToolPlan& toolPlan);
-plan::ToolPlan getToolPlan(const BlockReader& in);
+// `name` begins the blocks' names.
+void addToolPlan(BlockWriter& out, const plan::ToolPlan& toolPlan,
+                 const std::string& name = "plan");
+plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name = "plan");
+bool isSound(const plan::ToolPlan& toolPlan);
 
 void addTrajectory(BlockWriter& out, const plan::Trajectory& trajectory);
 plan::Trajectory getTrajectory(const BlockReader& in, int dof);

@@ -171,6 +171,8 @@ void addLoaded(BlockWriter& out, const LoadedPart& part) {
   out.addText("source", Json{{"name", part.name},
                              {"repair", part.repair},
                              {"cells", part.cells != nullptr},
+                             {"toolPaths", part.toolPaths != nullptr},
+                             {"inWorkFrame", part.inWorkFrame},
                              {"mended", part.mesh != part.source},
                              {"readNotes", base::english(part.readNotes)},
                              {"notes", base::english(part.notes)},
@@ -181,6 +183,8 @@ void addLoaded(BlockWriter& out, const LoadedPart& part) {
                             .dump(-1, ' ', false, Json::error_handler_t::replace));
   if (part.cells)
     out.addText("cells", voxel::writeVoxelText(*part.cells));
+  if (part.toolPaths)
+    addToolPlan(out, *part.toolPaths, "given");
   addMesh(out, "source", *part.source);
   if (part.mesh != part.source)
     addMesh(out, "mended", *part.mesh);
@@ -206,8 +210,15 @@ std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
     part->cells = std::make_shared<voxel::VoxelObject>(voxel::readVoxelText(text, part->name));
     part->hash = contentHash(text);
   } else {
+    if (j.value("toolPaths", false)) {
+      part->toolPaths = std::make_shared<plan::ToolPlan>(getToolPlan(in, "given"));
+      part->inWorkFrame = j.value("inWorkFrame", false);
+      if (!isSound(*part->toolPaths))
+        throw base::Error(base::ErrorCode::UnreadableFile,
+                          "the tool-paths that came with the part are damaged"_text);
+    }
     part->units = geometry::guessUnits(*part->mesh);
-    part->hash = contentHash(*part->source);
+    part->hash = hashOf(*part);
   }
   return part;
 }
@@ -349,6 +360,7 @@ Job readFrame(const Frame& frame, const std::string& where) {
     readRecords(header.at("stages"), job);
     if (header.contains("placement"))
       job.placement = readPlacement(header.at("placement"));
+    job.resumedAt = header.value("resumedAt", std::size_t{0});
     if (!header.at("reached").is_null())
       job.reached = stageOf(header.at("reached").get<std::string>());
   }
@@ -393,6 +405,8 @@ std::string jobBytes(const Job& job) {
               {"planned", job.toolPlan != nullptr},
               {"dof", job.trajectory ? job.trajectory->dof : 0},
               {"blocks", tableJson(blocks.table())}};
+  if (job.resumedAt > 0)
+    header["resumedAt"] = job.resumedAt;
   if (job.placement)
     header["placement"] = placementJson(*job.placement);
   const std::string text = header.dump(1, ' ', false, Json::error_handler_t::replace);

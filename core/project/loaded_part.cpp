@@ -4,6 +4,8 @@
 #include "base/files.h"
 #include "base/nearest_name.h"
 #include "base/stopwatch.h"
+#include "build3mf/bead_cells.h"
+#include "build3mf/build_reader.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/repair/repair.h"
 #include "project/content_hash.h"
@@ -64,7 +66,31 @@ void setCells(LoadedPart& part, std::shared_ptr<const voxel::VoxelObject> cells)
   part.hash = contentHash(voxel::writeVoxelText(*cells));
   part.cells = std::move(cells);
 }
+
+// Tool-paths with the object that they are of, or with the solid that their beads make.
+void readBuild(const std::string& bytes, const std::string& name, LoadedPart& part,
+               const base::RunContext& ctx) {
+  constexpr double kCellMm = 0.25;
+  build3mf::ReadBuild build = build3mf::readBuild(bytes, name, ctx);
+  if (build.hasObject) {
+    geometry::MeshFile file = geometry::readMesh(bytes, name);
+    part.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
+    part.readNotes = std::move(file.repairs);
+  } else {
+    part.source =
+        std::make_shared<geometry::TriangleMesh>(build3mf::solidOfBeads(build.plan, kCellMm, ctx));
+    part.readNotes.emplace_back("no object in the file: the part is what its beads make"_text);
+  }
+  part.readNotes.insert(part.readNotes.end(), build.notes.begin(), build.notes.end());
+  part.inWorkFrame = build.workFrame;
+  part.toolPaths = std::make_shared<plan::ToolPlan>(std::move(build.plan));
+}
 } // namespace
+
+std::string hashOf(const LoadedPart& part) {
+  const std::string mesh = contentHash(*part.source);
+  return part.toolPaths ? contentHash(mesh + contentHash(*part.toolPaths)) : mesh;
+}
 
 bool isVoxelText(const std::string& name, std::string_view bytes) {
   std::string ending = std::filesystem::path(name).extension().string();
@@ -116,6 +142,8 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
     loaded.name = std::filesystem::path(part).filename().string();
     if (isVoxelText(part, bytes)) {
       setCells(loaded, std::make_shared<voxel::VoxelObject>(voxel::readVoxelText(bytes, part)));
+    } else if (build3mf::holdsToolpaths(bytes)) {
+      readBuild(bytes, part, loaded, ctx);
     } else {
       geometry::MeshFile file = geometry::readMesh(bytes, part);
       loaded.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
@@ -123,7 +151,7 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
     }
   }
   if (!loaded.cells)
-    loaded.hash = contentHash(*loaded.source);
+    loaded.hash = hashOf(loaded);
   loaded.readS = reading.seconds();
   ctx.report(0.3, "repair"_text);
   return mended(std::move(loaded), ctx.sub(0.3, 1.0));

@@ -5,6 +5,7 @@
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
 #include "geometry/triangle_mesh.h"
+#include "plan/tool_plan.h"
 #include "voxel/voxel_object.h"
 
 #include <memory>
@@ -20,14 +21,19 @@ struct LoadedPart {
                                                    // its surface, lengths in cells. Null: a mesh
   std::shared_ptr<const geometry::TriangleMesh> source; // as read
   std::shared_ptr<const geometry::TriangleMesh> mesh;   // as used: mended, or `source` itself
-  bool repair = true;                                   // was mending asked for
-  std::vector<base::Message> readNotes;                 // what reading left out, a sentence each
-  std::vector<base::Message> notes;   // all that was found and mended, readNotes among them
-  std::vector<base::Message> remains; // what could not be mended, a sentence each
-  geometry::Diagnosis found;          // of `source`, before any repair
-  geometry::UnitGuess units;          // of `mesh`
-  std::string hash;                   // of the content of `source` or `cells`, hexadecimal
-  double readS = 0.0, repairS = 0.0;  // wall seconds it took
+  // Tool-paths that the file brought with it (build3mf/build_reader.h), in the mesh's coordinates;
+  // null: none. In the work frame's already where `inWorkFrame`.
+  std::shared_ptr<const plan::ToolPlan> toolPaths;
+  bool inWorkFrame = false;
+  bool repair = true;                   // was mending asked for
+  std::vector<base::Message> readNotes; // what reading left out, a sentence each
+  std::vector<base::Message> notes;     // all that was found and mended, readNotes among them
+  std::vector<base::Message> remains;   // what could not be mended, a sentence each
+  geometry::Diagnosis found;            // of `source`, before any repair
+  geometry::UnitGuess units;            // of `mesh`
+  std::string hash;                     // of the content of `source` or `cells`, and of
+                                        // `toolPaths`, hexadecimal
+  double readS = 0.0, repairS = 0.0;    // wall seconds it took
 };
 
 // Parts that the program makes itself, to be named "sample:NAME".
@@ -36,8 +42,12 @@ std::vector<std::string> sampleNames();
 // Is it a text voxel object: by the ending .txt or .voxels, or else by the content?
 bool isVoxelText(const std::string& name, std::string_view bytes);
 
+// LoadedPart::hash of a part that is a mesh.
+std::string hashOf(const LoadedPart& part);
+
 // Reads a part and, where `repair` is true, mends it: a mesh, or a text voxel object, whose surface
-// needs no mending. `part` is a path or "sample:NAME". Throws Error{UnreadableFile, UnusableInput};
+// needs no mending; a 3MF with tool-paths brings them, and where it has no object the solid that
+// their beads make. `part` is a path or "sample:NAME". Throws Error{UnreadableFile, UnusableInput};
 // Error{Usage} for an unknown sample; Cancelled.
 std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
                                            const base::RunContext& ctx);

@@ -59,7 +59,8 @@ struct MotionReport {
   std::string robot, cell;
   std::size_t waypoints = 0, unreachable = 0, collisions = 0, splits = 0;
   std::vector<double> maxJerk; // rad/s3 a joint
-  double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0, minClearanceMm = 0.0, durationS = 0.0;
+  double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0, minClearanceMm = 0.0;
+  double minClearanceAtS = 0.0, durationS = 0.0;
 };
 
 struct ProgramReport {

@@ -90,6 +90,7 @@ constexpr auto fieldsOf(std::type_identity<MotionReport>) {
                     Field{"sumSquaredJerk", &R::sumSquaredJerk},
                     Field{"sumSquaredJerkBefore", &R::sumSquaredJerkBefore},
                     Field{"minClearanceMm", &R::minClearanceMm, "mm"},
+                    Field{"minClearanceAtS", &R::minClearanceAtS, "s", true},
                     Field{"durationS", &R::durationS, "s"}};
 }
 constexpr auto fieldsOf(std::type_identity<ProgramReport>) {

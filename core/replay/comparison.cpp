@@ -6,6 +6,7 @@
 #include "geometry/triangle_queries.h"
 #include "plan/finding_kinds.h"
 #include "replay/beads.h"
+#include "replay/joint_arcs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,6 +127,18 @@ PlannedNozzle plannedNozzle(const plan::Trajectory& trajectory, const robot::Cel
     }
   });
   return result;
+}
+
+Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& path,
+                       const PlannedNozzle& planned, const plan::Trajectory& trajectory,
+                       const robot::Cell& cell, const base::RunContext& ctx) {
+  JointArcs arcs(trajectory, cell);
+  return alignToPlan({path.targetTip, path.targetDirection}, {planned.tip, planned.direction},
+                     AlignmentOptions{}, ctx, [&](std::size_t m, std::size_t point) {
+                       const plan::ProgramMotion& motion = program.motions[m];
+                       return motion.target == plan::TargetKind::ToolPoint && !motion.extruding &&
+                              arcs.passes(point, path.targetTip[m], path.targetDirection[m]);
+                     });
 }
 
 TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion) {

@@ -28,6 +28,12 @@ struct PlannedNozzle {
 PlannedNozzle plannedNozzle(const plan::Trajectory& trajectory, const robot::Cell& cell,
                             const base::RunContext& ctx);
 
+// The program's motions and the plan's points, walked in step (alignment.h). Pieces of a joint
+// motion that the dialect cannot say have no point. `path`: the program's. Throws Cancelled.
+Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& path,
+                       const PlannedNozzle& planned, const plan::Trajectory& trajectory,
+                       const robot::Cell& cell, const base::RunContext& ctx);
+
 struct TextFinding {
   plan::Finding finding;
   TextPlace place;

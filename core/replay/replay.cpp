@@ -8,7 +8,6 @@
 #include "replay/comparison.h"
 #include "replay/controller_time.h"
 #include "replay/executed_path.h"
-#include "replay/joint_arcs.h"
 #include "replay/run.h"
 #include "replay/section_errors.h"
 #include "replay/verification.h"
@@ -95,14 +94,8 @@ private:
   void compare(Run& run) {
     ctx_.report(0.06, "comparing with the plan"_text);
     const PlannedNozzle planned = plannedNozzle(in_.trajectory, in_.cell, ctx_);
-    JointArcs arcs(in_.trajectory, in_.cell);
     Alignment alignment =
-        alignToPlan({path_->targetTip, path_->targetDirection}, {planned.tip, planned.direction},
-                    AlignmentOptions{}, ctx_, [&](std::size_t m, std::size_t point) {
-                      const plan::ProgramMotion& motion = in_.program.motions[m];
-                      return motion.target == plan::TargetKind::ToolPoint && !motion.extruding &&
-                             arcs.passes(point, path_->targetTip[m], path_->targetDirection[m]);
-                    });
+        alignProgram(in_.program, *path_, planned, in_.trajectory, in_.cell, ctx_);
     deviates(compareWithPlan(in_.program, *path_, planned, in_.trajectory, alignment,
                              ComparisonOptions{}));
     deviates(judgeBesideMotion(in_.program, *path_, in_.trajectory, in_.cell, in_.process));
@@ -113,6 +106,7 @@ private:
     deviationMotion_ = deviation.motion;
     run.knowledge =
         beadKnowledge(alignment.pointOf, in_.trajectory, in_.plan, in_.process.layerHeightMm);
+    out_.pointOf = alignment.pointOf;
     run.pointOf = std::move(alignment.pointOf);
   }
 

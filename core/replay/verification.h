@@ -89,6 +89,9 @@ struct Verification : RunFigures {
   // Share of the printed length whose section is then off by more than 5 %; of two laws the worse.
   double flowErrorFraction = 0.0;
 
+  std::vector<std::size_t>
+      pointOf; // per motion: the trajectory's point, or kUnmatched (alignment.h)
+
   std::vector<ThresholdResult> results; // in the order of ReplayThresholds
   plan::Findings findings;              // stage "replay"
   std::vector<TextPlace> places;        // of each finding

@@ -2,6 +2,7 @@
 
 #include "document/parts.h"
 #include "document/planning.h"
+#include "pipeline/proof.h"
 
 #include <QDir>
 #include <QFile>
@@ -51,6 +52,8 @@ TEST_F(ExportingTest, LeavesTheProgramsAndAReportOfThemAndNothingElse) {
   const QString program =
       QString::fromStdString(pipeline::writtenName(*csv[0], csv[0]->program.files[0]));
   QStringList expected{"pedestal.dxf", "pedestal.stl", "report.json", program};
+  for (const std::string& proof : pipeline::proofNames(*plan_, csv))
+    expected << QString::fromStdString(proof);
   expected.sort();
   QStringList there = QDir(folder_.filePath("out")).entryList(QDir::Files | QDir::Hidden);
   there.sort();
@@ -66,10 +69,14 @@ TEST_F(ExportingTest, WhatItWouldReplaceIsNamed) {
   EXPECT_TRUE(Exporting::inTheWay(folder_.path(), *plan_, csv).isEmpty());
   write(csv, folder_.path());
   const QStringList names = Exporting::inTheWay(folder_.path(), *plan_, csv);
-  EXPECT_EQ(names.size(), 4);
+  const std::vector<std::string> proofs = pipeline::proofNames(*plan_, csv);
+  EXPECT_EQ(names.size(), 4 + static_cast<qsizetype>(proofs.size()));
   EXPECT_TRUE(names.contains("report.json"));
+  QStringList shared{"pedestal.dxf", "pedestal.stl"};
+  if (!proofs.empty()) // the mesh of the part as printed is of the plan
+    shared << QString::fromStdString(proofs.back());
   EXPECT_EQ(Exporting::inTheWay(folder_.path(), *plan_, programs({"gcode-extended"})),
-            (QStringList{"pedestal.dxf", "pedestal.stl", "report.json"}));
+            shared << "report.json");
 }
 
 TEST_F(ExportingTest, AFolderThatCannotBeMadeIsTold) {

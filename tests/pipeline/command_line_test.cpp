@@ -257,6 +257,22 @@ TEST_F(CommandLine, OneAndTwoThreadsPlanTheSame) {
             base::readFile(folder_ / "2" / "box.script"));
 }
 
+TEST_F(CommandLine, APrintIsTakenUpAgain) {
+  const std::string first = (folder_ / "first").string(), rest = (folder_ / "rest").string();
+  ASSERT_EQ(run({"plan", smallBox(), "-o", first, "--mode", "flat", "--format", "urscript"}).code,
+            0);
+  const std::string job = first + "/job.voluta";
+  const Ended ended = run({"resume", job, "--bead", "3", "-o", rest});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("from bead 3 of "), std::string::npos) << ended.out;
+  EXPECT_EQ(run({"verify", rest + "/box_rest.script", "--job", rest + "/job.voluta"}).code, 0);
+  EXPECT_EQ(run({"resume", job, "--at", "100", "-o", rest}).code, 0);
+  expectOneLine(run({"resume", job, "--bead", "0", "-o", rest}), 2, {"no bead 0"});
+  expectOneLine(run({"resume", job, "-o", rest}), 2, {});
+  expectOneLine(run({"resume", job, "--at", "99999999", "-o", rest}), 2, {"99999999"});
+  expectOneLine(run({"resume", first + "/none.voluta", "--bead", "1", "-o", rest}), 3, {"none"});
+}
+
 TEST_F(CommandLine, CancelLeavesTheFolderAsItWas) {
   const std::string part = smallBox();
   fs::create_directory(folder_ / "out");

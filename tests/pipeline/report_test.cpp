@@ -25,7 +25,7 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
       "overlapFraction", "gouges", "maxTurnDeg", "materialMm3"}},
     {"motion",
      {"robot", "cell", "waypoints", "unreachable", "collisions", "splits", "maxJerk",
-      "sumSquaredJerk", "sumSquaredJerkBefore", "minClearanceMm", "durationS"}},
+      "sumSquaredJerk", "sumSquaredJerkBefore", "minClearanceMm", "minClearanceAtS", "durationS"}},
     {"replay",
      {"passed", "coveredFraction", "unsupportedFraction", "halfCarriedFraction",
       "longestUnsupportedMm", "overfillFraction", "massRatio", "collisions", "limitViolations",

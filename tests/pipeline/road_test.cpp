@@ -211,7 +211,7 @@ TEST_F(PlannedBox, EveryPointHasItsLine) {
   }
   // A text that ends early has no lines for what it lacks.
   CheckedProgram cut = csv;
-  cut.motionLines.resize(5);
+  cut.pointLines.resize(5);
   EXPECT_GT(linesOfPoints(cut, t)[4].line, 0u);
   EXPECT_EQ(linesOfPoints(cut, t)[5].line, 0u);
 }

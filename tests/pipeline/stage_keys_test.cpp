@@ -28,6 +28,9 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"layerHeightMm", {"0.7", 1}},
     {"beadWidthMm", {"1.3", 2}},
     {"stepMm", {"0.9", 3}},
+    {"givenToolPaths", {"false", kStageCount}}, // of parts that bring some, see given_paths_test
+    {"output.build3mf", {"true", kStageCount}},
+    {"output.proof", {"false", kStageCount}},
     {"output.debug", {"true", kStageCount}},
     {"output.refused", {"true", kStageCount}},
     {"voxelMm", {"0.9", 1}},

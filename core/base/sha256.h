@@ -1,0 +1,12 @@
+// The name of a file's content, as sha256sum gives it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace voluta::base {
+
+// 64 hexadecimal digits (FIPS 180-4, section 6.2).
+std::string sha256(std::string_view bytes);
+
+} // namespace voluta::base

@@ -1,0 +1,80 @@
+#include "motion/margins.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/run_context.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <limits>
+
+namespace voluta::motion {
+
+namespace {
+
+using robot::JointVector;
+
+constexpr std::size_t kChunk = 256;
+
+JointVector jointsAt(const plan::Trajectory& t, std::size_t point) {
+  return Eigen::Map<const JointVector>(t.at(point), t.dof);
+}
+
+} // namespace
+
+double reachOf(const robot::RobotModel& robot) {
+  std::vector<Eigen::Isometry3d> links;
+  robot.kinematics->linkPoses(JointVector::Zero(robot.dof()), links);
+  double reach = 0.0;
+  for (std::size_t i = 1; i < links.size(); ++i)
+    reach += (links[i].translation() - links[i - 1].translation()).norm();
+  return std::max(reach, 1.0);
+}
+
+double isotropyAt(const robot::RobotModel& robot, const JointVector& q, double reachMm) {
+  constexpr double kStep = 1e-5; // rad, of the central differences
+  const int dof = robot.dof();
+  Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 8> jacobian(6, dof);
+  for (int j = 0; j < dof; ++j) {
+    JointVector less = q.head(dof), more = less;
+    less[j] -= kStep;
+    more[j] += kStep;
+    const Eigen::Isometry3d a = robot.kinematics->flange(less), b = robot.kinematics->flange(more);
+    jacobian.col(j).head<3>() = (b.translation() - a.translation()) / (2.0 * kStep * reachMm);
+    const Eigen::AngleAxisd turn(b.linear() * a.linear().transpose());
+    jacobian.col(j).tail<3>() = turn.angle() * turn.axis() / (2.0 * kStep);
+  }
+  const auto values = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
+  return values[0] > 0.0 ? values[values.size() - 1] / values[0] : 0.0;
+}
+
+MotionMargins marginsOf(const plan::Trajectory& t, const robot::Cell& cell,
+                        const base::RunContext& ctx) {
+  base::require(t.dof == cell.dof(), "the trajectory is the cell's");
+  const std::size_t n = t.pointCount();
+  MotionMargins margins;
+  margins.joints.assign(static_cast<std::size_t>(t.dof),
+                        {std::numeric_limits<double>::infinity(), 0});
+  for (std::size_t i = 0; i < n; ++i)
+    for (int j = 0; j < t.dof; ++j) {
+      const robot::JointLimits& limits = cell.limits()[static_cast<std::size_t>(j)];
+      const double rad = std::min(t.at(i)[j] - limits.min, limits.max - t.at(i)[j]);
+      LimitMargin& margin = margins.joints[static_cast<std::size_t>(j)];
+      if (rad < margin.rad)
+        margin = {rad, i};
+    }
+  const double reach = reachOf(cell.robot());
+  std::vector<double> isotropy(n, 1.0);
+  base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t i = b; i < e; ++i)
+      isotropy[i] = isotropyAt(cell.robot(), jointsAt(t, i), reach);
+  });
+  const auto least = std::min_element(isotropy.begin(), isotropy.end());
+  if (least != isotropy.end()) {
+    margins.isotropy = *least;
+    margins.isotropyPoint = static_cast<std::size_t>(least - isotropy.begin());
+  }
+  return margins;
+}
+
+} // namespace voluta::motion

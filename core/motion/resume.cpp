@@ -1,0 +1,172 @@
+#include "motion/resume.h"
+
+#include "base/error.h"
+#include "base/run_context.h"
+#include "collision/cell_collision.h"
+#include "motion/motion_scene.h"
+#include "motion/rod_turn.h"
+#include "motion/sequence.h"
+#include "motion/timed_points.h"
+#include "motion/transfer.h"
+#include "plan/waypoints.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace voluta::motion {
+
+namespace {
+
+using plan::MoveKind;
+
+robot::JointVector jointsAt(const plan::Trajectory& t, std::size_t point) {
+  return Eigen::Map<const robot::JointVector>(t.at(point), t.dof);
+}
+
+void append(plan::Trajectory& to, const robot::JointVector& q, double time, MoveKind move,
+            std::size_t waypoint, double volume) {
+  to.joints.insert(to.joints.end(), q.data(), q.data() + q.size());
+  to.timeS.push_back(time);
+  to.move.push_back(move);
+  to.waypoint.push_back(waypoint);
+  to.extrudedMm3.push_back(volume);
+}
+
+// The way back: from its end to `home`.
+Transfer reversed(const Transfer& way, const RobotState& home) {
+  Transfer back;
+  back.kind = way.kind;
+  for (std::size_t i = way.points.size(); i-- > 0;)
+    back.points.push_back(
+        {i > 0 ? way.points[i - 1].at : home, way.points[i].move, way.points[i].most});
+  return back;
+}
+
+void appendWay(plan::Trajectory& to, const RobotState& from, const Transfer& way,
+               std::size_t arrivesAt, double speedMmPerS, const TimingLimits& limits) {
+  const std::vector<double> times = timesOf(timedPoints(from, way, speedMmPerS), limits);
+  const double start = to.timeS.back(), volume = to.extrudedMm3.back();
+  for (std::size_t k = 0; k < way.points.size(); ++k)
+    append(to, way.points[k].at.q, start + times[k + 1], way.points[k].move,
+           k + 1 == way.points.size() ? arrivesAt : plan::kNoWaypoint, volume);
+}
+
+// Seconds from `point` for each point up to the end of its run, which begins from rest there.
+std::vector<double> timesFromRest(const plan::Trajectory& t, std::size_t point, std::size_t end,
+                                  const plan::ToolPlan& plan, const robot::Cell& cell,
+                                  const TimingLimits& limits) {
+  std::vector<RunPoint> run;
+  for (std::size_t i = point; i < end; ++i) {
+    RunPoint at{stateAt(cell, jointsAt(t, i)), t.waypoint[i], 0, 0.0, 0.0};
+    at.next = plan::waypointAhead(t, i);
+    if (i > point && at.next != plan::kNoWaypoint)
+      at.speedMmPerS = plan.speedMmPerS[at.next];
+    run.push_back(std::move(at));
+  }
+  return timesOf(timedPoints(cell, run), limits);
+}
+
+} // namespace
+
+std::optional<std::size_t> resumePoint(const plan::Trajectory& t, std::size_t point) {
+  const auto printsOn = [&](std::size_t p) {
+    return p + 1 < t.pointCount() && t.move[p + 1] == MoveKind::Print;
+  };
+  std::size_t at = point;
+  while (at < t.pointCount() && !printsOn(at))
+    ++at;
+  if (at >= t.pointCount())
+    return std::nullopt;
+  while (at > 0 && t.waypoint[at] == plan::kNoWaypoint && t.move[at] == MoveKind::Print)
+    --at;
+  return t.waypoint[at] == plan::kNoWaypoint ? std::nullopt : std::optional(at);
+}
+
+std::optional<std::size_t> resumePointOfPath(const plan::Trajectory& t, const plan::ToolPlan& plan,
+                                             std::size_t path) {
+  base::require(path < plan.paths.size(), "a path of the plan");
+  const std::size_t first = plan.paths[path].first;
+  for (std::size_t i = 0; i + 1 < t.pointCount(); ++i)
+    if (t.move[i] != MoveKind::Print && t.move[i + 1] == MoveKind::Print &&
+        t.waypoint[i] != plan::kNoWaypoint && t.waypoint[i] >= first)
+      return i;
+  return std::nullopt;
+}
+
+plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_t last) {
+  base::require(first < last && last <= t.pointCount(), "points of the trajectory");
+  const auto span = [&](const auto& values, std::size_t each = 1) {
+    return std::decay_t<decltype(values)>(
+        values.begin() + static_cast<std::ptrdiff_t>(first * each),
+        values.begin() + static_cast<std::ptrdiff_t>(last * each));
+  };
+  plan::Trajectory part;
+  part.dof = t.dof;
+  part.joints = span(t.joints, static_cast<std::size_t>(t.dof));
+  part.timeS = span(t.timeS);
+  part.move = span(t.move);
+  part.waypoint = span(t.waypoint);
+  part.extrudedMm3 = span(t.extrudedMm3);
+  part.move.front() = MoveKind::Joint;
+  for (std::size_t i = 0; i < part.pointCount(); ++i) {
+    part.timeS[i] -= t.timeS[first];
+    part.extrudedMm3[i] -= t.extrudedMm3[first];
+  }
+  return part;
+}
+
+std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
+                                const plan::ToolPlan& plan, const robot::Cell& cell,
+                                const process::Process& process, const collision::GrowingPart& part,
+                                const MotionOptions& options, const base::RunContext& ctx) {
+  base::require(point + 1 < t.pointCount() && t.move[point + 1] == MoveKind::Print &&
+                    t.waypoint[point] < plan.waypointCount(),
+                "a point at which printing goes on");
+  constexpr int kThorough = 5; // times the usual search
+  const std::size_t waypoint = t.waypoint[point];
+  const auto path = static_cast<std::size_t>(plan::pathOf(plan, waypoint) - plan.paths.data());
+  // All of the path is in it, also what the cut run has laid.
+  const Surround surround = surroundsOf(plan)[path + 1];
+  const collision::CellCollision collision(cell, process);
+  const MotionScene scene{plan, cell, collision, part, options, radiusAboutRod(plan)};
+  const RobotState start = stateAt(cell, jointsAt(t, point));
+  const RobotState home = stateAt(cell, homeAfter(cell, start.q));
+
+  std::optional<Transfer> way;
+  for (const int effort : {1, kThorough})
+    if (!way)
+      way = TransferPlanner(scene, effort)
+                .approach(home, start, waypoint + 1, surround, options.seed + waypoint, ctx);
+  if (!way)
+    return std::nullopt;
+
+  const TimingLimits limits = timingLimits(cell, process);
+  Resumed resumed;
+  plan::Trajectory& all = resumed.trajectory;
+  all = partOf(t, 0, point + 1);
+  appendWay(all, start, reversed(*way, home), plan::kNoWaypoint, process.travelSpeedMmPerS, limits);
+  resumed.firstPoint = all.pointCount();
+  append(all, home.q, all.timeS.back(), MoveKind::Joint, plan::kNoWaypoint, all.extrudedMm3.back());
+  appendWay(all, home, *way, waypoint, process.travelSpeedMmPerS, limits);
+
+  std::size_t end = point + 1; // of the run
+  while (end < t.pointCount() && t.move[end] == MoveKind::Print)
+    ++end;
+  // A rod's steps are no acceleration, and its smooth way is not kept: it goes on as it went.
+  const bool cut = t.move[point] == MoveKind::Print && cell.externalAxes().empty();
+  const std::vector<double> fromRest =
+      cut ? timesFromRest(t, point, end, plan, cell, limits) : std::vector<double>();
+  double shift = all.timeS.back() - t.timeS[point];
+  const double begun = all.timeS.back();
+  for (std::size_t i = point + 1; i < t.pointCount(); ++i) {
+    const bool inCut = cut && i < end;
+    const double time = inCut ? begun + fromRest[i - point] : t.timeS[i] + shift;
+    append(all, jointsAt(t, i), time, t.move[i], t.waypoint[i], t.extrudedMm3[i]);
+    if (inCut)
+      shift = time - t.timeS[i];
+  }
+  ctx.checkpoint();
+  return resumed;
+}
+
+} // namespace voluta::motion

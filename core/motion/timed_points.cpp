@@ -1,0 +1,85 @@
+#include "motion/timed_points.h"
+
+#include "base/units.h"
+#include "motion/motion_scene.h"
+#include "process/process.h"
+
+#include <cmath>
+
+namespace voluta::motion {
+
+namespace {
+
+// Its steps are not the rod's acceleration: the motor takes them as they come on a smooth way.
+robot::JointVector withoutSteps(const robot::Cell& cell, const RobotState& state) {
+  robot::JointVector q = state.q;
+  if (!cell.externalAxes().empty())
+    q[cell.armDof()] = state.rodRad;
+  return q;
+}
+
+// Where a joint goes fastest between two states of a straight way, near a singular wrist much
+// faster than between its ends: TimedPoint::most. Empty where that is not found.
+robot::JointVector mostBetween(const robot::Cell& cell, const RobotState& from,
+                               const RobotState& to) {
+  constexpr int kSteps = 8;
+  std::vector<robot::JointVector> scratch;
+  robot::JointVector q = from.q, most = robot::JointVector::Zero(q.size());
+  for (int k = 1; k <= kSteps; ++k) {
+    const double t = static_cast<double>(k) / kSteps;
+    const robot::JointVector last = q;
+    if (!solveNear(cell, from.tip + t * (to.tip - from.tip), from.tool.slerp(t, to.tool), last,
+                   base::kPi, scratch, q))
+      return {};
+    most = most.cwiseMax((q - last).cwiseAbs());
+  }
+  return kSteps * most;
+}
+
+} // namespace
+
+TimingLimits timingLimits(const robot::Cell& cell, const process::Process& process) {
+  TimingLimits limits;
+  limits.joints = cell.limits();
+  limits.accelerationMmPerS2 = process.accelerationMmPerS2;
+  limits.travelRadPerS2 = cell.travelAcceleration();
+  limits.arm = cell.armDof();
+  return limits;
+}
+
+std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<RunPoint>& points) {
+  constexpr double kCloserLook = 0.3; // of a joint's limit, from point to point
+  const auto isFast = [&](const RunPoint& from, const RunPoint& to) {
+    const double way = (to.at.tip - from.at.tip).norm();
+    if (to.speedMmPerS <= 0.0 || !cell.externalAxes().empty())
+      return false;
+    for (Eigen::Index j = 0; j < to.at.q.size(); ++j)
+      if (std::abs(to.at.q[j] - from.at.q[j]) * to.speedMmPerS >
+          kCloserLook * way * cell.limits()[static_cast<std::size_t>(j)].velocity)
+        return true;
+    return false;
+  };
+  std::vector<TimedPoint> timed;
+  timed.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const RunPoint& p = points[i];
+    timed.push_back({withoutSteps(cell, p.at), p.at.tip, p.speedMmPerS, false, false});
+    if (i > 0 && isFast(points[i - 1], p))
+      timed.back().most = mostBetween(cell, points[i - 1].at, p.at);
+  }
+  return timed;
+}
+
+std::vector<TimedPoint> timedPoints(const RobotState& from, const Transfer& transfer,
+                                    double speedMmPerS) {
+  std::vector<TimedPoint> timed{{from.q, from.tip, speedMmPerS, false, true}};
+  for (const TransferPoint& p : transfer.points) {
+    const bool joint = p.move == plan::MoveKind::Joint;
+    if (timed.size() > 1 && timed.back().jointMove != joint)
+      timed.back().stop = true;
+    timed.push_back({p.at.q, p.at.tip, speedMmPerS, joint, false, p.most});
+  }
+  return timed;
+}
+
+} // namespace voluta::motion

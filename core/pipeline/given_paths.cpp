@@ -1,0 +1,215 @@
+#include "pipeline/given_paths.h"
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "modes/mode_table.h"
+#include "pipeline/automatic.h"
+#include "plan/finding_kinds.h"
+#include "process/bead_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace voluta::pipeline {
+
+using Eigen::Vector3d;
+
+namespace {
+
+// From the mesh's coordinates to the work frame.
+struct Laid {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  Vector3d shift = Vector3d::Zero();
+};
+
+Laid laidBy(const project::LoadedPart& loaded, const modes::LoadStage& placed) {
+  Laid laid;
+  laid.turn = placed.placement.rotation.normalized().toRotationMatrix();
+  laid.shift = placed.part->vertices[0] - laid.turn * loaded.mesh->vertices[0];
+  // Of a file in the work frame nothing is left but rounding.
+  if (laid.turn.isIdentity(0.0) && laid.shift.cwiseAbs().maxCoeff() < 1e-9)
+    laid.shift.setZero();
+  return laid;
+}
+
+class Taking {
+public:
+  Taking(const plan::ToolPlan& given, const Laid& laid, const process::Process& process)
+      : given_(given), laid_(laid), process_(process) {}
+
+  plan::ToolPlan take(const base::RunContext& ctx) {
+    for (const plan::ToolPath& path : given_.paths) {
+      ctx.checkpoint();
+      plan::ToolPath mine = path;
+      mine.first = plan_.waypointCount();
+      for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+        if (i > path.first)
+          divide(i);
+        add(i, i, 0.0);
+      }
+      mine.count = plan_.waypointCount() - mine.first;
+      plan_.paths.push_back(mine);
+    }
+    slow();
+    return std::move(plan_);
+  }
+
+  std::size_t filled = 0, slowed = 0; // points
+
+private:
+  // Waypoints on the way to `i` where that is long. A little longer than a step is a step.
+  void divide(std::size_t i) {
+    constexpr double kSlack = 1.5;
+    const double way = (given_.position[i] - given_.position[i - 1]).norm();
+    if (way <= kSlack * process_.stepMm)
+      return;
+    const auto steps = static_cast<int>(std::ceil(way / process_.stepMm));
+    for (int k = 1; k < steps; ++k)
+      add(i - 1, i, static_cast<double>(k) / steps);
+  }
+
+  void add(std::size_t a, std::size_t b, double t) {
+    const auto at = [&](const std::vector<float>& v) {
+      return static_cast<float>((1.0 - t) * v[a] + t * v[b]);
+    };
+    const Vector3d position = given_.position[a] + t * (given_.position[b] - given_.position[a]);
+    const Vector3d direction = (1.0 - t) * given_.direction[a] + t * given_.direction[b];
+    plan_.position.push_back(laid_.turn * position + laid_.shift);
+    plan_.direction.push_back(
+        (laid_.turn * (direction.norm() > 1e-6 ? direction : given_.direction[b])).normalized());
+    float width = at(given_.widthMm), height = at(given_.heightMm);
+    float speed = given_.speedMmPerS[b];
+    if (!(width > 0.0f) || !(height > 0.0f) || !(speed > 0.0f))
+      ++filled;
+    height = height > 0.0f ? height : static_cast<float>(process_.layerHeightMm);
+    width = width > 0.0f ? width : static_cast<float>(process_.beadWidthMm);
+    speed = speed > 0.0f ? speed : static_cast<float>(process_.speedMmPerS);
+    // A bead is no higher than wide; the same section, then.
+    if (height > width)
+      height = width = std::sqrt(height * width);
+    plan_.widthMm.push_back(width);
+    plan_.heightMm.push_back(height);
+    plan_.speedMmPerS.push_back(speed);
+  }
+
+  void slow() {
+    const auto section = [&](std::size_t i) {
+      return process::beadArea(plan_.widthMm[i], plan_.heightMm[i]);
+    };
+    for (const plan::ToolPath& path : plan_.paths)
+      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+        const double most = process_.maxFlowMm3PerS / std::max({section(i - 1), section(i), 1e-9});
+        if (plan_.speedMmPerS[i] > most) {
+          plan_.speedMmPerS[i] = static_cast<float>(most);
+          ++slowed;
+        }
+      }
+  }
+
+  const plan::ToolPlan& given_;
+  const Laid& laid_;
+  const process::Process& process_;
+  plan::ToolPlan plan_;
+};
+
+project::ToolpathReport reportOf(const plan::ToolPlan& plan) {
+  project::ToolpathReport r;
+  r.paths = r.starts = plan.paths.size();
+  r.waypoints = plan.waypointCount();
+  for (std::size_t p = 0; p < plan.paths.size(); ++p) {
+    const plan::ToolPath& path = plan.paths[p];
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+      const double way = (plan.position[i] - plan.position[i - 1]).norm();
+      r.lengthMm += way;
+      r.materialMm3 +=
+          process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
+                              process::beadArea(plan.widthMm[i], plan.heightMm[i]), way);
+      const double cosine = std::clamp(plan.direction[i - 1].dot(plan.direction[i]), -1.0, 1.0);
+      r.maxTurnDeg = std::max(r.maxTurnDeg, base::radiansToDegrees(std::acos(cosine)));
+    }
+    if (p > 0)
+      r.travelMm += (plan.position[path.first] - plan.position[path.first - 1]).norm();
+  }
+  return r;
+}
+
+} // namespace
+
+bool takesGivenPaths(const project::LoadedPart& loaded, const base::ParameterValues& values) {
+  return loaded.toolPaths && values.boolean("givenToolPaths");
+}
+
+project::Choices choicesForGivenPaths(project::Choices choices) {
+  if (!choices.automatic)
+    return choices;
+  const std::vector<project::Choices> ways = automaticChoices(choices);
+  const auto flat = std::find_if(ways.begin(), ways.end(),
+                                 [](const project::Choices& way) { return way.mode == "flat"; });
+  project::Choices taken = flat == ways.end() ? ways.front() : *flat;
+  taken.automatic = false;
+  return taken;
+}
+
+std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loaded) {
+  if (!loaded.inWorkFrame)
+    return std::nullopt;
+  const Eigen::AlignedBox3d box = geometry::bounds(*loaded.mesh);
+  geometry::Placement placement;
+  placement.centreMm = box.center().head<2>();
+  placement.liftMm = box.min().z();
+  return placement;
+}
+
+void requireOwnSize(const project::Choices& choices) {
+  if (project::parsedScale(choices.scale) != 1.0 || choices.units != "mm")
+    throw base::Error(base::ErrorCode::Usage,
+                      "tool-paths of a file are printed in the size that it gives"_text, {},
+                      "leave scale and units as they are, or give givenToolPaths=false"_text);
+}
+
+std::shared_ptr<const modes::DecomposeStage> onlyGround(const modes::DecomposeStage& made) {
+  auto stage = std::make_shared<modes::DecomposeStage>();
+  stage->platform = made.platform;
+  stage->result = made.result;
+  stage->timings = made.timings;
+  return stage;
+}
+
+std::shared_ptr<const modes::LayersStage> layersOfGiven(const plan::ToolPlan& given) {
+  auto stage = std::make_shared<modes::LayersStage>();
+  std::set<int> layers;
+  for (const plan::ToolPath& path : given.paths)
+    layers.insert(path.layer);
+  stage->layers = std::make_shared<layers::LayerStack>();
+  stage->report.count = static_cast<int>(layers.size());
+  return stage;
+}
+
+std::shared_ptr<const ToolpathStage> givenToolpathStage(const project::LoadedPart& loaded,
+                                                        const modes::LoadStage& placed,
+                                                        const process::Process& process,
+                                                        const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  auto stage = std::make_shared<ToolpathStage>();
+  const Laid laid = laidBy(loaded, placed);
+  Taking taking(*loaded.toolPaths, laid, process);
+  stage->toolPlan = std::make_shared<plan::ToolPlan>(taking.take(ctx));
+  stage->report = reportOf(*stage->toolPlan);
+  if (taking.filled > 0)
+    stage->findings.push_back(plan::makeFinding(
+        plan::FindingKind::GivenWithoutSection,
+        {{"points", taking.filled}, {"process", process.id}}, std::nullopt, taking.filled));
+  if (taking.slowed > 0)
+    stage->findings.push_back(
+        plan::makeFinding(plan::FindingKind::GivenTooFast,
+                          {{"points", taking.slowed},
+                           {"limit", base::Quantity{process.maxFlowMm3PerS, base::Unit::Mm3PerS}}},
+                          std::nullopt, taking.slowed));
+  stage->timings.toolpath = watch.seconds();
+  return stage;
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,20 @@
+// A program on disk, with the files that it goes on in.
+#pragma once
+
+#include "plan/program.h"
+#include "program/dialect.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace voluta::pipeline {
+
+struct FoundProgram {
+  const program::Dialect* dialect = nullptr; // never null
+  std::vector<plan::ProgramFile> files;      // the one that was named first, each once
+};
+
+// Throws Error{UnreadableFile}: a file is missing; Error{UnusableInput}: no known format.
+FoundProgram findProgram(const std::filesystem::path& program);
+
+} // namespace voluta::pipeline

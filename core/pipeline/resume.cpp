@@ -1,0 +1,249 @@
+#include "pipeline/resume.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/stopwatch.h"
+#include "collision/growing_part.h"
+#include "motion/check.h"
+#include "motion/head_refusals.h"
+#include "motion/motion.h"
+#include "motion/motion_scene.h"
+#include "motion/resume.h"
+#include "pipeline/choices.h"
+#include "pipeline/program_files.h"
+#include "pipeline/replay_stage.h"
+#include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
+#include "program/dialect.h"
+#include "program/program_options.h"
+#include "replay/comparison.h"
+#include "replay/executed_path.h"
+#include "robot/cell.h"
+
+#include <algorithm>
+
+namespace voluta::pipeline {
+
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+
+// The file that a line is of, and the one that its program begins with: the job knows its programs.
+struct ProgramPlace {
+  std::filesystem::path first;
+  std::string file;
+};
+
+ProgramPlace placeOf(const ResumeRequest& request, const project::Job& job) {
+  const auto& programs = job.report.programs;
+  if (request.program.empty()) {
+    if (programs.empty() || programs.front().files.empty())
+      throw Error(ErrorCode::Usage, "the job has no program that a line could be of"_text, {},
+                  "give --program"_text);
+    const std::string& file = programs.front().files.front();
+    return {request.job.parent_path() / file, file};
+  }
+  const std::string file = request.program.filename().string();
+  for (const project::ProgramReport& program : programs)
+    if (std::find(program.files.begin(), program.files.end(), file) != program.files.end())
+      return {request.program.parent_path() / program.files.front(), file};
+  return {request.program, file};
+}
+
+// The point of the job's trajectory from which the motion of a line leads on.
+std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
+                        const base::RunContext& ctx) {
+  const ProgramPlace place = placeOf(request, job);
+  const FoundProgram found = findProgram(place.first);
+  const auto file = std::find_if(found.files.begin(), found.files.end(),
+                                 [&](const plan::ProgramFile& f) { return f.name == place.file; });
+  const auto index = static_cast<std::size_t>(file - found.files.begin());
+  const process::Process process = chosenProcess(job.choices, parameterValues(job.choices));
+  const plan::ReadProgram read =
+      program::readProgram(std::string(found.dialect->id), found.files, process, ctx);
+  const auto motion =
+      std::find_if(read.motions.begin(), read.motions.end(), [&](const plan::ProgramMotion& m) {
+        return m.file == index && m.line >= *request.line;
+      });
+  if (motion == read.motions.end())
+    throw Error(ErrorCode::Usage,
+                base::message("no motion stands at line {line} or after it"_text, *request.line),
+                place.file);
+  const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.platform);
+  const plan::Trajectory rest =
+      motion::partOf(*job.trajectory, job.resumedAt, job.trajectory->pointCount());
+  const replay::ExecutedPath path = replay::executeProgram(read, cell, ctx);
+  const replay::Alignment alignment =
+      replay::alignProgram(read, path, replay::plannedNozzle(rest, cell, ctx), rest, cell, ctx);
+  if (!alignment.deviations.empty() || alignment.gaveUp)
+    throw Error(ErrorCode::UnusableInput, "not a program of this job"_text, place.file);
+  // A piece of a joint motion has no point of its own: the one that it leads to.
+  auto at = static_cast<std::size_t>(motion - read.motions.begin());
+  while (alignment.pointOf[at] == replay::kUnmatched)
+    ++at;
+  const std::size_t point = job.resumedAt + alignment.pointOf[at];
+  return point == 0 ? 0 : point - 1;
+}
+
+std::size_t pointOf(const ResumeRequest& request, const project::Job& job,
+                    const base::RunContext& ctx) {
+  std::optional<std::size_t> point;
+  if (request.bead) {
+    if (*request.bead < 1 || *request.bead > job.toolPlan->paths.size())
+      throw Error(ErrorCode::Usage,
+                  base::message("there is no bead {bead}; the plan has {beads}"_text, *request.bead,
+                                job.toolPlan->paths.size()));
+    point = motion::resumePointOfPath(*job.trajectory, *job.toolPlan, *request.bead - 1);
+  } else {
+    base::require(request.line.has_value(), "a bead or a line");
+    point = motion::resumePoint(*job.trajectory, pointOfLine(request, job, ctx));
+  }
+  if (!point)
+    throw Error(ErrorCode::UnusableInput, "nothing is printed from there on"_text, {},
+                "choose an earlier place"_text);
+  return *point;
+}
+
+class Resuming {
+public:
+  Resuming(project::Job job, std::size_t point, std::vector<std::string> formats) : point_(point) {
+    if (!formats.empty())
+      job.choices.formats = std::move(formats);
+    result_.plan = resultOf(std::move(job));
+    const std::size_t waypoint = this->job().trajectory->waypoint[point];
+    result_.waypoint = waypoint;
+    result_.bead = 1 + static_cast<std::size_t>(plan::pathOf(*this->job().toolPlan, waypoint) -
+                                                this->job().toolPlan->paths.data());
+    result_.laidMm3 = this->job().trajectory->extrudedMm3[point];
+    result_.leftMm3 = this->job().trajectory->extrudedMm3.back() - result_.laidMm3;
+  }
+
+  ResumeResult run(const base::RunContext& ctx) {
+    const base::Stopwatch whole;
+    forgetRest();
+    if (move(ctx.sub(0.0, 0.2)))
+      write(ctx.sub(0.2, 1.0));
+    report().timings.total = whole.seconds();
+    report().threads = ctx.threads();
+    return std::move(result_);
+  }
+
+private:
+  project::Job& job() { return result_.plan.job; }
+  project::Report& report() { return job().report; }
+
+  // What the job says of motion and programs is about the whole.
+  void forgetRest() {
+    const auto trajectory = job().trajectory;
+    const project::MotionReport motion = report().motion;
+    job() = project::upTo(job(), project::Stage::Toolpath);
+    report().tried.clear();
+    job().trajectory = trajectory;
+    report().motion = motion;
+  }
+
+  void done(project::Stage stage, const plan::Findings& findings, project::Timings timings) {
+    // What is there is not what the choices alone come to.
+    job().stages[project::indexOf(stage)] = {"resumed", findings.size(), timings};
+    report().findings.insert(report().findings.end(), findings.begin(), findings.end());
+    report().timings += timings;
+    job().reached = stage;
+  }
+
+  bool move(const base::RunContext& ctx) {
+    base::Stopwatch watch;
+    ctx.report(0.0, "the part as it stands"_text);
+    const plan::ToolPlan& plan = *job().toolPlan;
+    const process::Process& process = *result_.plan.process;
+    const double pitch = collision::growingPitch(plan, process);
+    const collision::GrowingPart growing(plan, pitch, ctx,
+                                         collision::groundCells(job().platform, pitch, ctx));
+    project::Timings timings;
+    timings.collision = watch.seconds();
+    watch = base::Stopwatch();
+    const base::ParameterValues values = parameterValues(job().choices);
+    auto resumed = motion::resumeAt(*job().trajectory, point_, plan, *result_.plan.cell, process,
+                                    growing, motionOptionsOf(values, job().choices.seed), ctx);
+    timings.transfer = watch.seconds();
+    if (!resumed) {
+      const Eigen::Vector3d& where = plan.position[result_.waypoint];
+      done(project::Stage::Motion,
+           {plan::makeFinding(plan::FindingKind::NoWayBack,
+                              {{"place", base::message("bead {bead}"_text, result_.bead)}}, where)},
+           timings);
+      return false;
+    }
+    const double before = resumed->trajectory.timeS[resumed->firstPoint];
+    report().motion.durationS = resumed->trajectory.timeS.back() - before;
+    job().resumedAt = resumed->firstPoint;
+    measure(*resumed, growing, ctx);
+    job().trajectory = std::make_shared<plan::Trajectory>(std::move(resumed->trajectory));
+    done(project::Stage::Motion, {}, timings);
+    return true;
+  }
+
+  // The last look at the rest, as the whole had one (motion/check.h).
+  void measure(const motion::Resumed& resumed, const collision::GrowingPart& growing,
+               const base::RunContext& ctx) {
+    const base::ParameterValues values = parameterValues(job().choices);
+    const motion::MotionOptions options = motionOptionsOf(values, job().choices.seed);
+    const collision::CellCollision collision(*result_.plan.cell, *result_.plan.process);
+    const motion::MotionScene scene{*job().toolPlan, *result_.plan.cell,
+                                    collision,       growing,
+                                    options,         motion::radiusAboutRod(*job().toolPlan)};
+    const plan::Trajectory rest =
+        motion::partOf(resumed.trajectory, resumed.firstPoint, resumed.trajectory.pointCount());
+    const motion::TrajectoryCheck check = motion::checkTrajectory(
+        rest, scene, motion::headBefore(*job().toolPlan), motion::kClearanceCapMm, ctx);
+    report().motion.minClearanceMm = check.minClearanceMm;
+    report().motion.minClearanceAtS = rest.timeS[check.closestPoint];
+    report().motion.collisions = check.collisions.size();
+  }
+
+  void write(const base::RunContext& ctx) {
+    const std::vector<std::string> formats = chosenFormats(job().choices, *result_.plan.cell);
+    const ProgramStageInput in{job().printed(),
+                               job().platform,
+                               *job().toolPlan,
+                               *job().trajectory,
+                               *result_.plan.cell,
+                               *result_.plan.process,
+                               std::filesystem::path(job().partName).stem().string() + "-rest",
+                               program::programOptions(parameterValues(job().choices)),
+                               job().resumedAt};
+    replay::JudgedRuns judged;
+    plan::Findings findings;
+    project::Timings timings;
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+      const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
+      result_.plan.checked.push_back(
+          programStage(formats[i], in, ctx.sub(at / count, (at + 1.0) / count), &judged));
+      timings += result_.plan.checked.back()->timings;
+      tellProgram(*result_.plan.checked.back(), i == 0, true, report(), findings);
+    }
+    done(project::Stage::Replay, findings, timings);
+  }
+
+  std::size_t point_;
+  ResumeResult result_;
+};
+
+} // namespace
+
+ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,
+                       const base::RunContext& ctx) {
+  base::require(job.part && job.toolPlan && job.trajectory, "a job with a motion");
+  return Resuming(std::move(job), point, std::move(formats)).run(ctx);
+}
+
+ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& ctx) {
+  project::Job job = project::readJob(request.job);
+  if (!job.part || !job.toolPlan || !job.trajectory)
+    throw Error(ErrorCode::UnusableInput, "the job holds no motion to take up"_text,
+                request.job.string(), "plan it without --until"_text);
+  const std::size_t point = pointOf(request, job, ctx);
+  return resumeJob(std::move(job), point, request.formats, ctx);
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,228 @@
+// Tool-paths that come with a part: others' files end as checked programs, and a plan of ours that
+// is written as a build file and read back is printed along the same beads.
+#include "base/error.h"
+#include "base/files.h"
+#include "box_request.h"
+#include "build3mf/build_writer.h"
+#include "build3mf/foreign_package.h"
+#include "geometry/measures.h"
+#include "helpers/temporary_folder.h"
+#include "pipeline/outputs.h"
+#include "pipeline/road.h"
+#include "plan/finding_kinds.h"
+#include "process/bead_model.h"
+#include "project/job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+
+namespace {
+
+const base::RunContext kCtx;
+
+std::string findingsOf(const PlanResult& planned) {
+  std::string all;
+  for (const plan::Finding& f : planned.job.report.findings)
+    all += plan::englishReason(f) + "\n";
+  return all;
+}
+
+// What a slicer for a router with a tilting spindle may write: tenths of a millimetre in inches'
+// place taken by centimetres, one long line a row and no points between, frames that look down into
+// the part and are turned about it by a half, sections by a constant modifier, rows of every other
+// layer across.
+std::string routersFile(bool withObject) {
+  constexpr double kWidth = 1.2, kHeight = 0.8;
+  const double hatch = process::hatchOf(kWidth, kHeight);
+  constexpr int kRows = 18, kLayers = 6;
+  const double side = kRows * hatch;
+  test::ForeignBuild file;
+  file.unit = "centimeter";
+  file.unitFactor = "0.0001"; // a micrometre
+  file.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"hatching\" "
+                 "beadwidth=\"2\" beadheight=\"0.8\" depositionspeed=\"20\"";
+  file.modifiers = "<tp:modifier attribute=\"beadwidth\" type=\"constant\" minvalue=\"1\" "
+                   "maxvalue=\"2\" factor=\"h\"/>";
+  const auto point = [](double x, double y, double z) {
+    return fmt::format("<point6d x=\"{}\" y=\"{}\" z=\"{}\" i=\"0.70710678\" j=\"0.70710678\" "
+                       "k=\"0\" w=\"0\" h=\"0.2\"/>",
+                       std::llround(1e3 * x), std::llround(1e3 * y), std::llround(1e3 * z));
+  };
+  for (int layer = 0; layer < kLayers; ++layer) {
+    std::string points;
+    for (int row = 0; row < kRows; ++row) {
+      const double across = (row + 0.5) * hatch, z = (layer + 1) * kHeight;
+      // A turn lies half a hatch within the edge, so that the material is the box's.
+      for (const double along : {0.5 * hatch, side - 0.5 * hatch}) {
+        const double l = row % 2 ? side - along : along;
+        points += layer % 2 ? point(100 + across, 50 + l, z) : point(100 + l, 50 + across, z);
+      }
+    }
+    file.layers.push_back(test::foreignLayer(test::foreignSegment("polyline6d", points)));
+  }
+  if (withObject) {
+    const geometry::TriangleMesh box =
+        test::box({10, 5, 0}, {10 + 0.1 * side, 5 + 0.1 * side, 0.1 * kLayers * kHeight}); // cm
+    file.object = "<object id=\"7\"><mesh><vertices>";
+    for (const auto& v : box.vertices)
+      file.object += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>", v.x(), v.y(), v.z());
+    file.object += "</vertices><triangles>";
+    for (const auto& t : box.triangles)
+      file.object += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>", t[0], t[1], t[2]);
+    file.object += "</triangles></mesh></object>";
+  }
+  return file.bytes();
+}
+
+PlanResult plannedFrom(const std::string& bytes, const std::string& name = "router.build.3mf") {
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / name, bytes);
+  PlanRequest request;
+  request.part = (folder / name).string();
+  request.choices.automatic = true;
+  return planPart(request, kCtx);
+}
+
+TEST(GivenPaths, AnotherToolsFileEndsAsACheckedProgram) {
+  const PlanResult planned = plannedFrom(routersFile(true));
+  EXPECT_TRUE(nothingBlocks(planned.job.report)) << findingsOf(planned);
+  EXPECT_TRUE(planned.job.report.replay.passed) << findingsOf(planned);
+  for (const auto& checked : planned.checked)
+    EXPECT_TRUE(checked->passed) << checked->program.format;
+  EXPECT_EQ(planned.job.report.toolpath.paths, 6u);
+  EXPECT_EQ(planned.job.report.layers.count, 6);
+  // It stood somewhere in centimetres; it lies in the middle of the plate, and looks up.
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : planned.job.toolPlan->position)
+    box.extend(p);
+  EXPECT_LT(box.center().head<2>().norm(), 1e-3);
+  EXPECT_NEAR(box.max().z(), 4.8, 1e-6);
+  EXPECT_LT((planned.job.toolPlan->direction[3] - Eigen::Vector3d::UnitZ()).norm(), 1e-6);
+  // Long lines get waypoints.
+  for (const plan::ToolPath& path : planned.job.toolPlan->paths)
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      EXPECT_LE((planned.job.toolPlan->position[i] - planned.job.toolPlan->position[i - 1]).norm(),
+                1.5 * planned.process->stepMm);
+}
+
+TEST(GivenPaths, WithoutAnObjectTheyAreJudgedByWhatTheirBeadsMake) {
+  const PlanResult planned = plannedFrom(routersFile(false));
+  EXPECT_TRUE(nothingBlocks(planned.job.report)) << findingsOf(planned);
+  EXPECT_NEAR(planned.job.report.replay.massRatio, 1.0, 0.03);
+}
+
+TEST(GivenPaths, APlanOfOursIsPrintedAlongTheSameBeads) {
+  PlanRequest request = test::boxRequest();
+  request.choices.placement.centreMm = {12, -5}; // the work frame is kept, wherever it lies
+  request.choices.parameters["output.build3mf"] = "true";
+  PlanResult planned = planPart(request, kCtx);
+  ASSERT_TRUE(nothingBlocks(planned.job.report)) << findingsOf(planned);
+  const test::TemporaryFolder folder;
+  writeOutputs(planned, folder.path(), kCtx);
+  const std::string name = buildName(planned);
+  ASSERT_TRUE(std::filesystem::exists(folder / name));
+  const PlanResult again = plannedFrom(base::readFile(folder / name), name);
+  EXPECT_TRUE(nothingBlocks(again.job.report)) << findingsOf(again);
+  const plan::ToolPlan &a = *planned.job.toolPlan, &b = *again.job.toolPlan;
+  ASSERT_EQ(a.waypointCount(), b.waypointCount());
+  ASSERT_EQ(a.paths.size(), b.paths.size());
+  for (std::size_t i = 0; i < a.waypointCount(); ++i) {
+    EXPECT_LE((a.position[i] - b.position[i]).norm(), 1e-3);
+    EXPECT_LE((a.direction[i] - b.direction[i]).norm(), 1e-6);
+    EXPECT_NEAR(process::beadArea(a.widthMm[i], a.heightMm[i]) /
+                    process::beadArea(b.widthMm[i], b.heightMm[i]),
+                1.0, 1e-3);
+  }
+}
+
+TEST(GivenPaths, TheObjectIsPlannedAnewWhereThatIsAskedFor) {
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "router.build.3mf", routersFile(true));
+  PlanRequest request;
+  request.part = (folder / "router.build.3mf").string();
+  request.choices.mode = "flat";
+  request.choices.parameters["givenToolPaths"] = "false";
+  request.until = project::Stage::Layers;
+  const PlanResult planned = planPart(request, kCtx);
+  EXPECT_FALSE(planned.job.layers->patches.empty());
+}
+
+TEST(GivenPaths, AnotherSizeIsRefused) {
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "router.build.3mf", routersFile(true));
+  PlanRequest request;
+  request.part = (folder / "router.build.3mf").string();
+  request.choices.mode = "flat";
+  request.choices.scale = "2";
+  EXPECT_THROW(planPart(request, kCtx), base::Error);
+}
+
+TEST(GivenPaths, WhatTheFileLeavesOpenIsTheProcesss) {
+  test::ForeignBuild file;
+  file.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadheight=\"0.8\" "
+                 "beadwidth=\"1.2\"";
+  file.layers = {test::foreignLayer(
+      test::foreignSegment("polyline6d", test::point6d(0, 0, 800) + test::point6d(9000, 0, 800)))};
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "a.3mf", file.bytes());
+  PlanRequest request;
+  request.part = (folder / "a.3mf").string();
+  request.choices.mode = "flat";
+  request.until = project::Stage::Toolpath;
+  const PlanResult planned = planPart(request, kCtx);
+  EXPECT_FLOAT_EQ(planned.job.toolPlan->speedMmPerS[1],
+                  static_cast<float>(planned.process->speedMmPerS));
+  EXPECT_TRUE(std::ranges::any_of(planned.job.report.findings, [](const plan::Finding& f) {
+    return f.kind == plan::FindingKind::GivenWithoutSection && !f.blocking;
+  }));
+}
+
+TEST(GivenPaths, NoMoreThanTheExtruderGives) {
+  test::ForeignBuild file;
+  file.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadheight=\"0.8\" "
+                 "beadwidth=\"1.2\" depositionspeed=\"2000\"";
+  file.layers = {test::foreignLayer(
+      test::foreignSegment("polyline6d", test::point6d(0, 0, 800) + test::point6d(9000, 0, 800)))};
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "a.3mf", file.bytes());
+  PlanRequest request;
+  request.part = (folder / "a.3mf").string();
+  request.choices.mode = "flat";
+  request.until = project::Stage::Toolpath;
+  const PlanResult planned = planPart(request, kCtx);
+  const plan::ToolPlan& plan = *planned.job.toolPlan;
+  EXPECT_LE(plan.speedMmPerS[1] * process::beadArea(1.2, 0.8),
+            1.0001 * planned.process->maxFlowMm3PerS);
+  EXPECT_TRUE(std::ranges::any_of(planned.job.report.findings, [](const plan::Finding& f) {
+    return f.kind == plan::FindingKind::GivenTooFast;
+  }));
+}
+
+TEST(GivenPaths, AProjectKeepsThem) {
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "router.build.3mf", routersFile(true));
+  PlanRequest request;
+  request.part = (folder / "router.build.3mf").string();
+  request.choices.mode = "flat";
+  request.until = project::Stage::Toolpath;
+  const PlanResult planned = planPart(request, kCtx);
+  project::writeJob(folder / "job.voluta", planned.job);
+  const project::Job again = project::readJob(folder / "job.voluta");
+  ASSERT_TRUE(again.loaded->toolPaths);
+  EXPECT_EQ(again.loaded->hash, planned.job.loaded->hash);
+  PlanRequest same;
+  same.loaded = again.loaded;
+  same.choices = again.choices;
+  PlanRequest anew = same;
+  anew.choices.parameters["givenToolPaths"] = "false";
+  EXPECT_NE(stageKeys(anew)[0], stageKeys(same)[0]);
+  EXPECT_EQ(stageKeys(same)[project::indexOf(project::Stage::Toolpath)],
+            again.stages[project::indexOf(project::Stage::Toolpath)].key);
+}
+
+} // namespace

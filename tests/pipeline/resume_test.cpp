@@ -1,0 +1,167 @@
+// A print that is taken up again: the rest passes its replay, and both together are the part.
+#include "base/error.h"
+#include "base/files.h"
+#include "box_request.h"
+#include "helpers/temporary_folder.h"
+#include "motion/resume.h"
+#include "pipeline/outputs.h"
+#include "pipeline/resume.h"
+#include "pipeline/road.h"
+#include "plan/finding_kinds.h"
+#include "program/dialect.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+
+namespace {
+
+const base::RunContext kCtx;
+
+const PlanResult& boxPlan() {
+  static const PlanResult kPlan = [] {
+    PlanRequest request = test::boxRequest();
+    request.choices.mode = "flat";
+    return planPart(request, kCtx);
+  }();
+  return kPlan;
+}
+
+// Material of a program's motions, as its own reader finds it.
+double materialOf(const CheckedProgram& checked, const process::Process& process) {
+  const plan::ReadProgram read =
+      program::readProgram(checked.program.format, checked.program.files, process, kCtx);
+  double volume = 0.0;
+  for (const plan::ProgramMotion& motion : read.motions)
+    volume += std::max(0.0, motion.volumeMm3);
+  return volume;
+}
+
+TEST(Resume, AtTwentyRandomBeadsTheRestIsTheRest) {
+  const PlanResult& whole = boxPlan();
+  ASSERT_TRUE(nothingBlocks(whole.job.report));
+  const std::size_t beads = whole.job.toolPlan->paths.size();
+  const double material = whole.job.trajectory->extrudedMm3.back();
+  std::mt19937 random(18);
+  for (int k = 0; k < 20; ++k) {
+    const std::size_t bead = random() % beads;
+    const auto point = motion::resumePointOfPath(*whole.job.trajectory, *whole.job.toolPlan, bead);
+    ASSERT_TRUE(point) << bead;
+    const ResumeResult rest = resumeJob(whole.job, *point, {"gcode-extended"}, kCtx);
+    EXPECT_EQ(rest.bead, bead + 1);
+    ASSERT_EQ(rest.plan.checked.size(), 1u) << bead;
+    EXPECT_TRUE(rest.plan.checked[0]->passed) << bead;
+    EXPECT_TRUE(nothingBlocks(rest.plan.job.report)) << bead;
+    EXPECT_NEAR(rest.laidMm3 + rest.leftMm3, material, 1e-6 * material);
+    EXPECT_NEAR(materialOf(*rest.plan.checked[0], *rest.plan.process), rest.leftMm3,
+                2e-3 * material)
+        << bead;
+    // What is laid is what the beads before it hold.
+    EXPECT_NEAR(rest.laidMm3, whole.job.trajectory->extrudedMm3[*point], 1e-9);
+    EXPECT_NEAR(rest.plan.job.report.replay.massRatio, whole.job.report.replay.massRatio, 1e-3);
+  }
+}
+
+TEST(Resume, WithinABeadTheArmIsChecked) {
+  const PlanResult& whole = boxPlan();
+  const auto& t = *whole.job.trajectory;
+  // The middle of the longest run of print moves.
+  std::size_t best = 0, length = 0;
+  for (std::size_t i = 0, run = 0; i < t.pointCount(); ++i) {
+    run = t.move[i] == plan::MoveKind::Print ? run + 1 : 0;
+    if (run > length) {
+      length = run;
+      best = i - run / 2;
+    }
+  }
+  const auto point = motion::resumePoint(t, best);
+  ASSERT_TRUE(point);
+  EXPECT_LE(*point, best);
+  const ResumeResult rest = resumeJob(whole.job, *point, {}, kCtx);
+  ASSERT_FALSE(rest.plan.checked.empty());
+  for (const auto& checked : rest.plan.checked)
+    EXPECT_TRUE(checked->passed) << checked->program.format;
+  EXPECT_EQ(rest.plan.job.report.replay.collisions, 0u);
+  // Home, the way there, and on from the same joints.
+  const auto& resumed = *rest.plan.job.trajectory;
+  const std::size_t first = rest.plan.job.resumedAt;
+  ASSERT_GT(first, *point);
+  const auto home = rest.plan.cell->home();
+  for (int j = 0; j < resumed.dof; ++j)
+    EXPECT_DOUBLE_EQ(resumed.at(first)[j], home[j]);
+  for (std::size_t i = first; i < resumed.pointCount(); ++i)
+    if (resumed.waypoint[i] == t.waypoint[*point]) {
+      for (int j = 0; j < resumed.dof; ++j)
+        EXPECT_DOUBLE_EQ(resumed.at(i)[j], t.at(*point)[j]);
+      EXPECT_NE(resumed.move[i], plan::MoveKind::Print);
+      break;
+    }
+  for (std::size_t i = 1; i < resumed.pointCount(); ++i)
+    ASSERT_LE(resumed.timeS[i - 1], resumed.timeS[i]);
+}
+
+TEST(Resume, ByBeadAndByLineFromDisk) {
+  PlanResult whole = boxPlan();
+  const test::TemporaryFolder folder;
+  writeOutputs(whole, folder.path(), kCtx);
+  ResumeRequest request;
+  request.job = folder / "job.voluta";
+  request.bead = 5;
+  request.formats = {"csv"};
+  const ResumeResult byBead = resumePrint(request, kCtx);
+  EXPECT_EQ(byBead.bead, 5u);
+  // The line of the motion to that bead's second waypoint begins there.
+  const auto point = motion::resumePointOfPath(*whole.job.trajectory, *whole.job.toolPlan, 4);
+  const auto lines = linesOfPoints(*whole.checked[0], *whole.job.trajectory);
+  request.bead.reset();
+  request.line = lines[*point + 1].line;
+  const ResumeResult byLine = resumePrint(request, kCtx);
+  EXPECT_EQ(byLine.waypoint, byBead.waypoint);
+  // The rest is verified from disk, and taken up again itself.
+  PlanResult rest = byLine.plan;
+  const test::TemporaryFolder second;
+  writeOutputs(rest, second.path(), kCtx);
+  const std::string file = rest.job.report.programs[0].files[0];
+  const VerifyResult verified = verifyProgram(second / file, second / "job.voluta", kCtx);
+  EXPECT_TRUE(verified.replay.passed);
+  request = {};
+  request.job = second / "job.voluta";
+  request.bead = 9;
+  request.formats = {"csv"};
+  const ResumeResult third = resumePrint(request, kCtx);
+  EXPECT_EQ(third.bead, 9u);
+  EXPECT_TRUE(third.plan.checked[0]->passed);
+}
+
+TEST(Resume, WithoutAWayThereThatIsTold) {
+  project::Job job = boxPlan().job;
+  job.choices.parameters["bodyClearanceMm"] = "50"; // more than the cell has anywhere
+  const auto point = motion::resumePointOfPath(*job.trajectory, *job.toolPlan, 4);
+  ASSERT_TRUE(point);
+  const ResumeResult rest = resumeJob(std::move(job), *point, {}, kCtx);
+  EXPECT_TRUE(rest.plan.checked.empty());
+  ASSERT_FALSE(nothingBlocks(rest.plan.job.report));
+  EXPECT_EQ(rest.plan.job.report.findings.back().kind, plan::FindingKind::NoWayBack);
+}
+
+TEST(Resume, WhatCannotBeTakenUpIsRefused) {
+  PlanResult whole = boxPlan();
+  const test::TemporaryFolder folder;
+  writeOutputs(whole, folder.path(), kCtx);
+  ResumeRequest request;
+  request.job = folder / "job.voluta";
+  request.bead = 100000;
+  EXPECT_THROW(resumePrint(request, kCtx), base::Error);
+  request.bead = 0;
+  EXPECT_THROW(resumePrint(request, kCtx), base::Error);
+  request.bead.reset();
+  request.line = 10000000;
+  EXPECT_THROW(resumePrint(request, kCtx), base::Error);
+  request.line = 3;
+  request.program = folder / "report.json";
+  EXPECT_THROW(resumePrint(request, kCtx), base::Error);
+}
+
+} // namespace
