@@ -9,7 +9,14 @@ namespace {
 TextLine textLine(std::size_t file, std::size_t line) {
   return {static_cast<std::uint32_t>(file), static_cast<std::uint32_t>(line)};
 }
+program::ProgramInput programInput(const ProgramStageInput& in) {
+  return {in.toolPlan, in.trajectory, in.cell, in.process, in.name, in.options};
+}
 } // namespace
+
+ProgramStageInput saying(const ProgramStageInput& in, const plan::Trajectory& points) {
+  return {in.part, in.platform, in.toolPlan, points, in.cell, in.process, in.name, in.options};
+}
 
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
                     const ProgramStageInput& in, const base::RunContext& ctx,
@@ -67,16 +74,19 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;
   ctx.report(0.0, base::message("write {format}"_text, format));
-  checked->program = program::writeProgram(
-      format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name, in.options},
-      ctx.sub(0.0, 0.1));
+  const program::MergedPoints points =
+      program::pointsFor(format, programInput(in), ctx.sub(0.0, 0.05));
+  const ProgramStageInput said = saying(in, points.trajectory);
+  checked->program = program::writeProgram(format, programInput(said), ctx.sub(0.05, 0.1));
   checked->timings.write = writing.seconds();
   base::Stopwatch replaying;
-  ReadBack back = replayText(format, checked->program.files, in, ctx.sub(0.1, 1.0), judged);
+  ReadBack back = replayText(format, checked->program.files, said, ctx.sub(0.1, 1.0), judged);
   checked->timings.replay = replaying.seconds();
-  checked->motionLines.reserve(back.read.motions.size());
-  for (const plan::ProgramMotion& motion : back.read.motions)
-    checked->motionLines.push_back(textLine(motion.file, motion.line));
+  checked->motionLines.reserve(points.pointOf.size());
+  for (const std::size_t point : points.pointOf)
+    if (point < back.read.motions.size())
+      checked->motionLines.push_back(
+          textLine(back.read.motions[point].file, back.read.motions[point].line));
   replay::Verification& verdict = back.verdict;
   checked->verdict = replayReport(verdict);
   checked->passed = verdict.passed;

@@ -17,6 +17,10 @@ struct ReadBack {
   replay::Verification verdict;
 };
 
+// The same with these points in place of the trajectory's: what a dialect says of it
+// (program::pointsFor). The caller keeps them alive.
+ProgramStageInput saying(const ProgramStageInput& in, const plan::Trajectory& points);
+
 // Reads `files` as `format` and replays them against what they were written from. `judged`: as
 // replay::replayProgram takes it.
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,

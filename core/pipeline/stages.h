@@ -62,7 +62,7 @@ struct CheckedProgram {
   std::vector<base::Message> failed; // the thresholds that were not kept
   std::vector<std::size_t> metAt;    // as Verification::metAt
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
-  std::vector<TextLine> motionLines; // of each motion, as its reader found it
+  std::vector<TextLine> motionLines; // of the motion to each point, as its reader found it
   project::Timings timings;
 };
 

@@ -46,7 +46,10 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
   const ProgramStageInput in{
       planned.printed(), planned.platform, *planned.toolPlan, *planned.trajectory, cell,
       process,           planned.partName};
-  const replay::Verification verdict = replayText(std::string(dialect->id), files, in, ctx).verdict;
+  const program::MergedPoints points = program::pointsFor(
+      dialect->id, {in.toolPlan, in.trajectory, in.cell, in.process, in.name}, ctx);
+  const replay::Verification verdict =
+      replayText(std::string(dialect->id), files, saying(in, points.trajectory), ctx).verdict;
   return {std::string(dialect->id), replayReport(verdict), verdict.findings};
 }
 
