@@ -12,12 +12,16 @@ TextLine textLine(std::size_t file, std::size_t line) {
   return {static_cast<std::uint32_t>(file), static_cast<std::uint32_t>(line)};
 }
 
+program::ProgramInput programInput(const ProgramStageInput& in,
+                                   const plan::Trajectory& trajectory) {
+  return {in.toolPlan, trajectory, in.cell, in.process, in.name, in.options};
+}
+
 // What was printed before the program begins, as motions of its dialect, of no line.
 std::vector<plan::ProgramMotion>
 motionsBefore(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx) {
   const plan::Trajectory before = motion::partOf(in.trajectory, 0, in.firstPoint);
-  const plan::Program program =
-      program::writeProgram(format, {in.toolPlan, before, in.cell, in.process, in.name}, ctx);
+  const plan::Program program = program::writeProgram(format, programInput(in, before), ctx);
   plan::ReadProgram read = program::readProgram(format, program.files, in.process, ctx);
   for (plan::ProgramMotion& motion : read.motions)
     motion.file = motion.line = 0;
@@ -27,14 +31,18 @@ motionsBefore(const std::string& format, const ProgramStageInput& in, const base
 plan::Program written(const std::string& format, const ProgramStageInput& in,
                       const base::RunContext& ctx) {
   if (in.firstPoint == 0)
-    return program::writeProgram(
-        format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name, in.options}, ctx);
+    return program::writeProgram(format, programInput(in, in.trajectory), ctx);
   const plan::Trajectory rest =
       motion::partOf(in.trajectory, in.firstPoint, in.trajectory.pointCount());
-  return program::writeProgram(format,
-                               {in.toolPlan, rest, in.cell, in.process, in.name, in.options}, ctx);
+  return program::writeProgram(format, programInput(in, rest), ctx);
 }
 } // namespace
+
+ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points) {
+  const std::size_t first = in.firstPoint > 0 ? points.pointOf[in.firstPoint] : 0;
+  return {in.part, in.platform, in.toolPlan, points.trajectory, in.cell, in.process,
+          in.name, in.options,  first};
+}
 
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
                     const ProgramStageInput& in, const base::RunContext& ctx,
@@ -100,16 +108,22 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;
   ctx.report(0.0, base::message("write {format}"_text, format));
-  checked->program = written(format, in, ctx.sub(0.0, 0.1));
+  const program::MergedPoints points =
+      program::pointsFor(format, programInput(in, in.trajectory), ctx.sub(0.0, 0.05));
+  const ProgramStageInput said = saying(in, points);
+  checked->program = written(format, said, ctx.sub(0.05, 0.1));
   checked->timings.write = writing.seconds();
   base::Stopwatch replaying;
-  ReadBack back = replayText(format, checked->program.files, in, ctx.sub(0.1, 1.0), judged);
+  ReadBack back = replayText(format, checked->program.files, said, ctx.sub(0.1, 1.0), judged);
   checked->timings.replay = replaying.seconds();
   replay::Verification& verdict = back.verdict;
   checked->pointLines.resize(in.trajectory.pointCount());
+  std::vector<TextLine> lines(said.trajectory.pointCount());
   for (std::size_t m = 0; m < back.read.motions.size(); ++m)
-    if (const std::size_t point = verdict.pointOf[m]; point < checked->pointLines.size())
-      checked->pointLines[point] = textLine(back.read.motions[m].file, back.read.motions[m].line);
+    if (const std::size_t point = verdict.pointOf[m]; point < lines.size())
+      lines[point] = textLine(back.read.motions[m].file, back.read.motions[m].line);
+  for (std::size_t i = 0; i < checked->pointLines.size(); ++i)
+    checked->pointLines[i] = lines[points.pointOf[i]];
   checked->verdict = replayReport(verdict);
   checked->passed = verdict.passed;
   checked->failed = failedThresholds(verdict);

@@ -4,6 +4,7 @@
 #include "base/run_context.h"
 #include "pipeline/stages.h"
 #include "plan/program.h"
+#include "program/merged_points.h"
 #include "project/report.h"
 #include "replay/verification.h"
 
@@ -16,6 +17,10 @@ struct ReadBack {
   plan::ReadProgram read;
   replay::Verification verdict;
 };
+
+// The same with these points in place of the trajectory's: what a dialect says of it
+// (program::pointsFor). The caller keeps them alive.
+ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points);
 
 // Reads `files` as `format` and replays them against what they were written from. `judged`: as
 // replay::replayProgram takes it.

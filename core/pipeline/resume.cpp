@@ -73,16 +73,22 @@ std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
   const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.platform);
   const plan::Trajectory rest =
       motion::partOf(*job.trajectory, job.resumedAt, job.trajectory->pointCount());
+  const program::MergedPoints points = program::pointsFor(
+      found.dialect->id, {*job.toolPlan, rest, cell, process, job.partName}, ctx);
   const replay::ExecutedPath path = replay::executeProgram(read, cell, ctx);
   const replay::Alignment alignment =
-      replay::alignProgram(read, path, replay::plannedNozzle(rest, cell, ctx), rest, cell, ctx);
+      replay::alignProgram(read, path, replay::plannedNozzle(points.trajectory, cell, ctx),
+                           points.trajectory, cell, ctx);
   if (!alignment.deviations.empty() || alignment.gaveUp)
     throw Error(ErrorCode::UnusableInput, "not a program of this job"_text, place.file);
   // A piece of a joint motion has no point of its own: the one that it leads to.
   auto at = static_cast<std::size_t>(motion - read.motions.begin());
   while (alignment.pointOf[at] == replay::kUnmatched)
     ++at;
-  const std::size_t point = job.resumedAt + alignment.pointOf[at];
+  // Of those that one motion stands for, the last.
+  const auto end = std::ranges::upper_bound(points.pointOf, alignment.pointOf[at]);
+  const std::size_t point =
+      job.resumedAt + static_cast<std::size_t>(end - points.pointOf.begin()) - 1;
   return point == 0 ? 0 : point - 1;
 }
 

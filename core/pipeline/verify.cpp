@@ -3,6 +3,7 @@
 #include "pipeline/program_files.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/road.h"
+#include "program/dialect.h"
 #include "robot/cell.h"
 
 namespace voluta::pipeline {
@@ -18,10 +19,19 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
   const std::string format(found.dialect->id);
   const process::Process process = chosenProcess(planned.choices, parameterValues(planned.choices));
   const robot::Cell cell = robot::loadCell(planned.choices.cell, process, planned.platform);
-  const ProgramStageInput in{
-      planned.printed(), planned.platform, *planned.toolPlan, *planned.trajectory, cell,
-      process,           planned.partName, planned.resumedAt};
-  const replay::Verification verdict = replayText(format, found.files, in, ctx).verdict;
+  const ProgramStageInput in{planned.printed(),
+                             planned.platform,
+                             *planned.toolPlan,
+                             *planned.trajectory,
+                             cell,
+                             process,
+                             planned.partName,
+                             {},
+                             planned.resumedAt};
+  const program::MergedPoints points =
+      program::pointsFor(format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name}, ctx);
+  const replay::Verification verdict =
+      replayText(format, found.files, saying(in, points), ctx).verdict;
   return {format, replayReport(verdict), verdict.findings};
 }
 

@@ -27,8 +27,9 @@ struct Program {
 enum class TargetKind {
   Joints,     // joint values, radians, external axes behind the arm's
   FlangePose, // base_T_tcp with the TCP that the program sets (flange_T_tcp)
-  WorkPose,   // work_T_tcp with that TCP, and the external axes that turn the work frame
-  ToolPoint   // nozzle tip and direction in the work frame (5 degrees of freedom)
+  WorkPose, // work_T_tcp with that TCP, and the external axes that turn the work frame; or, with a
+            // fixed nozzle (base_T_nozzle), the nozzle in the work object that the flange holds
+  ToolPoint // nozzle tip and direction in the work frame (5 degrees of freedom)
 };
 
 // One motion of a program that was read back.
@@ -80,6 +81,8 @@ struct ProgramDefect {
 struct ReadProgram {
   std::string format;
   Eigen::Isometry3d flange_T_tcp = Eigen::Isometry3d::Identity(); // as the program sets it
+  // A nozzle that stands, as the program sets it; flange_T_tcp is then the work object's frame.
+  std::optional<Eigen::Isometry3d> base_T_nozzle;
   std::vector<ProgramMotion> motions;
   std::vector<ProgramPause> pauses; // in order
   bool tellsPauses = false;         // the language has words for them, so a prime is to be found

@@ -48,6 +48,8 @@ const std::vector<Dialect>& dialects() {
        .needsJoints = false,
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
+       // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
+       .merge = {.leastS = 0.024, .leastMm = 0.5},
        .write = writeRapid,
        .read = readRapid,
        .looksLike = looksLikeRapid,
@@ -116,6 +118,11 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
           "format {format} knows no external axis: it cannot turn the {axis} of cell {cell}"_text,
           dialect.id, cell.externalAxes().front().name, cell.id()),
       {}, others.empty() ? base::Message() : base::message("take {formats}"_text, others));
+}
+
+MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
+                       const base::RunContext& ctx) {
+  return mergedPoints(input, findDialect(id).merge, ctx);
 }
 
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,

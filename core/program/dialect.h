@@ -13,6 +13,7 @@
 #include "base/run_context.h"
 #include "base/text.h"
 #include "plan/program.h"
+#include "program/merged_points.h"
 #include "program/program_input.h"
 #include "program/text.h"
 
@@ -31,6 +32,7 @@ struct Dialect {
   bool saysJointMotions = true; // else they come in straight pieces (joint_pieces.h)
   bool turnsRods = true;        // can it say where an external axis is, or what is on the part
   plan::TimeModel time = {};    // of its controller; readProgram hands it on
+  MergeLimits merge = {};       // of printing motions that its controller can plan in time
   bool forAnyCell = false;      // written beside the cell's own where the user chooses no formats
   // Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
   plan::Program (*write)(const ProgramInput&, const base::RunContext&) = nullptr;
@@ -66,6 +68,10 @@ bool isForeign(const Dialect& dialect, const robot::Cell& cell);
 
 // Throws Error{Usage}: the cell turns a rod and the dialect knows no external axis.
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell);
+
+// The trajectory as a program of this dialect says it: what it is written from, and held against.
+MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
+                       const base::RunContext& ctx = {});
 
 // findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing throws as
 // requireRodTurns too.

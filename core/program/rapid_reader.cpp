@@ -76,7 +76,7 @@ private:
     bool runs = false, ended = false;
     if (!takeWord("module") || !takeName(name))
       defect("a module begins with MODULE and its name"_text);
-    if (!attributes())
+    if (!takeAttributes())
       defect("not a module's attributes"_text);
     while (!ended && token_.kind != RapidTokenKind::End) {
       out_.line = token_.line;
@@ -104,18 +104,6 @@ private:
       defect(base::message("'{loaded}' is not unloaded"_text, loaded_));
     ++modules_;
     return ended && procedureEnded_ && runs && out_.outputsEnded() && loaded_.empty();
-  }
-
-  // (NOSTEPIN, VIEWONLY) and the like, behind a module's name.
-  bool attributes() {
-    if (!takeMark('('))
-      return true;
-    std::string name;
-    do {
-      if (!takeName(name))
-        return false;
-    } while (takeMark(','));
-    return takeMark(')');
   }
 
   // Behind PROC. Is it the one that runs now?
@@ -254,11 +242,6 @@ private:
       return false;
     if (type == "tooldata")
       toolLine_ = out_.line;
-    // Both say whether the robot holds it; what it holds must be the tool.
-    if (type == "tooldata" && data.numbers[0] != 1.0)
-      return fail("a tool that the robot does not hold is not read"_text);
-    if (type == "wobjdata" && data.numbers[0] != 0.0)
-      return fail("a work object that the robot holds is not read"_text);
     if (type == "wobjdata" && isMoved(data) == data.text.empty())
       return fail(
           "a work object is moved by the mechanical unit that it names, or stands still"_text);
@@ -266,6 +249,8 @@ private:
            fail("a name is declared twice"_text);
   }
 
+  // Both data say whether the robot holds it: one of them, tool or work object.
+  static bool holdsObject(const RapidData& object) { return object.numbers[0] == 1.0; }
   // Does a mechanical unit move the work object?
   static bool isMoved(const RapidData& object) { return object.numbers[1] == 0.0; }
 
@@ -470,6 +455,8 @@ private:
   // eax_a, where the motion's work object is moved by it.
   bool externalOf(plan::ProgramMotion& m, const std::vector<double>& target,
                   const RapidData& object) {
+    if (holdsObject(object) && isMoved(object))
+      return fail("a work object that robot and external axis move is not read"_text);
     const std::size_t first = target.size() - 6;
     const double degrees = target[first];
     if (std::any_of(target.begin() + static_cast<std::ptrdiff_t>(first) + 1, target.end(),
@@ -495,6 +482,9 @@ private:
     if (!poseOf(tool, 1, tcp) || !poseOf(object.numbers, 3, user) ||
         !poseOf(object.numbers, 10, frame))
       return false;
+    const bool held = holdsObject(object);
+    if (held == (tool[0] == 1.0))
+      return fail("the robot holds the tool or the work object, one of them"_text);
     if (target.size() == 12) {
       m.target = plan::TargetKind::Joints;
       for (std::size_t k = 0; k < 6; ++k) {
@@ -509,14 +499,22 @@ private:
       for (std::size_t k = 7; k < 11; ++k)
         if (!(std::abs(target[k]) <= 100.0 && target[k] == std::floor(target[k])))
           return fail("a configuration is whole quarters of a turn"_text);
-      // The user frame of one that moves is the mechanical unit's own.
-      m.target = isMoved(object) ? plan::TargetKind::WorkPose : plan::TargetKind::FlangePose;
-      m.frame_T_tcp = (isMoved(object) ? workToUnit() : user) * frame * pose;
+      // The user frame of one that moves is the mechanical unit's own; of one that the flange holds
+      // it is the flange's.
+      m.target =
+          isMoved(object) || held ? plan::TargetKind::WorkPose : plan::TargetKind::FlangePose;
+      m.frame_T_tcp =
+          held ? pose : Eigen::Isometry3d((isMoved(object) ? workToUnit() : user) * frame * pose);
     }
-    Eigen::Isometry3d& known = out_.program().flange_T_tcp;
-    if (toolSet_ && !tcp.isApprox(known, 1e-9))
+    const std::optional<Eigen::Isometry3d> nozzle = held ? std::optional(tcp) : std::nullopt;
+    const Eigen::Isometry3d carried = held ? Eigen::Isometry3d(user * frame) : tcp;
+    plan::ReadProgram& known = out_.program();
+    if (toolSet_ &&
+        (!carried.isApprox(known.flange_T_tcp, 1e-9) || held != known.base_T_nozzle.has_value() ||
+         (held && !tcp.isApprox(*known.base_T_nozzle, 1e-9))))
       return fail("a second, different tool"_text);
-    known = tcp;
+    known.flange_T_tcp = carried;
+    known.base_T_nozzle = nozzle;
     constexpr std::size_t kMass = 8; // tool0 has none
     if (!toolSet_ && tool.size() > kMass) {
       const std::size_t here = std::exchange(out_.line, toolLine_ > 0 ? toolLine_ : out_.line);

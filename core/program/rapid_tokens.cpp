@@ -114,6 +114,17 @@ bool RapidCursor::takeNumberToken(double& value) {
   return true;
 }
 
+bool RapidCursor::takeAttributes() {
+  if (!takeMark('('))
+    return true;
+  std::string name;
+  do {
+    if (!takeName(name))
+      return false;
+  } while (takeMark(','));
+  return takeMark(')');
+}
+
 bool sameWord(std::string_view word, std::string_view small) {
   return word.size() == small.size() && std::equal(word.begin(), word.end(), small.begin(),
                                                    [](char a, char b) { return toSmall(a) == b; });

@@ -44,6 +44,8 @@ protected:
   bool takeName(std::string& name); // in small letters
   bool takeText(std::string& text);
   bool takeNumberToken(double& value);
+  // (NOSTEPIN, VIEWONLY) and the like, or nothing. false: not what stands behind a module's name.
+  bool takeAttributes();
   bool takeAssign() { return takeMark(':') && takeMark('='); }
 
   RapidTokens tokens_{{}};

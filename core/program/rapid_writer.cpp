@@ -15,7 +15,7 @@
 namespace voluta::program {
 
 namespace {
-constexpr std::string_view kNewLine = "\r\n";
+constexpr std::string_view kNewLine = "\r\n", kTool = "tNozzle";
 // 1e-8 of a quaternion moves a point of the part 300 mm off by 0.000006 mm.
 constexpr int kPositionDecimals = 4, kTurnDecimals = 8, kFrameDecimals = 6, kFrameTurnDecimals = 9;
 constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZoneDecimals = 3;
@@ -41,8 +41,9 @@ public:
         cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
                                            ? input.options.motionsPerFile
                                            : kMotionsPerModule)),
-        name_(identifierOf(input.name)), tool_(heldPlate() ? "tPlate" : "tNozzle"),
-        object_(turnsRod() ? "wRod" : "wPrint") {
+        name_(identifierOf(input.name)), object_(turnsRod()    ? "wRod"
+                                                 : heldPlate() ? "wPlate"
+                                                               : "wPrint") {
     program_.format = "rapid";
     program_.foreign = input.foreign;
   }
@@ -57,8 +58,8 @@ public:
       endModule(0);
     }
     walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
-    listOfModules();
     listOfSignals();
+    listOfModules();
     return std::move(program_);
   }
 
@@ -102,26 +103,16 @@ private:
     out_ += ']';
   }
 
-  // Where the work object is at point i, in Base.
-  Eigen::Isometry3d workObject(std::size_t i) const {
-    if (heldPlate())
-      return Eigen::Isometry3d::Identity();
-    return in_.cell.base_T_work(
-        Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof));
+  robot::JointVector jointsAt(std::size_t i) const {
+    return Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof);
   }
+  // The nozzle on what is printed: the work object stands, turns with its unit or is held.
   void placeInWorkObject() {
-    Eigen::Isometry3d object_T_base = workObject(0).inverse();
-    Eigen::Quaterniond turn(object_T_base.linear());
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      if (i > 0 && turnsRod()) {
-        object_T_base = workObject(i).inverse();
-        turn = Eigen::Quaterniond(object_T_base.linear());
-      }
-      MotionTarget& target = targets_[i];
-      target.tcpMm = object_T_base * target.tcpMm;
-      target.tcpTurn = (turn * target.tcpTurn).normalized();
+      const Eigen::Isometry3d pose = in_.cell.work_T_tool(jointsAt(i));
+      targets_[i].tcpTurn = Eigen::Quaterniond(pose.linear());
       for (int k = 0; k < 3; ++k)
-        target.tcpMm[k] = roundedTo(target.tcpMm[k], kPositionDecimals);
+        targets_[i].tcpMm[k] = roundedTo(pose.translation()[k], kPositionDecimals);
     }
   }
 
@@ -202,8 +193,9 @@ private:
     for (const std::string& head : headLines(in_))
       line(joined({"  ! ", head}));
     if (heldPlate())
-      line("  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in world, "
-           "which is the base while the base frame is zero");
+      line("  ! fixed nozzle: a stationary tool, which stands in world, the base while the base "
+           "frame "
+           "is zero; the arm holds the work object, poses are the nozzle's on it");
     else if (turnsRod())
       aboutRod();
     else
@@ -244,28 +236,27 @@ private:
   }
 
   void declareObject() {
-    out_ += joined({"  PERS wobjdata ", object_, ":=[FALSE,"});
+    out_ += joined({"  PERS wobjdata ", object_, ":=[", heldPlate() ? "TRUE," : "FALSE,"});
     if (turnsRod()) {
       out_ += joined({"FALSE,\"", unit(), "\",[[0,0,0],[1,0,0,0]],"});
       frame(workToUnit().inverse());
     } else {
       out_ += "TRUE,\"\",";
-      frame(workObject(0));
+      frame(heldPlate() ? in_.cell.flange_T_moved() : in_.cell.base_T_work(jointsAt(0)));
       out_ += ",[[0,0,0],[1,0,0,0]]";
     }
     line("];");
   }
 
   void declareTool() {
-    const Eigen::Isometry3d& tcp = in_.cell.flange_T_moved();
     line(heldPlate() ? "  ! load assumed: 0.5 kg of plate, and the part"
                      : "  ! load assumed: 1 kg of head");
-    out_ += joined({"  PERS tooldata ", tool_, ":=[TRUE,"});
-    frame(tcp);
+    out_ += joined({"  PERS tooldata ", kTool, ":=[", heldPlate() ? "FALSE," : "TRUE,"});
+    frame(heldPlate() ? in_.cell.base_T_fixed() : in_.cell.flange_T_moved());
     out_ += ",[";
     number(assumedLoadKg(in_), 3);
     out_ += ',';
-    position(tcp.translation(), 1);
+    position(in_.cell.flange_T_moved().translation(), 1);
     out_ += ",[1,0,0,0],0,0,0]];";
     out_ += kNewLine;
   }
@@ -324,7 +315,7 @@ private:
       out_ += ",tFlow";
     zone(blendMm);
     stands_ = !(blendMm > 0.0);
-    line(joined({",", tool_, "\\WObj:=", object_, ";"}));
+    line(joined({",", kTool, "\\WObj:=", object_, ";"}));
   }
 
   void externals(std::size_t i) {
@@ -415,7 +406,7 @@ private:
   TcpMotions motions_;
   plan::Program program_;
   std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of module k
-  std::string name_, tool_, object_, out_;
+  std::string name_, object_, out_;
 };
 
 } // namespace

@@ -172,6 +172,10 @@ private:
     }
     if (!isOfThisCell(motion))
       return cell_->work_T_tool(cell_->home());
+    // What the program sets other than the cell has it lies between.
+    if (motion.target == plan::TargetKind::WorkPose && program_.base_T_nozzle)
+      return cell_->flange_T_moved().inverse() * program_.flange_T_tcp * motion.frame_T_tcp *
+             program_.base_T_nozzle->inverse() * cell_->base_T_fixed();
     if (motion.target == plan::TargetKind::WorkPose)
       return motion.frame_T_tcp * tcp_T_flange_ * cell_->flange_T_moved();
     if (!inWork_)

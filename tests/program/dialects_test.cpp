@@ -40,7 +40,11 @@ protected:
         tool =
             cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof));
       else if (m.target == plan::TargetKind::WorkPose)
-        tool = m.frame_T_tcp * program.flange_T_tcp.inverse() * cell_->flange_T_moved();
+        tool = program.base_T_nozzle
+                   ? Eigen::Isometry3d(cell_->flange_T_moved().inverse() * program.flange_T_tcp *
+                                       m.frame_T_tcp * program.base_T_nozzle->inverse() *
+                                       cell_->base_T_fixed())
+                   : m.frame_T_tcp * program.flange_T_tcp.inverse() * cell_->flange_T_moved();
       else
         tool = cell_->work_T_toolOfFlange(m.frame_T_tcp * program.flange_T_tcp.inverse(),
                                           cell_->home());
@@ -60,8 +64,10 @@ protected:
     if (m.target == plan::TargetKind::ToolPoint)
       return (m.position - program.motions[i - 1].position).norm() / m.speedMmPerS;
     const plan::ProgramMotion& before = program.motions[i - 1];
-    const Eigen::Isometry3d from =
-        before.target == plan::TargetKind::FlangePose ? before.frame_T_tcp : tcpAt(i - 1);
+    const Eigen::Isometry3d from = before.target != plan::TargetKind::Joints ? before.frame_T_tcp
+                                   : m.target == plan::TargetKind::WorkPose
+                                       ? cell_->work_T_tool(jointsAt(i - 1))
+                                       : tcpAt(i - 1);
     return (m.frame_T_tcp.translation() - from.translation()).norm() / m.speedMmPerS;
   }
 

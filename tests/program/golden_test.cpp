@@ -132,12 +132,12 @@ TEST_F(Golden, rapid) {
   ! part part 1, job 989d904e1002c6e8
   ! cell bench, robot ur5, process fdm-1.0 (PLA)
   ! 6 motions, 1.6 mm3, 0 g, 4.2 s
-  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in world, which is the base while the base frame is zero
+  ! fixed nozzle: a stationary tool, which stands in world, the base while the base frame is zero; the arm holds the work object, poses are the nozzle's on it
   ! extruder on: doExtruder; flow: aoFlow, 1 = 40 mm3/s
   ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: part_1_EIO.cfg
   ! load assumed: 0.5 kg of plate, and the part
-  PERS tooldata tPlate:=[TRUE,[[0,0,100],[1,0,0,0]],[0.5,[0,0,100],[1,0,0,0],0,0,0]];
-  PERS wobjdata wPrint:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PERS tooldata tNozzle:=[FALSE,[[-800,-250,0],[0,1,0,0]],[0.5,[0,0,100],[1,0,0,0],0,0,0]];
+  PERS wobjdata wPlate:=[TRUE,TRUE,"",[[0,0,100],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
   VAR triggdata tFlow;
   PROC main()
     ConfL\Off;
@@ -145,29 +145,29 @@ TEST_F(Golden, rapid) {
     SetDO doExtruder,0;
     SetAO aoFlow,0;
     UIMsgBox "The arm goes slowly and straight to its start. Is the way clear?";
-    MoveJ [[-817.25,-291.45,-5.491],[0.70710678,0.70710678,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[50,20,5000,1000],fine,tPlate\WObj:=wPrint;
+    MoveJ [[17.25,5.491,-41.45],[0.70710678,0.70710678,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[50,20,5000,1000],fine,tNozzle\WObj:=wPlate;
     ! prime
     SetAO aoFlow,0.4113;
     SetDO doExtruder,1;
     WaitTime 0.2;
     SetDO doExtruder,0;
     ! print
-    MoveJ [[-817.25,-291.45,-5.491],[0.5,0.5,-0.5,0.5],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[100,500,5000,1000]\T:=2,fine,tPlate\WObj:=wPrint;
+    MoveJ [[5.491,-17.25,-41.45],[0.5,0.5,-0.5,-0.5],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[100,500,5000,1000]\T:=2,fine,tNozzle\WObj:=wPlate;
     ! layer 7, wall, path 0
-    MoveL [[-814.2947,-299.6078,-5.491],[0.49749376,0.50249374,-0.49749376,0.50249374],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[86.7661,500,5000,1000],fine,tPlate\WObj:=wPrint;
+    MoveL [[5.491,-14.79,-49.4624],[0.50249374,0.49749376,-0.50249374,-0.49749376],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[83.8154,500,5000,1000],fine,tNozzle\WObj:=wPlate;
     SetAO aoFlow,0.4;
     SetDO doExtruder,1;
-    MoveL [[-813.9947,-300.4219,-5.491],[0.49724245,0.50274242,-0.49724245,0.50274242],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[17.3523,500,5000,1000],[FALSE,0.39,0.39,0.39,1,1,1],tPlate\WObj:=wPrint;
-    MoveL [[-813.6938,-301.2358,-5.491],[0.49699102,0.50299098,-0.49699102,0.50299098],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[17.3548,500,5000,1000],fine,tPlate\WObj:=wPrint;
+    MoveL [[5.491,-14.5485,-50.2649],[0.50274242,0.49724245,-0.50274242,-0.49724245],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[16.761,500,5000,1000],[FALSE,0.377,0.377,0.377,1,1,1],tNozzle\WObj:=wPlate;
+    MoveL [[5.491,-14.3077,-51.0678],[0.50299098,0.49699102,-0.50299098,-0.49699102],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[16.7646,500,5000,1000],fine,tNozzle\WObj:=wPlate;
     SetDO doExtruder,0;
-    MoveJ [[-817.25,-291.45,-5.491],[0.70710678,0.70710678,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[100,500,5000,1000]\T:=2,fine,tPlate\WObj:=wPrint;
+    MoveJ [[17.25,5.491,-41.45],[0.70710678,0.70710678,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[100,500,5000,1000]\T:=2,fine,tNozzle\WObj:=wPlate;
     ! end
     SetDO doExtruder,0;
     SetAO aoFlow,0;
   ENDPROC
 ENDMODULE
 )");
-  EXPECT_EQ(writeProgram("rapid", input()).files.at(1).text,
+  EXPECT_EQ(writeProgram("rapid", input()).files.at(2).text,
             "<?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>\r\n<Program>\r\n"
             "\t<Module>part_1.mod</Module>\r\n</Program>\r\n");
 }

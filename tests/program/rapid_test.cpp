@@ -217,8 +217,16 @@ protected:
     for (std::size_t i = 0; i < back.motions.size(); ++i) {
       const Eigen::Isometry3d planned =
           cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(trajectory_.at(i), trajectory_.dof));
-      const Eigen::Isometry3d tool = cell_->work_T_toolOfFlange(
-          back.motions[i].frame_T_tcp * back.flange_T_tcp.inverse(), cell_->home());
+      const bool held = back.base_T_nozzle.has_value();
+      ASSERT_EQ(held, cell_->nozzleMount() == robot::Mount::World);
+      if (held) {
+        ASSERT_TRUE(back.base_T_nozzle->isApprox(cell_->base_T_fixed(), 1e-9) &&
+                    back.flange_T_tcp.isApprox(cell_->flange_T_moved(), 1e-9));
+      }
+      const Eigen::Isometry3d tool =
+          held ? back.motions[i].frame_T_tcp
+               : cell_->work_T_toolOfFlange(
+                     back.motions[i].frame_T_tcp * back.flange_T_tcp.inverse(), cell_->home());
       ASSERT_LE((tool.translation() - planned.translation()).norm(), 1e-3) << "point " << i;
       ASSERT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);
     }
@@ -279,10 +287,10 @@ TEST_F(Rapid, itsOwnRobotGetsJointsTimesAndConfigurations) {
 TEST_F(Rapid, isCutIntoModulesThatComeBackInOrder) {
   appendRandom(9, 12100);
   const plan::Program program = writeProgram("rapid", input());
-  ASSERT_EQ(program.files.size(), 6u); // main, three parts, the list, the signals
+  ASSERT_EQ(program.files.size(), 6u); // main, three parts, the signals, the list
   EXPECT_EQ(program.files[0].name, "part_1.mod");
   EXPECT_EQ(program.files[3].name, "part_1_3.mod");
-  EXPECT_EQ(program.files[4].name, "part_1.pgf");
+  EXPECT_EQ(program.files[5].name, "part_1.pgf");
   const plan::ReadProgram back = readProgram("rapid", program.files, process_);
   expectSound(back);
   expectTargets(back);
@@ -294,7 +302,7 @@ TEST_F(Rapid, isCutIntoModulesThatComeBackInOrder) {
   const Dialect& rapid = findDialect("rapid");
   EXPECT_EQ(rapid.goesOnIn(program.files[0].text),
             (std::vector<std::string>{"part_1_1.mod", "part_1_2.mod", "part_1_3.mod"}));
-  EXPECT_EQ(rapid.goesOnIn(program.files[4].text), std::vector<std::string>{"part_1.mod"});
+  EXPECT_EQ(rapid.goesOnIn(program.files[5].text), std::vector<std::string>{"part_1.mod"});
   EXPECT_TRUE(rapid.goesOnIn(program.files[1].text).empty());
   std::vector<plan::ProgramFile> files = program.files;
   std::swap(files[1], files[2]);
@@ -414,14 +422,14 @@ TEST_F(Rapid, modulesStandBesideTheSignalsThatTheyExpect) {
   ProgramInput in = input();
   in.options = {.motionsPerFile = 3000, .rapidModx = true};
   const plan::Program program = writeProgram("rapid", in);
-  ASSERT_EQ(program.files.size(), 8u); // main, five parts, the list, the signals
+  ASSERT_EQ(program.files.size(), 8u); // main, five parts, the signals, the list
   EXPECT_EQ(program.files[2].name, "part_1_2.modx");
   EXPECT_NE(program.files[0].text.find("\\File:=\"part_1_2.modx\";"), std::string::npos);
-  EXPECT_NE(program.files[6].text.find("<Module>part_1.modx</Module>"), std::string::npos);
-  EXPECT_EQ(program.files[7].name, "part_1_EIO.cfg");
+  EXPECT_NE(program.files[7].text.find("<Module>part_1.modx</Module>"), std::string::npos);
+  EXPECT_EQ(program.files[6].name, "part_1_EIO.cfg");
   for (const char* signal : {"-Name \"doExtruder\" -SignalType \"DO\"",
                              "-Name \"aoFlow\" -SignalType \"AO\" -MaxLog 1 "})
-    EXPECT_NE(program.files[7].text.find(signal), std::string::npos);
+    EXPECT_NE(program.files[6].text.find(signal), std::string::npos);
   const plan::ReadProgram back = readProgram("rapid", program.files, process_);
   expectSound(back);
   expectTargets(back);

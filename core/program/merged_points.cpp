@@ -1,0 +1,100 @@
+#include "program/merged_points.h"
+
+#include "program/blend.h"
+#include "program/motion_targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace voluta::program {
+
+namespace {
+
+constexpr double kSlack = 1e-9; // rounding
+
+class Merger {
+public:
+  Merger(const ProgramInput& input, const MergeLimits& limits, const base::RunContext& ctx)
+      : in_(input.trajectory), limits_(limits), targets_(motionTargets(input, ctx)) {}
+
+  MergedPoints run() {
+    out_.trajectory.dof = in_.dof;
+    out_.pointOf.resize(in_.pointCount());
+    keep(0, 0);
+    for (std::size_t from = 0; from + 1 < in_.pointCount();) {
+      std::size_t to = from + 1;
+      while (isShort(from, to) && canGoOn(to) && fits(from, to + 1))
+        ++to;
+      keep(from + 1, to);
+      from = to;
+    }
+    return std::move(out_);
+  }
+
+private:
+  // The motion to `to` takes the place of those to `first` ... `to`.
+  void keep(std::size_t first, std::size_t to) {
+    plan::Trajectory& t = out_.trajectory;
+    for (std::size_t i = first; i <= to; ++i)
+      out_.pointOf[i] = t.pointCount();
+    t.joints.insert(t.joints.end(), in_.at(to), in_.at(to) + in_.dof);
+    t.timeS.push_back(in_.timeS[to]);
+    t.move.push_back(in_.move[to]);
+    t.waypoint.push_back(in_.waypoint[to]);
+    t.extrudedMm3.push_back(in_.extrudedMm3[to]);
+  }
+
+  double lengthMm(std::size_t from, std::size_t to) const {
+    return (targets_[to].tipMm - targets_[from].tipMm).norm();
+  }
+  bool isShort(std::size_t from, std::size_t to) const {
+    return isPrint(in_, to) && (in_.timeS[to] - in_.timeS[from] < limits_.leastS ||
+                                lengthMm(from, to) < limits_.leastMm);
+  }
+  // A bead's last point stays.
+  bool canGoOn(std::size_t to) const { return to + 1 < in_.pointCount() && isPrint(in_, to + 1); }
+
+  // Is all between near to the straight motion?
+  bool fits(std::size_t from, std::size_t to) const {
+    const Eigen::Vector3d a = targets_[from].tipMm, way = targets_[to].tipMm - a;
+    const double length = way.norm();
+    if (!(length > 0.0))
+      return false;
+    const double section = (in_.extrudedMm3[to] - in_.extrudedMm3[from]) / length;
+    for (std::size_t i = from + 1; i <= to; ++i) {
+      const double step = lengthMm(i - 1, i);
+      const double volume = in_.extrudedMm3[i] - in_.extrudedMm3[i - 1];
+      if (std::abs(volume - section * step) > limits_.sectionShare * section * step)
+        return false;
+      const double u = (targets_[i].tipMm - a).dot(way) / (length * length);
+      if (u < -kSlack || u > 1.0 + kSlack ||
+          (targets_[i].tipMm - a - u * way).norm() > limits_.toleranceMm)
+        return false;
+      const Eigen::Vector3d axis =
+          ((1.0 - u) * targets_[from].direction + u * targets_[to].direction).normalized();
+      if (turnRad(axis, targets_[i].direction) > limits_.toleranceRad)
+        return false;
+    }
+    return true;
+  }
+
+  const plan::Trajectory& in_;
+  const MergeLimits& limits_;
+  std::vector<MotionTarget> targets_;
+  MergedPoints out_;
+};
+
+} // namespace
+
+MergedPoints mergedPoints(const ProgramInput& input, const MergeLimits& limits,
+                          const base::RunContext& ctx) {
+  if (!(limits.leastS > 0.0) && !(limits.leastMm > 0.0)) {
+    MergedPoints same{input.trajectory, std::vector<std::size_t>(input.trajectory.pointCount())};
+    std::iota(same.pointOf.begin(), same.pointOf.end(), std::size_t{0});
+    return same;
+  }
+  return Merger(input, limits, ctx).run();
+}
+
+} // namespace voluta::program

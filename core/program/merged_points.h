@@ -1,0 +1,32 @@
+// A trajectory with fewer points, for controllers that have to plan each motion in time: close
+// positions are told as errors, or stop the arm. They move the nozzle straight on the part.
+#pragma once
+
+#include "base/run_context.h"
+#include "program/program_input.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace voluta::program {
+
+struct MergeLimits {
+  double leastS = 0.0, leastMm = 0.0; // printing motions below are joined with the next; 0: none
+  // What may be left out is as near to the joined motion: the tip, the nozzle's axis, and the
+  // bead's section by share.
+  double toleranceMm = 0.004, toleranceRad = 0.01, sectionShare = 0.02;
+};
+
+struct MergedPoints {
+  plan::Trajectory trajectory;
+  std::vector<std::size_t> pointOf; // per point of the input: the one there that ends its motion
+};
+
+// Leaves out points between two Print motions while the motion to the point before them is shorter
+// than wanted and all that it leaves out keeps the tolerances; times and material add up. Points at
+// which anything else begins or ends stay. Throws Error{Internal} (preconditions of ProgramInput),
+// Cancelled.
+MergedPoints mergedPoints(const ProgramInput& input, const MergeLimits& limits,
+                          const base::RunContext& ctx);
+
+} // namespace voluta::program

@@ -1,0 +1,53 @@
+// Trajectories with fewer points, for controllers that plan each motion in time.
+#include "program_fixture.h"
+
+#include "base/units.h"
+#include "program/dialect.h"
+
+namespace voluta::program {
+namespace {
+
+using MergedPointsOf = test::Programs;
+
+// A bead along a circle in steps of 0.1 mm: joined to motions that the controller can plan in time,
+// as near as said; a bend and another section stay.
+TEST_F(MergedPointsOf, shortMotionsAreJoinedWithinTheirTolerance) {
+  useRod();
+  const double d = base::kPi / 180.0;
+  append(plan::MoveKind::Joint, {0, 10 * d, 20 * d, 0, 60 * d, 0, 0}, 0.0, 0.0);
+  const double reach = std::hypot(420.0, 100.0); // about; the tip turns with joint 1
+  for (int i = 1; i <= 2000; ++i)
+    append(plan::MoveKind::Print, {i * 0.1 / reach, 10 * d, 20 * d, 0, 60 * d, 0, 0}, 0.006,
+           i <= 1000 ? 0.08 : 0.1);
+  append(plan::MoveKind::Linear, {0.5, 10 * d, 20 * d, 0, 60 * d, 0, 0}, 1.0, 0.0);
+  const MergedPoints merged = pointsFor("rapid", input());
+  const plan::Trajectory& t = merged.trajectory;
+  EXPECT_LT(t.pointCount(), 550u);
+  EXPECT_DOUBLE_EQ(t.timeS.back(), trajectory_.timeS.back());
+  EXPECT_DOUBLE_EQ(t.extrudedMm3.back(), trajectory_.extrudedMm3.back());
+  ASSERT_EQ(merged.pointOf.size(), trajectory_.pointCount());
+  const auto tip = [&](const plan::Trajectory& of, std::size_t i) {
+    return Eigen::Vector3d(
+        cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(of.at(i), 7)).translation());
+  };
+  std::size_t tooShort = 0;
+  for (std::size_t i = 1; i + 1 < t.pointCount(); ++i)
+    tooShort += t.timeS[i] - t.timeS[i - 1] < 0.024 || (tip(t, i) - tip(t, i - 1)).norm() < 0.5;
+  EXPECT_LE(tooShort, 2u); // where the section changes and at the end
+  for (std::size_t i = 1; i < trajectory_.pointCount(); ++i) {
+    const std::size_t to = merged.pointOf[i];
+    ASSERT_TRUE(to > 0 && t.timeS[to] >= trajectory_.timeS[i] - 1e-12);
+    const Eigen::Vector3d a = tip(t, to - 1), way = tip(t, to) - a, p = tip(trajectory_, i);
+    ASSERT_LE((p - a - way * (p - a).dot(way) / way.squaredNorm()).norm(), 0.004);
+    const double section = (t.extrudedMm3[to] - t.extrudedMm3[to - 1]) / way.norm();
+    const double own = (trajectory_.extrudedMm3[i] - trajectory_.extrudedMm3[i - 1]) /
+                       (p - tip(trajectory_, i - 1)).norm();
+    if (trajectory_.move[i] == plan::MoveKind::Print) {
+      ASSERT_NEAR(section, own, 0.021 * own);
+    }
+  }
+  EXPECT_EQ(pointsFor("urscript", input()).trajectory.joints, trajectory_.joints);
+}
+
+} // namespace
+} // namespace voluta::program
