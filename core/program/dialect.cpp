@@ -7,6 +7,7 @@
 #include "program/language_words.h"
 #include "program/rapid.h"
 #include "program/text.h"
+#include "program/text_files.h"
 #include "program/urscript.h"
 
 namespace voluta::program {
@@ -129,7 +130,13 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,
                               const process::Process& process, const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
-  plan::ReadProgram program = dialect.read(files, process, ctx);
+  plan::ReadProgram program;
+  program.format = dialect.id;
+  if (!tellNoTexts(files, program.defects)) {
+    program = dialect.read(files, process, ctx);
+    if (program.defects.empty())
+      tellMixedLineEnds(files, program.defects);
+  }
   program.time = dialect.time;
   return program;
 }

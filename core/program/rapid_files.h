@@ -9,6 +9,8 @@
 
 namespace voluta::program {
 
+// A module's text without its header, %%% ... %%% (version and language), where it has one.
+std::string_view behindHeader(std::string_view text);
 bool isModuleList(std::string_view text);
 // A trimmed line of a list that names a module becomes the name.
 bool takeModule(std::string_view& line);
