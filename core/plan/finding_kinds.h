@@ -109,6 +109,7 @@ enum class FindingKind : std::uint8_t {
   ExtruderOffPrint,
   SpeedChanged,
   FlowChanged,
+  BeadByJoints,
   FlowsWhileStanding,
   StandsAmidPrint,
   PrimeChanged,

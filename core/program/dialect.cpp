@@ -10,6 +10,8 @@
 #include "program/text_files.h"
 #include "program/urscript.h"
 
+#include <algorithm>
+
 namespace voluta::program {
 
 const std::vector<Dialect>& dialects() {
@@ -101,6 +103,14 @@ const Dialect* detectDialect(std::string_view fileName, std::string_view text) {
 
 bool isForeign(const Dialect& dialect, const robot::Cell& cell) {
   return !dialect.controller.empty() && dialect.controller != cell.robot().controller;
+}
+
+bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
+                   const robot::Cell& cell) {
+  return !isForeign(findDialect(id), cell) ||
+         std::all_of(formats.begin(), formats.end(), [&](const std::string& format) {
+           return isForeign(findDialect(format), cell);
+         });
 }
 
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {

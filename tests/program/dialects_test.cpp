@@ -468,6 +468,16 @@ TEST_F(Dialects, urscriptBlendsStayNearTheCornerOnThePart) {
   EXPECT_GT(worst, 0.5 * kBlendToleranceMm);
 }
 
+TEST_F(Dialects, aForeignProgramDecidesOnlyAmongForeignOnes) {
+  useRod(); // an ABB
+  const std::vector<std::string> all = {"rapid", "gcode-extended", "csv"};
+  EXPECT_TRUE(decidesOnPlan("rapid", all, *cell_));
+  EXPECT_TRUE(decidesOnPlan("csv", all, *cell_));
+  EXPECT_FALSE(decidesOnPlan("gcode-extended", all, *cell_));
+  EXPECT_FALSE(decidesOnPlan("gcode-extended", {"gcode-extended", "csv"}, *cell_));
+  EXPECT_TRUE(decidesOnPlan("gcode-extended", {"gcode-extended"}, *cell_));
+}
+
 // Files that are no programs: one line says why.
 TEST_F(Dialects, whatIsNoTextIsToldInOneLine) {
   appendRandom(5, 60);
