@@ -3,6 +3,7 @@
 #include "program/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 
@@ -59,6 +60,25 @@ std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_vie
     return RapidData{"", {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}, ""};
   }
   return std::nullopt;
+}
+
+bool rapidPose(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose,
+               base::Message& reason) {
+  constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
+  const Eigen::Vector3d mm(numbers[at], numbers[at + 1], numbers[at + 2]);
+  const Eigen::Quaterniond turn(numbers[at + 3], numbers[at + 4], numbers[at + 5], numbers[at + 6]);
+  if (!(mm.cwiseAbs().maxCoeff() <= kMostRapidMm)) {
+    reason = "a position far outside any robot's reach"_text;
+    return false;
+  }
+  if (!(std::abs(turn.norm() - 1.0) <= kTurnTolerance)) {
+    reason = "a quaternion whose length is not 1"_text;
+    return false;
+  }
+  pose = Eigen::Isometry3d::Identity();
+  pose.linear() = turn.normalized().toRotationMatrix();
+  pose.translation() = mm;
+  return true;
 }
 
 } // namespace voluta::program

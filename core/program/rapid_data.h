@@ -1,6 +1,10 @@
 // The data types of RAPID that a program for printing declares or names.
 #pragma once
 
+#include "base/text.h"
+
+#include <Eigen/Geometry>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,5 +26,12 @@ std::string_view rapidShape(std::string_view type);
 // What every controller declares by itself: v5..v7000, fine, z0..z200, tool0, wobj0. `type` and
 // `name` in small letters.
 std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_view name);
+
+inline constexpr double kMostRapidMm = 1e5; // of a position; further off is no robot's reach
+
+// Position and quaternion of a literal, from numbers[at]. false, and the reason: out of any reach,
+// or a quaternion whose length is not 1.
+bool rapidPose(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose,
+               base::Message& reason);
 
 } // namespace voluta::program

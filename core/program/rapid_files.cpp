@@ -73,6 +73,10 @@ bool readModuleList(std::string_view text, const std::vector<plan::ProgramFile>&
   return closed;
 }
 
+bool isSignalList(std::string_view text) {
+  return text.starts_with("EIO:CFG");
+}
+
 bool looksLikeRapid(std::string_view text) {
   const std::string_view head = text.substr(0, 16384);
   if (isModuleList(head))

@@ -1,4 +1,4 @@
-// Which files make up a RAPID program: its list of modules (.pgf).
+// Which files make up a RAPID program: its list of modules (.pgf), its signals (EIO.cfg).
 #pragma once
 
 #include "plan/program.h"
@@ -12,6 +12,8 @@ namespace voluta::program {
 // A module's text without its header, %%% ... %%% (version and language), where it has one.
 std::string_view behindHeader(std::string_view text);
 bool isModuleList(std::string_view text);
+// Configuration of the controller's signals (EIO.cfg), which no program runs.
+bool isSignalList(std::string_view text);
 // A trimmed line of a list that names a module becomes the name.
 bool takeModule(std::string_view& line);
 // Of a list: is every module that it names there? Defects go to `out`. false: it has no end.

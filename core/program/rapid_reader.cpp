@@ -20,9 +20,8 @@ namespace voluta::program {
 
 namespace {
 constexpr double kUnused = 9e9; // an external axis that is none
-constexpr double kMostMm = 1e5, kMostDegrees = 6000.0, kMostSeconds = 1e5;
+constexpr double kMostMm = kMostRapidMm, kMostDegrees = 6000.0, kMostSeconds = 1e5;
 constexpr double kMostExternalDegrees = 1e7;
-constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
 
 class RapidReader : private RapidValues {
 public:
@@ -36,6 +35,8 @@ public:
       const plan::ProgramFile& file = files[out_.file];
       out_.line = 1;
       complete = linesEndRight(file.text, out_) && complete;
+      if (isSignalList(file.text))
+        continue;
       if (isModuleList(file.text))
         complete = readModuleList(file.text, files, out_) && complete;
       else
@@ -205,19 +206,8 @@ private:
     }
   }
 
-  // Position and turn from numbers[at].
   bool poseOf(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose) {
-    const Eigen::Vector3d mm(numbers[at], numbers[at + 1], numbers[at + 2]);
-    const Eigen::Quaterniond turn(numbers[at + 3], numbers[at + 4], numbers[at + 5],
-                                  numbers[at + 6]);
-    if (!(mm.cwiseAbs().maxCoeff() <= kMostMm))
-      return fail("a position far outside any robot's reach"_text);
-    if (!(std::abs(turn.norm() - 1.0) <= kTurnTolerance))
-      return fail("a quaternion whose length is not 1"_text);
-    pose = Eigen::Isometry3d::Identity();
-    pose.linear() = turn.normalized().toRotationMatrix();
-    pose.translation() = mm;
-    return true;
+    return rapidPose(numbers, at, pose, reason_);
   }
 
   // ---- statements
@@ -239,7 +229,9 @@ private:
       closed_ = true;
       return true;
     }
-    if (word == "movel" || word == "movej" || word == "moveabsj")
+    if (word == "triggequip")
+      return triggEquip();
+    if (word == "movel" || word == "movej" || word == "moveabsj" || word == "triggl")
       return motion(word);
     if (word == "setdo")
       return output("doextruder", [&](double v) { return digital(v); });
@@ -315,6 +307,28 @@ private:
     return true;
   }
 
+  // TriggEquip name,0\Start,0\AOp:=aoFlow,share: the flow from where a TriggL begins.
+  bool triggEquip() {
+    std::string name, signal;
+    double mm = 0.0, lag = 0.0, share = 0.0;
+    const std::string_view at = token_.text;
+    if (!takeName(name) || !takeMark(',') || !takeNumberToken(mm) || !takeMark('\\') ||
+        !takeWord("start") || !takeMark(',') || !takeNumberToken(lag) || !takeMark('\\') ||
+        !takeWord("aop") || !takeAssign() || !takeName(signal) || !takeMark(',') ||
+        !takeNumberToken(share) || !takeEnd())
+      return false;
+    const auto known = declared_.find(name);
+    if (known == declared_.end() || known->second.type != "triggdata")
+      return fail(base::message("'{name}' is not declared as {type}"_text, at.substr(0, 40),
+                                "triggdata"_name));
+    if (mm != 0.0 || lag != 0.0 || signal != "aoflow")
+      return fail("only the flow at a motion's beginning is read"_text);
+    if (!(share >= 0.0 && share <= 1.0))
+      return fail("an analogue output outside 0..1"_text);
+    known->second.data.numbers = {share};
+    return true;
+  }
+
   bool supervision(bool& off) {
     std::string state;
     if (!takeMark('\\') || !takeName(state) || !takeEnd())
@@ -364,8 +378,8 @@ private:
   bool motion(const std::string& word) {
     const bool absolute = word == "moveabsj";
     plan::ProgramMotion m;
-    m.jointInterpolated = word != "movel";
-    RapidData target, speed, zone, tool;
+    m.jointInterpolated = word != "movel" && word != "triggl";
+    RapidData target, speed, trigg, zone, tool;
     RapidData object = *predeclaredRapid("wobjdata", "wobj0");
     if (!value(absolute ? "jointtarget" : "robtarget", target))
       return false;
@@ -376,6 +390,10 @@ private:
     const bool timed = takeMark('\\');
     if (timed && (!takeWord("t") || !takeAssign() || !takeNumberToken(m.durationS)))
       return false;
+    if (word == "triggl" && (!takeMark(',') || !value("triggdata", trigg)))
+      return false;
+    if (word == "triggl" && trigg.numbers.empty())
+      return fail("a TriggL before its TriggEquip"_text);
     if (!takeMark(',') || !value("zonedata", zone) || !takeMark(',') || !value("tooldata", tool))
       return false;
     if (takeMark(',') && !isMark('\\')) // RoboDK has a comma there
@@ -393,6 +411,8 @@ private:
     last_ = absolute ? std::nullopt : std::optional(m.frame_T_tcp);
     lastKind_ = m.target;
     lastExternal_ = m.externals;
+    if (!trigg.numbers.empty())
+      out_.flow(trigg.numbers[0]);
     out_.motionByOutputs(std::move(m));
     return true;
   }

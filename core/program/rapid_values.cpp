@@ -100,6 +100,9 @@ bool RapidValues::declaration(bool inProcedure) {
   std::string type, name;
   if (!takeName(type) || !takeName(name))
     return false;
+  if (type == "triggdata") // filled by TriggEquip
+    return takeEnd() && (declared_.try_emplace(std::move(name), Declared{type, {}}).second ||
+                         fail("a name is declared twice"_text));
   if (rapidShape(type).empty())
     return fail(base::message("data of the type {type} is not known to the reader"_text,
                               type.substr(0, 40)));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace voluta::program {
 
@@ -21,6 +22,7 @@ constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZon
 constexpr double kStartMmPerS = 50.0, kStartDegPerS = 20.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
+constexpr double kLeastSeconds = 0.02; // of a motion, for an IRC5 to plan it in time
 constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
 constexpr double kRodDegPerS = 1000.0;
@@ -56,6 +58,7 @@ public:
     }
     walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
     listOfModules();
+    listOfSignals();
     return std::move(program_);
   }
 
@@ -123,7 +126,9 @@ private:
   }
 
   std::string fileName(std::size_t part) const {
-    return part == 0 ? name_ + ".mod" : joined({name_, "_", std::to_string(part), ".mod"});
+    const std::string_view extension = in_.options.rapidModx ? ".modx" : ".mod";
+    return part == 0 ? joined({name_, extension})
+                     : joined({name_, "_", std::to_string(part), extension});
   }
 
   void beginMain() {
@@ -131,6 +136,7 @@ private:
     about();
     declareTool();
     declareObject();
+    line("  VAR triggdata tFlow;");
     line("  PROC main()");
     line("    ConfL\\Off;");
     line("    ConfJ\\Off;");
@@ -173,6 +179,22 @@ private:
     program_.files.push_back({name_ + ".pgf", std::move(out_)});
   }
 
+  // A fragment of the controller's configuration: without these signals a module that names them is
+  // not loaded.
+  void listOfSignals() {
+    line("EIO:CFG_1.0:6:1::");
+    line("# What the program expects; give each signal its -Device and -DeviceMap.");
+    if (turnsRod())
+      line(joined({"# Its mechanical unit, ", unit(), ", belongs into MOC.cfg."}));
+    line("#");
+    line("EIO_SIGNAL:");
+    line("");
+    line("      -Name \"doExtruder\" -SignalType \"DO\"");
+    line("");
+    line("      -Name \"aoFlow\" -SignalType \"AO\" -MaxLog 1 -MaxPhys 10 -MaxPhysLimit 10");
+    program_.files.push_back({name_ + "_EIO.cfg", std::move(out_)});
+  }
+
   void about() {
     line("  ! Robot program for printing, RAPID");
     if (program_.foreign)
@@ -180,17 +202,36 @@ private:
     for (const std::string& head : headLines(in_))
       line(joined({"  ! ", head}));
     if (heldPlate())
-      line("  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in the robot's "
-           "base");
+      line("  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in world, "
+           "which is the base while the base frame is zero");
     else if (turnsRod())
       aboutRod();
     else
-      line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object");
+      line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object, "
+           "which stands in world, the base while the base frame is zero");
     out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
     number(in_.process.maxFlowMm3PerS, 3);
     line(" mm3/s");
+    line(joined({"  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: ", name_,
+                 "_EIO.cfg"}));
+    if (turnsRod())
+      line(joined({"  ! expects the mechanical unit ", unit()}));
+    aboutDensity();
     if (cuts_.size() > 2)
       line("  ! the modules that it loads are to be put into HOME:");
+  }
+
+  // Controllers tell of close positions (event 50078) and of corners that they could not plan in
+  // time (50024) where motions are this short.
+  void aboutDensity() {
+    std::size_t few = 0;
+    for (std::size_t i = 1; i < targets_.size(); ++i)
+      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < kLeastSeconds;
+    if (few == 0)
+      return;
+    out_ += joined({"  ! ", std::to_string(few), " motions take less than "});
+    number(kLeastSeconds * 1000.0, 0);
+    line(" ms: events 50024 and 50078 may come; take longer steps (stepMm) or a lower speed");
   }
 
   void aboutRod() {
@@ -199,7 +240,7 @@ private:
     out_ +=
         joined({"  ! the rod is the mechanical unit ", unit(), ", its angle eax_a, its frame "});
     frame(in_.cell.base_T_fixed() * workToUnit());
-    line(" in world");
+    line(" in world, the base while the base frame is zero");
   }
 
   void declareObject() {
@@ -235,7 +276,15 @@ private:
   }
   void ask() override { line(joined({"    UIMsgBox \"", kStartQuestion, "\";"})); }
   void remark(std::string_view text) override { line(joined({"    ! ", text})); }
-  void flow(std::string_view share) override { line(joined({"    SetAO aoFlow,", share, ";"})); }
+  // Between motions that do not stop, an assignment would run ahead of the arm: the flow is then an
+  // event at the point where the next motion begins.
+  void flow(std::string_view share) override {
+    if (stands_)
+      line(joined({"    SetAO aoFlow,", share, ";"}));
+    else
+      line(joined({"    TriggEquip tFlow,0\\Start,0\\AOp:=aoFlow,", share, ";"}));
+    atStart_ = !stands_;
+  }
   void extruder(bool on) override {
     line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
   }
@@ -262,7 +311,7 @@ private:
       externals(i);
       out_ += "]\\NoEOffs";
     } else {
-      out_ += joint ? "    MoveJ [" : "    MoveL [";
+      out_ += joint ? "    MoveJ [" : atStart_ ? "    TriggL [" : "    MoveL [";
       position(targets_[i].tcpMm, kPositionDecimals);
       out_ += ',';
       turn(targets_[i].tcpTurn, kTurnDecimals);
@@ -271,7 +320,10 @@ private:
       out_ += ']';
     }
     speed(i, joint);
+    if (std::exchange(atStart_, false))
+      out_ += ",tFlow";
     zone(blendMm);
+    stands_ = !(blendMm > 0.0);
     line(joined({",", tool_, "\\WObj:=", object_, ";"}));
   }
 
@@ -285,17 +337,31 @@ private:
     out_ += ",9E9,9E9,9E9,9E9,9E9]";
   }
 
-  // Quarters of a turn of axes 1, 4 and 6; another maker's axes say nothing here.
+  // Quarters of a turn of axes 1, 4 and 6, and which of the eight branches; another maker's axes
+  // say nothing here.
   void configuration(std::size_t i) {
+    const bool known = !program_.foreign && in_.cell.armDof() == 6;
     out_ += ",[";
     for (const int axis : {0, 3, 5}) {
-      const bool known = !program_.foreign && axis < in_.trajectory.dof;
-      const double quarters =
-          known ? std::floor(in_.trajectory.at(i)[axis] / (0.5 * base::kPi)) : 0.0;
-      number(quarters, 0);
+      number(known ? std::floor(in_.trajectory.at(i)[axis] / (0.5 * base::kPi)) : 0.0, 0);
       out_ += ',';
     }
-    out_ += "0],";
+    number(known ? branch(i) : 0, 0);
+    out_ += "],";
+  }
+
+  // confdata's cfx: 4 with the wrist's centre behind axis 1, 2 with it behind the lower arm, 1 with
+  // axis 5 below zero.
+  int branch(std::size_t i) {
+    const robot::JointVector q =
+        Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.cell.armDof());
+    in_.cell.robot().kinematics->linkPoses(q, links_);
+    const Eigen::Vector3d forward(std::cos(q[0]), std::sin(q[0]), 0.0);
+    const Eigen::Vector3d wrist = links_[5].translation();
+    const Eigen::Vector3d lower = links_[3].translation() - links_[2].translation();
+    const Eigen::Vector3d reach = wrist - links_[2].translation();
+    const bool behindArm = lower.dot(forward) * reach.z() - lower.z() * reach.dot(forward) > 0.0;
+    return (wrist.dot(forward) < 0.0 ? 4 : 0) + (behindArm ? 2 : 0) + (q[4] < 0.0 ? 1 : 0);
   }
 
   void speed(std::size_t i, bool joint) {
@@ -342,6 +408,9 @@ private:
 
   const ProgramInput& in_;
   const base::RunContext& ctx_;
+  bool stands_ = true;                   // the arm, behind the last motion
+  bool atStart_ = false;                 // the flow changes where the next motion begins
+  std::vector<Eigen::Isometry3d> links_; // of branch()
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
   plan::Program program_;

@@ -89,7 +89,9 @@ std::vector<std::size_t> cutsOf(const plan::Trajectory& trajectory, std::size_t 
   if (most > 0)
     for (std::size_t i = 1; i < trajectory.pointCount(); ++i) {
       const std::size_t count = i - cuts.back();
-      if (count >= hard || (count >= most && !isPrint(trajectory, i)))
+      // Behind the first motion of a travel: what stands while the next file loads is clear.
+      const bool lifted = !isPrint(trajectory, i) && !isPrint(trajectory, i - 1);
+      if (count >= hard || (count >= most && lifted))
         cuts.push_back(i);
     }
   cuts.push_back(trajectory.pointCount());

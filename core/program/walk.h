@@ -44,8 +44,9 @@ struct Walk {
 void walkTrajectory(const ProgramInput& input, const Walk& walk, Speller& speller,
                     const base::RunContext& ctx);
 
-// Cuts for files of about `most` motions (0: one file), each before a travel; where there is none
-// within a tenth or 100 motions more, at a bead's point.
+// Cuts for files of about `most` motions (0: one file), each behind the lift that a travel begins
+// with, so that the nozzle does not stand on the part; where there is none within a tenth or 100
+// motions more, at a bead's point.
 std::vector<std::size_t> cutsOf(const plan::Trajectory& trajectory, std::size_t most);
 
 } // namespace voluta::program

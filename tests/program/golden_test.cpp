@@ -118,11 +118,13 @@ TEST_F(Golden, rapid) {
   ! part part 1, job 989d904e1002c6e8
   ! cell bench, robot ur5, process fdm-1.0 (PLA)
   ! 6 motions, 1.6 mm3, 0 g, 4.2 s
-  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in the robot's base
+  ! fixed nozzle: the TCP is the plate's centre, poses are the plate's in world, which is the base while the base frame is zero
   ! extruder on: doExtruder; flow: aoFlow, 1 = 40 mm3/s
+  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: part_1_EIO.cfg
   ! load assumed: 0.5 kg of plate, and the part
   PERS tooldata tPlate:=[TRUE,[[0,0,100],[1,0,0,0]],[0.5,[0,0,100],[1,0,0,0],0,0,0]];
   PERS wobjdata wPrint:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  VAR triggdata tFlow;
   PROC main()
     ConfL\Off;
     ConfJ\Off;

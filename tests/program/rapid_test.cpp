@@ -6,6 +6,8 @@
 #include "program/dialect.h"
 #include "program/rapid.h"
 
+#include <sstream>
+
 namespace voluta::program {
 namespace {
 
@@ -317,7 +319,7 @@ TEST_F(Rapid, itsOwnRobotGetsJointsTimesAndConfigurations) {
 TEST_F(Rapid, isCutIntoModulesThatComeBackInOrder) {
   appendRandom(9, 12100);
   const plan::Program program = writeProgram("rapid", input());
-  ASSERT_EQ(program.files.size(), 5u); // main, three parts, the list
+  ASSERT_EQ(program.files.size(), 6u); // main, three parts, the list, the signals
   EXPECT_EQ(program.files[0].name, "part_1.mod");
   EXPECT_EQ(program.files[3].name, "part_1_3.mod");
   EXPECT_EQ(program.files[4].name, "part_1.pgf");
@@ -360,7 +362,7 @@ TEST_F(Rapid, aPathWithoutEndIsCutAtAStop) {
   for (int i = 1; i <= 12000; ++i)
     append(plan::MoveKind::Print, {0.1 + 1e-4 * i, -1.9, 1.7, -1.2, -1.4, 0.3}, 0.05, 0.5);
   const plan::Program program = writeProgram("rapid", input());
-  ASSERT_EQ(program.files.size(), 5u);
+  ASSERT_EQ(program.files.size(), 6u);
   const plan::ReadProgram back = readProgram("rapid", program.files, process_);
   expectSound(back);
   expectTargets(back);
@@ -370,6 +372,103 @@ TEST_F(Rapid, aPathWithoutEndIsCutAtAStop) {
     stops += back.motions[i].blendMm == 0.0;
   }
   EXPECT_EQ(stops, 2u);
+}
+
+// A flow that changes between motions which do not stop is an event on the path; an assignment
+// would run ahead of the arm. At a stop it is one.
+TEST_F(Rapid, flowChangesWhereItsMotionBegins) {
+  appendRandom(8, 1500);
+  const plan::Program program = writeProgram("rapid", input());
+  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  expectSound(back);
+  std::vector<std::string> lines;
+  std::istringstream text(program.files[0].text);
+  for (std::string line; std::getline(text, line);)
+    lines.push_back(line);
+  std::size_t events = 0;
+  for (std::size_t m = 1; m < back.motions.size(); ++m) {
+    bool assigned = false, event = false;
+    for (std::size_t l = back.motions[m - 1].line; l + 1 < back.motions[m].line; ++l) {
+      assigned = assigned || lines[l].find("SetAO") != std::string::npos ||
+                 lines[l].find("SetDO") != std::string::npos;
+      event =
+          event || lines[l].find("TriggEquip tFlow,0\\Start,0\\AOp:=aoFlow,") != std::string::npos;
+    }
+    EXPECT_FALSE(back.motions[m - 1].blendMm > 0.0 ? assigned : event) << back.motions[m].line;
+    const bool trigg = lines[back.motions[m].line - 1].find("TriggL ") != std::string::npos;
+    EXPECT_EQ(trigg, event);
+    events += event;
+  }
+  EXPECT_GT(events, 500u);
+}
+
+TEST(RapidReader, readsTheFlowOfATriggL) {
+  const std::string pose = "[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+  const auto with = [&](const std::string& body) {
+    return read(module("SetDO doExtruder,1;\n" + body));
+  };
+  std::string text = module("SetDO doExtruder,1;\nTriggEquip t2, 0\\Start, 0 \\AOp:=aoFlow, 0.25;\n"
+                            "TriggL " +
+                            pose + ",v100,t2,fine,t1\\WObj:=w1;\n");
+  text.insert(text.find("PROC"), "VAR triggdata t2;\r\n");
+  const auto program = read(text);
+  expectSound(program);
+  ASSERT_EQ(program.motions.size(), 1u);
+  EXPECT_FALSE(program.motions[0].jointInterpolated);
+  EXPECT_EQ(program.motions[0].flowMm3PerS, 10.0);
+  const auto bad = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    return read(changed);
+  };
+  expectDefect(bad("t2, 0\\Start", "t2, 1\\Start"), 10, "beginning");
+  expectDefect(bad("0 \\AOp", "0.1 \\AOp"), 10, "beginning");
+  expectDefect(bad(":=aoFlow", ":=aoFan"), 10, "beginning");
+  expectDefect(bad("aoFlow, 0.25", "aoFlow, 1.25"), 10, "0..1");
+  expectDefect(bad("VAR triggdata t2;", "VAR triggdata t3;"), 10, "not declared");
+  expectDefect(with("TriggL " + pose + ",v100,t2,fine,t1;\n"), 9, "not declared");
+}
+
+// confdata's eight branches: wrist's centre before or behind axis 1 and the lower arm, axis 5.
+TEST_F(Rapid, targetsSayWhichBranchTheArmIsIn) {
+  useMovingNozzle("irb1200");
+  const double d = base::kPi / 180.0;
+  const struct {
+    double q2, q3, q5;
+    int cfx;
+  } cases[] = {{0, 0, 60, 0},   {0, 0, -60, 1},   {90, -170, 60, 2}, {90, -170, -60, 3},
+               {-90, 0, 60, 4}, {-90, 0, -60, 5}, {0, -180, 60, 6},  {0, -180, -60, 7}};
+  for (const auto& c : cases) {
+    trajectory_ = {};
+    append(plan::MoveKind::Joint, {0, c.q2 * d, c.q3 * d, 0, c.q5 * d, 0}, 0.0, 0.0);
+    append(plan::MoveKind::Linear, {0.001, c.q2 * d, c.q3 * d, 0.001, c.q5 * d, 0.001}, 0.1, 0.0);
+    const std::string text = writeProgram("rapid", input()).files[0].text;
+    EXPECT_NE(text.find(",[0,0,0," + std::to_string(c.cfx) + "],"), std::string::npos)
+        << c.cfx << "\n"
+        << text;
+  }
+}
+
+TEST_F(Rapid, modulesStandBesideTheSignalsThatTheyExpect) {
+  appendRandom(9, 12100);
+  ProgramInput in = input();
+  in.options = {.motionsPerFile = 3000, .rapidModx = true};
+  const plan::Program program = writeProgram("rapid", in);
+  ASSERT_EQ(program.files.size(), 8u); // main, five parts, the list, the signals
+  EXPECT_EQ(program.files[2].name, "part_1_2.modx");
+  EXPECT_NE(program.files[0].text.find("\\File:=\"part_1_2.modx\";"), std::string::npos);
+  EXPECT_NE(program.files[6].text.find("<Module>part_1.modx</Module>"), std::string::npos);
+  EXPECT_EQ(program.files[7].name, "part_1_EIO.cfg");
+  for (const char* signal : {"-Name \"doExtruder\" -SignalType \"DO\"",
+                             "-Name \"aoFlow\" -SignalType \"AO\" -MaxLog 1 "})
+    EXPECT_NE(program.files[7].text.find(signal), std::string::npos);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  expectSound(back);
+  expectTargets(back);
+  // Modules are cut behind the lift: what stands while the next one loads is clear of the part.
+  for (std::size_t m = 1; m < back.motions.size(); ++m)
+    EXPECT_TRUE(back.motions[m].file == back.motions[m - 1].file ||
+                trajectory_.move[m - 1] != plan::MoveKind::Print);
 }
 
 TEST_F(Rapid, namesKeepClearOfTheLanguage) {
@@ -466,7 +565,8 @@ TEST_F(Rapid, onARodPositionsAreThePartsAndTheRodIsAnExternalAxis) {
   const std::string& text = program.files[0].text;
   for (const char* line :
        {"  ! the rod is the mechanical unit rod, its angle eax_a, its frame "
-        "[[400,0,350],[0,0,0.707106781,0.707106781]] in world\r\n",
+        "[[400,0,350],[0,0,0.707106781,0.707106781]] in world, the base while the base frame is "
+        "zero\r\n",
         "  PERS wobjdata wRod:=[FALSE,FALSE,\"rod\",[[0,0,0],[1,0,0,0]],[[0,0,0],"
         "[0.5,-0.5,-0.5,-0.5]]];\r\n",
         "    ActUnit rod;\r\n",
@@ -483,7 +583,7 @@ TEST_F(Rapid, aRodsProgramComesBack) {
   useRod();
   appendRandomOnRod(31, 12100);
   const plan::Program program = writeProgram("rapid", input());
-  ASSERT_EQ(program.files.size(), 5u);
+  ASSERT_EQ(program.files.size(), 6u);
   for (const plan::ProgramFile& file : program.files)
     for (std::size_t i = 0; i < file.text.size(); ++i) {
       ASSERT_EQ(file.text[i] == '\r', i + 1 < file.text.size() && file.text[i + 1] == '\n');
