@@ -277,13 +277,9 @@ private:
     done(project::Stage::Replay, findings, timings);
   }
 
-  // A program for another controller, which may not be able to say a motion at all, decides nothing
-  // where the cell's own robot has one.
   bool decides(const CheckedProgram& checked) const {
-    const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
-    return !checked.program.foreign || std::ranges::all_of(formats, [&](const auto& format) {
-      return program::isForeign(program::findDialect(format), *result_.cell);
-    });
+    return program::decidesOnPlan(checked.program.format, chosenFormats(choices_, *result_.cell),
+                                  *result_.cell);
   }
   std::vector<std::size_t> metIn(const CheckedProgram& checked) const {
     return decides(checked) ? checked.metAt : std::vector<std::size_t>();

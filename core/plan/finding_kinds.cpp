@@ -401,6 +401,8 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "this motion takes {time:.3f}, planned are {planned:.3f}"_text, kWriteAgain},
     {FlowChanged, "flowChanged", "flowChanged", Replay, Blocks,
      "this motion lays {volume:.3f}, planned are {planned:.3f}"_text, kWriteAgain},
+    {BeadByJoints, "beadByJoints", "beadByJoints", Replay, Blocks,
+     "a bead is laid by a motion in joints, planned is a straight one"_text, kWriteAgain},
     {FlowsWhileStanding, "flowsWhileStanding", "flowsWhileStanding", Replay, Blocks,
      "{volume:.3f} flow out here while the nozzle stands for {time:.3f}"_text, kWriteAgain},
     {StandsAmidPrint, "standsAmidPrint", "standsAmidPrint", Replay, Blocks,

@@ -112,6 +112,7 @@ enum class FindingKind : std::uint8_t {
   ExtruderOffPrint,
   SpeedChanged,
   FlowChanged,
+  BeadByJoints,
   FlowsWhileStanding,
   StandsAmidPrint,
   PrimeChanged,

@@ -7,7 +7,10 @@
 #include "program/language_words.h"
 #include "program/rapid.h"
 #include "program/text.h"
+#include "program/text_files.h"
 #include "program/urscript.h"
+
+#include <algorithm>
 
 namespace voluta::program {
 
@@ -105,6 +108,14 @@ bool isForeign(const Dialect& dialect, const robot::Cell& cell) {
   return !dialect.controller.empty() && dialect.controller != cell.robot().controller;
 }
 
+bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
+                   const robot::Cell& cell) {
+  return !isForeign(findDialect(id), cell) ||
+         std::all_of(formats.begin(), formats.end(), [&](const std::string& format) {
+           return isForeign(findDialect(format), cell);
+         });
+}
+
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
   if (dialect.turnsRods || cell.externalAxes().empty())
     return;
@@ -137,7 +148,13 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,
                               const process::Process& process, const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
-  plan::ReadProgram program = dialect.read(files, process, ctx);
+  plan::ReadProgram program;
+  program.format = dialect.id;
+  if (!tellNoTexts(files, program.defects)) {
+    program = dialect.read(files, process, ctx);
+    if (program.defects.empty())
+      tellMixedLineEnds(files, program.defects);
+  }
   program.time = dialect.time;
   return program;
 }

@@ -66,6 +66,12 @@ const Dialect* detectDialect(std::string_view fileName, std::string_view text);
 // Is a program in this dialect foreign to the cell: Cartesian, for another controller?
 bool isForeign(const Dialect& dialect, const robot::Cell& cell);
 
+// Does the program in dialect `id`, of those written in `formats`, decide on a plan? One for
+// another controller, which may not be able to say a motion at all, does not where the cell's own
+// robot, or any player of joints, has one.
+bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
+                   const robot::Cell& cell);
+
 // Throws Error{Usage}: the cell turns a rod and the dialect knows no external axis.
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell);
 

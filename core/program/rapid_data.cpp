@@ -11,6 +11,16 @@ namespace voluta::program {
 
 std::string_view rapidShape(std::string_view type) {
   static const std::map<std::string_view, std::string_view> table = {
+      {"num", "n"},
+      {"bool", "b"},
+      {"string", "s"},
+      {"pos", "[nnn]"},
+      {"orient", "[nnnn]"},
+      {"pose", "[[nnn][nnnn]]"},
+      {"confdata", "[nnnn]"},
+      {"extjoint", "[nnnnnn]"},
+      {"robjoint", "[nnnnnn]"},
+      {"loaddata", "[n[nnn][nnnn]nnn]"},
       {"speeddata", "[nnnn]"},
       {"zonedata", "[bnnnnnn]"},
       {"robtarget", "[[nnn][nnnn][nnnn][nnnnnn]]"},

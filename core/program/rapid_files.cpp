@@ -38,6 +38,14 @@ bool linesEndRight(std::string_view text, ProgramBuilder& out) {
   return ended;
 }
 
+std::string_view behindHeader(std::string_view text) {
+  constexpr std::string_view kMark = "%%%";
+  if (!text.starts_with(kMark))
+    return text;
+  const std::size_t end = text.find(kMark, kMark.size());
+  return end == std::string_view::npos ? text : text.substr(end + kMark.size());
+}
+
 bool readModuleList(std::string_view text, const std::vector<plan::ProgramFile>& files,
                     ProgramBuilder& out) {
   LineReader lines(text);
@@ -73,7 +81,7 @@ bool looksLikeRapid(std::string_view text) {
   const std::string_view head = text.substr(0, 16384);
   if (isModuleList(head))
     return head.find("<Program>") != std::string_view::npos;
-  return sameWord(RapidTokens(head).next().text, "module");
+  return sameWord(RapidTokens(behindHeader(head)).next().text, "module");
 }
 
 bool mayBeMissingInRapid(const std::vector<std::string>& lines, std::size_t i) {

@@ -9,6 +9,8 @@
 
 namespace voluta::program {
 
+// A module's text without its header, %%% ... %%% (version and language), where it has one.
+std::string_view behindHeader(std::string_view text);
 bool isModuleList(std::string_view text);
 // Configuration of the controller's signals (EIO.cfg), which no program runs.
 bool isSignalList(std::string_view text);

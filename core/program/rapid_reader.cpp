@@ -4,6 +4,7 @@
 #include "program/rapid_data.h"
 #include "program/rapid_files.h"
 #include "program/rapid_tokens.h"
+#include "program/rapid_values.h"
 #include "program/text.h"
 
 #include <Eigen/Geometry>
@@ -21,9 +22,8 @@ namespace {
 constexpr double kUnused = 9e9; // an external axis that is none
 constexpr double kMostMm = kMostRapidMm, kMostDegrees = 6000.0, kMostSeconds = 1e5;
 constexpr double kMostExternalDegrees = 1e7;
-constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
 
-class RapidReader : private RapidCursor {
+class RapidReader : private RapidValues {
 public:
   RapidReader(const process::Process& process, const base::RunContext& ctx)
       : ctx_(ctx), out_("rapid", process) {}
@@ -56,36 +56,43 @@ private:
   struct Call {
     std::string procedure, file;
   };
-  struct Declared {
-    std::string type;
-    RapidData data;
-  };
-
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
 
   // ---- structure
 
+  // A procedure's body, to be read where it is called.
+  struct Procedure {
+    RapidTokens tokens;
+    RapidToken token;
+    bool ended = false;
+  };
+
   bool readModule(const plan::ProgramFile& file) {
-    tokens_ = RapidTokens(file.text);
+    const std::string_view text = behindHeader(file.text);
+    const std::string_view head(file.text.data(), file.text.size() - text.size());
+    tokens_ =
+        RapidTokens(text, 1 + static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n')));
     textEnd_ = file.text.data() + file.text.size();
     advance();
     out_.beginOutputs();
-    procedure_ = procedureEnded_ = false;
+    procedures_.clear();
     std::string name;
     out_.line = token_.line;
-    bool runs = false, ended = false;
+    bool ended = false, procedureEnded = true;
     if (!takeWord("module") || !takeName(name))
       defect("a module begins with MODULE and its name"_text);
     if (!takeAttributes())
       defect("not a module's attributes"_text);
     while (!ended && token_.kind != RapidTokenKind::End) {
       out_.line = token_.line;
+      if (isWord("local"))
+        advance();
       if (takeWord("endmodule"))
         ended = true;
       else if (takeWord("proc"))
-        runs = procedure(file.name) || runs;
-      else if (isWord("pers") || isWord("const") || isWord("var") || isWord("local"))
-        whole([&] { return declaration(); });
+        procedureEnded = procedure() && procedureEnded;
+      else if (isWord("pers") || isWord("const") || isWord("var"))
+        whole([&] { return declaration(false); });
       else if (takeWord("endproc"))
         defect("ENDPROC closes no procedure"_text);
       else
@@ -96,58 +103,74 @@ private:
       defect("text behind ENDMODULE"_text);
     if (!ended)
       defect("ENDMODULE is missing: the file was cut short"_text);
-    if (!procedure_)
-      defect("the module has no procedure"_text);
+    const std::size_t last = out_.line;
+    const bool runs = runEntry(file.name);
+    out_.line = last;
     if (!out_.outputsEnded())
       defect("the extruder is not set off behind the last motion"_text);
     if (!loaded_.empty())
       defect(base::message("'{loaded}' is not unloaded"_text, loaded_));
     ++modules_;
-    return ended && procedureEnded_ && runs && out_.outputsEnded() && loaded_.empty();
+    return ended && procedureEnded && runs && out_.outputsEnded() && loaded_.empty();
   }
 
-  // Behind PROC. Is it the one that runs now?
-  bool procedure(std::string_view file) {
+  // Behind PROC. false: it has no end.
+  bool procedure() {
     std::string name;
-    bool runs = takeName(name) && takeMark('(') && takeMark(')');
-    if (!runs)
+    if (!takeName(name) || !takeMark('(') || !takeMark(')'))
       defect("not the head of a procedure"_text);
-    if (procedure_)
-      defect("a second procedure; only one is read"_text);
-    if (runs && modules_ == 0 && name != "main") {
-      defect("the first module has no procedure main"_text);
-      runs = false;
+    Procedure body{tokens_, token_};
+    while (token_.kind != RapidTokenKind::End && !isWord("endmodule") && !isWord("endproc"))
+      advance();
+    body.ended = isWord("endproc");
+    out_.line = token_.line;
+    if (!takeWord("endproc"))
+      defect("the procedure has no ENDPROC"_text);
+    const bool ended = body.ended;
+    if (!procedures_.try_emplace(name, std::move(body)).second)
+      defect("a name is declared twice"_text);
+    return ended;
+  }
+
+  // main of the first module, or what main calls of a later one.
+  bool runEntry(std::string_view file) {
+    if (procedures_.empty())
+      defect("the module has no procedure"_text);
+    const bool later = modules_ > 0, called = later && modules_ - 1 < calls_.size();
+    const std::string name = called ? calls_[modules_ - 1].procedure : "main";
+    const bool here = procedures_.contains(name) && later == called &&
+                      (!called || file.ends_with(calls_[modules_ - 1].file));
+    if (!here && !procedures_.empty())
+      defect(later ? "this module is not the one that main runs next"_text
+                   : "the first module has no procedure main"_text);
+    if (here)
+      run(name);
+    else if (!procedures_.empty())
+      run(procedures_.begin()->first); // for what else is the matter
+    return here;
+  }
+
+  void run(const std::string& name) {
+    constexpr std::size_t kMostCalls = 16;
+    if (std::find(running_.begin(), running_.end(), name) != running_.end() ||
+        running_.size() == kMostCalls) {
+      defect(base::message("'{name}' calls itself"_text, name));
+      return;
     }
-    if (runs && modules_ > 0 &&
-        (modules_ - 1 >= calls_.size() || calls_[modules_ - 1].procedure != name ||
-         !file.ends_with(calls_[modules_ - 1].file))) {
-      defect("this module is not the one that main runs next"_text);
-      runs = false;
-    }
-    procedure_ = true;
-    while (token_.kind != RapidTokenKind::End && !isWord("endmodule")) {
+    running_.push_back(name);
+    const RapidTokens tokens = tokens_;
+    const RapidToken token = token_;
+    tokens_ = procedures_.at(name).tokens;
+    token_ = procedures_.at(name).token;
+    while (token_.kind != RapidTokenKind::End && !isWord("endmodule") && !isWord("endproc")) {
       out_.line = token_.line;
-      if (takeWord("endproc")) {
-        procedureEnded_ = true;
-        return runs;
-      }
       if (++statements_ % 4096 == 0)
         ctx_.checkpoint();
       whole([&] { return statement(); });
     }
-    procedureEnded_ = false;
-    out_.line = token_.line;
-    defect("the procedure has no ENDPROC"_text);
-    return runs;
-  }
-
-  bool fail(base::Message reason) {
-    reason_ = std::move(reason);
-    return false;
-  }
-  bool takeEnd() {
-    closed_ = takeMark(';');
-    return closed_;
+    tokens_ = tokens;
+    token_ = token;
+    running_.pop_back();
   }
 
   // Runs the parser of one statement; where it fails, says why and goes on behind the semicolon.
@@ -171,89 +194,6 @@ private:
     }
   }
 
-  // ---- values
-
-  bool literal(RapidData& data, std::size_t depth = 0) {
-    if (data.numbers.size() >= kMostNumbers || depth > kMostDepth)
-      return false;
-    if (takeMark('[')) {
-      data.shape += '[';
-      do {
-        if (!literal(data, depth + 1))
-          return false;
-      } while (takeMark(','));
-      data.shape += ']';
-      return takeMark(']');
-    }
-    double value = 0.0;
-    if (takeNumberToken(value)) {
-      data.shape += 'n';
-    } else if (token_.kind == RapidTokenKind::Text) {
-      value = token_.text.empty() ? 0.0 : 1.0;
-      data.text = inSmallLetters(token_.text);
-      data.shape += 's';
-      advance();
-    } else if (isWord("true") || isWord("false")) {
-      value = isWord("true") ? 1.0 : 0.0;
-      data.shape += 'b';
-      advance();
-    } else {
-      return false;
-    }
-    data.numbers.push_back(value);
-    return true;
-  }
-
-  // A literal or a name of this type.
-  bool value(std::string_view type, RapidData& data) {
-    if (std::string name; takeName(name)) {
-      if (const auto known = declared_.find(name); known != declared_.end()) {
-        data = known->second.data;
-        return known->second.type == type ||
-               fail(base::message("'{name}' is no {type}"_text, name.substr(0, 40), type));
-      }
-      if (auto given = predeclaredRapid(type, name)) {
-        data = std::move(*given);
-        return true;
-      }
-      return fail(
-          base::message("'{name}' is not declared as {type}"_text, name.substr(0, 40), type));
-    }
-    data = {};
-    return literal(data) && (data.shape == rapidShape(type) ||
-                             fail(base::message("a {type} has other parts"_text, type)));
-  }
-
-  bool declaration() {
-    takeWord("local");
-    if (!takeWord("pers") && !takeWord("const") && !takeWord("var"))
-      return false;
-    std::string type, name;
-    if (!takeName(type) || !takeName(name))
-      return false;
-    if (type == "triggdata") // filled by TriggEquip
-      return takeEnd() && (declared_.try_emplace(std::move(name), Declared{type, {}}).second ||
-                           fail("a name is declared twice"_text));
-    if (rapidShape(type).empty())
-      return fail(base::message("data of the type {type} is not known to the reader"_text,
-                                type.substr(0, 40)));
-    RapidData data;
-    if (!takeAssign() || !value(type, data) || !takeEnd())
-      return false;
-    if (type == "tooldata")
-      toolLine_ = out_.line;
-    if (type == "wobjdata" && isMoved(data) == data.text.empty())
-      return fail(
-          "a work object is moved by the mechanical unit that it names, or stands still"_text);
-    return declared_.try_emplace(std::move(name), Declared{type, std::move(data)}).second ||
-           fail("a name is declared twice"_text);
-  }
-
-  // Both data say whether the robot holds it: one of them, tool or work object.
-  static bool holdsObject(const RapidData& object) { return object.numbers[0] == 1.0; }
-  // Does a mechanical unit move the work object?
-  static bool isMoved(const RapidData& object) { return object.numbers[1] == 0.0; }
-
   bool poseOf(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose) {
     return rapidPose(numbers, at, pose, reason_);
   }
@@ -264,8 +204,19 @@ private:
     if (isMark('%'))
       return call();
     std::string word;
+    if (isWord("var") || isWord("const"))
+      return declaration(true);
     if (!takeName(word))
       return false;
+    if (isMark(':'))
+      return assignment(word);
+    if (procedures_.contains(word)) {
+      if (!takeEnd())
+        return false;
+      run(word);
+      closed_ = true;
+      return true;
+    }
     if (word == "triggequip")
       return triggEquip();
     if (word == "movel" || word == "movej" || word == "moveabsj" || word == "triggl")
@@ -433,6 +384,8 @@ private:
       return fail("a TriggL before its TriggEquip"_text);
     if (!takeMark(',') || !value("zonedata", zone) || !takeMark(',') || !value("tooldata", tool))
       return false;
+    if (takeMark(',') && !isMark('\\')) // RoboDK has a comma there
+      return false;
     if (takeMark('\\') && (!takeWord("wobj") || !takeAssign() || !value("wobjdata", object)))
       return false;
     if (!takeEnd())
@@ -566,15 +519,13 @@ private:
   ProgramBuilder out_;
   std::size_t modules_ = 0, statements_ = 0;
   const char* textEnd_ = nullptr;
-  base::Message reason_;
-  bool closed_ = false; // the statement's semicolon was taken
-  std::map<std::string, Declared, std::less<>> declared_;
-  std::vector<Call> calls_; // by main, in order
-  std::string loaded_;      // file
-  bool called_ = false;     // what is loaded
-  bool procedure_ = false, procedureEnded_ = false, linearOff_ = false, jointOff_ = false;
+  std::vector<Call> calls_;                                  // by main, in order
+  std::string loaded_;                                       // file
+  bool called_ = false;                                      // what is loaded
+  std::map<std::string, Procedure, std::less<>> procedures_; // of the module
+  std::vector<std::string> running_;
+  bool linearOff_ = false, jointOff_ = false;
   bool toolSet_ = false;
-  std::size_t toolLine_ = 0; // where the last one was declared
   std::set<std::string, std::less<>> activeUnits_;
   // Of the last motion, where its pose is known.
   std::optional<Eigen::Isometry3d> last_; // frame_T_tcp

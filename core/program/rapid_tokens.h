@@ -20,7 +20,8 @@ struct RapidToken {
 // The text must live as long as its tokens.
 class RapidTokens {
 public:
-  explicit RapidTokens(std::string_view text) : rest_(text) {}
+  explicit RapidTokens(std::string_view text, std::size_t firstLine = 1)
+      : rest_(text), line_(firstLine) {}
   // After the last one: End, for ever.
   RapidToken next();
 
@@ -29,7 +30,7 @@ private:
   bool quoted(RapidToken& token);
 
   std::string_view rest_;
-  std::size_t line_ = 1;
+  std::size_t line_;
 };
 
 // What stands next in a text, for parsers that derive from it: each take...() gives true and goes
@@ -48,7 +49,7 @@ protected:
   bool takeAttributes();
   bool takeAssign() { return takeMark(':') && takeMark('='); }
 
-  RapidTokens tokens_{{}};
+  RapidTokens tokens_{std::string_view()};
   RapidToken token_;
 };
 

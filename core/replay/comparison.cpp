@@ -208,6 +208,8 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
       report.atMotion(ExtruderOffPrint, m);
       continue;
     }
+    if (m > 0 && print && path.arm && program.motions[m].jointInterpolated)
+      report.atMotion(BeadByJoints, m);
     if (m == 0 || j == 0 || !inPlace(m - 1) || pointOf[m - 1] + 1 != j)
       continue;
     // The time a motion takes is its length by its speed; a bead may be slower where the extruder

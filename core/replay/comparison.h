@@ -55,7 +55,7 @@ struct ComparisonOptions {
 
 // Deviations of the alignment, defects of the reader and a missing end; and of motions that follow
 // each other as their points do: time (length by speed) and material that differ by more than 5 %,
-// the extruder on over a travel or off over a print, joints in another configuration, external axes
+// the extruder on over a travel or off over a print, a bead by joints, joints in another configuration, external axes
 // elsewhere. Differences of one kind in consecutive motions are one finding, at the first of them.
 std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const ExecutedPath& path,
                                          const PlannedNozzle& planned,

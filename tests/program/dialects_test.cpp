@@ -535,5 +535,51 @@ TEST_F(Dialects, urscriptBlendsStayNearTheCornerOnThePart) {
   EXPECT_GT(worst, 0.5 * kBlendToleranceMm);
 }
 
+TEST_F(Dialects, aForeignProgramDecidesOnlyAmongForeignOnes) {
+  useRod(); // an ABB
+  const std::vector<std::string> all = {"rapid", "gcode-extended", "csv"};
+  EXPECT_TRUE(decidesOnPlan("rapid", all, *cell_));
+  EXPECT_TRUE(decidesOnPlan("csv", all, *cell_));
+  EXPECT_FALSE(decidesOnPlan("gcode-extended", all, *cell_));
+  EXPECT_FALSE(decidesOnPlan("gcode-extended", {"gcode-extended", "csv"}, *cell_));
+  EXPECT_TRUE(decidesOnPlan("gcode-extended", {"gcode-extended"}, *cell_));
+}
+
+// Files that are no programs: one line says why.
+TEST_F(Dialects, whatIsNoTextIsToldInOneLine) {
+  appendRandom(5, 60);
+  for (const Dialect& d : dialects()) {
+    const plan::Program program = writeProgram(d.id, input());
+    const std::string& text = program.files[0].text;
+    const auto with = [&](const std::string& changed) {
+      std::vector<plan::ProgramFile> files = program.files;
+      files[0].text = changed;
+      return readProgram(d.id, files, process_);
+    };
+    const std::string half = text.substr(0, text.find('\n', text.size() / 2) + 1);
+    const std::string rest = text.substr(half.size());
+    std::string other = rest;
+    if (rest.find('\r') == std::string::npos)
+      other.replace(other.find('\n'), 1, "\r\n");
+    else
+      other.erase(other.find('\r'), 1);
+    const struct {
+      std::string text;
+      const char* part;
+    } cases[] = {{"\xef\xbb\xbf" + text, "byte-order mark"},
+                 {"\xff\xfe" + text, "byte-order mark"},
+                 {half + std::string(1, '\0') + rest, "binary"},
+                 {std::string("\x89PNG\r\n\x1a\n\0\0", 10), "binary"},
+                 {half + other, d.id == std::string_view("rapid") ? "CR LF" : "two ways"}};
+    for (const auto& c : cases) {
+      const plan::ReadProgram read = with(c.text);
+      ASSERT_EQ(read.defects.size(), 1u) << d.id << " " << c.part;
+      EXPECT_NE(voluta::base::english(read.defects[0].reason).find(c.part), std::string::npos)
+          << d.id << ": " << voluta::base::english(read.defects[0].reason);
+    }
+    EXPECT_FALSE(with("").complete) << d.id;
+  }
+}
+
 } // namespace
 } // namespace voluta::program

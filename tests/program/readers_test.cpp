@@ -171,6 +171,49 @@ TEST(UrscriptReader, namesWhereItsUnderstandingEnds) {
   expectDefect(read("urscript", "def f():\nend\ndef g():\nend\n"), 4, "never called");
 }
 
+std::string withCrLf(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  return out;
+}
+
+// As RoboDK's post writes it: a header, data that is assigned, parts by name, a comma before
+// \\WObj.
+TEST(RapidReader, takesProceduresAndDataAsOthersWriteThem) {
+  const auto program = read(
+      "rapid",
+      withCrLf(
+          "%%%\n  VERSION:1\n  LANGUAGE:ENGLISH\n%%%\n\nMODULE MOD_Prog1\n"
+          "  PERS wobjdata rdkWObj := [FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n"
+          "  PERS tooldata rdkTool := "
+          "[TRUE,[[0,0,0],[1,0,0,0]],[2,[0,0,20],[1,0,0,0],0,0,0.005]];\n"
+          "  VAR speeddata rdkSpeed := [500,500,500,500];\n"
+          "  VAR extjoint rdkExtax := [9E9,9E9,9E9,9E9,9E9,9E9];\n"
+          "  PROC Main()\n    ConfJ \\Off;\n    ConfL \\Off;\n"
+          "    rdkTool := [TRUE,[[0,0,100],[1,0,0,0]],[2,[0,0,20],[1,0,0,0],0,0,0.005]];\n"
+          "    Off;\n"
+          "    MoveAbsJ [[0,10,20,30,40,50],rdkExtax],rdkSpeed,z1,rdkTool,\\WObj:=rdkWObj;\n"
+          "    Layer;\n    Layer;\n  ENDPROC\n"
+          "  LOCAL PROC Off()\n    SetDO doExtruder,0;\n    SetAO aoFlow,0;\n  ENDPROC\n"
+          "  PROC Layer()\n    CONST robtarget p1 := [[400,0,300],[0,0,1,0],[0,0,0,0],rdkExtax];\n"
+          "    rdkSpeed := v20;\n    SetDO doExtruder,1; SetAO aoFlow,0.5;\n"
+          "    MoveL Offs(p1,0,10,-5),rdkSpeed,fine,rdkTool\\WObj:=rdkWObj;\n    Off;\n  ENDPROC\n"
+          "ENDMODULE\n"));
+  for (const auto& d : program.defects)
+    ADD_FAILURE() << d.line << ": " << voluta::base::english(d.reason);
+  EXPECT_TRUE(program.complete);
+  ASSERT_EQ(program.motions.size(), 3u);
+  EXPECT_EQ(program.motions[0].line, 16u);
+  EXPECT_EQ(program.flange_T_tcp.translation(), Eigen::Vector3d(0, 0, 100));
+  EXPECT_EQ(program.motions[1].frame_T_tcp.translation(), Eigen::Vector3d(400, 10, 295));
+  EXPECT_EQ(program.motions[1].line, 28u);
+  EXPECT_EQ(program.motions[2].line, 28u);
+  EXPECT_TRUE(program.motions[1].extruding);
+  EXPECT_EQ(program.motions[1].speedMmPerS, 20.0);
+  EXPECT_EQ(program.load->kg, 2.0);
+}
+
 TEST(GcodeReader, takesTheAppendixAndReprap) {
   const auto program =
       read("gcode-extended", "G92 E0\nG28\nG0 F600 X4.391 Y-8.398 Z1.500\n"

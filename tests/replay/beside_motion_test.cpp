@@ -132,6 +132,7 @@ TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
       {"urscript", "movej", "v=0.25", "v=2", "firstMotionFast"},
       {"urscript", "movej", "a=0.5", "a=4.2", "firstMotionFast"},
       {"rapid", "MoveJ", "[50,", "[1000,", "firstMotionFast"},
+      {"urscript", "movel", "t=0", "t=9", "speedChanged"}, // it rules over the acceleration
       {"rapid", "tooldata", "[0.5", "[20", "loadChanged"},
   };
   for (const auto& c : cases) {

@@ -44,6 +44,12 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
       {VerdictTable::tr("Off the plan"), mm(r.maxDeviationMm),
        atMost(locale.toString(limits.deviationMm, 'g', 4) + QStringLiteral(" mm")),
        r.maxDeviationMm <= limits.deviationMm},
+      {VerdictTable::tr("Wrong flow"), percent(r.flowErrorFraction),
+       atMost(shortPercent(limits.flowError)), r.flowErrorFraction <= limits.flowError},
+      {VerdictTable::tr("Time on the controller"),
+       locale.toString(r.durationS / 60.0, 'f', 1) + QStringLiteral(" min"),
+       {},
+       true},
   };
 }
 

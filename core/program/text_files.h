@@ -1,0 +1,20 @@
+// Whether files are text that a controller loads at all.
+#pragma once
+
+#include "plan/program.h"
+
+#include <vector>
+
+namespace voluta::program {
+
+// One defect a file that begins with a byte-order mark or holds what no text holds. true: there is
+// one; such files are not to be read.
+bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
+                 std::vector<plan::ProgramDefect>& defects);
+
+// One defect a file whose lines end now with LF, now with CR LF, or with CR alone: where that
+// begins.
+void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
+                       std::vector<plan::ProgramDefect>& defects);
+
+} // namespace voluta::program

@@ -1,0 +1,155 @@
+// Programs that somebody changed: of each dialect at least 40 kinds of harmful edits, found at
+// their line, and 300 harmless ones that bring no alarm.
+#include "program/dialect.h"
+#include "replay/mutations.h"
+#include "replay/scene.h"
+#include "replay/told.h"
+#include "replay/verification.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <regex>
+
+namespace voluta::replay {
+namespace {
+
+constexpr int kSeeds = 3, kHarmless = 300;
+constexpr std::size_t kLeastKinds = 40;
+
+const test::Scene& scene() {
+  static const test::Scene s = test::boxScene(1);
+  return s;
+}
+
+class Mutants : public ::testing::TestWithParam<std::string> {
+protected:
+  void SetUp() override {
+    const test::Scene& s = scene();
+    whole_ = test::textOf(
+        program::writeProgram(GetParam(), {s.plan, s.trajectory, s.cell, s.process, "box"}));
+    read_ = test::read(whole_, s.process);
+    const Verification sound = verify(whole_);
+    ASSERT_TRUE(sound.passed) << told(sound);
+  }
+  test::Subject subject() const { return {whole_, read_, scene().process}; }
+
+  Verification verify(const test::ProgramText& text) {
+    const test::Scene& s = scene();
+    JudgedRuns judged = judged_;
+    Verification v = replayProgram(
+        {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+        ReplayThresholds{}, {}, &judged);
+    if (judged_.empty())
+      judged_ = judged;
+    return v;
+  }
+
+  // Amid a bead of the middle of the print: motions from 2 before to 12 behind extrude.
+  std::size_t place(std::mt19937_64& random) const {
+    for (;;) {
+      const std::size_t m = 3 + random() % (read_.motions.size() - 20);
+      bool inside = true;
+      for (std::size_t k = m - 2; k < m + 5; ++k)
+        inside = inside && read_.motions[k].extruding;
+      if (inside)
+        return m;
+    }
+  }
+
+  // At the line or the one beside it, or at the first motion behind it where no motion stands
+  // between. What is in the head shows at the first motion that it concerns.
+  static bool named(const Verification& v, std::size_t line, const plan::ReadProgram& read) {
+    std::size_t next = 0, first = 0;
+    for (const plan::ProgramMotion& m : read.motions)
+      if (m.line >= line && (next == 0 || m.line < next))
+        next = m.line;
+    for (const TextPlace p : v.places)
+      if (p.line > 0 && (first == 0 || p.line < first))
+        first = p.line;
+    const bool head = !read.motions.empty() && line < read.motions.front().line;
+    return !v.passed &&
+           (std::any_of(v.places.begin(), v.places.end(),
+                        [&](TextPlace p) {
+                          return p.line > 0 &&
+                                 ((p.line + 1 >= line && p.line <= line + 1) || p.line == next);
+                        }) ||
+            (head && first >= line));
+  }
+
+  test::ProgramText whole_;
+  plan::ReadProgram read_;
+  JudgedRuns judged_;
+};
+
+TEST_P(Mutants, HarmIsFoundAtItsLine) {
+  std::mt19937_64 random(18);
+  std::size_t kinds = 0, tried = 0, refused = 0, found = 0;
+  std::string missed;
+  for (const test::Mutation& mutation : test::harmfulMutations(GetParam())) {
+    std::size_t applied = 0;
+    for (int attempt = 0; attempt < 8 * kSeeds && applied < kSeeds; ++attempt) {
+      test::Subject s = subject();
+      const std::size_t m = place(random);
+      const auto line = mutation.apply(s, m, random);
+      if (!line)
+        continue;
+      ++applied;
+      const plan::ReadProgram now = test::read(s.text, s.process);
+      const Verification v = verify(s.text);
+      refused += v.passed ? 0 : 1;
+      const bool here = named(v, *line, now);
+      found += here ? 1 : 0;
+      if (!here)
+        missed += mutation.kind + " (line " + std::to_string(*line) +
+                  "): " + (v.passed ? "passed\n" : "elsewhere: " + told(v).substr(0, 160) + "\n");
+    }
+    kinds += applied > 0 ? 1 : 0;
+    tried += applied;
+    if (applied == 0)
+      missed += "not applied: " + mutation.kind + "\n";
+  }
+  std::printf("%-16s %3zu kinds, %3zu edits: %3zu refused, %3zu at the line (%.1f %%)\n",
+              GetParam().c_str(), kinds, tried, refused, found,
+              100.0 * static_cast<double>(found) / static_cast<double>(tried));
+  EXPECT_GE(kinds, kLeastKinds);
+  EXPECT_EQ(refused, tried) << missed;
+  EXPECT_GE(static_cast<double>(found), 0.99 * static_cast<double>(tried)) << missed;
+}
+
+TEST_P(Mutants, WhatDoesNoHarmBringsNoAlarm) {
+  std::mt19937_64 random(81);
+  const std::vector<test::Mutation> all = test::harmlessMutations(GetParam());
+  int alarms = 0, applied = 0;
+  std::string told;
+  for (int i = 0; applied < kHarmless && i < 3 * kHarmless; ++i) {
+    const test::Mutation& mutation = all[static_cast<std::size_t>(i) % all.size()];
+    test::Subject s = subject();
+    const auto line = mutation.apply(s, 0, random);
+    if (!line)
+      continue;
+    ++applied;
+    const Verification v = verify(s.text);
+    if (v.passed && v.findings.empty())
+      continue;
+    if (++alarms < 5)
+      told += mutation.kind + ": " + s.text.lines[*line - 1] + "\n" + replay::told(v);
+  }
+  std::printf("%-16s %3d harmless edits: %d alarms\n", GetParam().c_str(), applied, alarms);
+  EXPECT_EQ(applied, kHarmless);
+  EXPECT_EQ(alarms, 0) << told;
+}
+
+std::vector<std::string> dialectIds() {
+  std::vector<std::string> ids;
+  for (const program::Dialect& dialect : program::dialects())
+    ids.emplace_back(dialect.id);
+  return ids;
+}
+
+INSTANTIATE_TEST_SUITE_P(Replay, Mutants, ::testing::ValuesIn(dialectIds()), [](const auto& i) {
+  return std::regex_replace(i.param, std::regex("-"), "_");
+});
+
+} // namespace
+} // namespace voluta::replay

@@ -1,0 +1,474 @@
+#include "replay/mutations.h"
+
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <regex>
+
+namespace voluta::test {
+
+namespace {
+
+using Line = std::optional<std::size_t>;
+
+std::ptrdiff_t at(std::size_t line) { // 1-based
+  return static_cast<std::ptrdiff_t>(line) - 1;
+}
+std::string& lineOf(Subject& s, std::size_t m) {
+  return s.text.lines[s.read.motions.at(m).line - 1];
+}
+std::string ended(const Subject& s, const std::string& line) {
+  return s.text.format == "rapid" ? line + "\r" : line;
+}
+
+// How far two motions' targets are apart, in what is about a millimetre.
+double apart(const plan::ProgramMotion& a, const plan::ProgramMotion& b) {
+  constexpr double kLeverMm = 15.0; // of a small part on its plate
+  double d =
+      (a.position - b.position).norm() +
+      kLeverMm * std::acos(std::clamp(a.direction.dot(b.direction), -1.0, 1.0)) +
+      (a.frame_T_tcp.translation() - b.frame_T_tcp.translation()).norm() +
+      kLeverMm *
+          Eigen::AngleAxisd(a.frame_T_tcp.linear().transpose() * b.frame_T_tcp.linear()).angle();
+  for (std::size_t k = 0; k < std::min(a.joints.size(), b.joints.size()); ++k)
+    d += kLeverMm * std::abs(a.joints[k] - b.joints[k]);
+  for (std::size_t k = 0; k < std::min(a.externals.size(), b.externals.size()); ++k)
+    d += kLeverMm * std::abs(a.externals[k] - b.externals[k]);
+  return d;
+}
+
+// Is the change one that a reader refuses, or that moves the target by some tenths of a millimetre?
+bool matters(Subject& s, std::size_t m) {
+  const plan::ReadProgram now = read(s.text, s.process);
+  return !now.defects.empty() || now.motions.size() != s.read.motions.size() ||
+         apart(now.motions[m], s.read.motions[m]) > 0.3;
+}
+
+// Where the numbers stand in a motion's line that say where it goes.
+std::vector<std::pair<std::size_t, std::size_t>> targetNumbers(Subject& s, std::size_t m) {
+  std::string& line = lineOf(s, m);
+  const std::string as = line;
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (const auto& where : numbersIn(as)) {
+    line = withNumber(as, where, std::stod(as.substr(where.first)) + 1e-6);
+    const plan::ReadProgram moved = read(s.text, s.process);
+    if (moved.defects.empty() && moved.motions.size() == s.read.motions.size() &&
+        !sameTarget(moved.motions[m], s.read.motions[m]))
+      found.push_back(where);
+  }
+  line = as;
+  return found;
+}
+
+using Change = std::function<std::vector<std::string>(const std::string&)>;
+
+Mutation ofNumber(std::size_t k, const std::string& what, Change change) {
+  return {"number " + std::to_string(k + 1) + " of the target " + what,
+          [k, change](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+            const auto numbers = targetNumbers(s, m);
+            if (k >= numbers.size())
+              return std::nullopt;
+            std::string& line = lineOf(s, m);
+            const std::string as = line;
+            const auto [begin, end] = numbers[k];
+            for (const std::string& number : change(as.substr(begin, end - begin))) {
+              line = as.substr(0, begin) + number + as.substr(end);
+              if (matters(s, m))
+                return s.read.motions[m].line;
+            }
+            line = as;
+            return std::nullopt;
+          }};
+}
+
+std::string fixed(double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.7f", value);
+  return buffer;
+}
+
+// The first line from motion m's on, back or forth, that the pattern is in is changed.
+Mutation replaced(const std::string& kind, const std::string& pattern, const std::string& by,
+                  bool fromTop = false) {
+  return {kind, [pattern, by, fromTop](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+            const std::regex expression(pattern);
+            std::size_t line = fromTop ? 1 : s.read.motions[m].line;
+            for (; line <= s.text.lines.size(); ++line) {
+              std::string& text = s.text.lines[line - 1];
+              const std::string now =
+                  std::regex_replace(text, expression, by, std::regex_constants::format_first_only);
+              if (now != text) {
+                text = now;
+                return line;
+              }
+            }
+            return std::nullopt;
+          }};
+}
+Mutation erased(const std::string& kind, const std::string& pattern, bool fromTop = false) {
+  return {kind, [pattern, fromTop](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+            const std::regex expression(pattern);
+            for (std::size_t line = fromTop ? 1 : s.read.motions[m].line;
+                 line <= s.text.lines.size(); ++line)
+              if (std::regex_search(s.text.lines[line - 1], expression)) {
+                s.text.lines.erase(s.text.lines.begin() + at(line));
+                return line;
+              }
+            return std::nullopt;
+          }};
+}
+// A line that the pattern is in comes three lines later.
+Mutation shifted(const std::string& kind, const std::string& pattern) {
+  return {kind, [pattern](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+            const std::regex expression(pattern);
+            for (std::size_t line = s.read.motions[m].line; line + 3 <= s.text.lines.size(); ++line)
+              if (std::regex_search(s.text.lines[line - 1], expression)) {
+                std::rotate(s.text.lines.begin() + at(line), s.text.lines.begin() + at(line + 1),
+                            s.text.lines.begin() + at(line + 4));
+                return line;
+              }
+            return std::nullopt;
+          }};
+}
+Mutation inserted(const std::string& line) {
+  return {"amid: " + line, [line](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+            const std::size_t where = s.read.motions[m].line + 1;
+            s.text.lines.insert(s.text.lines.begin() + at(where), ended(s, line));
+            return where;
+          }};
+}
+Mutation insertedInHead(const std::string& line) {
+  return {"in the head: " + line, [line](Subject& s, std::size_t, std::mt19937_64&) -> Line {
+            const std::size_t where = s.read.motions[0].line;
+            s.text.lines.insert(s.text.lines.begin() + at(where), ended(s, line));
+            return where;
+          }};
+}
+
+void structure(std::vector<Mutation>& all) {
+  all.push_back({"a motion is missing", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+                   const std::size_t line = s.read.motions[m].line;
+                   s.text.lines.erase(s.text.lines.begin() + at(line));
+                   return line;
+                 }});
+  all.push_back(
+      {"ten motions are missing", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+         const std::size_t line = s.read.motions[m].line;
+         for (std::size_t n = 10; n-- > 0;)
+           s.text.lines.erase(s.text.lines.begin() + at(s.read.motions[m + n].line));
+         return line;
+       }});
+  all.push_back(
+      {"two motions have changed places", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+         std::swap(lineOf(s, m), lineOf(s, m + 1));
+         return s.read.motions[m].line;
+       }});
+  all.push_back({"two motions far apart have changed places",
+                 [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+                   std::swap(lineOf(s, m), lineOf(s, m + 4));
+                   return s.read.motions[m].line;
+                 }});
+  all.push_back({"a block is doubled", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+                   const std::size_t a = s.read.motions[m].line, b = s.read.motions[m + 4].line;
+                   const std::vector<std::string> block(s.text.lines.begin() + at(a),
+                                                        s.text.lines.begin() + at(b));
+                   s.text.lines.insert(s.text.lines.begin() + at(b), block.begin(), block.end());
+                   return b;
+                 }});
+  all.push_back({"a block is moved", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+                   const std::size_t a = s.read.motions[m].line, b = s.read.motions[m + 3].line;
+                   std::rotate(s.text.lines.begin() + at(a), s.text.lines.begin() + at(b),
+                               s.text.lines.begin() + at(s.read.motions[m + 6].line));
+                   return a;
+                 }});
+  all.push_back({"the file ends early", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+                   s.text.lines.resize(s.read.motions[m].line);
+                   return s.text.lines.size();
+                 }});
+  all.push_back(
+      {"the file ends within a line", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+         s.text.lines.resize(s.read.motions[m].line);
+         s.text.lines.back().resize(s.text.lines.back().size() / 2);
+         return s.text.lines.size();
+       }});
+  all.push_back({"the last line is missing", [](Subject& s, std::size_t, std::mt19937_64&) -> Line {
+                   s.text.lines.pop_back();
+                   return s.text.lines.size();
+                 }});
+  all.push_back(
+      {"a line of another language", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+         const std::size_t where = s.read.motions[m].line + 1;
+         s.text.lines.insert(s.text.lines.begin() + at(where), ended(s, "LIN {X 1,Y 2,Z 3} C_DIS"));
+         return where;
+       }});
+  all.push_back({"a character is lost at a line's begin",
+                 [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+                   std::string& line = lineOf(s, m);
+                   line.erase(line.find_first_not_of(' '), s.text.format == "csv" ? 4 : 1);
+                   return s.read.motions[m].line;
+                 }});
+  all.push_back({"a binary character", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+                   lineOf(s, m).insert(3, 1, '\x01');
+                   return s.read.motions[m].line;
+                 }});
+}
+
+void targets(std::vector<Mutation>& all, std::size_t numbers) {
+  for (std::size_t k = 0; k < numbers; ++k) {
+    all.push_back(ofNumber(k, "a little off", [](const std::string& n) {
+      std::vector<std::string> more;
+      for (const double off : {0.0015, 0.03, 0.3, 2.0})
+        more.push_back(fixed(std::stod(n) + off));
+      return more;
+    }));
+    all.push_back(ofNumber(k, "has the other sign",
+                           [](const std::string& n) { return std::vector{fixed(-std::stod(n))}; }));
+    all.push_back(ofNumber(k, "lost its point", [](const std::string& n) {
+      const std::size_t point = n.find('.');
+      return point == std::string::npos ? std::vector<std::string>{}
+                                        : std::vector{n.substr(0, point) + n.substr(point + 1)};
+    }));
+  }
+}
+
+std::vector<std::string> amid(const std::string& format) {
+  static const std::map<std::string, std::vector<std::string>> kTable = {
+      {"urscript",
+       {"  sleep(600)",
+        "  sleep(0.5)",
+        "  set_payload(20)",
+        "  set_gravity([0,0,-9.82])",
+        "  set_analog_outputdomain(0,0)",
+        "  set_tool_voltage(24)",
+        "  set_tcp(p[0,0,0,0,0,0])",
+        "  stopl(1)",
+        "  popup(\"x\")",
+        "  halt",
+        "  set_standard_analog_out(0,1)",
+        "  set_standard_analog_out(0,0.32)",
+        "  set_standard_digital_out(0,False)",
+        "  set_standard_digital_out(3,True)",
+        "  set_tool_digital_out(0,True)",
+        "  freedrive_mode()",
+        "  speedl([0.1,0,0,0,0,0],0.5,10)",
+        "  force_mode(p[0,0,0,0,0,0],[0,0,1,0,0,0],[0,0,9,0,0,0],2,[1,1,1,1,1,1])",
+        "  while True:",
+        "  end",
+        "  reset_revolution_counter()",
+        "  powerdown()",
+        "  movej([0,0,0,0,0,0])"}},
+      {"rapid",
+       {"    WaitTime 600;",
+        "    WaitTime 0.5;",
+        "    AccSet 20,100;",
+        "    VelSet 50,100;",
+        "    SingArea\\Wrist;",
+        "    SetAO aoFlow,1;",
+        "    SetAO aoFlow,0.32;",
+        "    SetDO doExtruder,0;",
+        "    SetDO doFan,1;",
+        "    Stop;",
+        "    SoftAct 1,20;",
+        "    PDispSet p;",
+        "    EOffsSet [1,0,0,0,0,0];",
+        "    GripLoad heavy;",
+        "    IndReset unit,1;",
+        "    ConfL\\On;",
+        "    RETURN;",
+        "    GOTO x;",
+        "    IF TRUE THEN",
+        "    StopMove;",
+        "    WorldAccLim\\On:=1;",
+        "    PathAccLim TRUE\\AccMax:=1,FALSE;",
+        "    EXIT;"}},
+      {"gcode-extended",
+       {"G4 S600",   "G28",           "M84",          "M18",      "M104 S0", "M109 S0", "M104 S400",
+        "T1",        "G92 E0",        "G92 X0",       "G91",      "G20",     "M83",     "M220 S50",
+        "M221 S150", "M92 E200",      "M200 D3",      "M206 X5",  "M112",    "M0",      "G10",
+        "G55",       "G1 E-300 F600", "G1 E900 F600", "G2 X1 I3", "M140 S0"}},
+      {"csv",
+       {"1,2,3", "0,0,0,0,0,0,0,0,-1,print", "99,1e99,0,0,0,0,0,0,-1,joint", "# end",
+        "time_s,j1_deg,extruded_mm3,waypoint,move", "99,nan,0,0,0,0,0,0,-1,joint",
+        "99,0,0,0,0,0,0,9,-1,print", "99,0,0,0,0,0,0,9,-1,fly", "stop"}},
+  };
+  return kTable.at(format);
+}
+
+void words(std::vector<Mutation>& all, const std::string& format) {
+  for (const std::string& line : amid(format))
+    all.push_back(inserted(line));
+  if (format == "urscript") {
+    all.push_back(replaced("time ten times", ",t=([0-9])", ",t=9$1"));
+    all.push_back(replaced("time a fifth more", ",t=0\\.0?", ",t=0.2"));
+    all.push_back(replaced("a time becomes a speed", ",t=", ",v="));
+    all.push_back(replaced("blend of 10 mm", ",r=0\\.0+", ",r=0.01"));
+    all.push_back(replaced("motion by joints", "movel\\(", "movej("));
+    all.push_back(replaced("tool 1 mm off", "set_tcp\\(p\\[0\\.000000000,0\\.000000000,0\\.100",
+                           "set_tcp(p[0.000000000,0.000000000,0.101", true));
+    all.push_back(replaced("load of 20 kg", "set_payload\\([0-9.]+", "set_payload(20", true));
+    all.push_back(replaced("first motion fast", ",v=0\\.25", ",v=2.5", true));
+    all.push_back(erased("the prime is missing", "sleep\\(", true));
+    all.push_back(replaced("ten times the prime", "sleep\\(0\\.2", "sleep(2", true));
+    all.push_back(erased("the extruder stays on", "digital_out\\(0,False\\)"));
+    all.push_back(shifted("the extruder starts late", "digital_out\\(0,True\\)"));
+    all.push_back(shifted("the extruder stops late", "digital_out\\(0,False\\)"));
+    all.push_back(insertedInHead("  set_gravity([0,9.82,0])"));
+  } else if (format == "rapid") {
+    all.push_back(replaced("speed of 900", "\\]\\],\\[[0-9.]+", "]],[900"));
+    all.push_back(replaced("speed of 1", "\\]\\],\\[[0-9.]+", "]],[1"));
+    all.push_back(replaced("turn at no speed", "(\\]\\],\\[[0-9.]+),[0-9]+,", "$1,0,"));
+    all.push_back(replaced("zone of 10 mm", "\\[FALSE,[0-9.]+,[0-9.]+,[0-9.]+", "[FALSE,10,10,10"));
+    all.push_back(replaced("motion by joints", "MoveL|TriggL", "MoveJ"));
+    all.push_back(replaced("tool 1 mm off", "\\[0,0,100\\]", "[0,0,101]", true));
+    all.push_back(replaced("load of 20 kg", "\\],\\[0\\.5[0-9]*,", "],[20,", true));
+    all.push_back(replaced("first motion fast", "\\[50,20,", "[900,900,", true));
+    all.push_back(erased("the prime is missing", "WaitTime", true));
+    all.push_back(replaced("ten times the prime", "WaitTime 0\\.2", "WaitTime 2", true));
+    all.push_back(erased("the extruder stays on", "SetDO doExtruder,0"));
+    all.push_back(shifted("the extruder starts late", "SetDO doExtruder,1"));
+    all.push_back(shifted("the extruder stops late", "SetDO doExtruder,0"));
+    all.push_back(insertedInHead("    AccSet 20,100;"));
+  } else if (format == "gcode-extended") {
+    all.push_back(replaced("speed ten times", "F([0-9])", "F9$1"));
+    all.push_back(replaced("speed of 60", "F[0-9.]+", "F60"));
+    all.push_back(replaced("E is twice", "E([0-9.]+)", "E9$1"));
+    all.push_back(replaced("E is missing", " E[0-9.]+", ""));
+    all.push_back(replaced("a print becomes an arc", "^G1", "G2"));
+    all.push_back(replaced("filament of 2.85 mm", "diameter 1\\.75", "diameter 2.85", true));
+    all.push_back(replaced("heat of 400", "M104 S210", "M104 S400", true));
+    all.push_back(erased("the prime is missing", "; prime", true));
+    all.push_back(replaced("ten times the prime", "G1 E([0-9])", "G1 E9$1", true));
+  } else {
+    all.push_back(replaced("E is more", ",([0-9.]+),([0-9]+),print", ",9$1,$2,print"));
+    all.push_back(replaced("E is less", ",[0-9.]+,([0-9]+),print", ",0,$1,print"));
+    all.push_back(replaced("time is more", "^([0-9])", "9$1"));
+    all.push_back(replaced("time is less", "^[0-9.]+", "0"));
+    all.push_back(replaced("a column too many", ",", ",0,"));
+    all.push_back(replaced("a column is missing", ",[^,]*,", ","));
+    all.push_back(replaced("another header", "j1_deg", "j1_rad", true));
+    all.push_back(replaced("no header", "^time_s", "# time_s", true));
+    all.push_back(replaced("a row becomes a remark", "^([0-9])", "# $1"));
+    all.push_back(replaced("another word for a move", "print$", "prnt"));
+    all.push_back(replaced("a waypoint of a half", ",([0-9]+),print", ",$1.5,print"));
+  }
+}
+
+} // namespace
+
+std::vector<Mutation> harmfulMutations(const std::string& format) {
+  std::vector<Mutation> all;
+  structure(all);
+  targets(all, format == "gcode-extended" ? 3 : 6);
+  words(all, format);
+  return all;
+}
+
+std::vector<Mutation> harmlessMutations(const std::string& format) {
+  static const std::map<std::string, std::string> kRemark = {
+      {"urscript", "# "}, {"rapid", "! "}, {"gcode-extended", "; "}, {"csv", "# "}};
+  const std::string remark = kRemark.at(format);
+  const auto any = [](Subject& s, std::mt19937_64& random) {
+    return s.read.motions.front().line + random() % (s.text.lines.size() - 40);
+  };
+  std::vector<Mutation> all;
+  all.push_back({"a remark", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+                   const std::size_t line = any(s, random);
+                   s.text.lines.insert(s.text.lines.begin() + at(line),
+                                       ended(s, remark + "seen by me " + std::to_string(random())));
+                   return line;
+                 }});
+  all.push_back({"an empty line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+                   const std::size_t line = any(s, random);
+                   s.text.lines.insert(s.text.lines.begin() + at(line), ended(s, "   "));
+                   return line;
+                 }});
+  all.push_back(
+      {"blanks before a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+         const std::size_t line = any(s, random);
+         s.text.lines[line - 1].insert(0, 1 + random() % 5, ' ');
+         return line;
+       }});
+  all.push_back(
+      {"a tab before a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+         const std::size_t line = any(s, random);
+         s.text.lines[line - 1].insert(0, 1, '\t');
+         return line;
+       }});
+  all.push_back(
+      {"zeros behind a number", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+         const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
+         std::string& line = lineOf(s, m);
+         std::vector<std::size_t> ends;
+         for (const auto& [begin, end] : numbersIn(line))
+           if (line.substr(begin, end - begin).find('.') != std::string::npos &&
+               line.substr(begin, end - begin).find_first_of("eE") == std::string::npos)
+             ends.push_back(end);
+         if (ends.empty())
+           return std::nullopt;
+         line.insert(ends[random() % ends.size()], "000");
+         return s.read.motions[m].line;
+       }});
+  all.push_back(
+      {"blanks within a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+         const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
+         std::string& line = lineOf(s, m);
+         const char mark = format == "gcode-extended" ? ' ' : ',';
+         std::vector<std::size_t> places;
+         for (std::size_t i = line.find(mark); i != std::string::npos; i = line.find(mark, i + 1))
+           places.push_back(i);
+         line.insert(places[random() % places.size()] + 1, "  ");
+         return s.read.motions[m].line;
+       }});
+  all.push_back(
+      {"blanks behind a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+         const std::size_t line = any(s, random);
+         std::string& text = s.text.lines[line - 1];
+         text.insert(format == "rapid" ? text.size() - 1 : text.size(), "  ");
+         return line;
+       }});
+  if (format != "csv")
+    all.push_back(
+        {"a remark behind a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+           const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
+           std::string& text = lineOf(s, m);
+           text.insert(format == "rapid" ? text.size() - 1 : text.size(), " " + remark + "ok");
+           return s.read.motions[m].line;
+         }});
+  if (format == "rapid")
+    all.push_back(
+        {"letters of the other case", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+           const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
+           for (char& c : lineOf(s, m))
+             c = static_cast<char>(random() % 2 ? std::toupper(c) : std::tolower(c));
+           return s.read.motions[m].line;
+         }});
+  const auto swapped = [](const std::string& a, const std::string& b) {
+    return Mutation{"lines of the head in another order",
+                    [a, b](Subject& s, std::size_t, std::mt19937_64&) -> Line {
+                      std::size_t first = 0, second = 0;
+                      for (std::size_t i = s.text.lines.size(); i-- > 0;) {
+                        first = s.text.lines[i].find(a) != std::string::npos ? i + 1 : first;
+                        second = s.text.lines[i].find(b) != std::string::npos ? i + 1 : second;
+                      }
+                      if (!first || !second)
+                        return std::nullopt;
+                      std::swap(s.text.lines[first - 1], s.text.lines[second - 1]);
+                      return first;
+                    }};
+  };
+  if (format == "urscript") {
+    all.push_back(swapped("set_tcp", "set_payload"));
+    all.push_back(swapped("set_standard_digital_out(0,False)", "set_standard_analog_out(0,0)"));
+  } else if (format == "rapid") {
+    all.push_back(swapped("ConfL", "ConfJ"));
+    all.push_back(swapped("PERS tooldata", "PERS wobjdata"));
+  } else if (format == "gcode-extended") {
+    all.push_back(swapped("G21", "G90"));
+    all.push_back(swapped("G90", "M82"));
+  }
+  return all;
+}
+
+} // namespace voluta::test

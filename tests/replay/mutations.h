@@ -1,0 +1,35 @@
+// Edits of programs' texts: harmful ones, each named, and harmless ones, the same for every dialect
+// but for what its own words make of them.
+#pragma once
+
+#include "plan/program.h"
+#include "process/process.h"
+#include "program/text_damage.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace voluta::test {
+
+// A text that is to be damaged at a motion amid a bead, and what its reader makes of it.
+struct Subject {
+  ProgramText text;
+  plan::ReadProgram read;
+  const process::Process& process;
+};
+
+struct Mutation {
+  std::string kind;
+  // Changes the text at or near motion `m`; the line (1-based) of the damage, or nothing where this
+  // place has no such thing to damage.
+  std::function<std::optional<std::size_t>(Subject&, std::size_t m, std::mt19937_64& random)> apply;
+};
+
+std::vector<Mutation> harmfulMutations(const std::string& format);
+std::vector<Mutation> harmlessMutations(const std::string& format);
+
+} // namespace voluta::test
