@@ -133,7 +133,9 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
 
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
-  return mergedPoints(input, findDialect(id).merge, ctx);
+  // On a rod, where beads lie on small circles, joined motions cost a percent of the cover.
+  const bool rod = !input.cell.externalAxes().empty();
+  return mergedPoints(input, rod ? MergeLimits{} : findDialect(id).merge, ctx);
 }
 
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,

@@ -20,7 +20,8 @@ TEST_F(MergedPointsOf, shortMotionsAreJoinedWithinTheirTolerance) {
     append(plan::MoveKind::Print, {i * 0.1 / reach, 10 * d, 20 * d, 0, 60 * d, 0, 0}, 0.006,
            i <= 1000 ? 0.08 : 0.1);
   append(plan::MoveKind::Linear, {0.5, 10 * d, 20 * d, 0, 60 * d, 0, 0}, 1.0, 0.0);
-  const MergedPoints merged = pointsFor("rapid", input());
+  const MergedPoints merged = mergedPoints(input(), findDialect("rapid").merge, {});
+  EXPECT_EQ(pointsFor("rapid", input()).trajectory.joints, trajectory_.joints); // on a rod
   const plan::Trajectory& t = merged.trajectory;
   EXPECT_LT(t.pointCount(), 550u);
   EXPECT_DOUBLE_EQ(t.timeS.back(), trajectory_.timeS.back());
