@@ -13,6 +13,8 @@ using geometry::XmlAttributes;
 
 namespace {
 
+constexpr double kMostValue = 1e5; // mm or mm/s
+
 bool holds(const std::string& text, std::string_view word) {
   return text.find(word) != std::string::npos;
 }
@@ -60,9 +62,11 @@ Profile profileOf(const XmlAttributes& attributes) {
   for (std::size_t m = 0; m < kModulatedNames.size(); ++m)
     if (attributes.has(kModulatedNames[m])) {
       profile.nominal[m] = attributes.number(kModulatedNames[m]);
-      if (!(profile.nominal[m] > 0.0))
-        throw Error(ErrorCode::UnreadableFile,
-                    base::message("'{attribute}' is not above 0"_text, kModulatedNames[m]));
+      if (!(profile.nominal[m] > 0.0) || profile.nominal[m] > kMostValue)
+        throw Error(
+            ErrorCode::UnreadableFile,
+            base::message("'{attribute}' is not above 0, or larger than anything printed"_text,
+                          kModulatedNames[m]));
     }
   profile.kind = kindOf(attributes, profile.name);
   profile.waits = attributes.has("prewaittime") || attributes.has("postwaittime");
@@ -86,7 +90,8 @@ void addModifier(Profile& profile, const XmlAttributes& attributes) {
   const Modifier modifier{typeOf(attributes.text("type")), attributes.number("minvalue"),
                           attributes.number("maxvalue"),
                           static_cast<std::size_t>(letter - kFactors.begin())};
-  if (letter == kFactors.end() || !(modifier.least > 0.0) || !(modifier.least < modifier.most))
+  if (letter == kFactors.end() || !(modifier.least > 0.0) || !(modifier.least < modifier.most) ||
+      modifier.most > kMostValue)
     throw Error(ErrorCode::UnreadableFile,
                 base::message("a modifier of '{attribute}' without a range above 0 or without a "
                               "factor of e, f, g and h"_text,

@@ -26,7 +26,10 @@ std::vector<plan::ProgramFile> filesOf(const std::filesystem::path& program,
 } // namespace
 
 FoundProgram findProgram(const std::filesystem::path& program) {
-  std::string text = base::readFile(program);
+  return findProgram(program, base::readFile(program));
+}
+
+FoundProgram findProgram(const std::filesystem::path& program, std::string text) {
   const program::Dialect* dialect = program::detectDialect(program.filename().string(), text);
   if (!dialect)
     throw base::Error(base::ErrorCode::UnusableInput, "not a program in any known format"_text,

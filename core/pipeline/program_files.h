@@ -5,6 +5,7 @@
 #include "program/dialect.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace voluta::pipeline {
@@ -16,5 +17,7 @@ struct FoundProgram {
 
 // Throws Error{UnreadableFile}: a file is missing; Error{UnusableInput}: no known format.
 FoundProgram findProgram(const std::filesystem::path& program);
+// The same where the first file is read already.
+FoundProgram findProgram(const std::filesystem::path& program, std::string text);
 
 } // namespace voluta::pipeline

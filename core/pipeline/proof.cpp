@@ -91,7 +91,7 @@ Json placeJson(const ProofValue& value, const char* key) {
 }
 
 // Where the shares stand in the text: in one line, not in thousands.
-constexpr const char* kFilled = "filled, in one line";
+constexpr const char* kFilled = "@filled@";
 
 Json fillJson(const FillMap& fill) {
   return Json{{"cellMm", fill.cellMm},

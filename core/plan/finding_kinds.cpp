@@ -273,12 +273,16 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "move the planes, or add some between"_text},
 
     {GivenWithoutSection, "givenWithoutSection", "givenWithoutSection", Toolpath, Tells,
+     "the file does not say how wide, high or fast {points} point of its tool-paths is printed: "
+     "taken from process {process}|"
      "the file does not say how wide, high or fast {points} points of its tool-paths are printed: "
-     "taken from process {process}"_text,
+     "taken from process {process}"_plural,
      "give the process that the tool-paths were made for"_text},
     {GivenTooFast, "givenTooFast", "givenTooFast", Toolpath, Tells,
+     "{points} point of the file's tool-paths asks for more than the extruder's {limit}: printed "
+     "slower|"
      "{points} points of the file's tool-paths ask for more than the extruder's {limit}: printed "
-     "slower"_text,
+     "slower"_plural,
      "a larger nozzle, or slower tool-paths"_text},
     {PatchWithoutBead, "patchWithoutBead", "patchWithoutBead", Toolpath, Depends,
      "pieces of layers are narrower than half a bead and stay empty"_text, kFiner},

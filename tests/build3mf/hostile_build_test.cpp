@@ -89,6 +89,17 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
          f.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadwidth=\"-1\"";
        },
        "'beadwidth' is not above 0"},
+      {"endless width",
+       [](auto& f) {
+         f.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadwidth=\"1e300\"";
+       },
+       "larger than anything printed"},
+      {"endless range",
+       [](auto& f) {
+         f.modifiers = "<tp:modifier attribute=\"beadwidth\" type=\"linear\" minvalue=\"1\" "
+                       "maxvalue=\"1e300\" factor=\"f\"/>";
+       },
+       "without a range"},
       {"profile", [](auto& f) { f.profile = "uuid=\"1\" name=\"n\""; }, "is not in the model"},
       {"coordinate", [](auto& f) { second(f, pointWith("x=\"1000\"", "x=\"nan\"")); },
        "'x' is no whole number"},
