@@ -1091,14 +1091,6 @@ mm³</translation>
         <translation>una riga oltre il suo vettore</translation>
     </message>
     <message>
-        <source>a second function; only one is read</source>
-        <translation>una seconda funzione; ne viene letta una sola</translation>
-    </message>
-    <message>
-        <source>a second procedure; only one is read</source>
-        <translation>una seconda procedura; ne viene letta una sola</translation>
-    </message>
-    <message>
         <source>a second, different TCP</source>
         <translation>un secondo TCP, diverso</translation>
     </message>
@@ -1139,10 +1131,6 @@ mm³</translation>
         <translation>un tempo non è un numero sensato</translation>
     </message>
     <message>
-        <source>a tool that the robot does not hold is not read</source>
-        <translation>un utensile che il robot non tiene non viene letto</translation>
-    </message>
-    <message>
         <source>a transform has not twelve numbers</source>
         <translation>una trasformazione non ha dodici numeri</translation>
     </message>
@@ -1173,10 +1161,6 @@ mm³</translation>
     <message>
         <source>a work object is moved by the mechanical unit that it names, or stands still</source>
         <translation>un oggetto di lavoro è mosso dall&apos;unità meccanica che indica, o sta fermo</translation>
-    </message>
-    <message>
-        <source>a work object that the robot holds is not read</source>
-        <translation>un oggetto di lavoro tenuto dal robot non viene letto</translation>
     </message>
     <message>
         <source>a zone is no sensible number</source>
@@ -2296,10 +2280,6 @@ mm³</translation>
     <message>
         <source>not a zip, or cut short</source>
         <translation>non è uno zip, o è troncato</translation>
-    </message>
-    <message>
-        <source>not the head of a function</source>
-        <translation>non è l&apos;intestazione di una funzione</translation>
     </message>
     <message>
         <source>not the head of a procedure</source>
@@ -4283,6 +4263,575 @@ mm³</translation>
             <numerusform>su questo piano si perderebbero {here} voxel senza colonne, su un piedistallo largo quanto la base del pezzo {there}</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&apos;unitfactor&apos; is not above 0</source>
+        <translation>«unitfactor» non è maggiore di 0</translation>
+    </message>
+    <message>
+        <source>&apos;{attribute}&apos; is not above 0, or larger than anything printed</source>
+        <translation>«{attribute}» non è maggiore di 0, o più grande di ogni stampa</translation>
+    </message>
+    <message>
+        <source>&apos;{element}&apos; outside tool-paths</source>
+        <translation>«{element}» fuori dai percorsi</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; calls itself</source>
+        <translation>«{name}» richiama sé stessa</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; is called as it cannot be</source>
+        <translation>«{name}» è chiamata in un modo impossibile</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; needs a mass</source>
+        <translation>«{name}» richiede una massa</translation>
+    </message>
+    <message>
+        <source>&apos;{path}&apos; is no name of a part in the package</source>
+        <translation>«{path}» non è il nome di una parte del pacchetto</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; may not stand here: it changes the machine amid the print</source>
+        <translation>«{word}» non può stare qui: cambia la macchina durante la stampa</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; slows the arm: the flow would not follow</source>
+        <translation>«{word}» rallenta il braccio: il flusso non lo seguirebbe</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; tells the arm another load</source>
+        <translation>«{word}» dichiara al braccio un altro carico</translation>
+    </message>
+    <message>
+        <source>A 3MF with tool-paths (.build.3mf) is printed along these. Off: its object is planned anew.</source>
+        <translation>Un 3MF con percorsi (.build.3mf) si stampa lungo questi. Disattivato: il suo oggetto viene pianificato da capo.</translation>
+    </message>
+    <message>
+        <source>A file node needs the function to be called behind its end; text that is sent runs by itself and must not call it.</source>
+        <translation>Un nodo File vuole che la funzione sia chiamata dopo la sua fine; un testo inviato parte da sé e non deve chiamarla.</translation>
+    </message>
+    <message>
+        <source>Adds NAME.build.3mf: the tool-paths of the plan in 6 axes for other programs (3MF Toolpath Extension).</source>
+        <translation>Aggiunge NAME.build.3mf: i percorsi del piano a 6 assi per altri programmi (3MF Toolpath Extension).</translation>
+    </message>
+    <message>
+        <source>Adds NAME.proof.html and NAME.proof.json beside each program that passed: what was checked, and how near to its limits it comes; and NAME.printed.stl, the part as it will be printed.</source>
+        <translation>Aggiunge NAME.proof.html e NAME.proof.json accanto a ogni programma superato: che cosa è stato verificato e quanto si avvicina ai limiti; e NAME.printed.stl, il pezzo come sarà stampato.</translation>
+    </message>
+    <message>
+        <source>Dark blue: 97 % and more. The part as it will be printed: {file}</source>
+        <translation>Blu scuro: 97 % e oltre. Il pezzo come sarà stampato: {file}</translation>
+    </message>
+    <message>
+        <source>How full the part is</source>
+        <translation>Quanto è pieno il pezzo</translation>
+    </message>
+    <message>
+        <source>IRC5: .mod</source>
+        <translation>IRC5: .mod</translation>
+    </message>
+    <message>
+        <source>Longer programs are cut into files to be run in turn (URScript, RAPID); 0: as the format has it.</source>
+        <translation>I programmi più lunghi sono divisi in file da eseguire uno dopo l&apos;altro (URScript, RAPID); 0: come vuole il formato.</translation>
+    </message>
+    <message>
+        <source>Nearest to its limits, from start to end</source>
+        <translation>Più vicino ai limiti, dall&apos;inizio alla fine</translation>
+    </message>
+    <message>
+        <source>OmniCore: .modx</source>
+        <translation>OmniCore: .modx</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programmi</translation>
+    </message>
+    <message>
+        <source>RAPID modules</source>
+        <translation>Moduli RAPID</translation>
+    </message>
+    <message>
+        <source>URScript for</source>
+        <translation>URScript per</translation>
+    </message>
+    <message>
+        <source>Which modules the controller loads.</source>
+        <translation>Quali moduli carica il controllore.</translation>
+    </message>
+    <message>
+        <source>a TriggL before its TriggEquip</source>
+        <translation>un TriggL prima del suo TriggEquip</translation>
+    </message>
+    <message>
+        <source>a bead is laid by a motion in joints, planned is a straight one</source>
+        <translation>un cordone è deposto con un moto ai giunti, ne è previsto uno rettilineo</translation>
+    </message>
+    <message>
+        <source>a character that no program holds: is this a binary file?</source>
+        <translation>un carattere che nessun programma contiene: è un file binario?</translation>
+    </message>
+    <message>
+        <source>a larger nozzle, or slower tool-paths</source>
+        <translation>un ugello più grande, o percorsi più lenti</translation>
+    </message>
+    <message>
+        <source>a modifier of &apos;{attribute}&apos; without a range above 0 or without a factor of e, f, g and h</source>
+        <translation>un modificatore di «{attribute}» senza intervallo sopra 0 o senza fattore tra e, f, g e h</translation>
+    </message>
+    <message>
+        <source>a modifier of &apos;{attribute}&apos;, which cannot be followed</source>
+        <translation>un modificatore di «{attribute}», che non si può seguire</translation>
+    </message>
+    <message>
+        <source>a modifier of &apos;{attribute}&apos;, which its profile lacks</source>
+        <translation>un modificatore di «{attribute}», che manca al suo profilo</translation>
+    </message>
+    <message>
+        <source>a modifier of type &apos;{type}&apos;, which is not known</source>
+        <translation>un modificatore di tipo «{type}», sconosciuto</translation>
+    </message>
+    <message>
+        <source>a modifier outside a profile</source>
+        <translation>un modificatore fuori da un profilo</translation>
+    </message>
+    <message>
+        <source>a point is more than a kilometre away</source>
+        <translation>un punto è a più di un chilometro</translation>
+    </message>
+    <message>
+        <source>a point&apos;s frame has no direction</source>
+        <translation>il riferimento di un punto non ha direzione</translation>
+    </message>
+    <message>
+        <source>a second call outside the functions</source>
+        <translation>una seconda chiamata fuori dalle funzioni</translation>
+    </message>
+    <message>
+        <source>a segment of fewer than two points</source>
+        <translation>un segmento di meno di due punti</translation>
+    </message>
+    <message>
+        <source>a segment of type &apos;{type}&apos; among tool-paths of {axes} axes</source>
+        <translation>un segmento di tipo «{type}» tra percorsi a {axes} assi</translation>
+    </message>
+    <message>
+        <source>a support point of a modifier outside a point</source>
+        <translation>un punto d&apos;appoggio di un modificatore fuori da un punto</translation>
+    </message>
+    <message>
+        <source>a thread of its own is not read</source>
+        <translation>un thread a parte non viene letto</translation>
+    </message>
+    <message>
+        <source>a tool-path lies beyond what a build file can say</source>
+        <translation>un percorso sta oltre ciò che un file di costruzione può dire</translation>
+    </message>
+    <message>
+        <source>a work object that robot and external axis move is not read</source>
+        <translation>un oggetto di lavoro mosso da robot e asse esterno non è letto</translation>
+    </message>
+    <message>
+        <source>a {point} where none can be</source>
+        <translation>un {point} dove non può stare</translation>
+    </message>
+    <message>
+        <source>another tool than the one that prints</source>
+        <translation>un utensile diverso da quello che stampa</translation>
+    </message>
+    <message>
+        <source>asks for the extension &apos;{name}&apos;, which is not known</source>
+        <translation>chiede l&apos;estensione «{name}», sconosciuta</translation>
+    </message>
+    <message>
+        <source>at the controller&apos;s own speeds {share:.2f} of the beads&apos; length get more than 5 % too much or too little material, the first of them here</source>
+        <translation>alle velocità proprie del controllore {share:.2f} della lunghezza dei cordoni riceve oltre il 5 % di materiale in più o in meno, il primo qui</translation>
+    </message>
+    <message>
+        <source>at {time:.1f}</source>
+        <translation>a {time:.1f}</translation>
+    </message>
+    <message>
+        <source>bead length with nothing beneath</source>
+        <translation>lunghezza dei cordoni senza nulla sotto</translation>
+    </message>
+    <message>
+        <source>bead {bead}</source>
+        <translation>cordone {bead}</translation>
+    </message>
+    <message>
+        <source>choose a bead before it or after it</source>
+        <translation>scegliere un cordone prima o dopo</translation>
+    </message>
+    <message>
+        <source>choose an earlier place</source>
+        <translation>scegliere un punto precedente</translation>
+    </message>
+    <message>
+        <source>deviation from the planned path</source>
+        <translation>scostamento dal percorso pianificato</translation>
+    </message>
+    <message>
+        <source>duration as the program is run</source>
+        <translation>durata come il programma viene eseguito</translation>
+    </message>
+    <message>
+        <source>duration by the plan</source>
+        <translation>durata secondo il piano</translation>
+    </message>
+    <message>
+        <source>factors of &apos;{attribute}&apos; are finer than its modifier&apos;s type</source>
+        <translation>i fattori di «{attribute}» sono più fini del tipo del modificatore</translation>
+    </message>
+    <message>
+        <source>file node of PolyScope</source>
+        <translation>nodo File di PolyScope</translation>
+    </message>
+    <message>
+        <source>from the front (x to the right, z up)</source>
+        <translation>di fronte (x a destra, z in alto)</translation>
+    </message>
+    <message>
+        <source>from the side (y to the right, z up)</source>
+        <translation>di lato (y a destra, z in alto)</translation>
+    </message>
+    <message>
+        <source>give --program</source>
+        <translation>indicare --program</translation>
+    </message>
+    <message>
+        <source>give the process that the tool-paths were made for</source>
+        <translation>indicare il processo per cui i percorsi sono stati fatti</translation>
+    </message>
+    <message>
+        <source>gravity other than that of an arm that stands upright</source>
+        <translation>gravità diversa da quella di un braccio in piedi</translation>
+    </message>
+    <message>
+        <source>has a document type, which is not taken</source>
+        <translation>ha un tipo di documento, che non è accettato</translation>
+    </message>
+    <message>
+        <source>holds neither an object nor beads that say how wide and high they are</source>
+        <translation>non contiene né un oggetto né cordoni che dicano larghezza e altezza</translation>
+    </message>
+    <message>
+        <source>holds no tool-paths</source>
+        <translation>non contiene percorsi</translation>
+    </message>
+    <message>
+        <source>is more than a joint of the robot is given</source>
+        <translation>è più di quanto è dato a un giunto del robot</translation>
+    </message>
+    <message>
+        <source>is no layer of tool-paths</source>
+        <translation>non è uno strato di percorsi</translation>
+    </message>
+    <message>
+        <source>isotropy of the arm (0: singular, 1: even)</source>
+        <translation>isotropia del braccio (0: singolare, 1: uniforme)</translation>
+    </message>
+    <message>
+        <source>joint {name}, to its nearer limit</source>
+        <translation>giunto {name}, dal limite più vicino</translation>
+    </message>
+    <message>
+        <source>least clearance of arm, plate and part</source>
+        <translation>distanza minima di braccio, piatto e pezzo</translation>
+    </message>
+    <message>
+        <source>leave scale and units as they are, or give givenToolPaths=false</source>
+        <translation>lasciare scala e unità come sono, o dare givenToolPaths=false</translation>
+    </message>
+    <message>
+        <source>lines end in two ways, from here on another</source>
+        <translation>le righe finiscono in due modi, da qui in poi in un altro</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>materiale</translation>
+    </message>
+    <message>
+        <source>material laid by the part&apos;s volume</source>
+        <translation>materiale deposto rispetto al volume del pezzo</translation>
+    </message>
+    <message>
+        <source>material outside the part or without room</source>
+        <translation>materiale fuori dal pezzo o senza posto</translation>
+    </message>
+    <message>
+        <source>more than a zip file can hold</source>
+        <translation>più di quanto un file zip possa contenere</translation>
+    </message>
+    <message>
+        <source>more tool-path points than can be planned</source>
+        <translation>più punti di quanti se ne possano pianificare</translation>
+    </message>
+    <message>
+        <source>motions per file</source>
+        <translation>movimenti per file</translation>
+    </message>
+    <message>
+        <source>near singular poses the arm would leave its planned turn</source>
+        <translation>vicino alle singolarità il braccio lascerebbe l&apos;orientamento previsto</translation>
+    </message>
+    <message>
+        <source>no motion stands at line {line} or after it</source>
+        <translation>nessun moto alla riga {line} o dopo</translation>
+    </message>
+    <message>
+        <source>no object in the file: the part is what its beads make</source>
+        <translation>nessun oggetto nel file: il pezzo è ciò che fanno i suoi cordoni</translation>
+    </message>
+    <message>
+        <source>not a program of this job</source>
+        <translation>non è un programma di questo lavoro</translation>
+    </message>
+    <message>
+        <source>not the head of a function without arguments</source>
+        <translation>non è l&apos;intestazione di una funzione senza argomenti</translation>
+    </message>
+    <message>
+        <source>nothing is printed from there on</source>
+        <translation>da lì in poi non si stampa nulla</translation>
+    </message>
+    <message>
+        <source>of {count} sets of tool-paths the first was taken</source>
+        <translation>di {count} insiemi di percorsi è stato preso il primo</translation>
+    </message>
+    <message>
+        <source>only the flow at a motion&apos;s beginning is read</source>
+        <translation>si legge solo il flusso all&apos;inizio di un movimento</translation>
+    </message>
+    <message>
+        <source>sent to port 30001 or 30002</source>
+        <translation>inviato alla porta 30001 o 30002</translation>
+    </message>
+    <message>
+        <source>share of the part inside beads</source>
+        <translation>parte del pezzo dentro i cordoni</translation>
+    </message>
+    <message>
+        <source>take the program of the cell&apos;s own controller</source>
+        <translation>usare il programma del controllore della cella</translation>
+    </message>
+    <message>
+        <source>the arm is told to carry {mass:.2f} kg, some {planned:.2f} kg are planned</source>
+        <translation>al braccio è dichiarato un carico di {mass:.2f} kg, ne sono previsti circa {planned:.2f} kg</translation>
+    </message>
+    <message>
+        <source>the arm stands here for {time:.1f}, the hot nozzle on the part</source>
+        <translation>qui il braccio sta fermo per {time:.1f}, con l&apos;ugello caldo sul pezzo</translation>
+    </message>
+    <message>
+        <source>the beads are thinner than can be filled with cells</source>
+        <translation>i cordoni sono troppo sottili per essere riempiti di celle</translation>
+    </message>
+    <message>
+        <source>the beads reach too far to be filled with cells</source>
+        <translation>i cordoni si estendono troppo per essere riempiti di celle</translation>
+    </message>
+    <message>
+        <source>the build&apos;s tool-paths {id} are not there</source>
+        <translation>i percorsi {id} della costruzione non ci sono</translation>
+    </message>
+    <message>
+        <source>the factor &apos;{factor}&apos; is given twice</source>
+        <translation>il fattore «{factor}» è dato due volte</translation>
+    </message>
+    <message>
+        <source>the factor &apos;{factor}&apos; is not within 0 and 1</source>
+        <translation>il fattore «{factor}» non è tra 0 e 1</translation>
+    </message>
+    <message>
+        <source>the file begins with a byte-order mark: save it as plain text</source>
+        <translation>il file inizia con un BOM: salvarlo come testo semplice</translation>
+    </message>
+    <message numerus="yes">
+        <source>the file does not say how wide, high or fast {points} points of its tool-paths are printed: taken from process {process}</source>
+        <translation>
+            <numerusform>il file non dice larghezza, altezza o velocità di {points} punto dei suoi percorsi: prese dal processo {process}</numerusform>
+            <numerusform>il file non dice larghezza, altezza o velocità di {points} punti dei suoi percorsi: prese dal processo {process}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the first motion, from wherever the arm stands, is a fast one</source>
+        <translation>il primo moto, da dovunque si trovi il braccio, è veloce</translation>
+    </message>
+    <message>
+        <source>the frames of tool-paths look into the part; taken the other way round</source>
+        <translation>i riferimenti dei percorsi guardano dentro il pezzo; presi al contrario</translation>
+    </message>
+    <message>
+        <source>the function &apos;{defined}&apos; is defined twice</source>
+        <translation>la funzione «{defined}» è definita due volte</translation>
+    </message>
+    <message>
+        <source>the job has no program that a line could be of</source>
+        <translation>il lavoro non ha un programma a cui la riga possa appartenere</translation>
+    </message>
+    <message>
+        <source>the job holds no motion to take up</source>
+        <translation>il lavoro non contiene un moto da riprendere</translation>
+    </message>
+    <message>
+        <source>the layer &apos;{path}&apos; is not related to the model</source>
+        <translation>lo strato «{path}» non è collegato al modello</translation>
+    </message>
+    <message>
+        <source>the layer &apos;{path}&apos; is there twice</source>
+        <translation>lo strato «{path}» c&apos;è due volte</translation>
+    </message>
+    <message>
+        <source>the part as it stands</source>
+        <translation>il pezzo così com&apos;è</translation>
+    </message>
+    <message>
+        <source>the part {id} of a segment is not in its layer</source>
+        <translation>la parte {id} di un segmento non è nel suo strato</translation>
+    </message>
+    <message>
+        <source>the profile &apos;{uuid}&apos; is not in the model</source>
+        <translation>il profilo «{uuid}» non è nel modello</translation>
+    </message>
+    <message>
+        <source>the profile &apos;{uuid}&apos; is there twice</source>
+        <translation>il profilo «{uuid}» c&apos;è due volte</translation>
+    </message>
+    <message>
+        <source>the profile {id} of a segment is not in its layer</source>
+        <translation>il profilo {id} di un segmento non è nel suo strato</translation>
+    </message>
+    <message>
+        <source>the robot holds the tool or the work object, one of them</source>
+        <translation>il robot tiene l&apos;utensile o l&apos;oggetto di lavoro, uno dei due</translation>
+    </message>
+    <message>
+        <source>the support points of a modifier do not rise between 0 and 1</source>
+        <translation>i punti d&apos;appoggio di un modificatore non crescono tra 0 e 1</translation>
+    </message>
+    <message>
+        <source>the tool-paths that came with the part are damaged</source>
+        <translation>i percorsi giunti col pezzo sono danneggiati</translation>
+    </message>
+    <message>
+        <source>the unit &apos;{unit}&apos; is not known</source>
+        <translation>l&apos;unità «{unit}» è sconosciuta</translation>
+    </message>
+    <message>
+        <source>the {format} program, for another controller, is not handed over: {failed}</source>
+        <translation>il programma {format}, per un altro controllore, non viene consegnato: {failed}</translation>
+    </message>
+    <message>
+        <source>there is no bead {bead}; the plan has {beads}</source>
+        <translation>non c&apos;è il cordone {bead}; il piano ne ha {beads}</translation>
+    </message>
+    <message>
+        <source>this motion is told to speed up {times:.1f} times as hard as planned</source>
+        <translation>a questo moto è chiesta un&apos;accelerazione {times:.1f} volte quella prevista</translation>
+    </message>
+    <message>
+        <source>tool-paths of a file are printed in the size that it gives</source>
+        <translation>i percorsi di un file si stampano nella misura che esso dà</translation>
+    </message>
+    <message>
+        <source>tool-paths of the file</source>
+        <translation>percorsi del file</translation>
+    </message>
+    <message>
+        <source>tool-paths of type &apos;{type}&apos;; those of 3 and 6 axes are read</source>
+        <translation>percorsi di tipo «{type}»; si leggono quelli a 3 e 6 assi</translation>
+    </message>
+    <message>
+        <source>two modifiers of &apos;{attribute}&apos; or by one factor</source>
+        <translation>due modificatori di «{attribute}» o con un solo fattore</translation>
+    </message>
+    <message>
+        <source>unpacks to more than it can mean</source>
+        <translation>si espande più di quanto possa significare</translation>
+    </message>
+    <message>
+        <source>unparsed text in a layer&apos;s data</source>
+        <translation>testo non analizzato nei dati di uno strato</translation>
+    </message>
+    <message>
+        <source>unparsed text in a tool-path&apos;s data</source>
+        <translation>testo non analizzato nei dati di un percorso</translation>
+    </message>
+    <message>
+        <source>violations of limits</source>
+        <translation>violazioni di limiti</translation>
+    </message>
+    <message>
+        <source>waits before and after tool-paths are left out</source>
+        <translation>le attese prima e dopo i percorsi sono tralasciate</translation>
+    </message>
+    <message>
+        <source>write a build file</source>
+        <translation>scrivi un file di costruzione</translation>
+    </message>
+    <message>
+        <source>write a proof of each program</source>
+        <translation>scrivi una prova per ogni programma</translation>
+    </message>
+    <message>
+        <source>write the program again: with times instead of speeds where the format knows them</source>
+        <translation>scrivere di nuovo il programma: con tempi al posto di velocità dove il formato li conosce</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes, SHA-256</source>
+        <translation>{bytes} byte, SHA-256</translation>
+    </message>
+    <message>
+        <source>{celsius} °C is no heat to print {material} with</source>
+        <translation>{celsius} °C non è una temperatura per stampare {material}</translation>
+    </message>
+    <message>
+        <source>{file}, line {line}, at {time:.1f}</source>
+        <translation>{file}, riga {line}, a {time:.1f}</translation>
+    </message>
+    <message>
+        <source>{length:.0f} of filament are drawn back: out of the hot end</source>
+        <translation>{length:.0f} di filamento ritratti: fuori dall&apos;ugello</translation>
+    </message>
+    <message>
+        <source>{part}: proof of the {format} program</source>
+        <translation>{part}: prova del programma {format}</translation>
+    </message>
+    <message>
+        <source>{place}: no way leads from home to where the print is to go on, clear of what is printed by then</source>
+        <translation>{place}: nessuna via porta dalla posizione di riposo a dove la stampa deve riprendere, libera da ciò che è già stampato</translation>
+    </message>
+    <message numerus="yes">
+        <source>{points} points of the file&apos;s tool-paths ask for more than the extruder&apos;s {limit}: printed slower</source>
+        <translation>
+            <numerusform>{points} punto dei percorsi del file chiede più dei {limit} dell&apos;estrusore: stampato più lentamente</numerusform>
+            <numerusform>{points} punti dei percorsi del file chiedono più dei {limit} dell&apos;estrusore: stampati più lentamente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{volume:.3f} are pushed out before the first bead, planned are {planned:.3f}</source>
+        <translation>prima del primo cordone escono {volume:.3f}, ne sono previsti {planned:.3f}</translation>
+    </message>
+    <message>
+        <source>{volume:.3f} flow out here while the nozzle stands for {time:.3f}</source>
+        <translation>qui escono {volume:.3f} mentre l&apos;ugello sta fermo per {time:.3f}</translation>
+    </message>
+</context>
+<context>
+    <name>Duration</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -5183,6 +5732,14 @@ Fai clic per sceglierne un altro</translation>
         <source>Longest in the air</source>
         <translation>Più lungo nel vuoto</translation>
     </message>
+    <message>
+        <source>Wrong flow</source>
+        <translation>Flusso errato</translation>
+    </message>
+    <message>
+        <source>Time on the controller</source>
+        <translation>Tempo sul controllore</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::WayCard</name>
@@ -6059,18 +6616,6 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
 </context>
 <context>
     <name>voluta::window::StatusLine</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 min %2 s</source>
-        <translation>%1 min %2 s</translation>
-    </message>
-    <message>
-        <source>%1 h %2 min</source>
-        <translation>%1 h %2 min</translation>
-    </message>
     <message>
         <source>about %1 left</source>
         <translation>circa %1 rimanenti</translation>

@@ -159,7 +159,14 @@ TEST(VerdictMeasures, EveryMeasureIsHeldToItsLimit) {
   r.massRatio = 0.96;
   r.thresholds = {0.97, 0.005, 0.03, 0.03, 0.05, 0, 0};
   const auto measures = panels::verdictMeasures(r);
-  ASSERT_EQ(measures.size(), 9u);
+  r.flowErrorFraction = 0.02;
+  r.thresholds.flowError = 0.01;
+  r.durationS = 125.0;
+  const auto timed = panels::verdictMeasures(r);
+  ASSERT_EQ(timed.size(), 11u);
+  EXPECT_FALSE(timed[9].passed) << "flow";
+  EXPECT_EQ(timed[10].value, "2 min 5 s");
+  EXPECT_TRUE(timed[10].limit.isEmpty()) << "only told";
   EXPECT_TRUE(measures[0].passed);
   EXPECT_TRUE(measures[2].limit.isEmpty()) << "only told";
   EXPECT_FALSE(measures[5].passed);

@@ -321,7 +321,7 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("turn at no speed", "(\\]\\],\\[[0-9.]+),[0-9]+,", "$1,0,"));
     all.push_back(replaced("zone of 10 mm", "\\[FALSE,[0-9.]+,[0-9.]+,[0-9.]+", "[FALSE,10,10,10"));
     all.push_back(replaced("motion by joints", "MoveL|TriggL", "MoveJ"));
-    all.push_back(replaced("tool 1 mm off", "\\[0,0,100\\]", "[0,0,101]", true));
+    all.push_back(replaced("tool 1 mm off", "\\[\\[0,0,100\\]", "[[0,0,101]", true));
     all.push_back(replaced("load of 20 kg", "\\],\\[0\\.5[0-9]*,", "],[20,", true));
     all.push_back(replaced("first motion fast", "\\[50,20,", "[900,900,", true));
     all.push_back(erased("the prime is missing", "WaitTime", true));

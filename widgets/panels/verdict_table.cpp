@@ -1,6 +1,7 @@
 #include "panels/verdict_table.h"
 
 #include "forms/colours.h"
+#include "forms/duration.h"
 #include "forms/icons.h"
 
 #include <QEvent>
@@ -46,10 +47,7 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
        r.maxDeviationMm <= limits.deviationMm},
       {VerdictTable::tr("Wrong flow"), percent(r.flowErrorFraction),
        atMost(shortPercent(limits.flowError)), r.flowErrorFraction <= limits.flowError},
-      {VerdictTable::tr("Time on the controller"),
-       locale.toString(r.durationS / 60.0, 'f', 1) + QStringLiteral(" min"),
-       {},
-       true},
+      {VerdictTable::tr("Time on the controller"), forms::durationText(r.durationS), {}, true},
   };
 }
 

@@ -1,12 +1,12 @@
 #include "window/compare_view.h"
 
 #include "forms/colours.h"
+#include "forms/duration.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "panels/findings_model.h"
 #include "pictures/job_picture.h"
 #include "plan/finding_kinds.h"
-#include "window/status_line.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -253,7 +253,8 @@ panels::CompareEntry CompareView::entryOf(std::size_t index) const {
   }
   if (const QString why = whyText(compared); !why.isEmpty())
     entry.tip += QStringLiteral("\n") + why;
-  entry.tip += QStringLiteral("\n") + tr("Planned in %1").arg(durationText(compared.seconds));
+  entry.tip +=
+      QStringLiteral("\n") + tr("Planned in %1").arg(forms::durationText(compared.seconds));
   entry.picture = row.picture;
   entry.score = ranking.score[index];
   const auto place = std::find(ranking.order.begin(), ranking.order.end(), index);

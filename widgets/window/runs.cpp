@@ -1,9 +1,9 @@
 #include "window/runs.h"
 
+#include "forms/duration.h"
 #include "modes/mode_table.h"
 #include "panels/listed_findings.h"
 #include "project/report.h"
-#include "window/status_line.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -57,7 +57,7 @@ QString figuresText(const project::Report& r, Stage reached) {
   if (r.toolpath.materialMm3 > 0)
     parts << Runs::tr("%1 cm³").arg(locale.toString(r.toolpath.materialMm3 / 1000.0, 'f', 1));
   if (r.motion.durationS > 0)
-    parts << durationText(r.motion.durationS);
+    parts << forms::durationText(r.motion.durationS);
   if (reached == Stage::Replay)
     parts << (r.replay.passed ? Runs::tr("replay passed") : Runs::tr("replay not passed"));
   return parts.join(", ");

@@ -3,6 +3,8 @@
 #include "language/words.h"
 #include "window/progress_line.h"
 
+#include "forms/duration.h"
+
 #include <QFile>
 #include <QLabel>
 #include <QTimer>
@@ -25,15 +27,6 @@ double residentMb() {
              : 0.0;
 }
 } // namespace
-
-QString durationText(double seconds) {
-  const auto whole = static_cast<long long>(std::llround(std::max(0.0, seconds)));
-  if (whole < 60)
-    return StatusLine::tr("%1 s").arg(whole);
-  if (whole < 3600)
-    return StatusLine::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
-  return StatusLine::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
-}
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent), stage_(new QLabel(this)), left_(new QLabel(this)),
@@ -60,8 +53,9 @@ void StatusLine::showProgress(const jobs::Progress& progress) {
   setStage(language::words(progress.stage));
   bar_->show();
   bar_->setFraction(progress.fraction);
-  left_->setText(progress.secondsLeft ? tr("about %1 left").arg(durationText(*progress.secondsLeft))
-                                      : QString());
+  left_->setText(progress.secondsLeft
+                     ? tr("about %1 left").arg(forms::durationText(*progress.secondsLeft))
+                     : QString());
 }
 
 void StatusLine::showIdle(const QString& text) {

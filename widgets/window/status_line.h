@@ -31,6 +31,4 @@ private:
   ProgressLine* bar_;
 };
 
-QString durationText(double seconds);
-
 } // namespace voluta::window

@@ -1,13 +1,13 @@
 #include "window/pages/stand_chooser.h"
 
 #include "document/document.h"
+#include "forms/duration.h"
 #include "geometry/placement.h"
 #include "panels/stand_picture.h"
 #include "pipeline/part_ways.h"
 #include "window/background.h"
 #include "window/pages/part_handles.h"
 #include "window/presenter.h"
-#include "window/status_line.h"
 
 #include <cmath>
 #include <utility>
@@ -22,7 +22,8 @@ constexpr double kSame = 0.003; // of unit vectors: a sixth of a degree
 // No more exact than it is.
 QString roughTime(double seconds) {
   const double minutes = std::max(1.0, std::round(seconds / 60.0));
-  return minutes < 60.0 ? StandChooser::tr("%1 min").arg(minutes) : durationText(60.0 * minutes);
+  return minutes < 60.0 ? StandChooser::tr("%1 min").arg(minutes)
+                        : forms::durationText(60.0 * minutes);
 }
 
 panels::ShownWay shownWay(const placement::Way& way, const QImage& picture) {
