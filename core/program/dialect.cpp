@@ -133,7 +133,7 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
 
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
-  // On a rod, where beads lie on small circles, joined motions cost a percent of the cover.
+  // Around a rod joined motions cost a percent of the cover (two tubes, measured).
   const bool rod = !input.cell.externalAxes().empty();
   return mergedPoints(input, rod ? MergeLimits{} : findDialect(id).merge, ctx);
 }
