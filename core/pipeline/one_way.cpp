@@ -214,6 +214,8 @@ private:
     });
     job().toolPlan = stage->toolPlan;
     report().toolpath = stage->report;
+    for (const std::string& format : chosenFormats(choices_, *result_.cell))
+      program::requireUpright(program::findDialect(format), stage->toolPlan->direction);
     return done(project::Stage::Toolpath, stage->findings, stage->timings);
   }
 

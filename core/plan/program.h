@@ -32,6 +32,12 @@ enum class TargetKind {
   ToolPoint // nozzle tip and direction in the work frame (5 degrees of freedom)
 };
 
+// Where the nozzle is in the work frame: its tip, mm, and its direction, unit.
+struct NozzlePoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+};
+
 // One motion of a program that was read back.
 struct ProgramMotion {
   std::size_t file = 0; // index in Program::files
@@ -43,6 +49,10 @@ struct ProgramMotion {
   std::vector<double> externals;                                 // WorkPose, radians
   Eigen::Vector3d position = Eigen::Vector3d::Zero();            // ToolPoint, mm
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();          // ToolPoint, unit
+  // ToolPoint: where the nozzle passes between the last target and this one, at equal steps of the
+  // motion's time, where it goes straight in the axes of a machine that turns the part, and not on
+  // the part. Empty: straight on the part.
+  std::vector<NozzlePoint> way;
   // Speed of what the target describes: the TCP in Base (FlangePose: with a plate on the flange
   // that is the work frame's origin, not the nozzle on the part), the nozzle's tip in the work
   // frame (WorkPose, ToolPoint). 0: not given.
@@ -86,6 +96,7 @@ struct ReadProgram {
   std::vector<ProgramMotion> motions;
   std::vector<ProgramPause> pauses; // in order
   bool tellsPauses = false;         // the language has words for them, so a prime is to be found
+  bool tellsDirections = true;      // the language has words for the nozzle's direction
   std::optional<ProgramLoad> load;
   TimeModel time;        // of the dialect
   bool complete = false; // its end sequence was found

@@ -2,9 +2,14 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/units.h"
+#include "geometry/directions.h"
+#include "program/gcode_bc.h"
 #include "program/gcode_extended.h"
+#include "program/gcode_plain.h"
 #include "program/joint_table.h"
 #include "program/language_words.h"
+#include "program/motion_targets.h"
 #include "program/rapid.h"
 #include "program/text.h"
 #include "program/text_files.h"
@@ -42,6 +47,35 @@ const std::vector<Dialect>& dialects() {
        .write = writeExtendedGcode,
        .read = readExtendedGcode,
        .looksLike = looksLikeExtendedGcode,
+       .remark = ";",
+       .mayBeMissing = mayBeMissingInExtendedGcode},
+      {.id = "gcode-bc",
+       .label = "G-code with B and C (a table that tilts and turns)"_text,
+       .extension = "ngc",
+       .controller = "gcode-bc",
+       .needsJoints = false,
+       .saysJointMotions = false,
+       .turnsRods = false,
+       // Every motion says its time.
+       .time = {},
+       .write = writeTableGcode,
+       .read = readTableGcode,
+       .looksLike = looksLikeTableGcode,
+       .remark = ";",
+       .mayBeMissing = mayBeMissingInTableGcode},
+      {.id = "gcode",
+       .label = "Plain G-code (three axes, flat jobs)"_text,
+       .extension = "gco",
+       .controller = "gcode",
+       .needsJoints = false,
+       .saysJointMotions = false,
+       .turnsRods = false,
+       .tiltsNozzle = false,
+       // As extended G-code's.
+       .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
+       .write = writePlainGcode,
+       .read = readPlainGcode,
+       .looksLike = looksLikePlainGcode,
        .remark = ";",
        .mayBeMissing = mayBeMissingInExtendedGcode},
       {.id = "rapid",
@@ -131,6 +165,25 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
       {}, others.empty() ? base::Message() : base::message("take {formats}"_text, others));
 }
 
+void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> directions) {
+  if (dialect.tiltsNozzle)
+    return;
+  double most = 0.0;
+  for (const Eigen::Vector3d& n : directions)
+    most = std::max(most, geometry::angleBetween(n, Eigen::Vector3d::UnitZ()));
+  if (most <= kUprightRad)
+    return;
+  std::string others;
+  for (const Dialect& other : dialects())
+    if (other.tiltsNozzle)
+      others += joined({others.empty() ? "" : ", ", other.id});
+  throw base::Error(
+      base::ErrorCode::Usage,
+      base::message("format {format} cannot lean the nozzle: this job leans it by {angle}"_text,
+                    dialect.id, base::degrees(base::radiansToDegrees(most))),
+      {}, base::message("take {formats}, or a mode with flat layers"_text, others));
+}
+
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
   // Around a rod joined motions cost a percent of the cover (two tubes, measured).
@@ -144,6 +197,14 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   requireRodTurns(dialect, input.cell);
   ProgramInput own = input;
   own.foreign = isForeign(dialect, input.cell);
+  if (!dialect.tiltsNozzle) {
+    std::vector<Eigen::Vector3d> directions;
+    const std::vector<MotionTarget> targets = motionTargets(input, ctx);
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      if (input.trajectory.move[i] != plan::MoveKind::Joint)
+        directions.push_back(targets[i].direction);
+    requireUpright(dialect, directions);
+  }
   return dialect.write(own, ctx);
 }
 
@@ -158,6 +219,7 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
       tellMixedLineEnds(files, program.defects);
   }
   program.time = dialect.time;
+  program.tellsDirections = dialect.tiltsNozzle;
   return program;
 }
 

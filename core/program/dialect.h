@@ -17,6 +17,8 @@
 #include "program/program_input.h"
 #include "program/text.h"
 
+#include <Eigen/Core>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +33,7 @@ struct Dialect {
   bool needsJoints = false;     // its targets are joint values, so it is bound to the cell's robot
   bool saysJointMotions = true; // else they come in straight pieces (joint_pieces.h)
   bool turnsRods = true;        // can it say where an external axis is, or what is on the part
+  bool tiltsNozzle = true;      // can it say another direction than the plate's normal
   plan::TimeModel time = {};    // of its controller; readProgram hands it on
   MergeLimits merge = {};       // of printing motions that its controller can plan in time
   bool forAnyCell = false;      // written beside the cell's own where the user chooses no formats
@@ -75,12 +78,18 @@ bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
 // Throws Error{Usage}: the cell turns a rod and the dialect knows no external axis.
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell);
 
+// Nearer to the plate's normal than this a nozzle counts as upright.
+inline constexpr double kUprightRad = 1e-3;
+// Throws Error{Usage}: one of the nozzle's directions on the part leans, and the dialect has no
+// words for it.
+void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> directions);
+
 // The trajectory as a program of this dialect says it: what it is written from, and held against.
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx = {});
 
 // findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing throws as
-// requireRodTurns too.
+// requireRodTurns too, and as requireUpright where the nozzle does not go by joints.
 // Example:
 //   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
 //   const plan::Program program = program::writeProgram("urscript", input, ctx);

@@ -11,14 +11,14 @@
 
 #include "base/run_context.h"
 #include "plan/program.h"
-#include "program/known_words.h"
 #include "program/program_input.h"
 
-#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace voluta::program {
 
-inline constexpr double kFilamentDiameterMm = 1.75;
 // How far a direction's length may be off 1 (the appendix's own rounding leaves 2e-3).
 inline constexpr double kDirectionTolerance = 2e-3;
 
@@ -31,8 +31,6 @@ plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunConte
 // motion.
 plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
                                     const process::Process& process, const base::RunContext& ctx);
-// What else may stand in a program, and where; everything else is refused.
-std::span<const KnownWord> gcodeWords();
 bool looksLikeExtendedGcode(std::string_view text);
 bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::size_t i); // Dialect
 

@@ -1,4 +1,4 @@
-#include "program/gcode_extended.h"
+#include "program/gcode_reader.h"
 
 #include <array>
 
@@ -34,6 +34,26 @@ std::span<const KnownWord> gcodeWords() {
       KnownWord{"M190", kAside, "heat of the bed"},
       KnownWord{"M73", kAnywhere, "progress"},
       KnownWord{"M400", kAnywhere, "waits until all motion is done"},
+  };
+  return kTable;
+}
+
+// What PrusaSlicer, OrcaSlicer and Cura put into programs for printers, Marlin's meanings
+// (marlinfw.org/meta/gcode). Limits and ramps change times, not the way.
+std::span<const KnownWord> slicerWords() {
+  static constexpr std::array kTable = {
+      KnownWord{"G29", kSetUp, "measures the bed"},
+      KnownWord{"M75", kAnywhere, "timer"},
+      KnownWord{"M76", kAnywhere, "timer"},
+      KnownWord{"M77", kAnywhere, "timer"},
+      KnownWord{"M141", kAside, "heat of the chamber"},
+      KnownWord{"M191", kAside, "heat of the chamber"},
+      KnownWord{"M201", kAnywhere, "acceleration limits"},
+      KnownWord{"M203", kAnywhere, "speed limits"},
+      KnownWord{"M204", kAnywhere, "acceleration"},
+      KnownWord{"M205", kAnywhere, "jerk"},
+      KnownWord{"M420", kSetUp, "the bed as measured"},
+      KnownWord{"M900", kAnywhere, "pressure ahead of speed"},
   };
   return kTable;
 }

@@ -17,6 +17,10 @@ struct ProgramOptions {
   bool urscriptForPort = false;
   // RAPID: modules are .modx (RobotWare 7, OmniCore), else .mod.
   bool rapidModx = false;
+  // G-code with B and C: the plate's centre as seen from the tilt axis, mm (tilting_table.h), and
+  // whether the table's angles count the tool's turn instead of the part's.
+  double tableXMm = 0.0, tableZMm = 0.0;
+  bool tableReversed = false;
 };
 
 base::ParameterTable programParameters();

@@ -23,6 +23,7 @@ public:
        const base::RunContext& ctx, const IsVia& isVia)
       : motions_(motions), points_(points), options_(options), ctx_(ctx), isVia_(isVia) {
     result_.pointOf.assign(motions.size(), kUnmatched);
+    result_.leadsTo.assign(motions.size(), kUnmatched);
   }
 
   Alignment run() {
@@ -35,7 +36,7 @@ public:
         continue;
       }
       if (isVia_ && isVia_(i, j)) {
-        ++i;
+        result_.leadsTo[i++] = j;
         continue;
       }
       if (result_.deviations.size() >= options_.maxDeviations) {

@@ -44,6 +44,7 @@ struct AlignmentOptions {
 
 struct Alignment {
   std::vector<std::size_t> pointOf;  // per motion: its point, or kUnmatched
+  std::vector<std::size_t> leadsTo;  // per motion without one: the point that it is on the way to
   std::vector<Deviation> deviations; // in order of the text
   bool gaveUp = false;               // the program is another one altogether
 };

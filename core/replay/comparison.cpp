@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/units.h"
+#include "geometry/directions.h"
 #include "geometry/triangle_queries.h"
 #include "plan/finding_kinds.h"
 #include "replay/beads.h"
@@ -110,6 +111,36 @@ void tellDeviations(const Alignment& alignment, const plan::Trajectory& trajecto
     report.add(OtherProgram, {});
 }
 
+// Does the nozzle pass there on its straight way to that point of the plan? A table's turn between
+// two directions need not be the shortest: by as much again as they are apart it may lean aside.
+bool goesStraightBy(const PlannedNozzle& planned, const plan::Trajectory& trajectory,
+                    std::size_t point, const Vector3d& tip, const Vector3d& direction) {
+  constexpr double kSameMm = 0.02, kSameRad = 0.01;
+  if (point == 0 || point >= trajectory.pointCount() ||
+      trajectory.move[point] == plan::MoveKind::Joint)
+    return false;
+  const Vector3d &from = planned.direction[point - 1], &to = planned.direction[point];
+  return geometry::distanceToSegment(tip, planned.tip[point - 1], planned.tip[point]) <= kSameMm &&
+         geometry::angleBetween(from, direction) + geometry::angleBetween(direction, to) <=
+             2.0 * geometry::angleBetween(from, to) + kSameRad;
+}
+
+// A motion to a point of the plan with the pieces before it that lead there.
+struct WholeMotion {
+  std::size_t first; // motion
+  double volumeMm3 = 0.0, durationS = 0.0;
+};
+WholeMotion wholeMotion(const plan::ReadProgram& program, const ExecutedPath& path,
+                        const Alignment& alignment, std::size_t m) {
+  WholeMotion whole{m, motionVolume(program, path, m), path.durationS[m]};
+  while (whole.first > 0 && alignment.leadsTo[whole.first - 1] == alignment.pointOf[m]) {
+    --whole.first;
+    whole.volumeMm3 += motionVolume(program, path, whole.first);
+    whole.durationS += path.durationS[whole.first];
+  }
+  return whole;
+}
+
 } // namespace
 
 PlannedNozzle plannedNozzle(const plan::Trajectory& trajectory, const robot::Cell& cell,
@@ -132,13 +163,23 @@ PlannedNozzle plannedNozzle(const plan::Trajectory& trajectory, const robot::Cel
 Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& path,
                        const PlannedNozzle& planned, const plan::Trajectory& trajectory,
                        const robot::Cell& cell, const base::RunContext& ctx) {
-  JointArcs arcs(trajectory, cell);
-  return alignToPlan({path.targetTip, path.targetDirection}, {planned.tip, planned.direction},
-                     AlignmentOptions{}, ctx, [&](std::size_t m, std::size_t point) {
-                       const plan::ProgramMotion& motion = program.motions[m];
-                       return motion.target == plan::TargetKind::ToolPoint && !motion.extruding &&
-                              arcs.passes(point, path.targetTip[m], path.targetDirection[m]);
-                     });
+  JointArcs arcs(trajectory, cell, program.tellsDirections);
+  const auto isVia = [&](std::size_t m, std::size_t point) {
+    const plan::ProgramMotion& motion = program.motions[m];
+    if (motion.target != plan::TargetKind::ToolPoint)
+      return false;
+    return (!motion.extruding && arcs.passes(point, path.targetTip[m], path.targetDirection[m])) ||
+           (!motion.way.empty() &&
+            goesStraightBy(planned, trajectory, point, path.targetTip[m], path.targetDirection[m]));
+  };
+  if (program.tellsDirections)
+    return alignToPlan({path.targetTip, path.targetDirection}, {planned.tip, planned.direction},
+                       AlignmentOptions{}, ctx, isVia);
+  // Of directions that no word tells none is another.
+  const std::vector<Vector3d> ofMotions(path.motionCount(), Vector3d::UnitZ()),
+      ofPoints(planned.tip.size(), Vector3d::UnitZ());
+  return alignToPlan({path.targetTip, ofMotions}, {planned.tip, ofPoints}, AlignmentOptions{}, ctx,
+                     isVia);
 }
 
 TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion) {
@@ -186,8 +227,9 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
     const bool print = trajectory.move[j] == plan::MoveKind::Print;
     const double expected =
         print && j > 0 ? trajectory.extrudedMm3[j] - trajectory.extrudedMm3[j - 1] : 0.0;
-    const double volume = motionVolume(program, path, m);
-    const bool extruding = program.motions[m].extruding;
+    const WholeMotion whole = wholeMotion(program, path, alignment, m);
+    const double volume = whole.volumeMm3;
+    const bool extruding = program.motions[m].extruding || (whole.first < m && volume > 0.0);
     if (path.arm) {
       const auto off = [&](int first, int last) {
         double most = 0.0;
@@ -210,12 +252,13 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
     }
     if (m > 0 && print && path.arm && program.motions[m].jointInterpolated)
       report.atMotion(BeadByJoints, m);
-    if (m == 0 || j == 0 || !inPlace(m - 1) || pointOf[m - 1] + 1 != j)
+    const std::size_t before = whole.first - 1; // the motion to where it begins
+    if (whole.first == 0 || j == 0 || !inPlace(before) || pointOf[before] + 1 != j)
       continue;
     // The time a motion takes is its length by its speed; a bead may be slower where the extruder
     // is at its end.
     const double dt = trajectory.timeS[j] - trajectory.timeS[j - 1];
-    const double time = path.durationS[m];
+    const double time = whole.durationS;
     bool slow = false;
     if (dt > 0.0 && time > 0.0 &&
         std::abs(time - dt) > std::max(options.leastS, options.rateTolerance * dt)) {
@@ -239,14 +282,19 @@ PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& plann
   base::parallelChunks(ctx, path.motionCount(), kGrain, [&](std::size_t begin, std::size_t end) {
     PathDeviation& w = worst[begin / kGrain];
     for (std::size_t m = begin; m < end; ++m) {
-      const std::size_t j = alignment.pointOf[m];
+      const std::size_t j =
+          alignment.pointOf[m] != kUnmatched ? alignment.pointOf[m] : alignment.leadsTo[m];
       if (j == kUnmatched)
         continue;
+      const bool piece = alignment.pointOf[m] == kUnmatched;
       const double angle = std::atan2(path.targetDirection[m].cross(planned.direction[j]).norm(),
                                       path.targetDirection[m].dot(planned.direction[j]));
-      w.rad = std::max(w.rad, angle);
+      if (program.tellsDirections && !piece)
+        w.rad = std::max(w.rad, angle);
       // A dialect without joint motions goes straight where the plan has a free travel.
       const bool endOnly = m == 0 || trajectory.move[j] == plan::MoveKind::Joint;
+      if (endOnly && piece)
+        continue;
       const std::size_t before =
           m > 0 && alignment.pointOf[m - 1] != kUnmatched ? alignment.pointOf[m - 1] : kUnmatched;
       const std::size_t first = before < j

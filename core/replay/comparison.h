@@ -28,8 +28,9 @@ struct PlannedNozzle {
 PlannedNozzle plannedNozzle(const plan::Trajectory& trajectory, const robot::Cell& cell,
                             const base::RunContext& ctx);
 
-// The program's motions and the plan's points, walked in step (alignment.h). Pieces of a joint
-// motion that the dialect cannot say have no point. `path`: the program's. Throws Cancelled.
+// The program's motions and the plan's points, walked in step (alignment.h). Pieces have no point:
+// of a joint motion that the dialect cannot say, and of a straight one on a table that turns. Of a
+// program that tells no directions they do not count. `path`: the program's. Throws Cancelled.
 Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& path,
                        const PlannedNozzle& planned, const plan::Trajectory& trajectory,
                        const robot::Cell& cell, const base::RunContext& ctx);
@@ -53,10 +54,11 @@ struct ComparisonOptions {
                              // the part may be the same, the arm's is not
 };
 
-// Deviations of the alignment, defects of the reader and a missing end; and of motions that follow
-// each other as their points do: time (length by speed) and material that differ by more than 5 %,
-// the extruder on over a travel or off over a print, a bead by joints, joints in another configuration, external axes
-// elsewhere. Differences of one kind in consecutive motions are one finding, at the first of them.
+// Deviations of the alignment, defects of the reader and a missing end; and of motions (with their
+// pieces) that follow each other as their points do: time (length by speed) and material that
+// differ by more than 5 %, the extruder on over a travel or off over a print, a bead by joints,
+// joints in another configuration, external axes elsewhere. Differences of one kind in consecutive
+// motions are one finding, at the first of them.
 std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const ExecutedPath& path,
                                          const PlannedNozzle& planned,
                                          const plan::Trajectory& trajectory,

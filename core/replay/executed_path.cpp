@@ -204,10 +204,20 @@ private:
     });
   }
 
+  double lengthOf(std::size_t m) const {
+    Vector3d last = targets_[m - 1].position;
+    double length = 0.0;
+    for (const plan::NozzlePoint& point : motions_[m].way) {
+      length += (point.position - last).norm();
+      last = point.position;
+    }
+    return length + (targets_[m].position - last).norm();
+  }
+
   void findLengths() {
     for (std::size_t m = 1; m < motions_.size(); ++m) {
       const Vector3d way = targets_[m].position - targets_[m - 1].position;
-      path_.commandedMm[m] = way.norm();
+      path_.commandedMm[m] = lengthOf(m);
       path_.turnRad[m] = targets_[m].turn.angularDistance(targets_[m - 1].turn);
       if (m > 1) {
         const Vector3d before = targets_[m - 1].position - targets_[m - 2].position;
@@ -228,8 +238,26 @@ private:
         {motions_[m].blendMm, 0.5 * path_.commandedMm[m], 0.5 * path_.commandedMm[m + 1]});
   }
 
+  // On the way of motion m, which is not straight, at s in [0,1] of its time.
+  Target onWay(std::size_t m, double s) const {
+    const std::vector<plan::NozzlePoint>& way = motions_[m].way;
+    const double at = s * static_cast<double>(way.size() + 1);
+    const std::size_t piece = std::min(static_cast<std::size_t>(at), way.size());
+    const auto point = [&](std::size_t k) {
+      Target t;
+      t.position = way[k].position;
+      t.direction = way[k].direction;
+      return t;
+    };
+    return between(piece == 0 ? targets_[m - 1] : point(piece - 1),
+                   piece == way.size() ? targets_[m] : point(piece),
+                   at - static_cast<double>(piece));
+  }
+
   // Straight motion m at s in [0,1] of its length, m >= 1, corners rounded.
   Target along(std::size_t m, double s) const {
+    if (!motions_[m].way.empty())
+      return onWay(m, s);
     const Target &a = targets_[m - 1], &b = targets_[m];
     const double length = path_.commandedMm[m];
     const double before = blendAt(m - 1), after = blendAt(m);
@@ -460,10 +488,19 @@ private:
     Vector3d last = path_.targetTip[m - 1], direction;
     double longest = 0.0;
     constexpr int kChords = 8;
-    const bool plain = isToolPoint(m) || (isStraight(m) && externals_ > 0) ||
+    const bool plain = (isToolPoint(m) && motions_[m].way.empty()) ||
+                       (isStraight(m) && externals_ > 0) ||
                        (isStraight(m) && path_.commandedMm[m] < 2.0 &&
                         targets_[m - 1].turn.angularDistance(targets_[m].turn) < 0.02);
-    if (plain) {
+    if (!motions_[m].way.empty()) {
+      const std::size_t pieces = motions_[m].way.size() + 1;
+      for (std::size_t k = 1; k <= pieces; ++k) {
+        const Vector3d tip =
+            k == pieces ? path_.targetTip[m] : Vector3d(motions_[m].way[k - 1].position);
+        longest = std::max(longest, static_cast<double>(pieces) / kChords * (tip - last).norm());
+        last = tip;
+      }
+    } else if (plain) {
       longest = (path_.targetTip[m] - last).norm() / kChords;
     } else {
       for (int k = 1; k <= kChords; ++k) {

@@ -5,7 +5,8 @@
 // - straight motions move the TCP linearly in Base and turn it along the shortest rotation, both in
 //   proportion; where external axes turn the work frame, and in programs of joint values, they move
 //   the nozzle so in the work frame while the external axes turn in proportion; ToolPoint motions
-//   move the tip linearly in the work frame and turn its direction along the great circle;
+//   move the tip linearly in the work frame and turn its direction along the great circle, between
+//   the points of their way where they have one;
 // - a blend of radius r at a target starts r before it and ends r after it (lengths of the TCP's
 //   path) and is the parabola whose control point is the target (quadratic Bezier): the corner is
 //   cut by r/2 sin(turn/2). Rotations follow by the same (de Casteljau) construction;

@@ -39,8 +39,8 @@ bool JointArcs::passes(std::size_t point, const Eigen::Vector3d& tip,
     const double t =
         squared > 0.0 ? std::clamp(way.dot(tip - tip_[k - 1]) / squared, 0.0, 1.0) : 1.0;
     if ((tip_[k - 1] + t * way - tip).norm() <= kSameMm &&
-        geometry::angleBetween((1.0 - t) * direction_[k - 1] + t * direction_[k], direction) <=
-            kSameRad)
+        (!directions_ || geometry::angleBetween((1.0 - t) * direction_[k - 1] + t * direction_[k],
+                                                direction) <= kSameRad))
       return true;
   }
   return false;

@@ -14,8 +14,9 @@ namespace voluta::replay {
 class JointArcs {
 public:
   // Both must outlive the object. Precondition: trajectory.dof == cell.dof().
-  JointArcs(const plan::Trajectory& trajectory, const robot::Cell& cell)
-      : trajectory_(trajectory), cell_(cell) {}
+  // `directions`: do they count? Not of programs that tell none.
+  JointArcs(const plan::Trajectory& trajectory, const robot::Cell& cell, bool directions = true)
+      : trajectory_(trajectory), cell_(cell), directions_(directions) {}
 
   // Does the joint motion to that point bring the nozzle there (work frame, mm; unit, -tool z), to
   // 0.25 mm and 0.02 rad? False where the plan does not go by joints.
@@ -26,6 +27,7 @@ private:
 
   const plan::Trajectory& trajectory_;
   const robot::Cell& cell_;
+  bool directions_ = true;
   std::size_t sampled_ = 0; // the point that the samples lead to; 0: none
   std::vector<Eigen::Vector3d> tip_, direction_;
 };

@@ -3,7 +3,7 @@
 // "Module internals", "Module interfaces", "Module ioconfiguration"; ABB, RAPID Instructions,
 // Functions and Data types; the RepRap wiki's list of G-codes.
 #include "program/dialect.h"
-#include "program/gcode_extended.h"
+#include "program/gcode_reader.h"
 #include "program/rapid.h"
 #include "program/urscript.h"
 

@@ -1,0 +1,125 @@
+#include "program/gcode_bc.h"
+
+#include "base/units.h"
+#include "program/gcode_extended.h"
+#include "program/gcode_reader.h"
+#include "program/text.h"
+#include "program/tilting_table.h"
+
+#include <cmath>
+#include <optional>
+
+namespace voluta::program {
+
+namespace {
+
+class TableReader : public GcodeReader {
+public:
+  using GcodeReader::GcodeReader;
+
+private:
+  bool isTargetWord(char letter) const override { return letter == 'B' || letter == 'C'; }
+  bool movesBeside(GcodeWords& w) const override { return w.any("BC"); }
+
+  bool command(double g) override {
+    if (g != 93.0 && g != 94.0)
+      return false;
+    if (inverseTime_ != (g == 93.0))
+      perS_ = 0.0; // F means something else from here on
+    inverseTime_ = g == 93.0;
+    return true;
+  }
+
+  void note(std::string_view comment) override {
+    if (comment == kReversedNote)
+      sense_ = -1.0;
+    if (!comment.starts_with(kTableNote))
+      return;
+    comment.remove_prefix(kTableNote.size());
+    double x = 0.0, z = 0.0;
+    if (comment.starts_with('X') && takeLetter(comment, x) && comment.starts_with(" Z") &&
+        takeLetter(comment = trimmed(comment), z) && comment.empty() && std::abs(x) < 1e5 &&
+        std::abs(z) < 1e5)
+      frame_ = {x, z};
+    else
+      defect("not understood: where the plate is over the tilt axis"_text);
+  }
+  static bool takeLetter(std::string_view& text, double& value) {
+    text.remove_prefix(1);
+    return takeNumber(text, value);
+  }
+
+  double secondsOf(GcodeWords& w, double filamentMm) override {
+    if (!inverseTime_)
+      return GcodeReader::secondsOf(w, filamentMm);
+    return w['F'] ? 1.0 / perS_ : 0.0;
+  }
+
+  bool target(GcodeWords& w, double g, bool extruding, plan::ProgramMotion& m) override {
+    if (w.any("BC") && !w['Z'] && !knows('Z')) {
+      defect("the table turns before the nozzle is up: Z is not known yet"_text);
+      return false;
+    }
+    for (const auto& [letter, angle] : {std::pair{'B', &tilt_}, {'C', &turn_}})
+      if (w[letter])
+        *angle = sense_ * base::degreesToRadians(*w[letter]);
+    if (w.any("XY") && !(tilt_ && turn_)) {
+      defect("the nozzle goes over the plate before the table stands: B and C are not known"_text);
+      return false;
+    }
+    if (inverseTime_ && g == 0.0)
+      defect("a G0 under G93: nobody knows how long it takes"_text);
+    else if (inverseTime_ && !w['F'])
+      defect("a motion without F: under G93 each has its own"_text);
+    const TablePose last = pose_;
+    const bool allKnown = takePosition(w) && tilt_ && turn_;
+    if (!allKnown) {
+      if (extruding)
+        defect("material before X, Y, Z, B and C are all known"_text);
+      return false;
+    }
+    pose_ = {position_, {*tilt_, *turn_}};
+    const plan::NozzlePoint nozzle = nozzleAt(frame_, pose_);
+    m.position = nozzle.position;
+    m.direction = nozzle.direction;
+    m.durationS = placed_ ? secondsTo(last) : 0.0; // where it comes from first nobody knows
+    if (placed_)
+      m.way = wayOnPart(frame_, last, pose_);
+    placed_ = true;
+    return true;
+  }
+
+  double secondsTo(const TablePose& last) const {
+    if (!(perS_ > 0.0))
+      return 0.0;
+    if (inverseTime_)
+      return 1.0 / perS_;
+    const double way = (pose_.axesMm - last.axesMm).norm();
+    const double turn =
+        std::hypot(pose_.angles.tilt - last.angles.tilt, pose_.angles.turn - last.angles.turn);
+    return (way > 0.0 ? way : base::radiansToDegrees(turn)) / perS_;
+  }
+
+  TableFrame frame_;
+  TablePose pose_;
+  double sense_ = 1.0;
+  std::optional<double> tilt_, turn_;
+  bool inverseTime_ = false, placed_ = false;
+};
+
+} // namespace
+
+plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
+                                 const process::Process& process, const base::RunContext& ctx) {
+  return TableReader("gcode-bc", process, ctx).read(files);
+}
+
+bool looksLikeTableGcode(std::string_view text) {
+  return kindOfGcode(text) == GcodeKind::Table;
+}
+
+bool mayBeMissingInTableGcode(const std::vector<std::string>& lines, std::size_t i) {
+  return lines[i] == "G94" || mayBeMissingInExtendedGcode(lines, i);
+}
+
+} // namespace voluta::program

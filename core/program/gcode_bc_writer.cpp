@@ -1,0 +1,202 @@
+#include "base/units.h"
+#include "program/gcode_bc.h"
+#include "program/gcode_text.h"
+#include "program/job_head.h"
+#include "program/joint_pieces.h"
+#include "program/motion_targets.h"
+#include "program/text.h"
+#include "program/tilting_table.h"
+#include "program/walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace voluta::program {
+
+namespace {
+
+constexpr int kAngleDecimals = 5; // 1e-7 rad
+constexpr double kAboveMm = 10.0; // over all that the table can lift when it turns
+constexpr double kStartDegPerS = 10.0, kLeastS = 1e-3;
+
+class TableWriter : private Speller {
+public:
+  TableWriter(const ProgramInput& input, const base::RunContext& ctx)
+      : in_(input), ctx_(ctx),
+        targets_(motionTargets(input, ctx)), frame_{input.options.tableXMm, input.options.tableZMm},
+        sense_(input.options.tableReversed ? -1.0 : 1.0) {
+    program_.format = "gcode-bc";
+    program_.foreign = input.foreign;
+    findStations();
+  }
+
+  plan::Program write() {
+    walkTrajectory(in_, {"gcode-bc", cutsOf(in_.trajectory, 0)}, *this, ctx_);
+    return std::move(program_);
+  }
+
+private:
+  // A point of the trajectory, or one between two where the arm would go by its joints.
+  struct Station {
+    Eigen::Vector3d tip;
+    double seconds = 0.0;
+  };
+
+  void findStations() {
+    std::vector<TableStation> directions;
+    const auto add = [&](const MotionTarget& target, double s, bool prints) {
+      stations_.push_back({target.tipMm, s});
+      directions.push_back({target.direction, s, prints});
+    };
+    firstOf_.reserve(targets_.size() + 1);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      if (i % 4096 == 0)
+        ctx_.checkpoint();
+      firstOf_.push_back(stations_.size());
+      const bool byJoints = i > 0 && in_.trajectory.move[i] == plan::MoveKind::Joint;
+      const int pieces = byJoints ? jointPieces(in_, i) : 1;
+      const double s = motionSeconds(in_.trajectory, i) / pieces;
+      for (int k = 1; k < pieces; ++k)
+        add(jointPiece(in_, i, static_cast<double>(k) / pieces), s, false);
+      add(targets_[i], s, isPrint(in_.trajectory, i));
+    }
+    firstOf_.push_back(stations_.size());
+    angles_ = tableAngles(directions);
+    for (TableAngles& a : angles_)
+      a = {rounded(a.tilt), rounded(a.turn)};
+  }
+  static double rounded(double rad) {
+    return base::degreesToRadians(roundedTo(base::radiansToDegrees(rad), kAngleDecimals));
+  }
+
+  TablePose poseAt(std::size_t station) const {
+    return tablePose(frame_, stations_[station].tip, angles_[station]);
+  }
+
+  void beginFile(std::size_t) override {
+    text_.out.reserve(stations_.size() * 90 + 2048);
+    text_.head(in_,
+               "Program for printing, G-code with B and C: X Y Z of the machine, zero at the "
+               "plate's centre with the table at 0 0; B tilts it about y, C turns it",
+               kGcodeQuestion, notes());
+    start();
+  }
+
+  std::vector<std::string> notes() const {
+    double least = 0.0, most = 0.0, fastest = 0.0;
+    double lowest = angles_.front().turn, highest = lowest;
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
+      least = std::min(least, angles_[i].tilt);
+      most = std::max(most, angles_[i].tilt);
+      lowest = std::min(lowest, angles_[i].turn);
+      highest = std::max(highest, angles_[i].turn);
+      if (i > 0 && stations_[i].seconds > 0.0)
+        fastest = std::max(fastest,
+                           std::abs(angles_[i].turn - angles_[i - 1].turn) / stations_[i].seconds);
+    }
+    std::string table(kTableNote);
+    table += "X";
+    appendFixed(table, frame_.xMm, kPositionDecimals, true);
+    table += " Z";
+    appendFixed(table, frame_.zMm, kPositionDecimals, true);
+    std::vector<std::string> all = {std::move(table)};
+    if (sense_ < 0.0)
+      all.emplace_back(kReversedNote);
+    all.push_back(joined({"B goes from ", degrees(sense_ * least), " to ", degrees(sense_ * most),
+                          ", C from ", degrees(sense_ * lowest), " to ", degrees(sense_ * highest),
+                          " degrees, C at most at ", degrees(fastest),
+                          " degrees/s: what the axes cannot follow takes longer"}));
+    return all;
+  }
+  static std::string degrees(double rad) {
+    std::string text;
+    appendFixed(text, base::radiansToDegrees(rad), 1, true);
+    return text;
+  }
+
+  // Up, then the table.
+  void start() {
+    double reach = 0.0;
+    const Eigen::Vector3d centre(frame_.xMm, 0.0, frame_.zMm);
+    for (const Station& s : stations_)
+      reach = std::max(reach, std::hypot(std::hypot(s.tip.x(), s.tip.y()) + std::abs(frame_.xMm),
+                                         s.tip.z() + frame_.zMm));
+    const TablePose first = poseAt(0);
+    const double up = std::max(reach - frame_.zMm, first.axesMm.z()) + kAboveMm;
+    const double travel = in_.process.travelSpeedMmPerS * 60.0;
+    text_.word("G1 Z", up, kPositionDecimals);
+    text_.word(" F", travel, 3, true);
+    text_.word("\nG1 B", sense_ * base::radiansToDegrees(first.angles.tilt), kAngleDecimals);
+    text_.word(" C", sense_ * base::radiansToDegrees(first.angles.turn), kAngleDecimals);
+    text_.word(" F", kStartDegPerS * 60.0, 3, true);
+    text_.line("\nG93");
+    last_ = first;
+    last_.axesMm.z() = up;
+  }
+
+  void endFile(std::size_t) override {
+    text_.line("G94");
+    text_.end();
+    program_.files.push_back({identifierOf(in_.name) + ".ngc", std::move(text_.out)});
+  }
+
+  void remark(std::string_view text) override { text_.remark(text); }
+  void jointMotion(std::size_t i) override { motion(i); }
+  void straightMotion(std::size_t i, bool) override { motion(i); }
+
+  void motion(std::size_t i) {
+    const std::optional<double> filamentMm = GcodeText::filamentMm(in_.trajectory, i);
+    const double before =
+        i > 0 && filamentMm ? in_.trajectory.extrudedMm3[i - 1] / filamentArea() : 0.0;
+    for (std::size_t s = firstOf_[i]; s < firstOf_[i + 1]; ++s) {
+      const TablePose from = last_, to = poseAt(s);
+      const int pieces = s == 0 ? 1 : tablePieces(frame_, from, to, kSagMm);
+      const double seconds = s == 0 ? 0.0 : stations_[s].seconds / pieces;
+      for (int k = 1; k <= pieces; ++k) {
+        const double share = static_cast<double>(k) / pieces;
+        std::optional<double> filament;
+        if (filamentMm)
+          filament = before + share * (*filamentMm - before);
+        line(k == pieces ? to : tablePiece(frame_, from, to, share), seconds, filament);
+      }
+    }
+  }
+
+  // In `s` seconds from the last one; 0: untimed.
+  void line(const TablePose& pose, double s, std::optional<double> filamentMm) {
+    text_.word("G1 X", pose.axesMm.x(), kPositionDecimals);
+    text_.word(" Y", pose.axesMm.y(), kPositionDecimals);
+    text_.word(" Z", pose.axesMm.z(), kPositionDecimals);
+    text_.word(" B", sense_ * base::radiansToDegrees(pose.angles.tilt), kAngleDecimals);
+    text_.word(" C", sense_ * base::radiansToDegrees(pose.angles.turn), kAngleDecimals);
+    if (filamentMm)
+      text_.word(" E", *filamentMm, kFilamentDecimals);
+    if (!(s > 0.0))
+      s = std::max(kLeastS, (pose.axesMm - last_.axesMm).norm() / in_.process.travelSpeedMmPerS);
+    const double perMinute = 60.0 / s;
+    text_.word(" F", perMinute, std::min(6, decimalsFor(perMinute, 8)), true);
+    text_.out += '\n';
+    last_ = pose;
+  }
+
+  const ProgramInput& in_;
+  const base::RunContext& ctx_;
+  std::vector<MotionTarget> targets_;
+  TableFrame frame_;
+  double sense_;
+  std::vector<Station> stations_;
+  std::vector<TableAngles> angles_;  // a station
+  std::vector<std::size_t> firstOf_; // a point: its first station
+  TablePose last_;
+  plan::Program program_;
+  GcodeText text_;
+};
+
+} // namespace
+
+plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext& ctx) {
+  return TableWriter(input, ctx).write();
+}
+
+} // namespace voluta::program

@@ -1,0 +1,38 @@
+// One line of G-code, and which of its kinds a text is.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace voluta::program {
+
+// A value for each letter, and nX nY nZ apart.
+struct GcodeWords {
+  std::array<std::optional<double>, 26> letter;
+  std::array<std::optional<double>, 3> direction;
+
+  std::optional<double>& operator[](char c) { return letter[static_cast<std::size_t>(c - 'A')]; }
+  bool any(std::string_view letters) {
+    return std::any_of(letters.begin(), letters.end(),
+                       [&](char c) { return (*this)[c].has_value(); });
+  }
+  bool anyDirection() const { return direction[0] || direction[1] || direction[2]; }
+};
+
+// Of a line without its `;` comment and checksum; small letters and ( ) comments too. A letter with
+// nothing behind it counts as 0. false: not understood, or a word given twice.
+bool wordsOf(std::string_view line, GcodeWords& words);
+
+enum class GcodeKind {
+  None,
+  Plain,    // X Y Z, the nozzle upright
+  Extended, // nX nY nZ: the nozzle's direction
+  Table     // B and C: a table that tilts and turns
+};
+// By the words of its motions; what stands in comments does not count, but for a slicer's name.
+GcodeKind kindOfGcode(std::string_view text);
+
+} // namespace voluta::program
