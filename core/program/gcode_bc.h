@@ -1,5 +1,5 @@
 // G-code for a machine whose table tilts and turns (B and C, tilting_table.h):
-// G1 X-19.3000 Y3.4890 Z43.1000 B-9.09500 C-126.50730 E4.32400 F1200
+// G1 X-4.3830 Y-10.0858 Z46.1879 B-9.09498 C-126.50727 E4.32400 F1200
 //
 // X Y Z: the machine's axes, mm, zero where the nozzle touches the plate's centre with the table at
 // 0 0. B C: degrees; as the part turns right-handed about y and z, or the other way round where the
@@ -30,7 +30,8 @@ inline constexpr std::string_view kReversedNote = "B and C count the tool's turn
 plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext& ctx);
 
 // Targets become points and directions on the part, with the way between them. Under G94 F is the
-// speed along X Y Z, or degrees a minute where none of them moves; G0 needs G94. The table must not
+// speed along X Y Z, or degrees a minute where none of them moves; G0 needs G94. In a program with
+// our head (kTableNote) every motion wants G93. The table must not
 // turn before Z is known, nor X or Y be sent before B and C are.
 plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
                                  const process::Process& process, const base::RunContext& ctx);

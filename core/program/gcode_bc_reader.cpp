@@ -40,7 +40,7 @@ private:
     if (comment.starts_with('X') && takeLetter(comment, x) && comment.starts_with(" Z") &&
         takeLetter(comment = trimmed(comment), z) && comment.empty() && std::abs(x) < 1e5 &&
         std::abs(z) < 1e5)
-      frame_ = {x, z};
+      frame_ = {x, z}, ours_ = true;
     else
       defect("not understood: where the plate is over the tilt axis"_text);
   }
@@ -56,17 +56,17 @@ private:
   }
 
   bool target(GcodeWords& w, double g, bool extruding, plan::ProgramMotion& m) override {
-    if (w.any("BC") && !w['Z'] && !knows('Z')) {
+    if (w.any("BC") && !knows('Z')) {
       defect("the table turns before the nozzle is up: Z is not known yet"_text);
+      return false;
+    }
+    if (w.any("XY") && !(tilt_ && turn_)) {
+      defect("the nozzle goes over the plate before the table stands: B and C are not known"_text);
       return false;
     }
     for (const auto& [letter, angle] : {std::pair{'B', &tilt_}, {'C', &turn_}})
       if (w[letter])
         *angle = sense_ * base::degreesToRadians(*w[letter]);
-    if (w.any("XY") && !(tilt_ && turn_)) {
-      defect("the nozzle goes over the plate before the table stands: B and C are not known"_text);
-      return false;
-    }
     if (inverseTime_ && g == 0.0)
       defect("a G0 under G93: nobody knows how long it takes"_text);
     else if (inverseTime_ && !w['F'])
@@ -78,6 +78,8 @@ private:
         defect("material before X, Y, Z, B and C are all known"_text);
       return false;
     }
+    if (ours_ && !inverseTime_)
+      defect("a motion without G93: its F is no time"_text);
     pose_ = {position_, {*tilt_, *turn_}};
     const plan::NozzlePoint nozzle = nozzleAt(frame_, pose_);
     m.position = nozzle.position;
@@ -105,6 +107,7 @@ private:
   double sense_ = 1.0;
   std::optional<double> tilt_, turn_;
   bool inverseTime_ = false, placed_ = false;
+  bool ours_ = false; // Voluta's head stands above: every motion has its time
 };
 
 } // namespace

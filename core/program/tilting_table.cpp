@@ -28,6 +28,10 @@ Vector3d aboutY(double angle, const Vector3d& p) {
   return {c * p.x() + s * p.z(), p.y(), -s * p.x() + c * p.z()};
 }
 
+Vector3d directionOf(const TableAngles& angles) {
+  return aboutZ(-angles.turn, aboutY(-angles.tilt, Vector3d::UnitZ()));
+}
+
 TablePose between(const TablePose& from, const TablePose& to, double share) {
   return {from.axesMm + share * (to.axesMm - from.axesMm),
           {from.angles.tilt + share * (to.angles.tilt - from.angles.tilt),
@@ -80,6 +84,16 @@ private:
                     : TableAngles{tilt, nearestTurn(turn + base::kPi, turnNow)};
   }
 
+  // Does the nozzle stay near the turn from one direction to the other where the angles go evenly?
+  // Elsewhere than about the normal a change of the way to stand leads through it.
+  static bool staysNear(const TableAngles& from, const TableAngles& to) {
+    constexpr double kSlackRad = 0.005;
+    const Vector3d a = directionOf(from), b = directionOf(to),
+                   middle = directionOf({0.5 * (from.tilt + to.tilt), 0.5 * (from.turn + to.turn)});
+    return geometry::angleBetween(a, middle) + geometry::angleBetween(middle, b) <=
+           2.0 * geometry::angleBetween(a, b) + kSlackRad;
+  }
+
   Standing reached(std::size_t i, std::size_t way) const {
     const double weight = stations_[i].prints ? kPrintWeight : 1.0;
     Standing best;
@@ -89,7 +103,7 @@ private:
       const TableAngles angles = own(i, way, last.angles.turn);
       const double cost = last.cost + weight * (std::abs(angles.tilt - last.angles.tilt) +
                                                 std::abs(angles.turn - last.angles.turn));
-      if (k == 0 || cost < best.cost)
+      if (k == 0 || (cost < best.cost && staysNear(last.angles, angles)))
         best = {angles, cost, from};
     }
     return best;
@@ -143,7 +157,7 @@ TablePose tablePose(const TableFrame& frame, const Vector3d& tip, TableAngles an
 plan::NozzlePoint nozzleAt(const TableFrame& frame, const TablePose& pose) {
   const Vector3d centre(frame.xMm, 0.0, frame.zMm);
   return {aboutZ(-pose.angles.turn, aboutY(-pose.angles.tilt, pose.axesMm + centre) - centre),
-          aboutZ(-pose.angles.turn, aboutY(-pose.angles.tilt, Vector3d::UnitZ())).normalized()};
+          directionOf(pose.angles).normalized()};
 }
 
 std::vector<TableAngles> tableAngles(std::span<const TableStation> stations) {

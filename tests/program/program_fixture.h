@@ -2,11 +2,14 @@
 #pragma once
 
 #include "base/files.h"
+#include "base/units.h"
 #include "helpers/temporary_folder.h"
 #include "process/process.h"
+#include "program/dialect.h"
 #include "program/program_input.h"
 #include "robot/cell.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -93,6 +96,70 @@ protected:
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
   }
 
+  // The same with the nozzle along the plate's normal wherever it does not go by joints.
+  void appendRandomUpright(unsigned seed, std::size_t points) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    Eigen::Vector3d tip(0, 0, 5), drift = Eigen::Vector3d::Zero();
+    double yaw = 0.3;
+    robot::JointVector q(6);
+    q << 0.1, -1.9, 1.7, -1.2, -1.4, 0.3;
+    std::vector<robot::JointVector> solutions;
+    std::size_t waypoint = plan_.waypointCount();
+    for (std::size_t i = 0; i < points; ++i) {
+      const std::size_t phase = i % 40;
+      const auto any = [&](double most) {
+        return Eigen::Vector3d(most * (unit(random) - 0.5), most * (unit(random) - 0.5),
+                               most * (unit(random) - 0.5));
+      };
+      if (phase == 1)
+        drift = any(1.0);
+      tip += phase < 3 ? any(8.0) - 0.05 * (tip - Eigen::Vector3d(0, 0, 5))
+                       : Eigen::Vector3d(drift + any(0.2));
+      yaw += 0.01 * (unit(random) - 0.5);
+      Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
+      work_T_tool.linear() = (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+                              Eigen::AngleAxisd(base::kPi, Eigen::Vector3d::UnitX()))
+                                 .toRotationMatrix();
+      work_T_tool.translation() = tip;
+      solutions.clear();
+      cell_->inverse(work_T_tool, q, solutions);
+      ASSERT_FALSE(solutions.empty());
+      q = robot::JointVector(
+          *std::min_element(solutions.begin(), solutions.end(), [&](const auto& a, const auto& b) {
+            return (a - q).squaredNorm() < (b - q).squaredNorm();
+          }));
+      const double volume = phase < 3 || phase == 39 ? 0.0 : 0.05 + unit(random);
+      const auto move = phase < 2                   ? plan::MoveKind::Joint
+                        : phase == 2 || phase == 39 ? plan::MoveKind::Linear
+                                                    : plan::MoveKind::Print;
+      append(move, std::vector<double>(q.data(), q.data() + 6),
+             volume / 30.0 + 0.01 + 0.1 * unit(random), volume);
+      if (move == plan::MoveKind::Print || phase == 2)
+        noteWaypoint(waypoint++, phase == 2, static_cast<int>(i / 400));
+    }
+    plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
+    plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
+  }
+
+  // A trajectory that this dialect can say, in place of the one that there is.
+  void randomFor(const program::Dialect& dialect, unsigned seed, std::size_t points) {
+    trajectory_ = {};
+    plan_ = {};
+    if (dialect.tiltsNozzle) {
+      appendRandom(seed, points);
+      return;
+    }
+    // The nozzle nearer, so that the arm brings a level plate beneath it.
+    std::string near = kCellJson;
+    near.replace(near.find("-800, -250, 0"), 13, "-500, -200, 200");
+    const TemporaryFolder folder;
+    base::writeFile(folder / "bench.json", near);
+    cell_.emplace(robot::Cell::read(folder / "bench.json", process_,
+                                    {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
+    appendRandomUpright(seed, points);
+  }
+
   // The last point is this waypoint of the plan, the first of a path or one more of the last.
   void noteWaypoint(std::size_t waypoint, bool startsPath, int layer) {
     if (startsPath)
@@ -130,9 +197,7 @@ protected:
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitX());
   }
 
-  program::ProgramInput input() const {
-    return {plan_, trajectory_, *cell_, process_, "part 1"};
-  }
+  program::ProgramInput input() const { return {plan_, trajectory_, *cell_, process_, "part 1"}; }
 
   process::Process process_;
   std::optional<robot::Cell> cell_;

@@ -59,6 +59,18 @@ std::string gcode(const std::string& head, const std::string& amid, const std::s
          "G1 X3 E0.3\nM104 S0\nM84\n" + end + "; end\n";
 }
 
+std::string plainGcode(const std::string& head, const std::string& amid, const std::string& end) {
+  return "G21\nG90\nM82\n" + head + "G92 E0\nG0 X0 Y0 Z1 F600\nG1 X1 E0.1\nG1 X2 E0.2\n" + amid +
+         "G1 X3 E0.3\nM104 S0\nM84\n" + end + "; end\n";
+}
+
+std::string tableGcode(const std::string& head, const std::string& amid, const std::string& end) {
+  return "G21\n" + head +
+         "G1 Z9 F600\nG1 B0 C0 F600\nG93\nG1 X0 Y0 Z1 F60\nG1 X1 E0.1 F60\n"
+         "G1 X2 E0.2 F60\n" +
+         amid + "G1 X3 E0.3 F60\nM104 S0\nM84\n" + end + "; end\n";
+}
+
 bool tells(const plan::ReadProgram& with, const plan::ReadProgram& without) {
   return !with.defects.empty() || with.pauses.size() != without.pauses.size() ||
          with.motions.size() != without.motions.size();
@@ -163,10 +175,19 @@ TEST(Words, OfGcodeAreKnownOrRefused) {
     lines.push_back("M" + std::to_string(m) + " S5");
   for (int t = 0; t < 10; ++t)
     lines.push_back("T" + std::to_string(t) + " S5");
-  expectAllKnownOrRefused("gcode-extended", lines, gcode, kAmid,
-                          {"G17",  "G92",  "G21",  "G40",  "G49",  "G80",  "G90",  "G94",
-                           "M73",  "M82",  "M83",  "M105", "M106", "M107", "M110", "M111",
-                           "M114", "M115", "M117", "M118", "M400", "T0"});
+  std::vector<std::string> taken = {"G17",  "G92",  "G21",  "G40",  "G49",  "G80",  "G90",
+                                    "M73",  "M82",  "M83",  "M105", "M106", "M107", "M110",
+                                    "M111", "M114", "M115", "M117", "M118", "M400", "T0"};
+  // Back to speeds a minute the next motion has none: told at its own line.
+  std::vector<std::string> ofTable = lines;
+  std::erase(ofTable, "G94 S5");
+  taken.emplace_back("G93");
+  expectAllKnownOrRefused("gcode-bc", ofTable, tableGcode, kAmid, taken);
+  taken.back() = "G94";
+  expectAllKnownOrRefused("gcode-extended", lines, gcode, kAmid, taken);
+  for (const char* word : {"M75", "M76", "M77", "M201", "M203", "M204", "M205", "M486", "M900"})
+    taken.emplace_back(word);
+  expectAllKnownOrRefused("gcode", lines, plainGcode, kAmid, taken);
 }
 
 TEST(Words, StandWhereTheyMay) {
@@ -195,6 +216,11 @@ TEST(Words, StandWhereTheyMay) {
       {"gcode-extended", gcode, "M104 S210\n", true, false, true},
       {"gcode-extended", gcode, "M104 S400\n", false, false, false},
       {"gcode-extended", gcode, "T1\n", false, false, false},
+      {"gcode", plainGcode, "G28\n", true, false, false},
+      {"gcode", plainGcode, "G29\n", true, false, false},
+      {"gcode", plainGcode, "M141 S30\n", true, false, true},
+      {"gcode-bc", tableGcode, "G28\n", true, false, false},
+      {"gcode-bc", tableGcode, "M106 S9\n", true, true, true},
   };
   for (const auto& c : cases) {
     SCOPED_TRACE(c.line);
@@ -207,7 +233,7 @@ TEST(Words, StandWhereTheyMay) {
 }
 
 TEST(Words, OfATableStandOnceAndMeanSomething) {
-  for (const auto table : {urscriptWords(), rapidWords(), gcodeWords()})
+  for (const auto table : {urscriptWords(), rapidWords(), gcodeWords(), slicerWords()})
     for (const KnownWord& row : table) {
       EXPECT_EQ(findWord(table, row.word), &row) << row.word << " stands twice";
       EXPECT_NE(row.places, 0) << row.word;

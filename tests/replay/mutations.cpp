@@ -288,6 +288,21 @@ std::vector<std::string> amid(const std::string& format) {
         "T1",        "G92 E0",        "G92 X0",       "G91",      "G20",     "M83",     "M220 S50",
         "M221 S150", "M92 E200",      "M200 D3",      "M206 X5",  "M112",    "M0",      "G10",
         "G55",       "G1 E-300 F600", "G1 E900 F600", "G2 X1 I3", "M140 S0"}},
+      {"gcode-bc", {"G4 S600",      "G28",           "M84",         "M18",
+                    "M104 S0",      "M109 S0",       "M104 S400",   "T1",
+                    "G92 E0",       "G92 X0",        "G92 C0",      "G91",
+                    "G20",          "M83",           "M220 S50",    "M221 S150",
+                    "M92 E200",     "M200 D3",       "M206 X5",     "M112",
+                    "M0",           "G10",           "G55",         "G1 E-300 F600",
+                    "G1 E900 F600", "G2 X1 I3 F600", "M140 S0",     "G94",
+                    "G95",          "G43.4 H1",      "G68.2",       "G1 C360",
+                    "G0 B5 F60",    "G1 B5 F600",    "G1 C90 F600", "M428"}},
+      {"gcode",
+       {"G4 S600",   "G28",           "M84",          "M18",      "M104 S0", "M109 S0", "M104 S400",
+        "T1",        "G92 E0",        "G92 X0",       "G91",      "G20",     "M83",     "M220 S50",
+        "M221 S150", "M92 E200",      "M200 D3",      "M206 X5",  "M112",    "M0",      "G10",
+        "G55",       "G1 E-300 F600", "G1 E900 F600", "G2 X1 I3", "M140 S0", "G29",     "M420 S1",
+        "M600",      "G1 X1 B5",      "G93"}},
       {"csv",
        {"1,2,3", "0,0,0,0,0,0,0,0,-1,print", "99,1e99,0,0,0,0,0,0,-1,joint", "# end",
         "time_s,j1_deg,extruded_mm3,waypoint,move", "99,nan,0,0,0,0,0,0,-1,joint",
@@ -330,7 +345,17 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(shifted("the extruder starts late", "SetDO doExtruder,1"));
     all.push_back(shifted("the extruder stops late", "SetDO doExtruder,0"));
     all.push_back(insertedInHead("    AccSet 20,100;"));
-  } else if (format == "gcode-extended") {
+  } else if (format.starts_with("gcode")) {
+    if (format == "gcode-bc") {
+      all.push_back(replaced("a motion loses its time", " F[0-9.]+$", ""));
+      all.push_back(replaced("a rapid motion", "^G1", "G0"));
+      all.push_back(erased("speeds are no times", "^G93", true));
+      all.push_back(erased("the nozzle is not up", "^G1 Z", true));
+      all.push_back(erased("the table does not stand", "^G1 B", true));
+      all.push_back(
+          replaced("the place of the plate is broken", "tilt axis, mm: X0 Z0", "tilt axis, mm: X0 Z", true));
+      all.push_back(replaced("C a whole turn on", " C0", " C360.0"));
+    }
     all.push_back(replaced("speed ten times", "F([0-9])", "F9$1"));
     all.push_back(replaced("speed of 60", "F[0-9.]+", "F60"));
     all.push_back(replaced("E is twice", "E([0-9.]+)", "E9$1"));
@@ -360,14 +385,15 @@ void words(std::vector<Mutation>& all, const std::string& format) {
 std::vector<Mutation> harmfulMutations(const std::string& format) {
   std::vector<Mutation> all;
   structure(all);
-  targets(all, format == "gcode-extended" ? 3 : 6);
+  targets(all, format == "gcode-bc" ? 5 : format.starts_with("gcode") ? 3 : 6);
   words(all, format);
   return all;
 }
 
 std::vector<Mutation> harmlessMutations(const std::string& format) {
   static const std::map<std::string, std::string> kRemark = {
-      {"urscript", "# "}, {"rapid", "! "}, {"gcode-extended", "; "}, {"csv", "# "}};
+      {"urscript", "# "}, {"rapid", "! "}, {"gcode-extended", "; "},
+      {"gcode-bc", "; "}, {"gcode", "; "}, {"csv", "# "}};
   const std::string remark = kRemark.at(format);
   const auto any = [](Subject& s, std::mt19937_64& random) {
     return s.read.motions.front().line + random() % (s.text.lines.size() - 40);
@@ -414,7 +440,7 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
       {"blanks within a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
          const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
          std::string& line = lineOf(s, m);
-         const char mark = format == "gcode-extended" ? ' ' : ',';
+         const char mark = format.starts_with("gcode") ? ' ' : ',';
          std::vector<std::size_t> places;
          for (std::size_t i = line.find(mark); i != std::string::npos; i = line.find(mark, i + 1))
            places.push_back(i);
@@ -464,7 +490,7 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
   } else if (format == "rapid") {
     all.push_back(swapped("ConfL", "ConfJ"));
     all.push_back(swapped("PERS tooldata", "PERS wobjdata"));
-  } else if (format == "gcode-extended") {
+  } else if (format.starts_with("gcode")) {
     all.push_back(swapped("G21", "G90"));
     all.push_back(swapped("G90", "M82"));
   }
