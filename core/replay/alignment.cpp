@@ -31,7 +31,7 @@ public:
     while (i < motions_.size() && j < points_.size()) {
       if (i % 4096 == 0)
         ctx_.checkpoint();
-      if (agreesHere(i, j)) {
+      if (agreesHere(i, j) && !isShortOf(i, j)) {
         result_.pointOf[i++] = j++;
         continue;
       }
@@ -79,6 +79,11 @@ private:
       return false;
     const double d = distance(i, j);
     return d <= kRoundingMm || j + 1 >= points_.size() || distance(i, j + 1) >= d;
+  }
+  // A piece on the way whose follower is nearer: pieces may lie closer together than `sameMm`.
+  bool isShortOf(std::size_t i, std::size_t j) const {
+    return isVia_ && distance(i, j) > kRoundingMm && i + 1 < motions_.size() &&
+           distance(i + 1, j) < distance(i, j) && isVia_(i, j);
   }
   bool agreesOnwards(std::size_t i, std::size_t j) const {
     for (std::size_t k = 0; k < kRunOfAgreement; ++k) {

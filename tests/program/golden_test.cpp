@@ -121,6 +121,25 @@ M84
 )");
 }
 
+TEST_F(Golden, tableGcode) {
+  const std::string whole = text("gcode-bc");
+  // By the formulas of the page from the targets of extended G-code above; between them come
+  // pieces.
+  for (const char* lines :
+       {"; plate over the tilt axis, mm: X0 Z0\n",
+        "G1 E1.36808 F410.424 ; prime\nG92 E0\nG1 Z63.3177 F6000\nG1 B-90.00000 C-90.00000 F600\n"
+        "G93\nG1 X41.4500 Y-17.2500 Z5.4910 B-90.00000 C-90.00000 F103.75829\n",
+        "G1 X41.4500 Y-17.2500 Z5.4910 B-90.00000 C-78.75000 F960\n",
+        "G1 X41.4500 Y-17.2500 Z5.4910 B-90.00000 C0.00000 F960\n"
+        "; layer 7, wall, path 0\n"
+        "G1 X49.4624 Y-14.7900 Z5.4910 B-90.00000 C0.00000 F600\n"
+        "G1 X50.2649 Y-14.5485 Z5.4910 B-90.00000 C0.00000 E0.33260 F1200\n"
+        "G1 X51.0678 Y-14.3077 Z5.4910 B-90.00000 C0.00000 E0.66520 F1200\n",
+        "G94\nM104 S0\nM84\n; end\n"})
+    EXPECT_NE(whole.find(lines), std::string::npos) << lines << "in\n" << whole;
+  EXPECT_TRUE(whole.ends_with("\nG94\nM104 S0\nM84\n; end\n"));
+}
+
 // CR LF and the list of modules apart.
 TEST_F(Golden, rapid) {
   const std::string whole = text("rapid");

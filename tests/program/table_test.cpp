@@ -309,7 +309,7 @@ M84
     other.insert(at, word);
     const auto refused = readProgram("gcode", {{"file", other}}, process);
     ASSERT_FALSE(refused.defects.empty()) << word;
-    EXPECT_EQ(refused.defects.front().line, 31u) << word;
+    EXPECT_EQ(refused.defects.front().line, 30u) << word;
   }
 }
 
