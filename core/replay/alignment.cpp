@@ -82,7 +82,8 @@ private:
   }
   // A piece on the way whose follower is nearer: pieces may lie closer together than `sameMm`.
   bool isShortOf(std::size_t i, std::size_t j) const {
-    return isVia_ && distance(i, j) > kRoundingMm && i + 1 < motions_.size() &&
+    constexpr double kWrittenMm = 0.002; // a target is nearer to its point than that
+    return isVia_ && distance(i, j) > kWrittenMm && i + 1 < motions_.size() &&
            distance(i + 1, j) < distance(i, j) && isVia_(i, j);
   }
   bool agreesOnwards(std::size_t i, std::size_t j) const {
