@@ -49,9 +49,11 @@ std::vector<std::string> fuzz::seeds() {
     for (const program::Dialect& dialect : program::dialects()) {
       if (!dialect.turnsRods && !cell.externalAxes().empty())
         continue;
+      plan::Trajectory said = trajectory;
+      if (!dialect.tiltsNozzle) // it leans; by joints it may
+        std::fill(said.move.begin(), said.move.end(), plan::MoveKind::Joint);
       for (const plan::ProgramFile& file :
-           program::writeProgram(dialect.id, {toolPlan, trajectory, cell, process, "part", 0})
-               .files)
+           program::writeProgram(dialect.id, {toolPlan, said, cell, process, "part", 0}).files)
         texts.push_back(file.text);
     }
   }
