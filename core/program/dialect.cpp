@@ -5,6 +5,7 @@
 #include "program/gcode_extended.h"
 #include "program/joint_table.h"
 #include "program/language_words.h"
+#include "program/melfa.h"
 #include "program/rapid.h"
 #include "program/text.h"
 #include "program/text_files.h"
@@ -60,6 +61,22 @@ const std::vector<Dialect>& dialects() {
        .isWord = isRapidWord,
        .remark = "!",
        .mayBeMissing = mayBeMissingInRapid},
+      {.id = "melfa",
+       .label = "MELFA-BASIC V (Mitsubishi)"_text,
+       .extension = "prg",
+       .controller = "melfa",
+       .turnsRods = false,
+       .time = {.accelerationMmPerS2 = kMelfaMmPerS2,
+                .jointAccelerationRadPerS2 = 20.0,
+                .cycleS = 0.00711},
+       // Three cycles of a CR750.
+       .merge = {.leastS = 0.0213},
+       .write = writeMelfa,
+       .read = readMelfa,
+       .looksLike = looksLikeMelfa,
+       .goesOnIn = filesOfMelfa,
+       .remark = "'",
+       .mayBeMissing = mayBeMissingInMelfa},
       {.id = "csv",
        .label = "Joint table (CSV)"_text,
        .extension = "csv",

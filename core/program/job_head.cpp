@@ -102,4 +102,24 @@ std::vector<std::string> headLines(const ProgramInput& input) {
   return lines;
 }
 
+std::vector<std::string> headLines(const ProgramInput& input, std::size_t most) {
+  constexpr std::size_t kNamed = 2; // lines that hold names
+  std::vector<std::string> lines;
+  for (const std::string& whole : headLines(input)) {
+    if (lines.size() < kNamed) {
+      lines.push_back(whole.substr(0, most));
+      continue;
+    }
+    std::string_view rest = whole;
+    while (rest.size() > most) {
+      const std::size_t blank = rest.rfind(' ', most);
+      const std::size_t end = blank == std::string_view::npos || blank == 0 ? most : blank;
+      lines.emplace_back(rest.substr(0, end));
+      rest = trimmed(rest.substr(end));
+    }
+    lines.emplace_back(rest);
+  }
+  return lines;
+}
+
 } // namespace voluta::program

@@ -23,6 +23,9 @@ std::string jobHash(const ProgramInput& input);
 // Lines without a dialect's mark for remarks: part, job, cell, robot, process; how much, how long;
 // between which values the joints go (unless foreign: of the cell's own arm) and where it starts.
 std::vector<std::string> headLines(const ProgramInput& input);
+// The same for controllers whose lines hold at most `most` characters: a longer one goes on in the
+// next, at a blank; what names from files make too long is cut.
+std::vector<std::string> headLines(const ProgramInput& input, std::size_t most);
 
 // Asked of the operator before anything moves.
 inline constexpr std::string_view kStartQuestion =

@@ -1,4 +1,5 @@
 #include "base/units.h"
+#include "program/arm_branch.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
@@ -343,16 +344,11 @@ private:
 
   // confdata's cfx: 4 with the wrist's centre behind axis 1, 2 with it behind the lower arm, 1 with
   // axis 5 below zero.
-  int branch(std::size_t i) {
-    const robot::JointVector q =
-        Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.cell.armDof());
-    in_.cell.robot().kinematics->linkPoses(q, links_);
-    const Eigen::Vector3d forward(std::cos(q[0]), std::sin(q[0]), 0.0);
-    const Eigen::Vector3d wrist = links_[5].translation();
-    const Eigen::Vector3d lower = links_[3].translation() - links_[2].translation();
-    const Eigen::Vector3d reach = wrist - links_[2].translation();
-    const bool behindArm = lower.dot(forward) * reach.z() - lower.z() * reach.dot(forward) > 0.0;
-    return (wrist.dot(forward) < 0.0 ? 4 : 0) + (behindArm ? 2 : 0) + (q[4] < 0.0 ? 1 : 0);
+  int branch(std::size_t i) const {
+    const ArmBranch arm =
+        armBranch(in_.cell.robot(),
+                  Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.cell.armDof()));
+    return (arm.behindAxis1 ? 4 : 0) + (arm.behindLowerArm ? 2 : 0) + (arm.axis5Negative ? 1 : 0);
   }
 
   void speed(std::size_t i, bool joint) {
@@ -399,9 +395,8 @@ private:
 
   const ProgramInput& in_;
   const base::RunContext& ctx_;
-  bool stands_ = true;                   // the arm, behind the last motion
-  bool atStart_ = false;                 // the flow changes where the next motion begins
-  std::vector<Eigen::Isometry3d> links_; // of branch()
+  bool stands_ = true;   // the arm, behind the last motion
+  bool atStart_ = false; // the flow changes where the next motion begins
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
   plan::Program program_;

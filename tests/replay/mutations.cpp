@@ -19,8 +19,15 @@ std::ptrdiff_t at(std::size_t line) { // 1-based
 std::string& lineOf(Subject& s, std::size_t m) {
   return s.text.lines[s.read.motions.at(m).line - 1];
 }
+bool endsWithCr(const std::string& line) {
+  return line.ends_with('\r');
+}
+// Where a line's own text ends.
+std::size_t endOf(const std::string& line) {
+  return line.size() - (endsWithCr(line) ? 1 : 0);
+}
 std::string ended(const Subject& s, const std::string& line) {
-  return s.text.format == "rapid" ? line + "\r" : line;
+  return endsWithCr(s.text.lines.front()) ? line + "\r" : line;
 }
 
 // How far two motions' targets are apart, in what is about a millimetre.
@@ -288,6 +295,31 @@ std::vector<std::string> amid(const std::string& format) {
         "T1",        "G92 E0",        "G92 X0",       "G91",      "G20",     "M83",     "M220 S50",
         "M221 S150", "M92 E200",      "M200 D3",      "M206 X5",  "M112",    "M0",      "G10",
         "G55",       "G1 E-300 F600", "G1 E900 F600", "G2 X1 I3", "M140 S0"}},
+      {"melfa",
+       {"Dly 600",
+        "Dly 0.5",
+        "Accel 20,20",
+        "Ovrd 50",
+        "Spd 900",
+        "Cnt 1,10,10",
+        "Tool (0,0,0,0,0,0)",
+        "Base 1",
+        "M_Outw(16)=10000",
+        "M_Outw(16)=3200",
+        "M_Out(10)=0",
+        "M_Out(3)=1",
+        "M_Outb(8)=0",
+        "Hlt",
+        "Mvr P1,P2,P3",
+        "Mvs ,-50",
+        "Mov (0,0,500,180,0,180)(7,0)",
+        "GoTo *AGAIN",
+        "If M_In(1)=1 Then",
+        "For M1=1 To 3",
+        "CallP \"OTHER\"",
+        "Servo Off",
+        "Mxt 1,1,10",
+        "End"}},
       {"csv",
        {"1,2,3", "0,0,0,0,0,0,0,0,-1,print", "99,1e99,0,0,0,0,0,0,-1,joint", "# end",
         "time_s,j1_deg,extruded_mm3,waypoint,move", "99,nan,0,0,0,0,0,0,-1,joint",
@@ -340,6 +372,24 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("heat of 400", "M104 S210", "M104 S400", true));
     all.push_back(erased("the prime is missing", "; prime", true));
     all.push_back(replaced("ten times the prime", "G1 E([0-9])", "G1 E9$1", true));
+  } else if (format == "melfa") {
+    all.push_back(replaced("speed ten times", "Spd ([0-9])", "Spd 9$1"));
+    all.push_back(replaced("speed of 1", "Spd [0-9.]+", "Spd 1"));
+    all.push_back(erased("a speed is missing", "Spd "));
+    all.push_back(replaced("motion by joints", "EMvs 1,", "Mov "));
+    all.push_back(replaced("the plate's own way", "EMvs 1,", "Mvs "));
+    all.push_back(replaced("another nozzle", "EMvs 1,", "EMvs 2,"));
+    all.push_back(replaced("tool 1 mm off", "Tool \\(0,0,[0-9]+", "Tool (0,0,777", true));
+    all.push_back(replaced("first motion fast", "JOvrd [0-9.]+", "JOvrd 100", true));
+    all.push_back(erased("the prime is missing", "Dly", true));
+    all.push_back(replaced("ten times the prime", "Dly 0\\.2", "Dly 2", true));
+    all.push_back(erased("the extruder stays on", "M_Out\\(10\\)=0"));
+    all.push_back(shifted("the extruder starts late", "M_Out\\(10\\)=1"));
+    all.push_back(shifted("the extruder stops late", "M_Out\\(10\\)=0"));
+    all.push_back(replaced("two steps of one number", "^[0-9]+ ", "7 "));
+    all.push_back(replaced("another output", "M_Out\\(10\\)", "M_Out(11)"));
+    all.push_back(insertedInHead("Accel 20,20"));
+    all.push_back(insertedInHead("Base (0,0,10,0,0,0)"));
   } else {
     all.push_back(replaced("E is more", ",([0-9.]+),([0-9]+),print", ",9$1,$2,print"));
     all.push_back(replaced("E is less", ",[0-9.]+,([0-9]+),print", ",0,$1,print"));
@@ -366,8 +416,11 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
 }
 
 std::vector<Mutation> harmlessMutations(const std::string& format) {
-  static const std::map<std::string, std::string> kRemark = {
-      {"urscript", "# "}, {"rapid", "! "}, {"gcode-extended", "; "}, {"csv", "# "}};
+  static const std::map<std::string, std::string> kRemark = {{"urscript", "# "},
+                                                             {"rapid", "! "},
+                                                             {"gcode-extended", "; "},
+                                                             {"csv", "# "},
+                                                             {"melfa", "' "}};
   const std::string remark = kRemark.at(format);
   const auto any = [](Subject& s, std::mt19937_64& random) {
     return s.read.motions.front().line + random() % (s.text.lines.size() - 40);
@@ -425,7 +478,7 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
       {"blanks behind a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
          const std::size_t line = any(s, random);
          std::string& text = s.text.lines[line - 1];
-         text.insert(format == "rapid" ? text.size() - 1 : text.size(), "  ");
+         text.insert(endOf(text), "  ");
          return line;
        }});
   if (format != "csv")
@@ -433,10 +486,10 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
         {"a remark behind a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
            const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
            std::string& text = lineOf(s, m);
-           text.insert(format == "rapid" ? text.size() - 1 : text.size(), " " + remark + "ok");
+           text.insert(endOf(text), " " + remark + "ok");
            return s.read.motions[m].line;
          }});
-  if (format == "rapid")
+  if (format == "rapid" || format == "melfa")
     all.push_back(
         {"letters of the other case", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
            const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
