@@ -9,6 +9,7 @@
 #include "program/rapid.h"
 #include "program/text.h"
 #include "program/text_files.h"
+#include "program/tmscript.h"
 #include "program/urscript.h"
 
 #include <algorithm>
@@ -77,6 +78,18 @@ const std::vector<Dialect>& dialects() {
        .goesOnIn = filesOfMelfa,
        .remark = "'",
        .mayBeMissing = mayBeMissingInMelfa},
+      {.id = "tmscript",
+       .label = "TMscript (Techman)"_text,
+       .extension = "tmscript",
+       .controller = "tmscript",
+       .turnsRods = false,
+       // Points say their times; Line and PTP their ramps. What is not known of a queue's pace.
+       .merge = {.leastS = 0.02},
+       .write = writeTmscript,
+       .read = readTmscript,
+       .looksLike = looksLikeTmscript,
+       .remark = "//",
+       .mayBeMissing = mayBeMissingInTmscript},
       {.id = "csv",
        .label = "Joint table (CSV)"_text,
        .extension = "csv",

@@ -143,7 +143,13 @@ bool ScriptScanner::factor(ScriptValue& value) {
 }
 
 bool ScriptScanner::named(std::string_view name, ScriptValue& value) {
-  const auto known = variables_.find(inSmallLetters(name));
+  const std::string small = inSmallLetters(name);
+  if (small == "true" || small == "false") {
+    value.kind = ScriptKind::Number;
+    value.number = small == "true" ? 1.0 : 0.0;
+    return true;
+  }
+  const auto known = variables_.find(small);
   if (known == variables_.end())
     return false;
   value = known->second;

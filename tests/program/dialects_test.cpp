@@ -330,7 +330,8 @@ TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
   for (const auto& [id, word] : {std::pair{"urscript", "popup("},
                                  {"rapid", "UIMsgBox "},
                                  {"gcode-extended", "M0\n"},
-                                 {"melfa", "Hlt\r\n"}}) {
+                                 {"melfa", "Hlt\r\n"},
+                                 {"tmscript", "Pause()"}}) {
     const plan::Program program = writeProgram(id, input());
     const plan::ReadProgram back = readProgram(id, program.files, process_);
     const std::string& text = program.files[0].text;

@@ -1,6 +1,8 @@
 #include "program/text_damage.h"
 
 #include "program/dialect.h"
+#include "program/text.h"
+#include "program/tmscript_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +66,15 @@ bool changeNumber(std::string& line, Others&& others, Fits&& fits) {
   return false;
 }
 
+// Statements stand in frames, whose length and checksum follow them.
+bool isFramed(std::string_view format) {
+  return format == "tmscript";
+}
+bool isStatement(std::string_view line) {
+  line = program::trimmed(line);
+  return !line.empty() && !line.starts_with("//") && !line.starts_with('$');
+}
+
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 } // namespace
@@ -72,14 +83,20 @@ ProgramText textOf(const plan::Program& program) {
   ProgramText text{program.format, program.files.at(0).name, {}};
   std::istringstream in(program.files[0].text);
   for (std::string line; std::getline(in, line);)
-    text.lines.push_back(line);
+    text.lines.push_back(isFramed(program.format) && line.starts_with('$')
+                             ? std::string(program::takeTmFrame(line).script) + "\r"
+                             : line);
   return text;
 }
 
 ReadProgram read(const ProgramText& text, const process::Process& process) {
   std::string joined;
+  std::size_t id = 0;
   for (const std::string& line : text.lines)
-    joined += line + "\n";
+    joined += isFramed(text.format) && isStatement(line)
+                  ? program::tmFrame(std::to_string(++id),
+                                     line.substr(0, line.size() - (line.ends_with('\r') ? 1 : 0)))
+                  : line + "\n";
   return program::readProgram(text.format, {{text.name, joined}}, process);
 }
 

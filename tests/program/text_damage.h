@@ -15,7 +15,8 @@
 
 namespace voluta::test {
 
-// The first file of a program, line by line without their ends.
+// The first file of a program, line by line without their ends; of frames (TMscript) the statement,
+// which read() frames anew.
 struct ProgramText {
   std::string format; // id of its dialect
   std::string name;

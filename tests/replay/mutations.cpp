@@ -320,6 +320,33 @@ std::vector<std::string> amid(const std::string& format) {
         "Servo Off",
         "Mxt 1,1,10",
         "End"}},
+      {"tmscript",
+       {"PVTExit()",
+        "PVTEnter(1)",
+        "ChangeTCP({0,0,0,0,0,0},1)",
+        "ChangeTCP(\"NOZZLE\")",
+        "ChangeBase({1,0,0,0,0,0})",
+        "ChangeLoad(20)",
+        "IO[\"ControlBox\"].AO[0]=10",
+        "IO[\"ControlBox\"].AO[0]=3.2",
+        "IO[\"ControlBox\"].DO[0]=0",
+        "IO[\"ControlBox\"].DO[3]=1",
+        "IO[\"ControlBox\"].InstantDO[0]=0",
+        "IO[\"EndModule\"].DO[0]=1",
+        "Pause()",
+        "StopAndClearBuffer()",
+        "ScriptExit()",
+        "PTP(\"JPP\",0,0,90,0,90,0,50,500,0,false)",
+        "Line(\"CAP\",400,0,300,180,0,90,20,200,0,false)",
+        "Circle(\"CAP\",1,2,3,4,5,6,7,8,9,10,11,12,20,200,0,0,false)",
+        "Move_Line(\"CAP\",0,0,10,0,0,0,20,200,0,false)",
+        "PVTPause()",
+        "Vision_DoJob(job)",
+        "$TMSCT,14,1,ScriptExit(),*66",
+        "$TMSCT,13,1,ScriptExit(),*67",
+        "$TMSTA,2,00,*41",
+        "TMSCT,14,1,ScriptExit(),*67",
+        "$TMSCT,25,1,ChangeBase(\"RobotBase\"),*07"}},
       {"csv",
        {"1,2,3", "0,0,0,0,0,0,0,0,-1,print", "99,1e99,0,0,0,0,0,0,-1,joint", "# end",
         "time_s,j1_deg,extruded_mm3,waypoint,move", "99,nan,0,0,0,0,0,0,-1,joint",
@@ -390,6 +417,24 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("another output", "M_Out\\(10\\)", "M_Out(11)"));
     all.push_back(insertedInHead("Accel 20,20"));
     all.push_back(insertedInHead("Base (0,0,10,0,0,0)"));
+  } else if (format == "tmscript") {
+    all.push_back(replaced("time ten times", "(PVTPoint.*),0(\\.[0-9]+)\\)", "$1,9$2)"));
+    all.push_back(replaced("time is missing", "(PVTPoint.*),[0-9.]+\\)", "$1)"));
+    all.push_back(replaced("no time", "(PVTPoint.*),[0-9.]+\\)", "$1,0)"));
+    const std::string pose = "(PVTPoint\\([^,]*,[^,]*,[^,]*,[^,]*,[^,]*,[^,]*),";
+    all.push_back(replaced("velocity of 900", pose + "[^,]*", "$1,900"));
+    all.push_back(replaced("velocity back", pose + "[^,]*,[^,]*", "$1,-90,-90"));
+    all.push_back(replaced("a turn of 900", pose + "([^,]*,[^,]*,[^,]*),[^,]*", "$1,$2,900"));
+    all.push_back(replaced("tool 1 mm off", "ChangeTCP\\(\\{0", "ChangeTCP({1", true));
+    all.push_back(replaced("load of 20 kg", "\\},[0-9.]+\\)", "},20)", true));
+    all.push_back(replaced("first motion fast", ",8,500,", ",100,500,", true));
+    all.push_back(replaced("ten times the prime", ",0\\.2\\)", ",2)", true));
+    all.push_back(erased("the extruder stays on", "DO\\[0\\]=0"));
+    all.push_back(shifted("the extruder starts late", "DO\\[0\\]=1"));
+    all.push_back(shifted("the extruder stops late", "DO\\[0\\]=0"));
+    all.push_back(replaced("joints for a pose", "PVTEnter\\(1\\)", "PVTEnter(0)", true));
+    all.push_back(insertedInHead("ChangeBase({0,0,10,0,0,0})"));
+    all.push_back(insertedInHead("ChangeBase(\"table\")"));
   } else {
     all.push_back(replaced("E is more", ",([0-9.]+),([0-9]+),print", ",9$1,$2,print"));
     all.push_back(replaced("E is less", ",[0-9.]+,([0-9]+),print", ",0,$1,print"));
@@ -416,11 +461,9 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
 }
 
 std::vector<Mutation> harmlessMutations(const std::string& format) {
-  static const std::map<std::string, std::string> kRemark = {{"urscript", "# "},
-                                                             {"rapid", "! "},
-                                                             {"gcode-extended", "; "},
-                                                             {"csv", "# "},
-                                                             {"melfa", "' "}};
+  static const std::map<std::string, std::string> kRemark = {
+      {"urscript", "# "}, {"rapid", "! "}, {"gcode-extended", "; "},
+      {"csv", "# "},      {"melfa", "' "}, {"tmscript", "// "}};
   const std::string remark = kRemark.at(format);
   const auto any = [](Subject& s, std::mt19937_64& random) {
     return s.read.motions.front().line + random() % (s.text.lines.size() - 40);
