@@ -53,6 +53,7 @@ public:
         out_.defect("no program calls this file"_text);
       complete = complete && texts_[f].ran && texts_[f].ended;
     }
+    complete = complete && !missing_;
     if (nozzle_)
       seeFromHeldWork();
     return out_.take(complete);
@@ -396,6 +397,7 @@ private:
         return;
       }
     defect(base::message("the program {name} is not here"_text, name.text.substr(0, 60)));
+    missing_ = true;
   }
 
   // word target [, separation] [Type 0,0] [Wth outputs]
@@ -542,6 +544,7 @@ private:
   bool continuous_ = false;
   std::optional<double> blendMm_; // without one: as far as it takes to stop
   bool toolSet_ = false, everSet_ = false;
+  bool missing_ = false; // a program that is called
 };
 
 } // namespace

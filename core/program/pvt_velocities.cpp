@@ -10,6 +10,8 @@ namespace {
 constexpr double kMostOfOne = 4.0 / 27.0; // of u (1 - u)^2
 constexpr double kMostFaster = 1.5;
 constexpr double kLeastMm = 1e-9;
+// How far an angle may be led off by the velocity at one end: by share of its way, and besides.
+constexpr double kTurnShare = 0.25, kLeastTurnDeg = 0.15;
 
 // How far from its line a motion is led by a velocity at one of its ends, mm.
 double acrossMm(const PvtMotion& motion, const PvtVector& velocity) {
@@ -41,6 +43,13 @@ PvtDeviation pvtDeviation(const PvtMotion& motion, const PvtVector& from, const 
   return worst;
 }
 
+bool pvtTurnsEvenly(const PvtMotion& motion, int k, double from, double to) {
+  const double even = motion.way[k] / motion.seconds;
+  const double off = kMostOfOne * motion.seconds * (std::abs(from - even) + std::abs(to - even));
+  // Twice what one end may, and twice what a stop asks for.
+  return off <= 2.0 * ((kTurnShare + kMostOfOne) * std::abs(motion.way[k]) + kLeastTurnDeg);
+}
+
 PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranceMm) {
   const double s = in.seconds + out.seconds;
   PvtVector velocity =
@@ -52,6 +61,12 @@ PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranc
     const double speed = motion->way.head<3>().norm() / motion->seconds;
     if (const double own = velocity.head<3>().norm(); own > kMostFaster * speed)
       share = std::min(share, kMostFaster * speed / own);
+    for (int k = 3; k < 6; ++k) {
+      const double most =
+          (kTurnShare * std::abs(motion->way[k]) + kLeastTurnDeg) / (kMostOfOne * motion->seconds);
+      if (const double turn = std::abs(velocity[k]); turn > most)
+        share = std::min(share, most / turn);
+    }
   }
   return share * velocity;
 }

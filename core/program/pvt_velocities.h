@@ -25,8 +25,13 @@ struct PvtDeviation {
 };
 PvtDeviation pvtDeviation(const PvtMotion& motion, const PvtVector& from, const PvtVector& to);
 
+// Does coordinate k, an angle, stay near its even turn with these velocities at both ends, degrees
+// a second? True of all velocities below and of 0.
+bool pvtTurnsEvenly(const PvtMotion& motion, int k, double from, double to);
+
 // The velocity at the point between two motions: their parabola's, less where one of them would
-// leave its line by more than `toleranceMm` or run at more than half as fast again as it should.
+// leave its line by more than `toleranceMm`, run at more than half as fast again as it should or
+// turn unevenly.
 PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranceMm);
 
 } // namespace voluta::program

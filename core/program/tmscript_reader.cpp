@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kNumbers = 6;
 constexpr double kMostMm = 1e5, kMostDeg = 1e5, kMostMmPerS = 1e4, kMostSeconds = 1e6;
 // A cubic further off its line, or from the even motion along it, than start and stop ask for.
-constexpr double kMostAcrossMm = 0.05, kMostAlongShare = 0.25, kMostTurnDeg = 0.3;
+constexpr double kMostAcrossMm = 0.05, kMostAlongShare = 0.25;
 
 enum class Block { None, Joints, Poses };
 
@@ -335,17 +335,13 @@ private:
   bool joints() const { return block_ == Block::Joints; }
 
   void checkVelocities(const PvtMotion& motion, const PvtVector& to) {
-    const double t = motion.seconds;
     bool fits = true;
     if (block_ == Block::Poses) {
       const PvtDeviation off = pvtDeviation(motion, velocity_, to);
       fits = off.acrossMm <= kMostAcrossMm && off.alongShare <= kMostAlongShare;
     }
-    for (int k = joints() ? 0 : 3; k < 6; ++k) {
-      const double even = motion.way[k] / t;
-      const double off = 4.0 / 27.0 * t * (std::abs(velocity_[k] - even) + std::abs(to[k] - even));
-      fits = fits && off <= 2.0 * kMostAlongShare * std::abs(motion.way[k]) + kMostTurnDeg;
-    }
+    for (int k = joints() ? 0 : 3; k < 6; ++k)
+      fits = fits && pvtTurnsEvenly(motion, k, velocity_[k], to[k]);
     if (!fits)
       defect("the velocities lead off the way to this point"_text);
     if (block_ == Block::Poses && motion.way.tail<3>().cwiseAbs().maxCoeff() > 180.0)

@@ -4,7 +4,10 @@
 // Functions and Data types; the RepRap wiki's list of G-codes.
 #include "program/dialect.h"
 #include "program/gcode_extended.h"
+#include "program/melfa.h"
 #include "program/rapid.h"
+#include "program/tmscript.h"
+#include "program/tmscript_frames.h"
 #include "program/urscript.h"
 
 #include <algorithm>
@@ -51,6 +54,30 @@ std::string rapid(const std::string& head, const std::string& amid, const std::s
                   head + "SetDO doExtruder,1; SetAO aoFlow,0.1;\n" + move("300") + move("301") +
                   amid + move("302") + "SetDO doExtruder,0;\nSetAO aoFlow,0;\n" + end +
                   "ENDPROC\nENDMODULE\n");
+}
+
+std::string melfa(const std::string& head, const std::string& amid, const std::string& end) {
+  return withCrLf("Tool (0,0,100,0,0,0)\nSpd 20\n" + head +
+                  "M_Out(10)=1\nM_Outw(16)=1000\nMov (400,0,300,180,0,180)(7,0)\n"
+                  "Mvs (400,0,301,180,0,180)(7,0)\n'\n" +
+                  amid + "Mvs (400,0,302,180,0,180)(7,0)\nM_Out(10)=0\nM_Outw(16)=0\n" + end +
+                  "End\n");
+}
+
+// Each line in a frame of its own.
+std::string tmscript(const std::string& head, const std::string& amid, const std::string& end) {
+  const auto line = [](const std::string& z) {
+    return "Line(\"CAP\",400,0," + z + ",180,0,180,20,200,0,false)\n";
+  };
+  std::istringstream lines("ChangeTCP({0,0,100,0,0,0},1.5)\n" + head +
+                           "IO[\"ControlBox\"].DO[0]=1\nIO[\"ControlBox\"].AO[0]=1\n" +
+                           line("300") + line("301") + "//\n//\n" + amid + line("302") +
+                           "IO[\"ControlBox\"].DO[0]=0\nIO[\"ControlBox\"].AO[0]=0\n" + end +
+                           "ScriptExit()\n");
+  std::string text;
+  for (std::string script; std::getline(lines, script);)
+    text += script.starts_with("//") ? script + "\r\n" : tmFrame("1", script);
+  return text;
 }
 
 std::string gcode(const std::string& head, const std::string& amid, const std::string& end) {
@@ -154,6 +181,28 @@ TEST(Words, OfRapidAreKnownOrRefused) {
                           {"ClkReset", "ClkStart", "ClkStop", "ErrWrite", "TPErase", "TPWrite"});
 }
 
+TEST(Words, OfMelfaAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "Accel Act Base CallP ChrSrch CavChk Close ClrM Cmp CmpG ColChk ColLvl Com Def Dim Dly EMvc "
+      "EMvr EMvr2 EMvr3 EMvs EMvSpl Error Fine For FPrm Fsc GetM GetPos GoSub GoTo Hlt HOpen "
+      "HClose If Input JOvrd JRC LoadSet Mov Mva Mvc Mvr Mvr2 Mvr3 Mvs MvSpl MvTune Mxt Next OAdl "
+      "On Open Ovrd Plt Prec Print Priority PVSCal RelM Rem Reset Return Select Servo SetCalFrm "
+      "SetExtArea Skip Spd SpdOpt SplSpd SplPos Title Tool Torq Trk TrChk TrClr TrOut TrRst TrWcur "
+      "VxDr Wait While WEnd Wth WthIf XClr XLoad XRst XRun XStp ZoneChk";
+  expectAllKnownOrRefused("melfa", wordsOf(kManual, " 1"), melfa, kAmid,
+                          {"Dim", "Rem", "Title", "Spd", "Ovrd", "JOvrd"});
+}
+
+TEST(Words, OfTmscriptAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "PTP Line Circle PLine Move_PTP Move_Line Move_PLine ChangeBase ChangeTCP ChangeLoad "
+      "PVTExit PVTPoint PVTPause PVTResume QueueTag WaitQueueTag StopAndClearBuffer Pause Resume "
+      "Vision_DoJob Vision_DoJob_PTP Vision_IsJobAvailable SuspendContinue Force_Start "
+      "Compliance_Start TouchStop_Start StartContinueVmove SetContinueVmove StopContinueVmove "
+      "StartContinueVLine StopContinueVLine modbus_write socket_send com_write Sleep goto";
+  expectAllKnownOrRefused("tmscript", wordsOf(kManual, "(1)"), tmscript, kAmid, {"QueueTag"});
+}
+
 TEST(Words, OfGcodeAreKnownOrRefused) {
   // All numbers that the wiki has, and those it has not.
   std::vector<std::string> lines;
@@ -190,6 +239,21 @@ TEST(Words, StandWhereTheyMay) {
       {"rapid", rapid, "SingArea\\Wrist;\n", false, false, false},
       {"rapid", rapid, "SetDO doFan,1;\n", true, false, true},
       {"rapid", rapid, "UIMsgBox \"go\";\n", true, false, true},
+      {"melfa", melfa, "Accel 100,100\n", true, true, true},
+      {"melfa", melfa, "Accel 20,100\n", false, false, false},
+      {"melfa", melfa, "Hlt\n", true, false, true},
+      {"melfa", melfa, "Servo On\n", true, false, true},
+      {"melfa", melfa, "Fine 100\n", true, false, false},
+      {"melfa", melfa, "M_Out(3)=1\n", true, false, true},
+      {"melfa", melfa, "Base P_NBase\n", true, true, true},
+      {"melfa", melfa, "Base (0,0,1,0,0,0)\n", false, false, false},
+      {"tmscript", tmscript, "ChangeBase(\"RobotBase\")\n", true, true, true},
+      {"tmscript", tmscript, "ChangeBase(\"table\")\n", false, false, false},
+      {"tmscript", tmscript, "ChangeLoad(1.5)\n", true, true, true},
+      {"tmscript", tmscript, "ChangeLoad(2)\n", false, false, false},
+      {"tmscript", tmscript, "Pause()\n", true, false, true},
+      {"tmscript", tmscript, "IO[\"ControlBox\"].DO[3]=1\n", true, false, true},
+      {"tmscript", tmscript, "WaitQueueTag(1,100)\n", true, false, true},
       {"gcode-extended", gcode, "G28\n", true, false, false},
       {"gcode-extended", gcode, "M84\n", false, false, true},
       {"gcode-extended", gcode, "M104 S210\n", true, false, true},
@@ -207,7 +271,8 @@ TEST(Words, StandWhereTheyMay) {
 }
 
 TEST(Words, OfATableStandOnceAndMeanSomething) {
-  for (const auto table : {urscriptWords(), rapidWords(), gcodeWords()})
+  for (const auto table :
+       {urscriptWords(), rapidWords(), gcodeWords(), melfaWords(), tmscriptWords()})
     for (const KnownWord& row : table) {
       EXPECT_EQ(findWord(table, row.word), &row) << row.word << " stands twice";
       EXPECT_NE(row.places, 0) << row.word;
