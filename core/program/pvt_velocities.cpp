@@ -58,6 +58,8 @@ PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranc
   for (const PvtMotion* motion : {&in, &out}) {
     if (const double off = acrossMm(*motion, velocity); off > toleranceMm)
       share = std::min(share, toleranceMm / off);
+    if (velocity.head<3>().dot(motion->way.head<3>()) < 0.0)
+      return PvtVector::Zero(); // it would run back
     const double speed = motion->way.head<3>().norm() / motion->seconds;
     if (const double own = velocity.head<3>().norm(); own > kMostFaster * speed)
       share = std::min(share, kMostFaster * speed / own);

@@ -68,6 +68,8 @@ TEST(PvtVelocities, stayNearTheLine) {
   EXPECT_NEAR(corner[0], 0.02 / (4.0 / 27.0 * 0.1), 1e-9);
   // Back again: it stands.
   EXPECT_NEAR(pvtVelocity(motion(1, 0, 0.1), motion(-1, 0, 0.1), 0.02).norm(), 0.0, 1e-12);
+  // Nor does a fast motion behind a sharp corner draw a slow one back.
+  EXPECT_EQ(pvtVelocity(motion(0.1, 0, 0.1), motion(-4, 0.1, 0.1), 0.02).norm(), 0.0);
   // From rest to rest, 3 u^2 - 2 u^3.
   EXPECT_NEAR(pvtDeviation(in, PvtVector::Zero(), PvtVector::Zero()).alongShare, 0.0962, 1e-3);
 }
