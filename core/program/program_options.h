@@ -9,8 +9,8 @@ namespace voluta::program {
 
 struct ProgramOptions {
   // A program of more motions is cut into files to be run one after the other, each cut where the
-  // extruder is off if there is such a place (URScript, RAPID; the other formats are streamed and
-  // stay one file). 0: as the dialect has it.
+  // extruder is off if there is such a place (URScript, RAPID, MELFA-BASIC; the other formats are
+  // streamed and stay one file). 0: as the dialect has it.
   std::size_t motionsPerFile = 0;
   // URScript: `end` is the last line, as ports 30001 and 30002 take it; else the function is called
   // behind it, as a file node of PolyScope needs it.
