@@ -61,7 +61,4 @@ bool mayBeMissingInMelfa(const std::vector<std::string>& lines, std::size_t i); 
 // The programs that one calls.
 std::vector<std::string> filesOfMelfa(std::string_view text);
 
-// A step's line without its number and its remark. `step`: its number, 0 where it has none.
-std::string_view melfaCode(std::string_view line, std::size_t& step);
-
 } // namespace voluta::program

@@ -1,5 +1,6 @@
 #include "base/units.h"
 #include "program/melfa.h"
+#include "program/melfa_text.h"
 #include "program/melfa_values.h"
 #include "program/program_builder.h"
 #include "program/rapid_tokens.h"
@@ -7,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,22 +17,9 @@ namespace voluta::program {
 
 namespace {
 
-constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMostDepth = 8;
 constexpr double kMostJointDeg = 5000.0, kMostMmPerS = 1e5, kMostSeconds = 1e6;
 constexpr int kWorkCoordinates = 8, kOutputsOfWord = 16;
-
-// Where `mark` stands outside of strings.
-std::size_t findOutside(std::string_view text, char mark) {
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '"')
-      quoted = !quoted;
-    else if (text[i] == mark && !quoted)
-      return i;
-  }
-  return std::string_view::npos;
-}
 
 class MelfaReader {
 public:
@@ -42,16 +28,16 @@ public:
       : files_(files), ctx_(ctx), out_("melfa", process) {}
 
   plan::ReadProgram read() {
-    texts_.resize(files_.size());
     for (out_.file = 0; out_.file < files_.size(); ++out_.file)
-      takeApart(files_[out_.file].text, texts_[out_.file]);
+      texts_.push_back(melfaText(files_[out_.file].text, out_, ctx_));
+    ran_.assign(files_.size(), false);
     bool complete = !files_.empty() && runFile(0);
     for (std::size_t f = 0; f < texts_.size(); ++f) {
       out_.file = f;
       out_.line = texts_[f].lastLine;
-      if (!texts_[f].ran)
+      if (!ran_[f])
         out_.defect("no program calls this file"_text);
-      complete = complete && texts_[f].ran && texts_[f].ended;
+      complete = complete && ran_[f] && texts_[f].ended;
     }
     complete = complete && !missing_;
     if (nozzle_)
@@ -60,65 +46,26 @@ public:
   }
 
 private:
-  struct Line {
-    std::size_t number;
-    std::string_view code;
-  };
-  struct Text {
-    std::vector<Line> lines; // with code in them
-    std::map<std::string, std::size_t, std::less<>> labels;
-    std::size_t lastLine = 0;
-    bool ran = false, ended = false; // its last line has an end
-  };
-
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
   void notUnderstood(std::string_view code) {
     defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
   }
 
-  void takeApart(std::string_view text, Text& into) {
-    LineReader reader(text);
-    std::string_view line;
-    std::size_t last = 0;
-    while (reader.next(line)) {
-      into.lastLine = out_.line = reader.number();
-      if (out_.line % 4096 == 0)
-        ctx_.checkpoint();
-      std::size_t step = 0;
-      const std::string_view code = melfaCode(line, step);
-      if (trimmed(line).size() > kMelfaMostCharacters)
-        defect("a step of more than 127 characters"_text);
-      if (step > kMelfaMostSteps || (step > 0 && step <= last))
-        defect("step numbers ascend, to 32767 at most"_text);
-      last = step > 0 ? step : last;
-      if (!code.empty())
-        into.lines.push_back({reader.number(), code});
-    }
-    into.ended = !text.empty() && text.back() == '\n';
-    if (!into.ended)
-      defect("the last line has no end: the file was cut short"_text);
-    for (std::size_t i = 0; i < into.lines.size(); ++i)
-      if (std::string_view code = into.lines[i].code; code.front() == '*') {
-        TextScanner scanner{code.substr(1)};
-        into.labels.insert_or_assign(inSmallLetters(scanner.name()), i);
-      }
-  }
-
   // Values that are listed behind the program. They hold from its beginning.
-  void takeValues(const Text& text) {
+  void takeValues(const MelfaText& text) {
     bool behind = false;
-    for (const Line& line : text.lines) {
-      out_.line = line.number;
+    for (const MelfaStep& step : text.steps) {
+      out_.line = step.line;
       if (behind)
-        assign(line.code);
-      behind = behind || sameWord(line.code, "end");
+        assign(step.code);
+      behind = behind || sameWord(step.code, "end");
     }
   }
 
   bool runFile(std::size_t file) {
-    Text& text = texts_[file];
+    const MelfaText& text = texts_[file];
     const std::size_t fromFile = std::exchange(out_.file, file), fromLine = out_.line;
-    text.ran = true;
+    ran_[file] = true;
     variables_.clear();
     out_.beginOutputs();
     continuous_ = false;
@@ -144,16 +91,14 @@ private:
 
   // To the End, or to the Return of a subroutine (depth > 0). false: neither is there.
   bool runFrom(std::size_t at, std::size_t depth) {
-    const Text& text = texts_[out_.file];
-    for (; at < text.lines.size(); ++at) {
-      out_.line = text.lines[at].number;
+    const MelfaText& text = texts_[out_.file];
+    for (; at < text.steps.size(); ++at) {
+      out_.line = text.steps[at].line;
       if (at % 4096 == 0)
         ctx_.checkpoint();
-      std::string_view rest = text.lines[at].code;
+      std::string_view rest = text.steps[at].code;
       while (!rest.empty()) {
-        const std::size_t colon = findOutside(rest, ':');
-        const std::string_view code = trimmed(rest.substr(0, colon));
-        rest.remove_prefix(colon == std::string_view::npos ? rest.size() : colon + 1);
+        const std::string_view code = takeMelfaStatement(rest);
         if (sameWord(code, "end"))
           return true;
         if (depth > 0 && sameWord(code, "return"))
@@ -535,7 +480,8 @@ private:
   const std::vector<plan::ProgramFile>& files_;
   const base::RunContext& ctx_;
   ProgramBuilder out_;
-  std::vector<Text> texts_; // of files_
+  std::vector<MelfaText> texts_; // of files_
+  std::vector<bool> ran_;
   ScriptVariables variables_;
   std::optional<Eigen::Isometry3d> work_[kWorkCoordinates]; // base_T_work coordinates
   std::optional<Eigen::Isometry3d> nozzle_;                 // what straight motions are of
@@ -549,62 +495,9 @@ private:
 
 } // namespace
 
-std::string_view melfaCode(std::string_view line, std::size_t& step) {
-  line = trimmed(line);
-  std::size_t digits = 0;
-  step = 0;
-  while (digits < line.size() && line[digits] >= '0' && line[digits] <= '9') {
-    step = std::min<std::size_t>(10 * step + static_cast<std::size_t>(line[digits] - '0'),
-                                 kMelfaMostSteps + 1);
-    ++digits;
-  }
-  line = trimmed(line.substr(digits));
-  TextScanner first{line};
-  if (sameWord(first.name(), "rem"))
-    return {};
-  return trimmed(line.substr(0, findOutside(line, '\'')));
-}
-
 plan::ReadProgram readMelfa(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx) {
   return MelfaReader(files, process, ctx).read();
-}
-
-bool looksLikeMelfa(std::string_view text) {
-  LineReader lines(text.substr(0, 16384));
-  std::string_view line;
-  while (lines.next(line)) {
-    std::size_t step = 0;
-    TextScanner code{melfaCode(line, step)};
-    const std::string_view word = code.name();
-    for (const char* own : {"mov", "mvs", "emvs", "callp", "ovrd", "spd"})
-      if (sameWord(word, own))
-        return true;
-  }
-  return false;
-}
-
-bool mayBeMissingInMelfa(const std::vector<std::string>& lines, std::size_t i) {
-  std::size_t step = 0;
-  const std::string_view code = melfaCode(lines[i], step);
-  const auto begins = [&](std::string_view word) { return code.starts_with(word); };
-  // The arm's own base, speeds and accelerations are there without a word.
-  return code.empty() || begins("Base") || begins("Ovrd") || begins("Accel") || begins("Hlt") ||
-         (begins("Cnt 0") && i > 0 && lines[i - 1].find("Accel") != std::string::npos) ||
-         primes(lines, i);
-}
-
-std::vector<std::string> filesOfMelfa(std::string_view text) {
-  std::vector<std::string> names;
-  LineReader lines(text);
-  for (std::string_view line; lines.next(line);) {
-    std::size_t step = 0;
-    TextScanner code{melfaCode(line, step)};
-    std::string_view name;
-    if (sameWord(code.name(), "callp") && code.take('"') && code.textBehindQuote(name))
-      names.push_back(joined({name, ".prg"}));
-  }
-  return names;
 }
 
 } // namespace voluta::program
