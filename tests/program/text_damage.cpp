@@ -136,12 +136,15 @@ std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
   const std::size_t line = whole.motions.at(motion).line;
   // In mm, in m and in degrees.
   const auto others = [](double x) { return std::vector{x + 2.0, x + 0.002, x + 0.25}; };
-  const bool found = changeNumber(text.lines.at(line - 1), others, [&] {
-    const ReadProgram changed = read(text, process);
-    return isSound(changed) && sameTargets(whole, changed, motion) &&
-           isBeside(whole.motions[motion], changed.motions[motion]);
-  });
-  return found ? std::optional(line) : std::nullopt;
+  const auto moved = [&](bool sound) {
+    return changeNumber(text.lines.at(line - 1), others, [&] {
+      const ReadProgram changed = read(text, process);
+      return (!sound || isSound(changed)) && sameTargets(whole, changed, motion) &&
+             isBeside(whole.motions[motion], changed.motions[motion]);
+    });
+  };
+  // Where a text says how fast it goes there as well, its reader may tell already.
+  return moved(true) || moved(false) ? std::optional(line) : std::nullopt;
 }
 
 std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
@@ -151,12 +154,25 @@ std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
   const double before = durationOf(whole.motions[motion]);
   // A speed, a time, and a time from the program's beginning.
   const auto others = [&](double x) { return std::vector{10.0 * x, 0.1 * x, x - 0.9 * before}; };
-  const bool found = changeNumber(text.lines.at(line - 1), others, [&] {
+  const auto isTenfold = [&] {
     const ReadProgram changed = read(text, process);
     return isSound(changed) && sameTargets(whole, changed, kNone) &&
            std::abs(durationOf(changed.motions[motion]) / before - 0.1) < 1e-3;
-  });
-  return found ? std::optional(line) : std::nullopt;
+  };
+  if (changeNumber(text.lines.at(line - 1), others, isTenfold))
+    return line;
+  // A speed that stands in a line before it is said again, without that line's number.
+  constexpr std::size_t kBack = 40;
+  static const std::regex kStep(R"(^\d+\s+)");
+  const auto here = text.lines.begin() + static_cast<std::ptrdiff_t>(line - 1);
+  text.lines.insert(here, "");
+  for (std::size_t back = 1; back < std::min(line, kBack); ++back) {
+    text.lines[line - 1] = std::regex_replace(text.lines[line - 1 - back], kStep, "");
+    if (changeNumber(text.lines[line - 1], others, isTenfold))
+      return line;
+  }
+  text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(line - 1));
+  return std::nullopt;
 }
 
 std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t motion,
@@ -177,7 +193,7 @@ std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t moti
     const std::string off = text.lines[l - 1];
     text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1));
     if (lays())
-      return l;
+      return read(text, process).motions[travel].line;
     text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1), off);
   }
   // or the travel's line tells an amount,
