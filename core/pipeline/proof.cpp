@@ -42,8 +42,7 @@ bool isProved(const CheckedProgram& program) {
 ProofValue valueAt(double value, std::size_t point, const PlanResult& result,
                    const Measured& measured, const CheckedProgram& checked) {
   ProofValue at{value, {}, 0, measured.trajectory.timeS[point]};
-  const std::vector<TextLine> lines = linesOfPoints(checked, *result.job.trajectory);
-  const TextLine line = lines[result.job.resumedAt + point];
+  const TextLine line = checked.pointLines[result.job.resumedAt + point];
   if (line.line > 0 && line.file < checked.program.files.size()) {
     at.file = checked.program.files[line.file].name;
     at.line = line.line;
@@ -62,7 +61,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.verdict = checked.verdict;
   const project::MotionReport& motion = result.job.report.motion;
   proof.plannedS = motion.durationS;
-  proof.programS = checked.durationS;
+  proof.programS = checked.verdict.durationS;
   const plan::Trajectory& t = measured.trajectory;
   proof.materialMm3 = t.extrudedMm3.back();
   const auto closest = std::lower_bound(t.timeS.begin(), t.timeS.end(), motion.minClearanceAtS);
