@@ -1,6 +1,4 @@
-#include "base/files.h"
 #include "cli/commands.h"
-#include "cli/run_interruptibly.h"
 #include "pipeline/outputs.h"
 
 #include <fmt/format.h>
