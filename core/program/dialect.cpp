@@ -24,6 +24,7 @@ const std::vector<Dialect>& dialects() {
        .turnsRods = false,
        // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
+       .merge = {.motionS = 0.008},
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
@@ -52,7 +53,7 @@ const std::vector<Dialect>& dialects() {
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
-       .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .merge = {.leastS = 0.024, .leastMm = 0.5, .motionS = 0.02},
        .write = writeRapid,
        .read = readRapid,
        .looksLike = looksLikeRapid,
@@ -133,9 +134,11 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
 
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
+  MergeLimits limits = findDialect(id).merge;
   // Around a rod joined motions cost a percent of the cover (two tubes, measured).
-  const bool rod = !input.cell.externalAxes().empty();
-  return mergedPoints(input, rod ? MergeLimits{} : findDialect(id).merge, ctx);
+  if (!input.cell.externalAxes().empty())
+    limits.leastS = limits.leastMm = 0.0;
+  return mergedPoints(input, limits, ctx);
 }
 
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,

@@ -214,16 +214,16 @@ private:
   }
 
   // Controllers tell of close positions (event 50078) and of corners that they could not plan in
-  // time (50024) where motions are this short.
+  // time (50024) where motions are shorter; the plan has slowed such to this.
   void aboutDensity() {
     std::size_t few = 0;
     for (std::size_t i = 1; i < targets_.size(); ++i)
-      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < kLeastSeconds;
+      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < (1.0 + kFlowBand) * kLeastSeconds;
     if (few == 0)
       return;
-    out_ += joined({"  ! ", std::to_string(few), " motions take less than "});
+    out_ += joined({"  ! ", std::to_string(few), " motions take "});
     number(kLeastSeconds * 1000.0, 0);
-    line(" ms: events 50024 and 50078 may come; take longer steps (stepMm) or a lower speed");
+    line(" ms, the least that the controller plans in time");
   }
 
   void aboutRod() {
