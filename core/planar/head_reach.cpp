@@ -218,13 +218,22 @@ bool HeadReach::blocked(const std::vector<Vector3d>& tips, const Obstacles& obst
   lowest = std::max(lowest, lowestMm) + rise_.front();
   const double widest = kStepMm * static_cast<double>(rise_.size());
   std::vector<HeightMap::Point> near;
-  for (const std::span<const Vector3d> part : obstacles)
-    for (const Vector3d& o : part)
+  for (const PointBlock& block : obstacles) {
+    if (block.liesBelow(direction, lowest))
+      continue;
+    if (!block.box.isEmpty()) {
+      const Vector3d middle = block.box.center();
+      const Eigen::Vector2d at(across.dot(middle), along.dot(middle));
+      if (swept.exteriorDistance(at) > widest + 0.5 * block.box.diagonal().norm())
+        continue;
+    }
+    for (const Vector3d& o : block.points)
       if (const double h = direction.dot(o); h > lowest) {
         const Eigen::Vector2d at(across.dot(o), along.dot(o));
         if (swept.squaredExteriorDistance(at) <= widest * widest)
           near.push_back({at.x(), at.y(), h});
       }
+  }
   if (near.empty())
     return false;
   const HeightMap map(std::move(near));
@@ -256,8 +265,8 @@ std::vector<Vector3d> HeadReach::inside(const std::vector<Vector3d>& tips,
     down.push_back({across.dot(t), along.dot(t), -std::max(direction.dot(t), lowestMm)});
   const HeightMap map(std::move(down));
   std::vector<Vector3d> out;
-  for (const std::span<const Vector3d> part : obstacles)
-    for (const Vector3d& o : part)
+  for (const PointBlock& block : obstacles)
+    for (const Vector3d& o : block.points)
       if (map.meets({across.dot(o), along.dot(o), -direction.dot(o)}, rise_))
         out.push_back(o);
   return out;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "planar/pieces.h"
+#include "planar/point_blocks.h"
 #include "process/process.h"
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
 namespace voluta::planar {
@@ -32,8 +32,8 @@ std::vector<Eigen::Vector3d> plateSamples(const std::vector<Eigen::Vector2d>& po
 std::vector<Eigen::Vector3d> frustumSamples(double lowMm, double highMm, double lowRadiusMm,
                                             double highRadiusMm, double spacingMm);
 
-// What may be in the head's way, in as many parts as it is kept in. The caller keeps them alive.
-using Obstacles = std::vector<std::span<const Eigen::Vector3d>>;
+// What may be in the head's way.
+using Obstacles = std::vector<PointBlock>;
 
 // Height along the base's normal at which the nozzle's tip lays the piece's first layer: twice
 // rule.contactMm over its base.

@@ -61,8 +61,8 @@ CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, do
 
 CutSearch::~CutSearch() = default;
 
-std::shared_ptr<const std::vector<Vector3d>> CutSearch::samplesOfPlate(const Piece& piece) const {
-  return std::make_shared<std::vector<Vector3d>>(
+std::shared_ptr<const PointBlocks> CutSearch::samplesOfPlate(const Piece& piece) const {
+  return std::make_shared<PointBlocks>(
       plateSamples(plateUnder(piece, options_), options_.platform.thicknessMm, kReachSpacingMm));
 }
 
@@ -95,8 +95,7 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
         made->under.push_back(p);
     }
     if (made->plate)
-      for (const Vector3d& p : *made->plate)
-        made->box.extend(p);
+      made->box.extend(made->plate->box());
   }
   return made;
 }
@@ -127,11 +126,12 @@ bool CutSearch::wayIsFree(const Node& n, const CutCandidate& c) const {
   std::vector<Vector3d> tips, obstacles;
   Obstacles under{n.under, carrier_};
   if (n.plate)
-    under.emplace_back(*n.plate);
-  for (const std::span<const Vector3d> part : under)
-    for (const Vector3d& p : part)
-      if (c.plane.heightOf(p) > 0.0)
-        obstacles.push_back(p);
+    under.insert(under.end(), n.plate->blocks().begin(), n.plate->blocks().end());
+  for (const PointBlock& block : under)
+    if (!block.liesBelow(c.plane.normal, c.plane.offsetMm))
+      for (const Vector3d& p : block.points)
+        if (c.plane.heightOf(p) > 0.0)
+          obstacles.push_back(p);
   if (obstacles.empty())
     return true;
   for (const Vector3d& p : n.tips)

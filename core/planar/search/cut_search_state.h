@@ -15,14 +15,14 @@ struct CutSearch::Node {
   std::vector<std::int32_t> holds; // tags of sections that others stand on
   std::vector<Eigen::Vector3d> tips, body;
   // Of the plate where it stands on that; large, and mostly the same one.
-  std::shared_ptr<const std::vector<Eigen::Vector3d>> plate;
+  std::shared_ptr<const PointBlocks> plate;
   Eigen::AlignedBox3d box;            // of body and plate
   double lowestTip = 0.0;             // along its base's normal
   std::vector<Eigen::Vector3d> under; // of the body what is not over z = 0
   Obstacles obstacles() const {
     Obstacles all{body};
     if (plate)
-      all.emplace_back(*plate);
+      all.insert(all.end(), plate->blocks().begin(), plate->blocks().end());
     return all;
   }
   bool searched = false;
