@@ -4,6 +4,7 @@
 #include "base/nearest_name.h"
 #include "program/gcode_extended.h"
 #include "program/joint_table.h"
+#include "program/krl.h"
 #include "program/language_words.h"
 #include "program/rapid.h"
 #include "program/text.h"
@@ -60,6 +61,23 @@ const std::vector<Dialect>& dialects() {
        .isWord = isRapidWord,
        .remark = "!",
        .mayBeMissing = mayBeMissingInRapid},
+      {.id = "krl",
+       .label = "KRL (KUKA)"_text,
+       .extension = "src",
+       .controller = "krl",
+       .needsJoints = false,
+       // Every motion says its acceleration; joints as of other arms. The controller knows as many
+       // motions as $ADVANCE, at most 5.
+       .time = {.accelerationMmPerS2 = 10000.0, .jointAccelerationRadPerS2 = 10.0, .lookAhead = 5},
+       // Two cycles of its interpolation.
+       .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .write = writeKrl,
+       .read = readKrl,
+       .looksLike = looksLikeKrl,
+       .goesOnIn = filesOfKrl,
+       .isWord = isKrlWord,
+       .remark = ";",
+       .mayBeMissing = mayBeMissingInKrl},
       {.id = "csv",
        .label = "Joint table (CSV)"_text,
        .extension = "csv",

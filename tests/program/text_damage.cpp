@@ -109,6 +109,7 @@ bool sameTarget(const ProgramMotion& a, const ProgramMotion& b) {
 bool sameMotion(const ProgramMotion& a, const ProgramMotion& b) {
   return sameTarget(a, b) && a.speedMmPerS == b.speedMmPerS &&
          a.jointSpeedRadPerS == b.jointSpeedRadPerS && a.durationS == b.durationS &&
+         a.accelerationMmPerS2 == b.accelerationMmPerS2 &&
          a.blendMm == b.blendMm && a.extruding == b.extruding && a.flowMm3PerS == b.flowMm3PerS &&
          a.volumeMm3 == b.volumeMm3;
 }
