@@ -7,6 +7,7 @@
 #include "program/krl.h"
 #include "program/language_words.h"
 #include "program/rapid.h"
+#include "program/spelplus.h"
 #include "program/text.h"
 #include "program/text_files.h"
 #include "program/urscript.h"
@@ -78,6 +79,21 @@ const std::vector<Dialect>& dialects() {
        .isWord = isKrlWord,
        .remark = ";",
        .mayBeMissing = mayBeMissingInKrl},
+      {.id = "spelplus",
+       .label = "SPEL+ (Epson)"_text,
+       .extension = "prg",
+       .controller = "spelplus",
+       .needsJoints = false,
+       .turnsRods = false,
+       // Every motion says its acceleration; joints as of other arms.
+       .time = {.accelerationMmPerS2 = 1000.0, .jointAccelerationRadPerS2 = 10.0},
+       .write = writeSpelplus,
+       .read = readSpelplus,
+       .looksLike = looksLikeSpelplus,
+       .goesOnIn = filesOfSpelplus,
+       .isWord = isSpelplusWord,
+       .remark = "'",
+       .mayBeMissing = mayBeMissingInSpelplus},
       {.id = "csv",
        .label = "Joint table (CSV)"_text,
        .extension = "csv",

@@ -328,9 +328,11 @@ TEST_F(Dialects, headsSayWhatIsToBeRun) {
 // Every program for a controller stops and asks before its first motion, which is slow.
 TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
   appendRandom(2, 50);
-  for (const auto& [id, word] :
-       {std::pair{"urscript", "popup("}, {"rapid", "UIMsgBox "}, {"gcode-extended", "M0\n"},
-        {"krl", "HALT\r\n"}}) {
+  for (const auto& [id, word] : {std::pair{"urscript", "popup("},
+                                 {"rapid", "UIMsgBox "},
+                                 {"gcode-extended", "M0\n"},
+                                 {"krl", "HALT\r\n"},
+                                 {"spelplus", "Pause\r\n"}}) {
     const plan::Program program = writeProgram(id, input());
     const plan::ReadProgram back = readProgram(id, program.files, process_);
     const std::string& text = program.files[0].text;
