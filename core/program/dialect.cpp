@@ -67,9 +67,11 @@ const std::vector<Dialect>& dialects() {
        .extension = "src",
        .controller = "krl",
        .needsJoints = false,
-       // Every motion says its acceleration; joints as of other arms. The controller knows as many
-       // motions as $ADVANCE, at most 5.
-       .time = {.accelerationMmPerS2 = 10000.0, .jointAccelerationRadPerS2 = 10.0, .lookAhead = 5},
+       // Machine data mostly have 10 m/s2. The controller knows as many motions as $ADVANCE, at
+       // most 5.
+       .time = {.accelerationMmPerS2 = kKrlMostMmPerS2,
+                .jointAccelerationRadPerS2 = 10.0,
+                .lookAhead = 5},
        // Two cycles of its interpolation.
        .merge = {.leastS = 0.024, .leastMm = 0.5},
        .write = writeKrl,
@@ -85,8 +87,8 @@ const std::vector<Dialect>& dialects() {
        .controller = "spelplus",
        .needsJoints = false,
        .turnsRods = false,
-       // Every motion says its acceleration; joints as of other arms.
-       .time = {.accelerationMmPerS2 = 1000.0, .jointAccelerationRadPerS2 = 10.0},
+       // What any of its arms takes.
+       .time = {.accelerationMmPerS2 = kSpelplusMmPerS2, .jointAccelerationRadPerS2 = 10.0},
        .write = writeSpelplus,
        .read = readSpelplus,
        .looksLike = looksLikeSpelplus,

@@ -5,9 +5,10 @@
 //   Print, Linear  LIN {X,Y,Z,A,B,C}: pose of $TOOL in $BASE. The controller moves the TCP straight
 //                  with $VEL.CP and turns it with $VEL.ORI1, $VEL.ORI2, whichever is slower; both
 //                  stand before the motion where they change. Turn limits are high enough never to
-//                  rule, but where the TCP hardly moves: there they give the time. $ACC.CP is what
-//                  ramps and corners ask for. C_DIS with $APO.CDIS rounds the corner at its end by
-//                  TcpMotions::blendMm, rounded down to steps of a tenth or so.
+//                  rule, but where the TCP hardly moves: there they give the time. $ACC.CP is the
+//                  machine's most, as the plan's own speeds change gently. C_DIS with $APO.CDIS
+//                  rounds the corner at its end by TcpMotions::blendMm, rounded down to steps of a
+//                  tenth or so.
 //   Joint          PTP {A1..A6}; PTP to a pose, without S and T, in a program for another maker's
 //                  robot. $VEL_AXIS in percent of an axis' most, taken as kKrlPtpDegPerS.
 // The first motion is a PTP with all axes (block coincidence), behind a HALT.
@@ -38,6 +39,8 @@ namespace voluta::program {
 inline constexpr std::size_t kKrlMotionsPerFile = 2500;
 // An axis' most, assumed: data sheets have 150 to 360.
 inline constexpr double kKrlPtpDegPerS = 180.0;
+// $ACC_MA.CP, assumed: who sets $ACC.CP no lower asks for nothing.
+inline constexpr double kKrlMostMmPerS2 = 10000.0;
 
 plan::Program writeKrl(const ProgramInput& input, const base::RunContext& ctx);
 

@@ -59,7 +59,7 @@ public:
     complete = procedures_.run(run) && complete && !openData_;
     if (!out_.outputsEnded())
       out_.defect("the extruder is not set off behind the last motion"_text);
-    return out_.take(complete && out_.outputsEnded());
+    return out_.take(complete && !missing_ && out_.outputsEnded());
   }
 
 private:
@@ -117,8 +117,10 @@ private:
       return false;
     if (line.takeMark('='))
       return assignment(word, line);
-    if (word == "continue")
+    if (word == "continue") {
+      out_.wordAt("CONTINUE", kAside);
       return aheadOfArm_ = true;
+    }
     if (word == "ptp" || word == "lin" || word == "sptp" || word == "slin")
       return motion(word, line);
     if (word == "trigger")
@@ -135,8 +137,8 @@ private:
       return procedures_.call(word);
     }
     if (line.isMark('(') && LineCursor(line.rest().substr(1), kKrlSyntax).isMark(')'))
-      return fail(
-          base::message("the module with {procedure} is not here"_text, word.substr(0, 40)));
+      return missing_ = true, fail(base::message("the module with {procedure} is not here"_text,
+                                                 word.substr(0, 40)));
     if (!out_.word(krlWords(), word))
       return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
     if (word == "halt" && !line.ended())
@@ -201,6 +203,8 @@ private:
       return fail("the tool does not turn evenly along its way"_text);
     if (!declared_.contains(root) && !isState(root) && !out_.word(krlWords(), root))
       return fail(base::message("'{word}' is not known to the reader"_text, root.substr(0, 40)));
+    if (root == "$advance")
+      out_.wordAt("$ADVANCE", kSetUp);
     if (root == "$base" || root == "$tool" || root == "$ipo_mode")
       frameSet(root);
     if (root == "$load" && value.numbers.contains("m")) {
@@ -422,8 +426,8 @@ private:
     const auto base = krlFrame(variables_.below("$base"));
     const auto tool = krlFrame(variables_.below("$tool"));
     if (!base || !tool)
-      return fail(
-          base::message("{frame} is not set before this motion"_text, base ? "$TOOL"_name : "$BASE"_name));
+      return fail(base::message("{frame} is not set before this motion"_text,
+                                base ? "$TOOL"_name : "$BASE"_name));
     const std::string_view mode = variables_.word("$ipo_mode");
     if (mode != "base" && mode != "tcp" && !mode.empty())
       return fail("$IPO_MODE is #BASE or #TCP"_text);
@@ -512,7 +516,7 @@ private:
     if (!(acceleration >= 0.0 && acceleration <= kMostMm))
       return fail("an acceleration is no sensible number"_text);
     m.speedMmPerS = *speed * 1000.0;
-    m.accelerationMmPerS2 = acceleration * 1000.0;
+    m.accelerationMmPerS2 = acceleration * 1000.0 < kKrlMostMmPerS2 ? acceleration * 1000.0 : 0.0;
     if (!last_ || lastKind_ != m.target)
       return true;
     const double way = (m.frame_T_tcp.translation() - last_->translation()).norm() / m.speedMmPerS;
@@ -541,6 +545,7 @@ private:
   }
 
   ProgramBuilder out_;
+  bool missing_ = false; // a file that is called
   Procedures procedures_;
   KrlVariables variables_;
   base::Message reason_;

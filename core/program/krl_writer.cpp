@@ -25,7 +25,6 @@ constexpr int kSpeedDigits = 6, kBlendDecimals = 4;
 constexpr double kTurnDegPerS = 200.0;     // at least
 constexpr double kMostTurnDegPerS = 400.0; // that machine data mostly have
 constexpr double kLeastTurnDegPerS = 0.5;
-constexpr double kMostMmPerS2 = 10000.0, kLeastMmPerS2 = 10.0;
 constexpr double kStartPercent = 10.0;
 constexpr double kLeastMmPerS = 1.0; // of $VEL.CP
 
@@ -144,7 +143,7 @@ private:
     if (megabytes > in_.options.krlMemoryMb)
       line(joined({"; TOO LONG: ", fixed(megabytes, 1),
                    " MB of programs, the controller has room for ",
-                   fixed(in_.options.krlMemoryMb, 1), " MB"}));
+                   fixed(in_.options.krlMemoryMb, 2), " MB"}));
   }
 
   void setUp() {
@@ -175,6 +174,7 @@ private:
       out_ += joined({k > 0 ? "," : "", k == 0 ? "X " : k == 1 ? "Y " : "Z ", fixed(centre[k], 1)});
     line(heldPlate() ? ",A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: 0.5 kg of plate, and the part"
                      : ",A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: 1 kg of head");
+    line(joined({"$ACC.CP=", fixed(kKrlMostMmPerS2 / 1000.0, 2)}));
     line(joined({"$VEL.ORI1=", fixed(turnLimit_, 0)}));
     line(joined({"$VEL.ORI2=", fixed(turnLimit_, 0)}));
   }
@@ -244,7 +244,7 @@ private:
       double largest = 0.0;
       for (int k = 0; k < in_.cell.armDof(); ++k)
         largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
-      percent = std::clamp(std::floor(100.0 * base::radiansToDegrees(largest) / s / kKrlPtpDegPerS),
+      percent = std::clamp(std::round(100.0 * base::radiansToDegrees(largest) / s / kKrlPtpDegPerS),
                            1.0, 100.0);
     }
     const std::string said = fixed(percent, 0);
@@ -297,7 +297,6 @@ private:
   }
 
   void straightMotion(std::size_t i, bool stops) override {
-    const double s = motions_.seconds(i);
     const bool byTurn = goesByTurn(i);
     double mmPerS = motions_.speedMmPerS(i);
     if (byTurn || !(mmPerS > 0.0))
@@ -308,12 +307,6 @@ private:
     set("$VEL.CP", fixed(mmPerS / 1000.0, decimalsFor(mmPerS / 1000.0, kSpeedDigits)));
     set("$VEL.ORI1", turn);
     set("$VEL.ORI2", turn);
-    double acceleration = std::max(in_.process.accelerationMmPerS2, motions_.blendMmPerS2(i));
-    if (s > 0.0)
-      acceleration = std::max(
-          acceleration, 2.0 * std::abs(motions_.speedMmPerS(i) - motions_.speedMmPerS(i - 1)) / s);
-    acceleration = std::clamp(steppedUp(acceleration), kLeastMmPerS2, kMostMmPerS2);
-    set("$ACC.CP", fixed(acceleration / 1000.0, 5));
     const double blend = stops ? 0.0 : motions_.blendMm(i);
     const bool rounds = blend >= std::pow(10.0, -kBlendDecimals);
     if (rounds)

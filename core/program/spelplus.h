@@ -4,10 +4,10 @@
 // motion:
 //   Print, Linear  Move XY(x,y,z,u,v,w): pose of the tool in Base (Local 0), straight at SpeedS,
 //                  mm/s, which alone says how long it takes; where the TCP hardly moves, ROT makes
-//                  the turn rule instead, at SpeedR. AccelS is what ramps and corners ask for. CP:
-//                  the next motion speeds up while this one slows down, so the corner is rounded
-//                  from v^2 / (2 AccelS) before it to as much behind it; AccelS is high enough for
-//                  that to stay within TcpMotions::blendMm.
+//                  the turn rule instead, at SpeedR. CP: the next motion speeds up while this one
+//                  slows down, so the corner is rounded from v^2 / (2 AccelS) before it to as much
+//                  behind it. AccelS is kSpelplusMmPerS2, more where the corner would else leave
+//                  TcpMotions::blendMm.
 //   Joint          Go AglToPls(j1,...); Go XY(...) in a program for another maker's robot. Speed in
 //                  percent of an axis' most, taken as kSpelplusPtpDegPerS.
 // The first motion is behind a Pause and under Power Low, in which the controller goes slowly
@@ -32,7 +32,10 @@
 
 namespace voluta::program {
 
-inline constexpr double kSpelplusPtpDegPerS = 400.0;
+// An axis' most, assumed: data sheets have 120 to 550.
+inline constexpr double kSpelplusPtpDegPerS = 180.0;
+// AccelS that any of the arms takes; the most that some take.
+inline constexpr double kSpelplusMmPerS2 = 5000.0, kSpelplusMostMmPerS2 = 25000.0;
 
 plan::Program writeSpelplus(const ProgramInput& input, const base::RunContext& ctx);
 

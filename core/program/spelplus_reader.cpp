@@ -34,7 +34,7 @@ public:
     complete = procedures_.run(run) && complete;
     if (!out_.outputsEnded())
       out_.defect("the extruder is not set off behind the last motion"_text);
-    return out_.take(complete && out_.outputsEnded());
+    return out_.take(complete && !missing_ && out_.outputsEnded());
   }
 
 private:
@@ -92,8 +92,8 @@ private:
       return line.ended() && procedures_.call(word);
     }
     if (said.size() > 5 && word != "call" && LineCursor(said, kSpelplusSyntax).isWord("call"))
-      return fail(
-          base::message("the module with {procedure} is not here"_text, word.substr(0, 40)));
+      return missing_ = true, fail(base::message("the module with {procedure} is not here"_text,
+                                                 word.substr(0, 40)));
     if (word == "go" || word == "move")
       return motion(word == "go", line);
     if (word == "on" || word == "off")
@@ -107,7 +107,7 @@ private:
     if (word == "tlset" || word == "local" || word == "ecpset")
       return frame(word == "tlset" ? tools_ : word == "local" ? locals_ : points_, line);
     if (word == "tool" || word == "ecp")
-      return whole(word == "tool" ? tool_ : ecp_, line);
+      return word == "tool" ? choose(tools_, tool_, line) : choose(points_, ecp_, line);
     if (word == "speed" || word == "speeds" || word == "speedr" || word == "accels" ||
         word == "accelr")
       return setting(word, line);
@@ -232,7 +232,12 @@ private:
     frames[n] = point.pose();
     return true;
   }
-  bool whole(std::size_t& chosen, LineCursor& line) { return number(chosen, line); }
+  bool choose(const Frames& frames, std::size_t& chosen, LineCursor& line) {
+    if (!number(chosen, line))
+      return false;
+    return chosen == 0 || frames[chosen] ||
+           fail("a tool, local or control point that only the controller knows"_text);
+  }
   // The least of the figures: acceleration and deceleration.
   bool setting(const std::string& word, LineCursor& line) {
     double least = 0.0, value = 0.0;
@@ -360,13 +365,14 @@ private:
     else
       m.speedMmPerS = v;
     if (!turns)
-      m.accelerationMmPerS2 = a;
+      m.accelerationMmPerS2 = a < kSpelplusMmPerS2 ? a : 0.0;
     if (rounds)
       m.blendMm = turns ? ramp / turn * way : ramp;
     return true;
   }
 
   ProgramBuilder out_;
+  bool missing_ = false; // a file that is called
   Procedures procedures_;
   SpelplusVariables variables_;
   base::Message reason_;

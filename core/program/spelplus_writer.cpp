@@ -19,10 +19,9 @@ namespace {
 
 constexpr int kPositionDecimals = 4, kDegreeDecimals = 5, kFrameDecimals = 6;
 constexpr int kSpeedDigits = 6;
-constexpr double kMostMmPerS2 = 10000.0, kLeastMmPerS2 = 10.0; // AccelS
-constexpr double kMostDegPerS2 = 5000.0, kLeastDegPerS = 0.1;  // AccelR, SpeedR
-constexpr double kLeastMmPerS = 0.1;                           // SpeedS
-constexpr double kStartPercent = 5.0;
+constexpr double kMostDegPerS2 = 5000.0, kLeastDegPerS = 0.1; // AccelR, SpeedR
+constexpr double kLeastMmPerS = 0.1;                          // SpeedS
+constexpr double kStartPercent = 10.0;
 constexpr double kVolts = 10.0;
 // Of a motion that turns on the spot, at each of its ends.
 constexpr double kTurnShare = 0.45;
@@ -185,7 +184,7 @@ private:
       for (int k = 0; k < in_.cell.armDof(); ++k)
         largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
       percent =
-          std::clamp(std::floor(100.0 * base::radiansToDegrees(largest) / s / kSpelplusPtpDegPerS),
+          std::clamp(std::round(100.0 * base::radiansToDegrees(largest) / s / kSpelplusPtpDegPerS),
                      1.0, 100.0);
     }
     set("Speed", fixed(percent, 0));
@@ -226,21 +225,18 @@ private:
     const double r = i > 0 ? motions_.blendMm(i) : 0.0;
     return r > 0.0 ? speed * speed / (2.0 * r) : 0.0;
   }
-  // AccelS of a motion; beyond kMostMmPerS2 its corners cannot be rounded.
+  // AccelS of a motion; beyond the most its corners cannot be rounded.
   double accelerationOf(std::size_t i) const {
-    const double s = motions_.seconds(i), v = speedMmPerS(i);
-    double a = std::max({in_.process.accelerationMmPerS2, cornerMmPerS2(i - 1, v),
-                         cornerMmPerS2(i, v), kLeastMmPerS2});
-    if (s > 0.0 && i > 1)
-      a = std::max(a, 2.0 * std::abs(motions_.speedMmPerS(i) - motions_.speedMmPerS(i - 1)) / s);
-    return steppedUp(a);
+    const double v = speedMmPerS(i);
+    const double a = std::max(cornerMmPerS2(i - 1, v), cornerMmPerS2(i, v));
+    return a <= kSpelplusMmPerS2 ? kSpelplusMmPerS2 : steppedUp(a);
   }
   bool canRound(std::size_t i) const {
     if (goesByTurn(i)) {
       const double s = motions_.seconds(i);
       return turnDeg(i) / (2.0 * kTurnShare * s * s) <= kMostDegPerS2;
     }
-    return accelerationOf(i) <= kMostMmPerS2;
+    return accelerationOf(i) <= kSpelplusMostMmPerS2;
   }
 
   void straightMotion(std::size_t i, bool stops) override {
@@ -251,7 +247,7 @@ private:
       set("AccelR", fixed(std::min(steppedUp(degPerS / (2.0 * kTurnShare * s)), kMostDegPerS2), 2));
     } else {
       set("SpeedS", figure(speedMmPerS(i)));
-      set("AccelS", fixed(std::min(accelerationOf(i), kMostMmPerS2), 2));
+      set("AccelS", fixed(canRound(i) ? accelerationOf(i) : kSpelplusMmPerS2, 2));
     }
     const bool rounds = !stops && motions_.blendMm(i) > 0.0 && canRound(i) && canRound(i + 1);
     out_ += "  Move ";

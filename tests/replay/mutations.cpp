@@ -319,8 +319,7 @@ std::vector<std::string> amid(const std::string& format) {
         "GOTO x",
         "RETURN",
         "$ADVANCE=0",
-        "$ACC.CP=0.01",
-        "$VEL.ORI1=1"}},
+        "$ACC.CP=0.01"}},
       {"spelplus",
        {"  Wait 600",
         "  Wait 0.5",
@@ -397,7 +396,6 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("speed of 0.001", "\\$VEL\\.CP=[0-9.]+", "$$VEL.CP=0.001"));
     all.push_back(replaced("a speed in mm/s", "\\$VEL\\.CP=0\\.0", "$$VEL.CP=1"));
     all.push_back(erased("a speed is missing", "\\$VEL\\.CP="));
-    all.push_back(replaced("blend of 10 mm", "\\$APO\\.CDIS=[0-9.]+", "$$APO.CDIS=10"));
     all.push_back(replaced("motion by joints", "^LIN", "PTP"));
     all.push_back(replaced("a motion of another kind", "^LIN", "LIN_REL"));
     all.push_back(replaced("another way to round", "C_DIS", "C_VEL"));
@@ -406,7 +404,6 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("the modes are changed", "#TCP", "#BASE", true));
     all.push_back(replaced("load of 20 kg", "\\{M [0-9.]+", "{M 20", true));
     all.push_back(replaced("first motion fast", "VEL_PTP,10", "VEL_PTP,100", true));
-    all.push_back(replaced("turns slowly", "\\$VEL\\.ORI1=[0-9]+", "$$VEL.ORI1=1", true));
     all.push_back(erased("the prime is missing", "WAIT SEC", true));
     all.push_back(replaced("ten times the prime", "WAIT SEC 0\\.2", "WAIT SEC 2", true));
     all.push_back(erased("the extruder stays on", "^\\$OUT\\[1\\]=FALSE"));
@@ -426,7 +423,7 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("tool 1 mm off", "TLSet 1, XY\\(0,0,", "TLSet 1, XY(1,0,", true));
     all.push_back(replaced("another tool", "Tool 1", "Tool 2", true));
     all.push_back(replaced("load of 20 kg", "Weight [0-9.]+", "Weight 20", true));
-    all.push_back(replaced("first motion fast", "Speed 5", "Speed 100", true));
+    all.push_back(replaced("first motion fast", "Speed 10", "Speed 100", true));
     all.push_back(erased("slow to the end", "Power High", true));
     all.push_back(erased("the prime is missing", "Wait ", true));
     all.push_back(replaced("ten times the prime", "Wait 0\\.2", "Wait 2", true));
@@ -573,7 +570,7 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
     all.push_back(swapped("$VEL.ORI1", "$LOAD"));
   } else if (format == "spelplus") {
     all.push_back(swapped("Weight", "AutoLJM"));
-    all.push_back(swapped("TLSet", "ECPSet"));
+    all.push_back(swapped("Power Low", "TLSet"));
   } else if (format == "gcode-extended") {
     all.push_back(swapped("G21", "G90"));
     all.push_back(swapped("G90", "M82"));
