@@ -71,6 +71,7 @@ const std::vector<Dialect>& dialects() {
        // most 5.
        .time = {.accelerationMmPerS2 = kKrlMostMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
+                .jointsInPercent = true,
                 .lookAhead = 5},
        // Two cycles of its interpolation.
        .merge = {.leastS = 0.024, .leastMm = 0.5},
@@ -88,7 +89,9 @@ const std::vector<Dialect>& dialects() {
        .needsJoints = false,
        .turnsRods = false,
        // What any of its arms takes.
-       .time = {.accelerationMmPerS2 = kSpelplusMmPerS2, .jointAccelerationRadPerS2 = 10.0},
+       .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
+                .jointAccelerationRadPerS2 = 10.0,
+                .jointsInPercent = true},
        .write = writeSpelplus,
        .read = readSpelplus,
        .looksLike = looksLikeSpelplus,
