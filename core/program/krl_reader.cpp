@@ -199,6 +199,8 @@ private:
     if (root == "$ov_pro" && value.numbers[""] != 100.0)
       return fail(
           base::message("'{word}' slows the arm: the flow would not follow"_text, "$OV_PRO"_name));
+    if (root == "$ipo_mode" && value.words[""] != "base" && value.words[""] != "tcp")
+      return fail("$IPO_MODE is #BASE or #TCP"_text);
     if (root == "$ori_type" && value.words[""] != "var")
       return fail("the tool does not turn evenly along its way"_text);
     if (!declared_.contains(root) && !isState(root) && !out_.word(krlWords(), root))
@@ -429,8 +431,6 @@ private:
       return fail(base::message("{frame} is not set before this motion"_text,
                                 base ? "$TOOL"_name : "$BASE"_name));
     const std::string_view mode = variables_.word("$ipo_mode");
-    if (mode != "base" && mode != "tcp" && !mode.empty())
-      return fail("$IPO_MODE is #BASE or #TCP"_text);
     const bool held = mode == "tcp";
     if (held && turnsWithAxis_)
       return fail("a work object that robot and external axis move is not read"_text);

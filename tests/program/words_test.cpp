@@ -64,13 +64,13 @@ std::string gcode(const std::string& head, const std::string& amid, const std::s
 
 std::string krl(const std::string& head, const std::string& amid, const std::string& end) {
   return "DEF f ( )\n$BASE=$NULLFRAME\n$TOOL=$NULLFRAME\n$VEL.CP=0.02\n$ANOUT[1]=0.1\n" + head +
-         "PTP {X 400,Y 0,Z 300,A 0,B 0,C 180}\n$OUT[1]=TRUE\n" + amid +
+         "$OUT[1]=TRUE\nPTP {X 400,Y 0,Z 300,A 0,B 0,C 180}\n" + amid +
          "LIN {Z 301}\nLIN {Z 302}\n$OUT[1]=FALSE\n$ANOUT[1]=0\n" + end + "END\n";
 }
 
 std::string spelplus(const std::string& head, const std::string& amid, const std::string& end) {
   return "Function f\n  Motor On\n  Power High; SpeedS 20\n  AIO_Out 1, 1\n  Speed 10\n" + head +
-         "  Go XY(400,0,300,0,0,180)\n  On 1\n" + amid +
+         "  On 1\n  Go XY(400,0,300,0,0,180)\n" + amid +
          "  Move XY(400,0,301,0,0,180)\n  Move XY(400,0,302,0,0,180)\n  Off 1\n"
          "  AIO_Out 1, 0\n" +
          end + "Fend\n";
@@ -214,7 +214,7 @@ TEST(Words, OfSpelplusAreKnownOrRefused) {
       "XYLim "
       "ZeroFlg";
   expectAllKnownOrRefused("spelplus", wordsOf(kManual, " 1"), spelplus, kAmid,
-                          {"Accel", "Cls", "MemOff", "MemOn", "Print", "ECP"});
+                          {"Accel", "AccelR", "AccelS", "Cls", "MemOff", "MemOn", "Print"});
 }
 
 TEST(Words, OfGcodeAreKnownOrRefused) {
