@@ -4,8 +4,10 @@
 #include "base/nearest_name.h"
 #include "program/gcode_extended.h"
 #include "program/joint_table.h"
+#include "program/krl.h"
 #include "program/language_words.h"
 #include "program/rapid.h"
+#include "program/spelplus.h"
 #include "program/text.h"
 #include "program/text_files.h"
 #include "program/urscript.h"
@@ -61,6 +63,43 @@ const std::vector<Dialect>& dialects() {
        .isWord = isRapidWord,
        .remark = "!",
        .mayBeMissing = mayBeMissingInRapid},
+      {.id = "krl",
+       .label = "KRL (KUKA)"_text,
+       .extension = "src",
+       .controller = "krl",
+       .needsJoints = false,
+       // Machine data mostly have 10 m/s2. The controller knows as many motions as $ADVANCE, at
+       // most 5.
+       .time = {.accelerationMmPerS2 = kKrlMostMmPerS2,
+                .jointAccelerationRadPerS2 = 10.0,
+                .jointsInPercent = true,
+                .lookAhead = 5},
+       // Two cycles of its interpolation.
+       .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .write = writeKrl,
+       .read = readKrl,
+       .looksLike = looksLikeKrl,
+       .goesOnIn = filesOfKrl,
+       .isWord = isKrlWord,
+       .remark = ";",
+       .mayBeMissing = mayBeMissingInKrl},
+      {.id = "spelplus",
+       .label = "SPEL+ (Epson)"_text,
+       .extension = "prg",
+       .controller = "spelplus",
+       .needsJoints = false,
+       .turnsRods = false,
+       // What any of its arms takes.
+       .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
+                .jointAccelerationRadPerS2 = 10.0,
+                .jointsInPercent = true},
+       .write = writeSpelplus,
+       .read = readSpelplus,
+       .looksLike = looksLikeSpelplus,
+       .goesOnIn = filesOfSpelplus,
+       .isWord = isSpelplusWord,
+       .remark = "'",
+       .mayBeMissing = mayBeMissingInSpelplus},
       {.id = "csv",
        .label = "Joint table (CSV)"_text,
        .extension = "csv",

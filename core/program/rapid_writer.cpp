@@ -49,7 +49,7 @@ public:
   }
 
   plan::Program write() {
-    placeInWorkObject();
+    placeInWorkFrame(in_, kPositionDecimals, targets_);
     beginMain();
     if (!oneModule()) {
       for (std::size_t part = 1; part < cuts_.size(); ++part)
@@ -106,16 +106,6 @@ private:
   robot::JointVector jointsAt(std::size_t i) const {
     return Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof);
   }
-  // The nozzle on what is printed: the work object stands, turns with its unit or is held.
-  void placeInWorkObject() {
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const Eigen::Isometry3d pose = in_.cell.work_T_tool(jointsAt(i));
-      targets_[i].tcpTurn = Eigen::Quaterniond(pose.linear());
-      for (int k = 0; k < 3; ++k)
-        targets_[i].tcpMm[k] = roundedTo(pose.translation()[k], kPositionDecimals);
-    }
-  }
-
   std::string fileName(std::size_t part) const {
     const std::string_view extension = in_.options.rapidModx ? ".modx" : ".mod";
     return part == 0 ? joined({name_, extension})

@@ -244,9 +244,10 @@ TEST_F(Dialects, namesKeepClearOfTheirLanguage) {
       const plan::Program program = writeProgram(d.id, in);
       const plan::ReadProgram back = readProgram(d.id, program.files, process_);
       EXPECT_TRUE(back.complete && back.defects.empty());
-      // What is defined stands behind the first word.
+      // What is defined stands behind the first word, below a header if there is one.
       const std::string& text = program.files[0].text;
-      const std::size_t at = text.find(' ') + 1;
+      const std::size_t top = text.starts_with("&") ? text.find("DEF ") : 0;
+      const std::size_t at = text.find(' ', top) + 1;
       const std::string defined = text.substr(at, text.find_first_of("(\r\n", at) - at);
       EXPECT_TRUE(defined.starts_with("print_")) << defined;
       EXPECT_LE(defined.size(), 32u);
@@ -327,8 +328,11 @@ TEST_F(Dialects, headsSayWhatIsToBeRun) {
 // Every program for a controller stops and asks before its first motion, which is slow.
 TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
   appendRandom(2, 50);
-  for (const auto& [id, word] :
-       {std::pair{"urscript", "popup("}, {"rapid", "UIMsgBox "}, {"gcode-extended", "M0\n"}}) {
+  for (const auto& [id, word] : {std::pair{"urscript", "popup("},
+                                 {"rapid", "UIMsgBox "},
+                                 {"gcode-extended", "M0\n"},
+                                 {"krl", "HALT\r\n"},
+                                 {"spelplus", "Pause\r\n"}}) {
     const plan::Program program = writeProgram(id, input());
     const plan::ReadProgram back = readProgram(id, program.files, process_);
     const std::string& text = program.files[0].text;

@@ -64,6 +64,7 @@ bool changeNumber(std::string& line, Others&& others, Fits&& fits) {
   return false;
 }
 
+constexpr std::size_t kMostLinesAbove = 20;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 } // namespace
@@ -109,8 +110,8 @@ bool sameTarget(const ProgramMotion& a, const ProgramMotion& b) {
 bool sameMotion(const ProgramMotion& a, const ProgramMotion& b) {
   return sameTarget(a, b) && a.speedMmPerS == b.speedMmPerS &&
          a.jointSpeedRadPerS == b.jointSpeedRadPerS && a.durationS == b.durationS &&
-         a.blendMm == b.blendMm && a.extruding == b.extruding && a.flowMm3PerS == b.flowMm3PerS &&
-         a.volumeMm3 == b.volumeMm3;
+         a.accelerationMmPerS2 == b.accelerationMmPerS2 && a.blendMm == b.blendMm &&
+         a.extruding == b.extruding && a.flowMm3PerS == b.flowMm3PerS && a.volumeMm3 == b.volumeMm3;
 }
 
 std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
@@ -134,12 +135,22 @@ std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
   const double before = durationOf(whole.motions[motion]);
   // A speed, a time, and a time from the program's beginning.
   const auto others = [&](double x) { return std::vector{10.0 * x, 0.1 * x, x - 0.9 * before}; };
-  const bool found = changeNumber(text.lines.at(line - 1), others, [&] {
+  const auto tenfold = [&] {
     const ReadProgram changed = read(text, process);
     return isSound(changed) && sameTargets(whole, changed, kNone) &&
            std::abs(durationOf(changed.motions[motion]) / before - 0.1) < 1e-3;
-  });
-  return found ? std::optional(line) : std::nullopt;
+  };
+  // In its own line, or in one above that sets the speed: of the motions behind that, too.
+  std::size_t first = line;
+  for (std::size_t l = line; l > 0; --l) {
+    for (const ProgramMotion& m : whole.motions)
+      first = m.line == l ? l : first;
+    if (changeNumber(text.lines.at(l - 1), others, tenfold))
+      return first;
+    if (l + kMostLinesAbove < line)
+      break;
+  }
+  return std::nullopt;
 }
 
 std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t motion,
@@ -160,7 +171,7 @@ std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t moti
     const std::string off = text.lines[l - 1];
     text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1));
     if (lays())
-      return l;
+      return line - 1; // where the travel now is
     text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1), off);
   }
   // or the travel's line tells an amount,
