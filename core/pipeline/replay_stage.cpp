@@ -132,7 +132,6 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
     checked->metAt = std::move(verdict.metAt);
   checked->maxDeviationMm = verdict.maxDeviationMm;
   checked->maxDeviationRad = verdict.maxDeviationRad;
-  checked->durationS = verdict.durationS;
   // Lines are of this program's text, and there are several programs.
   for (plan::Finding& finding : verdict.findings)
     finding.program.format = format;

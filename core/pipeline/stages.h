@@ -62,7 +62,6 @@ struct CheckedProgram {
   std::vector<base::Message> failed; // the thresholds that were not kept
   std::vector<std::size_t> metAt;    // as Verification::metAt
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
-  double durationS = 0.0;           // as the program is run
   std::vector<TextLine> pointLines; // of each point of the trajectory; line 0: it has none
   project::Timings timings;
 };

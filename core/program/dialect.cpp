@@ -4,9 +4,11 @@
 #include "base/nearest_name.h"
 #include "program/gcode_extended.h"
 #include "program/joint_table.h"
+#include "program/krl.h"
 #include "program/language_words.h"
 #include "program/melfa.h"
 #include "program/rapid.h"
+#include "program/spelplus.h"
 #include "program/text.h"
 #include "program/text_files.h"
 #include "program/tmscript.h"
@@ -26,6 +28,7 @@ const std::vector<Dialect>& dialects() {
        .turnsRods = false,
        // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
+       .merge = {.motionS = 0.008},
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
@@ -54,7 +57,7 @@ const std::vector<Dialect>& dialects() {
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
-       .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .merge = {.leastS = 0.024, .leastMm = 0.5, .motionS = 0.02},
        .write = writeRapid,
        .read = readRapid,
        .looksLike = looksLikeRapid,
@@ -62,6 +65,43 @@ const std::vector<Dialect>& dialects() {
        .isWord = isRapidWord,
        .remark = "!",
        .mayBeMissing = mayBeMissingInRapid},
+      {.id = "krl",
+       .label = "KRL (KUKA)"_text,
+       .extension = "src",
+       .controller = "krl",
+       .needsJoints = false,
+       // Machine data mostly have 10 m/s2. The controller knows as many motions as $ADVANCE, at
+       // most 5.
+       .time = {.accelerationMmPerS2 = kKrlMostMmPerS2,
+                .jointAccelerationRadPerS2 = 10.0,
+                .jointsInPercent = true,
+                .lookAhead = 5},
+       // Two cycles of its interpolation.
+       .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .write = writeKrl,
+       .read = readKrl,
+       .looksLike = looksLikeKrl,
+       .goesOnIn = filesOfKrl,
+       .isWord = isKrlWord,
+       .remark = ";",
+       .mayBeMissing = mayBeMissingInKrl},
+      {.id = "spelplus",
+       .label = "SPEL+ (Epson)"_text,
+       .extension = "prg",
+       .controller = "spelplus",
+       .needsJoints = false,
+       .turnsRods = false,
+       // What any of its arms takes.
+       .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
+                .jointAccelerationRadPerS2 = 10.0,
+                .jointsInPercent = true},
+       .write = writeSpelplus,
+       .read = readSpelplus,
+       .looksLike = looksLikeSpelplus,
+       .goesOnIn = filesOfSpelplus,
+       .isWord = isSpelplusWord,
+       .remark = "'",
+       .mayBeMissing = mayBeMissingInSpelplus},
       {.id = "melfa",
        .label = "MELFA-BASIC V (Mitsubishi)"_text,
        .extension = "prg",
@@ -163,9 +203,11 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
 
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
+  MergeLimits limits = findDialect(id).merge;
   // Around a rod joined motions cost a percent of the cover (two tubes, measured).
-  const bool rod = !input.cell.externalAxes().empty();
-  return mergedPoints(input, rod ? MergeLimits{} : findDialect(id).merge, ctx);
+  if (!input.cell.externalAxes().empty())
+    limits.leastS = limits.leastMm = 0.0;
+  return mergedPoints(input, limits, ctx);
 }
 
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,

@@ -17,6 +17,8 @@ struct ProgramOptions {
   bool urscriptForPort = false;
   // RAPID: modules are .modx (RobotWare 7, OmniCore), else .mod.
   bool rapidModx = false;
+  // KRL: what the controller has room for; the head of a longer program says so.
+  double krlMemoryMb = 4.0;
 };
 
 base::ParameterTable programParameters();

@@ -50,7 +50,7 @@ public:
   }
 
   plan::Program write() {
-    placeInWorkObject();
+    placeInWorkFrame(in_, kPositionDecimals, targets_);
     beginMain();
     if (!oneModule()) {
       for (std::size_t part = 1; part < cuts_.size(); ++part)
@@ -107,16 +107,6 @@ private:
   robot::JointVector jointsAt(std::size_t i) const {
     return Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof);
   }
-  // The nozzle on what is printed: the work object stands, turns with its unit or is held.
-  void placeInWorkObject() {
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const Eigen::Isometry3d pose = in_.cell.work_T_tool(jointsAt(i));
-      targets_[i].tcpTurn = Eigen::Quaterniond(pose.linear());
-      for (int k = 0; k < 3; ++k)
-        targets_[i].tcpMm[k] = roundedTo(pose.translation()[k], kPositionDecimals);
-    }
-  }
-
   std::string fileName(std::size_t part) const {
     const std::string_view extension = in_.options.rapidModx ? ".modx" : ".mod";
     return part == 0 ? joined({name_, extension})
@@ -215,16 +205,16 @@ private:
   }
 
   // Controllers tell of close positions (event 50078) and of corners that they could not plan in
-  // time (50024) where motions are this short.
+  // time (50024) where motions are shorter; the plan has slowed such to this.
   void aboutDensity() {
     std::size_t few = 0;
     for (std::size_t i = 1; i < targets_.size(); ++i)
-      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < kLeastSeconds;
+      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < (1.0 + kFlowBand) * kLeastSeconds;
     if (few == 0)
       return;
-    out_ += joined({"  ! ", std::to_string(few), " motions take less than "});
+    out_ += joined({"  ! ", std::to_string(few), " motions take "});
     number(kLeastSeconds * 1000.0, 0);
-    line(" ms: events 50024 and 50078 may come; take longer steps (stepMm) or a lower speed");
+    line(" ms, the least that the controller plans in time");
   }
 
   void aboutRod() {

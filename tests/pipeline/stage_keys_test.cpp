@@ -72,6 +72,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"motionsPerFile", {"2000", 5}},
     {"urscriptForm", {"port", 5}},
     {"rapidModules", {"modx", 5}},
+    {"krlMemoryMb", {"2", 5}},
 };
 
 // Works on a copy of the program's data, to be changed.

@@ -175,6 +175,106 @@ ENDMODULE
             "\t<Module>part_1.mod</Module>\r\n</Program>\r\n");
 }
 
+// Without carriage returns, from the line that begins so.
+std::string from(const std::string& whole, const std::string& begin) {
+  std::string lines;
+  std::remove_copy(whole.begin(), whole.end(), std::back_inserter(lines), '\r');
+  const std::size_t at = lines.find("\n" + begin);
+  return at == std::string::npos ? lines : lines.substr(at + 1);
+}
+
+// Positions as RAPID's; B is the base's turn, 0.01, 0.011 and 0.012 rad.
+TEST_F(Golden, krl) {
+  EXPECT_EQ(from(text("krl"), ";FOLD INI"), R"(;FOLD INI
+GLOBAL INTERRUPT DECL 3 WHEN $STOPMESS==TRUE DO IR_STOPM ( )
+INTERRUPT ON 3
+BAS (#INITMOV,0 )
+;ENDFOLD (INI)
+$ADVANCE=5
+$IPO_MODE=#TCP
+$BASE={X -800,Y -250,Z 0,A 0,B 0,C 180}
+$TOOL={X 0,Y 0,Z 100,A 0,B 0,C 0}
+$LOAD={M 0.5,CM {X 0,Y 0,Z 100,A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: 0.5 kg of plate, and the part
+$ACC.CP=10
+$VEL.ORI1=200
+$VEL.ORI2=200
+$OUT[1]=FALSE
+$ANOUT[1]=0
+; The arm goes slowly and straight to its start. Is the way clear?
+HALT
+BAS (#VEL_PTP,10)
+PTP {X 17.25,Y 5.491,Z -41.45,A 0,B 0,C 90}
+; prime
+$ANOUT[1]=0.4113
+$OUT[1]=TRUE
+WAIT SEC 0.2
+$OUT[1]=FALSE
+; print
+BAS (#VEL_PTP,25)
+PTP {X 5.491,Y -17.25,Z -41.45,A -90,B 0,C 90}
+; layer 7, wall, path 0
+$VEL.CP=0.0838154
+LIN {X 5.491,Y -14.79,Z -49.4624,A -90,B -0.57296,C 90}
+$ANOUT[1]=0.4
+$OUT[1]=TRUE
+$VEL.CP=0.016761
+$APO.CDIS=0.34
+LIN {X 5.491,Y -14.5485,Z -50.2649,A -90,B -0.63025,C 90} C_DIS
+$VEL.CP=0.0167646
+LIN {X 5.491,Y -14.3077,Z -51.0678,A -90,B -0.68755,C 90}
+$OUT[1]=FALSE
+PTP {X 17.25,Y 5.491,Z -41.45,A 0,B 0,C 90}
+; end
+$OUT[1]=FALSE
+$ANOUT[1]=0
+END
+)");
+}
+
+// Positions as URScript's: the plate's in Base. The upright axis stands for U and W alike.
+TEST_F(Golden, spelplus) {
+  EXPECT_EQ(from(text("spelplus"), "  Motor On"), R"(  Motor On
+  Power Low
+  TLSet 1, XY(0,0,100,0,0,0)
+  Tool 1
+  ECPSet 1, XY(-800,-250,0,0,0,180)
+  ECP 1
+  AutoLJM On
+  Weight 0.5 ' assumed: 0.5 kg of plate, and the part
+  Off 1
+  AIO_Out 1, 0
+  Print "The arm goes slowly and straight to its start. Is the way clear?"
+  Pause
+  Speed 10
+  Go XY(-817.25,-291.45,-5.491,0,0,90)
+  Power High
+  ' prime
+  AIO_Out 1, 4.113
+  On 1
+  Wait 0.2
+  Off 1
+  ' print
+  Speed 25
+  Go XY(-817.25,-291.45,-5.491,90,-90,0)
+  ' layer 7, wall, path 0
+  SpeedS 83.8154
+  AccelS 5000
+  Move XY(-814.2947,-299.6078,-5.491,90.57296,-90,0) ECP
+  AIO_Out 1, 4
+  On 1
+  SpeedS 16.761
+  Move XY(-813.9947,-300.4219,-5.491,90.63025,-90,0) ECP CP
+  SpeedS 16.7646
+  Move XY(-813.6938,-301.2358,-5.491,90.68755,-90,0) ECP
+  Off 1
+  Go XY(-817.25,-291.45,-5.491,0,0,90)
+  ' end
+  Off 1
+  AIO_Out 1, 0
+Fend
+)");
+}
+
 TEST_F(Golden, jointTable) {
   EXPECT_EQ(text("csv"), R"(# joint table
 # part part 1, job 989d904e1002c6e8

@@ -75,6 +75,7 @@ bool isStatement(std::string_view line) {
   return !line.empty() && !line.starts_with("//") && !line.starts_with('$');
 }
 
+constexpr std::size_t kMostLinesAbove = 20;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 } // namespace
@@ -126,8 +127,8 @@ bool sameTarget(const ProgramMotion& a, const ProgramMotion& b) {
 bool sameMotion(const ProgramMotion& a, const ProgramMotion& b) {
   return sameTarget(a, b) && a.speedMmPerS == b.speedMmPerS &&
          a.jointSpeedRadPerS == b.jointSpeedRadPerS && a.durationS == b.durationS &&
-         a.blendMm == b.blendMm && a.extruding == b.extruding && a.flowMm3PerS == b.flowMm3PerS &&
-         a.volumeMm3 == b.volumeMm3;
+         a.accelerationMmPerS2 == b.accelerationMmPerS2 && a.blendMm == b.blendMm &&
+         a.extruding == b.extruding && a.flowMm3PerS == b.flowMm3PerS && a.volumeMm3 == b.volumeMm3;
 }
 
 std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
@@ -159,9 +160,17 @@ std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
     return isSound(changed) && sameTargets(whole, changed, kNone) &&
            std::abs(durationOf(changed.motions[motion]) / before - 0.1) < 1e-3;
   };
-  if (changeNumber(text.lines.at(line - 1), others, isTenfold))
-    return line;
-  // A speed that stands in a line before it is said again, without that line's number.
+  // In its own line, or in one above that sets the speed: of the motions behind that, too.
+  std::size_t first = line;
+  for (std::size_t l = line; l > 0; --l) {
+    for (const ProgramMotion& m : whole.motions)
+      first = m.line == l ? l : first;
+    if (changeNumber(text.lines.at(l - 1), others, isTenfold))
+      return first;
+    if (l + kMostLinesAbove < line)
+      break;
+  }
+  // Or a speed that stands further up is said again, without that line's number.
   constexpr std::size_t kBack = 40;
   static const std::regex kStep(R"(^\d+\s+)");
   const auto here = text.lines.begin() + static_cast<std::ptrdiff_t>(line - 1);

@@ -1,11 +1,14 @@
 // Every word of each language, put amid a print: it is read for what it does, known to change
 // nothing, or refused at its line. The lists are the makers': URScript manual, "Module motion",
 // "Module internals", "Module interfaces", "Module ioconfiguration"; ABB, RAPID Instructions,
-// Functions and Data types; the RepRap wiki's list of G-codes.
+// Functions and Data types; the RepRap wiki's list of G-codes; KUKA, instructions of the KSS manual
+// for system integrators; Epson, SPEL+ Language Reference.
 #include "program/dialect.h"
 #include "program/gcode_extended.h"
+#include "program/krl.h"
 #include "program/melfa.h"
 #include "program/rapid.h"
+#include "program/spelplus.h"
 #include "program/tmscript.h"
 #include "program/tmscript_frames.h"
 #include "program/urscript.h"
@@ -84,6 +87,20 @@ std::string gcode(const std::string& head, const std::string& amid, const std::s
   return "G21\nG90\nM82\n" + head +
          "G92 E0\nG0 X0 Y0 Z1 nX0 nY0 nZ1 F600\nG1 X1 E0.1\nG1 X2 E0.2\n" + amid +
          "G1 X3 E0.3\nM104 S0\nM84\n" + end + "; end\n";
+}
+
+std::string krl(const std::string& head, const std::string& amid, const std::string& end) {
+  return "DEF f ( )\n$BASE=$NULLFRAME\n$TOOL=$NULLFRAME\n$VEL.CP=0.02\n$ANOUT[1]=0.1\n" + head +
+         "$OUT[1]=TRUE\nPTP {X 400,Y 0,Z 300,A 0,B 0,C 180}\n" + amid +
+         "LIN {Z 301}\nLIN {Z 302}\n$OUT[1]=FALSE\n$ANOUT[1]=0\n" + end + "END\n";
+}
+
+std::string spelplus(const std::string& head, const std::string& amid, const std::string& end) {
+  return "Function f\n  Motor On\n  Power High; SpeedS 20\n  AIO_Out 1, 1\n  Speed 10\n" + head +
+         "  On 1\n  Go XY(400,0,300,0,0,180)\n" + amid +
+         "  Move XY(400,0,301,0,0,180)\n  Move XY(400,0,302,0,0,180)\n  Off 1\n"
+         "  AIO_Out 1, 0\n" +
+         end + "Fend\n";
 }
 
 bool tells(const plan::ReadProgram& with, const plan::ReadProgram& without) {
@@ -181,6 +198,52 @@ TEST(Words, OfRapidAreKnownOrRefused) {
                           {"ClkReset", "ClkStart", "ClkStop", "ErrWrite", "TPErase", "TPWrite"});
 }
 
+TEST(Words, OfKrlAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "ANIN ANOUT ASYPTP BRAKE CASE CAST_FROM CCLOSE CHANNEL CIRC CIRC_REL CONFIRM CONTINUE COPEN "
+      "CREAD CWRITE DEFAULT DIGIN ELSE ENDFOR ENDIF ENDLOOP ENDSPLINE ENDSWITCH ENDWHILE ENUM "
+      "ERR_RAISE EXIT EXT EXTFCT FOR GOTO HALT IF INTERRUPT LIN_REL LOOP MsgNotify MsgDialog "
+      "MsgQuit "
+      "PTP_REL PTP_SPLINE PULSE REPEAT RESUME RETURN SCIRC SLIN_REL SPL SPLINE SPTP_REL SREAD "
+      "STRUC "
+      "SWAIT SWITCH SWRITE SYN TIME_BLOCK TIMER_STOP TRIGGER UNTIL WHILE SHIFT MOVE_ENABLE LK "
+      "SET_OV AUT EMI_ACT IR_STOPM RSI_MOVECORR";
+  expectAllKnownOrRefused("krl", wordsOf(kManual, " (1)"), krl, kAmid, {"MsgNotify"});
+  constexpr const char* kVariables =
+      "$OV_PRO $OV_ROB $ADVANCE $RED_VEL $RED_ACC $VEL_EXTAX $ACC_AXIS $ACC_EXTAX $ORI_TYPE "
+      "$CIRC_TYPE $SINGUL_STRATEGY $TORQUE_AXIS $SOFTN_END $SOFTP_END $WORLD $ROBROOT $IPO_MODE "
+      "$ACT_BASE $ACT_TOOL $LOAD_A1 $APO_DIS_PTP $GEAR_JERK $JERK $CURR_RED $DIRECTION $TRAFONAME "
+      "$BWDSTART $TIMER $FLAG $CYCFLAG $OUT_C $PRO_MODE $STOPNOAPROX";
+  expectAllKnownOrRefused("krl", wordsOf(kVariables, "=1"), krl, kAmid,
+                          {"$BWDSTART=1", "$TIMER=1", "$FLAG=1"});
+}
+
+TEST(Words, OfSpelplusAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "Accel AccelR AccelS Align AlignECP Arc Arc3 Arch Arm ArmCalib ArmClr ArmSet ATCLR AutoLJM "
+      "AutoOrientationFlag AvoidSingularity Base BClose BGo BMove BOpen Box BoxClr Brake BTst "
+      "Calib "
+      "ChDir ChDisk ChDrive ClearPoints CloseCom CloseNet Cls Cnv_QueAdd CollisionDetect Curve "
+      "CVMove "
+      "Cnv_AbortTrack ECP ECPClr ECPSet ElapsedTime ErrorOn EResume Error Exit FGRun Fine Find "
+      "Force_"
+      "Calibrate GClose GGet GoSub GoTo GSet Halt Home HomeSet Hordr Hofs If Inertia InputBox "
+      "JRange JTran Jump Jump3 Jump3CP JumpTLZ LatchEnable LimitTorque LimZ LoadPoints Local "
+      "LocalClr "
+      "MCal MCordr MemOff MemOn MemOut MHour Motor MsgBox OnErr OpBCD OpenCom OpenNet Out OutReal "
+      "OutW P_ Palet Pallet Pass Pause PerformMode PG_Scan Plane PlaneClr Power Print PTPBoost "
+      "Pulse "
+      "QPDecelR QP Quit Range Recover Reset ResetElapsedTime Restart Resume Return Robot RunDialog "
+      "SafetyOn SavePoints Select SetCom SetIn SetNet SetSw SFree Shutdown Signal SingularitySpeed "
+      "SLock SoftCP SpeedFactor StartMain SyncLock SyncRobots TC TCLim TCSpeed TGo Till TLClr "
+      "TMove "
+      "TMOut Toff Ton Trap VRun Wait WaitNet WaitPos WaitSig Weight Where WOpen WorkQue_Add Xqt "
+      "XYLim "
+      "ZeroFlg";
+  expectAllKnownOrRefused("spelplus", wordsOf(kManual, " 1"), spelplus, kAmid,
+                          {"Accel", "AccelR", "AccelS", "Cls", "MemOff", "MemOn", "Print"});
+}
+
 TEST(Words, OfMelfaAreKnownOrRefused) {
   constexpr const char* kManual =
       "Accel Act Base CallP ChrSrch CavChk Close ClrM Cmp CmpG ColChk ColLvl Com Def Dim Dly EMvc "
@@ -239,6 +302,15 @@ TEST(Words, StandWhereTheyMay) {
       {"rapid", rapid, "SingArea\\Wrist;\n", false, false, false},
       {"rapid", rapid, "SetDO doFan,1;\n", true, false, true},
       {"rapid", rapid, "UIMsgBox \"go\";\n", true, false, true},
+      {"krl", krl, "HALT\n", true, false, true},
+      {"krl", krl, "$ADVANCE=3\n", true, false, false},
+      {"krl", krl, "$OUT[3]=TRUE\n", true, false, true},
+      {"krl", krl, "$OV_PRO=50\n", false, false, false},
+      {"krl", krl, "MsgNotify(\"here\")\n", true, true, true},
+      {"spelplus", spelplus, "Pause\n", true, false, true},
+      {"spelplus", spelplus, "Weight 1\n", true, false, false},
+      {"spelplus", spelplus, "On 3\n", true, false, true},
+      {"spelplus", spelplus, "AutoLJM On\n", true, false, false},
       {"melfa", melfa, "Accel 100,100\n", true, true, true},
       {"melfa", melfa, "Accel 20,100\n", false, false, false},
       {"melfa", melfa, "Hlt\n", true, false, true},
@@ -271,8 +343,8 @@ TEST(Words, StandWhereTheyMay) {
 }
 
 TEST(Words, OfATableStandOnceAndMeanSomething) {
-  for (const auto table :
-       {urscriptWords(), rapidWords(), gcodeWords(), melfaWords(), tmscriptWords()})
+  for (const auto table : {urscriptWords(), rapidWords(), gcodeWords(), krlWords(), spelplusWords(),
+                           melfaWords(), tmscriptWords()})
     for (const KnownWord& row : table) {
       EXPECT_EQ(findWord(table, row.word), &row) << row.word << " stands twice";
       EXPECT_NE(row.places, 0) << row.word;

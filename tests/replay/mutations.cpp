@@ -27,7 +27,7 @@ std::size_t endOf(const std::string& line) {
   return line.size() - (endsWithCr(line) ? 1 : 0);
 }
 std::string ended(const Subject& s, const std::string& line) {
-  return endsWithCr(s.text.lines.front()) ? line + "\r" : line;
+  return !s.text.lines.empty() && endsWithCr(s.text.lines.front()) ? line + "\r" : line;
 }
 
 // How far two motions' targets are apart, in what is about a millimetre.
@@ -207,7 +207,9 @@ void structure(std::vector<Mutation>& all) {
   all.push_back(
       {"a line of another language", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
          const std::size_t where = s.read.motions[m].line + 1;
-         s.text.lines.insert(s.text.lines.begin() + at(where), ended(s, "LIN {X 1,Y 2,Z 3} C_DIS"));
+         s.text.lines.insert(s.text.lines.begin() + at(where),
+                             ended(s, s.text.format == "krl" ? "movel(p[1,2,3,0,0,0])"
+                                                             : "LIN {X 1,Y 2,Z 3} C_DIS"));
          return where;
        }});
   all.push_back({"a character is lost at a line's begin",
@@ -295,6 +297,64 @@ std::vector<std::string> amid(const std::string& format) {
         "T1",        "G92 E0",        "G92 X0",       "G91",      "G20",     "M83",     "M220 S50",
         "M221 S150", "M92 E200",      "M200 D3",      "M206 X5",  "M112",    "M0",      "G10",
         "G55",       "G1 E-300 F600", "G1 E900 F600", "G2 X1 I3", "M140 S0"}},
+      {"krl",
+       {"WAIT SEC 600",
+        "WAIT SEC 0.5",
+        "WAIT FOR $IN[1]",
+        "HALT",
+        "$OUT[1]=FALSE",
+        "$OUT[3]=TRUE",
+        "$ANOUT[1]=1",
+        "$ANOUT[1]=0.32",
+        "CONTINUE",
+        "TRIGGER WHEN DISTANCE=1 DELAY=0 DO $OUT[1]=FALSE",
+        "TRIGGER WHEN DISTANCE=0 DELAY=0 DO $ANOUT[1]=0.32",
+        "PULSE ($OUT[1],TRUE,0.5)",
+        "$OV_PRO=50",
+        "$TOOL={X 0,Y 0,Z 0,A 0,B 0,C 0}",
+        "$BASE={X 1,Y 0,Z 0,A 0,B 0,C 0}",
+        "$LOAD={M 20,CM {X 0,Y 0,Z 0,A 0,B 0,C 0},J {X 0,Y 0,Z 0}}",
+        "$ORI_TYPE=#CONSTANT",
+        "$IPO_MODE=#BASE",
+        "BAS (#TOOL,3)",
+        "BAS (#INITMOV,0 )",
+        "CIRC {X 0,Y 0,Z 0,A 0,B 0,C 0},{X 1,Y 0,Z 0,A 0,B 0,C 0}",
+        "SPLINE",
+        "LIN_REL {X 1}",
+        "IF $IN[1]==TRUE THEN",
+        "GOTO x",
+        "RETURN",
+        "$ADVANCE=0",
+        "$ACC.CP=0.01"}},
+      {"spelplus",
+       {"  Wait 600",
+        "  Wait 0.5",
+        "  Wait Sw(1) = On",
+        "  Pause",
+        "  Off 1",
+        "  On 3",
+        "  AIO_Out 1, 10",
+        "  AIO_Out 1, 3.2",
+        "  Power Low",
+        "  Motor Off",
+        "  Motor On",
+        "  Tool 0",
+        "  ECP 0",
+        "  TLSet 1, XY(0,0,0,0,0,0)",
+        "  Weight 20",
+        "  Jump XY(0,0,0,0)",
+        "  Arc P1, P2",
+        "  CVMove \"curve\"",
+        "  TMove XY(1,0,0,0)",
+        "  If Sw(1) = On Then",
+        "  GoTo x",
+        "  Exit Function",
+        "  Halt main",
+        "  Xqt other",
+        "  Brake On, 3",
+        "  SFree",
+        "  TC On",
+        "  SpeedFactor 50"}},
       {"melfa",
        {"Dly 600",
         "Dly 0.5",
@@ -389,6 +449,45 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(shifted("the extruder starts late", "SetDO doExtruder,1"));
     all.push_back(shifted("the extruder stops late", "SetDO doExtruder,0"));
     all.push_back(insertedInHead("    AccSet 20,100;"));
+  } else if (format == "krl") {
+    all.push_back(replaced("speed of 0.9", "\\$VEL\\.CP=[0-9.]+", "$$VEL.CP=0.9"));
+    all.push_back(replaced("speed of 0.001", "\\$VEL\\.CP=[0-9.]+", "$$VEL.CP=0.001"));
+    all.push_back(replaced("a speed in mm/s", "\\$VEL\\.CP=0\\.0", "$$VEL.CP=1"));
+    all.push_back(erased("a speed is missing", "\\$VEL\\.CP="));
+    all.push_back(replaced("motion by joints", "^LIN", "PTP"));
+    all.push_back(replaced("a motion of another kind", "^LIN", "LIN_REL"));
+    all.push_back(replaced("another way to round", "C_DIS", "C_VEL"));
+    all.push_back(
+        replaced("tool 1 mm off", "\\$TOOL=\\{X 0,Y 0,Z ([0-9]+)", "$$TOOL={X 1,Y 0,Z $1", true));
+    all.push_back(replaced("the modes are changed", "#TCP", "#BASE", true));
+    all.push_back(replaced("load of 20 kg", "\\{M [0-9.]+", "{M 20", true));
+    all.push_back(replaced("first motion fast", "VEL_PTP,10", "VEL_PTP,100", true));
+    all.push_back(erased("the prime is missing", "WAIT SEC", true));
+    all.push_back(replaced("ten times the prime", "WAIT SEC 0\\.2", "WAIT SEC 2", true));
+    all.push_back(erased("the extruder stays on", "^\\$OUT\\[1\\]=FALSE"));
+    all.push_back(shifted("the extruder starts late", "^\\$OUT\\[1\\]=TRUE"));
+    all.push_back(shifted("the extruder stops late", "^\\$OUT\\[1\\]=FALSE"));
+    all.push_back(insertedInHead("$OV_PRO=50"));
+  } else if (format == "spelplus") {
+    all.push_back(replaced("speed of 900", "SpeedS [0-9.]+", "SpeedS 900"));
+    all.push_back(replaced("speed of 1", "SpeedS [0-9.]+", "SpeedS 1"));
+    all.push_back(erased("the speed is missing", "SpeedS ", true));
+    all.push_back(replaced("acceleration of 1", "AccelS [0-9.]+", "AccelS 1", true));
+    all.push_back(replaced("motion by joints", "Move ", "Go "));
+    all.push_back(replaced("a motion of another kind", "Move ", "BMove "));
+    all.push_back(replaced("straight for the tool", " ECP", ""));
+    all.push_back(replaced("until an input", " CP", " Till Sw(1) = On"));
+    all.push_back(replaced("at no stop", " CP", " ROT CP"));
+    all.push_back(replaced("tool 1 mm off", "TLSet 1, XY\\(0,0,", "TLSet 1, XY(1,0,", true));
+    all.push_back(replaced("another tool", "Tool 1", "Tool 2", true));
+    all.push_back(replaced("load of 20 kg", "Weight [0-9.]+", "Weight 20", true));
+    all.push_back(replaced("first motion fast", "Speed 10", "Speed 100", true));
+    all.push_back(erased("slow to the end", "Power High", true));
+    all.push_back(erased("the prime is missing", "Wait ", true));
+    all.push_back(replaced("ten times the prime", "Wait 0\\.2", "Wait 2", true));
+    all.push_back(erased("the extruder stays on", "Off 1"));
+    all.push_back(shifted("the extruder starts late", "On 1"));
+    all.push_back(shifted("the extruder stops late", "Off 1"));
   } else if (format == "gcode-extended") {
     all.push_back(replaced("speed ten times", "F([0-9])", "F9$1"));
     all.push_back(replaced("speed of 60", "F[0-9.]+", "F60"));
@@ -462,8 +561,8 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
 
 std::vector<Mutation> harmlessMutations(const std::string& format) {
   static const std::map<std::string, std::string> kRemark = {
-      {"urscript", "# "}, {"rapid", "! "}, {"gcode-extended", "; "},
-      {"csv", "# "},      {"melfa", "' "}, {"tmscript", "// "}};
+      {"urscript", "# "}, {"rapid", "! "}, {"gcode-extended", "; "}, {"krl", "; "},
+      {"spelplus", "' "}, {"melfa", "' "}, {"tmscript", "// "},      {"csv", "# "}};
   const std::string remark = kRemark.at(format);
   const auto any = [](Subject& s, std::mt19937_64& random) {
     return s.read.motions.front().line + random() % (s.text.lines.size() - 40);
@@ -532,7 +631,7 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
            text.insert(endOf(text), " " + remark + "ok");
            return s.read.motions[m].line;
          }});
-  if (format == "rapid" || format == "melfa")
+  if (format == "rapid" || format == "krl" || format == "spelplus" || format == "melfa")
     all.push_back(
         {"letters of the other case", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
            const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
@@ -560,6 +659,12 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
   } else if (format == "rapid") {
     all.push_back(swapped("ConfL", "ConfJ"));
     all.push_back(swapped("PERS tooldata", "PERS wobjdata"));
+  } else if (format == "krl") {
+    all.push_back(swapped("$BASE=", "$TOOL="));
+    all.push_back(swapped("$VEL.ORI1", "$LOAD"));
+  } else if (format == "spelplus") {
+    all.push_back(swapped("Weight", "AutoLJM"));
+    all.push_back(swapped("Power Low", "TLSet"));
   } else if (format == "gcode-extended") {
     all.push_back(swapped("G21", "G90"));
     all.push_back(swapped("G90", "M82"));
