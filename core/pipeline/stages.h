@@ -8,6 +8,7 @@
 #include "layers/layer_stack.h"
 #include "modes/mode.h"
 #include "modes/stages.h"
+#include "pipeline/slow_spans.h"
 #include "plan/finding.h"
 #include "plan/program.h"
 #include "plan/tool_plan.h"
@@ -63,6 +64,7 @@ struct CheckedProgram {
   std::vector<std::size_t> metAt;    // as Verification::metAt
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
   double durationS = 0.0;           // as the program is run
+  std::vector<SlowSpan> slow;       // of its controller
   std::vector<TextLine> pointLines; // of each point of the trajectory; line 0: it has none
   project::Timings timings;
 };

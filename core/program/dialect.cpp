@@ -24,6 +24,7 @@ const std::vector<Dialect>& dialects() {
        .turnsRods = false,
        // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
+       .options = urscriptOptions,
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
@@ -53,6 +54,8 @@ const std::vector<Dialect>& dialects() {
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
        .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .options = rapidOptions,
+       .longestText = 80, // of a string
        .write = writeRapid,
        .read = readRapid,
        .looksLike = looksLikeRapid,
@@ -104,6 +107,23 @@ const Dialect* detectDialect(std::string_view fileName, std::string_view text) {
   return byText ? byText : byName;
 }
 
+std::vector<base::ParameterSpec> optionsOf(const Dialect& dialect) {
+  return dialect.options ? dialect.options() : std::vector<base::ParameterSpec>();
+}
+
+base::ParameterTable programParameters() {
+  std::vector<base::ParameterSpec> all;
+  for (const Dialect& dialect : dialects())
+    for (base::ParameterSpec& option : optionsOf(dialect))
+      if (std::ranges::find(all, option.key, &base::ParameterSpec::key) == all.end())
+        all.push_back(std::move(option));
+  return base::ParameterTable(std::move(all));
+}
+
+ProgramOptions programOptions(const base::ParameterValues& values) {
+  return optionsOf(programParameters().specs(), values);
+}
+
 bool isForeign(const Dialect& dialect, const robot::Cell& cell) {
   return !dialect.controller.empty() && dialect.controller != cell.robot().controller;
 }
@@ -144,6 +164,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   requireRodTurns(dialect, input.cell);
   ProgramInput own = input;
   own.foreign = isForeign(dialect, input.cell);
+  own.options = optionsAmong(optionsOf(dialect), input.options);
   return dialect.write(own, ctx);
 }
 
@@ -156,6 +177,9 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
     program = dialect.read(files, process, ctx);
     if (program.defects.empty())
       tellMixedLineEnds(files, program.defects);
+    if (program.defects.empty())
+      tellLongLines(files, {dialect.longestLine, dialect.longestText, dialect.remark},
+                    program.defects);
   }
   program.time = dialect.time;
   return program;

@@ -2,9 +2,11 @@
 // text from files gets into comments and strings.
 #pragma once
 
+#include "plan/program.h"
 #include "program/program_input.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,17 @@ std::string jobHash(const ProgramInput& input);
 // Lines without a dialect's mark for remarks: part, job, cell, robot, process; how much, how long;
 // between which values the joints go (unless foreign: of the cell's own arm) and where it starts.
 std::vector<std::string> headLines(const ProgramInput& input);
+
+// Where a program is from, as its head says it: headLines read back. A field that the head does not
+// have is empty.
+struct JobHead {
+  std::string part, job, cell, robot, process;
+  friend bool operator==(const JobHead&, const JobHead&) = default;
+};
+JobHead jobHead(const ProgramInput& input);
+// What the first lines of the files say; nothing where none names a job: a program of another
+// origin, or one whose remarks were taken out.
+std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files);
 
 // Asked of the operator before anything moves.
 inline constexpr std::string_view kStartQuestion =
