@@ -16,7 +16,7 @@ TextLine textLine(std::size_t file, std::size_t line) {
 
 program::ProgramInput programInput(const ProgramStageInput& in,
                                    const plan::Trajectory& trajectory) {
-  return {in.toolPlan, trajectory, in.cell, in.process, in.name, in.options};
+  return {in.toolPlan, trajectory, in.cell, in.process, in.name, in.options, in.job};
 }
 
 // What was printed before the program begins, as motions of its dialect, of no line.
@@ -42,8 +42,16 @@ template <typename F> auto withInput(const ProgramStageInput& in, const F& use) 
 
 ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points) {
   const std::size_t first = in.firstPoint > 0 ? points.pointOf[in.firstPoint] : 0;
-  return {in.part, in.platform, in.toolPlan, points.trajectory, in.cell, in.process,
-          in.name, in.options,  first};
+  return {in.part,
+          in.platform,
+          in.toolPlan,
+          points.trajectory,
+          in.cell,
+          in.process,
+          in.name,
+          in.options,
+          first,
+          withInput(in, [](const program::ProgramInput& all) { return program::jobHash(all); })};
 }
 
 program::JobHead headOf(const ProgramStageInput& said) {

@@ -22,7 +22,7 @@ struct ReadBack {
 };
 
 // The same with these points in place of the trajectory's: what a dialect says of it
-// (program::pointsFor). The caller keeps them alive.
+// (program::pointsFor), and the job's hash as it is without. The caller keeps them alive.
 ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points);
 
 // What the head of a program says that is written from these (the points of its dialect: saying).

@@ -116,8 +116,9 @@ std::string jobHash(const ProgramInput& input) {
 }
 
 JobHead jobHead(const ProgramInput& input) {
-  return {plainText(input.name), jobHash(input), plainText(input.cell.id()),
-          plainText(input.cell.robot().id), plainText(input.process.id)};
+  return {plainText(input.name), input.job.empty() ? jobHash(input) : input.job,
+          plainText(input.cell.id()), plainText(input.cell.robot().id),
+          plainText(input.process.id)};
 }
 
 std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files) {

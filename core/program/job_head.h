@@ -19,7 +19,7 @@ std::string plainText(std::string_view text, std::size_t most = 60);
 
 // 16 hexadecimal digits of what is printed and with which machine: joints, times, material and
 // kinds of the motions, cell, robot and process. Programs of the same motion have the same, in
-// whatever dialect.
+// whatever dialect (ProgramInput::job).
 std::string jobHash(const ProgramInput& input);
 
 // Lines without a dialect's mark for remarks: part, job, cell, robot, process; how much, how long;

@@ -10,6 +10,7 @@
 #include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
 #include "plan/finding_kinds.h"
+#include "program/job_head.h"
 
 #include <cmath>
 #include <cstdio>
@@ -141,6 +142,11 @@ TEST_F(PlannedBox, AProgramOfAnotherJobSaysWhich) {
   PlanRequest other = boxRequest({{"walls", "3"}});
   other.choices.formats = {"rapid", "urscript", "csv", "gcode-extended"};
   const PlanResult planned = planPart(other, context());
+  // In whatever dialect, also where it joins points.
+  for (const auto& checked : planned.checked)
+    EXPECT_EQ(program::readJobHead(checked->program.files),
+              program::readJobHead(planned.checked[0]->program.files))
+        << checked->program.format;
   for (const auto& checked : planned.checked)
     for (const bool cell : {false, true}) {
       for (plan::ProgramFile file : checked->program.files) {
