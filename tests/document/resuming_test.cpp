@@ -75,6 +75,7 @@ TEST_F(ResumingTest, PlanWritesItsProgramsAnewAndUndoBringsItBack) {
   resume();
   const auto motion = document_.result(Stage::Motion)->job.trajectory;
   const std::size_t at = document_.result(Stage::Motion)->job.resumedAt;
+  const auto before = document_.result(Stage::Replay)->checked.at(0);
   document_.setParameter("urscriptForm", "port");
   EXPECT_TRUE(document_.isRest());
   EXPECT_FALSE(document_.upToDate(Stage::Replay));
@@ -84,7 +85,11 @@ TEST_F(ResumingTest, PlanWritesItsProgramsAnewAndUndoBringsItBack) {
   EXPECT_EQ(document_.result(Stage::Motion)->job.trajectory, motion);
   EXPECT_EQ(result->job.resumedAt, at);
   ASSERT_FALSE(result->checked.empty());
-  EXPECT_TRUE(result->checked[0]->passed);
+  // Another text of the same motion: the same verdict.
+  EXPECT_EQ(result->checked[0]->passed, before->passed);
+  EXPECT_EQ(result->checked[0]->verdict.coveredFraction, before->verdict.coveredFraction);
+  EXPECT_EQ(result->checked[0]->verdict.durationS, before->verdict.durationS);
+  EXPECT_NE(result->checked[0]->program.files[0].text, before->program.files[0].text);
   EXPECT_TRUE(result->checked[0]->program.files[0].text.ends_with("\nend\n"));
   // Another motion is not this rest's.
   document_.setParameter("liftMm", "7");
