@@ -1,4 +1,4 @@
-#include "base/files.h"
+#include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/outputs.h"

@@ -33,7 +33,9 @@ struct Measured {
 };
 
 std::string printedName(const PlanResult& result) {
-  return std::filesystem::path(result.job.partName).stem().string() + ".printed.stl";
+  // Of a print that is taken up again a file of its own, beside the first's.
+  const char* ending = result.job.resumedAt > 0 ? "-rest.printed.stl" : ".printed.stl";
+  return std::filesystem::path(result.job.partName).stem().string() + ending;
 }
 
 bool isProved(const CheckedProgram& program) {

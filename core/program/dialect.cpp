@@ -29,6 +29,7 @@ const std::vector<Dialect>& dialects() {
        // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008},
+       .options = urscriptOptions,
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
@@ -58,6 +59,8 @@ const std::vector<Dialect>& dialects() {
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
        .merge = {.leastS = 0.024, .leastMm = 0.5, .motionS = 0.02},
+       .options = rapidOptions,
+       .longestText = 80, // of a string
        .write = writeRapid,
        .read = readRapid,
        .looksLike = looksLikeRapid,
@@ -78,6 +81,7 @@ const std::vector<Dialect>& dialects() {
                 .lookAhead = 5},
        // Two cycles of its interpolation.
        .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .options = krlOptions,
        .write = writeKrl,
        .read = readKrl,
        .looksLike = looksLikeKrl,
@@ -95,6 +99,8 @@ const std::vector<Dialect>& dialects() {
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
                 .jointsInPercent = true},
+       .options = spelplusOptions,
+       .longestLine = 512,
        .write = writeSpelplus,
        .read = readSpelplus,
        .looksLike = looksLikeSpelplus,
@@ -112,6 +118,8 @@ const std::vector<Dialect>& dialects() {
                 .cycleS = 0.00711},
        // Three cycles of a CR750.
        .merge = {.leastS = 0.0213},
+       .options = melfaOptions,
+       .longestLine = 127,
        .write = writeMelfa,
        .read = readMelfa,
        .looksLike = looksLikeMelfa,
@@ -174,6 +182,23 @@ const Dialect* detectDialect(std::string_view fileName, std::string_view text) {
   return byText ? byText : byName;
 }
 
+std::vector<base::ParameterSpec> optionsOf(const Dialect& dialect) {
+  return dialect.options ? dialect.options() : std::vector<base::ParameterSpec>();
+}
+
+base::ParameterTable programParameters() {
+  std::vector<base::ParameterSpec> all;
+  for (const Dialect& dialect : dialects())
+    for (base::ParameterSpec& option : optionsOf(dialect))
+      if (std::ranges::find(all, option.key, &base::ParameterSpec::key) == all.end())
+        all.push_back(std::move(option));
+  return base::ParameterTable(std::move(all));
+}
+
+ProgramOptions programOptions(const base::ParameterValues& values) {
+  return optionsOf(programParameters().specs(), values);
+}
+
 bool isForeign(const Dialect& dialect, const robot::Cell& cell) {
   return !dialect.controller.empty() && dialect.controller != cell.robot().controller;
 }
@@ -216,6 +241,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   requireRodTurns(dialect, input.cell);
   ProgramInput own = input;
   own.foreign = isForeign(dialect, input.cell);
+  own.options = optionsAmong(optionsOf(dialect), input.options);
   return dialect.write(own, ctx);
 }
 
@@ -228,6 +254,9 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
     program = dialect.read(files, process, ctx);
     if (program.defects.empty())
       tellMixedLineEnds(files, program.defects);
+    if (program.defects.empty())
+      tellLongLines(files, {dialect.longestLine, dialect.longestText, dialect.remark},
+                    program.defects);
   }
   program.time = dialect.time;
   return program;

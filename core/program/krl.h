@@ -42,6 +42,11 @@ inline constexpr double kKrlPtpDegPerS = 180.0;
 // $ACC_MA.CP, assumed: who sets $ACC.CP no lower asks for nothing.
 inline constexpr double kKrlMostMmPerS2 = 10000.0;
 
+// motionsPerFile; krlMemoryMb: what the controller has room for; the head of a longer program says
+// so.
+base::ParameterSpec krlMemoryMb();
+std::vector<base::ParameterSpec> krlOptions();
+
 plan::Program writeKrl(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood: &-lines, DEF and DEFDAT, declarations (INT, REAL, BOOL, POS, E6POS, AXIS, E6AXIS,

@@ -140,10 +140,9 @@ private:
     if (bodies_.size() > 1)
       line(joined({"; it calls ", std::to_string(bodies_.size()), " more files beside it"}));
     const double megabytes = static_cast<double>(bytes) * 1e-6;
-    if (megabytes > in_.options.krlMemoryMb)
+    if (const double room = numberOf(krlMemoryMb(), in_.options); megabytes > room)
       line(joined({"; TOO LONG: ", fixed(megabytes, 1),
-                   " MB of programs, the controller has room for ",
-                   fixed(in_.options.krlMemoryMb, 2), " MB"}));
+                   " MB of programs, the controller has room for ", fixed(room, 2), " MB"}));
   }
 
   void setUp() {
@@ -332,6 +331,17 @@ private:
 };
 
 } // namespace
+
+base::ParameterSpec krlMemoryMb() {
+  return base::numberParameter("krlMemoryMb", "MB", 4.0, 0.1, 10000.0, "Programs"_text,
+                               "KRL memory"_text,
+                               "Room for programs on the controller: a longer one says so in its "
+                               "head."_text);
+}
+
+std::vector<base::ParameterSpec> krlOptions() {
+  return {motionsPerFileOption(), krlMemoryMb()};
+}
 
 plan::Program writeKrl(const ProgramInput& input, const base::RunContext& ctx) {
   return KrlWriter(input, ctx).write();

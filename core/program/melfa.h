@@ -42,6 +42,8 @@ inline constexpr double kMelfaMmPerS2 = 10000.0;
 inline constexpr std::size_t kMelfaMostCharacters = 127, kMelfaMostSteps = 32767;
 inline constexpr std::size_t kMelfaMotionsPerFile = 6500; // of five steps at most
 
+std::vector<base::ParameterSpec> melfaOptions(); // motionsPerFile
+
 plan::Program writeMelfa(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood: steps with or without numbers, statements that share a line, labels, remarks; Tool,

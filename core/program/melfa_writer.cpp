@@ -284,6 +284,10 @@ private:
 
 } // namespace
 
+std::vector<base::ParameterSpec> melfaOptions() {
+  return {motionsPerFileOption()};
+}
+
 plan::Program writeMelfa(const ProgramInput& input, const base::RunContext& ctx) {
   return MelfaWriter(input, ctx).write();
 }

@@ -108,7 +108,7 @@ private:
     return Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof);
   }
   std::string fileName(std::size_t part) const {
-    const std::string_view extension = in_.options.rapidModx ? ".modx" : ".mod";
+    const std::string extension = joined({".", chosenOf(rapidModules(), in_.options)});
     return part == 0 ? joined({name_, extension})
                      : joined({name_, "_", std::to_string(part), extension});
   }
@@ -401,6 +401,16 @@ Eigen::Isometry3d workToUnit() {
   work_T_unit.linear() << Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(),
       Eigen::Vector3d::UnitX();
   return work_T_unit;
+}
+
+base::ParameterSpec rapidModules() {
+  return base::choiceParameter(
+      "rapidModules", "mod", {{"mod", "IRC5: .mod"_text}, {"modx", "OmniCore: .modx"_text}},
+      "Programs"_text, "RAPID modules"_text, "Which modules the controller loads."_text);
+}
+
+std::vector<base::ParameterSpec> rapidOptions() {
+  return {motionsPerFileOption(), rapidModules()};
 }
 
 plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx) {

@@ -37,6 +37,8 @@ inline constexpr double kSpelplusPtpDegPerS = 180.0;
 // AccelS that any of the arms takes; the most that some take.
 inline constexpr double kSpelplusMmPerS2 = 5000.0, kSpelplusMostMmPerS2 = 25000.0;
 
+std::vector<base::ParameterSpec> spelplusOptions(); // motionsPerFile
+
 plan::Program writeSpelplus(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood: functions without arguments called in turn over all files, numbers (Real, Double,

@@ -269,6 +269,10 @@ private:
 
 } // namespace
 
+std::vector<base::ParameterSpec> spelplusOptions() {
+  return {motionsPerFileOption()};
+}
+
 plan::Program writeSpelplus(const ProgramInput& input, const base::RunContext& ctx) {
   return SpelplusWriter(input, ctx).write();
 }

@@ -214,7 +214,7 @@ TEST_F(Krl, longProgramsAreCalledFileByFile) {
   appendRandom(9, 1000);
   ProgramInput cut = input();
   cut.options.motionsPerFile = 100;
-  cut.options.krlMemoryMb = 0.05;
+  cut.options.own["krlMemoryMb"] = 0.05;
   cut.name = "a part with a long name";
   const plan::Program program = writeProgram("krl", cut);
   ASSERT_GT(program.files.size(), 8u);
