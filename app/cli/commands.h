@@ -10,6 +10,7 @@
 #include "pipeline/road.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,13 @@ struct PlanOptions {
   ProgressStyle progress = ProgressStyle::Bar;
 };
 ExitCode planCommand(const PlanOptions& options);
-// To stdout what was planned, to stderr the one line that says why it is not complete.
-void sayReport(const project::Report& report);
+// What fills a folder and comes to a report.
+using ReportingWork =
+    std::function<project::Report(const std::filesystem::path& folder, const base::RunContext&)>;
+// The folder appears when the work is done, and stays as it was otherwise. To stdout what was
+// planned, to stderr the one line that says why it is not complete.
+ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path& folder,
+                          int threads, ProgressStyle progress);
 
 struct CompareCommandOptions {
   pipeline::CompareOptions compared;

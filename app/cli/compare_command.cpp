@@ -1,4 +1,5 @@
 #include "base/files.h"
+#include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pictures/job_picture.h"

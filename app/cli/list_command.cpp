@@ -48,10 +48,15 @@ Json listRobots() {
 
 Json listFormats() {
   Json rows = Json::array();
-  for (const program::Dialect& dialect : program::dialects())
+  for (const program::Dialect& dialect : program::dialects()) {
+    Json options = Json::array(); // keys of parameters
+    for (const base::ParameterSpec& option : program::optionsOf(dialect))
+      options.push_back(option.key);
     rows.push_back(Json{{"id", dialect.id},
                         {"label", base::english(dialect.label)},
-                        {"extension", dialect.extension}});
+                        {"extension", dialect.extension},
+                        {"options", std::move(options)}});
+  }
   return rows;
 }
 

@@ -138,6 +138,7 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
     parsed.run = [values] {
       values->options.progress = kProgressStyles.at(values->progress);
       takePlanOptions(values->options.request, *values);
+      pipeline::requireOptionsApply(values->options.request.choices, values->sets);
       return planCommand(values->options);
     };
   });

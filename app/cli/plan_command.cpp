@@ -1,4 +1,4 @@
-#include "base/files.h"
+#include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/outputs.h"
@@ -49,27 +49,30 @@ void sayResult(const project::Report& r) {
 }
 } // namespace
 
-void sayReport(const project::Report& report) {
-  sayResult(report);
-  sayFindings(report.findings);
+ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path& folder,
+                          int threads, ProgressStyle progress) {
+  base::StagedFolder staged(folder);
+  auto outcome = runInterruptibly(
+      [work, inside = staged.path()](const base::RunContext& ctx) { return work(inside, ctx); },
+      threads, progressSink(progress), [&] { staged.discard(); });
+  endProgress(progress);
+  const auto report = settled(std::move(outcome), staged, folder);
+  if (!report)
+    return kCancelled;
+  sayResult(*report);
+  sayFindings(report->findings);
+  return pipeline::nothingBlocks(*report) ? kDone : kNotAll;
 }
 
 ExitCode planCommand(const PlanOptions& options) {
-  base::StagedFolder staged(options.folder);
-  const std::filesystem::path folder = staged.path();
-  auto outcome = runInterruptibly(
-      [request = options.request, folder](const base::RunContext& ctx) {
+  return reportingCommand(
+      [request = options.request](const std::filesystem::path& folder,
+                                  const base::RunContext& ctx) {
         pipeline::PlanResult result = pipeline::planPart(request, ctx.sub(0.0, 0.97));
         pipeline::writeOutputs(result, folder, ctx.sub(0.97, 1.0));
         return result.job.report;
       },
-      options.threads, progressSink(options.progress), [&] { staged.discard(); });
-  endProgress(options.progress);
-  const auto report = settled(std::move(outcome), staged, options.folder);
-  if (!report)
-    return kCancelled;
-  sayReport(*report);
-  return pipeline::nothingBlocks(*report) ? kDone : kNotAll;
+      options.folder, options.threads, options.progress);
 }
 
 } // namespace voluta::cli

@@ -1,9 +1,9 @@
 // Work on a thread of its own while this one waits for it or for Ctrl-C.
 #pragma once
 
-#include "base/files.h"
 #include "base/outcome.h"
 #include "base/run_context.h"
+#include "base/staged_folder.h"
 
 #include <filesystem>
 #include <fmt/format.h>

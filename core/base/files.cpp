@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -12,7 +11,6 @@
 #include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <vector>
 
 namespace voluta::base {
 
@@ -27,15 +25,6 @@ Error cannotWrite(const fs::path& path, const Value& why) {
 std::string systemReason(int code) {
   return std::strerror(code);
 }
-
-// The first folder at or above `path` that exists; for a target "a/b" without "a" that is ".".
-fs::path existingFolder(fs::path path) {
-  std::error_code status;
-  while (!path.empty() && !fs::exists(path, status))
-    path = path.parent_path();
-  return path.empty() ? fs::path(".") : path;
-}
-
 } // namespace
 
 std::string readFile(const fs::path& path) {
@@ -87,68 +76,6 @@ void writeFile(const fs::path& path, std::string_view bytes) {
     const int code = errno;
     ::unlink(temporary.c_str());
     throw cannotWrite(path, systemReason(code));
-  }
-}
-
-StagedFolder::StagedFolder(fs::path target) : target_(fs::absolute(target).lexically_normal()) {
-  if (!target_.has_filename())
-    target_ = target_.parent_path();
-  std::error_code status;
-  if (fs::is_directory(target_, status) && ::access(target_.c_str(), W_OK | X_OK) != 0)
-    throw cannotWrite(target_, systemReason(errno));
-  const fs::path standing = existingFolder(target_);
-  if (!fs::is_directory(standing, status))
-    throw cannotWrite(standing, "it is a file, not a folder"_text);
-  const fs::path beside = standing == target_ ? target_.parent_path() : standing;
-  std::string pattern = (beside / fmt::format(".{}.XXXXXX", target_.filename().string())).string();
-  if (!::mkdtemp(pattern.data()))
-    throw cannotWrite(target_, systemReason(errno));
-  staging_ = pattern;
-}
-
-StagedFolder::~StagedFolder() {
-  discard();
-}
-
-void StagedFolder::discard() noexcept {
-  std::error_code ignored;
-  fs::remove_all(staging_, ignored);
-}
-
-void StagedFolder::commit() {
-  std::error_code status;
-  std::vector<fs::path> entries;
-  for (const fs::directory_entry& entry : fs::directory_iterator(staging_))
-    entries.push_back(entry.path());
-  std::sort(entries.begin(), entries.end());
-  fs::create_directories(target_, status);
-  if (status)
-    throw cannotWrite(target_, status.message());
-  // What is replaced waits out of sight until all is in its place; discard() then takes it.
-  std::string pattern = (staging_ / ".XXXXXX").string();
-  if (!::mkdtemp(pattern.data()))
-    throw cannotWrite(target_, systemReason(errno));
-  const fs::path replaced = pattern;
-  std::vector<fs::path> moved; // the latest last
-  const auto giveUp = [&](const fs::path& place, const std::string& why) {
-    std::error_code ignored;
-    for (auto name = moved.rbegin(); name != moved.rend(); ++name) {
-      fs::rename(target_ / *name, staging_ / *name, ignored);
-      fs::rename(replaced / *name, target_ / *name, ignored);
-    }
-    throw cannotWrite(place, why);
-  };
-  for (const fs::path& entry : entries) {
-    const fs::path name = entry.filename(), place = target_ / name;
-    if (fs::exists(fs::symlink_status(place, status))) {
-      fs::rename(place, replaced / name, status);
-      if (status)
-        giveUp(place, status.message());
-    }
-    moved.push_back(name);
-    fs::rename(entry, place, status);
-    if (status)
-      giveUp(place, status.message());
   }
 }
 

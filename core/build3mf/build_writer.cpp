@@ -1,6 +1,7 @@
 #include "build3mf/build_writer.h"
 
 #include "base/error.h"
+#include "base/markup.h"
 #include "base/run_context.h"
 #include "build3mf/build_names.h"
 #include "geometry/formats/zip_writer.h"
@@ -43,27 +44,12 @@ std::string uuidOf(const std::string& of) {
                      0x8000 | (b >> 48 & 0x3fff), b & 0xffffffffffffull);
 }
 
-// What must not stand in an attribute or a text as it is.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text)
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    default:
-      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  return out;
+// As an attribute or a text; control characters have no place in XML.
+std::string escaped(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20)
+      c = ' ';
+  return base::escapedMarkup(text);
 }
 
 long long unitsOf(double mm) {

@@ -44,7 +44,8 @@ double isotropyAt(const robot::RobotModel& robot, const JointVector& q, double r
     const Eigen::AngleAxisd turn(b.linear() * a.linear().transpose());
     jacobian.col(j).tail<3>() = turn.angle() * turn.axis() / (2.0 * kStep);
   }
-  const auto values = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
+  const Eigen::JacobiSVD<decltype(jacobian)> svd(jacobian);
+  const auto& values = svd.singularValues();
   return values[0] > 0.0 ? values[values.size() - 1] / values[0] : 0.0;
 }
 

@@ -93,6 +93,16 @@ std::optional<std::size_t> resumePointOfPath(const plan::Trajectory& t, const pl
   return std::nullopt;
 }
 
+std::optional<std::size_t> resumePointOfBead(const plan::Trajectory& t, std::size_t point) {
+  const auto next = resumePoint(t, point);
+  if (!next)
+    return std::nullopt;
+  std::size_t begin = *next;
+  while (begin > 0 && t.move[begin] == MoveKind::Print)
+    --begin;
+  return t.waypoint[begin] == plan::kNoWaypoint ? next : std::optional(begin);
+}
+
 plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_t last) {
   base::require(first < last && last <= t.pointCount(), "points of the trajectory");
   const auto span = [&](const auto& values, std::size_t each = 1) {

@@ -25,6 +25,10 @@ std::optional<std::size_t> resumePoint(const plan::Trajectory& trajectory, std::
 std::optional<std::size_t> resumePointOfPath(const plan::Trajectory& trajectory,
                                              const plan::ToolPlan& plan, std::size_t path);
 
+// Where the bead begins that is being printed on the way to `point`, or the next one: at its
+// beginning, as of resumePointOfPath. None: nothing is printed from there on.
+std::optional<std::size_t> resumePointOfBead(const plan::Trajectory& trajectory, std::size_t point);
+
 // Points [first, last) as a motion of its own: times and material from 0, the first one reached by
 // a Joint move from rest. Precondition (Error{Internal}): first < last <= pointCount.
 plan::Trajectory partOf(const plan::Trajectory& trajectory, std::size_t first, std::size_t last);

@@ -115,6 +115,35 @@ std::vector<std::string> chosenFormats(const project::Choices& choices, const ro
   return formats;
 }
 
+void requireOptionsApply(const project::Choices& choices,
+                         const std::vector<std::string>& assignments) {
+  const auto formatsWith = [](std::string_view key) {
+    std::vector<std::string> formats;
+    for (const program::Dialect& dialect : program::dialects()) {
+      const std::vector<base::ParameterSpec> options = program::optionsOf(dialect);
+      if (std::ranges::find(options, key, &base::ParameterSpec::key) != options.end())
+        formats.emplace_back(dialect.id);
+    }
+    return formats;
+  };
+  for (const std::string& assignment : assignments) {
+    const std::string key = assignment.substr(0, assignment.find('='));
+    const std::vector<std::string> having = formatsWith(key);
+    if (having.empty())
+      continue;
+    const std::vector<std::string> written = chosenFormats(
+        choices,
+        modes::cellOnAnyPlatform(choices, chosenProcess(choices, parameterValues(choices))));
+    if (std::ranges::find_first_of(written, having) == written.end())
+      throw Error(ErrorCode::Usage,
+                  base::message("{option} is an option of {having}; written are {formats}"_text,
+                                key, fmt::format("{}", fmt::join(having, ", ")),
+                                fmt::format("{}", fmt::join(written, ", "))),
+                  {},
+                  base::message("leave it out, or give --format {format}"_text, having.front()));
+  }
+}
+
 process::Process chosenProcess(const project::Choices& choices,
                                const base::ParameterValues& values) {
   process::Process p = process::loadProcess(choices.process);

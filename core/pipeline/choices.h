@@ -31,6 +31,11 @@ base::ParameterValues parameterValues(const project::Choices& choices);
 // The ids of choices.formats, or what stands in for an empty list in this cell.
 std::vector<std::string> chosenFormats(const project::Choices& choices, const robot::Cell& cell);
 
+// Throws Error{Usage} for an option of programs that is among `assignments` ("key=value") and that
+// none of the formats to be written has.
+void requireOptionsApply(const project::Choices& choices,
+                         const std::vector<std::string>& assignments);
+
 // The process of choices with the parameters layerHeightMm, beadWidthMm and stepMm put in.
 // Throws Error{Usage}: unknown process, a value outside the process's limits (names them).
 process::Process chosenProcess(const project::Choices& choices,

@@ -1,6 +1,7 @@
 #include "pipeline/proof.h"
 
 #include "base/files.h"
+#include "base/parallel.h"
 #include "base/sha256.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace voluta::pipeline {
@@ -31,7 +33,9 @@ struct Measured {
 };
 
 std::string printedName(const PlanResult& result) {
-  return std::filesystem::path(result.job.partName).stem().string() + ".printed.stl";
+  // Of a print that is taken up again a file of its own, beside the first's.
+  const char* ending = result.job.resumedAt > 0 ? "-rest.printed.stl" : ".printed.stl";
+  return std::filesystem::path(result.job.partName).stem().string() + ending;
 }
 
 bool isProved(const CheckedProgram& program) {
@@ -42,8 +46,7 @@ bool isProved(const CheckedProgram& program) {
 ProofValue valueAt(double value, std::size_t point, const PlanResult& result,
                    const Measured& measured, const CheckedProgram& checked) {
   ProofValue at{value, {}, 0, measured.trajectory.timeS[point]};
-  const std::vector<TextLine> lines = linesOfPoints(checked, *result.job.trajectory);
-  const TextLine line = lines[result.job.resumedAt + point];
+  const TextLine line = checked.pointLines[result.job.resumedAt + point];
   if (line.line > 0 && line.file < checked.program.files.size()) {
     at.file = checked.program.files[line.file].name;
     at.line = line.line;
@@ -62,7 +65,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.verdict = checked.verdict;
   const project::MotionReport& motion = result.job.report.motion;
   proof.plannedS = motion.durationS;
-  proof.programS = checked.durationS;
+  proof.programS = checked.verdict.durationS;
   const plan::Trajectory& t = measured.trajectory;
   proof.materialMm3 = t.extrudedMm3.back();
   const auto closest = std::lower_bound(t.timeS.begin(), t.timeS.end(), motion.minClearanceAtS);
@@ -98,6 +101,13 @@ Json fillJson(const FillMap& fill) {
               {"originMm", {fill.origin.x(), fill.origin.y(), fill.origin.z()}},
               {"size", {fill.size.x(), fill.size.y(), fill.size.z()}},
               {"filled", kFilled}};
+}
+
+void sideBySide(const base::RunContext& ctx, const std::vector<std::function<void()>>& pieces) {
+  base::parallelChunks(ctx, pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      pieces[i]();
+  });
 }
 
 std::string filledJson(const FillMap& fill) {
@@ -211,18 +221,23 @@ void writeProofs(const PlanResult& result, const Programs& programs,
   const collision::GrowingPart growing(plan, collision::growingPitch(plan, *result.process), ctx);
   Measured measured;
   measured.trajectory = motion::partOf(whole, result.job.resumedAt, whole.pointCount());
-  measured.margins = motion::marginsOf(measured.trajectory, *result.cell, ctx);
-  measured.fill = fillMap(result.job.printed(), growing, ctx);
   measured.printed = printedName(result);
-  base::writeFile(folder / measured.printed, geometry::writeStl(outerBeads(plan, growing)));
-  for (const auto& checked : programs) {
-    if (!isProved(*checked))
-      continue;
-    ctx.checkpoint();
-    const Proof proof = proofOf(*checked, result, measured);
-    base::writeFile(folder / (proofName(*checked) + ".json"), proofJson(proof));
-    base::writeFile(folder / (proofName(*checked) + ".html"), proofPage(proof));
-  }
+  sideBySide(ctx,
+             {[&] { measured.margins = motion::marginsOf(measured.trajectory, *result.cell, ctx); },
+              [&] { measured.fill = fillMap(result.job.printed(), growing, ctx); },
+              [&] {
+                base::writeFile(folder / measured.printed,
+                                geometry::writeStl(outerBeads(plan, growing)));
+              }});
+  std::vector<std::function<void()>> proofs;
+  for (const auto& checked : programs)
+    if (isProved(*checked))
+      proofs.push_back([&] {
+        const Proof proof = proofOf(*checked, result, measured);
+        base::writeFile(folder / (proofName(*checked) + ".json"), proofJson(proof));
+        base::writeFile(folder / (proofName(*checked) + ".html"), proofPage(proof));
+      });
+  sideBySide(ctx, proofs);
 }
 
 } // namespace voluta::pipeline

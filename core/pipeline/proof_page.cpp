@@ -1,4 +1,5 @@
 // The page of a proof: tables, and the fill map seen from the front and from the side.
+#include "base/markup.h"
 #include "base/text.h"
 #include "pipeline/proof.h"
 
@@ -12,29 +13,6 @@ namespace {
 
 using base::english;
 
-// Names come from files: nothing in them is markup.
-std::string plain(std::string_view text) {
-  std::string out;
-  for (const char c : text)
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    default:
-      out += c;
-    }
-  return out;
-}
-
 std::string row(const std::string& what, const std::string& value, const std::string& where = {}) {
   return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", what, value, where);
 }
@@ -42,8 +20,9 @@ std::string row(const std::string& what, const std::string& value, const std::st
 std::string place(const ProofValue& value) {
   if (value.line == 0)
     return english(base::message("at {time:.1f}"_text, base::seconds(value.atS)));
-  return plain(english(base::message("{file}, line {line}, at {time:.1f}"_text, value.file,
-                                     value.line, base::seconds(value.atS))));
+  return base::escapedMarkup(
+      english(base::message("{file}, line {line}, at {time:.1f}"_text, value.file, value.line,
+                            base::seconds(value.atS))));
 }
 
 // Colours that eyes of every kind tell apart; red is kept for what is blocked.
@@ -111,7 +90,7 @@ std::string replayRows(const project::ReplayReport& v) {
 } // namespace
 
 std::string proofPage(const Proof& proof) {
-  const std::string title = plain(english(
+  const std::string title = base::escapedMarkup(english(
       base::message("{part}: proof of the {format} program"_text, proof.part, proof.format)));
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
@@ -120,7 +99,7 @@ std::string proofPage(const Proof& proof) {
       "code{{word-break:break-all}}</style></head><body>\n<h1>{0}</h1>\n<table>\n",
       title);
   for (const Proof::File& file : proof.files)
-    page += row(plain(file.name), fmt::format("<code>{}</code>", file.sha256),
+    page += row(base::escapedMarkup(file.name), fmt::format("<code>{}</code>", file.sha256),
                 english(base::message("{bytes} bytes, SHA-256"_text, file.bytes)));
   const auto seconds = [](double s) {
     return english(base::message("{time:.1f}"_text, base::seconds(s)));
@@ -136,7 +115,8 @@ std::string proofPage(const Proof& proof) {
               english(base::message("{way:.2f}"_text, base::mm(proof.clearance.value))),
               place(proof.clearance));
   for (const Proof::Joint& joint : proof.joints)
-    page += row(plain(english(base::message("joint {name}, to its nearer limit"_text, joint.name))),
+    page += row(base::escapedMarkup(
+                    english(base::message("joint {name}, to its nearer limit"_text, joint.name))),
                 english(base::message("{angle:.1f}"_text, base::degrees(joint.margin.value))),
                 place(joint.margin));
   page += row(english("isotropy of the arm (0: singular, 1: even)"_text),
@@ -146,7 +126,7 @@ std::string proofPage(const Proof& proof) {
   page += view(proof.fill, 0, english("from the front (x to the right, z up)"_text));
   page += view(proof.fill, 1, english("from the side (y to the right, z up)"_text));
   page += fmt::format("<p>{}</p>\n",
-                      plain(english(base::message(
+                      base::escapedMarkup(english(base::message(
                           "Dark blue: 97 % and more. The part as it will be printed: {file}"_text,
                           proof.printed))));
   return page + "</body></html>\n";

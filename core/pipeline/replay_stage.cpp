@@ -5,6 +5,8 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 
+#include <numeric>
+
 namespace voluta::pipeline {
 
 namespace {
@@ -14,7 +16,7 @@ TextLine textLine(std::size_t file, std::size_t line) {
 
 program::ProgramInput programInput(const ProgramStageInput& in,
                                    const plan::Trajectory& trajectory) {
-  return {in.toolPlan, trajectory, in.cell, in.process, in.name, in.options};
+  return {in.toolPlan, trajectory, in.cell, in.process, in.name, in.options, in.job};
 }
 
 // What was printed before the program begins, as motions of its dialect, of no line.
@@ -28,20 +30,32 @@ motionsBefore(const std::string& format, const ProgramStageInput& in, const base
   return std::move(read.motions);
 }
 
-plan::Program written(const std::string& format, const ProgramStageInput& in,
-                      const base::RunContext& ctx) {
+// What `use` makes of what a program is written from.
+template <typename F> auto withInput(const ProgramStageInput& in, const F& use) {
   if (in.firstPoint == 0)
-    return program::writeProgram(format, programInput(in, in.trajectory), ctx);
+    return use(programInput(in, in.trajectory));
   const plan::Trajectory rest =
       motion::partOf(in.trajectory, in.firstPoint, in.trajectory.pointCount());
-  return program::writeProgram(format, programInput(in, rest), ctx);
+  return use(programInput(in, rest));
 }
 } // namespace
 
 ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points) {
   const std::size_t first = in.firstPoint > 0 ? points.pointOf[in.firstPoint] : 0;
-  return {in.part, in.platform, in.toolPlan, points.trajectory, in.cell, in.process,
-          in.name, in.options,  first};
+  return {in.part,
+          in.platform,
+          in.toolPlan,
+          points.trajectory,
+          in.cell,
+          in.process,
+          in.name,
+          in.options,
+          first,
+          withInput(in, [](const program::ProgramInput& all) { return program::jobHash(all); })};
+}
+
+program::JobHead headOf(const ProgramStageInput& said) {
+  return withInput(said, [](const program::ProgramInput& in) { return program::jobHead(in); });
 }
 
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
@@ -52,12 +66,17 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
   back.read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
   if (in.firstPoint > 0) {
     std::vector<plan::ProgramMotion> motions = motionsBefore(format, in, ctx);
+    back.before = motions.size();
     motions.insert(motions.end(), back.read.motions.begin(), back.read.motions.end());
     back.read.motions = std::move(motions);
   }
   back.verdict = replay::replayProgram(
       {back.read, in.toolPlan, in.trajectory, in.cell, in.process, in.part, in.platform}, {},
       ctx.sub(0.1, 1.0), judged);
+  // The program's own time, not that of what was printed before it.
+  const auto& seconds = back.verdict.motionS;
+  back.verdict.durationS -= std::accumulate(
+      seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(back.before), 0.0);
   return back;
 }
 
@@ -111,7 +130,9 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   const program::MergedPoints points =
       program::pointsFor(format, programInput(in, in.trajectory), ctx.sub(0.0, 0.05));
   const ProgramStageInput said = saying(in, points);
-  checked->program = written(format, said, ctx.sub(0.05, 0.1));
+  checked->program = withInput(said, [&](const program::ProgramInput& input) {
+    return program::writeProgram(format, input, ctx.sub(0.05, 0.1));
+  });
   checked->timings.write = writing.seconds();
   base::Stopwatch replaying;
   ReadBack back = replayText(format, checked->program.files, said, ctx.sub(0.1, 1.0), judged);
@@ -127,12 +148,12 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   checked->verdict = replayReport(verdict);
   checked->passed = verdict.passed;
   checked->failed = failedThresholds(verdict);
+  checked->slow = slowSpans(said.trajectory, verdict.pointOf, verdict.motionS);
   // Of a text that is not what was planned, its motions are not the plan's.
   if (verdict.deviations == 0)
     checked->metAt = std::move(verdict.metAt);
   checked->maxDeviationMm = verdict.maxDeviationMm;
   checked->maxDeviationRad = verdict.maxDeviationRad;
-  checked->durationS = verdict.durationS;
   // Lines are of this program's text, and there are several programs.
   for (plan::Finding& finding : verdict.findings)
     finding.program.format = format;

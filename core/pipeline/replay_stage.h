@@ -4,23 +4,29 @@
 #include "base/run_context.h"
 #include "pipeline/stages.h"
 #include "plan/program.h"
+#include "program/job_head.h"
 #include "program/merged_points.h"
 #include "project/report.h"
 #include "replay/verification.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace voluta::pipeline {
 
 struct ReadBack {
-  plan::ReadProgram read;
+  plan::ReadProgram read; // behind the motions of what was printed before, of no line
+  std::size_t before = 0; // how many these are
   replay::Verification verdict;
 };
 
 // The same with these points in place of the trajectory's: what a dialect says of it
-// (program::pointsFor). The caller keeps them alive.
+// (program::pointsFor), and the job's hash as it is without. The caller keeps them alive.
 ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points);
+
+// What the head of a program says that is written from these (the points of its dialect: saying).
+program::JobHead headOf(const ProgramStageInput& said);
 
 // Reads `files` as `format` and replays them against what they were written from. `judged`: as
 // replay::replayProgram takes it.

@@ -1,7 +1,7 @@
 #include "pipeline/resume.h"
 
 #include "base/error.h"
-#include "base/files.h"
+#include "base/staged_folder.h"
 #include "base/stopwatch.h"
 #include "collision/growing_part.h"
 #include "motion/check.h"
@@ -111,6 +111,40 @@ std::size_t pointOf(const ResumeRequest& request, const project::Job& job,
   return *point;
 }
 
+void done(project::Job& job, project::Stage stage, const plan::Findings& findings,
+          project::Timings timings) {
+  job.stages[project::indexOf(stage)] = {project::kResumedKey, findings.size(), timings};
+  job.report.findings.insert(job.report.findings.end(), findings.begin(), findings.end());
+  job.report.timings += timings;
+  job.reached = stage;
+}
+
+// The Replay stage of a job that is taken up again.
+void writePrograms(PlanResult& result, const base::RunContext& ctx) {
+  project::Job& job = result.job;
+  const std::vector<std::string> formats = chosenFormats(job.choices, *result.cell);
+  const ProgramStageInput in{job.printed(),
+                             job.platform,
+                             *job.toolPlan,
+                             *job.trajectory,
+                             *result.cell,
+                             *result.process,
+                             std::filesystem::path(job.partName).stem().string() + "-rest",
+                             program::programOptions(parameterValues(job.choices)),
+                             job.resumedAt};
+  replay::JudgedRuns judged;
+  plan::Findings findings;
+  project::Timings timings;
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
+    result.checked.push_back(
+        programStage(formats[i], in, ctx.sub(at / count, (at + 1.0) / count), &judged));
+    timings += result.checked.back()->timings;
+    tellProgram(*result.checked.back(), i == 0, true, job.report, findings);
+  }
+  done(job, project::Stage::Replay, findings, timings);
+}
+
 class Resuming {
 public:
   Resuming(project::Job job, std::size_t point, std::vector<std::string> formats) : point_(point) {
@@ -129,7 +163,7 @@ public:
     const base::Stopwatch whole;
     forgetRest();
     if (move(ctx.sub(0.0, 0.2)))
-      write(ctx.sub(0.2, 1.0));
+      writePrograms(result_.plan, ctx.sub(0.2, 1.0));
     report().timings.total = whole.seconds();
     report().threads = ctx.threads();
     return std::move(result_);
@@ -149,14 +183,6 @@ private:
     report().motion = motion;
   }
 
-  void done(project::Stage stage, const plan::Findings& findings, project::Timings timings) {
-    // What is there is not what the choices alone come to.
-    job().stages[project::indexOf(stage)] = {"resumed", findings.size(), timings};
-    report().findings.insert(report().findings.end(), findings.begin(), findings.end());
-    report().timings += timings;
-    job().reached = stage;
-  }
-
   bool move(const base::RunContext& ctx) {
     base::Stopwatch watch;
     ctx.report(0.0, "the part as it stands"_text);
@@ -174,7 +200,7 @@ private:
     timings.transfer = watch.seconds();
     if (!resumed) {
       const Eigen::Vector3d& where = plan.position[result_.waypoint];
-      done(project::Stage::Motion,
+      done(job(), project::Stage::Motion,
            {plan::makeFinding(plan::FindingKind::NoWayBack,
                               {{"place", base::message("bead {bead}"_text, result_.bead)}}, where)},
            timings);
@@ -185,7 +211,7 @@ private:
     job().resumedAt = resumed->firstPoint;
     measure(*resumed, growing, ctx);
     job().trajectory = std::make_shared<plan::Trajectory>(std::move(resumed->trajectory));
-    done(project::Stage::Motion, {}, timings);
+    done(job(), project::Stage::Motion, {}, timings);
     return true;
   }
 
@@ -207,30 +233,6 @@ private:
     report().motion.collisions = check.collisions.size();
   }
 
-  void write(const base::RunContext& ctx) {
-    const std::vector<std::string> formats = chosenFormats(job().choices, *result_.plan.cell);
-    const ProgramStageInput in{job().printed(),
-                               job().platform,
-                               *job().toolPlan,
-                               *job().trajectory,
-                               *result_.plan.cell,
-                               *result_.plan.process,
-                               std::filesystem::path(job().partName).stem().string() + "-rest",
-                               program::programOptions(parameterValues(job().choices)),
-                               job().resumedAt};
-    replay::JudgedRuns judged;
-    plan::Findings findings;
-    project::Timings timings;
-    for (std::size_t i = 0; i < formats.size(); ++i) {
-      const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
-      result_.plan.checked.push_back(
-          programStage(formats[i], in, ctx.sub(at / count, (at + 1.0) / count), &judged));
-      timings += result_.plan.checked.back()->timings;
-      tellProgram(*result_.plan.checked.back(), i == 0, true, report(), findings);
-    }
-    done(project::Stage::Replay, findings, timings);
-  }
-
   std::size_t point_;
   ResumeResult result_;
 };
@@ -243,7 +245,19 @@ ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::str
   return Resuming(std::move(job), point, std::move(formats)).run(ctx);
 }
 
+PlanResult writeRest(project::Job job, const base::RunContext& ctx) {
+  base::require(job.part && job.toolPlan && job.trajectory && job.resumedAt > 0,
+                "a job that is taken up again");
+  const base::Stopwatch whole;
+  PlanResult result = resultOf(project::upTo(std::move(job), project::Stage::Motion));
+  writePrograms(result, ctx);
+  result.job.report.timings.total = whole.seconds();
+  result.job.report.threads = ctx.threads();
+  return result;
+}
+
 ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& ctx) {
+  base::finishStaged(std::filesystem::absolute(request.job).parent_path());
   project::Job job = project::readJob(request.job);
   if (!job.part || !job.toolPlan || !job.trajectory)
     throw Error(ErrorCode::UnusableInput, "the job holds no motion to take up"_text,

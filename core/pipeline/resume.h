@@ -44,4 +44,8 @@ ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& c
 ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,
                        const base::RunContext& ctx);
 
+// The programs of a job that is taken up again (resumedAt > 0) written anew, as its choices have
+// them now; its motion stays. Precondition (Error{Internal}): it is planned to its motion.
+PlanResult writeRest(project::Job job, const base::RunContext& ctx);
+
 } // namespace voluta::pipeline

@@ -79,8 +79,9 @@ struct VerifyResult {
   project::ReplayReport replay;
   plan::Findings findings;
 };
-// Replays a program from disk against the plan in a job file. Throws Error{UnreadableFile,
-// UnusableInput, Usage}.
+// Replays a program from disk against the plan in a job file. A program whose head names another
+// job or cell is told first. Throws Error{UnreadableFile, UnusableInput (no motion is understood in
+// it), Usage}.
 VerifyResult verifyProgram(const std::filesystem::path& program, const std::filesystem::path& job,
                            const base::RunContext& ctx);
 

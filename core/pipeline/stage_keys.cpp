@@ -7,6 +7,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/turned_part.h"
+#include "program/dialect.h"
 #include "project/content_hash.h"
 #include "robot/cell.h"
 #include "support/supports.h"
@@ -75,11 +76,14 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
 }
 
 // All that a program is written and judged by.
-std::string programText(const std::string& partName, const process::Process& p,
-                        const program::ProgramOptions& options) {
+std::string programText(const std::string& partName, const process::Process& p) {
   const ProcessKeys keys = keysOf(p);
-  return base::keyText(partName) + keys.material + keys.bead + keys.head + keys.travel +
-         base::keyText(options);
+  return base::keyText(partName) + keys.material + keys.bead + keys.head + keys.travel;
+}
+
+std::string optionsText(const std::string& format, const program::ProgramOptions& options) {
+  return base::keyText(
+      program::optionsAmong(program::optionsOf(program::findDialect(format)), options));
 }
 
 std::string next(const std::string& before, project::Stage stage, const std::string& own) {
@@ -109,11 +113,11 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
                                     processKeys.bead + processKeys.head);
   put(project::Stage::Motion,
       processKeys.travel + processKeys.head + base::keyText(motionOptionsOf(values, choices.seed)));
+  // With the options that the formats have.
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
-    formats += " " + format;
-  put(project::Stage::Replay, programText(loaded.name, process, program::programOptions(values)) +
-                                  "formats" + formats + "\n");
+    formats += format + " " + optionsText(format, program::programOptions(values));
+  put(project::Stage::Replay, programText(loaded.name, process) + "formats\n" + formats);
   return keys;
 }
 
@@ -121,7 +125,8 @@ std::string programKey(const project::StageKeys& keys, const std::string& partNa
                        const process::Process& process, const program::ProgramOptions& options,
                        const std::string& format) {
   return next(keys[project::indexOf(project::Stage::Motion)], project::Stage::Replay,
-              programText(partName, process, options) + "format " + format + "\n");
+              programText(partName, process) + "format " + format + " " +
+                  optionsText(format, options));
 }
 
 } // namespace voluta::pipeline

@@ -8,6 +8,7 @@
 #include "layers/layer_stack.h"
 #include "modes/mode.h"
 #include "modes/stages.h"
+#include "pipeline/slow_spans.h"
 #include "plan/finding.h"
 #include "plan/program.h"
 #include "plan/tool_plan.h"
@@ -62,7 +63,7 @@ struct CheckedProgram {
   std::vector<base::Message> failed; // the thresholds that were not kept
   std::vector<std::size_t> metAt;    // as Verification::metAt
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
-  double durationS = 0.0;           // as the program is run
+  std::vector<SlowSpan> slow;       // of its controller
   std::vector<TextLine> pointLines; // of each point of the trajectory; line 0: it has none
   project::Timings timings;
 };
@@ -120,6 +121,7 @@ struct ProgramStageInput {
   std::string name;
   program::ProgramOptions options = {};
   std::size_t firstPoint = 0; // of the trajectory at which the program begins: Job::resumedAt
+  std::string job = {};       // program::ProgramInput::job
 };
 // `judged`: of programs of the same motion (replay/verification.h).
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,

@@ -1,18 +1,58 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "base/staged_folder.h"
 #include "pipeline/choices.h"
 #include "pipeline/program_files.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/road.h"
+#include "plan/finding_kinds.h"
 #include "program/dialect.h"
+#include "program/job_head.h"
 #include "robot/cell.h"
 
+#include <optional>
 #include <utility>
 
 namespace voluta::pipeline {
 
+namespace {
+base::Message inWords(const program::JobHead& head) {
+  return base::message("part {part}, job {job}, cell {cell} with robot {robot}"_text, head.part,
+                       head.job, head.cell, head.robot);
+}
+
+// A program that says that it is another job's: nothing where it says nothing, or is this one's.
+std::optional<plan::Finding> otherOrigin(const std::vector<plan::ProgramFile>& files,
+                                         const program::JobHead& own) {
+  const std::optional<program::JobHead> head = program::readJobHead(files);
+  if (!head || head->job == own.job)
+    return std::nullopt;
+  const bool cell = !head->cell.empty() && head->cell != own.cell;
+  return plan::makeFinding(cell ? plan::FindingKind::OtherCell : plan::FindingKind::OtherJob,
+                           {{"program", inWords(*head)}, {"job", inWords(own)}});
+}
+
+// A binary, or a text in a language that is not known: there is nothing to judge.
+void requireMotions(const ReadBack& back, const std::string& format,
+                    const std::filesystem::path& program) {
+  const auto& defects = back.read.defects;
+  if (back.read.motions.size() > back.before || defects.empty())
+    return;
+  throw base::Error(base::ErrorCode::UnusableInput,
+                    base::message("no motion of format {format} is in it: line {line}: {what}"_text,
+                                  format, defects.front().line, defects.front().reason),
+                    program.string());
+}
+
+std::string nameOf(const project::Job& job) {
+  return std::filesystem::path(job.partName).stem().string() + (job.resumedAt > 0 ? "-rest" : "");
+}
+} // namespace
+
 VerifyResult verifyProgram(const std::filesystem::path& program, const std::filesystem::path& job,
                            const base::RunContext& ctx) {
+  for (const std::filesystem::path& file : {program, job})
+    base::finishStaged(std::filesystem::absolute(file).parent_path());
   std::string text = base::readFile(program);
   const project::Job planned = project::readJob(job);
   if (!planned.part || !planned.toolPlan || !planned.trajectory)
@@ -29,13 +69,20 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
                              *planned.trajectory,
                              cell,
                              process,
-                             planned.partName,
+                             nameOf(planned),
                              {},
                              planned.resumedAt};
   const program::MergedPoints points =
       program::pointsFor(format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name}, ctx);
-  const replay::Verification verdict =
-      replayText(format, found.files, saying(in, points), ctx).verdict;
+  const ProgramStageInput said = saying(in, points);
+  ReadBack back = replayText(format, found.files, said, ctx);
+  requireMotions(back, format, program);
+  replay::Verification& verdict = back.verdict;
+  if (std::optional<plan::Finding> other = otherOrigin(found.files, headOf(said))) {
+    // Of a program whose motions are this job's all the same, its head is only worth knowing.
+    other->blocking = !verdict.passed;
+    verdict.findings.insert(verdict.findings.begin(), std::move(*other));
+  }
   return {format, replayReport(verdict), verdict.findings};
 }
 

@@ -372,6 +372,12 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "the program ends here; {motions} planned motion not in it|"
      "the program ends here; {motions} planned motions not in it"_plural,
      kWriteAgain},
+    {OtherJob, "otherJob", "otherJob", Replay, Depends,
+     "the program says that it is of another job: {program}; this job is {job}"_text,
+     "give the job that the program was written from"_text},
+    {OtherCell, "otherCell", "otherJob", Replay, Depends,
+     "the program says that it is for another cell: {program}; this job is {job}"_text,
+     "give the job that the program was written from"_text},
     {OtherProgram, "otherProgram", "otherProgram", Replay, Blocks,
      "the program's motions are not those of this plan"_text,
      "give the job that the program was written from"_text},

@@ -99,6 +99,8 @@ enum class FindingKind : std::uint8_t {
   EndMissing,
   NoMotions,
   ProgramCutShort,
+  OtherJob,
+  OtherCell,
   OtherProgram,
   WaypointMoved,
   WaypointTilted,

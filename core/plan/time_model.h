@@ -10,6 +10,9 @@ struct TimeModel {
   double accelerationMmPerS2 = 0.0;
   // Of joint motions whose text gives none; 0: any speed at once.
   double jointAccelerationRadPerS2 = 0.0;
+  // Joint speeds come in whole percent of what an axis can, which the text doesn't tell: such a
+  // motion's time is no figure to hold against the plan's.
+  bool jointsInPercent = false;
   double cycleS = 0.0; // no motion that moves is shorter
   // How far ahead the controller looks for a place where it has to stand, in motions; 0: to the
   // end.

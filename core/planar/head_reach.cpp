@@ -3,6 +3,7 @@
 #include "base/units.h"
 #include "geometry/measures.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -111,6 +112,9 @@ public:
       highU = std::max(highU, p.u);
       highV = std::max(highV, p.v);
     }
+    // Columns stand where they stand, whatever else there is.
+    lowU_ = kColumnMm * std::floor(lowU_ / kColumnMm);
+    lowV_ = kColumnMm * std::floor(lowV_ / kColumnMm);
     wide_ = static_cast<int>((highU - lowU_) / kColumnMm) / kBlock + 1;
     high_ = static_cast<int>((highV - lowV_) / kColumnMm) / kBlock + 1;
     columns_.assign(static_cast<std::size_t>(wide_ * high_) * kBlock * kBlock, {0, 0, kNone});
@@ -200,19 +204,36 @@ HeadReach::HeadReach(const process::HeadShape& head, double marginMm) {
   }
 }
 
-bool HeadReach::blocked(const std::vector<Vector3d>& tips, const std::vector<Vector3d>& obstacles,
+bool HeadReach::blocked(const std::vector<Vector3d>& tips, const Obstacles& obstacles,
                         const Vector3d& direction, double lowestMm) const {
   if (tips.empty() || rise_.empty())
     return false;
-  double lowest = 1e300;
-  for (const Vector3d& t : tips)
-    lowest = std::min(lowest, direction.dot(t));
-  lowest = std::max(lowest, lowestMm) + rise_.front();
   const Vector3d across = direction.unitOrthogonal(), along = direction.cross(across);
+  double lowest = 1e300;
+  Eigen::AlignedBox2d swept; // by the head's axis, seen along the direction
+  for (const Vector3d& t : tips) {
+    lowest = std::min(lowest, direction.dot(t));
+    swept.extend(Eigen::Vector2d(across.dot(t), along.dot(t)));
+  }
+  lowest = std::max(lowest, lowestMm) + rise_.front();
+  const double widest = kStepMm * static_cast<double>(rise_.size());
   std::vector<HeightMap::Point> near;
-  for (const Vector3d& o : obstacles)
-    if (const double h = direction.dot(o); h > lowest)
-      near.push_back({across.dot(o), along.dot(o), h});
+  for (const PointBlock& block : obstacles) {
+    if (block.liesBelow(direction, lowest))
+      continue;
+    if (!block.box.isEmpty()) {
+      const Vector3d middle = block.box.center();
+      const Eigen::Vector2d at(across.dot(middle), along.dot(middle));
+      if (swept.exteriorDistance(at) > widest + 0.5 * block.box.diagonal().norm())
+        continue;
+    }
+    for (const Vector3d& o : block.points)
+      if (const double h = direction.dot(o); h > lowest) {
+        const Eigen::Vector2d at(across.dot(o), along.dot(o));
+        if (swept.squaredExteriorDistance(at) <= widest * widest)
+          near.push_back({at.x(), at.y(), h});
+      }
+  }
   if (near.empty())
     return false;
   const HeightMap map(std::move(near));
@@ -233,8 +254,8 @@ bool HeadReach::blocked(const std::vector<Vector3d>& tips, const std::vector<Vec
 }
 
 std::vector<Vector3d> HeadReach::inside(const std::vector<Vector3d>& tips,
-                                        const std::vector<Vector3d>& obstacles,
-                                        const Vector3d& direction, double lowestMm) const {
+                                        const Obstacles& obstacles, const Vector3d& direction,
+                                        double lowestMm) const {
   if (tips.empty() || rise_.empty())
     return {};
   // Head down: of each column of tips the lowest counts, and an obstacle is a tip.
@@ -244,9 +265,10 @@ std::vector<Vector3d> HeadReach::inside(const std::vector<Vector3d>& tips,
     down.push_back({across.dot(t), along.dot(t), -std::max(direction.dot(t), lowestMm)});
   const HeightMap map(std::move(down));
   std::vector<Vector3d> out;
-  for (const Vector3d& o : obstacles)
-    if (map.meets({across.dot(o), along.dot(o), -direction.dot(o)}, rise_))
-      out.push_back(o);
+  for (const PointBlock& block : obstacles)
+    for (const Vector3d& o : block.points)
+      if (map.meets({across.dot(o), along.dot(o), -direction.dot(o)}, rise_))
+        out.push_back(o);
   return out;
 }
 

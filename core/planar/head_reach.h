@@ -2,6 +2,7 @@
 #pragma once
 
 #include "planar/pieces.h"
+#include "planar/point_blocks.h"
 #include "process/process.h"
 
 #include <Eigen/Core>
@@ -31,6 +32,9 @@ std::vector<Eigen::Vector3d> plateSamples(const std::vector<Eigen::Vector2d>& po
 std::vector<Eigen::Vector3d> frustumSamples(double lowMm, double highMm, double lowRadiusMm,
                                             double highRadiusMm, double spacingMm);
 
+// What may be in the head's way.
+using Obstacles = std::vector<PointBlock>;
+
 // Height along the base's normal at which the nozzle's tip lays the piece's first layer: twice
 // rule.contactMm over its base.
 double firstTipMm(const Piece& piece, const RiskRule& rule);
@@ -48,14 +52,13 @@ public:
   // direction (the top of its first layer: nearer the nozzle's tip never comes) are raised to it.
   // Precondition: the head's radius grows with the height, as heads' do; where it shrinks, the
   // largest below counts, and over its end its last.
-  bool blocked(const std::vector<Eigen::Vector3d>& tips,
-               const std::vector<Eigen::Vector3d>& obstacles, const Eigen::Vector3d& direction,
-               double lowestMm) const;
+  bool blocked(const std::vector<Eigen::Vector3d>& tips, const Obstacles& obstacles,
+               const Eigen::Vector3d& direction, double lowestMm) const;
 
   // Those of the obstacles that are inside the head at any of the tips. As blocked.
   std::vector<Eigen::Vector3d> inside(const std::vector<Eigen::Vector3d>& tips,
-                                      const std::vector<Eigen::Vector3d>& obstacles,
-                                      const Eigen::Vector3d& direction, double lowestMm) const;
+                                      const Obstacles& obstacles, const Eigen::Vector3d& direction,
+                                      double lowestMm) const;
 
 private:
   // By steps of radius: obstacles so far off the axis are in the way when they are higher over the

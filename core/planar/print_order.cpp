@@ -91,7 +91,7 @@ std::vector<Piece> printOrder(std::vector<Piece> pieces, const PlanarOptions& op
   }
   const HeadReach head(options.head);
   const PieceOrder found = orderOf(standsOnTag, holds, [&](std::size_t i, std::size_t j) {
-    return head.blocked(tips[i], bodies[j], pieces[i].base.normal,
+    return head.blocked(tips[i], {bodies[j]}, pieces[i].base.normal,
                         firstTipMm(pieces[i], options.rule));
   });
   blocked = found.blocked;

@@ -8,11 +8,15 @@
 #include "program/gcode_extended.h"
 #include "program/gcode_plain.h"
 #include "program/joint_table.h"
+#include "program/krl.h"
 #include "program/language_words.h"
+#include "program/melfa.h"
 #include "program/motion_targets.h"
 #include "program/rapid.h"
+#include "program/spelplus.h"
 #include "program/text.h"
 #include "program/text_files.h"
+#include "program/tmscript.h"
 #include "program/urscript.h"
 
 #include <algorithm>
@@ -29,6 +33,8 @@ const std::vector<Dialect>& dialects() {
        .turnsRods = false,
        // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
+       .merge = {.motionS = 0.008},
+       .options = urscriptOptions,
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
@@ -58,6 +64,7 @@ const std::vector<Dialect>& dialects() {
        .turnsRods = false,
        // Every motion says its time.
        .time = {},
+       .options = tableGcodeOptions,
        .write = writeTableGcode,
        .read = readTableGcode,
        .looksLike = looksLikeTableGcode,
@@ -86,7 +93,9 @@ const std::vector<Dialect>& dialects() {
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
-       .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .merge = {.leastS = 0.024, .leastMm = 0.5, .motionS = 0.02},
+       .options = rapidOptions,
+       .longestText = 80, // of a string
        .write = writeRapid,
        .read = readRapid,
        .looksLike = looksLikeRapid,
@@ -94,6 +103,76 @@ const std::vector<Dialect>& dialects() {
        .isWord = isRapidWord,
        .remark = "!",
        .mayBeMissing = mayBeMissingInRapid},
+      {.id = "krl",
+       .label = "KRL (KUKA)"_text,
+       .extension = "src",
+       .controller = "krl",
+       .needsJoints = false,
+       // Machine data mostly have 10 m/s2. The controller knows as many motions as $ADVANCE, at
+       // most 5.
+       .time = {.accelerationMmPerS2 = kKrlMostMmPerS2,
+                .jointAccelerationRadPerS2 = 10.0,
+                .jointsInPercent = true,
+                .lookAhead = 5},
+       // Two cycles of its interpolation.
+       .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .options = krlOptions,
+       .write = writeKrl,
+       .read = readKrl,
+       .looksLike = looksLikeKrl,
+       .goesOnIn = filesOfKrl,
+       .isWord = isKrlWord,
+       .remark = ";",
+       .mayBeMissing = mayBeMissingInKrl},
+      {.id = "spelplus",
+       .label = "SPEL+ (Epson)"_text,
+       .extension = "prg",
+       .controller = "spelplus",
+       .needsJoints = false,
+       .turnsRods = false,
+       // What any of its arms takes.
+       .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
+                .jointAccelerationRadPerS2 = 10.0,
+                .jointsInPercent = true},
+       .options = spelplusOptions,
+       .longestLine = 512,
+       .write = writeSpelplus,
+       .read = readSpelplus,
+       .looksLike = looksLikeSpelplus,
+       .goesOnIn = filesOfSpelplus,
+       .isWord = isSpelplusWord,
+       .remark = "'",
+       .mayBeMissing = mayBeMissingInSpelplus},
+      {.id = "melfa",
+       .label = "MELFA-BASIC V (Mitsubishi)"_text,
+       .extension = "prg",
+       .controller = "melfa",
+       .turnsRods = false,
+       .time = {.accelerationMmPerS2 = kMelfaMmPerS2,
+                .jointAccelerationRadPerS2 = 20.0,
+                .cycleS = 0.00711},
+       // Three cycles of a CR750.
+       .merge = {.leastS = 0.0213},
+       .options = melfaOptions,
+       .longestLine = 127,
+       .write = writeMelfa,
+       .read = readMelfa,
+       .looksLike = looksLikeMelfa,
+       .goesOnIn = filesOfMelfa,
+       .remark = "'",
+       .mayBeMissing = mayBeMissingInMelfa},
+      {.id = "tmscript",
+       .label = "TMscript (Techman)"_text,
+       .extension = "tmscript",
+       .controller = "tmscript",
+       .turnsRods = false,
+       // Points say their times; Line and PTP their ramps. What is not known of a queue's pace.
+       .merge = {.leastS = 0.02},
+       .write = writeTmscript,
+       .read = readTmscript,
+       .looksLike = looksLikeTmscript,
+       .remark = "//",
+       .mayBeMissing = mayBeMissingInTmscript},
       {.id = "csv",
        .label = "Joint table (CSV)"_text,
        .extension = "csv",
@@ -136,6 +215,23 @@ const Dialect* detectDialect(std::string_view fileName, std::string_view text) {
       byName = &d;
   }
   return byText ? byText : byName;
+}
+
+std::vector<base::ParameterSpec> optionsOf(const Dialect& dialect) {
+  return dialect.options ? dialect.options() : std::vector<base::ParameterSpec>();
+}
+
+base::ParameterTable programParameters() {
+  std::vector<base::ParameterSpec> all;
+  for (const Dialect& dialect : dialects())
+    for (base::ParameterSpec& option : optionsOf(dialect))
+      if (std::ranges::find(all, option.key, &base::ParameterSpec::key) == all.end())
+        all.push_back(std::move(option));
+  return base::ParameterTable(std::move(all));
+}
+
+ProgramOptions programOptions(const base::ParameterValues& values) {
+  return optionsOf(programParameters().specs(), values);
 }
 
 bool isForeign(const Dialect& dialect, const robot::Cell& cell) {
@@ -186,9 +282,11 @@ void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> dir
 
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
+  MergeLimits limits = findDialect(id).merge;
   // Around a rod joined motions cost a percent of the cover (two tubes, measured).
-  const bool rod = !input.cell.externalAxes().empty();
-  return mergedPoints(input, rod ? MergeLimits{} : findDialect(id).merge, ctx);
+  if (!input.cell.externalAxes().empty())
+    limits.leastS = limits.leastMm = 0.0;
+  return mergedPoints(input, limits, ctx);
 }
 
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,
@@ -197,6 +295,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   requireRodTurns(dialect, input.cell);
   ProgramInput own = input;
   own.foreign = isForeign(dialect, input.cell);
+  own.options = optionsAmong(optionsOf(dialect), input.options);
   if (!dialect.tiltsNozzle) {
     std::vector<Eigen::Vector3d> directions;
     const std::vector<MotionTarget> targets = motionTargets(input, ctx);
@@ -217,6 +316,9 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
     program = dialect.read(files, process, ctx);
     if (program.defects.empty())
       tellMixedLineEnds(files, program.defects);
+    if (program.defects.empty())
+      tellLongLines(files, {dialect.longestLine, dialect.longestText, dialect.remark},
+                    program.defects);
   }
   program.time = dialect.time;
   program.tellsDirections = dialect.tiltsNozzle;

@@ -37,6 +37,11 @@ struct Dialect {
   plan::TimeModel time = {};    // of its controller; readProgram hands it on
   MergeLimits merge = {};       // of printing motions that its controller can plan in time
   bool forAnyCell = false;      // written beside the cell's own where the user chooses no formats
+  // What the user may choose about its text; nullptr: nothing. Dialects may share an option.
+  std::vector<base::ParameterSpec> (*options)() = nullptr;
+  // What its controller takes: characters of a line, and of a text in quotation marks. 0: no limit
+  // is known.
+  std::size_t longestLine = 0, longestText = 0;
   // Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
   plan::Program (*write)(const ProgramInput&, const base::RunContext&) = nullptr;
   // Never throws on bad text: what makes no sense is a defect with its line, and the motions are
@@ -66,6 +71,12 @@ const Dialect& findDialect(std::string_view id);
 // of its name. nullptr: none.
 const Dialect* detectDialect(std::string_view fileName, std::string_view text);
 
+// A dialect's options; all rows', each once; and what was chosen of the latter. The last throws
+// nothing when `values` are over a table with programParameters().
+std::vector<base::ParameterSpec> optionsOf(const Dialect& dialect);
+base::ParameterTable programParameters();
+ProgramOptions programOptions(const base::ParameterValues& values);
+
 // Is a program in this dialect foreign to the cell: Cartesian, for another controller?
 bool isForeign(const Dialect& dialect, const robot::Cell& cell);
 
@@ -89,7 +100,8 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx = {});
 
 // findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing throws as
-// requireRodTurns too, and as requireUpright where the nozzle does not go by joints.
+// requireRodTurns too, and as requireUpright where the nozzle does not go by joints; it heeds the
+// dialect's own options only.
 // Example:
 //   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
 //   const plan::Program program = program::writeProgram("urscript", input, ctx);

@@ -27,6 +27,13 @@ inline constexpr double kSagMm = 0.02;
 inline constexpr std::string_view kTableNote = "plate over the tilt axis, mm: ";
 inline constexpr std::string_view kReversedNote = "B and C count the tool's turn, not the part's";
 
+// The plate's centre as seen from the tilt axis, mm (tilting_table.h), and whether the table's
+// angles count the tool's turn ("tool") instead of the part's.
+base::ParameterSpec tableXMm();
+base::ParameterSpec tableZMm();
+base::ParameterSpec tableSense();
+std::vector<base::ParameterSpec> tableGcodeOptions();
+
 plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext& ctx);
 
 // Targets become points and directions on the part, with the way between them. Under G94 F is the

@@ -24,8 +24,9 @@ class TableWriter : private Speller {
 public:
   TableWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx),
-        targets_(motionTargets(input, ctx)), frame_{input.options.tableXMm, input.options.tableZMm},
-        sense_(input.options.tableReversed ? -1.0 : 1.0) {
+        targets_(motionTargets(input, ctx)), frame_{numberOf(tableXMm(), input.options),
+                                                    numberOf(tableZMm(), input.options)},
+        sense_(chosenOf(tableSense(), input.options) == "tool" ? -1.0 : 1.0) {
     program_.format = "gcode-bc";
     program_.foreign = input.foreign;
     findStations();
@@ -194,6 +195,32 @@ private:
 };
 
 } // namespace
+
+base::ParameterSpec tableXMm() {
+  return base::numberParameter("tableXMm", "mm", 0.0, -1000.0, 1000.0, "Programs"_text,
+                               "plate beside the tilt axis"_text,
+                               "G-code with B and C: how far the plate's centre stands beside the "
+                               "axis that the table tilts about, along X."_text);
+}
+
+base::ParameterSpec tableZMm() {
+  return base::numberParameter(
+      "tableZMm", "mm", 0.0, -1000.0, 1000.0, "Programs"_text, "plate above the tilt axis"_text,
+      "G-code with B and C: how far the plate's top lies above the axis that "
+      "the table tilts about."_text);
+}
+
+base::ParameterSpec tableSense() {
+  return base::choiceParameter(
+      "tableSense", "part", {{"part", "the part"_text}, {"tool", "the tool (ISO 841)"_text}},
+      "Programs"_text, "table's angles turn"_text,
+      "G-code with B and C: whether B and C are the right-handed turn of the part, or that "
+      "of the tool about a part that stands."_text);
+}
+
+std::vector<base::ParameterSpec> tableGcodeOptions() {
+  return {tableXMm(), tableZMm(), tableSense()};
+}
 
 plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext& ctx) {
   return TableWriter(input, ctx).write();

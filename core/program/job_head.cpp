@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cstdint>
 
 namespace voluta::program {
@@ -47,6 +48,48 @@ std::string degreesOf(double rad) {
   return fixed(base::radiansToDegrees(rad), 1);
 }
 
+constexpr std::string_view kPart = "part ", kJob = ", job ", kCell = "cell ", kRobot = ", robot ",
+                           kProcess = ", process ";
+constexpr std::size_t kHashDigits = 16;
+// The head stands within so many lines of a file's beginning.
+constexpr std::size_t kHeadLines = 60;
+
+// What stands behind `word`, which begins a remark's text: nothing but marks is before it.
+std::optional<std::string_view> behind(std::string_view line, std::string_view word) {
+  const std::size_t at = line.find(word);
+  const auto isMark = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; };
+  if (at == std::string_view::npos ||
+      !std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(at), isMark))
+    return std::nullopt;
+  return line.substr(at + word.size());
+}
+
+// "PART, job HASH"; a part may have any name.
+bool takePart(std::string_view text, JobHead& head) {
+  const std::size_t at = text.rfind(kJob);
+  if (at == std::string_view::npos)
+    return false;
+  const std::string_view job = text.substr(at + kJob.size(), kHashDigits);
+  const auto isDigit = [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; };
+  if (job.size() != kHashDigits || !std::all_of(job.begin(), job.end(), isDigit))
+    return false;
+  head.part = text.substr(0, at);
+  head.job = job;
+  return true;
+}
+
+// "CELL, robot ROBOT, process PROCESS (MATERIAL)"
+bool takeCell(std::string_view text, JobHead& head) {
+  const std::size_t robot = text.find(kRobot), process = text.find(kProcess);
+  if (robot == std::string_view::npos || process == std::string_view::npos || process < robot)
+    return false;
+  head.cell = text.substr(0, robot);
+  head.robot = text.substr(robot + kRobot.size(), process - robot - kRobot.size());
+  head.process = text.substr(process + kProcess.size());
+  head.process = head.process.substr(0, head.process.find(" ("));
+  return true;
+}
+
 } // namespace
 
 std::string plainText(std::string_view text, std::size_t most) {
@@ -72,15 +115,39 @@ std::string jobHash(const ProgramInput& input) {
   return hash.hex();
 }
 
+JobHead jobHead(const ProgramInput& input) {
+  return {plainText(input.name), input.job.empty() ? jobHash(input) : input.job,
+          plainText(input.cell.id()), plainText(input.cell.robot().id),
+          plainText(input.process.id)};
+}
+
+std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files) {
+  for (const plan::ProgramFile& file : files) {
+    JobHead head;
+    LineReader lines(file.text);
+    for (std::string_view line; lines.number() < kHeadLines && lines.next(line);) {
+      if (head.job.empty()) {
+        if (const auto text = behind(line, kPart))
+          takePart(*text, head);
+      } else if (const auto text = behind(line, kCell); text && takeCell(*text, head)) {
+        break;
+      }
+    }
+    if (!head.job.empty())
+      return head;
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> headLines(const ProgramInput& input) {
   const plan::Trajectory& t = input.trajectory;
-  const robot::Cell& cell = input.cell;
   const process::Process& p = input.process;
   const double mm3 = t.extrudedMm3.back();
+  const JobHead head = jobHead(input);
   std::vector<std::string> lines = {
-      joined({"part ", plainText(input.name), ", job ", jobHash(input)}),
-      joined({"cell ", plainText(cell.id()), ", robot ", plainText(cell.robot().id), ", process ",
-              plainText(p.id), " (", plainText(p.material), ")"}),
+      joined({kPart, head.part, kJob, head.job}),
+      joined({kCell, head.cell, kRobot, head.robot, kProcess, head.process, " (",
+              plainText(p.material), ")"}),
       joined({std::to_string(t.pointCount()), " motions, ", fixed(mm3, 1), " mm3, ",
               fixed(mm3 * 1e-3 * p.densityGPerCm3, 1), " g, ", fixed(t.timeS.back(), 1), " s"})};
   if (input.foreign)
@@ -99,6 +166,26 @@ std::vector<std::string> headLines(const ProgramInput& input) {
   start += "; the first motion goes there slowly and straight from wherever the arm stands";
   lines.push_back(std::move(range));
   lines.push_back(std::move(start));
+  return lines;
+}
+
+std::vector<std::string> headLines(const ProgramInput& input, std::size_t most) {
+  constexpr std::size_t kNamed = 2; // lines that hold names
+  std::vector<std::string> lines;
+  for (const std::string& whole : headLines(input)) {
+    if (lines.size() < kNamed) {
+      lines.push_back(whole.substr(0, most));
+      continue;
+    }
+    std::string_view rest = whole;
+    while (rest.size() > most) {
+      const std::size_t blank = rest.rfind(' ', most);
+      const std::size_t end = blank == std::string_view::npos || blank == 0 ? most : blank;
+      lines.emplace_back(rest.substr(0, end));
+      rest = trimmed(rest.substr(end));
+    }
+    lines.emplace_back(rest);
+  }
   return lines;
 }
 

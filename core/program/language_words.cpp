@@ -216,6 +216,10 @@ std::string programName(std::string_view part) {
   return joined({"print_", identifierOf(part).substr(0, 20)});
 }
 
+std::string krlName(std::string_view part) {
+  return joined({"print_", identifierOf(part).substr(0, 13)});
+}
+
 std::string rapidName(std::string_view name) {
   std::string id = identifierOf(name);
   if (id.front() == '_' || isRapidWord(id))

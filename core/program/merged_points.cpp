@@ -85,16 +85,32 @@ private:
   MergedPoints out_;
 };
 
+// What comes after is later by as much.
+void slowShortMotions(plan::Trajectory& trajectory, double leastS) {
+  double before = trajectory.timeS.empty() ? 0.0 : trajectory.timeS.front(), late = 0.0;
+  for (std::size_t i = 1; i < trajectory.pointCount(); ++i) {
+    const double takes = trajectory.timeS[i] - before;
+    before = trajectory.timeS[i];
+    // A motion that takes no time goes nowhere.
+    late += takes > 0.0 ? std::max(0.0, leastS - takes) : 0.0;
+    trajectory.timeS[i] += late;
+  }
+}
+
 } // namespace
 
 MergedPoints mergedPoints(const ProgramInput& input, const MergeLimits& limits,
                           const base::RunContext& ctx) {
-  if (!(limits.leastS > 0.0) && !(limits.leastMm > 0.0)) {
-    MergedPoints same{input.trajectory, std::vector<std::size_t>(input.trajectory.pointCount())};
-    std::iota(same.pointOf.begin(), same.pointOf.end(), std::size_t{0});
-    return same;
+  MergedPoints merged;
+  if (limits.leastS > 0.0 || limits.leastMm > 0.0) {
+    merged = Merger(input, limits, ctx).run();
+  } else {
+    merged.trajectory = input.trajectory;
+    merged.pointOf.resize(input.trajectory.pointCount());
+    std::iota(merged.pointOf.begin(), merged.pointOf.end(), std::size_t{0});
   }
-  return Merger(input, limits, ctx).run();
+  slowShortMotions(merged.trajectory, limits.motionS);
+  return merged;
 }
 
 } // namespace voluta::program

@@ -58,6 +58,17 @@ std::vector<MotionTarget> motionTargets(const ProgramInput& input, const base::R
   return targets;
 }
 
+void placeInWorkFrame(const ProgramInput& input, int decimals, std::vector<MotionTarget>& targets) {
+  const plan::Trajectory& t = input.trajectory;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Eigen::Isometry3d pose =
+        input.cell.work_T_tool(Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof));
+    targets[i].tcpTurn = Eigen::Quaterniond(pose.linear());
+    for (int k = 0; k < 3; ++k)
+      targets[i].tcpMm[k] = roundedTo(pose.translation()[k], decimals);
+  }
+}
+
 double motionSeconds(const plan::Trajectory& trajectory, std::size_t point) {
   return point == 0 ? 0.0 : trajectory.timeS[point] - trajectory.timeS[point - 1];
 }

@@ -29,6 +29,10 @@ void checkInput(const ProgramInput& input);
 // Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
 std::vector<MotionTarget> motionTargets(const ProgramInput& input, const base::RunContext& ctx);
 
+// Makes the targets those of the nozzle in the work frame, which a program has for its work object
+// whether that stands, turns or is held; positions rounded to `decimals` of a mm.
+void placeInWorkFrame(const ProgramInput& input, int decimals, std::vector<MotionTarget>& targets);
+
 // Time and material of the motion that ends at `point`; 0 at point 0.
 double motionSeconds(const plan::Trajectory& trajectory, std::size_t point);
 double motionVolumeMm3(const plan::Trajectory& trajectory, std::size_t point);

@@ -21,6 +21,9 @@ struct ProgramInput {
   const process::Process& process;
   std::string name; // of the part; file and function names are made from it
   ProgramOptions options = {};
+  // Hash of the motion before points of it were joined for this dialect (job_head.h); empty: of
+  // `trajectory`.
+  std::string job = {};
   bool foreign = false; // for a controller that is not the cell's own; writeProgram says so
 };
 

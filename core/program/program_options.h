@@ -1,30 +1,43 @@
-// What a user may choose about the text of programs.
+// What a user may choose about the text of programs: options that the rows of the registry bring
+// (Dialect::options).
 #pragma once
 
 #include "base/parameters.h"
 
 #include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace voluta::program {
 
 struct ProgramOptions {
   // A program of more motions is cut into files to be run one after the other, each cut where the
-  // extruder is off if there is such a place (URScript, RAPID; the other formats are streamed and
-  // stay one file). 0: as the dialect has it.
+  // extruder is off if there is such a place. 0: as the dialect has it.
   std::size_t motionsPerFile = 0;
-  // URScript: `end` is the last line, as ports 30001 and 30002 take it; else the function is called
-  // behind it, as a file node of PolyScope needs it.
-  bool urscriptForPort = false;
-  // RAPID: modules are .modx (RobotWare 7, OmniCore), else .mod.
-  bool rapidModx = false;
-  // G-code with B and C: the plate's centre as seen from the tilt axis, mm (tilting_table.h), and
-  // whether the table's angles count the tool's turn instead of the part's.
-  double tableXMm = 0.0, tableZMm = 0.0;
-  bool tableReversed = false;
+  // The other options, by key; one that is not there has its default.
+  std::map<std::string, base::ParameterValue, std::less<>> own = {};
 };
 
-base::ParameterTable programParameters();
-// Throws nothing when `values` are over a table with programParameters().
-ProgramOptions programOptions(const base::ParameterValues& values);
+// Shared by the dialects whose programs may be cut: fills ProgramOptions::motionsPerFile.
+base::ParameterSpec motionsPerFileOption();
+
+// The id that was chosen of an option that is a choice.
+std::string chosenOf(const base::ParameterSpec& option, const ProgramOptions& options);
+// Of an option that is a number.
+double numberOf(const base::ParameterSpec& option, const ProgramOptions& options);
+
+// Those of `options` that are among `specs`.
+ProgramOptions optionsAmong(const std::vector<base::ParameterSpec>& specs,
+                            const ProgramOptions& options);
+
+// What was chosen among `specs`. Throws nothing when `values` are over a table with them.
+ProgramOptions optionsOf(const std::vector<base::ParameterSpec>& specs,
+                         const base::ParameterValues& values);
+
+// Equal texts, equal options (base/key_text.h).
+std::string keyOf(const ProgramOptions& options);
 
 } // namespace voluta::program

@@ -46,6 +46,10 @@ inline constexpr std::size_t kMotionsPerModule = 5000;
 // whose z is: its x and y are the work frame's y and z.
 Eigen::Isometry3d workToUnit();
 
+// motionsPerFile; rapidModules: .mod, or .modx (RobotWare 7, OmniCore).
+base::ParameterSpec rapidModules();
+std::vector<base::ParameterSpec> rapidOptions();
+
 plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood: a module's declarations (tooldata, wobjdata, speeddata, zonedata, robtarget,
@@ -55,9 +59,9 @@ plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx)
 // loaded; statements over any lines, comments, letters of either case, v5..v7000, z0..z200.
 // Everything else is a defect, and so are line ends other than CR LF, external axes but an eax_a
 // that moves the work object, a quaternion off its length and a tool or work object that does not
-// fit the other. Targets in a work object that moves or is held are WorkPose. Where turning takes longer than
-// the way (v_ori, v_reax), the motion's time is that. `complete`: every module was ended and run,
-// the extruder's outputs off behind its last motion.
+// fit the other. Targets in a work object that moves or is held are WorkPose. Where turning takes
+// longer than the way (v_ori, v_reax), the motion's time is that. `complete`: every module was
+// ended and run, the extruder's outputs off behind its last motion.
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx);
 // What else may stand in a program, and where; everything else is refused.

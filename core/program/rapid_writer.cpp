@@ -1,4 +1,5 @@
 #include "base/units.h"
+#include "program/arm_branch.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
@@ -49,7 +50,7 @@ public:
   }
 
   plan::Program write() {
-    placeInWorkObject();
+    placeInWorkFrame(in_, kPositionDecimals, targets_);
     beginMain();
     if (!oneModule()) {
       for (std::size_t part = 1; part < cuts_.size(); ++part)
@@ -106,18 +107,8 @@ private:
   robot::JointVector jointsAt(std::size_t i) const {
     return Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof);
   }
-  // The nozzle on what is printed: the work object stands, turns with its unit or is held.
-  void placeInWorkObject() {
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const Eigen::Isometry3d pose = in_.cell.work_T_tool(jointsAt(i));
-      targets_[i].tcpTurn = Eigen::Quaterniond(pose.linear());
-      for (int k = 0; k < 3; ++k)
-        targets_[i].tcpMm[k] = roundedTo(pose.translation()[k], kPositionDecimals);
-    }
-  }
-
   std::string fileName(std::size_t part) const {
-    const std::string_view extension = in_.options.rapidModx ? ".modx" : ".mod";
+    const std::string extension = joined({".", chosenOf(rapidModules(), in_.options)});
     return part == 0 ? joined({name_, extension})
                      : joined({name_, "_", std::to_string(part), extension});
   }
@@ -214,16 +205,16 @@ private:
   }
 
   // Controllers tell of close positions (event 50078) and of corners that they could not plan in
-  // time (50024) where motions are this short.
+  // time (50024) where motions are shorter; the plan has slowed such to this.
   void aboutDensity() {
     std::size_t few = 0;
     for (std::size_t i = 1; i < targets_.size(); ++i)
-      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < kLeastSeconds;
+      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < (1.0 + kFlowBand) * kLeastSeconds;
     if (few == 0)
       return;
-    out_ += joined({"  ! ", std::to_string(few), " motions take less than "});
+    out_ += joined({"  ! ", std::to_string(few), " motions take "});
     number(kLeastSeconds * 1000.0, 0);
-    line(" ms: events 50024 and 50078 may come; take longer steps (stepMm) or a lower speed");
+    line(" ms, the least that the controller plans in time");
   }
 
   void aboutRod() {
@@ -343,16 +334,11 @@ private:
 
   // confdata's cfx: 4 with the wrist's centre behind axis 1, 2 with it behind the lower arm, 1 with
   // axis 5 below zero.
-  int branch(std::size_t i) {
-    const robot::JointVector q =
-        Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.cell.armDof());
-    in_.cell.robot().kinematics->linkPoses(q, links_);
-    const Eigen::Vector3d forward(std::cos(q[0]), std::sin(q[0]), 0.0);
-    const Eigen::Vector3d wrist = links_[5].translation();
-    const Eigen::Vector3d lower = links_[3].translation() - links_[2].translation();
-    const Eigen::Vector3d reach = wrist - links_[2].translation();
-    const bool behindArm = lower.dot(forward) * reach.z() - lower.z() * reach.dot(forward) > 0.0;
-    return (wrist.dot(forward) < 0.0 ? 4 : 0) + (behindArm ? 2 : 0) + (q[4] < 0.0 ? 1 : 0);
+  int branch(std::size_t i) const {
+    const ArmBranch arm =
+        armBranch(in_.cell.robot(),
+                  Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.cell.armDof()));
+    return (arm.behindAxis1 ? 4 : 0) + (arm.behindLowerArm ? 2 : 0) + (arm.axis5Negative ? 1 : 0);
   }
 
   void speed(std::size_t i, bool joint) {
@@ -399,9 +385,8 @@ private:
 
   const ProgramInput& in_;
   const base::RunContext& ctx_;
-  bool stands_ = true;                   // the arm, behind the last motion
-  bool atStart_ = false;                 // the flow changes where the next motion begins
-  std::vector<Eigen::Isometry3d> links_; // of branch()
+  bool stands_ = true;   // the arm, behind the last motion
+  bool atStart_ = false; // the flow changes where the next motion begins
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
   plan::Program program_;
@@ -416,6 +401,16 @@ Eigen::Isometry3d workToUnit() {
   work_T_unit.linear() << Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(),
       Eigen::Vector3d::UnitX();
   return work_T_unit;
+}
+
+base::ParameterSpec rapidModules() {
+  return base::choiceParameter(
+      "rapidModules", "mod", {{"mod", "IRC5: .mod"_text}, {"modx", "OmniCore: .modx"_text}},
+      "Programs"_text, "RAPID modules"_text, "Which modules the controller loads."_text);
+}
+
+std::vector<base::ParameterSpec> rapidOptions() {
+  return {motionsPerFileOption(), rapidModules()};
 }
 
 plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx) {

@@ -24,7 +24,8 @@ double assumedLoadKg(const ProgramInput& input) {
   return kPlateKg + input.trajectory.extrudedMm3.back() * 1e-6 * input.process.densityGPerCm3;
 }
 
-TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets)
+TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets,
+                       double (*written)(double share))
     : in_(input), targets_(targets), seconds_(targets.size(), 0.0), flow_(targets.size(), 0.0) {
   const double full = in_.process.maxFlowMm3PerS;
   double held = 0.0;
@@ -36,7 +37,7 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
       const double wanted = s > 0.0 ? volume / s : 0.0;
       if (wanted > 0.0) {
         if (std::abs(wanted - held) > kFlowBand * held)
-          held = writtenShare(wanted / full) * full;
+          held = written(wanted / full) * full;
         flow_[i] = held;
         s = held > 0.0 ? volume / held : s;
       }

@@ -1,8 +1,9 @@
 // Times, speeds and blends of a trajectory's motions for controllers that move the TCP in straight
-// lines (URScript, RAPID).
+// lines (URScript, RAPID, MELFA-BASIC, TMscript).
 #pragma once
 
 #include "base/units.h"
+#include "program/extruder_outputs.h"
 #include "program/motion_targets.h"
 #include "program/program_input.h"
 
@@ -29,7 +30,9 @@ double assumedLoadKg(const ProgramInput& input);
 // are indices >= 0; motion i ends at point i.
 class TcpMotions {
 public:
-  TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets);
+  // `written`: a share of the full flow as the program says it.
+  TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets,
+             double (*written)(double share) = writtenShare);
 
   // The plan's time, of beads within kFlowBand of it, or what the extruder needs at its full flow.
   // 0 at point 0.

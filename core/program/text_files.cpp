@@ -1,7 +1,8 @@
 #include "program/text_files.h"
 
+#include "program/text.h"
+
 #include <algorithm>
-#include <string_view>
 
 namespace voluta::program {
 
@@ -17,6 +18,20 @@ bool isNoText(char c) {
 std::size_t lineOf(std::string_view text, std::size_t at) {
   return 1 + static_cast<std::size_t>(
                  std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+// Characters of the longest text in quotation marks.
+std::size_t longestTextOf(std::string_view line, std::string_view remark) {
+  std::size_t longest = 0;
+  while (true) {
+    const std::size_t open = line.find('"');
+    const bool remarked = !remark.empty() && line.find(remark) < open;
+    if (open == std::string_view::npos || remarked)
+      return longest;
+    const std::size_t close = std::min(line.find('"', open + 1), line.size());
+    longest = std::max(longest, close - open - 1);
+    line.remove_prefix(std::min(close + 1, line.size()));
+  }
 }
 } // namespace
 
@@ -50,6 +65,31 @@ void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
       known = true;
       pairs = pair;
       i += pair ? 1 : 0;
+    }
+  }
+}
+
+void tellLongLines(const std::vector<plan::ProgramFile>& files, const LineLimits& limits,
+                   std::vector<plan::ProgramDefect>& defects) {
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    bool line = limits.line == 0, text = limits.text == 0; // told, or nothing to tell
+    LineReader lines(files[f].text);
+    for (std::string_view one; !(line && text) && lines.next(one);) {
+      if (!line && one.size() > limits.line) {
+        defects.push_back({f, lines.number(),
+                           base::message("the line has {characters} characters; its controller "
+                                         "takes {most}"_text,
+                                         one.size(), limits.line)});
+        line = true;
+      }
+      if (const std::size_t most = text ? 0 : longestTextOf(one, limits.remark);
+          !text && most > limits.text) {
+        defects.push_back({f, lines.number(),
+                           base::message("a text has {characters} characters; its controller "
+                                         "takes {most}"_text,
+                                         most, limits.text)});
+        text = true;
+      }
     }
   }
 }

@@ -3,6 +3,8 @@
 
 #include "plan/program.h"
 
+#include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace voluta::program {
@@ -16,5 +18,15 @@ bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
 // begins.
 void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
                        std::vector<plan::ProgramDefect>& defects);
+
+// What a controller takes of one line: characters, and those of a text in double quotation marks
+// outside remarks, which begin with `remark`. 0: any number.
+struct LineLimits {
+  std::size_t line = 0, text = 0;
+  std::string_view remark;
+};
+// One defect a file for its first line beyond each limit.
+void tellLongLines(const std::vector<plan::ProgramFile>& files, const LineLimits& limits,
+                   std::vector<plan::ProgramDefect>& defects);
 
 } // namespace voluta::program

@@ -1,8 +1,8 @@
 // URScript for Universal Robots controllers (docs/programs.md; URScript manual).
 //
 // Written: one function with a set-up (set_tcp with the cell's flange_T_moved, set_payload, the
-// output's domain), the trajectory and an end, then its call unless
-// ProgramOptions::urscriptForPort. Metres, radians, seconds. Per point one line:
+// output's domain), the trajectory and an end, then its call unless it
+// is for a port (urscriptForm). Metres, radians, seconds. Per point one line:
 //   Print, Linear  movel(p[x,y,z,rx,ry,rz], a=, t=, r=): pose of the TCP in Base; between two poses
 //                  the controller moves the TCP straight and turns it the shortest way. t rules
 //                  over v and a, for way and turn alike (a speed would leave the turn to a limit of
@@ -30,6 +30,11 @@ namespace voluta::program {
 inline constexpr double kStartRadPerS = 0.25;
 // Said by a program whose function is called behind its end, so that the call is missed.
 inline constexpr std::string_view kCalledNote = "# called in the last line";
+
+// motionsPerFile; urscriptForm: for a file node, or sent to a port, where `end` is the last line
+// and nothing calls the function.
+base::ParameterSpec urscriptForm();
+std::vector<base::ParameterSpec> urscriptOptions();
 
 plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& ctx);
 

@@ -15,10 +15,6 @@ constexpr int kMostDepth = 20;
 bool isNameStart(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
-bool isNamePart(char c) {
-  return isNameStart(c) || (c >= '0' && c <= '9');
-}
-
 bool isNumber(const Value& v) {
   return v.kind == ValueKind::Number;
 }
@@ -71,35 +67,6 @@ const Value* Call::find(std::string_view key, std::size_t position) const {
     if (arguments[i].name == key || (arguments[i].name.empty() && i == position))
       return &arguments[i].value;
   return nullptr;
-}
-
-void UrscriptScanner::blanks() {
-  while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t'))
-    rest.remove_prefix(1);
-}
-
-bool UrscriptScanner::ended() {
-  blanks();
-  return rest.empty();
-}
-
-bool UrscriptScanner::take(char c) {
-  blanks();
-  if (rest.empty() || rest.front() != c)
-    return false;
-  rest.remove_prefix(1);
-  return true;
-}
-
-std::string_view UrscriptScanner::name() {
-  blanks();
-  std::size_t n = 0;
-  if (!rest.empty() && isNameStart(rest.front()))
-    while (n < rest.size() && isNamePart(rest[n]))
-      ++n;
-  const std::string_view found = rest.substr(0, n);
-  rest.remove_prefix(n);
-  return found;
 }
 
 bool UrscriptScanner::list(Value& value) {
@@ -158,11 +125,8 @@ bool UrscriptScanner::factor(Value& value) {
   }
   if (take('"')) {
     value.kind = ValueKind::Text;
-    const std::size_t end = rest.find('"');
-    if (end == std::string_view::npos)
-      return false;
-    rest.remove_prefix(end + 1);
-    return true;
+    std::string_view text;
+    return textBehindQuote(text);
   }
   if (take('('))
     return this->value(value) && take(')');

@@ -3,6 +3,8 @@
 // 5).
 #pragma once
 
+#include "program/text_scanner.h"
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -39,19 +41,17 @@ using UrscriptVariables = std::map<std::string, Value, std::less<>>;
 
 // Reads one statement from left to right; every function moves `rest` behind what it took and gives
 // false where it can't.
-struct UrscriptScanner {
-  std::string_view rest;
+struct UrscriptScanner : TextScanner {
+  UrscriptScanner(std::string_view text, const UrscriptVariables& known)
+      : TextScanner{text}, variables(known) {}
+
   const UrscriptVariables& variables;
   int depth = 0; // of brackets
 
-  void blanks();
-  bool take(char c);
-  std::string_view name(); // empty: there is none
   // A sum, a list, a pose, a text, a truth; a variable by its value.
   bool value(Value& value);
   // name(arguments) and nothing behind it.
   bool call(Call& call);
-  bool ended();
 
 private:
   bool list(Value& value); // behind '['

@@ -26,7 +26,8 @@ constexpr double kStartRadPerS2 = 0.5;
 class UrscriptWriter : private Speller {
 public:
   UrscriptWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_) {
+      : in_(input), forPort_(chosenOf(urscriptForm(), input.options) == "port"), ctx_(ctx),
+        targets_(motionTargets(input, ctx)), motions_(in_, targets_) {
     program_.format = "urscript";
     program_.foreign = input.foreign;
   }
@@ -82,8 +83,8 @@ private:
     out_.clear();
     out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 64u << 20));
     line(joined({"def ", name_, "():"}));
-    line(in_.options.urscriptForPort ? "  # for ports 30001 and 30002: sent, it runs by itself"
-                                     : joined({"  ", kCalledNote, ", as a file node wants it"}));
+    line(forPort_ ? "  # for ports 30001 and 30002: sent, it runs by itself"
+                  : joined({"  ", kCalledNote, ", as a file node wants it"}));
     if (file == 0)
       about();
     if (parts_ > 1)
@@ -129,7 +130,7 @@ private:
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
     line("end");
-    if (!in_.options.urscriptForPort)
+    if (!forPort_)
       line(joined({name_, "()"}));
     program_.files.push_back({file_, out_});
   }
@@ -195,6 +196,7 @@ private:
   }
 
   const ProgramInput& in_;
+  const bool forPort_;
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
@@ -205,6 +207,19 @@ private:
 };
 
 } // namespace
+
+base::ParameterSpec urscriptForm() {
+  return base::choiceParameter(
+      "urscriptForm", "node",
+      {{"node", "file node of PolyScope"_text}, {"port", "sent to port 30001 or 30002"_text}},
+      "Programs"_text, "URScript for"_text,
+      "A file node needs the function to be called behind its end; text that "
+      "is sent runs by itself and must not call it."_text);
+}
+
+std::vector<base::ParameterSpec> urscriptOptions() {
+  return {motionsPerFileOption(), urscriptForm()};
+}
 
 plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& ctx) {
   return UrscriptWriter(input, ctx).write();

@@ -22,6 +22,10 @@
 
 namespace voluta::project {
 
+// Key of a stage whose result is not what the choices alone come to: of a print that is taken up
+// again.
+inline constexpr const char* kResumedKey = "resumed";
+
 // What is kept of a stage beside its payload.
 struct StageRecord {
   std::string key;          // what went in; empty: not made

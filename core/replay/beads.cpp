@@ -10,13 +10,16 @@
 
 namespace voluta::replay {
 
-double motionVolume(const plan::ReadProgram& program, const ExecutedPath& path, std::size_t m) {
-  const plan::ProgramMotion& motion = program.motions[m];
+double motionVolume(const plan::ProgramMotion& motion, double seconds) {
   if (!motion.extruding)
     return 0.0;
   if (motion.volumeMm3 >= 0.0)
     return motion.volumeMm3;
-  return motion.flowMm3PerS * path.durationS[m];
+  return motion.flowMm3PerS * seconds;
+}
+
+double motionVolume(const plan::ReadProgram& program, const ExecutedPath& path, std::size_t m) {
+  return motionVolume(program.motions[m], path.durationS[m]);
 }
 
 std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf,

@@ -25,8 +25,10 @@ struct BeadKnowledge {
   bool ofPart = true; // false: support or skirt
 };
 
-// Material of motion m, mm3: the amount that the text gives, else flow x time; 0 when not
-// extruding.
+// Material of a motion that takes so long, mm3: the amount that the text gives, else flow x time; 0
+// when not extruding.
+double motionVolume(const plan::ProgramMotion& motion, double seconds);
+// Of motion m, as long as it takes by its text.
 double motionVolume(const plan::ReadProgram& program, const ExecutedPath& path, std::size_t m);
 
 // Per motion, from the points it was matched to (alignment.h: pointOf). A motion without a point

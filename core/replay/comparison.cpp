@@ -259,8 +259,9 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
     // is at its end.
     const double dt = trajectory.timeS[j] - trajectory.timeS[j - 1];
     const double time = whole.durationS;
+    const bool known = !(program.time.jointsInPercent && program.motions[m].jointInterpolated);
     bool slow = false;
-    if (dt > 0.0 && time > 0.0 &&
+    if (known && dt > 0.0 && time > 0.0 &&
         std::abs(time - dt) > std::max(options.leastS, options.rateTolerance * dt)) {
       slow = true;
       report.atMotion(SpeedChanged, m,

@@ -52,6 +52,7 @@ public:
     tellClashes(*judged.back());
     tellLimits(*judged.back());
     conclude();
+    out_.motionS = std::move(seconds_);
     ctx_.report(1.0, "replayed"_text);
     return std::move(out_);
   }

@@ -12,12 +12,9 @@ constexpr double kRoundingMm3 = 1e-3; // of amounts in a program's text
 
 std::vector<double> flowingMm3(const plan::ReadProgram& program,
                                const std::vector<double>& seconds) {
-  std::vector<double> volume(program.motions.size(), 0.0);
-  for (std::size_t m = 0; m < volume.size(); ++m) {
-    const plan::ProgramMotion& motion = program.motions[m];
-    if (motion.extruding)
-      volume[m] = motion.volumeMm3 >= 0.0 ? motion.volumeMm3 : motion.flowMm3PerS * seconds[m];
-  }
+  std::vector<double> volume(program.motions.size());
+  for (std::size_t m = 0; m < volume.size(); ++m)
+    volume[m] = motionVolume(program.motions[m], seconds[m]);
   return volume;
 }
 

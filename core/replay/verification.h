@@ -86,6 +86,7 @@ struct Verification : RunFigures {
   // On its controller (controller_time.h), waits included; of two laws for turns, by what the text
   // says.
   double durationS = 0.0;
+  std::vector<double> motionS; // of each motion, by that law
   // Share of the printed length whose section is then off by more than 5 %; of two laws the worse.
   double flowErrorFraction = 0.0;
 

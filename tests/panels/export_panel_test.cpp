@@ -1,5 +1,6 @@
 #include "gallery_data.h"
 #include "panels/export_panel.h"
+#include "panels/options_form.h"
 #include "panels/text_preview.h"
 #include "panels/verdict_table.h"
 
@@ -147,6 +148,41 @@ TEST_F(ExportPanelTest, ATypedFolderIsToldOnce) {
   QTest::keyClick(line, Qt::Key_Return);
   ASSERT_EQ(folder.size(), 1);
   EXPECT_EQ(folder[0][0].toString(), "/tmp/programs/more");
+}
+
+TEST_F(ExportPanelTest, OptionsAndFactsAreOfTheFormatInSight) {
+  auto* list = panel.findChild<panels::FormatList*>();
+  auto* options = panel.findChild<panels::OptionsForm*>();
+  QSignalSpy changed(&panel, &panels::ExportPanel::optionChanged);
+  EXPECT_TRUE(options->isVisible());
+  auto* form = options->findChild<QWidget*>("urscriptForm")->findChild<QComboBox*>();
+  panel.setOptions({{"urscriptForm", "port"}});
+  EXPECT_EQ(form->currentIndex(), 1);
+  EXPECT_EQ(changed.size(), 0);
+  form->setFocus();
+  QTest::keyClick(form, Qt::Key_Up);
+  ASSERT_EQ(changed.size(), 1);
+  EXPECT_EQ(changed[0][0].toString(), "urscriptForm");
+  EXPECT_EQ(changed[0][1].toString(), "node");
+  const auto text = [&](const char* name) { return panel.findChild<QLabel*>(name)->text(); };
+  EXPECT_TRUE(text("programSize").endsWith("in one file"));
+  EXPECT_TRUE(text("programTime").contains("planned are 11 min 40 s"))
+      << qPrintable(text("programTime"));
+  EXPECT_EQ(text("assumptions").count(QChar(0x2022)), 2);
+  list->setCurrentItem(list->topLevelItem(3)); // no options, nothing written
+  EXPECT_FALSE(options->isVisible());
+  EXPECT_FALSE(panel.findChild<QLabel*>("programSize")->isVisible());
+}
+
+TEST_F(ExportPanelTest, ResumeIsOfferedWhereThereIsAPlace) {
+  auto* resume = panel.findChild<QPushButton*>("resume");
+  QSignalSpy resumed(&panel, &panels::ExportPanel::resumeAsked);
+  EXPECT_FALSE(resume->isEnabled());
+  panel.setResumePlace("Line 12, bead 3 of 9");
+  QTest::mouseClick(resume, Qt::LeftButton);
+  EXPECT_EQ(resumed.size(), 1);
+  panel.setResumePlace({});
+  EXPECT_FALSE(resume->isEnabled());
 }
 
 TEST_F(ExportPanelTest, FitsIntoANarrowPanel) {

@@ -1,5 +1,7 @@
 #include "gallery_data.h"
+
 #include "plan/finding_kinds.h"
+#include "program/dialect.h"
 
 namespace voluta::gallery {
 
@@ -81,16 +83,21 @@ panels::LayerMeasures sampleLayer() {
 std::vector<panels::ExportFormat> sampleFormats() {
   const auto text = sampleProgram();
   std::vector<panels::ExportFormat> formats(4);
-  formats[0] = {
-      "urscript",          "URScript (Universal Robots)", false, panels::VerdictState::Passed, "",
-      sampleVerdict(true), {{"kitten.script", text}}};
-  formats[1] = {"gcode-extended",
-                "Extended G-code",
-                false,
-                panels::VerdictState::Refused,
-                "coveredFraction, collisions",
-                sampleVerdict(false),
-                {{"refused-kitten.gcode", text}}};
+  formats[0].id = "urscript";
+  formats[0].label = "URScript (Universal Robots)";
+  formats[0].state = panels::VerdictState::Passed;
+  formats[0].verdict = sampleVerdict(true);
+  formats[0].files = {{"kitten.script", text}};
+  formats[0].plannedS = 700.0;
+  formats[0].options = program::optionsOf(program::findDialect("urscript"));
+  formats[0].assumptions = {"The arm stands where a motion has no blend.",
+                            "None of this was tried on a machine."};
+  formats[1].id = "gcode-extended";
+  formats[1].label = "Extended G-code";
+  formats[1].state = panels::VerdictState::Refused;
+  formats[1].whyRefused = "coveredFraction, collisions";
+  formats[1].verdict = sampleVerdict(false);
+  formats[1].files = {{"refused-kitten.gcode", text}};
   formats[2].id = "rapid";
   formats[2].label = "RAPID (ABB)";
   formats[2].foreign = true;

@@ -22,4 +22,14 @@ inline pipeline::PlanRequest boxRequest(const std::map<std::string, std::string>
   return request;
 }
 
+// That box in flat layers, planned once.
+inline const pipeline::PlanResult& boxPlan() {
+  static const pipeline::PlanResult kPlan = [] {
+    pipeline::PlanRequest request = boxRequest();
+    request.choices.mode = "flat";
+    return pipeline::planPart(request, base::RunContext());
+  }();
+  return kPlan;
+}
+
 } // namespace voluta::test

@@ -162,10 +162,10 @@ TEST(GivenPaths, AnotherSizeIsRefused) {
   EXPECT_THROW(planPart(request, kCtx), base::Error);
 }
 
-TEST(GivenPaths, WhatTheFileLeavesOpenIsTheProcesss) {
+// One straight bead of a file that has this profile, as far as its tool-paths.
+PlanResult beadOfProfile(const std::string& profile) {
   test::ForeignBuild file;
-  file.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadheight=\"0.8\" "
-                 "beadwidth=\"1.2\"";
+  file.profile = profile;
   file.layers = {test::foreignLayer(
       test::foreignSegment("polyline6d", test::point6d(0, 0, 800) + test::point6d(9000, 0, 800)))};
   const test::TemporaryFolder folder;
@@ -174,7 +174,13 @@ TEST(GivenPaths, WhatTheFileLeavesOpenIsTheProcesss) {
   request.part = (folder / "a.3mf").string();
   request.choices.mode = "flat";
   request.until = project::Stage::Toolpath;
-  const PlanResult planned = planPart(request, kCtx);
+  return planPart(request, kCtx);
+}
+
+TEST(GivenPaths, WhatTheFileLeavesOpenIsTheProcesss) {
+  const PlanResult planned =
+      beadOfProfile("uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadheight=\"0.8\" "
+                    "beadwidth=\"1.2\"");
   EXPECT_FLOAT_EQ(planned.job.toolPlan->speedMmPerS[1],
                   static_cast<float>(planned.process->speedMmPerS));
   EXPECT_TRUE(std::ranges::any_of(planned.job.report.findings, [](const plan::Finding& f) {
@@ -183,18 +189,9 @@ TEST(GivenPaths, WhatTheFileLeavesOpenIsTheProcesss) {
 }
 
 TEST(GivenPaths, NoMoreThanTheExtruderGives) {
-  test::ForeignBuild file;
-  file.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadheight=\"0.8\" "
-                 "beadwidth=\"1.2\" depositionspeed=\"2000\"";
-  file.layers = {test::foreignLayer(
-      test::foreignSegment("polyline6d", test::point6d(0, 0, 800) + test::point6d(9000, 0, 800)))};
-  const test::TemporaryFolder folder;
-  base::writeFile(folder / "a.3mf", file.bytes());
-  PlanRequest request;
-  request.part = (folder / "a.3mf").string();
-  request.choices.mode = "flat";
-  request.until = project::Stage::Toolpath;
-  const PlanResult planned = planPart(request, kCtx);
+  const PlanResult planned =
+      beadOfProfile("uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadheight=\"0.8\" "
+                    "beadwidth=\"1.2\" depositionspeed=\"2000\"");
   const plan::ToolPlan& plan = *planned.job.toolPlan;
   EXPECT_LE(plan.speedMmPerS[1] * process::beadArea(1.2, 0.8),
             1.0001 * planned.process->maxFlowMm3PerS);

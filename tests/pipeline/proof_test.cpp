@@ -26,21 +26,12 @@ namespace {
 
 const base::RunContext kCtx;
 
-const PlanResult& boxPlan() {
-  static const PlanResult kPlan = [] {
-    PlanRequest request = test::boxRequest();
-    request.choices.mode = "flat";
-    return planPart(request, kCtx);
-  }();
-  return kPlan;
-}
-
 nlohmann::json proofIn(const std::filesystem::path& folder, const std::string& program) {
   return nlohmann::json::parse(base::readFile(folder / (program + ".proof.json")));
 }
 
 TEST(Proof, StandsBesideEachProgramThatPassed) {
-  PlanResult plan = boxPlan();
+  PlanResult plan = test::boxPlan();
   ASSERT_TRUE(nothingBlocks(plan.job.report));
   const test::TemporaryFolder folder;
   writeOutputs(plan, folder.path(), kCtx);
@@ -67,7 +58,7 @@ TEST(Proof, StandsBesideEachProgramThatPassed) {
 }
 
 TEST(Proof, NoneIsMadeWhereItIsNotWanted) {
-  PlanResult plan = boxPlan();
+  PlanResult plan = test::boxPlan();
   plan.proofs = false;
   const test::TemporaryFolder folder;
   writeOutputs(plan, folder.path(), kCtx);
@@ -76,7 +67,7 @@ TEST(Proof, NoneIsMadeWhereItIsNotWanted) {
 }
 
 TEST(Proof, TheMarginIsToTheNearerLimit) {
-  const PlanResult& plan = boxPlan();
+  const PlanResult& plan = test::boxPlan();
   const plan::Trajectory& t = *plan.job.trajectory;
   const motion::MotionMargins margins = motion::marginsOf(t, *plan.cell, kCtx);
   for (int j = 0; j < t.dof; ++j) {
@@ -89,7 +80,7 @@ TEST(Proof, TheMarginIsToTheNearerLimit) {
 }
 
 TEST(Proof, AStretchedArmIsSingular) {
-  const PlanResult& plan = boxPlan();
+  const PlanResult& plan = test::boxPlan();
   const robot::RobotModel& robot = plan.cell->robot();
   const double reach = motion::reachOf(robot);
   robot::JointVector bent = plan.cell->home(), stretched = robot::JointVector::Zero(6);
@@ -99,7 +90,7 @@ TEST(Proof, AStretchedArmIsSingular) {
 }
 
 TEST(Proof, TheFillMapSaysWhereNothingIs) {
-  const PlanResult& plan = boxPlan();
+  const PlanResult& plan = test::boxPlan();
   const plan::ToolPlan& whole = *plan.job.toolPlan;
   const double pitch = collision::growingPitch(whole, *plan.process);
   const FillMap full =
@@ -142,7 +133,7 @@ TEST(PrintedMesh, OneBeadIsItsTube) {
 }
 
 TEST(PrintedMesh, BeadsWithinAreLeftOut) {
-  const PlanResult& plan = boxPlan();
+  const PlanResult& plan = test::boxPlan();
   const plan::ToolPlan& whole = *plan.job.toolPlan;
   const collision::GrowingPart growing(whole, collision::growingPitch(whole, *plan.process), kCtx);
   const geometry::TriangleMesh mesh = outerBeads(whole, growing);

@@ -20,15 +20,6 @@ namespace {
 
 const base::RunContext kCtx;
 
-const PlanResult& boxPlan() {
-  static const PlanResult kPlan = [] {
-    PlanRequest request = test::boxRequest();
-    request.choices.mode = "flat";
-    return planPart(request, kCtx);
-  }();
-  return kPlan;
-}
-
 // Material of a program's motions, as its own reader finds it.
 double materialOf(const CheckedProgram& checked, const process::Process& process) {
   const plan::ReadProgram read =
@@ -40,7 +31,7 @@ double materialOf(const CheckedProgram& checked, const process::Process& process
 }
 
 TEST(Resume, AtTwentyRandomBeadsTheRestIsTheRest) {
-  const PlanResult& whole = boxPlan();
+  const PlanResult& whole = test::boxPlan();
   ASSERT_TRUE(nothingBlocks(whole.job.report));
   const std::size_t beads = whole.job.toolPlan->paths.size();
   const double material = whole.job.trajectory->extrudedMm3.back();
@@ -65,7 +56,7 @@ TEST(Resume, AtTwentyRandomBeadsTheRestIsTheRest) {
 }
 
 TEST(Resume, WithinABeadTheArmIsChecked) {
-  const PlanResult& whole = boxPlan();
+  const PlanResult& whole = test::boxPlan();
   const auto& t = *whole.job.trajectory;
   // The middle of the longest run of print moves.
   std::size_t best = 0, length = 0;
@@ -103,7 +94,7 @@ TEST(Resume, WithinABeadTheArmIsChecked) {
 }
 
 TEST(Resume, ByBeadAndByLineFromDisk) {
-  PlanResult whole = boxPlan();
+  PlanResult whole = test::boxPlan();
   const test::TemporaryFolder folder;
   writeOutputs(whole, folder.path(), kCtx);
   ResumeRequest request;
@@ -136,7 +127,7 @@ TEST(Resume, ByBeadAndByLineFromDisk) {
 }
 
 TEST(Resume, WithoutAWayThereThatIsTold) {
-  project::Job job = boxPlan().job;
+  project::Job job = test::boxPlan().job;
   job.choices.parameters["bodyClearanceMm"] = "50"; // more than the cell has anywhere
   const auto point = motion::resumePointOfPath(*job.trajectory, *job.toolPlan, 4);
   ASSERT_TRUE(point);
@@ -147,7 +138,7 @@ TEST(Resume, WithoutAWayThereThatIsTold) {
 }
 
 TEST(Resume, WhatCannotBeTakenUpIsRefused) {
-  PlanResult whole = boxPlan();
+  PlanResult whole = test::boxPlan();
   const test::TemporaryFolder folder;
   writeOutputs(whole, folder.path(), kCtx);
   ResumeRequest request;

@@ -10,6 +10,7 @@
 #include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
 #include "plan/finding_kinds.h"
+#include "program/job_head.h"
 
 #include <cmath>
 #include <cstdio>
@@ -127,6 +128,82 @@ TEST_F(PlannedBox, AProgramIsVerifiedWithAllItsFiles) {
   EXPECT_TRUE(verifyProgram(folder / list, folder / "job.voluta", context()).replay.passed);
   std::filesystem::remove(folder / planned.checked[0]->program.files.front().name);
   EXPECT_THROW(verifyProgram(folder / list, folder / "job.voluta", context()), base::Error);
+}
+
+// Findings of a program on disk, over the box's job.
+VerifyResult verified(const std::filesystem::path& program, const project::Job& job) {
+  const test::TemporaryFolder folder;
+  writeJob(folder / "job.voluta", job);
+  return verifyProgram(program, folder / "job.voluta", context());
+}
+
+TEST_F(PlannedBox, AProgramOfAnotherJobSaysWhich) {
+  const test::TemporaryFolder folder;
+  PlanRequest other = boxRequest({{"walls", "3"}});
+  other.choices.formats = {"rapid", "urscript", "csv", "gcode-extended"};
+  const PlanResult planned = planPart(other, context());
+  // In whatever dialect, also where it joins points.
+  for (const auto& checked : planned.checked)
+    EXPECT_EQ(program::readJobHead(checked->program.files),
+              program::readJobHead(planned.checked[0]->program.files))
+        << checked->program.format;
+  for (const auto& checked : planned.checked)
+    for (const bool cell : {false, true}) {
+      for (plan::ProgramFile file : checked->program.files) {
+        if (const std::size_t at = file.text.find("cell ur5-fixed");
+            cell && at != std::string::npos)
+          file.text.replace(at, 14, "cell elsewhere");
+        base::writeFile(folder / file.name, file.text);
+      }
+      const std::filesystem::path program = folder / checked->program.files.front().name;
+      const VerifyResult result = verified(program, first_->job);
+      EXPECT_FALSE(result.replay.passed) << checked->program.format;
+      ASSERT_FALSE(result.findings.empty());
+      const plan::Finding& told = result.findings.front();
+      EXPECT_EQ(told.kind, cell ? plan::FindingKind::OtherCell : plan::FindingKind::OtherJob);
+      EXPECT_TRUE(told.blocking);
+      const std::string line = plan::englishReason(told);
+      for (const char* word : {"part box", cell ? "cell elsewhere" : "cell ur5-fixed", "ur5"})
+        EXPECT_NE(line.find(word), std::string::npos) << line;
+      // Of its own job there is nothing to tell.
+      for (const plan::Finding& own : verified(program, planned.job).findings)
+        EXPECT_NE(own.kind, told.kind) << checked->program.format;
+    }
+}
+
+TEST_F(PlannedBox, AHeadThatLiesIsWorthKnowing) {
+  const test::TemporaryFolder folder;
+  plan::ProgramFile file = first_->checked.at(0)->program.files.front();
+  const std::size_t at = file.text.find(", job ") + 6;
+  file.text[at] = file.text[at] == '0' ? '1' : '0';
+  base::writeFile(folder / file.name, file.text);
+  const VerifyResult result = verified(folder / file.name, first_->job);
+  EXPECT_TRUE(result.replay.passed);
+  ASSERT_FALSE(result.findings.empty());
+  EXPECT_EQ(result.findings.front().kind, plan::FindingKind::OtherJob);
+  EXPECT_FALSE(result.findings.front().blocking);
+}
+
+TEST_F(PlannedBox, WhatIsNoProgramIsToldInOneLine) {
+  const test::TemporaryFolder folder;
+  const std::string text = first_->checked.at(0)->program.files.front().text;
+  const struct {
+    std::string text;
+    const char* told;
+  } cases[] = {{"\xef\xbb\xbf" + text, "byte-order mark"},
+               {std::string("\x7f\x45LF\0\0\1", 7), "binary"},
+               {"DEF x()\nPTP {A1 0}\nLIN {X 1}\nEND\n", "no motion of format urscript"}};
+  for (const auto& c : cases) {
+    base::writeFile(folder / "box.script", c.text);
+    try {
+      verified(folder / "box.script", first_->job);
+      ADD_FAILURE() << c.told;
+    } catch (const base::Error& error) {
+      EXPECT_EQ(error.code(), base::ErrorCode::UnusableInput);
+      EXPECT_NE(base::english(error.whole()).find(c.told), std::string::npos)
+          << base::english(error.whole());
+    }
+  }
 }
 
 TEST_F(PlannedBox, ACancelledPlanKeepsWhatIsDone) {

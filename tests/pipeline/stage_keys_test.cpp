@@ -71,7 +71,8 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"redundancySamples", {"12", 4}},
     {"motionsPerFile", {"2000", 5}},
     {"urscriptForm", {"port", 5}},
-    {"rapidModules", {"modx", 5}},
+    {"rapidModules", {"modx", kStageCount}}, // no program here is RAPID
+    {"krlMemoryMb", {"2", kStageCount}}, // nor KRL
 };
 
 // Works on a copy of the program's data, to be changed.
@@ -118,6 +119,16 @@ TEST_F(StageKeysOf, ParametersReachTheStagesTheyMatterTo) {
     expectChangesFrom(boxRequest({{spec.key, base::formatParameter(spec.defaultValue)}}),
                       kStageCount, spec.key + " as it is by default");
   }
+}
+
+TEST_F(StageKeysOf, OptionsOfAFormatMatterWhereItIsWritten) {
+  const auto replayKey = [](const std::map<std::string, std::string>& parameters) {
+    PlanRequest request = boxRequest(parameters);
+    request.choices.formats = {"rapid"};
+    return stageKeys(request).back();
+  };
+  EXPECT_NE(replayKey({{"rapidModules", "modx"}}), replayKey({}));
+  EXPECT_EQ(replayKey({{"urscriptForm", "port"}}), replayKey({}));
 }
 
 TEST_F(StageKeysOf, ChoicesReachTheStagesTheyMatterTo) {

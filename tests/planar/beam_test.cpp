@@ -235,7 +235,7 @@ TEST(Platform, WhatCarriesThePlateKeepsTheHeadAway) {
   const HeadReach head(options.head);
   const std::vector<Vector3d> tips{{20, 0, -40}};
   const auto blocked = [&](const Vector3d& direction) {
-    return head.blocked(tips, withPlate({}, piece, options, 1.0), direction, -1e300);
+    return head.blocked(tips, {withPlate({}, piece, options, 1.0)}, direction, -1e300);
   };
   EXPECT_FALSE(blocked(-Vector3d::UnitX()));
   options.platform.stem = {{-92, -5, 14, 14}};

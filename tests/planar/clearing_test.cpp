@@ -92,13 +92,13 @@ TEST(HeadReach, InsideAreTheObstaclesThatAnyTipMeets) {
   std::vector<Vector3d> expected;
   for (const Vector3d& o : obstacles)
     for (const Vector3d& t : tips)
-      if (reach.blocked({t}, {o}, direction, lowest)) {
+      if (reach.blocked({t}, {std::vector<Eigen::Vector3d>{o}}, direction, lowest)) {
         expected.push_back(o);
         break;
       }
   EXPECT_GT(expected.size(), 50U);
   EXPECT_LT(expected.size(), 750U);
-  EXPECT_EQ(reach.inside(tips, obstacles, direction, lowest), expected);
+  EXPECT_EQ(reach.inside(tips, {obstacles}, direction, lowest), expected);
 }
 
 TEST(PrintOrder, TellsWhatComesTooEarlyForAPiece) {

@@ -7,6 +7,7 @@
 #include "program/language_words.h"
 #include "program/tcp_motions.h"
 #include "program/text_damage.h"
+#include "program/text_files.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -148,11 +149,16 @@ TEST_F(Dialects, sayJointMotionsInPiecesWhereTheyCannotSayThem) {
   }
 }
 
+// Files of several dialects lie in one folder; two makers may end theirs alike.
 TEST_F(Dialects, haveNamesOfTheirOwn) {
-  std::set<std::string_view> ids, extensions;
+  std::set<std::string_view> ids;
+  std::set<std::string> files;
   for (const Dialect& d : dialects()) {
+    randomFor(d, 4, 100);
     EXPECT_TRUE(ids.insert(d.id).second);
-    EXPECT_TRUE(extensions.insert(d.extension).second);
+    for (const plan::ProgramFile& file : writeProgram(d.id, input()).files) {
+      EXPECT_TRUE(files.insert(file.name).second) << file.name;
+    }
     EXPECT_FALSE(d.label.empty());
     EXPECT_EQ(&findDialect(d.id), &d);
   }
@@ -260,9 +266,10 @@ TEST_F(Dialects, namesKeepClearOfTheirLanguage) {
       const plan::Program program = writeProgram(d.id, in);
       const plan::ReadProgram back = readProgram(d.id, program.files, process_);
       EXPECT_TRUE(back.complete && back.defects.empty());
-      // What is defined stands behind the first word.
+      // What is defined stands behind the first word, below a header if there is one.
       const std::string& text = program.files[0].text;
-      const std::size_t at = text.find(' ') + 1;
+      const std::size_t top = text.starts_with("&") ? text.find("DEF ") : 0;
+      const std::size_t at = text.find(' ', top) + 1;
       const std::string defined = text.substr(at, text.find_first_of("(\r\n", at) - at);
       EXPECT_TRUE(defined.starts_with("print_")) << defined;
       EXPECT_LE(defined.size(), 32u);
@@ -338,8 +345,72 @@ TEST_F(Dialects, headsSayWhatIsToBeRun) {
           << text;
     }
   }
+  const JobHead own = jobHead(input());
+  EXPECT_EQ(own, (JobHead{"part 1", hash, "bench", "ur5", process_.id}));
+  for (const Dialect& d : dialects())
+    if (d.tiltsNozzle) {
+      EXPECT_EQ(readJobHead(writeProgram(d.id, input()).files), own) << d.id;
+    }
   trajectory_.joints[7] += 1e-9;
   EXPECT_NE(jobHash(input()), hash);
+}
+
+TEST_F(Dialects, aPartOfAnyNameIsReadFromItsHead) {
+  append(plan::MoveKind::Joint, {0.1, -1.9, 1.7, -1.2, -1.4, 0.3}, 0, 0);
+  for (const char* name : {"a, job b", "part part", "x, job 0123456789abcdef", "; # ! '"}) {
+    ProgramInput in = input();
+    in.name = name;
+    for (const Dialect& d : dialects())
+      EXPECT_EQ(readJobHead(writeProgram(d.id, in).files), jobHead(in)) << d.id << " " << name;
+  }
+  EXPECT_EQ(readJobHead({{"f", "def f():\n  textmsg(\"part x, job 12\")\nend\n"}}), std::nullopt);
+  EXPECT_EQ(readJobHead({}), std::nullopt);
+}
+
+TEST_F(Dialects, optionsAreOfTheirRowsAndReachNoOther) {
+  const base::ParameterTable all = programParameters();
+  for (const Dialect& d : dialects()) {
+    randomFor(d, 3, 120);
+    const std::string plain = writeProgram(d.id, input()).files[0].text;
+    for (const base::ParameterSpec& option : all.specs()) {
+      base::ParameterValues values(all);
+      values.set(option.key,
+                 option.type == base::ParameterType::Choice ? option.choices.back().id : "40");
+      ProgramInput in = input();
+      in.options = programOptions(values);
+      const plan::Program program = writeProgram(d.id, in);
+      const auto own = optionsOf(d);
+      const bool has = std::ranges::find(own, option.key, &base::ParameterSpec::key) != own.end();
+      const bool same = program.files[0].text == plain &&
+                        program.files[0].name == writeProgram(d.id, input()).files[0].name;
+      EXPECT_EQ(same, !has) << d.id << " " << option.key;
+    }
+    // An option that two rows have is one and the same.
+    for (const base::ParameterSpec& option : optionsOf(d)) {
+      EXPECT_EQ(all.find(option.key)->defaultValue, option.defaultValue) << d.id;
+      EXPECT_EQ(all.find(option.key)->help.english(), option.help.english()) << d.id;
+    }
+  }
+}
+
+TEST(LongLines, areToldOnceAFileWhereTheyBegin) {
+  const std::vector<plan::ProgramFile> files = {
+      {"a", "short\n0123456789a\n0123456789ab\n"},
+      {"b", "! \"01234567\"\nT \"01234\", \"0123456\"\nT \"012345678"},
+      {"c", "0123456789\r\n\"01234\"\n"}};
+  std::vector<plan::ProgramDefect> defects;
+  tellLongLines(files, {0, 0, "!"}, defects);
+  EXPECT_TRUE(defects.empty());
+  tellLongLines(files, {10, 0, "!"}, defects);
+  ASSERT_EQ(defects.size(), 2u);
+  EXPECT_EQ(defects[0].file * 100 + defects[0].line, 2u);
+  EXPECT_NE(english(defects[0].reason).find("11 characters"), std::string::npos);
+  EXPECT_EQ(defects[1].file * 100 + defects[1].line, 101u);
+  defects.clear();
+  tellLongLines(files, {0, 5, "!"}, defects);
+  ASSERT_EQ(defects.size(), 1u);
+  EXPECT_EQ(defects[0].file * 100 + defects[0].line, 102u);
+  EXPECT_NE(english(defects[0].reason).find("7 characters"), std::string::npos);
 }
 
 // Every program for a controller stops and asks before its first motion, which is slow.
@@ -348,7 +419,11 @@ TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
                                  {"rapid", "UIMsgBox "},
                                  {"gcode-extended", "M0\n"},
                                  {"gcode-bc", "M0\n"},
-                                 {"gcode", "M0\n"}}) {
+                                 {"gcode", "M0\n"},
+                                 {"melfa", "Hlt\r\n"},
+                                 {"tmscript", "Pause()"},
+                                 {"krl", "HALT\r\n"},
+                                 {"spelplus", "Pause\r\n"}}) {
     randomFor(findDialect(id), 2, 50);
     const plan::Program program = writeProgram(id, input());
     const plan::ReadProgram back = readProgram(id, program.files, process_);
@@ -370,7 +445,7 @@ TEST_F(Dialects, urscriptIsCalledInAFileNodeAndNotOnAPort) {
   appendRandom(2, 50);
   for (const bool port : {false, true}) {
     ProgramInput in = input();
-    in.options.urscriptForPort = port;
+    in.options.own["urscriptForm"] = std::string(port ? "port" : "node");
     const std::string text = writeProgram("urscript", in).files[0].text;
     EXPECT_EQ(text.ends_with("\nend\n"), port);
     EXPECT_EQ(text.ends_with("\nend\nprint_part_1()\n"), !port);
@@ -417,7 +492,9 @@ TEST_F(Dialects, areToldApartByTheirText) {
     randomFor(d, 4, 100);
     const plan::Program program = writeProgram(d.id, input());
     EXPECT_EQ(detectDialect("program.txt", program.files[0].text), &d);
-    EXPECT_EQ(detectDialect(program.files[0].name, ""), &d);
+    const Dialect* byName = detectDialect(program.files[0].name, "");
+    ASSERT_NE(byName, nullptr);
+    EXPECT_EQ(byName->extension, d.extension);
   }
   EXPECT_EQ(detectDialect("notes.txt", "Dear reader,\n"), nullptr);
   EXPECT_EQ(detectDialect("", ""), nullptr);

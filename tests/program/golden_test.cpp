@@ -12,6 +12,12 @@ namespace {
 
 constexpr double kQuarter = 1.5707963267948966;
 
+std::string withoutCr(const std::string& whole) {
+  std::string lines;
+  std::remove_copy(whole.begin(), whole.end(), std::back_inserter(lines), '\r');
+  return lines;
+}
+
 class Golden : public test::Programs {
 protected:
   void SetUp() override {
@@ -142,10 +148,7 @@ TEST_F(Golden, tableGcode) {
 
 // CR LF and the list of modules apart.
 TEST_F(Golden, rapid) {
-  const std::string whole = text("rapid");
-  std::string lines;
-  std::remove_copy(whole.begin(), whole.end(), std::back_inserter(lines), '\r');
-  EXPECT_EQ(lines, R"(MODULE print_part_1
+  EXPECT_EQ(withoutCr(text("rapid")), R"(MODULE print_part_1
   ! Robot program for printing, RAPID
   ! FOREIGN: not the language of the cell's controller; Cartesian targets only
   ! part part 1, job 989d904e1002c6e8
@@ -191,6 +194,106 @@ ENDMODULE
             "\t<Module>part_1.mod</Module>\r\n</Program>\r\n");
 }
 
+// Without carriage returns, from the line that begins so.
+std::string from(const std::string& whole, const std::string& begin) {
+  std::string lines;
+  std::remove_copy(whole.begin(), whole.end(), std::back_inserter(lines), '\r');
+  const std::size_t at = lines.find("\n" + begin);
+  return at == std::string::npos ? lines : lines.substr(at + 1);
+}
+
+// Positions as RAPID's; B is the base's turn, 0.01, 0.011 and 0.012 rad.
+TEST_F(Golden, krl) {
+  EXPECT_EQ(from(text("krl"), ";FOLD INI"), R"(;FOLD INI
+GLOBAL INTERRUPT DECL 3 WHEN $STOPMESS==TRUE DO IR_STOPM ( )
+INTERRUPT ON 3
+BAS (#INITMOV,0 )
+;ENDFOLD (INI)
+$ADVANCE=5
+$IPO_MODE=#TCP
+$BASE={X -800,Y -250,Z 0,A 0,B 0,C 180}
+$TOOL={X 0,Y 0,Z 100,A 0,B 0,C 0}
+$LOAD={M 0.5,CM {X 0,Y 0,Z 100,A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: 0.5 kg of plate, and the part
+$ACC.CP=10
+$VEL.ORI1=200
+$VEL.ORI2=200
+$OUT[1]=FALSE
+$ANOUT[1]=0
+; The arm goes slowly and straight to its start. Is the way clear?
+HALT
+BAS (#VEL_PTP,10)
+PTP {X 17.25,Y 5.491,Z -41.45,A 0,B 0,C 90}
+; prime
+$ANOUT[1]=0.4113
+$OUT[1]=TRUE
+WAIT SEC 0.2
+$OUT[1]=FALSE
+; print
+BAS (#VEL_PTP,25)
+PTP {X 5.491,Y -17.25,Z -41.45,A -90,B 0,C 90}
+; layer 7, wall, path 0
+$VEL.CP=0.0838154
+LIN {X 5.491,Y -14.79,Z -49.4624,A -90,B -0.57296,C 90}
+$ANOUT[1]=0.4
+$OUT[1]=TRUE
+$VEL.CP=0.016761
+$APO.CDIS=0.34
+LIN {X 5.491,Y -14.5485,Z -50.2649,A -90,B -0.63025,C 90} C_DIS
+$VEL.CP=0.0167646
+LIN {X 5.491,Y -14.3077,Z -51.0678,A -90,B -0.68755,C 90}
+$OUT[1]=FALSE
+PTP {X 17.25,Y 5.491,Z -41.45,A 0,B 0,C 90}
+; end
+$OUT[1]=FALSE
+$ANOUT[1]=0
+END
+)");
+}
+
+// Positions as URScript's: the plate's in Base. The upright axis stands for U and W alike.
+TEST_F(Golden, spelplus) {
+  EXPECT_EQ(from(text("spelplus"), "  Motor On"), R"(  Motor On
+  Power Low
+  TLSet 1, XY(0,0,100,0,0,0)
+  Tool 1
+  ECPSet 1, XY(-800,-250,0,0,0,180)
+  ECP 1
+  AutoLJM On
+  Weight 0.5 ' assumed: 0.5 kg of plate, and the part
+  Off 1
+  AIO_Out 1, 0
+  Print "The arm goes slowly and straight to its start. Is the way clear?"
+  Pause
+  Speed 10
+  Go XY(-817.25,-291.45,-5.491,0,0,90)
+  Power High
+  ' prime
+  AIO_Out 1, 4.113
+  On 1
+  Wait 0.2
+  Off 1
+  ' print
+  Speed 25
+  Go XY(-817.25,-291.45,-5.491,90,-90,0)
+  ' layer 7, wall, path 0
+  SpeedS 83.815
+  AccelS 5000
+  Move XY(-814.29469,-299.60779,-5.491,90.57296,-90,0) ECP
+  AIO_Out 1, 4
+  On 1
+  SpeedS 16.7631
+  Move XY(-813.99467,-300.42194,-5.491,90.63025,-90,0) ECP CP
+  SpeedS 16.763
+  Move XY(-813.69384,-301.23578,-5.491,90.68755,-90,0) ECP
+  Off 1
+  Go XY(-817.25,-291.45,-5.491,0,0,90)
+  ' end
+  Off 1
+  AIO_Out 1, 0
+Fend
+)");
+}
+
 TEST_F(Golden, jointTable) {
   EXPECT_EQ(text("csv"), R"(# joint table
 # part part 1, job 989d904e1002c6e8
@@ -206,6 +309,101 @@ time_s,j1_deg,j2_deg,j3_deg,j4_deg,j5_deg,j6_deg,extruded_mm3,waypoint,move
 2.200000,0.6875494,0.0000000,0.0000000,0.0000000,0.0000000,90.0000000,1.60000,2,print
 4.200000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,1.60000,-1,joint
 # end
+)");
+}
+
+// CR LF behind each step. Angles are the rotation vectors of URScript above, the plate turned by
+// Rz Ry Rx; speeds those of the nozzle on it, as RAPID's.
+TEST_F(Golden, melfa) {
+  EXPECT_EQ(withoutCr(text("melfa")), R"(1 ' Robot program for printing, MELFA-BASIC V
+2 ' FOREIGN: not the language of the cell's controller; Cartesian targets only
+3 ' part part 1, job 989d904e1002c6e8
+4 ' cell bench, robot ur5, process fdm-1.0 (PLA)
+5 ' 6 motions, 1.6 mm3, 0 g, 4.2 s
+6 ' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's; the TCP is the plate's
+7 ' centre, positions are the plate's in the robot's base
+8 ' extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
+9 ' load assumed: 0.5 kg, to be set in HNDDAT1
+10 Tool (0,0,100,0,0,0)(0,0)
+11 Base P_NBase
+12 P_WkCord(1)=(-800,-250,0,180,0,0)(0,0)
+13 Ovrd 100
+14 Accel 100,100
+15 Cnt 0
+16 M_Out(10)=0
+17 M_Outw(16)=0
+18 ' The arm goes slowly and straight to its start. Is the way clear?
+19 ' Hlt waits for the operator's start
+20 Hlt
+21 JOvrd 8
+22 Mov (-817.25,-291.45,-5.491,90,0,0)(7,0)
+23 ' prime
+24 M_Outw(16)=4113
+25 M_Out(10)=1
+26 Dly 0.2
+27 M_Out(10)=0
+28 ' print
+29 JOvrd 25
+30 Mov (-817.25,-291.45,-5.491,0,-90,90)(7,0)
+31 ' layer 7, wall, path 0
+32 Spd 83.81495
+33 EMvs 1,(-814.2947,-299.6078,-5.491,0,-90,90.57296)(7,0)
+34 M_Outw(16)=4000
+35 M_Out(10)=1
+36 Spd 16.76217
+37 Cnt 1,0.377,0.377
+38 EMvs 1,(-813.9947,-300.4219,-5.491,0,-90,90.63025)(7,0)
+39 EMvs 1,(-813.6938,-301.2358,-5.491,0,-90,90.68755)(7,0)
+40 Cnt 0
+41 M_Out(10)=0
+42 Mov (-817.25,-291.45,-5.491,90,0,0)(7,0)
+43 ' end
+44 M_Out(10)=0
+45 M_Outw(16)=0
+46 End
+)");
+}
+
+TEST_F(Golden, tmscript) {
+  EXPECT_EQ(withoutCr(text("tmscript")),
+            R"(// Robot program for printing, TMscript: frames for a listen node, port 5890
+// send a frame, wait for its OK, keep few in the queue; lines with // are not sent
+// FOREIGN: not the language of the cell's controller; Cartesian targets only
+// part part 1, job 989d904e1002c6e8
+// cell bench, robot ur5, process fdm-1.0 (PLA)
+// 6 motions, 1.6 mm3, 0 g, 4.2 s
+// fixed nozzle: the TCP is the plate's centre, poses are the plate's in RobotBase
+// extruder on: DO 0 of the control box; flow: AO 0, 10 V = 40 mm3/s
+$TMSCT,25,1,ChangeBase("RobotBase"),*08
+$TMSCT,32,2,ChangeTCP({0,0,100,0,0,0},0.5),*22
+$TMSCT,26,3,IO["ControlBox"].DO[0]=0,*66
+$TMSCT,26,4,IO["ControlBox"].AO[0]=0,*64
+// The arm goes slowly and straight to its start. Is the way clear?
+$TMSCT,9,5,Pause(),*02
+$TMSCT,56,6,PTP("CPP",-817.25,-291.45,-5.491,90,0,0,8,500,0,false),*3F
+// prime
+$TMSCT,30,7,IO["ControlBox"].AO[0]=4.113,*79
+$TMSCT,26,8,IO["ControlBox"].DO[0]=1,*6C
+$TMSCT,13,9,PVTEnter(1),*4C
+$TMSCT,58,10,PVTPoint(-817.25,-291.45,-5.491,90,0,0,0,0,0,0,0,0,0.2),*63
+$TMSCT,12,11,PVTExit(),*2D
+$TMSCT,27,12,IO["ControlBox"].DO[0]=0,*57
+// print
+$TMSCT,60,13,PTP("CPP",-817.25,-291.45,-5.491,0,-90,90,25,500,0,false),*25
+// layer 7, wall, path 0
+$TMSCT,14,14,PVTEnter(1),*77
+$TMSCT,70,15,PVTPoint(-814.2947,-299.6078,-5.491,0,-90,90.57296,0,0,0,0,0,0,0.1),*66
+$TMSCT,27,16,IO["ControlBox"].AO[0]=4,*52
+$TMSCT,27,17,IO["ControlBox"].DO[0]=1,*53
+$TMSCT,84,18,PVTPoint(-813.9947,-300.4219,-5.491,0,-90,90.63025,6.009,-16.28,0,0,0,1.146,0.05),*60
+$TMSCT,71,19,PVTPoint(-813.6938,-301.2358,-5.491,0,-90,90.68755,0,0,0,0,0,0,0.05),*57
+$TMSCT,27,20,IO["ControlBox"].DO[0]=0,*56
+$TMSCT,12,21,PVTExit(),*2E
+$TMSCT,64,22,PTP("CPP",-817.25,-291.45,-5.491,-90,-180,180,25,500,0,false),*37
+// end
+$TMSCT,27,23,IO["ControlBox"].DO[0]=0,*55
+$TMSCT,27,24,IO["ControlBox"].AO[0]=0,*57
+$TMSCT,15,25,ScriptExit(),*50
 )");
 }
 

@@ -22,9 +22,10 @@ TEST_F(MergedPointsOf, shortMotionsAreJoinedWithinTheirTolerance) {
   append(plan::MoveKind::Linear, {0.5, 10 * d, 20 * d, 0, 60 * d, 0, 0}, 1.0, 0.0);
   const MergedPoints merged = mergedPoints(input(), findDialect("rapid").merge, {});
   EXPECT_EQ(pointsFor("rapid", input()).trajectory.joints, trajectory_.joints); // on a rod
+  EXPECT_GT(pointsFor("rapid", input()).trajectory.timeS.back(), 2000 * 0.02);
   const plan::Trajectory& t = merged.trajectory;
   EXPECT_LT(t.pointCount(), 550u);
-  EXPECT_DOUBLE_EQ(t.timeS.back(), trajectory_.timeS.back());
+  EXPECT_NEAR(t.timeS.back(), trajectory_.timeS.back(), 0.05); // two short ones are slowed
   EXPECT_DOUBLE_EQ(t.extrudedMm3.back(), trajectory_.extrudedMm3.back());
   ASSERT_EQ(merged.pointOf.size(), trajectory_.pointCount());
   const auto tip = [&](const plan::Trajectory& of, std::size_t i) {
@@ -48,6 +49,25 @@ TEST_F(MergedPointsOf, shortMotionsAreJoinedWithinTheirTolerance) {
     }
   }
   EXPECT_EQ(pointsFor("urscript", input()).trajectory.joints, trajectory_.joints);
+}
+
+// What is still too short takes as long as the controller needs: the same way, the same material,
+// and what comes after comes later.
+TEST_F(MergedPointsOf, motionsThatStayTooShortAreSlowed) {
+  const double d = base::kPi / 180.0;
+  append(plan::MoveKind::Joint, {0, -90 * d, 90 * d, 0, 90 * d, 0}, 0.0, 0.0);
+  for (int i = 1; i <= 40; ++i) // a zigzag: nothing can be joined
+    append(plan::MoveKind::Print, {i * 0.002, -90 * d, (i % 2 == 0 ? 90 : 91) * d, 0, 90 * d, 0},
+           i % 4 == 0 ? 0.005 : 0.05, 0.1);
+  MergeLimits limits = findDialect("rapid").merge;
+  const plan::Trajectory& t = mergedPoints(input(), limits, {}).trajectory;
+  ASSERT_EQ(t.pointCount(), trajectory_.pointCount());
+  EXPECT_EQ(t.joints, trajectory_.joints);
+  EXPECT_EQ(t.extrudedMm3, trajectory_.extrudedMm3);
+  for (std::size_t i = 1; i < t.pointCount(); ++i)
+    EXPECT_NEAR(t.timeS[i] - t.timeS[i - 1], i % 4 == 0 ? 0.02 : 0.05, 1e-12) << i;
+  limits.motionS = 0.0;
+  EXPECT_EQ(mergedPoints(input(), limits, {}).trajectory.timeS, trajectory_.timeS);
 }
 
 } // namespace

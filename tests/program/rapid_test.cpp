@@ -420,7 +420,7 @@ TEST_F(Rapid, targetsSayWhichBranchTheArmIsIn) {
 TEST_F(Rapid, modulesStandBesideTheSignalsThatTheyExpect) {
   appendRandom(9, 12100);
   ProgramInput in = input();
-  in.options = {.motionsPerFile = 3000, .rapidModx = true};
+  in.options = {.motionsPerFile = 3000, .own = {{"rapidModules", std::string("modx")}}};
   const plan::Program program = writeProgram("rapid", in);
   ASSERT_EQ(program.files.size(), 8u); // main, five parts, the signals, the list
   EXPECT_EQ(program.files[2].name, "part_1_2.modx");

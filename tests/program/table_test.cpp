@@ -163,9 +163,9 @@ TEST_F(TablePrograms, NeverLeaveTheLineOnThePart) {
   appendRandom(6, 400);
   for (const bool reversed : {false, true}) {
     ProgramInput in = input();
-    in.options.tableXMm = reversed ? -20.0 : 0.0;
-    in.options.tableZMm = reversed ? 75.0 : 0.0;
-    in.options.tableReversed = reversed;
+    in.options.own["tableXMm"] = reversed ? -20.0 : 0.0;
+    in.options.own["tableZMm"] = reversed ? 75.0 : 0.0;
+    in.options.own["tableSense"] = std::string(reversed ? "tool" : "part");
     const plan::ReadProgram back =
         readProgram("gcode-bc", writeProgram("gcode-bc", in).files, process_);
     for (const auto& d : back.defects)

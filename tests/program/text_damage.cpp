@@ -1,6 +1,8 @@
 #include "program/text_damage.h"
 
 #include "program/dialect.h"
+#include "program/text.h"
+#include "program/tmscript_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +66,16 @@ bool changeNumber(std::string& line, Others&& others, Fits&& fits) {
   return false;
 }
 
+// Statements stand in frames, whose length and checksum follow them.
+bool isFramed(std::string_view format) {
+  return format == "tmscript";
+}
+bool isStatement(std::string_view line) {
+  line = program::trimmed(line);
+  return !line.empty() && !line.starts_with("//") && !line.starts_with('$');
+}
+
+constexpr std::size_t kMostLinesAbove = 20;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 } // namespace
@@ -72,14 +84,20 @@ ProgramText textOf(const plan::Program& program) {
   ProgramText text{program.format, program.files.at(0).name, {}};
   std::istringstream in(program.files[0].text);
   for (std::string line; std::getline(in, line);)
-    text.lines.push_back(line);
+    text.lines.push_back(isFramed(program.format) && line.starts_with('$')
+                             ? std::string(program::takeTmFrame(line).script) + "\r"
+                             : line);
   return text;
 }
 
 ReadProgram read(const ProgramText& text, const process::Process& process) {
   std::string joined;
+  std::size_t id = 0;
   for (const std::string& line : text.lines)
-    joined += line + "\n";
+    joined += isFramed(text.format) && isStatement(line)
+                  ? program::tmFrame(std::to_string(++id),
+                                     line.substr(0, line.size() - (line.ends_with('\r') ? 1 : 0)))
+                  : line + "\n";
   return program::readProgram(text.format, {{text.name, joined}}, process);
 }
 
@@ -109,8 +127,8 @@ bool sameTarget(const ProgramMotion& a, const ProgramMotion& b) {
 bool sameMotion(const ProgramMotion& a, const ProgramMotion& b) {
   return sameTarget(a, b) && a.speedMmPerS == b.speedMmPerS &&
          a.jointSpeedRadPerS == b.jointSpeedRadPerS && a.durationS == b.durationS &&
-         a.blendMm == b.blendMm && a.extruding == b.extruding && a.flowMm3PerS == b.flowMm3PerS &&
-         a.volumeMm3 == b.volumeMm3;
+         a.accelerationMmPerS2 == b.accelerationMmPerS2 && a.blendMm == b.blendMm &&
+         a.extruding == b.extruding && a.flowMm3PerS == b.flowMm3PerS && a.volumeMm3 == b.volumeMm3;
 }
 
 std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
@@ -119,12 +137,15 @@ std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
   const std::size_t line = whole.motions.at(motion).line;
   // In mm, in m and in degrees.
   const auto others = [](double x) { return std::vector{x + 2.0, x + 0.002, x + 0.25}; };
-  const bool found = changeNumber(text.lines.at(line - 1), others, [&] {
-    const ReadProgram changed = read(text, process);
-    return isSound(changed) && sameTargets(whole, changed, motion) &&
-           isBeside(whole.motions[motion], changed.motions[motion]);
-  });
-  return found ? std::optional(line) : std::nullopt;
+  const auto moved = [&](bool sound) {
+    return changeNumber(text.lines.at(line - 1), others, [&] {
+      const ReadProgram changed = read(text, process);
+      return (!sound || isSound(changed)) && sameTargets(whole, changed, motion) &&
+             isBeside(whole.motions[motion], changed.motions[motion]);
+    });
+  };
+  // Where a text says how fast it goes there as well, its reader may tell already.
+  return moved(true) || moved(false) ? std::optional(line) : std::nullopt;
 }
 
 std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
@@ -134,12 +155,33 @@ std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
   const double before = durationOf(whole.motions[motion]);
   // A speed, a time, and a time from the program's beginning.
   const auto others = [&](double x) { return std::vector{10.0 * x, 0.1 * x, x - 0.9 * before}; };
-  const bool found = changeNumber(text.lines.at(line - 1), others, [&] {
+  const auto isTenfold = [&] {
     const ReadProgram changed = read(text, process);
     return isSound(changed) && sameTargets(whole, changed, kNone) &&
            std::abs(durationOf(changed.motions[motion]) / before - 0.1) < 1e-3;
-  });
-  return found ? std::optional(line) : std::nullopt;
+  };
+  // In its own line, or in one above that sets the speed: of the motions behind that, too.
+  std::size_t first = line;
+  for (std::size_t l = line; l > 0; --l) {
+    for (const ProgramMotion& m : whole.motions)
+      first = m.line == l ? l : first;
+    if (changeNumber(text.lines.at(l - 1), others, isTenfold))
+      return first;
+    if (l + kMostLinesAbove < line)
+      break;
+  }
+  // Or a speed that stands further up is said again, without that line's number.
+  constexpr std::size_t kBack = 40;
+  static const std::regex kStep(R"(^\d+\s+)");
+  const auto here = text.lines.begin() + static_cast<std::ptrdiff_t>(line - 1);
+  text.lines.insert(here, "");
+  for (std::size_t back = 1; back < std::min(line, kBack); ++back) {
+    text.lines[line - 1] = std::regex_replace(text.lines[line - 1 - back], kStep, "");
+    if (changeNumber(text.lines[line - 1], others, isTenfold))
+      return line;
+  }
+  text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(line - 1));
+  return std::nullopt;
 }
 
 std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t motion,
@@ -160,7 +202,7 @@ std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t moti
     const std::string off = text.lines[l - 1];
     text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1));
     if (lays())
-      return l;
+      return read(text, process).motions[travel].line;
     text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1), off);
   }
   // or the travel's line tells an amount,

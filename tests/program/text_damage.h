@@ -15,7 +15,8 @@
 
 namespace voluta::test {
 
-// The first file of a program, line by line without their ends.
+// The first file of a program, line by line without their ends; of frames (TMscript) the statement,
+// which read() frames anew.
 struct ProgramText {
   std::string format; // id of its dialect
   std::string name;
@@ -36,7 +37,7 @@ bool sameMotion(const plan::ProgramMotion& a, const plan::ProgramMotion& b);
 
 // Each changes the text at motion `motion` and gives the line (1-based) that the damage is at;
 // nothing where no such change can be read. The text has no defects before and after, but for an
-// amount that falls again behind the travel.
+// amount that falls again behind the travel, and a point that its own velocity does not lead to.
 // Its target lies about 2 mm beside the one it was.
 std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
                                       const process::Process& process);

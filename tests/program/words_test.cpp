@@ -1,10 +1,16 @@
 // Every word of each language, put amid a print: it is read for what it does, known to change
 // nothing, or refused at its line. The lists are the makers': URScript manual, "Module motion",
 // "Module internals", "Module interfaces", "Module ioconfiguration"; ABB, RAPID Instructions,
-// Functions and Data types; the RepRap wiki's list of G-codes.
+// Functions and Data types; the RepRap wiki's list of G-codes; KUKA, instructions of the KSS manual
+// for system integrators; Epson, SPEL+ Language Reference.
 #include "program/dialect.h"
 #include "program/gcode_reader.h"
+#include "program/krl.h"
+#include "program/melfa.h"
 #include "program/rapid.h"
+#include "program/spelplus.h"
+#include "program/tmscript.h"
+#include "program/tmscript_frames.h"
 #include "program/urscript.h"
 
 #include <algorithm>
@@ -53,6 +59,30 @@ std::string rapid(const std::string& head, const std::string& amid, const std::s
                   "ENDPROC\nENDMODULE\n");
 }
 
+std::string melfa(const std::string& head, const std::string& amid, const std::string& end) {
+  return withCrLf("Tool (0,0,100,0,0,0)\nSpd 20\n" + head +
+                  "M_Out(10)=1\nM_Outw(16)=1000\nMov (400,0,300,180,0,180)(7,0)\n"
+                  "Mvs (400,0,301,180,0,180)(7,0)\n'\n" +
+                  amid + "Mvs (400,0,302,180,0,180)(7,0)\nM_Out(10)=0\nM_Outw(16)=0\n" + end +
+                  "End\n");
+}
+
+// Each line in a frame of its own.
+std::string tmscript(const std::string& head, const std::string& amid, const std::string& end) {
+  const auto line = [](const std::string& z) {
+    return "Line(\"CAP\",400,0," + z + ",180,0,180,20,200,0,false)\n";
+  };
+  std::istringstream lines("ChangeTCP({0,0,100,0,0,0},1.5)\n" + head +
+                           "IO[\"ControlBox\"].DO[0]=1\nIO[\"ControlBox\"].AO[0]=1\n" +
+                           line("300") + line("301") + "//\n//\n" + amid + line("302") +
+                           "IO[\"ControlBox\"].DO[0]=0\nIO[\"ControlBox\"].AO[0]=0\n" + end +
+                           "ScriptExit()\n");
+  std::string text;
+  for (std::string script; std::getline(lines, script);)
+    text += script.starts_with("//") ? script + "\r\n" : tmFrame("1", script);
+  return text;
+}
+
 std::string gcode(const std::string& head, const std::string& amid, const std::string& end) {
   return "G21\nG90\nM82\n" + head +
          "G92 E0\nG0 X0 Y0 Z1 nX0 nY0 nZ1 F600\nG1 X1 E0.1\nG1 X2 E0.2\n" + amid +
@@ -69,6 +99,20 @@ std::string tableGcode(const std::string& head, const std::string& amid, const s
          "G1 Z9 F600\nG1 B0 C0 F600\nG93\nG1 X0 Y0 Z1 F60\nG1 X1 E0.1 F60\n"
          "G1 X2 E0.2 F60\n" +
          amid + "G1 X3 E0.3 F60\nM104 S0\nM84\n" + end + "; end\n";
+}
+
+std::string krl(const std::string& head, const std::string& amid, const std::string& end) {
+  return "DEF f ( )\n$BASE=$NULLFRAME\n$TOOL=$NULLFRAME\n$VEL.CP=0.02\n$ANOUT[1]=0.1\n" + head +
+         "$OUT[1]=TRUE\nPTP {X 400,Y 0,Z 300,A 0,B 0,C 180}\n" + amid +
+         "LIN {Z 301}\nLIN {Z 302}\n$OUT[1]=FALSE\n$ANOUT[1]=0\n" + end + "END\n";
+}
+
+std::string spelplus(const std::string& head, const std::string& amid, const std::string& end) {
+  return "Function f\n  Motor On\n  Power High; SpeedS 20\n  AIO_Out 1, 1\n  Speed 10\n" + head +
+         "  On 1\n  Go XY(400,0,300,0,0,180)\n" + amid +
+         "  Move XY(400,0,301,0,0,180)\n  Move XY(400,0,302,0,0,180)\n  Off 1\n"
+         "  AIO_Out 1, 0\n" +
+         end + "Fend\n";
 }
 
 bool tells(const plan::ReadProgram& with, const plan::ReadProgram& without) {
@@ -166,6 +210,74 @@ TEST(Words, OfRapidAreKnownOrRefused) {
                           {"ClkReset", "ClkStart", "ClkStop", "ErrWrite", "TPErase", "TPWrite"});
 }
 
+TEST(Words, OfKrlAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "ANIN ANOUT ASYPTP BRAKE CASE CAST_FROM CCLOSE CHANNEL CIRC CIRC_REL CONFIRM CONTINUE COPEN "
+      "CREAD CWRITE DEFAULT DIGIN ELSE ENDFOR ENDIF ENDLOOP ENDSPLINE ENDSWITCH ENDWHILE ENUM "
+      "ERR_RAISE EXIT EXT EXTFCT FOR GOTO HALT IF INTERRUPT LIN_REL LOOP MsgNotify MsgDialog "
+      "MsgQuit "
+      "PTP_REL PTP_SPLINE PULSE REPEAT RESUME RETURN SCIRC SLIN_REL SPL SPLINE SPTP_REL SREAD "
+      "STRUC "
+      "SWAIT SWITCH SWRITE SYN TIME_BLOCK TIMER_STOP TRIGGER UNTIL WHILE SHIFT MOVE_ENABLE LK "
+      "SET_OV AUT EMI_ACT IR_STOPM RSI_MOVECORR";
+  expectAllKnownOrRefused("krl", wordsOf(kManual, " (1)"), krl, kAmid, {"MsgNotify"});
+  constexpr const char* kVariables =
+      "$OV_PRO $OV_ROB $ADVANCE $RED_VEL $RED_ACC $VEL_EXTAX $ACC_AXIS $ACC_EXTAX $ORI_TYPE "
+      "$CIRC_TYPE $SINGUL_STRATEGY $TORQUE_AXIS $SOFTN_END $SOFTP_END $WORLD $ROBROOT $IPO_MODE "
+      "$ACT_BASE $ACT_TOOL $LOAD_A1 $APO_DIS_PTP $GEAR_JERK $JERK $CURR_RED $DIRECTION $TRAFONAME "
+      "$BWDSTART $TIMER $FLAG $CYCFLAG $OUT_C $PRO_MODE $STOPNOAPROX";
+  expectAllKnownOrRefused("krl", wordsOf(kVariables, "=1"), krl, kAmid,
+                          {"$BWDSTART=1", "$TIMER=1", "$FLAG=1"});
+}
+
+TEST(Words, OfSpelplusAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "Accel AccelR AccelS Align AlignECP Arc Arc3 Arch Arm ArmCalib ArmClr ArmSet ATCLR AutoLJM "
+      "AutoOrientationFlag AvoidSingularity Base BClose BGo BMove BOpen Box BoxClr Brake BTst "
+      "Calib "
+      "ChDir ChDisk ChDrive ClearPoints CloseCom CloseNet Cls Cnv_QueAdd CollisionDetect Curve "
+      "CVMove "
+      "Cnv_AbortTrack ECP ECPClr ECPSet ElapsedTime ErrorOn EResume Error Exit FGRun Fine Find "
+      "Force_"
+      "Calibrate GClose GGet GoSub GoTo GSet Halt Home HomeSet Hordr Hofs If Inertia InputBox "
+      "JRange JTran Jump Jump3 Jump3CP JumpTLZ LatchEnable LimitTorque LimZ LoadPoints Local "
+      "LocalClr "
+      "MCal MCordr MemOff MemOn MemOut MHour Motor MsgBox OnErr OpBCD OpenCom OpenNet Out OutReal "
+      "OutW P_ Palet Pallet Pass Pause PerformMode PG_Scan Plane PlaneClr Power Print PTPBoost "
+      "Pulse "
+      "QPDecelR QP Quit Range Recover Reset ResetElapsedTime Restart Resume Return Robot RunDialog "
+      "SafetyOn SavePoints Select SetCom SetIn SetNet SetSw SFree Shutdown Signal SingularitySpeed "
+      "SLock SoftCP SpeedFactor StartMain SyncLock SyncRobots TC TCLim TCSpeed TGo Till TLClr "
+      "TMove "
+      "TMOut Toff Ton Trap VRun Wait WaitNet WaitPos WaitSig Weight Where WOpen WorkQue_Add Xqt "
+      "XYLim "
+      "ZeroFlg";
+  expectAllKnownOrRefused("spelplus", wordsOf(kManual, " 1"), spelplus, kAmid,
+                          {"Accel", "AccelR", "AccelS", "Cls", "MemOff", "MemOn", "Print"});
+}
+
+TEST(Words, OfMelfaAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "Accel Act Base CallP ChrSrch CavChk Close ClrM Cmp CmpG ColChk ColLvl Com Def Dim Dly EMvc "
+      "EMvr EMvr2 EMvr3 EMvs EMvSpl Error Fine For FPrm Fsc GetM GetPos GoSub GoTo Hlt HOpen "
+      "HClose If Input JOvrd JRC LoadSet Mov Mva Mvc Mvr Mvr2 Mvr3 Mvs MvSpl MvTune Mxt Next OAdl "
+      "On Open Ovrd Plt Prec Print Priority PVSCal RelM Rem Reset Return Select Servo SetCalFrm "
+      "SetExtArea Skip Spd SpdOpt SplSpd SplPos Title Tool Torq Trk TrChk TrClr TrOut TrRst TrWcur "
+      "VxDr Wait While WEnd Wth WthIf XClr XLoad XRst XRun XStp ZoneChk";
+  expectAllKnownOrRefused("melfa", wordsOf(kManual, " 1"), melfa, kAmid,
+                          {"Dim", "Rem", "Title", "Spd", "Ovrd", "JOvrd"});
+}
+
+TEST(Words, OfTmscriptAreKnownOrRefused) {
+  constexpr const char* kManual =
+      "PTP Line Circle PLine Move_PTP Move_Line Move_PLine ChangeBase ChangeTCP ChangeLoad "
+      "PVTExit PVTPoint PVTPause PVTResume QueueTag WaitQueueTag StopAndClearBuffer Pause Resume "
+      "Vision_DoJob Vision_DoJob_PTP Vision_IsJobAvailable SuspendContinue Force_Start "
+      "Compliance_Start TouchStop_Start StartContinueVmove SetContinueVmove StopContinueVmove "
+      "StartContinueVLine StopContinueVLine modbus_write socket_send com_write Sleep goto";
+  expectAllKnownOrRefused("tmscript", wordsOf(kManual, "(1)"), tmscript, kAmid, {"QueueTag"});
+}
+
 TEST(Words, OfGcodeAreKnownOrRefused) {
   // All numbers that the wiki has, and those it has not.
   std::vector<std::string> lines;
@@ -211,6 +323,30 @@ TEST(Words, StandWhereTheyMay) {
       {"rapid", rapid, "SingArea\\Wrist;\n", false, false, false},
       {"rapid", rapid, "SetDO doFan,1;\n", true, false, true},
       {"rapid", rapid, "UIMsgBox \"go\";\n", true, false, true},
+      {"krl", krl, "HALT\n", true, false, true},
+      {"krl", krl, "$ADVANCE=3\n", true, false, false},
+      {"krl", krl, "$OUT[3]=TRUE\n", true, false, true},
+      {"krl", krl, "$OV_PRO=50\n", false, false, false},
+      {"krl", krl, "MsgNotify(\"here\")\n", true, true, true},
+      {"spelplus", spelplus, "Pause\n", true, false, true},
+      {"spelplus", spelplus, "Weight 1\n", true, false, false},
+      {"spelplus", spelplus, "On 3\n", true, false, true},
+      {"spelplus", spelplus, "AutoLJM On\n", true, false, false},
+      {"melfa", melfa, "Accel 100,100\n", true, true, true},
+      {"melfa", melfa, "Accel 20,100\n", false, false, false},
+      {"melfa", melfa, "Hlt\n", true, false, true},
+      {"melfa", melfa, "Servo On\n", true, false, true},
+      {"melfa", melfa, "Fine 100\n", true, false, false},
+      {"melfa", melfa, "M_Out(3)=1\n", true, false, true},
+      {"melfa", melfa, "Base P_NBase\n", true, true, true},
+      {"melfa", melfa, "Base (0,0,1,0,0,0)\n", false, false, false},
+      {"tmscript", tmscript, "ChangeBase(\"RobotBase\")\n", true, true, true},
+      {"tmscript", tmscript, "ChangeBase(\"table\")\n", false, false, false},
+      {"tmscript", tmscript, "ChangeLoad(1.5)\n", true, true, true},
+      {"tmscript", tmscript, "ChangeLoad(2)\n", false, false, false},
+      {"tmscript", tmscript, "Pause()\n", true, false, true},
+      {"tmscript", tmscript, "IO[\"ControlBox\"].DO[3]=1\n", true, false, true},
+      {"tmscript", tmscript, "WaitQueueTag(1,100)\n", true, false, true},
       {"gcode-extended", gcode, "G28\n", true, false, false},
       {"gcode-extended", gcode, "M84\n", false, false, true},
       {"gcode-extended", gcode, "M104 S210\n", true, false, true},
@@ -233,7 +369,8 @@ TEST(Words, StandWhereTheyMay) {
 }
 
 TEST(Words, OfATableStandOnceAndMeanSomething) {
-  for (const auto table : {urscriptWords(), rapidWords(), gcodeWords(), slicerWords()})
+  for (const auto table : {urscriptWords(), rapidWords(), gcodeWords(), slicerWords(), krlWords(),
+                           spelplusWords(), melfaWords(), tmscriptWords()})
     for (const KnownWord& row : table) {
       EXPECT_EQ(findWord(table, row.word), &row) << row.word << " stands twice";
       EXPECT_NE(row.places, 0) << row.word;

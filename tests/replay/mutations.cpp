@@ -19,8 +19,15 @@ std::ptrdiff_t at(std::size_t line) { // 1-based
 std::string& lineOf(Subject& s, std::size_t m) {
   return s.text.lines[s.read.motions.at(m).line - 1];
 }
+bool endsWithCr(const std::string& line) {
+  return line.ends_with('\r');
+}
+// Where a line's own text ends.
+std::size_t endOf(const std::string& line) {
+  return line.size() - (endsWithCr(line) ? 1 : 0);
+}
 std::string ended(const Subject& s, const std::string& line) {
-  return s.text.format == "rapid" ? line + "\r" : line;
+  return !s.text.lines.empty() && endsWithCr(s.text.lines.front()) ? line + "\r" : line;
 }
 
 // How far two motions' targets are apart, in what is about a millimetre.
@@ -200,7 +207,9 @@ void structure(std::vector<Mutation>& all) {
   all.push_back(
       {"a line of another language", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
          const std::size_t where = s.read.motions[m].line + 1;
-         s.text.lines.insert(s.text.lines.begin() + at(where), ended(s, "LIN {X 1,Y 2,Z 3} C_DIS"));
+         s.text.lines.insert(s.text.lines.begin() + at(where),
+                             ended(s, s.text.format == "krl" ? "movel(p[1,2,3,0,0,0])"
+                                                             : "LIN {X 1,Y 2,Z 3} C_DIS"));
          return where;
        }});
   all.push_back({"a character is lost at a line's begin",
@@ -303,6 +312,116 @@ std::vector<std::string> amid(const std::string& format) {
         "M221 S150", "M92 E200",      "M200 D3",      "M206 X5",  "M112",    "M0",      "G10",
         "G55",       "G1 E-300 F600", "G1 E900 F600", "G2 X1 I3", "M140 S0", "G29",     "M420 S1",
         "M600",      "G1 X1 B5",      "G93"}},
+      {"krl",
+       {"WAIT SEC 600",
+        "WAIT SEC 0.5",
+        "WAIT FOR $IN[1]",
+        "HALT",
+        "$OUT[1]=FALSE",
+        "$OUT[3]=TRUE",
+        "$ANOUT[1]=1",
+        "$ANOUT[1]=0.32",
+        "CONTINUE",
+        "TRIGGER WHEN DISTANCE=1 DELAY=0 DO $OUT[1]=FALSE",
+        "TRIGGER WHEN DISTANCE=0 DELAY=0 DO $ANOUT[1]=0.32",
+        "PULSE ($OUT[1],TRUE,0.5)",
+        "$OV_PRO=50",
+        "$TOOL={X 0,Y 0,Z 0,A 0,B 0,C 0}",
+        "$BASE={X 1,Y 0,Z 0,A 0,B 0,C 0}",
+        "$LOAD={M 20,CM {X 0,Y 0,Z 0,A 0,B 0,C 0},J {X 0,Y 0,Z 0}}",
+        "$ORI_TYPE=#CONSTANT",
+        "$IPO_MODE=#BASE",
+        "BAS (#TOOL,3)",
+        "BAS (#INITMOV,0 )",
+        "CIRC {X 0,Y 0,Z 0,A 0,B 0,C 0},{X 1,Y 0,Z 0,A 0,B 0,C 0}",
+        "SPLINE",
+        "LIN_REL {X 1}",
+        "IF $IN[1]==TRUE THEN",
+        "GOTO x",
+        "RETURN",
+        "$ADVANCE=0",
+        "$ACC.CP=0.01"}},
+      {"spelplus",
+       {"  Wait 600",
+        "  Wait 0.5",
+        "  Wait Sw(1) = On",
+        "  Pause",
+        "  Off 1",
+        "  On 3",
+        "  AIO_Out 1, 10",
+        "  AIO_Out 1, 3.2",
+        "  Power Low",
+        "  Motor Off",
+        "  Motor On",
+        "  Tool 0",
+        "  ECP 0",
+        "  TLSet 1, XY(0,0,0,0,0,0)",
+        "  Weight 20",
+        "  Jump XY(0,0,0,0)",
+        "  Arc P1, P2",
+        "  CVMove \"curve\"",
+        "  TMove XY(1,0,0,0)",
+        "  If Sw(1) = On Then",
+        "  GoTo x",
+        "  Exit Function",
+        "  Halt main",
+        "  Xqt other",
+        "  Brake On, 3",
+        "  SFree",
+        "  TC On",
+        "  SpeedFactor 50"}},
+      {"melfa",
+       {"Dly 600",
+        "Dly 0.5",
+        "Accel 20,20",
+        "Ovrd 50",
+        "Spd 900",
+        "Cnt 1,10,10",
+        "Tool (0,0,0,0,0,0)",
+        "Base 1",
+        "M_Outw(16)=10000",
+        "M_Outw(16)=3200",
+        "M_Out(10)=0",
+        "M_Out(3)=1",
+        "M_Outb(8)=0",
+        "Hlt",
+        "Mvr P1,P2,P3",
+        "Mvs ,-50",
+        "Mov (0,0,500,180,0,180)(7,0)",
+        "GoTo *AGAIN",
+        "If M_In(1)=1 Then",
+        "For M1=1 To 3",
+        "CallP \"OTHER\"",
+        "Servo Off",
+        "Mxt 1,1,10",
+        "End"}},
+      {"tmscript",
+       {"PVTExit()",
+        "PVTEnter(1)",
+        "ChangeTCP({0,0,0,0,0,0},1)",
+        "ChangeTCP(\"NOZZLE\")",
+        "ChangeBase({1,0,0,0,0,0})",
+        "ChangeLoad(20)",
+        "IO[\"ControlBox\"].AO[0]=10",
+        "IO[\"ControlBox\"].AO[0]=3.2",
+        "IO[\"ControlBox\"].DO[0]=0",
+        "IO[\"ControlBox\"].DO[3]=1",
+        "IO[\"ControlBox\"].InstantDO[0]=0",
+        "IO[\"EndModule\"].DO[0]=1",
+        "Pause()",
+        "StopAndClearBuffer()",
+        "ScriptExit()",
+        "PTP(\"JPP\",0,0,90,0,90,0,50,500,0,false)",
+        "Line(\"CAP\",400,0,300,180,0,90,20,200,0,false)",
+        "Circle(\"CAP\",1,2,3,4,5,6,7,8,9,10,11,12,20,200,0,0,false)",
+        "Move_Line(\"CAP\",0,0,10,0,0,0,20,200,0,false)",
+        "PVTPause()",
+        "Vision_DoJob(job)",
+        "$TMSCT,14,1,ScriptExit(),*66",
+        "$TMSCT,13,1,ScriptExit(),*67",
+        "$TMSTA,2,00,*41",
+        "TMSCT,14,1,ScriptExit(),*67",
+        "$TMSCT,25,1,ChangeBase(\"RobotBase\"),*07"}},
       {"csv",
        {"1,2,3", "0,0,0,0,0,0,0,0,-1,print", "99,1e99,0,0,0,0,0,0,-1,joint", "# end",
         "time_s,j1_deg,extruded_mm3,waypoint,move", "99,nan,0,0,0,0,0,0,-1,joint",
@@ -345,6 +464,45 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(shifted("the extruder starts late", "SetDO doExtruder,1"));
     all.push_back(shifted("the extruder stops late", "SetDO doExtruder,0"));
     all.push_back(insertedInHead("    AccSet 20,100;"));
+  } else if (format == "krl") {
+    all.push_back(replaced("speed of 0.9", "\\$VEL\\.CP=[0-9.]+", "$$VEL.CP=0.9"));
+    all.push_back(replaced("speed of 0.001", "\\$VEL\\.CP=[0-9.]+", "$$VEL.CP=0.001"));
+    all.push_back(replaced("a speed in mm/s", "\\$VEL\\.CP=0\\.0", "$$VEL.CP=1"));
+    all.push_back(erased("a speed is missing", "\\$VEL\\.CP="));
+    all.push_back(replaced("motion by joints", "^LIN", "PTP"));
+    all.push_back(replaced("a motion of another kind", "^LIN", "LIN_REL"));
+    all.push_back(replaced("another way to round", "C_DIS", "C_VEL"));
+    all.push_back(
+        replaced("tool 1 mm off", "\\$TOOL=\\{X 0,Y 0,Z ([0-9]+)", "$$TOOL={X 1,Y 0,Z $1", true));
+    all.push_back(replaced("the modes are changed", "#TCP", "#BASE", true));
+    all.push_back(replaced("load of 20 kg", "\\{M [0-9.]+", "{M 20", true));
+    all.push_back(replaced("first motion fast", "VEL_PTP,10", "VEL_PTP,100", true));
+    all.push_back(erased("the prime is missing", "WAIT SEC", true));
+    all.push_back(replaced("ten times the prime", "WAIT SEC 0\\.2", "WAIT SEC 2", true));
+    all.push_back(erased("the extruder stays on", "^\\$OUT\\[1\\]=FALSE"));
+    all.push_back(shifted("the extruder starts late", "^\\$OUT\\[1\\]=TRUE"));
+    all.push_back(shifted("the extruder stops late", "^\\$OUT\\[1\\]=FALSE"));
+    all.push_back(insertedInHead("$OV_PRO=50"));
+  } else if (format == "spelplus") {
+    all.push_back(replaced("speed of 900", "SpeedS [0-9.]+", "SpeedS 900"));
+    all.push_back(replaced("speed of 1", "SpeedS [0-9.]+", "SpeedS 1"));
+    all.push_back(erased("the speed is missing", "SpeedS ", true));
+    all.push_back(replaced("acceleration of 1", "AccelS [0-9.]+", "AccelS 1", true));
+    all.push_back(replaced("motion by joints", "Move ", "Go "));
+    all.push_back(replaced("a motion of another kind", "Move ", "BMove "));
+    all.push_back(replaced("straight for the tool", " ECP", ""));
+    all.push_back(replaced("until an input", " CP", " Till Sw(1) = On"));
+    all.push_back(replaced("at no stop", " CP", " ROT CP"));
+    all.push_back(replaced("tool 1 mm off", "TLSet 1, XY\\(0,0,", "TLSet 1, XY(1,0,", true));
+    all.push_back(replaced("another tool", "Tool 1", "Tool 2", true));
+    all.push_back(replaced("load of 20 kg", "Weight [0-9.]+", "Weight 20", true));
+    all.push_back(replaced("first motion fast", "Speed 10", "Speed 100", true));
+    all.push_back(erased("slow to the end", "Power High", true));
+    all.push_back(erased("the prime is missing", "Wait ", true));
+    all.push_back(replaced("ten times the prime", "Wait 0\\.2", "Wait 2", true));
+    all.push_back(erased("the extruder stays on", "Off 1"));
+    all.push_back(shifted("the extruder starts late", "On 1"));
+    all.push_back(shifted("the extruder stops late", "Off 1"));
   } else if (format.starts_with("gcode")) {
     if (format == "gcode-bc") {
       all.push_back(replaced("a motion loses its time", " F[0-9.]+$", ""));
@@ -352,8 +510,8 @@ void words(std::vector<Mutation>& all, const std::string& format) {
       all.push_back(erased("speeds are no times", "^G93", true));
       all.push_back(erased("the nozzle is not up", "^G1 Z", true));
       all.push_back(erased("the table does not stand", "^G1 B", true));
-      all.push_back(
-          replaced("the place of the plate is broken", "tilt axis, mm: X0 Z0", "tilt axis, mm: X0 Z", true));
+      all.push_back(replaced("the place of the plate is broken", "tilt axis, mm: X0 Z0",
+                             "tilt axis, mm: X0 Z", true));
       all.push_back(replaced("C a whole turn on", " C0", " C360.0"));
     }
     all.push_back(replaced("speed ten times", "F([0-9])", "F9$1"));
@@ -365,6 +523,42 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("heat of 400", "M104 S210", "M104 S400", true));
     all.push_back(erased("the prime is missing", "; prime", true));
     all.push_back(replaced("ten times the prime", "G1 E([0-9])", "G1 E9$1", true));
+  } else if (format == "melfa") {
+    all.push_back(replaced("speed ten times", "Spd ([0-9])", "Spd 9$1"));
+    all.push_back(replaced("speed of 1", "Spd [0-9.]+", "Spd 1"));
+    all.push_back(erased("a speed is missing", "Spd "));
+    all.push_back(replaced("motion by joints", "EMvs 1,", "Mov "));
+    all.push_back(replaced("the plate's own way", "EMvs 1,", "Mvs "));
+    all.push_back(replaced("another nozzle", "EMvs 1,", "EMvs 2,"));
+    all.push_back(replaced("tool 1 mm off", "Tool \\(0,0,[0-9]+", "Tool (0,0,777", true));
+    all.push_back(replaced("first motion fast", "JOvrd [0-9.]+", "JOvrd 100", true));
+    all.push_back(erased("the prime is missing", "Dly", true));
+    all.push_back(replaced("ten times the prime", "Dly 0\\.2", "Dly 2", true));
+    all.push_back(erased("the extruder stays on", "M_Out\\(10\\)=0"));
+    all.push_back(shifted("the extruder starts late", "M_Out\\(10\\)=1"));
+    all.push_back(shifted("the extruder stops late", "M_Out\\(10\\)=0"));
+    all.push_back(replaced("two steps of one number", "^[0-9]+ ", "7 "));
+    all.push_back(replaced("another output", "M_Out\\(10\\)", "M_Out(11)"));
+    all.push_back(insertedInHead("Accel 20,20"));
+    all.push_back(insertedInHead("Base (0,0,10,0,0,0)"));
+  } else if (format == "tmscript") {
+    all.push_back(replaced("time ten times", "(PVTPoint.*),0(\\.[0-9]+)\\)", "$1,9$2)"));
+    all.push_back(replaced("time is missing", "(PVTPoint.*),[0-9.]+\\)", "$1)"));
+    all.push_back(replaced("no time", "(PVTPoint.*),[0-9.]+\\)", "$1,0)"));
+    const std::string pose = "(PVTPoint\\([^,]*,[^,]*,[^,]*,[^,]*,[^,]*,[^,]*),";
+    all.push_back(replaced("velocity of 900", pose + "[^,]*", "$1,900"));
+    all.push_back(replaced("velocity back", pose + "[^,]*,[^,]*", "$1,-90,-90"));
+    all.push_back(replaced("a turn of 900", pose + "([^,]*,[^,]*,[^,]*),[^,]*", "$1,$2,900"));
+    all.push_back(replaced("tool 1 mm off", "ChangeTCP\\(\\{0", "ChangeTCP({1", true));
+    all.push_back(replaced("load of 20 kg", "\\},[0-9.]+\\)", "},20)", true));
+    all.push_back(replaced("first motion fast", ",8,500,", ",100,500,", true));
+    all.push_back(replaced("ten times the prime", ",0\\.2\\)", ",2)", true));
+    all.push_back(erased("the extruder stays on", "DO\\[0\\]=0"));
+    all.push_back(shifted("the extruder starts late", "DO\\[0\\]=1"));
+    all.push_back(shifted("the extruder stops late", "DO\\[0\\]=0"));
+    all.push_back(replaced("joints for a pose", "PVTEnter\\(1\\)", "PVTEnter(0)", true));
+    all.push_back(insertedInHead("ChangeBase({0,0,10,0,0,0})"));
+    all.push_back(insertedInHead("ChangeBase(\"table\")"));
   } else {
     all.push_back(replaced("E is more", ",([0-9.]+),([0-9]+),print", ",9$1,$2,print"));
     all.push_back(replaced("E is less", ",[0-9.]+,([0-9]+),print", ",0,$1,print"));
@@ -392,8 +586,9 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
 
 std::vector<Mutation> harmlessMutations(const std::string& format) {
   static const std::map<std::string, std::string> kRemark = {
-      {"urscript", "# "}, {"rapid", "! "}, {"gcode-extended", "; "},
-      {"gcode-bc", "; "}, {"gcode", "; "}, {"csv", "# "}};
+      {"urscript", "# "},  {"rapid", "! "}, {"gcode-extended", "; "}, {"gcode-bc", "; "},
+      {"gcode", "; "},     {"krl", "; "},   {"spelplus", "' "},       {"melfa", "' "},
+      {"tmscript", "// "}, {"csv", "# "}};
   const std::string remark = kRemark.at(format);
   const auto any = [](Subject& s, std::mt19937_64& random) {
     return s.read.motions.front().line + random() % (s.text.lines.size() - 40);
@@ -451,7 +646,7 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
       {"blanks behind a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
          const std::size_t line = any(s, random);
          std::string& text = s.text.lines[line - 1];
-         text.insert(format == "rapid" ? text.size() - 1 : text.size(), "  ");
+         text.insert(endOf(text), "  ");
          return line;
        }});
   if (format != "csv")
@@ -459,10 +654,10 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
         {"a remark behind a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
            const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
            std::string& text = lineOf(s, m);
-           text.insert(format == "rapid" ? text.size() - 1 : text.size(), " " + remark + "ok");
+           text.insert(endOf(text), " " + remark + "ok");
            return s.read.motions[m].line;
          }});
-  if (format == "rapid")
+  if (format == "rapid" || format == "krl" || format == "spelplus" || format == "melfa")
     all.push_back(
         {"letters of the other case", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
            const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
@@ -490,6 +685,12 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
   } else if (format == "rapid") {
     all.push_back(swapped("ConfL", "ConfJ"));
     all.push_back(swapped("PERS tooldata", "PERS wobjdata"));
+  } else if (format == "krl") {
+    all.push_back(swapped("$BASE=", "$TOOL="));
+    all.push_back(swapped("$VEL.ORI1", "$LOAD"));
+  } else if (format == "spelplus") {
+    all.push_back(swapped("Weight", "AutoLJM"));
+    all.push_back(swapped("Power Low", "TLSet"));
   } else if (format.starts_with("gcode")) {
     all.push_back(swapped("G21", "G90"));
     all.push_back(swapped("G90", "M82"));

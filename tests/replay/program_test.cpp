@@ -88,7 +88,7 @@ TEST_P(EachDialect, TheUndamagedProgramPasses) {
   EXPECT_TRUE(v.passed) << told(v);
   EXPECT_TRUE(v.findings.empty()) << told(v);
   EXPECT_GE(v.coveredFraction, 0.98);
-  EXPECT_NEAR(v.massRatio, 1.0, 0.005);
+  EXPECT_NEAR(v.massRatio, 1.0, 0.01); // ramps from and to a stand take their time
   EXPECT_LT(v.maxDeviationMm, 0.03);
   EXPECT_EQ(v.unsupportedFraction, 0.0);
   const plan::ReadProgram program = test::read(text, scene().process);

@@ -1,5 +1,6 @@
 #include "timeline/timeline_bar.h"
 
+#include "forms/colours.h"
 #include "timeline/sample_program.h"
 #include "timeline/scrub_slider.h"
 
@@ -96,6 +97,29 @@ TEST_F(TimelineBarTest, AClickNearAMarkMeansTheMark) {
   bar_.setMarks({{7.0, true, "collision"}});
   QTest::mouseClick(slider(), Qt::LeftButton, {}, slider()->rect().center() + QPoint(3, 0));
   EXPECT_NEAR(bar_.timeS(), 7.0, 1e-9);
+}
+
+TEST_F(TimelineBarTest, AStretchOfTimeIsSetOffInModeTimeOnly) {
+  const auto setOff = [&](double timeS) {
+    const QImage picture = slider()->grab().toImage();
+    const double share = timeS / bar_.clock()->durationS();
+    const QColor warning = forms::warningColour(slider()->palette());
+    const int x = 8 + static_cast<int>(share * (slider()->width() - 16));
+    for (int y = slider()->height() / 2 + 3; y < slider()->height(); ++y)
+      if (picture.pixelColor(x, y) == warning)
+        return true;
+    return false;
+  };
+  bar_.setSpans({{2.0, 4.0, "slower"}});
+  bar_.setTimeS(9.0);
+  EXPECT_TRUE(setOff(3.0));
+  EXPECT_FALSE(setOff(5.0));
+  bar_.setMode(BarMode::Moves);
+  EXPECT_FALSE(setOff(3.0));
+  bar_.setMode(BarMode::Time);
+  EXPECT_TRUE(setOff(3.0));
+  bar_.setSpans({});
+  EXPECT_FALSE(setOff(3.0));
 }
 
 TEST_F(TimelineBarTest, StepsOfGrowthHaveTheirOwnPositionAndGoByTen) {

@@ -89,8 +89,11 @@ bool Document::sourceReady() const {
 QString Document::name() const {
   if (!projectFile_.isEmpty())
     return QFileInfo(projectFile_).completeBaseName();
-  if (source_)
-    return QFileInfo(QString::fromStdString(source_->part->name)).completeBaseName();
+  if (source_) {
+    const auto motion = result(Stage::Motion);
+    return QFileInfo(QString::fromStdString(source_->part->name)).completeBaseName() +
+           (motion && motion->job.resumedAt > 0 ? "-rest" : "");
+  }
   return tr("Untitled");
 }
 
@@ -255,7 +258,7 @@ void Document::openJob(const pipeline::PlanResult& opened, const QString& file, 
   if (job.reached) {
     const auto result = std::make_shared<const pipeline::PlanResult>(opened);
     for (std::size_t s = 0; s <= indexOf(*job.reached); ++s) {
-      shown_[s] = {result, job.stages[s].key};
+      shown_[s] = {result, shownKey(*result, s, keys_)};
       emit resultChanged(stageAt(s));
     }
   }
@@ -326,7 +329,7 @@ bool Document::ahead(Stage stage) const {
   if (!upToDate(stage) || s + 1 == kStageCount)
     return false;
   const auto& next = shown_[s + 1].result;
-  return !next || next->job.stages[s].key != shown_[s].key;
+  return !next || (next != shown_[s].result && next->job.stages[s].key != shown_[s].key);
 }
 
 bool Document::voxelsAhead() const {
@@ -341,6 +344,17 @@ bool Document::voxelsInPlace() const {
     return preview_->loadKey == now;
   const auto result = this->result(Stage::Decompose);
   return result && result->job.stages[indexOf(Stage::Load)].key == now;
+}
+
+bool Document::isRest() const {
+  const auto motion = result(Stage::Motion);
+  return motion && motion->job.resumedAt > 0 && upToDate(Stage::Motion);
+}
+
+std::string Document::shownKey(const pipeline::PlanResult& result, std::size_t stage,
+                               const project::StageKeys& keys) {
+  const std::string& key = result.job.stages[stage].key;
+  return key == project::kResumedKey ? keys[stage] : key;
 }
 
 const Failure* Document::failure() const {
@@ -386,10 +400,11 @@ void Document::planStarted(Stage until) {
 void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult> result) {
   takeWay(result->job.choices);
   const std::size_t done = indexOf(stage);
-  const bool changed = shown_[done].key != result->job.stages[done].key || !shown_[done].result ||
+  const bool changed = shown_[done].key != shownKey(*result, done, runKeys_) ||
+                       !shown_[done].result ||
                        stage == Stage::Replay; // a reopened one lacks the programs
   for (std::size_t s = 0; s <= done; ++s)
-    shown_[s] = {result, result->job.stages[s].key};
+    shown_[s] = {result, shownKey(*result, s, runKeys_)};
   const bool aheadBefore = preview_ && stage == Stage::Decompose;
   if (aheadBefore)
     preview_.reset();

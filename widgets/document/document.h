@@ -63,8 +63,8 @@ public:
   bool sourceReady() const;
   // Empty: never saved.
   const QString& projectFile() const { return projectFile_; }
-  // For the title: the project's file name without folder and ending, else the part's, else
-  // "Untitled".
+  // For the title: the project's file name without folder and ending, else the part's (with "-rest"
+  // where the print is taken up again), else "Untitled".
   QString name() const;
   bool dirty() const;
   QUndoStack* undoStack() { return &undo_; }
@@ -120,6 +120,9 @@ public:
   StageState state(project::Stage stage) const;
   // What goes into a stage with the present choices; empty: nothing can be planned.
   const std::string& key(project::Stage stage) const { return keys_[project::indexOf(stage)]; }
+  // The motion of a print that is taken up again is on show, and nothing that it is made from has
+  // changed: planning writes its programs anew.
+  bool isRest() const;
   // Why nothing can be planned with the choices; its context names the parameter, where it is one.
   // null: it can, or there is no part.
   const base::Error* unusable() const { return unusable_ ? &*unusable_ : nullptr; }
@@ -178,6 +181,10 @@ private:
   void apply(const project::Choices& choices, const std::shared_ptr<Source>& source);
   void replaceAll(const project::Choices& choices, std::shared_ptr<Source> source,
                   const QString& file, bool unsaved);
+  // The key that the data of a stage has on show: of a print that is taken up again that of the
+  // choices with which it was opened or run, `keys`.
+  static std::string shownKey(const pipeline::PlanResult& result, std::size_t stage,
+                              const project::StageKeys& keys);
   void refreshKeys();
   void dropResults();
   // Of automatic choices: the way of building that a plan has come to. Nothing to be undone.

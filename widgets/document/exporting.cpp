@@ -1,6 +1,6 @@
 #include "document/exporting.h"
 
-#include "base/files.h"
+#include "base/staged_folder.h"
 #include "language/words.h"
 
 #include <QDir>
@@ -34,6 +34,20 @@ void Exporting::write(const QString& folder, std::shared_ptr<const pipeline::Pla
         if (const int* files = std::get_if<int>(&outcome))
           emit written(folder, *files);
         else if (const auto* error = std::get_if<base::Error>(&outcome))
+          emit failed(language::words(error->whole()));
+      },
+      1);
+}
+
+void Exporting::finish(const QString& folder) {
+  if (folder.isEmpty())
+    return;
+  finisher_.run(
+      [folder = folder.toStdString()](const base::RunContext&) {
+        return base::finishStaged(folder);
+      },
+      [this](const base::Outcome<bool>& outcome) {
+        if (const auto* error = std::get_if<base::Error>(&outcome))
           emit failed(language::words(error->whole()));
       },
       1);

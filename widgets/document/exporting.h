@@ -26,6 +26,9 @@ public:
   void write(const QString& folder, std::shared_ptr<const pipeline::PlanResult> plan,
              pipeline::Programs programs);
 
+  // Finishes what was broken off there when a window ended amid an export (base/staged_folder.h).
+  void finish(const QString& folder);
+
 signals:
   void written(const QString& folder, int files);
   // One line.
@@ -33,6 +36,7 @@ signals:
 
 private:
   jobs::JobRunner runner_;
+  jobs::JobRunner finisher_;
 };
 
 } // namespace voluta::document

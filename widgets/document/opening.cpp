@@ -1,9 +1,12 @@
 #include "document/opening.h"
 
+#include "base/staged_folder.h"
 #include "document/document.h"
 #include "document/planning.h"
 #include "language/words.h"
+#include "pipeline/resume.h"
 #include "pipeline/stage_cache.h"
+#include "plan/finding_kinds.h"
 #include "project/job.h"
 
 #include <QFileInfo>
@@ -71,6 +74,7 @@ void Opening::readProject(const QString& file, const QString& projectFile, const
   runner_.run(
       [file, cache = planning_.cache()](const base::RunContext& ctx) -> Opened {
         ctx.report(0.0, "open"_text);
+        base::finishStaged(std::filesystem::absolute(pathOf(file)).parent_path());
         project::Job job = project::readJob(pathOf(file));
         ctx.report(0.8, "open"_text);
         pipeline::seedCache(*cache, job);
@@ -89,6 +93,39 @@ void Opening::readProject(const QString& file, const QString& projectFile, const
       },
       1);
   emit started(told);
+}
+
+void Opening::resume(std::size_t point) {
+  giveUpRepair();
+  base::require(document_.upToDate(project::Stage::Motion), "Opening: a motion to take up");
+  project::Job job = document_.result(project::Stage::Motion)->job;
+  job.choices = document_.choices();
+  const QString name = tr("the rest of %1").arg(document_.name());
+  using Resumed = std::shared_ptr<const pipeline::ResumeResult>;
+  runner_.run(
+      [job = std::move(job), point](const base::RunContext& ctx) -> Resumed {
+        return std::make_shared<const pipeline::ResumeResult>(
+            pipeline::resumeJob(job, point, {}, ctx));
+      },
+      [this, name](const base::Outcome<Resumed>& outcome) {
+        if (const auto* resumed = std::get_if<Resumed>(&outcome)) {
+          const pipeline::PlanResult& plan = (*resumed)->plan;
+          if (plan.job.resumedAt == 0) { // no way leads there
+            const plan::Findings& findings = plan.job.report.findings;
+            emit failed(name, findings.empty() ? QString()
+                                               : language::words(plan::reasonOf(findings.back())));
+            return;
+          }
+          planning_.cancel();
+          document_.openJob(plan, {}, true);
+          emit opened({}, true);
+        } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
+          emit failed(name, language::words(error->whole()));
+        } else {
+          emit cancelled();
+        }
+      });
+  emit started(name);
 }
 
 // Brings the part in line with the choice whether it is to be repaired.

@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QString>
+#include <cstddef>
 #include <memory>
 
 namespace voluta::document {
@@ -30,6 +31,10 @@ public:
   void openProject(const QString& file);
   // As a project that is not saved, with the file it was saved to before, if any.
   void openRecovered(const Recovered& recovered);
+  // The rest of the document's print, from a point of its trajectory on (motion::resumePoint), as a
+  // project of its own that is not saved; the document is as it was until then, and where no way
+  // leads back to that point. Precondition: the motion is there and up to date.
+  void resume(std::size_t point);
   // A repair under way is given up: the part stays as read, and is repaired when it is planned.
   void cancel();
   bool running() const { return runner_.running(); }

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "language/words.h"
+#include "pipeline/resume.h"
 #include "pipeline/stage_cache.h"
 
 #include <QTimer>
@@ -46,10 +47,33 @@ void Planning::plan(Stage until) {
   start();
 }
 
+// The programs alone: the rest of a print is not what its choices alone come to.
+void Planning::startRest() {
+  project::Job rest = document_.result(Stage::Motion)->job;
+  rest.choices = document_.choices();
+  runner_.run(
+      [this, rest = std::move(rest)](const base::RunContext& ctx, const jobs::Post& post) {
+        const auto result =
+            std::make_shared<const pipeline::PlanResult>(pipeline::writeRest(rest, ctx));
+        post([this, result] {
+          document_.stageDone(Stage::Replay, result);
+          emit stageDone(Stage::Replay);
+        });
+        return result;
+      },
+      [this](const base::Outcome<Result>& outcome) { end(outcome); });
+  emit started(until_);
+}
+
 void Planning::start() {
   waiting_.reset();
   startOver_->stop();
+  const bool rest = document_.isRest() && until_ == Stage::Replay;
   document_.planStarted(until_);
+  if (rest) {
+    startRest();
+    return;
+  }
   runner_.run(
       [this, request = document_.request(until_), cache = cache_](const base::RunContext& ctx,
                                                                   const jobs::Post& post) {

@@ -55,6 +55,7 @@ signals:
 
 private:
   void start();
+  void startRest();
   void noteEdit();
   void noteSource();
   void end(const base::Outcome<std::shared_ptr<const pipeline::PlanResult>>& outcome);

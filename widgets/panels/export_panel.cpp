@@ -1,9 +1,13 @@
 #include "panels/export_panel.h"
 
+#include "panels/options_form.h"
+#include "panels/program_facts.h"
+#include "panels/resume_bar.h"
 #include "panels/text_preview.h"
 #include "panels/verdict_table.h"
 
 #include "forms/icons.h"
+#include "forms/tab_order.h"
 #include "forms/value_boxes.h"
 
 #include <QComboBox>
@@ -16,11 +20,24 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
 namespace voluta::panels {
+
+namespace {
+std::optional<ProgramFigures> figuresOf(const ExportFormat& format) {
+  if (format.files.empty() || !format.verdict)
+    return std::nullopt;
+  ProgramFigures figures{0, format.files.size(), format.verdict->durationS, format.plannedS};
+  for (const ExportFile& file : format.files)
+    figures.bytes += file.text ? file.text->size() : 0;
+  return figures;
+}
+} // namespace
 
 ExportPanel::ExportPanel(QWidget* parent) : QWidget(parent) {
   build();
@@ -46,9 +63,16 @@ void ExportPanel::build() {
     showFormat(id);
     emit previewFormatChanged(id);
   });
+  optionsTitle_ = title();
+  optionsTitle_->setWordWrap(true);
+  optionsForm_ = new OptionsForm(this);
+  optionsForm_->setObjectName(QStringLiteral("options"));
+  connect(optionsForm_, &OptionsForm::changed, this, &ExportPanel::optionChanged);
+  connect(optionsForm_, &OptionsForm::resetRequested, this, &ExportPanel::optionResetRequested);
   verdictTitle_ = title();
   verdictTitle_->setWordWrap(true);
   verdict_ = new VerdictTable(this);
+  facts_ = new ProgramFacts(this);
 
   fileLabel_ = new QLabel(this);
   file_ = forms::makeCombo(this);
@@ -59,6 +83,9 @@ void ExportPanel::build() {
   preview_->setMinimumHeight(fontMetrics().height() * 6);
   connect(preview_, &TextPreview::lineClicked, this,
           [this](qulonglong line) { emit lineClicked(file_->currentIndex(), line); });
+
+  resume_ = new ResumeBar(this);
+  connect(resume_, &ResumeBar::asked, this, &ExportPanel::resumeAsked);
 
   folderLabel_ = new QLabel(this);
   folder_ = new QLineEdit(this);
@@ -89,21 +116,40 @@ void ExportPanel::build() {
   auto* exportRow = new QHBoxLayout;
   exportRow->addWidget(reason_, 1);
   exportRow->addWidget(export_, 0, Qt::AlignRight);
-  auto* column = new QVBoxLayout(this);
+  auto* upper = new QWidget;
+  auto* column = new QVBoxLayout(upper);
   column->setContentsMargins(6, 6, 6, 6);
   column->setSpacing(4);
   column->addWidget(formatsTitle_);
   column->addWidget(list_);
+  column->addWidget(optionsTitle_);
+  column->addWidget(optionsForm_);
   column->addSpacing(4);
   column->addWidget(verdictTitle_);
   column->addWidget(verdict_);
+  column->addWidget(facts_);
   column->addSpacing(4);
   column->addLayout(fileRow);
   column->addWidget(preview_, 1);
-  column->addSpacing(4);
-  column->addWidget(folderLabel_);
-  column->addLayout(folderRow);
-  column->addLayout(exportRow);
+  column->addWidget(resume_);
+  // What writes the programs stays in sight, however much stands above it.
+  upper_ = new QScrollArea(this);
+  upper_->setObjectName(QStringLiteral("upper"));
+  upper_->setFrameShape(QFrame::NoFrame);
+  upper_->setWidgetResizable(true);
+  upper_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  upper_->setWidget(upper);
+  auto* lower = new QVBoxLayout;
+  lower->setContentsMargins(6, 4, 6, 6);
+  lower->setSpacing(4);
+  lower->addWidget(folderLabel_);
+  lower->addLayout(folderRow);
+  lower->addLayout(exportRow);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  whole->addWidget(upper_, 1);
+  whole->addLayout(lower);
 }
 
 const ExportFormat* ExportPanel::find(const QString& id) const {
@@ -124,6 +170,11 @@ void ExportPanel::setChecked(const QStringList& ids) {
   showButton();
 }
 
+void ExportPanel::setOptions(const std::map<std::string, std::string>& changed) {
+  options_ = changed;
+  optionsForm_->setValues(options_);
+}
+
 void ExportPanel::setFolder(const QString& folder) {
   folder_->setText(QDir::toNativeSeparators(folder));
   folder_->setModified(false);
@@ -139,6 +190,18 @@ void ExportPanel::showLine(std::size_t file, std::size_t line) {
     return;
   file_->setCurrentIndex(static_cast<int>(file));
   preview_->showLine(line);
+}
+
+void ExportPanel::setResumePlace(const QString& place) {
+  resume_->setPlace(place);
+}
+
+std::size_t ExportPanel::currentLine() const {
+  return preview_->currentLine();
+}
+
+int ExportPanel::currentFile() const {
+  return file_->currentIndex();
 }
 
 QString ExportPanel::previewFormat() const {
@@ -158,6 +221,16 @@ void ExportPanel::showFormat(const QString& id) {
   verdictTitle_->setText(format ? tr("Replay of %1").arg(format->label) : tr("Replay"));
   verdict_->setReport(format ? format->verdict : std::nullopt,
                       format && format->state == VerdictState::OutOfDate);
+  optionsTitle_->setText(format ? tr("Options of %1").arg(format->label) : QString());
+  optionsForm_->setOptions(format ? format->options : std::vector<base::ParameterSpec>());
+  optionsForm_->setValues(options_);
+  optionsTitle_->setVisible(!optionsForm_->isEmpty());
+  optionsForm_->setVisible(!optionsForm_->isEmpty());
+  upper_->setMinimumWidth(upper_->widget()->minimumSizeHint().width() +
+                          upper_->verticalScrollBar()->sizeHint().width());
+  forms::tabInReadingOrder({this}); // rows of options come and go
+  facts_->setFigures(format ? figuresOf(*format) : std::nullopt);
+  facts_->setAssumptions(format ? format->assumptions : QStringList());
   const int before = file_->currentIndex();
   {
     const QSignalBlocker quiet(file_);

@@ -1,6 +1,7 @@
 // The program formats to choose from, each with its verdict.
 #pragma once
 
+#include "base/parameters.h"
 #include "project/report.h"
 
 #include <QString>
@@ -28,6 +29,9 @@ struct ExportFormat {
   QString whyRefused;                           // names the measures that failed
   std::optional<project::ReplayReport> verdict; // once replayed
   std::vector<ExportFile> files;                // once written
+  double plannedS = 0.0;                        // of the plan; the verdict has the controller's
+  std::vector<base::ParameterSpec> options;     // what may be chosen about its text
+  QStringList assumptions;                      // sentences on its controller
 };
 
 class FormatList : public QTreeWidget {

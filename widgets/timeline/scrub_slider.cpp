@@ -15,7 +15,8 @@ namespace {
 constexpr double kHandleRadius = 7.0;
 constexpr double kGrooveHeight = 4.0;
 constexpr double kMarkHalf = 4.0; // of a mark's width
-constexpr double kSnapPx = 5.0;   // a click this near to a mark means the mark
+constexpr double kSpanGap = 4.0, kSpanHeight = 3.0;
+constexpr double kSnapPx = 5.0; // a click this near to a mark means the mark
 } // namespace
 
 ScrubSlider::ScrubSlider(QWidget* parent) : QWidget(parent) {
@@ -42,6 +43,11 @@ void ScrubSlider::setMarks(std::vector<SliderMark> marks) {
   std::stable_sort(marks_.begin(), marks_.end(), [](const SliderMark& a, const SliderMark& b) {
     return !a.blocking && b.blocking;
   });
+  update();
+}
+
+void ScrubSlider::setSpans(std::vector<SliderSpan> spans) {
+  spans_ = std::move(spans);
   update();
 }
 
@@ -81,6 +87,13 @@ const ScrubSlider::SliderMark* ScrubSlider::markAt(double x) const {
   return nearest;
 }
 
+const ScrubSlider::SliderSpan* ScrubSlider::spanAt(double x) const {
+  const auto at = std::ranges::find_if(spans_, [&](const SliderSpan& span) {
+    return x >= xOf(span.from) - kSnapPx && x <= xOf(span.to) + kSnapPx;
+  });
+  return at == spans_.end() ? nullptr : &*at;
+}
+
 void ScrubSlider::follow(double x) {
   const double wanted = positionAt(x);
   if (wanted == position_)
@@ -94,11 +107,14 @@ bool ScrubSlider::event(QEvent* event) {
     return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const SliderMark* mark = markAt(help->pos().x());
+  const SliderSpan* span = spanAt(help->pos().x());
+  const QString what = mark ? mark->text : span ? span->text : QString();
   const QString position = textOf_ && end_ > 0.0
                                ? textOf_(mark ? mark->position : positionAt(help->pos().x()))
                                : QString();
   QToolTip::showText(help->globalPos(),
-                     mark ? QStringLiteral("%1\n%2").arg(position, mark->text) : position, this);
+                     what.isEmpty() ? position : QStringLiteral("%1\n%2").arg(position, what),
+                     this);
   return true;
 }
 
@@ -140,6 +156,15 @@ void ScrubSlider::paintMark(QPainter& painter, const SliderMark& mark) const {
   }
 }
 
+void ScrubSlider::paintSpans(QPainter& painter) const {
+  const double top = groove().bottom() + kSpanGap;
+  painter.setBrush(forms::warningColour(palette()));
+  for (const SliderSpan& span : spans_) {
+    const double from = xOf(span.from), to = xOf(span.to);
+    painter.drawRect(QRectF(from, top, std::max(to - from, 1.0), kSpanHeight));
+  }
+}
+
 void ScrubSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -153,6 +178,7 @@ void ScrubSlider::paintEvent(QPaintEvent*) {
   painter.setBrush(full);
   painter.drawRoundedRect(QRectF(g.topLeft(), QPointF(x, g.bottom())), 0.5 * kGrooveHeight,
                           0.5 * kGrooveHeight);
+  paintSpans(painter);
   for (const SliderMark& mark : marks_)
     paintMark(painter, mark);
   painter.setPen(QPen(palette().color(group, QPalette::Window), 1.5));

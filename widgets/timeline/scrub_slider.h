@@ -19,12 +19,19 @@ public:
     QString text;
   };
 
+  struct SliderSpan {
+    double from, to;
+    QString text; // tool tip
+  };
+
   explicit ScrubSlider(QWidget* parent = nullptr);
 
   void setEnd(double end);
   void setPosition(double position); // does not emit
   double position() const { return position_; }
   void setMarks(std::vector<SliderMark> marks);
+  // Stretches set off under the groove, in order.
+  void setSpans(std::vector<SliderSpan> spans);
   // What the tool tip says of a position.
   void setTextOf(std::function<QString(double)> textOf) { textOf_ = std::move(textOf); }
 
@@ -47,11 +54,14 @@ private:
   double xOf(double position) const;
   double positionAt(double x) const;
   const SliderMark* markAt(double x) const;
+  const SliderSpan* spanAt(double x) const;
   void follow(double x);
+  void paintSpans(QPainter& painter) const;
   void paintMark(QPainter& painter, const SliderMark& mark) const;
 
   double end_ = 0.0, position_ = 0.0;
   std::vector<SliderMark> marks_;
+  std::vector<SliderSpan> spans_;
   std::function<QString(double)> textOf_;
   bool held_ = false;
 };

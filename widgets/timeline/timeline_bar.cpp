@@ -218,12 +218,22 @@ void TimelineBar::setMarks(std::vector<Mark> marks) {
   showMarks();
 }
 
+void TimelineBar::setSpans(std::vector<Span> spans) {
+  spans_ = std::move(spans);
+  showMarks();
+}
+
 void TimelineBar::showMarks() {
   std::vector<ScrubSlider::SliderMark> shown;
   if (mode_ == BarMode::Time)
     for (const Mark& mark : marks_)
       shown.push_back({mark.timeS, mark.blocking, mark.text});
   slider_->setMarks(std::move(shown));
+  std::vector<ScrubSlider::SliderSpan> spans;
+  if (mode_ == BarMode::Time)
+    for (const Span& span : spans_)
+      spans.push_back({span.fromS, span.toS, span.text});
+  slider_->setSpans(std::move(spans));
 }
 
 void TimelineBar::setTimeS(double timeS) {

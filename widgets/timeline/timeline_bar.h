@@ -24,6 +24,12 @@ struct Mark {
   QString text; // tool tip
 };
 
+// A stretch of time that is set off: drawn under the groove.
+struct Span {
+  double fromS = 0.0, toS = 0.0;
+  QString text; // tool tip
+};
+
 // Time: over the whole program, in seconds (Simulate page). Moves: over the moves of the layer on
 // show (Layers page); the position is the number of moves shown. Steps: over the steps of growth
 // (Layers page, voxels); the position is the number of steps shown.
@@ -50,6 +56,9 @@ public:
   // Steps of the growth on show, >= 0; shows all of them where their number is new.
   void setStepCount(int steps);
   void setMarks(std::vector<Mark> marks);
+  // In order; shown in mode Time.
+  void setSpans(std::vector<Span> spans);
+  const std::vector<Span>& spans() const { return spans_; }
 
   double timeS() const { return timeS_; }
   int move() const { return move_; }
@@ -104,6 +113,7 @@ private:
   double timeS_ = 0.0;
   int move_ = 0, moveCount_ = 0, step_ = 0, stepCount_ = 0;
   std::vector<Mark> marks_;
+  std::vector<Span> spans_;
   Player* player_;
   ScrubSlider* slider_ = nullptr;
   QToolButton *previousLayer_ = nullptr, *previousMove_ = nullptr, *play_ = nullptr,

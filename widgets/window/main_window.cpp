@@ -254,13 +254,16 @@ void MainWindow::listen() {
   connect(&files_, &ProjectFiles::told, this, &MainWindow::tell);
   connect(&files_, &ProjectFiles::opened, this, [this](bool project) {
     picture_.setMarker(std::nullopt);
-    if (project && document_.result(Stage::Layers))
+    if (document_.isRest())
+      pages_->showPageOf(Stage::Motion);
+    else if (project && document_.result(Stage::Layers))
       pages_->showPageOf(Stage::Layers);
     else
       pages_->showFirst();
   });
   connect(&files_, &ProjectFiles::cleared, pages_.get(), &PageStack::showFirst);
   connect(pages_.get(), &PageStack::statesShown, this, &MainWindow::showStates);
+  connect(pages_.get(), &PageStack::resumeAsked, &files_, &ProjectFiles::resume);
   connect(pages_.get(), &PageStack::said, status_, &StatusLine::showIdle);
   connect(pages_.get(), &PageStack::told, this, &MainWindow::tell);
   connect(findings_, &panels::FindingsPanel::activated, pages_.get(), &PageStack::goTo);

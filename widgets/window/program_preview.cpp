@@ -41,9 +41,8 @@ std::optional<pipeline::TextLine> ProgramPreview::lineAt(const timeline::Clock& 
   return (*lines_)[point];
 }
 
-std::optional<double> ProgramPreview::timeOf(const timeline::Clock& clock, std::uint32_t file,
-                                             std::uint32_t line) const {
-  if (!lines_ || clock.empty())
+std::optional<std::size_t> ProgramPreview::pointOf(std::uint32_t file, std::uint32_t line) const {
+  if (!lines_)
     return std::nullopt;
   const auto wanted = std::pair(file, line);
   const auto found = std::find_if(lines_->begin(), lines_->end(), [&](const auto& l) {
@@ -51,7 +50,13 @@ std::optional<double> ProgramPreview::timeOf(const timeline::Clock& clock, std::
   });
   if (found == lines_->end())
     return std::nullopt;
-  return clock.timeOfPoint(static_cast<std::size_t>(found - lines_->begin()));
+  return static_cast<std::size_t>(found - lines_->begin());
+}
+
+std::optional<double> ProgramPreview::timeOf(const timeline::Clock& clock, std::uint32_t file,
+                                             std::uint32_t line) const {
+  const auto point = clock.empty() ? std::nullopt : pointOf(file, line);
+  return point ? std::optional(clock.timeOfPoint(*point)) : std::nullopt;
 }
 
 } // namespace voluta::window

@@ -23,6 +23,8 @@ public:
                   std::shared_ptr<const plan::Trajectory> trajectory);
   // Nothing while the lines are not there yet.
   std::optional<pipeline::TextLine> lineAt(const timeline::Clock& clock, double timeS) const;
+  // The point of the motion at or after that line.
+  std::optional<std::size_t> pointOf(std::uint32_t file, std::uint32_t line) const;
   // When the motion at or after that line begins.
   std::optional<double> timeOf(const timeline::Clock& clock, std::uint32_t file,
                                std::uint32_t line) const;

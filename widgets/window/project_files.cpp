@@ -158,6 +158,31 @@ void ProjectFiles::choose() {
   open(file);
 }
 
+void ProjectFiles::resume(std::size_t point) {
+  const auto motion = document_.result(project::Stage::Motion);
+  if (!motion || !document_.upToDate(project::Stage::Motion))
+    return;
+  const plan::Trajectory& t = *motion->job.trajectory;
+  const double whole = t.extrudedMm3.back();
+  const double laid = whole > 0.0 ? 100.0 * t.extrudedMm3[point] / whole : 0.0;
+  QMessageBox box(QMessageBox::Question, tr("Resume the print from here?"),
+                  tr("%1 % of the material counts as printed. The rest opens as a project of its "
+                     "own; “%2” stays as it was saved.")
+                      .arg(QLocale().toString(laid, 'f', 1), document_.name()),
+                  QMessageBox::NoButton, &window_);
+  box.setObjectName("resumeBox");
+  const QPushButton* resume = box.addButton(tr("Resume"), QMessageBox::AcceptRole);
+  box.addButton(QMessageBox::Cancel);
+  box.exec();
+  if (box.clickedButton() != resume)
+    return;
+  afterSaved([this, point] {
+    planning_.cancel();
+    if (document_.upToDate(project::Stage::Motion))
+      opening_.resume(point);
+  });
+}
+
 void ProjectFiles::noteOpened(const QString& path, bool project) {
   if (!path.startsWith("sample:"))
     recent_.add(path);

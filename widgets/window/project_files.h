@@ -39,6 +39,8 @@ public:
   // A part, a project or "sample:NAME".
   void open(const QString& path);
   void choose();
+  // The rest of the print, from a point of the trajectory on, once the user has said so.
+  void resume(std::size_t point);
   // Offers what a crash left, if anything is there.
   void offerRecovered();
   // Runs `then` once the user has saved or given up unsaved changes.

@@ -46,7 +46,7 @@ double gainAbove(const Piece& piece, const FaceTable& faces, const RiskRule& rul
 std::shared_ptr<CutSearch::Cutting> CutSearch::clearing(const Node& of, Node& what) {
   const Vector3d& up = of.piece.base.normal;
   const double first = firstTipMm(of.piece, options_.rule);
-  const std::vector<Vector3d> hiding = head_.inside(of.tips, what.body, up, first);
+  const std::vector<Vector3d> hiding = head_.inside(of.tips, what.obstacles(), up, first);
   if (hiding.empty())
     return nullptr;
   const std::vector<Vector3d> section =
@@ -88,7 +88,8 @@ std::shared_ptr<CutSearch::Cutting> CutSearch::clearing(const Node& of, Node& wh
     const auto wanted = [&](const TaggedMesh& solid) {
       if (geometry::volume(solid.mesh) < options_.leastVolumeMm3)
         return false;
-      return !head_.inside(of.tips, surfaceSamples(solid.mesh, kReachSpacingMm), up, first).empty();
+      const std::vector<Vector3d> surface = surfaceSamples(solid.mesh, kReachSpacingMm);
+      return !head_.inside(of.tips, {surface}, up, first).empty();
     };
     auto cut = splitIfItCloses(what.piece, plane, tags_, wanted, options_.rule);
     if (!cut)
@@ -96,7 +97,7 @@ std::shared_ptr<CutSearch::Cutting> CutSearch::clearing(const Node& of, Node& wh
     tags_ += kTagsPerCut;
     auto made = std::make_shared<Cutting>();
     made->below = node(std::move(cut->below));
-    if (head_.blocked(of.tips, made->below->body, up, first))
+    if (head_.blocked(of.tips, made->below->obstacles(), up, first))
       continue;
     made->step.piece = what.id;
     made->step.plane = plane;

@@ -51,6 +51,8 @@ CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, do
   }
   const std::vector<Vector3d> flat = flatDirections(all, kFlatShare, 24, options.lowestZ);
   normals_.insert(normals_.begin(), flat.begin(), flat.end());
+  if (!options.platform.polygon.empty() && !head_.empty() && !pieces.empty())
+    plate_ = samplesOfPlate(pieces.front());
   for (Piece& piece : pieces) {
     start_.push_back(node(std::move(piece)));
     start_.back()->id = ids_++;
@@ -58,6 +60,11 @@ CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, do
 }
 
 CutSearch::~CutSearch() = default;
+
+std::shared_ptr<const PointBlocks> CutSearch::samplesOfPlate(const Piece& piece) const {
+  return std::make_shared<PointBlocks>(
+      plateSamples(plateUnder(piece, options_), options_.platform.thicknessMm, kReachSpacingMm));
+}
 
 CutSearch::NodePtr CutSearch::node(Piece piece) {
   auto made = std::make_shared<Node>();
@@ -76,21 +83,19 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
   if (!head_.empty()) {
     made->body = surfaceSamples(made->piece.solid.mesh, kReachSpacingMm);
     made->tips = tipsOf(made->body);
-    if (made->piece.baseTag == kPlate) { // what carries the plate is asked apart
-      const auto plate = plateSamples(plateUnder(made->piece, options_),
-                                      options_.platform.thicknessMm, kReachSpacingMm);
-      made->body.insert(made->body.end(), plate.begin(), plate.end());
-    }
+    if (made->piece.baseTag == kPlate) // what carries the plate is asked apart
+      made->plate = plate_ ? plate_ : samplesOfPlate(made->piece);
     made->lowestTip = 1e300;
     for (const Vector3d& p : made->tips)
       made->lowestTip = std::min(made->lowestTip, made->piece.base.normal.dot(p));
     made->lowestTip = std::max(made->lowestTip, firstTipMm(made->piece, options_.rule));
-    made->under = carrier_;
     for (const Vector3d& p : made->body) {
-      made->bodyBox.extend(p);
+      made->box.extend(p);
       if (p.z() <= 0.0)
         made->under.push_back(p);
     }
+    if (made->plate)
+      made->box.extend(made->plate->box());
   }
   return made;
 }
@@ -119,15 +124,20 @@ bool CutSearch::wayIsFree(const Node& n, const CutCandidate& c) const {
   if (head_.empty())
     return true;
   std::vector<Vector3d> tips, obstacles;
-  for (const Vector3d& p : n.under)
-    if (c.plane.heightOf(p) > 0.0)
-      obstacles.push_back(p);
+  Obstacles under{n.under, carrier_};
+  if (n.plate)
+    under.insert(under.end(), n.plate->blocks().begin(), n.plate->blocks().end());
+  for (const PointBlock& block : under)
+    if (!block.liesBelow(c.plane.normal, c.plane.offsetMm))
+      for (const Vector3d& p : block.points)
+        if (c.plane.heightOf(p) > 0.0)
+          obstacles.push_back(p);
   if (obstacles.empty())
     return true;
   for (const Vector3d& p : n.tips)
     if (c.plane.heightOf(p) > 0.0)
       tips.push_back(p);
-  return !head_.blocked(tips, obstacles, c.plane.normal,
+  return !head_.blocked(tips, {obstacles}, c.plane.normal,
                         c.plane.offsetMm + 2.0 * options_.rule.contactMm);
 }
 
@@ -314,14 +324,14 @@ void CutSearch::weighStart(State& state) {
 
 bool CutSearch::inTheWay(const Node& of, const Node& what) const {
   const Vector3d& up = of.piece.base.normal;
-  const Eigen::AlignedBox3d& box = what.bodyBox;
+  const Eigen::AlignedBox3d& box = what.box;
   const double highest = up.dot(box.center()) + 0.5 * up.cwiseAbs().dot(box.sizes());
   return highest > of.lowestTip &&
-         head_.blocked(of.tips, what.body, up, firstTipMm(of.piece, options_.rule));
+         head_.blocked(of.tips, what.obstacles(), up, firstTipMm(of.piece, options_.rule));
 }
 
 bool CutSearch::carrierInTheWay(const Node& of) const {
-  return head_.blocked(of.tips, carrier_, of.piece.base.normal,
+  return head_.blocked(of.tips, {carrier_}, of.piece.base.normal,
                        firstTipMm(of.piece, options_.rule));
 }
 

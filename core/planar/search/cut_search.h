@@ -69,6 +69,7 @@ private:
     double estimate = 0.0;
   };
 
+  std::shared_ptr<const PointBlocks> samplesOfPlate(const Piece& piece) const;
   NodePtr node(Piece piece);
   double maxContactLoss(const Node& node) const;
   double footPrice(const Node& node) const; // risky area that a mm2 of contact is worth
@@ -112,6 +113,8 @@ private:
   std::vector<Eigen::Vector3d> normals_;
   std::vector<NodePtr> start_;
   std::vector<Eigen::Vector3d> carrier_; // points of what carries the plate
+  // Of the plate; null: it is made for the piece that stands on it.
+  std::shared_ptr<const PointBlocks> plate_;
   double before_ = 0.0, least_ = 0.0;
   Footing footing_;
   int ids_ = 0;

@@ -4,6 +4,7 @@
 #include "planar/search/cut_search.h"
 
 #include <Eigen/Geometry>
+#include <memory>
 
 namespace voluta::planar {
 
@@ -11,11 +12,19 @@ struct CutSearch::Node {
   Piece piece;
   double risky = 0.0, base = 0.0, volume = 0.0, footCost = 0.0;
   int id = -1;
-  std::vector<std::int32_t> holds;         // tags of sections that others stand on
-  std::vector<Eigen::Vector3d> tips, body; // body: the plate with it, where it stands on that
-  Eigen::AlignedBox3d bodyBox;
+  std::vector<std::int32_t> holds; // tags of sections that others stand on
+  std::vector<Eigen::Vector3d> tips, body;
+  // Of the plate where it stands on that; large, and mostly the same one.
+  std::shared_ptr<const PointBlocks> plate;
+  Eigen::AlignedBox3d box;            // of body and plate
   double lowestTip = 0.0;             // along its base's normal
-  std::vector<Eigen::Vector3d> under; // of the body what is not over z = 0, and what carries it
+  std::vector<Eigen::Vector3d> under; // of the body what is not over z = 0
+  Obstacles obstacles() const {
+    Obstacles all{body};
+    if (plate)
+      all.insert(all.end(), plate->blocks().begin(), plate->blocks().end());
+    return all;
+  }
   bool searched = false;
   FaceTable faces;
   std::vector<CutCandidate> candidates;

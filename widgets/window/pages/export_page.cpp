@@ -3,15 +3,19 @@
 #include "document/document.h"
 #include "document/planning.h"
 #include "language/words.h"
+#include "motion/resume.h"
 #include "panels/export_panel.h"
 #include "pipeline/outputs.h"
+#include "program/assumptions.h"
 #include "program/dialect.h"
 #include "window/pages/cell_view.h"
+#include "window/pages/resumable.h"
 #include "window/presenter.h"
 #include "window/program_preview.h"
 
 #include <QDir>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
@@ -55,6 +59,7 @@ ExportPage::ExportPage(const Workspace& workspace)
   panel_->setFolder(QSettings().value(kFolder).toString());
   listenToPanel();
   listenToRuns();
+  exporting_.finish(panel_->folder());
 }
 
 void ExportPage::listenToPanel() {
@@ -63,11 +68,20 @@ void ExportPage::listenToPanel() {
           [this](const QString& folder, const QStringList& formats, bool includeRefused) {
             place({folder, formats, includeRefused});
           });
+  connect(
+      panel_, &ExportPanel::optionChanged, this,
+      [this](const QString& key, const QString& text) { work().document.setParameter(key, text); });
+  connect(panel_, &ExportPanel::optionResetRequested, &work().document,
+          &document::Document::resetParameter);
   connect(panel_, &ExportPanel::formatsChanged, this, &ExportPage::setFormats);
   connect(panel_, &ExportPanel::folderChanged, this,
           [](const QString& folder) { QSettings().setValue(kFolder, folder); });
   connect(panel_, &ExportPanel::previewFormatChanged, this, &ExportPage::showPreview);
   connect(panel_, &ExportPanel::lineClicked, this, &ExportPage::goToLine);
+  connect(panel_, &ExportPanel::resumeAsked, this, [this] {
+    if (const auto point = resumePoint())
+      work().shell.resume(*point);
+  });
   connect(preview_, &ProgramPreview::linesReady, this, &ExportPage::showLine);
   connect(&work().timeline, &timeline::TimelineBar::timeChanged, this, &ExportPage::showLine);
 }
@@ -117,6 +131,7 @@ void ExportPage::show() {
     return;
   panel_->setFormats(formats());
   panel_->setChecked(chosenFormats());
+  panel_->setOptions(work().document.choices().parameters);
   // Beside the part, until the user says where.
   if (panel_->folder().isEmpty() && work().document.source()) {
     const QFileInfo part(work().document.sourcePath());
@@ -136,6 +151,9 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
     panels::ExportFormat format;
     format.id = QString::fromUtf8(dialect.id.data(), static_cast<qsizetype>(dialect.id.size()));
     format.label = language::words(dialect.label);
+    format.options = program::optionsOf(dialect);
+    format.assumptions = language::words(program::assumptionsOf(dialect));
+    format.plannedS = result ? result->job.report.motion.durationS : 0.0;
     format.foreign = cell && program::isForeign(dialect, *cell);
     if (const Checked program = result ? findProgram(*result, format.id) : nullptr) {
       format.state = !current          ? panels::VerdictState::OutOfDate
@@ -174,6 +192,10 @@ QString ExportPage::whyNot() const {
     return tr("Nothing is planned yet. Press Plan.");
   if (result->checked.empty())
     return tr("A project keeps the plan, not the programs. Press Plan to write them.");
+  const auto motion = document.result(Stage::Motion);
+  if (motion && motion->job.resumedAt > 0 && !document.isRest())
+    return tr("This is the rest of a print, made with other settings. Undo the change: Plan makes "
+              "the whole part anew.");
   if (!document.upToDate(Stage::Replay))
     return tr("The programs are out of date. Press Plan.");
   return {};
@@ -183,6 +205,21 @@ void ExportPage::showPreview() {
   const auto result = work().document.result(Stage::Replay);
   preview_->setProgram(result ? findProgram(*result, panel_->previewFormat()) : nullptr,
                        result ? result->job.trajectory : nullptr);
+  showSlow();
+  showResume();
+}
+
+// Where the controller of the program on show takes longer than was planned.
+void ExportPage::showSlow() {
+  std::vector<timeline::Span> spans;
+  const auto result = work().document.result(Stage::Replay);
+  if (const Checked program =
+          isShown() && result ? findProgram(*result, panel_->previewFormat()) : nullptr)
+    for (const pipeline::SlowSpan& span : program->slow)
+      spans.push_back(
+          {span.fromS, span.toS,
+           tr("Slower on the controller: %1 s more").arg(QLocale().toString(span.moreS, 'f', 1))});
+  work().timeline.setSpans(std::move(spans));
 }
 
 void ExportPage::showLine() {
@@ -191,6 +228,26 @@ void ExportPage::showLine() {
     return;
   if (const auto line = preview_->lineAt(*clock, work().timeline.timeS()))
     panel_->showLine(line->file, line->line);
+  showResume();
+}
+
+std::optional<std::size_t> ExportPage::resumePoint() const {
+  const std::size_t line = panel_->currentLine();
+  const auto point = preview_->pointOf(static_cast<std::uint32_t>(panel_->currentFile()),
+                                       static_cast<std::uint32_t>(line));
+  if (line == 0 || !point || !work().document.upToDate(Stage::Replay))
+    return std::nullopt;
+  // A line is a motion to its point: what it moves away from is where the print goes on.
+  return resumableAt(work(), [&](const plan::Trajectory& t) {
+    return motion::resumePoint(t, *point > 0 ? *point - 1 : 0);
+  });
+}
+
+void ExportPage::showResume() {
+  const auto point = resumePoint();
+  panel_->setResumePlace(
+      point ? tr("Line %1, %2").arg(panel_->currentLine()).arg(placeOfPoint(work(), *point))
+            : QString());
 }
 
 void ExportPage::goToLine(int file, qulonglong line) {
@@ -200,6 +257,7 @@ void ExportPage::goToLine(int file, qulonglong line) {
   if (const auto time = preview_->timeOf(*clock, static_cast<std::uint32_t>(file),
                                          static_cast<std::uint32_t>(line)))
     work().timeline.setTimeS(*time);
+  showResume();
 }
 
 void ExportPage::setFormats(const QStringList& ids) {

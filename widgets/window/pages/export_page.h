@@ -31,6 +31,7 @@ public:
 
 protected:
   void entered() override { show(); }
+  void left() override { work().timeline.setSpans({}); }
 
 private:
   // What the user has asked for.
@@ -46,6 +47,10 @@ private:
   QStringList chosenFormats() const;
   QString whyNot() const;
   void showPreview();
+  void showSlow();
+  // Of the line that is set off; none: nothing can be taken up there.
+  std::optional<std::size_t> resumePoint() const;
+  void showResume();
   void showLine();
   void goToLine(int file, qulonglong line);
   void setFormats(const QStringList& ids);

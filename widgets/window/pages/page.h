@@ -51,6 +51,8 @@ public:
   virtual void showStates() = 0;
   // A path to stand out in all views, by a waypoint of it; none: no path.
   virtual void chooseWaypoint(std::optional<std::size_t> waypoint) = 0;
+  // The rest of the print from a point of the trajectory on, as a project of its own.
+  virtual void resume(std::size_t point) = 0;
   virtual void say(const QString& text) = 0;                           // in the status line
   virtual void tell(const QString& title, const QString& message) = 0; // in a box
 };

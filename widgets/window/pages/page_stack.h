@@ -40,12 +40,14 @@ public:
   void chooseWaypoint(std::optional<std::size_t> waypoint) override;
   void showView() override;
   void showStates() override;
+  void resume(std::size_t point) override { emit resumeAsked(point); }
   void say(const QString& text) override { emit said(text); }
   void tell(const QString& title, const QString& message) override { emit told(title, message); }
   void retranslate();
 
 signals:
   void statesShown(); // also: another page is on show
+  void resumeAsked(std::size_t point);
   void said(const QString& text);
   void told(const QString& title, const QString& message);
 

@@ -11,6 +11,7 @@
 #include "panels/placement_panel.h"
 #include "pipeline/choices.h"
 #include "plan/finding_kinds.h"
+#include "program/dialect.h"
 #include "window/mesh_summary.h"
 #include "window/pages/stand_chooser.h"
 #include "window/presenter.h"
@@ -158,9 +159,10 @@ void PreparePage::showChoices() {
   choices_->show();
   const base::ParameterTable table = document::parametersFor(c);
   parameters_->setDefaults(table);
+  const base::ParameterTable ofPrograms = program::programParameters(); // the Export page has them
   std::set<std::string> applying;
   for (const base::ParameterSpec& spec : table.specs())
-    if (modes::takesParameter(modes::findMode(c.mode), spec.key))
+    if (modes::takesParameter(modes::findMode(c.mode), spec.key) && !ofPrograms.find(spec.key))
       applying.insert(spec.key);
   parameters_->setApplying(applying);
   parameters_->setValues(c.parameters);

@@ -1,15 +1,19 @@
 #include "window/pages/simulate_page.h"
 
 #include "document/document.h"
+#include "motion/resume.h"
+#include "panels/resume_bar.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "robot/cell.h"
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
 #include "window/pages/cell_view.h"
+#include "window/pages/resumable.h"
 #include "window/presenter.h"
 
 #include <QScrollArea>
+#include <QVBoxLayout>
 #include <algorithm>
 
 namespace voluta::window {
@@ -20,12 +24,53 @@ SimulatePage::SimulatePage(const Workspace& workspace)
     : Page({"simulate", QT_TRANSLATE_NOOP("Commands", "&Simulate")}, workspace),
       plots_(new timeline::JointPlots) {
   plots_->setObjectName("plots");
-  side_ = scrolled(plots_);
-  side_->setObjectName("plotsArea"); // may be tight: it is scrolled
+  QScrollArea* area = scrolled(plots_);
+  area->setObjectName("plotsArea"); // may be tight: it is scrolled
+  side_ = new QWidget;
+  resume_ = new panels::ResumeBar(side_);
+  resume_->setContentsMargins(6, 0, 6, 4);
+  auto* column = new QVBoxLayout(side_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(area, 1);
+  column->addWidget(resume_);
   timeline::TimelineBar* bar = &work().timeline;
   connect(bar, &timeline::TimelineBar::timeChanged, plots_, &timeline::JointPlots::setTimeS);
   connect(plots_, &timeline::JointPlots::timeClicked, bar, &timeline::TimelineBar::setTimeS);
   connect(&work().presenter, &Presenter::motionReady, this, &SimulatePage::showMotion);
+  connect(resume_, &panels::ResumeBar::asked, this, &SimulatePage::resume);
+  connect(bar, &timeline::TimelineBar::timeChanged, this, &SimulatePage::showResume);
+  connect(&work().document, &document::Document::stateChanged, this, &SimulatePage::showResume);
+}
+
+std::vector<Command> SimulatePage::commands() {
+  return {
+      {"resumePrint",
+       "runMenu",
+       2,
+       QT_TRANSLATE_NOOP("Commands", "&Resume print from here…"),
+       QT_TRANSLATE_NOOP("Commands", "The rest of a print that was stopped at this moment, as a "
+                                     "project of its own"),
+       {},
+       [this] { resume(); },
+       [this] { return resumePoint().has_value(); }}};
+}
+
+std::optional<std::size_t> SimulatePage::resumePoint() const {
+  return resumableAt(work(), [&](const plan::Trajectory& t) {
+    return motion::resumePointOfBead(t, work().presenter.clock()->pointAt(work().timeline.timeS()));
+  });
+}
+
+void SimulatePage::showResume() {
+  if (!isShown())
+    return;
+  const auto point = resumePoint();
+  resume_->setPlace(point ? placeOfPoint(work(), *point) : QString());
+}
+
+void SimulatePage::resume() {
+  if (const auto point = resumePoint())
+    work().shell.resume(*point);
 }
 
 void SimulatePage::showMotion() {
@@ -38,6 +83,7 @@ void SimulatePage::showMotion() {
   }
   plots_->setTrajectory(clock ? clock->trajectory() : nullptr, std::move(limits),
                         std::move(externalAxes));
+  showResume();
 }
 
 void SimulatePage::draw(scene::ViewState& view) {

@@ -3,6 +3,9 @@
 
 #include "window/pages/page.h"
 
+namespace voluta::panels {
+class ResumeBar;
+}
 namespace voluta::timeline {
 class JointPlots;
 }
@@ -17,9 +20,11 @@ public:
 
   QWidget* side() override { return side_; }
   PageLayout layout() const override { return {false, timeline::BarMode::Time, true}; }
+  std::vector<Command> commands() override;
   std::vector<ViewportInput*> inputs() override { return {this}; }
   std::vector<project::Stage> stages() const override { return {project::Stage::Motion}; }
 
+  void retranslate() override { showResume(); }
   void draw(scene::ViewState& view) override;
   std::optional<Laid> laid() const override;
   void goToWaypoint(const plan::ToolPath& path, std::size_t waypoint) override;
@@ -30,9 +35,14 @@ public:
 
 private:
   void showMotion();
+  // Where the bead of the time-line begins; none: nothing can be taken up there.
+  std::optional<std::size_t> resumePoint() const;
+  void showResume();
+  void resume();
   void goToTimeOf(std::size_t waypoint);
 
   timeline::JointPlots* plots_;
+  panels::ResumeBar* resume_;
   QWidget* side_;
 };
 

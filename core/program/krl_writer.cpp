@@ -1,0 +1,350 @@
+#include "base/units.h"
+#include "program/euler_angles.h"
+#include "program/job_head.h"
+#include "program/krl.h"
+#include "program/krl_values.h"
+#include "program/language_words.h"
+#include "program/motion_targets.h"
+#include "program/rapid.h"
+#include "program/steps.h"
+#include "program/tcp_motions.h"
+#include "program/text.h"
+#include "program/walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace voluta::program {
+
+namespace {
+
+// A controller keeps a number to 24 bits: 180 degrees to 0.00002.
+constexpr int kPositionDecimals = 4, kDegreeDecimals = 5, kFrameDecimals = 6;
+constexpr int kSpeedDigits = 6, kBlendDecimals = 4;
+constexpr double kTurnDegPerS = 200.0;     // at least
+constexpr double kMostTurnDegPerS = 400.0; // that machine data mostly have
+constexpr double kLeastTurnDegPerS = 0.5;
+constexpr double kStartPercent = 10.0;
+constexpr double kLeastMmPerS = 1.0; // of $VEL.CP
+
+class KrlWriter : private Speller {
+public:
+  KrlWriter(const ProgramInput& input, const base::RunContext& ctx)
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
+        cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
+                                           ? input.options.motionsPerFile
+                                           : kKrlMotionsPerFile)),
+        name_(krlName(input.name)) {
+    program_.format = "krl";
+    program_.foreign = input.foreign;
+  }
+
+  plan::Program write() {
+    placeInWorkFrame(in_, kPositionDecimals, targets_);
+    findTurnLimit();
+    walkTrajectory(in_, {"krl", cuts_, &motions_}, *this, ctx_);
+    program_.files.push_back({name_ + ".src", mainFile()});
+    program_.files.push_back({name_ + ".dat", dataFile()});
+    for (std::size_t part = 1; !oneFile() && part <= bodies_.size(); ++part)
+      program_.files.push_back({partName(part) + ".src", partFile(part)});
+    return std::move(program_);
+  }
+
+private:
+  bool oneFile() const { return cuts_.size() == 2; }
+  bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
+  bool turnsRod() const { return !in_.cell.externalAxes().empty(); }
+  std::string partName(std::size_t part) const {
+    return joined({name_, "_", std::to_string(part)});
+  }
+
+  void line(std::string_view text) {
+    out_ += text;
+    out_ += "\r\n";
+  }
+  void number(double value, int decimals) { appendFixed(out_, value, decimals, true); }
+  static std::string fixed(double value, int decimals) {
+    std::string text;
+    appendFixed(text, value, decimals, true);
+    return text;
+  }
+
+  // ---- files
+
+  std::string mainFile() {
+    std::size_t bytes = 0;
+    for (const std::string& body : bodies_)
+      bytes += body.size();
+    out_.clear();
+    header(name_);
+    about(bytes);
+    setUp();
+    if (oneFile()) {
+      out_ += bodies_.front();
+    } else {
+      outputsOff();
+      for (std::size_t part = 1; part <= bodies_.size(); ++part)
+        line(joined({partName(part), " ( )"}));
+    }
+    line("END");
+    return std::move(out_);
+  }
+  std::string partFile(std::size_t part) {
+    out_.clear();
+    header(partName(part));
+    out_ += bodies_[part - 1];
+    line("END");
+    return std::move(out_);
+  }
+  std::string dataFile() {
+    out_.clear();
+    line("&ACCESS RVP");
+    line("&REL 1");
+    line(joined({"DEFDAT ", name_, " PUBLIC"}));
+    line("ENDDAT");
+    return std::move(out_);
+  }
+  void header(const std::string& name) {
+    line("&ACCESS RVP");
+    line("&REL 1");
+    line(joined({"DEF ", name, " ( )"}));
+  }
+
+  void about(std::size_t bytes) {
+    line("; Robot program for printing, KRL");
+    if (program_.foreign)
+      line(
+          "; FOREIGN: not the language of the cell's controller; Cartesian targets only, without S "
+          "and T");
+    for (const std::string& head : headLines(in_))
+      line(joined({"; ", head}));
+    if (heldPlate())
+      line("; fixed nozzle: $BASE is the nozzle, $TOOL the work frame on the flange; poses are the "
+           "nozzle's on it");
+    else
+      line("; moving nozzle: $TOOL is the nozzle's tip, $BASE the work frame");
+    if (turnsRod()) {
+      out_ += "; the rod is E1 of MACHINE_DEF[2]; its ROOT, z along the axis, is expected at ";
+      frame(in_.cell.base_T_fixed() * workToUnit());
+      line("");
+    }
+    line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], 1 = ",
+                 fixed(in_.process.maxFlowMm3PerS, 3), " mm3/s, 0 to 10 V"}));
+    if (turnLimit_ > kMostTurnDegPerS)
+      line(joined({"; the tool turns by up to ", fixed(turnLimit_, 0),
+                   " degrees/s: machine data ($VEL_MA.ORI1) may hold it to less"}));
+    if (slow_ > 0)
+      line(joined({"; ", std::to_string(slow_),
+                   " motions are slower than 1 mm/s, which may be the least that $VEL.CP takes"}));
+    if (bodies_.size() > 1)
+      line(joined({"; it calls ", std::to_string(bodies_.size()), " more files beside it"}));
+    const double megabytes = static_cast<double>(bytes) * 1e-6,
+                 room = numberOf(krlMemoryMb(), in_.options);
+    line(joined({megabytes > room ? "; TOO LONG: " : "; ", fixed(megabytes, 1),
+                 " MB of programs, the controller has room for ", fixed(room, 2), " MB"}));
+  }
+
+  void setUp() {
+    line(";FOLD INI");
+    line("GLOBAL INTERRUPT DECL 3 WHEN $STOPMESS==TRUE DO IR_STOPM ( )");
+    line("INTERRUPT ON 3");
+    line("BAS (#INITMOV,0 )");
+    line(";ENDFOLD (INI)");
+    line("$ADVANCE=5");
+    line(heldPlate() ? "$IPO_MODE=#TCP" : "$IPO_MODE=#BASE");
+    out_ += "$BASE=";
+    if (turnsRod()) {
+      out_ += "EK(MACHINE_DEF[2].ROOT,MACHINE_DEF[2].MECH_TYPE,";
+      frame(workToUnit().inverse());
+      line(")");
+    } else {
+      frame(heldPlate() ? in_.cell.base_T_fixed()
+                        : in_.cell.base_T_work(Eigen::Map<const Eigen::VectorXd>(
+                              in_.trajectory.at(0), in_.trajectory.dof)));
+      line("");
+    }
+    out_ += "$TOOL=";
+    frame(in_.cell.flange_T_moved());
+    line("");
+    out_ += joined({"$LOAD={M ", fixed(assumedLoadKg(in_), 3), ",CM {"});
+    const Eigen::Vector3d centre = in_.cell.flange_T_moved().translation();
+    for (int k = 0; k < 3; ++k)
+      out_ += joined({k > 0 ? "," : "", k == 0 ? "X " : k == 1 ? "Y " : "Z ", fixed(centre[k], 1)});
+    line(heldPlate() ? ",A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: 0.5 kg of plate, and the part"
+                     : ",A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: 1 kg of head");
+    line(joined({"$ACC.CP=", fixed(kKrlMostMmPerS2 / 1000.0, 2)}));
+    line(joined({"$VEL.ORI1=", fixed(turnLimit_, 0)}));
+    line(joined({"$VEL.ORI2=", fixed(turnLimit_, 0)}));
+  }
+
+  void frame(const Eigen::Isometry3d& pose) {
+    coordinates(pose.translation(), Eigen::Quaterniond(pose.linear()), kFrameDecimals,
+                kFrameDecimals);
+    out_ += '}';
+  }
+  // Without the closing bracket.
+  void coordinates(const Eigen::Vector3d& mm, const Eigen::Quaterniond& turn, int decimals,
+                   int degreeDecimals) {
+    const Eigen::Vector3d degrees = zyxDegrees(turn);
+    static constexpr std::string_view kNames[] = {"{X ", ",Y ", ",Z ", ",A ", ",B ", ",C "};
+    for (int k = 0; k < 6; ++k) {
+      out_ += kNames[k];
+      if (k < 3)
+        number(mm[k], decimals);
+      else
+        number(degrees[k - 3], degreeDecimals);
+    }
+  }
+
+  // ---- what is said in turn
+
+  void beginFile(std::size_t) override {
+    out_.clear();
+    // Settings live on, but a file is to be read by itself.
+    held_.clear();
+    held_["$VEL.ORI1"] = held_["$VEL.ORI2"] = fixed(turnLimit_, 0);
+    outputsOff();
+    stands_ = true;
+  }
+  void endFile(std::size_t) override {
+    line("; end");
+    outputsOff();
+    bodies_.push_back(std::move(out_));
+  }
+  void outputsOff() {
+    line("$OUT[1]=FALSE");
+    line("$ANOUT[1]=0");
+  }
+  void ask() override {
+    line(joined({"; ", kStartQuestion}));
+    line("HALT");
+  }
+  void remark(std::string_view text) override { line(joined({"; ", text})); }
+  void flow(std::string_view share) override {
+    line(joined({stands_ ? "" : "TRIGGER WHEN DISTANCE=0 DELAY=0 DO ", "$ANOUT[1]=", share}));
+  }
+  void extruder(bool on) override { line(on ? "$OUT[1]=TRUE" : "$OUT[1]=FALSE"); }
+  void wait(double seconds) override { line(joined({"WAIT SEC ", fixed(seconds, 3)})); }
+
+  // Where it isn't said already.
+  void set(std::string_view name, const std::string& value) {
+    std::string& held = held_[std::string(name)];
+    if (held == value)
+      return;
+    held = value;
+    line(joined({name, "=", value}));
+  }
+
+  void jointMotion(std::size_t i) override {
+    const plan::Trajectory& t = in_.trajectory;
+    double percent = kStartPercent;
+    if (const double s = motionSeconds(t, i); s > 0.0) {
+      double largest = 0.0;
+      for (int k = 0; k < in_.cell.armDof(); ++k)
+        largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
+      percent = std::clamp(std::round(100.0 * base::radiansToDegrees(largest) / s / kKrlPtpDegPerS),
+                           1.0, 100.0);
+    }
+    const std::string said = fixed(percent, 0);
+    if (held_["BAS"] != said)
+      line(joined({"BAS (#VEL_PTP,", said, ")"}));
+    held_["BAS"] = said;
+    out_ += "PTP ";
+    if (program_.foreign) {
+      target(i);
+    } else {
+      for (int k = 0; k < in_.cell.armDof(); ++k) {
+        out_ += joined({k > 0 ? ",A" : "{A", std::to_string(k + 1), " "});
+        number(base::radiansToDegrees(t.at(i)[k]), kDegreeDecimals);
+      }
+      external(i);
+      out_ += '}';
+    }
+    line("");
+    stands_ = true;
+  }
+  void target(std::size_t i) {
+    coordinates(targets_[i].tcpMm, targets_[i].tcpTurn, kPositionDecimals, kDegreeDecimals);
+    external(i);
+    out_ += '}';
+  }
+  void external(std::size_t i) {
+    if (!turnsRod())
+      return;
+    out_ += ",E1 ";
+    number(base::radiansToDegrees(in_.trajectory.at(i)[in_.cell.armDof()]), kDegreeDecimals);
+  }
+
+  double turnDegPerS(std::size_t i) const {
+    const double s = motions_.seconds(i);
+    return s > 0.0 ? base::radiansToDegrees(
+                         targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn)) /
+                         s
+                   : 0.0;
+  }
+  // The TCP hardly moves, and how fast it turns says how long the motion takes.
+  bool goesByTurn(std::size_t i) const {
+    return motions_.needsTime(i) && turnDegPerS(i) > kLeastTurnDegPerS;
+  }
+  void findTurnLimit() {
+    for (std::size_t i = 1; i < targets_.size(); ++i)
+      if (in_.trajectory.move[i] != plan::MoveKind::Joint && !goesByTurn(i)) {
+        turnLimit_ = std::max(turnLimit_, std::ceil(1.05 * turnDegPerS(i)));
+        slow_ += motions_.seconds(i) > 0.0 && motions_.speedMmPerS(i) < kLeastMmPerS ? 1 : 0;
+      }
+  }
+
+  void straightMotion(std::size_t i, bool stops) override {
+    const bool byTurn = goesByTurn(i);
+    double mmPerS = motions_.speedMmPerS(i);
+    if (byTurn || !(mmPerS > 0.0))
+      mmPerS = std::max(in_.process.travelSpeedMmPerS, 2.0 * mmPerS);
+    const std::string turn = byTurn
+                                 ? fixed(turnDegPerS(i), decimalsFor(turnDegPerS(i), kSpeedDigits))
+                                 : fixed(turnLimit_, 0);
+    set("$VEL.CP", fixed(mmPerS / 1000.0, decimalsFor(mmPerS / 1000.0, kSpeedDigits)));
+    set("$VEL.ORI1", turn);
+    set("$VEL.ORI2", turn);
+    const double blend = stops ? 0.0 : motions_.blendMm(i);
+    const bool rounds = blend >= std::pow(10.0, -kBlendDecimals);
+    if (rounds)
+      set("$APO.CDIS", fixed(steppedDown(blend), kBlendDecimals));
+    out_ += "LIN ";
+    target(i);
+    line(rounds ? " C_DIS" : "");
+    stands_ = !rounds;
+  }
+
+  const ProgramInput& in_;
+  const base::RunContext& ctx_;
+  std::vector<MotionTarget> targets_;
+  TcpMotions motions_;
+  std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of file k
+  std::string name_, out_;
+  std::vector<std::string> bodies_; // of the files
+  std::map<std::string, std::string> held_;
+  bool stands_ = true; // the arm, behind the last motion
+  double turnLimit_ = kTurnDegPerS;
+  std::size_t slow_ = 0; // motions
+  plan::Program program_;
+};
+
+} // namespace
+
+base::ParameterSpec krlMemoryMb() {
+  return base::numberParameter("krlMemoryMb", "MB", 4.0, 0.1, 10000.0, "Programs"_text,
+                               "KRL memory"_text,
+                               "Room for programs on the controller: a longer one says so in its "
+                               "head."_text);
+}
+
+std::vector<base::ParameterSpec> krlOptions() {
+  return {motionsPerFileOption(), krlMemoryMb()};
+}
+
+plan::Program writeKrl(const ProgramInput& input, const base::RunContext& ctx) {
+  return KrlWriter(input, ctx).write();
+}
+
+} // namespace voluta::program

@@ -1,0 +1,295 @@
+#include "base/units.h"
+#include "program/arm_branch.h"
+#include "program/euler_angles.h"
+#include "program/job_head.h"
+#include "program/melfa.h"
+#include "program/motion_targets.h"
+#include "program/tcp_motions.h"
+#include "program/text.h"
+#include "program/walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace voluta::program {
+
+namespace {
+// 1e-5 degrees turn a point 300 mm off by 0.00005 mm.
+constexpr int kMmDecimals = 4, kDegDecimals = 5, kFrameDecimals = 6, kPercentDecimals = 2;
+constexpr int kSpeedDigits = 7;
+// Speeds this near are one: each change is a step, and volume is held to 0.1 %.
+constexpr double kSameSpeed = 2e-4;
+constexpr double kLeastPercent = 1.0, kLeastMmPerS = 0.01;
+constexpr double kLeastBlendMm = 0.001;
+constexpr std::size_t kNameCharacters = 9; // a controller's program names hold 12
+
+double countedShare(double share) {
+  return std::clamp(std::max(1.0, std::round(share * kMelfaFullFlow)) / kMelfaFullFlow, 0.0, 1.0);
+}
+
+class MelfaWriter : private Speller {
+public:
+  MelfaWriter(const ProgramInput& input, const base::RunContext& ctx)
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), poses_(targets_),
+        angles_(targets_.size()), motions_(in_, targets_, countedShare),
+        cuts_(cutsOf(input.trajectory, motionsPerFile())),
+        name_(identifierOf(input.name).substr(0, kNameCharacters)) {
+    program_.format = "melfa";
+    program_.foreign = input.foreign;
+  }
+
+  plan::Program write() {
+    placeNozzle();
+    if (cuts_.size() > 2)
+      callParts();
+    walkTrajectory(in_, {"melfa", cuts_, &motions_}, *this, ctx_);
+    return std::move(program_);
+  }
+
+private:
+  std::size_t motionsPerFile() const {
+    const std::size_t asked = in_.options.motionsPerFile;
+    return asked > 0 ? std::min(asked, kMelfaMotionsPerFile) : kMelfaMotionsPerFile;
+  }
+  bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
+
+  // Targets become what moves straight: the nozzle on what the arm holds. Rounded as written, so
+  // that rounding does not become speed.
+  void placeNozzle() {
+    const Eigen::Isometry3d& nozzle = in_.cell.base_T_fixed();
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      angles_[i] = xyzAngles(poses_[i].tcpTurn);
+      for (int k = 0; k < 3; ++k) {
+        angles_[i][k] = roundedTo(base::radiansToDegrees(angles_[i][k]), kDegDecimals);
+        poses_[i].tcpMm[k] = roundedTo(poses_[i].tcpMm[k], kMmDecimals);
+      }
+      if (!heldPlate()) {
+        targets_[i].tcpMm = poses_[i].tcpMm;
+        continue;
+      }
+      Eigen::Isometry3d pose(rotationOfXyz(angles_[i] * base::degreesToRadians(1.0)));
+      pose.pretranslate(poses_[i].tcpMm);
+      targets_[i].tcpMm = pose.inverse() * nozzle.translation();
+    }
+  }
+
+  void step(std::string_view code) {
+    out_ += std::to_string(++steps_);
+    out_ += ' ';
+    out_ += code;
+    out_ += "\r\n";
+  }
+  static std::string fixed(double value, int decimals) {
+    std::string text;
+    appendFixed(text, value, decimals, true);
+    return text;
+  }
+  static std::string position(const Eigen::Vector3d& mm, const Eigen::Vector3d& degrees,
+                              int mmDecimals, int degDecimals, std::string_view flags) {
+    std::string text = "(";
+    for (int k = 0; k < 3; ++k)
+      text += fixed(mm[k], mmDecimals) + ",";
+    for (int k = 0; k < 3; ++k)
+      text += fixed(degrees[k], degDecimals) + (k < 2 ? "," : ")");
+    text += flags;
+    return text;
+  }
+  static std::string frame(const Eigen::Isometry3d& pose) {
+    return position(pose.translation(),
+                    xyzAngles(Eigen::Quaterniond(pose.linear())) * base::radiansToDegrees(1.0),
+                    kFrameDecimals, kFrameDecimals, "(0,0)");
+  }
+
+  // Structure: 4 right, 2 above, 1 not flipped; and whole turns, 4 bits an axis.
+  std::string flags(std::size_t i) const {
+    if (program_.foreign || in_.cell.armDof() != 6)
+      return "(7,0)";
+    const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), 6);
+    const ArmBranch arm = armBranch(in_.cell.robot(), q);
+    const int structure =
+        (arm.behindAxis1 ? 0 : 4) + (arm.behindLowerArm ? 0 : 2) + (arm.axis5Negative ? 0 : 1);
+    std::uint32_t turns = 0;
+    for (int k = 0; k < 6; ++k) {
+      const auto n = static_cast<int>(std::round(q[k] / (2.0 * base::kPi)));
+      turns |= (static_cast<std::uint32_t>(n) & 0xfU) << (4 * k);
+    }
+    return joined({"(", std::to_string(structure), ",", std::to_string(turns), ")"});
+  }
+  std::string targetOf(std::size_t i) const {
+    return position(poses_[i].tcpMm, angles_[i], kMmDecimals, kDegDecimals, flags(i));
+  }
+
+  std::string partName(std::size_t part) const {
+    return cuts_.size() == 2 ? name_ : joined({name_, "_", std::to_string(part)});
+  }
+
+  void callParts() {
+    out_.clear();
+    steps_ = 0;
+    about();
+    for (std::size_t part = 1; part < cuts_.size(); ++part)
+      step(joined({"CallP \"", partName(part), "\""}));
+    outputsOff();
+    step("End");
+    program_.files.push_back({name_ + ".prg", std::move(out_)});
+  }
+
+  void beginFile(std::size_t file) override {
+    out_.clear();
+    out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 8u << 20));
+    steps_ = 0;
+    mmPerS_ = 0.0;
+    override_.clear();
+    blendMm_ = 0.0;
+    if (cuts_.size() == 2)
+      about();
+    else
+      remark(joined({"part ", std::to_string(file + 1), " of ", std::to_string(cuts_.size() - 1),
+                     ", called by ", name_}));
+    step("Tool " + frame(in_.cell.flange_T_moved()));
+    step("Base P_NBase");
+    if (heldPlate())
+      step("P_WkCord(1)=" + frame(in_.cell.base_T_fixed()));
+    step("Ovrd 100");
+    step("Accel 100,100");
+    step("Cnt 0");
+    outputsOff();
+  }
+
+  void about() {
+    const std::size_t most = kMelfaMostCharacters - 12; // behind the number and the mark
+    const auto say = [&](std::string_view text) { remark(text); };
+    say("Robot program for printing, MELFA-BASIC V");
+    if (program_.foreign)
+      say("FOREIGN: not the language of the cell's controller; Cartesian targets only");
+    for (const std::string& head : headLines(in_, most))
+      say(head);
+    if (heldPlate()) {
+      say("fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's; the TCP is the "
+          "plate's");
+      say("centre, positions are the plate's in the robot's base");
+    } else {
+      say("moving nozzle: the TCP is the nozzle's tip, positions are in the robot's base");
+    }
+    say(joined({"extruder on: output ", std::to_string(kMelfaExtruder), "; flow: outputs ",
+                std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
+                " as a number, ", fixed(kMelfaFullFlow, 0), " = ",
+                fixed(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
+    say(joined({"load assumed: ", fixed(assumedLoadKg(in_), 3), " kg, to be set in HNDDAT1"}));
+  }
+
+  void endFile(std::size_t file) override {
+    remark("end");
+    outputsOff();
+    step("End");
+    program_.files.push_back({partName(file + 1) + ".prg", out_});
+  }
+
+  void outputsOff() {
+    step(joined({"M_Out(", std::to_string(kMelfaExtruder), ")=0"}));
+    step(joined({"M_Outw(", std::to_string(kMelfaFlow), ")=0"}));
+  }
+  void ask() override {
+    remark(kStartQuestion);
+    remark("Hlt waits for the operator's start");
+    step("Hlt");
+  }
+  void remark(std::string_view text) override { step(joined({"' ", text})); }
+  void flow(std::string_view share) override {
+    double value = 0.0;
+    parseNumber(share, value);
+    std::string code = joined({"M_Outw(", std::to_string(kMelfaFlow),
+                               ")=", fixed(std::round(value * kMelfaFullFlow), 0)});
+    if (blendMm_ > 0.0)
+      with_ = " Wth " + code;
+    else
+      step(code);
+  }
+  void extruder(bool on) override {
+    step(joined({"M_Out(", std::to_string(kMelfaExtruder), on ? ")=1" : ")=0"}));
+  }
+  void wait(double seconds) override { step("Dly " + fixed(seconds, 3)); }
+
+  void jointMotion(std::size_t i) override {
+    const plan::Trajectory& t = in_.trajectory;
+    double percent = kMelfaStartPercent;
+    if (const double s = motionSeconds(t, i); s > 0.0) {
+      double largest = 0.0;
+      for (int k = 0; k < t.dof; ++k)
+        largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
+      percent = std::clamp(100.0 * largest / s / kMelfaJointRadPerS, kLeastPercent, 100.0);
+    }
+    if (std::string text = fixed(percent, kPercentDecimals); text != override_) {
+      step("JOvrd " + text);
+      override_ = std::move(text);
+    }
+    if (program_.foreign) {
+      step("Mov " + targetOf(i));
+      return;
+    }
+    std::string joints = "J1=(";
+    for (int k = 0; k < t.dof; ++k)
+      joints += (k ? "," : "") + fixed(base::radiansToDegrees(t.at(i)[k]), kFrameDecimals);
+    step(joints + ")");
+    step("Mov J1");
+  }
+
+  void straightMotion(std::size_t i, bool stops) override {
+    const double s = motions_.seconds(i);
+    const double mmPerS =
+        s > 0.0 ? std::max(motions_.speedMmPerS(i), kLeastMmPerS) : in_.process.travelSpeedMmPerS;
+    if (std::abs(mmPerS - mmPerS_) > kSameSpeed * mmPerS_) {
+      mmPerS_ = mmPerS;
+      step("Spd " + fixed(mmPerS, decimalsFor(mmPerS, kSpeedDigits)));
+    }
+    const double blendMm = stops ? 0.0 : heldBlendMm(i);
+    if (blendMm > 0.0 && blendMm != blendMm_) {
+      const std::string r = fixed(blendMm, 3);
+      step(joined({"Cnt 1,", r, ",", r}));
+      blendMm_ = blendMm;
+    }
+    step(joined({heldPlate() ? "EMvs 1," : "Mvs ", targetOf(i), with_}));
+    with_.clear();
+    if (!(blendMm > 0.0) && blendMm_ > 0.0) {
+      step("Cnt 0");
+      blendMm_ = 0.0;
+    }
+  }
+
+  // Each change is a step: what holds still stays.
+  double heldBlendMm(std::size_t i) const {
+    const double most = motions_.blendMm(i);
+    if (blendMm_ > 0.0 && blendMm_ <= most && 2.0 * blendMm_ > most)
+      return blendMm_;
+    return most < kLeastBlendMm ? 0.0 : std::floor(most * 1e3) / 1e3;
+  }
+
+  const ProgramInput& in_;
+  const base::RunContext& ctx_;
+  std::vector<MotionTarget> targets_, poses_; // of the nozzle where it stands; of the TCP in Base
+  std::vector<Eigen::Vector3d> angles_;       // of poses_, degrees
+  TcpMotions motions_;
+  std::vector<std::size_t> cuts_;
+  std::string name_, out_;
+  plan::Program program_;
+  std::size_t steps_ = 0;
+  std::string override_; // as last written
+  double mmPerS_ = 0.0;  // likewise
+  double blendMm_ = 0.0; // likewise; 0: Cnt 0
+  std::string with_;     // what the next motion begins with
+};
+
+} // namespace
+
+std::vector<base::ParameterSpec> melfaOptions() {
+  return {motionsPerFileOption()};
+}
+
+plan::Program writeMelfa(const ProgramInput& input, const base::RunContext& ctx) {
+  return MelfaWriter(input, ctx).write();
+}
+
+} // namespace voluta::program

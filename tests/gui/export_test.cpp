@@ -1,0 +1,205 @@
+// The Export page at work: a format's own options, what a program is, where its controller is slow,
+// its text in step with the time-line; and a print that is taken up again.
+#include "forms/parameter_row.h"
+#include "gui/window_fixture.h"
+#include "helpers/shapes.h"
+#include "panels/export_panel.h"
+#include "panels/format_list.h"
+#include "panels/text_preview.h"
+#include "timeline/timeline_bar.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTest>
+#include <QUndoStack>
+
+namespace voluta::test {
+namespace {
+
+using project::Stage;
+
+class ExportTest : public WindowTest {
+protected:
+  void planPlinth() {
+    openPart(writePart("plinth.stl", box({0, 0, 0}, {20.0, 18.0, 4.0})));
+    clickToolBar("plan");
+    ASSERT_TRUE(planned(Stage::Replay));
+    choosePage(Page::Export);
+    // The lines of its motions are known.
+    ASSERT_TRUE(waitFor([&] { return preview()->currentLine() > 0; }, 5000));
+  }
+  panels::ExportPanel* panel() { return find<panels::ExportPanel>("export"); }
+  panels::TextPreview* preview() { return panel()->findChild<panels::TextPreview*>("preview"); }
+  panels::FormatList* formats() { return panel()->findChild<panels::FormatList*>("formats"); }
+  timeline::TimelineBar* bar() { return window().findChild<timeline::TimelineBar*>(); }
+  forms::ParameterRow* option(const char* key) {
+    for (auto* row : panel()->findChildren<forms::ParameterRow*>(key))
+      if (row->isVisible())
+        return row;
+    return nullptr;
+  }
+  void chooseFormat(const char* id) {
+    for (int i = 0; i < formats()->topLevelItemCount(); ++i)
+      if (auto* item = formats()->topLevelItem(i); item->data(0, Qt::UserRole).toString() == id)
+        QTest::mouseClick(formats()->viewport(), Qt::LeftButton, {},
+                          formats()->visualItemRect(item).center() + QPoint(40, 0));
+    EXPECT_EQ(formats()->currentId(), id);
+  }
+  // Sets off a line of the text by the mouse; the one of a motion that prints.
+  std::size_t clickPrintedLine(double share) {
+    const auto& lines = preview()->lines();
+    auto line = static_cast<std::size_t>(share * static_cast<double>(lines.count()));
+    while (lines.line(line).find("movel(") == std::string_view::npos)
+      ++line;
+    preview()->showLine(line + 1);
+    preview()->setFocus();
+    QTest::keyClick(preview(), Qt::Key_Up);
+    QTest::keyClick(preview(), Qt::Key_Down);
+    return preview()->currentLine();
+  }
+  QPushButton* button(QWidget* in, const char* name) {
+    auto* found = in->findChild<QPushButton*>(name);
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+};
+
+TEST_F(ExportTest, AFormatBringsItsOptionsAndTheyAreEdits) {
+  planPlinth();
+  chooseFormat("urscript");
+  ASSERT_TRUE(waitFor([&] { return option("urscriptForm") != nullptr; }, 5000));
+  EXPECT_EQ(option("rapidModules"), nullptr);
+  auto* form = qobject_cast<QComboBox*>(option("urscriptForm")->editor());
+  ASSERT_NE(form, nullptr);
+  form->setFocus();
+  QTest::keyClick(form, Qt::Key_Down);
+  EXPECT_EQ(document().choices().parameters.at("urscriptForm"), "port");
+  EXPECT_FALSE(document().upToDate(Stage::Replay));
+  EXPECT_TRUE(document().upToDate(Stage::Motion));
+  EXPECT_FALSE(button(panel(), "export")->isEnabled());
+  document().undoStack()->undo();
+  EXPECT_TRUE(document().upToDate(Stage::Replay));
+  EXPECT_EQ(form->currentIndex(), 0);
+  chooseFormat("rapid");
+  ASSERT_TRUE(waitFor([&] { return option("rapidModules") != nullptr; }, 5000));
+  EXPECT_EQ(option("urscriptForm"), nullptr);
+  chooseFormat("csv");
+  EXPECT_EQ(option("motionsPerFile"), nullptr);
+  // What no program that is written has as an option leaves the programs as they are.
+  chooseFormat("rapid");
+  ASSERT_TRUE(waitFor([&] { return option("rapidModules") != nullptr; }, 5000));
+  auto* modules = qobject_cast<QComboBox*>(option("rapidModules")->editor());
+  modules->setFocus();
+  QTest::keyClick(modules, Qt::Key_Down);
+  EXPECT_TRUE(document().upToDate(Stage::Replay));
+}
+
+TEST_F(ExportTest, SizePartsAndTimesAreTold) {
+  planPlinth();
+  chooseFormat("urscript");
+  const auto text = [&](const char* name) { return panel()->findChild<QLabel*>(name)->text(); };
+  EXPECT_TRUE(text("programSize").contains("in one file")) << text("programSize").toStdString();
+  EXPECT_TRUE(text("programTime").startsWith("Takes ")) << text("programTime").toStdString();
+  EXPECT_TRUE(text("assumptions").contains("8 ms")) << text("assumptions").toStdString();
+  auto* most = qobject_cast<QSpinBox*>(option("motionsPerFile")->editor());
+  most->setFocus();
+  QTest::keyClick(most, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(most, "600");
+  QTest::keyClick(most, Qt::Key_Tab);
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  choosePage(Page::Export);
+  EXPECT_TRUE(text("programSize").contains(" files")) << text("programSize").toStdString();
+  chooseFormat("rapid");
+  EXPECT_FALSE(panel()->findChild<QLabel*>("programSize")->isVisible()) << "none is written";
+}
+
+TEST_F(ExportTest, TheTimeLineShowsWhereTheControllerIsSlower) {
+  planPlinth();
+  const auto result = document().result(Stage::Replay);
+  for (const auto& checked : result->checked) {
+    chooseFormat(checked->program.format.c_str());
+    EXPECT_EQ(bar()->spans().size(), checked->slow.size()) << checked->program.format;
+  }
+  choosePage(Page::Simulate);
+  EXPECT_TRUE(bar()->spans().empty());
+}
+
+TEST_F(ExportTest, TextAndTimeLineGoTogether) {
+  planPlinth();
+  chooseFormat("urscript");
+  const double before = bar()->timeS();
+  const std::size_t line = clickPrintedLine(0.5);
+  EXPECT_TRUE(waitFor([&] { return bar()->timeS() != before; }, 5000));
+  bar()->nextMove();
+  EXPECT_TRUE(waitFor([&] { return preview()->currentLine() > line; }, 5000));
+}
+
+TEST_F(ExportTest, APrintIsTakenUpAtALineAsAProjectOfItsOwn) {
+  planPlinth();
+  chooseFormat("urscript");
+  const double whole = document().result(Stage::Motion)->job.report.motion.durationS;
+  clickPrintedLine(0.5);
+  auto* resume = button(panel(), "resume");
+  ASSERT_TRUE(waitFor([&] { return resume->isEnabled(); }, 5000));
+  answerFileDialog(path("first.voluta"));
+  clickMenu("fileMenu", "saveAs");
+  ASSERT_TRUE(waitFor([&] { return !document().dirty(); }, 20000));
+  // Not without the user's word.
+  answerBox("resumeBox", QMessageBox::RejectRole);
+  QTest::mouseClick(resume, Qt::LeftButton);
+  EXPECT_FALSE(document().isRest());
+  answerBox("resumeBox", QMessageBox::AcceptRole);
+  QTest::mouseClick(resume, Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return document().isRest(); }));
+  EXPECT_TRUE(document().projectFile().isEmpty()) << "the first one stays as it was saved";
+  EXPECT_EQ(document().name(), "plinth-rest");
+  EXPECT_TRUE(document().dirty());
+  EXPECT_FALSE(document().undoStack()->canUndo());
+  EXPECT_TRUE(document().upToDate(Stage::Replay));
+  EXPECT_LT(document().result(Stage::Motion)->job.report.motion.durationS, 0.8 * whole);
+  EXPECT_EQ(page(), Page::Simulate);
+  // It can be handed over, and the programs are of the rest.
+  choosePage(Page::Export);
+  EXPECT_TRUE(button(panel(), "export")->isEnabled());
+  const std::string name = document().result(Stage::Replay)->checked.at(0)->program.files[0].name;
+  EXPECT_NE(name.find("rest"), std::string::npos) << name;
+  // An option writes the programs anew, and the motion stays the rest's.
+  chooseFormat("urscript");
+  auto* form = qobject_cast<QComboBox*>(option("urscriptForm")->editor());
+  form->setFocus();
+  QTest::keyClick(form, Qt::Key_Down);
+  EXPECT_FALSE(document().upToDate(Stage::Replay));
+  EXPECT_TRUE(document().isRest());
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  EXPECT_TRUE(document().isRest());
+  EXPECT_TRUE(
+      document().result(Stage::Replay)->checked.at(0)->program.files[0].text.ends_with("\nend\n"));
+}
+
+TEST_F(ExportTest, FromTheTimeLineAndCancelled) {
+  planPlinth();
+  choosePage(Page::Simulate);
+  auto* side = window().findChild<QWidget*>("plotsArea")->parentWidget();
+  auto* resume = button(side, "resume");
+  bar()->setTimeS(0.4 * bar()->clock()->durationS());
+  ASSERT_TRUE(waitFor([&] { return resume->isEnabled(); }, 5000));
+  EXPECT_TRUE(side->findChild<QLabel*>("resumePlace")->text().startsWith("Bead "));
+  const auto result = document().result(Stage::Motion);
+  ASSERT_TRUE(document().dirty()) << "the part was never saved";
+  answerBox("resumeBox", QMessageBox::AcceptRole);
+  answerBox("unsavedBox", QMessageBox::RejectRole);
+  QTest::mouseClick(resume, Qt::LeftButton);
+  QTest::qWait(300);
+  EXPECT_EQ(document().result(Stage::Motion), result) << "cancelled";
+  bar()->setTimeS(bar()->clock()->durationS());
+  EXPECT_TRUE(waitFor([&] { return !resume->isEnabled(); }, 5000)) << "nothing is left to print";
+}
+
+} // namespace
+} // namespace voluta::test
