@@ -72,6 +72,12 @@ std::string JsonNode::text() const {
   return value_->get<std::string>();
 }
 
+bool JsonNode::boolean() const {
+  if (!value_->is_boolean())
+    fail("must be true or false"_text);
+  return value_->get<bool>();
+}
+
 double JsonNode::number() const {
   if (!value_->is_number())
     fail("must be a number"_text);

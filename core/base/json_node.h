@@ -27,6 +27,7 @@ public:
   void allowOnly(std::initializer_list<std::string_view> keys) const;
 
   std::string text() const;
+  bool boolean() const;
   double number() const; // finite
   int integer() const;
   std::vector<JsonNode> items() const; // of an array

@@ -25,8 +25,10 @@
 namespace voluta::pipeline {
 
 namespace {
-// Tilt to which every point of a part has to be within reach; layers that wrap the sides of a part
-// ask for about this much.
+// Tilt to which every point of a part has to be within reach of a nozzle that stands; layers that
+// wrap the sides of a part ask for about this much. A nozzle that the arm carries tilts as far over
+// few places only, and flat layers need no tilt: there a part fits that is reached from above, and
+// what leans further than the arm gets is told when it is moved.
 constexpr double kReachTiltRad = 1.75;
 
 // Largest scale at which the ball about the part's box, standing on the plate, is in reach.
@@ -36,7 +38,8 @@ double reachingScale(const geometry::TriangleMesh& mesh, double unit,
   turned.rotation = placement.rotation;
   const Eigen::AlignedBox3d box = geometry::bounds(geometry::place(mesh, unit, turned));
   const double radius = 0.5 * box.diagonal().norm();
-  return robot::reachableBallRadius(cell, kReachTiltRad) / radius;
+  const double tilt = cell.nozzleMount() == robot::Mount::World ? kReachTiltRad : 0.0;
+  return robot::reachableBallRadius(cell, tilt) / radius;
 }
 
 // The object's cells and platform where `stage.part` has come to lie.

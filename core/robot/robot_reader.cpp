@@ -6,7 +6,9 @@
 //   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH;
 //                         opw: {a1, a2, b, c1, c2, c3, c4, offsetsDeg}, offsetsDeg a list: what the
 //                         controller calls each joint where the arm stands upright
-//   limits                a list with an object for each joint:
+//   reading               optional, where the controller counts joints otherwise than the family:
+//                         {signs, offsetsDeg, thirdIsCoupled}, all optional, as JointReading
+//   limits                a list with an object for each joint, as the controller counts them:
 //                         {minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2}
 //   links                 a list of bodies {name, frame, shapes}; frame 0 is the base, n link n, in
 //                         the frames of Kinematics::linkPoses; shapes as in robot/shape_reader.h
@@ -14,6 +16,7 @@
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
 #include "base/json_node.h"
+#include "robot/joint_reading.h"
 #include "robot/limits_reader.h"
 #include "robot/opw_kinematics.h"
 #include "robot/robot_model.h"
@@ -23,6 +26,7 @@
 #include "base/units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <functional>
 
@@ -64,11 +68,42 @@ const std::vector<Family>& families() {
   return table;
 }
 
+std::vector<double> numbersOf(const base::JsonNode& node, int dof) {
+  std::vector<double> numbers;
+  for (const base::JsonNode& number : node.items())
+    numbers.push_back(number.number());
+  if (static_cast<int>(numbers.size()) != dof)
+    node.fail(base::message("must hold {wanted} joints, holds {found}"_text, dof, numbers.size()));
+  return numbers;
+}
+
+std::shared_ptr<const Kinematics> asRead(std::shared_ptr<const Kinematics> arm,
+                                         const base::JsonNode& node) {
+  node.allowOnly({"signs", "offsetsDeg", "thirdIsCoupled"});
+  const auto dof = static_cast<std::size_t>(arm->dof());
+  JointReading reading{std::vector<double>(dof, 1.0), std::vector<double>(dof, 0.0), false};
+  if (node.has("signs")) {
+    reading.signs = numbersOf(node.at("signs"), arm->dof());
+    for (const double sign : reading.signs)
+      if (std::abs(sign) != 1.0)
+        node.at("signs").fail("must be 1 or -1"_text);
+  }
+  if (node.has("offsetsDeg")) {
+    reading.offsetsRad = numbersOf(node.at("offsetsDeg"), arm->dof());
+    for (double& offset : reading.offsetsRad)
+      offset = base::degreesToRadians(offset);
+  }
+  reading.thirdIsCoupled = node.has("thirdIsCoupled") && node.at("thirdIsCoupled").boolean();
+  return std::make_shared<ReadKinematics>(std::move(arm), std::move(reading));
+}
+
 std::shared_ptr<const Kinematics> readKinematics(const base::JsonNode& robot) {
   const std::string id = robot.at("family").text();
   for (const Family& family : families())
-    if (id == family.id)
-      return family.make(robot.at("geometryMm"));
+    if (id == family.id) {
+      auto arm = family.make(robot.at("geometryMm"));
+      return robot.has("reading") ? asRead(std::move(arm), robot.at("reading")) : arm;
+    }
   robot.at("family").fail(
       base::message("names no kinematic family that is known: '{id}'"_text, id));
 }
@@ -114,8 +149,8 @@ std::vector<std::string> readTexts(const base::JsonNode& list) {
 
 RobotModel readRobot(const std::filesystem::path& file) {
   const base::JsonNode top = base::JsonNode::readFile(file);
-  top.allowOnly({"id", "label", "maker", "controller", "family", "geometryMm", "limits", "links",
-                 "neverMeet", "sources", "assumed"});
+  top.allowOnly({"id", "label", "maker", "controller", "family", "geometryMm", "reading", "limits",
+                 "links", "neverMeet", "sources", "assumed"});
   RobotModel robot;
   robot.id = top.at("id").text();
   if (robot.id != file.stem().string())

@@ -1,9 +1,12 @@
-// Where the fixed nozzle and the plate's stem of a cell should be: for each place tried, the share
-// of printing poses that some branch and some turn about the nozzle reaches with all bodies clear,
-// and the clearance they have. Poses: tip at points of a ball of radius 65 mm standing on the plate
-// (a 100 mm part), tilted 0, 30, ... 120 deg to 8 sides; the plate a disc of 40 mm; a ball of
-// radius 50 mm stands for the part, which links other than the one that carries it must not touch.
-//   cell_search [ROW...]     ROW = x,y,z,stem (mm); none: the grid below. Clear means >= 3 mm.
+// Where what stands still in a cell should be: the fixed nozzle, or the plate of a nozzle that the
+// arm carries. For each place tried, the share of printing poses that some branch and some turn
+// about the nozzle reaches with all bodies clear, and the clearance they have. Poses: tip at points
+// of a ball standing on the plate, tilted 0, 30, ... 120 deg to 8 sides; the plate a disc of 40 mm;
+// a ball of three quarters of that radius stands for the part, which links other than the one that
+// carries it must not touch.
+//   cell_search CELL [RADIUS] [ROW...]   CELL: a cell's id; RADIUS of the poses' ball, mm (65);
+//                                        ROW = x,y,z,stem (mm), stem: length of the plate's on the
+//                                        flange, else unused; none: a grid. Clear means >= 3 mm.
 #include "sampled_distance.h"
 
 #include "base/files.h"
@@ -26,7 +29,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kClearMm = 3.0, kCapMm = 40.0, kSpacingMm = 18.0, kGantryZ = 1100.0;
+constexpr double kClearMm = 3.0, kCapMm = 40.0, kSpacingMm = 18.0, kGantryZ = 1100.0,
+                 kTableZ = -30.0, kRestMm = 20.0;
 constexpr int kTurns = 16, kTilts = 5;
 
 struct Place {
@@ -34,15 +38,21 @@ struct Place {
 };
 
 robot::Cell cellAt(json cell, const Place& place, const std::filesystem::path& folder) {
-  cell["nozzle"]["pose"]["xyzMm"] = {place.x, place.y, place.z};
-  for (json& shape : cell["nozzle"]["holder"])
-    if (shape.contains("frustum"))
-      shape["frustum"]["p1Mm"][2] = -(kGantryZ - place.z);
-  cell["platform"]["pose"]["xyzMm"] = {0, 0, place.stem};
+  const bool plateMoves = cell["nozzle"]["mount"] == "world";
   json& stem = cell["platform"]["stem"];
-  stem[0]["frustum"]["p0Mm"][2] = -place.stem;
-  stem[0]["frustum"]["p1Mm"][2] = -place.stem + 8;
-  stem[1]["frustum"]["p0Mm"][2] = -place.stem + 8;
+  if (plateMoves) {
+    cell["nozzle"]["pose"]["xyzMm"] = {place.x, place.y, place.z};
+    for (json& shape : cell["nozzle"]["holder"])
+      if (shape.contains("frustum"))
+        shape["frustum"]["p1Mm"][2] = -(kGantryZ - place.z);
+    cell["platform"]["pose"]["xyzMm"] = {0, 0, place.stem};
+    stem[0]["frustum"]["p0Mm"][2] = -place.stem;
+    stem[0]["frustum"]["p1Mm"][2] = -place.stem + 8;
+    stem[1]["frustum"]["p0Mm"][2] = -place.stem + 8;
+  } else {
+    cell["platform"]["pose"]["xyzMm"] = {place.x, place.y, place.z};
+    stem[0]["frustum"]["p0Mm"][2] = kTableZ - place.z;
+  }
   const auto file = folder / (cell["id"].get<std::string>() + ".json");
   std::ofstream(file) << cell.dump();
   std::vector<Eigen::Vector2d> disc;
@@ -54,10 +64,11 @@ robot::Cell cellAt(json cell, const Place& place, const std::filesystem::path& f
 // Least distance over all pairs, not above kCapMm; -inf as soon as it is below kClearMm.
 class Clearance {
 public:
-  explicit Clearance(const robot::Cell& cell) : cell_(cell) {
+  Clearance(const robot::Cell& cell, double radius) : cell_(cell) {
     for (const robot::Body& body : cell.bodies())
       samples_.push_back(test::samplesOf(body, kSpacingMm));
-    part_.shapes = {robot::Capsule{{0, 0, 52}, {0, 0, 52}, 50}};
+    const double part = 0.77 * radius;
+    part_.shapes = {robot::Capsule{{0, 0, part + 2}, {0, 0, part + 2}, part}};
     // Head and plate meet first: pairs of them in front spare the rest.
     pairs_ = cell.checkedPairs();
     std::stable_sort(pairs_.begin(), pairs_.end(), [&](const auto& a, const auto& b) {
@@ -112,12 +123,12 @@ private:
   std::vector<Eigen::Isometry3d> frames_;
 };
 
-std::vector<Eigen::Vector3d> partPoints() {
+std::vector<Eigen::Vector3d> partPoints(double radius) {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 9; ++i) {
     const Eigen::Vector3d d = geometry::onSpiral(i, 1.0 - 2.0 * (i + 0.5) / 9);
-    points.emplace_back(65 * (d + Eigen::Vector3d::UnitZ()));
-    points.emplace_back(33 * d + 65 * Eigen::Vector3d::UnitZ());
+    points.emplace_back(radius * (d + Eigen::Vector3d::UnitZ()));
+    points.emplace_back(radius * (0.5 * d + Eigen::Vector3d::UnitZ()));
   }
   points.emplace_back(0, 0, 1);
   points.emplace_back(15, 0, 1);
@@ -151,7 +162,7 @@ Eigen::Isometry3d toolPose(const Eigen::Vector3d& tip, double tilt, double azimu
   return t;
 }
 
-// Elbow, wrist and shoulder of a UR as three bits.
+// Elbow, wrist and shoulder as three bits, by the signs that a UR has.
 std::size_t branchOf(const robot::Cell& cell, const robot::JointVector& q,
                      std::vector<Eigen::Isometry3d>& frames) {
   cell.framePoses(q, frames);
@@ -160,12 +171,12 @@ std::size_t branchOf(const robot::Cell& cell, const robot::JointVector& q,
   return (q[2] > 0 ? 1u : 0u) + (q[4] > 0 ? 2u : 0u) + (front ? 4u : 0u);
 }
 
-Score scoreOf(const robot::Cell& cell, const base::RunContext& ctx) {
-  const std::vector<Eigen::Vector3d> points = partPoints();
+Score scoreOf(const robot::Cell& cell, double radius, const base::RunContext& ctx) {
+  const std::vector<Eigen::Vector3d> points = partPoints(radius);
   return base::parallelSum<Score>(
       ctx, points.size(), 1, Score{}, [&](std::size_t begin, std::size_t end) {
         Score score;
-        Clearance clearance(cell);
+        Clearance clearance(cell, radius);
         std::vector<robot::JointVector> solutions;
         std::vector<Eigen::Isometry3d> frames;
         for (std::size_t p = begin; p < end; ++p)
@@ -214,17 +225,20 @@ void printRow(const Place& place, const Score& s) {
   std::fflush(stdout);
 }
 
-// At rest the tip stands 180 mm above the plate: the clearest branch.
-void printHome(const robot::Cell& cell) {
-  Clearance clearance(cell);
+// At rest the tip stands 180 mm above the plate: the clearest branch, of those clear by 20 mm the
+// one that turns least from the joints' zero and faces the plate.
+void printHome(const robot::Cell& cell, double radius) {
+  Clearance clearance(cell, radius);
   std::vector<robot::JointVector> solutions;
   double best = -1.0;
   robot::JointVector home;
+  const auto turns = [](const robot::JointVector& q) { return q.norm() + 3.0 * std::abs(q[0]); };
   for (int turn = 0; turn < kTurns; ++turn) {
     cell.inverse(toolPose({0, 0, 180}, 0, 0, 2 * kPi * turn / kTurns),
                  robot::JointVector::Zero(cell.dof()), solutions);
     for (const robot::JointVector& q : solutions)
-      if (const double c = clearance.of(q); c > best + 1e-6) {
+      if (const double c = std::min(clearance.of(q), kRestMm);
+          c > best + 1e-6 || (c > best - 1e-6 && c >= kClearMm && turns(q) < turns(home))) {
         best = c;
         home = q;
       }
@@ -235,33 +249,58 @@ void printHome(const robot::Cell& cell) {
   std::printf("\n");
 }
 
+// A plate ahead of the arm between 0.4 and 0.7 of what it stretches to, at heights up to 0.45 of
+// it; a fixed nozzle and stems as the first cell was laid out.
+std::vector<Place> grid(const robot::Cell& cell) {
+  std::vector<Place> places;
+  if (cell.nozzleMount() == robot::Mount::World) {
+    for (double stem : {60, 100, 140})
+      for (double x : {350, 450, 550})
+        for (double z : {350, 450, 550})
+          places.push_back({x, 0, z, stem});
+    return places;
+  }
+  std::vector<Eigen::Isometry3d> links;
+  cell.robot().kinematics->linkPoses(robot::JointVector::Zero(cell.dof()), links);
+  double stretch = 0.0;
+  for (std::size_t i = 2; i < links.size(); ++i)
+    stretch += (links[i].translation() - links[i - 1].translation()).norm();
+  const auto share = [&](double of) { return 10.0 * std::round(0.1 * of * stretch); };
+  for (double x : {0.4, 0.5, 0.6, 0.7})
+    for (double z : {0.0, 0.15, 0.3, 0.45})
+      places.push_back({share(x), 0, share(z), 0});
+  return places;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-  const json shipped = json::parse(base::readFile(base::resourceFolder() / "cells/ur5-fixed.json"));
+  if (argc < 2)
+    return std::fprintf(stderr, "which cell?\n"), 2;
+  const json shipped = json::parse(
+      base::readFile(base::resourceFolder() / "cells" / (std::string(argv[1]) + ".json")));
+  const double radius = argc > 2 ? std::atof(argv[2]) : 65.0;
   const auto folder = std::filesystem::temp_directory_path() / "voluta_cell_search";
   std::filesystem::create_directories(folder);
   std::vector<Place> places;
-  for (int i = 1; i < argc; ++i) {
+  for (int i = 3; i < argc; ++i) {
     Place p{};
     if (std::sscanf(argv[i], "%lf,%lf,%lf,%lf", &p.x, &p.y, &p.z, &p.stem) != 4)
       return std::fprintf(stderr, "not x,y,z,stem: %s\n", argv[i]), 2;
     places.push_back(p);
   }
-  if (places.empty())
-    for (double stem : {60, 100, 140})
-      for (double x : {350, 450, 550})
-        for (double z : {350, 450, 550})
-          places.push_back({x, 0, z, stem});
+  const bool asked = !places.empty();
+  if (!asked)
+    places = grid(cellAt(shipped, {400, 0, 200, 100}, folder));
   const base::RunContext ctx(base::CancelToken(),
                              static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   std::printf("    x     y     z  stem  clear%%   mm    at tilt  0     30     60     90    120   "
               "best single branch\n");
   for (const Place& place : places) {
     const robot::Cell cell = cellAt(shipped, place, folder);
-    printRow(place, scoreOf(cell, ctx));
-    if (argc > 1)
-      printHome(cell);
+    printRow(place, scoreOf(cell, radius, ctx));
+    if (asked)
+      printHome(cell, radius);
   }
   std::filesystem::remove_all(folder);
   return 0;

@@ -1,0 +1,39 @@
+// What a controller calls the joints of an arm whose family counts them otherwise: turned the other
+// way round, from another zero, or with the third axis told from the base and not from the upper
+// arm (a parallelogram drives it).
+#pragma once
+
+#include "robot/robot_model.h"
+
+#include <vector>
+
+namespace voluta::robot {
+
+// Joint i of the controller is signs[i] * (the family's joint i) + offsetsRad[i]; where the third
+// is coupled, the controller's second is added to its third.
+struct JointReading {
+  std::vector<double> signs; // 1 or -1 each, as many as the arm has joints
+  std::vector<double> offsetsRad;
+  bool thirdIsCoupled = false;
+};
+
+class ReadKinematics final : public Kinematics {
+public:
+  // Precondition: `arm`, and a sign and an offset for each of its joints; three of them where the
+  // third is coupled.
+  ReadKinematics(std::shared_ptr<const Kinematics> arm, JointReading reading);
+
+  int dof() const override { return arm_->dof(); }
+  void linkPoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_link) const override;
+  Eigen::Isometry3d flange(const JointVector& q) const override;
+  void inverse(const Eigen::Isometry3d& base_T_flange,
+               std::vector<JointVector>& solutions) const override;
+
+private:
+  JointVector asFamily(const JointVector& q) const;
+
+  std::shared_ptr<const Kinematics> arm_;
+  JointReading reading_;
+};
+
+} // namespace voluta::robot
