@@ -411,6 +411,14 @@
         <source>Redo</source>
         <translation>Ripeti</translation>
     </message>
+    <message>
+        <source>&amp;Resume print from here…</source>
+        <translation>&amp;Riprendi la stampa da qui…</translation>
+    </message>
+    <message>
+        <source>The rest of a print that was stopped at this moment, as a project of its own</source>
+        <translation>Il resto di una stampa interrotta in questo momento, come progetto a sé</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -4332,10 +4340,6 @@ mm³</translation>
         <translation>IRC5: .mod</translation>
     </message>
     <message>
-        <source>Longer programs are cut into files to be run in turn (URScript, RAPID); 0: as the format has it.</source>
-        <translation>I programmi più lunghi sono divisi in file da eseguire uno dopo l&apos;altro (URScript, RAPID); 0: come vuole il formato.</translation>
-    </message>
-    <message>
         <source>Nearest to its limits, from start to end</source>
         <translation>Più vicino ai limiti, dall&apos;inizio alla fine</translation>
     </message>
@@ -4817,6 +4821,550 @@ mm³</translation>
         <source>{volume:.3f} flow out here while the nozzle stands for {time:.3f}</source>
         <translation>qui escono {volume:.3f} mentre l&apos;ugello sta fermo per {time:.3f}</translation>
     </message>
+    <message>
+        <source>$APO.CDIS is not set before this motion</source>
+        <translation>$APO.CDIS non è impostato prima di questo movimento</translation>
+    </message>
+    <message>
+        <source>$IPO_MODE is #BASE or #TCP</source>
+        <translation>$IPO_MODE è #BASE o #TCP</translation>
+    </message>
+    <message>
+        <source>$VEL.CP is not set before this motion</source>
+        <translation>$VEL.CP non è impostato prima di questo movimento</translation>
+    </message>
+    <message>
+        <source>&apos;ChangeTCP&apos; between PVTEnter and PVTExit</source>
+        <translation>&apos;ChangeTCP&apos; fra PVTEnter e PVTExit</translation>
+    </message>
+    <message>
+        <source>&apos;Cnt&apos; is 0, or 1 with two distances</source>
+        <translation>&apos;Cnt&apos; è 0, oppure 1 con due distanze</translation>
+    </message>
+    <message>
+        <source>&apos;Dly&apos; needs its seconds</source>
+        <translation>&apos;Dly&apos; vuole i suoi secondi</translation>
+    </message>
+    <message>
+        <source>&apos;EMvs&apos; needs its work coordinates, 1 to 8</source>
+        <translation>&apos;EMvs&apos; vuole le sue coordinate di lavoro, da 1 a 8</translation>
+    </message>
+    <message>
+        <source>&apos;Mvs&apos; and &apos;EMvs&apos; in one program: which of them moves the nozzle?</source>
+        <translation>&apos;Mvs&apos; ed &apos;EMvs&apos; nello stesso programma: quale dei due muove l&apos;ugello?</translation>
+    </message>
+    <message>
+        <source>&apos;PTP&apos; by millimetres a second</source>
+        <translation>&apos;PTP&apos; in millimetri al secondo</translation>
+    </message>
+    <message>
+        <source>&apos;PVTEnter&apos; takes 0, joints, or 1, poses</source>
+        <translation>&apos;PVTEnter&apos; vuole 0, giunti, oppure 1, pose</translation>
+    </message>
+    <message>
+        <source>&apos;PVTEnter&apos; without PVTExit before it</source>
+        <translation>&apos;PVTEnter&apos; senza PVTExit prima</translation>
+    </message>
+    <message>
+        <source>&apos;PVTExit&apos; is missing before the end</source>
+        <translation>&apos;PVTExit&apos; manca prima della fine</translation>
+    </message>
+    <message>
+        <source>&apos;PVTExit&apos; without PVTEnter before it</source>
+        <translation>&apos;PVTExit&apos; senza PVTEnter prima</translation>
+    </message>
+    <message>
+        <source>&apos;PVTPoint&apos; needs six positions, six velocities and its seconds</source>
+        <translation>&apos;PVTPoint&apos; vuole sei posizioni, sei velocità e i suoi secondi</translation>
+    </message>
+    <message>
+        <source>&apos;PVTPoint&apos; with a time or a velocity that makes no sense</source>
+        <translation>&apos;PVTPoint&apos; con un tempo o una velocità senza senso</translation>
+    </message>
+    <message>
+        <source>&apos;PVTPoint&apos; without PVTEnter before it</source>
+        <translation>&apos;PVTPoint&apos; senza PVTEnter prima</translation>
+    </message>
+    <message>
+        <source>&apos;Wth&apos; with what is no output</source>
+        <translation>&apos;Wth&apos; con qualcosa che non è un&apos;uscita</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; without a sensible value</source>
+        <translation>&apos;{name}&apos; senza un valore sensato</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; is a frame that only the controller knows</source>
+        <translation>&apos;{word}&apos; è un riferimento che solo il controllore conosce</translation>
+    </message>
+    <message>
+        <source>A motion that the plan makes in less than {time} ms takes as long, and its flow is as much less.</source>
+        <translation>Un movimento che il piano compie in meno di {time} ms dura altrettanto, e il suo flusso cala in proporzione.</translation>
+    </message>
+    <message>
+        <source>Corners are passed without a stop, as if rounded by an arc {distance:.3g} beside them.</source>
+        <translation>Gli spigoli si passano senza sosta, come arrotondati da un arco a {distance:.3g} da essi.</translation>
+    </message>
+    <message>
+        <source>E1 is missing: an external axis moves the base</source>
+        <translation>Manca E1: un asse esterno muove la base</translation>
+    </message>
+    <message>
+        <source>ENDDAT is missing: the file was cut short</source>
+        <translation>Manca ENDDAT: il file è stato troncato</translation>
+    </message>
+    <message>
+        <source>G-code with B and C (a table that tilts and turns)</source>
+        <translation>G-code con B e C (una tavola che si inclina e gira)</translation>
+    </message>
+    <message>
+        <source>G-code with B and C: how far the plate&apos;s centre stands beside the axis that the table tilts about, along X.</source>
+        <translation>G-code con B e C: quanto il centro del piatto sta di lato all&apos;asse di inclinazione della tavola, lungo X.</translation>
+    </message>
+    <message>
+        <source>G-code with B and C: how far the plate&apos;s top lies above the axis that the table tilts about.</source>
+        <translation>G-code con B e C: quanto la faccia del piatto sta sopra l&apos;asse di inclinazione della tavola.</translation>
+    </message>
+    <message>
+        <source>G-code with B and C: whether B and C are the right-handed turn of the part, or that of the tool about a part that stands.</source>
+        <translation>G-code con B e C: se B e C sono la rotazione destrorsa del pezzo, o quella dell&apos;utensile attorno a un pezzo fermo.</translation>
+    </message>
+    <message>
+        <source>Joint speeds are told in percent: all of it is taken for 180 degrees/s, and those travels&apos; times are estimates.</source>
+        <translation>Le velocità dei giunti sono in percentuale: il cento per cento si prende per 180 gradi/s, e i tempi di quegli spostamenti sono stime.</translation>
+    </message>
+    <message>
+        <source>Joints speed up at {acceleration:.0f}/s2 where the text says nothing else.</source>
+        <translation>I giunti accelerano a {acceleration:.0f}/s2 dove il testo non dice altro.</translation>
+    </message>
+    <message>
+        <source>KRL (KUKA)</source>
+        <translation>KRL (KUKA)</translation>
+    </message>
+    <message>
+        <source>KRL memory</source>
+        <translation>memoria KRL</translation>
+    </message>
+    <message>
+        <source>Longer programs are cut into files to be run in turn; 0: as the format has it.</source>
+        <translation>I programmi più lunghi si dividono in file da eseguire uno dopo l&apos;altro; 0: come vuole il formato.</translation>
+    </message>
+    <message>
+        <source>MELFA-BASIC V (Mitsubishi)</source>
+        <translation>MELFA-BASIC V (Mitsubishi)</translation>
+    </message>
+    <message>
+        <source>Motions speed up as their text says, and at once where it says nothing.</source>
+        <translation>I movimenti accelerano come dice il testo, e di colpo dove non dice nulla.</translation>
+    </message>
+    <message>
+        <source>No motion is shorter than the controller&apos;s cycle of {cycle} ms.</source>
+        <translation>Nessun movimento dura meno del ciclo del controllore, {cycle} ms.</translation>
+    </message>
+    <message>
+        <source>None of this was tried on a machine: begin slowly, with the extruder cold.</source>
+        <translation>Nulla di ciò è stato provato su una macchina: cominciare piano, con l&apos;estrusore freddo.</translation>
+    </message>
+    <message>
+        <source>Plain G-code (three axes, flat jobs)</source>
+        <translation>G-code semplice (tre assi, lavori piani)</translation>
+    </message>
+    <message>
+        <source>Points of a bead nearer than {time} ms or {way} are joined where the bead stays the same.</source>
+        <translation>I punti di un cordone più vicini di {time} ms o {way} si uniscono dove il cordone resta lo stesso.</translation>
+    </message>
+    <message>
+        <source>Power Low holds the speed down: Power High is missing</source>
+        <translation>Power Low tiene bassa la velocità: manca Power High</translation>
+    </message>
+    <message>
+        <source>ROT where the tool does not turn</source>
+        <translation>ROT dove l&apos;utensile non gira</translation>
+    </message>
+    <message>
+        <source>Room for programs on the controller: a longer one says so in its head.</source>
+        <translation>Spazio per i programmi nel controllore: uno più lungo lo dice in testa.</translation>
+    </message>
+    <message>
+        <source>SPEL+ (Epson)</source>
+        <translation>SPEL+ (Epson)</translation>
+    </message>
+    <message>
+        <source>ScriptExit() is missing at the end</source>
+        <translation>Manca ScriptExit() alla fine</translation>
+    </message>
+    <message>
+        <source>Straight motions speed up at {acceleration} mm/s2 where the text says nothing else.</source>
+        <translation>I movimenti rettilinei accelerano a {acceleration} mm/s2 dove il testo non dice altro.</translation>
+    </message>
+    <message>
+        <source>TMscript (Techman)</source>
+        <translation>TMscript (Techman)</translation>
+    </message>
+    <message>
+        <source>The arm stands where a motion has no blend.</source>
+        <translation>Il braccio si ferma dove un movimento non ha raccordo.</translation>
+    </message>
+    <message>
+        <source>The controller looks as far ahead as it has to.</source>
+        <translation>Il controllore guarda avanti quanto serve.</translation>
+    </message>
+    <message>
+        <source>The controller looks {motions} motions ahead.</source>
+        <translation>Il controllore guarda avanti di {motions} movimenti.</translation>
+    </message>
+    <message>
+        <source>The time that outputs take, and how the arm lags behind, are not counted.</source>
+        <translation>Il tempo che prendono le uscite e il ritardo del braccio non sono contati.</translation>
+    </message>
+    <message>
+        <source>The turn of the tool may have a limit of its own, a radian as long as {way:.0f} of way: of both laws the worse counts for the flow.</source>
+        <translation>La rotazione dell&apos;utensile può avere un limite proprio, un radiante lungo quanto {way:.0f} di percorso: per il flusso vale la peggiore delle due leggi.</translation>
+    </message>
+    <message>
+        <source>WAIT SEC needs its seconds</source>
+        <translation>WAIT SEC vuole i suoi secondi</translation>
+    </message>
+    <message>
+        <source>Wait needs its seconds</source>
+        <translation>Wait vuole i suoi secondi</translation>
+    </message>
+    <message>
+        <source>a G0 under G93: nobody knows how long it takes</source>
+        <translation>un G0 sotto G93: nessuno sa quanto duri</translation>
+    </message>
+    <message>
+        <source>a base other than the robot&apos;s own: write positions in that</source>
+        <translation>una base diversa da quella del robot: scrivere le posizioni in quella</translation>
+    </message>
+    <message>
+        <source>a base that only the robot knows: write its numbers</source>
+        <translation>una base che solo il robot conosce: scriverne i numeri</translation>
+    </message>
+    <message>
+        <source>a blend is no sensible number</source>
+        <translation>un raccordo che non è un numero sensato</translation>
+    </message>
+    <message>
+        <source>a call of another program that cannot be followed</source>
+        <translation>una chiamata di un altro programma che non si può seguire</translation>
+    </message>
+    <message>
+        <source>a coordinate is missing, and it is not known where the arm stands</source>
+        <translation>manca una coordinata, e non si sa dove sia il braccio</translation>
+    </message>
+    <message>
+        <source>a flow that is no whole number from 0 to {most}</source>
+        <translation>un flusso che non è un numero intero da 0 a {most}</translation>
+    </message>
+    <message>
+        <source>a frame of another length than it says</source>
+        <translation>un pacchetto lungo diversamente da quanto dice</translation>
+    </message>
+    <message>
+        <source>a frame that is no script for a listen node</source>
+        <translation>un pacchetto che non è uno script per un nodo di ascolto</translation>
+    </message>
+    <message>
+        <source>a frame whose checksum is wrong: it was changed or cut</source>
+        <translation>un pacchetto con la somma di controllo sbagliata: è stato cambiato o troncato</translation>
+    </message>
+    <message>
+        <source>a frame without its length</source>
+        <translation>un pacchetto senza la sua lunghezza</translation>
+    </message>
+    <message>
+        <source>a frame without its name</source>
+        <translation>un pacchetto senza il suo nome</translation>
+    </message>
+    <message>
+        <source>a load needs its mass</source>
+        <translation>un carico vuole la sua massa</translation>
+    </message>
+    <message>
+        <source>a mass is no sensible number</source>
+        <translation>una massa che non è un numero sensato</translation>
+    </message>
+    <message>
+        <source>a motion of its own between PVTEnter and PVTExit</source>
+        <translation>un movimento a sé fra PVTEnter e PVTExit</translation>
+    </message>
+    <message>
+        <source>a motion that only turns needs ROT</source>
+        <translation>un movimento che gira soltanto vuole ROT</translation>
+    </message>
+    <message>
+        <source>a motion without F: under G93 each has its own</source>
+        <translation>un movimento senza F: sotto G93 ognuno ha la sua</translation>
+    </message>
+    <message>
+        <source>a motion without G93: its F is no time</source>
+        <translation>un movimento senza G93: la sua F non è un tempo</translation>
+    </message>
+    <message>
+        <source>a motion&apos;s numbers are not those that its letters say</source>
+        <translation>i numeri di un movimento non sono quelli che dicono le sue lettere</translation>
+    </message>
+    <message>
+        <source>a pose before ChangeTCP: whose pose is it?</source>
+        <translation>una posa prima di ChangeTCP: di chi è?</translation>
+    </message>
+    <message>
+        <source>a position before Tool: whose is it?</source>
+        <translation>una posizione prima di Tool: di chi è?</translation>
+    </message>
+    <message>
+        <source>a step of more than 127 characters</source>
+        <translation>un passo di più di 127 caratteri</translation>
+    </message>
+    <message>
+        <source>a straight motion before any Spd</source>
+        <translation>un movimento rettilineo prima di ogni Spd</translation>
+    </message>
+    <message>
+        <source>a straight motion by per cent of a speed that is not known</source>
+        <translation>un movimento rettilineo in percentuale di una velocità non nota</translation>
+    </message>
+    <message>
+        <source>a straight motion to joints</source>
+        <translation>un movimento rettilineo verso valori dei giunti</translation>
+    </message>
+    <message>
+        <source>a target that is no position in a robot&apos;s reach</source>
+        <translation>un bersaglio che non è una posizione alla portata di un robot</translation>
+    </message>
+    <message>
+        <source>a text has {characters} characters; its controller takes {most}</source>
+        <translation>un testo ha {characters} caratteri; il suo controllore ne accetta {most}</translation>
+    </message>
+    <message>
+        <source>a tool is a position</source>
+        <translation>un utensile è una posizione</translation>
+    </message>
+    <message>
+        <source>a tool that only the robot knows: write its numbers</source>
+        <translation>un utensile che solo il robot conosce: scriverne i numeri</translation>
+    </message>
+    <message>
+        <source>a tool, local or control point that only the controller knows</source>
+        <translation>un utensile, un riferimento locale o un punto di controllo che solo il controllore conosce</translation>
+    </message>
+    <message>
+        <source>accelerations other than the arm&apos;s own</source>
+        <translation>accelerazioni diverse da quelle del braccio</translation>
+    </message>
+    <message>
+        <source>an acceleration is no sensible number</source>
+        <translation>un&apos;accelerazione che non è un numero sensato</translation>
+    </message>
+    <message>
+        <source>an analogue output outside 0 to 10 V</source>
+        <translation>un&apos;uscita analogica fuori da 0 a 10 V</translation>
+    </message>
+    <message>
+        <source>an angle goes the long way round</source>
+        <translation>un angolo fa il giro lungo</translation>
+    </message>
+    <message>
+        <source>an output at once, not where the motions are</source>
+        <translation>un&apos;uscita immediata, non dove sono i movimenti</translation>
+    </message>
+    <message>
+        <source>an output behind CONTINUE runs ahead of the arm</source>
+        <translation>un&apos;uscita dopo CONTINUE precede il braccio</translation>
+    </message>
+    <message>
+        <source>an output is 0 or 1</source>
+        <translation>un&apos;uscita è 0 o 1</translation>
+    </message>
+    <message>
+        <source>an output of the extruder&apos;s among others</source>
+        <translation>un&apos;uscita dell&apos;estrusore in mezzo ad altre</translation>
+    </message>
+    <message>
+        <source>axes are no target of a straight motion</source>
+        <translation>gli assi non sono bersaglio di un movimento rettilineo</translation>
+    </message>
+    <message>
+        <source>format {format} cannot lean the nozzle: this job leans it by {angle}</source>
+        <translation>il formato {format} non può inclinare l&apos;ugello: questo lavoro lo inclina di {angle}</translation>
+    </message>
+    <message>
+        <source>how &apos;{word}&apos; rounds a corner is not known to the reader</source>
+        <translation>come &apos;{word}&apos; arrotondi uno spigolo non è noto al lettore</translation>
+    </message>
+    <message>
+        <source>joints of a straight motion may be reached in another posture</source>
+        <translation>i giunti di un movimento rettilineo si possono raggiungere in un&apos;altra postura</translation>
+    </message>
+    <message>
+        <source>leave it out, or give --format {format}</source>
+        <translation>ometterla, oppure dare --format {format}</translation>
+    </message>
+    <message>
+        <source>lines end with LF alone: a listen node takes CR LF</source>
+        <translation>le righe finiscono col solo LF: un nodo di ascolto vuole CR LF</translation>
+    </message>
+    <message>
+        <source>material before X, Y and Z are all known</source>
+        <translation>materiale prima che X, Y e Z siano tutti noti</translation>
+    </message>
+    <message>
+        <source>material before X, Y, Z, B and C are all known</source>
+        <translation>materiale prima che X, Y, Z, B e C siano tutti noti</translation>
+    </message>
+    <message>
+        <source>must be 1 or -1</source>
+        <translation>deve essere 1 o -1</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>deve essere true o false</translation>
+    </message>
+    <message>
+        <source>no motion of format {format} is in it: line {line}: {what}</source>
+        <translation>non contiene alcun movimento del formato {format}: riga {line}: {what}</translation>
+    </message>
+    <message>
+        <source>no procedure is defined</source>
+        <translation>nessuna procedura è definita</translation>
+    </message>
+    <message>
+        <source>no program calls this file</source>
+        <translation>nessun programma chiama questo file</translation>
+    </message>
+    <message>
+        <source>not all axes are given</source>
+        <translation>non tutti gli assi sono dati</translation>
+    </message>
+    <message>
+        <source>not understood: where the plate is over the tilt axis</source>
+        <translation>non capito: dove sta il piatto sopra l&apos;asse di inclinazione</translation>
+    </message>
+    <message>
+        <source>nothing begins that ends here</source>
+        <translation>non comincia nulla che finisca qui</translation>
+    </message>
+    <message>
+        <source>nothing of this file is run</source>
+        <translation>nulla di questo file viene eseguito</translation>
+    </message>
+    <message>
+        <source>only a trigger at a motion&apos;s beginning is read</source>
+        <translation>si legge solo un trigger all&apos;inizio di un movimento</translation>
+    </message>
+    <message>
+        <source>only an output that stays as it is set is read</source>
+        <translation>si legge solo un&apos;uscita che resta come è impostata</translation>
+    </message>
+    <message>
+        <source>other work coordinates than before: a second nozzle</source>
+        <translation>coordinate di lavoro diverse da prima: un secondo ugello</translation>
+    </message>
+    <message>
+        <source>part {part}, job {job}, cell {cell} with robot {robot}</source>
+        <translation>pezzo {part}, lavoro {job}, cella {cell} con robot {robot}</translation>
+    </message>
+    <message>
+        <source>plate above the tilt axis</source>
+        <translation>piatto sopra l&apos;asse di inclinazione</translation>
+    </message>
+    <message>
+        <source>plate beside the tilt axis</source>
+        <translation>piatto a lato dell&apos;asse di inclinazione</translation>
+    </message>
+    <message>
+        <source>speed, time to reach it and blend are whole numbers</source>
+        <translation>velocità, tempo per raggiungerla e raccordo sono numeri interi</translation>
+    </message>
+    <message>
+        <source>step numbers ascend, to 32767 at most</source>
+        <translation>i numeri di passo crescono, fino a 32767 al massimo</translation>
+    </message>
+    <message>
+        <source>straight is the tool&apos;s way or the external control point&apos;s, not both</source>
+        <translation>rettilineo è il percorso dell&apos;utensile o quello del punto di controllo esterno, non entrambi</translation>
+    </message>
+    <message>
+        <source>table&apos;s angles turn</source>
+        <translation>gli angoli della tavola girano</translation>
+    </message>
+    <message>
+        <source>take {formats}, or a mode with flat layers</source>
+        <translation>prendere {formats}, oppure un modo a strati piani</translation>
+    </message>
+    <message>
+        <source>text behind a frame</source>
+        <translation>testo dopo un pacchetto</translation>
+    </message>
+    <message>
+        <source>the last point of PVT has a velocity</source>
+        <translation>l&apos;ultimo punto di PVT ha una velocità</translation>
+    </message>
+    <message>
+        <source>the line has {characters} characters; its controller takes {most}</source>
+        <translation>la riga ha {characters} caratteri; il suo controllore ne accetta {most}</translation>
+    </message>
+    <message>
+        <source>the long way round, or angles turned by themselves</source>
+        <translation>il giro lungo, oppure angoli girati da soli</translation>
+    </message>
+    <message>
+        <source>the nozzle goes over the plate before the table stands: B and C are not known</source>
+        <translation>l&apos;ugello va sopra il piatto prima che la tavola sia ferma: B e C non sono noti</translation>
+    </message>
+    <message>
+        <source>the part</source>
+        <translation>il pezzo</translation>
+    </message>
+    <message>
+        <source>the procedure has no end</source>
+        <translation>la procedura non ha fine</translation>
+    </message>
+    <message>
+        <source>the program has no End</source>
+        <translation>il programma non ha End</translation>
+    </message>
+    <message>
+        <source>the program says that it is for another cell: {program}; this job is {job}</source>
+        <translation>il programma dice di essere per un&apos;altra cella: {program}; questo lavoro è {job}</translation>
+    </message>
+    <message>
+        <source>the program says that it is of another job: {program}; this job is {job}</source>
+        <translation>il programma dice di essere di un altro lavoro: {program}; questo lavoro è {job}</translation>
+    </message>
+    <message>
+        <source>the program {name} is not here</source>
+        <translation>il programma {name} non è qui</translation>
+    </message>
+    <message>
+        <source>the table turns before the nozzle is up: Z is not known yet</source>
+        <translation>la tavola gira prima che l&apos;ugello sia in alto: Z non è ancora noto</translation>
+    </message>
+    <message>
+        <source>the tool (ISO 841)</source>
+        <translation>l&apos;utensile (ISO 841)</translation>
+    </message>
+    <message>
+        <source>the tool does not turn evenly along its way</source>
+        <translation>l&apos;utensile non gira in modo uniforme lungo il percorso</translation>
+    </message>
+    <message>
+        <source>the velocities lead off the way to this point</source>
+        <translation>le velocità portano fuori dal percorso verso questo punto</translation>
+    </message>
+    <message>
+        <source>work coordinates that P_WkCord does not set</source>
+        <translation>coordinate di lavoro che P_WkCord non imposta</translation>
+    </message>
+    <message>
+        <source>{frame} is not set before this motion</source>
+        <translation>{frame} non è impostato prima di questo movimento</translation>
+    </message>
+    <message>
+        <source>{option} is an option of {having}; written are {formats}</source>
+        <translation>{option} è un&apos;opzione di {having}; si scrivono {formats}</translation>
+    </message>
 </context>
 <context>
     <name>Duration</name>
@@ -4895,6 +5443,13 @@ mm³</translation>
     </message>
 </context>
 <context>
+    <name>Resume</name>
+    <message>
+        <source>Bead %1 of %2</source>
+        <translation>Cordone %1 di %2</translation>
+    </message>
+</context>
+<context>
     <name>voluta::document::Document</name>
     <message>
         <source>Untitled</source>
@@ -4919,6 +5474,13 @@ mm³</translation>
     <message>
         <source>Open %1</source>
         <translation>apertura di %1</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::document::Opening</name>
+    <message>
+        <source>the rest of %1</source>
+        <translation>il resto di %1</translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5806,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Export</source>
         <translation>Esporta</translation>
+    </message>
+    <message>
+        <source>Options of %1</source>
+        <translation>Opzioni di %1</translation>
     </message>
 </context>
 <context>
@@ -5668,6 +6234,44 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>As the part lies in its file, in its own size</source>
         <translation>Come nel file, nelle misure originali</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::ProgramFacts</name>
+    <message>
+        <source>What is assumed of the controller</source>
+        <translation>Che cosa si suppone del controllore</translation>
+    </message>
+    <message>
+        <source>%1 in one file</source>
+        <translation>%1 in un file</translation>
+    </message>
+    <message>
+        <source>%1 in %2 files</source>
+        <translation>%1 in %2 file</translation>
+    </message>
+    <message>
+        <source>Takes %1, as planned</source>
+        <translation>Dura %1, come previsto</translation>
+    </message>
+    <message>
+        <source>Takes %1, planned are %2: %3 % more</source>
+        <translation>Dura %1, previsti %2: %3 % in più</translation>
+    </message>
+    <message>
+        <source>Takes %1, planned are %2: %3 % less</source>
+        <translation>Dura %1, previsti %2: %3 % in meno</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::ResumeBar</name>
+    <message>
+        <source>Resume from here…</source>
+        <translation>Riprendi da qui…</translation>
+    </message>
+    <message>
+        <source>The rest of a print that was stopped there, as a project of its own</source>
+        <translation>Il resto di una stampa interrotta lì, come progetto a sé</translation>
     </message>
 </context>
 <context>
@@ -6198,6 +6802,18 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>Replace</source>
         <translation>Sostituisci</translation>
     </message>
+    <message>
+        <source>This is the rest of a print, made with other settings. Undo the change: Plan makes the whole part anew.</source>
+        <translation>Questo è il resto di una stampa, fatta con altre impostazioni. Annullare la modifica: Pianifica rifà tutto il pezzo.</translation>
+    </message>
+    <message>
+        <source>Slower on the controller: %1 s more</source>
+        <translation>Più lento sul controllore: %1 s in più</translation>
+    </message>
+    <message>
+        <source>Line %1, %2</source>
+        <translation>Riga %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::FlowBar</name>
@@ -6432,6 +7048,18 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>“%1” has changes that are not saved.</source>
         <translation>“%1” ha modifiche non salvate.</translation>
+    </message>
+    <message>
+        <source>Resume the print from here?</source>
+        <translation>Riprendere la stampa da qui?</translation>
+    </message>
+    <message>
+        <source>%1 % of the material counts as printed. The rest opens as a project of its own; “%2” stays as it was saved.</source>
+        <translation>Il %1 % del materiale conta come stampato. Il resto si apre come progetto a sé; «%2» resta com&apos;era salvato.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Riprendi</translation>
     </message>
 </context>
 <context>
