@@ -1,6 +1,6 @@
 // Frames in which a listen node takes scripts: $TMSCT,<bytes>,<id>,<script>,*<checksum> and CR LF.
 // <bytes> are those of "id,script"; the checksum is XOR of all bytes between $ and *, in two
-// hexadecimal digits (tmr_ros1; docs/programs.md, TMscript).
+// hexadecimal digits (tmr_ros1; docs/programs.md on TMscript).
 #pragma once
 
 #include "base/text.h"

@@ -44,9 +44,11 @@ protected:
   }
   void chooseFormat(const char* id) {
     for (int i = 0; i < formats()->topLevelItemCount(); ++i)
-      if (auto* item = formats()->topLevelItem(i); item->data(0, Qt::UserRole).toString() == id)
+      if (auto* item = formats()->topLevelItem(i); item->data(0, Qt::UserRole).toString() == id) {
+        formats()->scrollToItem(item);
         QTest::mouseClick(formats()->viewport(), Qt::LeftButton, {},
                           formats()->visualItemRect(item).center() + QPoint(40, 0));
+      }
     EXPECT_EQ(formats()->currentId(), id);
   }
   // Sets off a line of the text by the mouse; the one of a motion that prints.

@@ -192,7 +192,7 @@ TEST_F(PlannedBox, WhatIsNoProgramIsToldInOneLine) {
     const char* told;
   } cases[] = {{"\xef\xbb\xbf" + text, "byte-order mark"},
                {std::string("\x7f\x45LF\0\0\1", 7), "binary"},
-               {"DEF x()\nPTP {A1 0}\nLIN {X 1}\nEND\n", "no motion of format urscript"}};
+               {"/PROG X\n/MN\n1:J P[1] 100% FINE ;\n/END\n", "no motion of format urscript"}};
   for (const auto& c : cases) {
     base::writeFile(folder / "box.script", c.text);
     try {

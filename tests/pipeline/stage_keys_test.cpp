@@ -72,7 +72,10 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"motionsPerFile", {"2000", 5}},
     {"urscriptForm", {"port", 5}},
     {"rapidModules", {"modx", kStageCount}}, // no program here is RAPID
-    {"krlMemoryMb", {"2", kStageCount}}, // nor KRL
+    {"krlMemoryMb", {"2", kStageCount}},     // nor KRL
+    {"tableXMm", {"5", kStageCount}},        // nor for a table
+    {"tableZMm", {"5", kStageCount}},
+    {"tableSense", {"tool", kStageCount}},
 };
 
 // Works on a copy of the program's data, to be changed.

@@ -1,5 +1,5 @@
 // What every row of the registry has to keep: what is written is what is read back.
-#include "program_fixture.h"
+#include "read_programs.h"
 
 #include "base/error.h"
 #include "program/dialect.h"
@@ -19,89 +19,7 @@
 namespace voluta::program {
 namespace {
 
-class Dialects : public test::Programs {
-protected:
-  robot::JointVector jointsAt(std::size_t i) const {
-    return Eigen::Map<const Eigen::VectorXd>(trajectory_.at(i), trajectory_.dof);
-  }
-  Eigen::Isometry3d tcpAt(std::size_t i) const {
-    return cell_->robot().kinematics->flange(jointsAt(i)) * cell_->flange_T_moved();
-  }
-
-  void expectTarget(const plan::ReadProgram& program, std::size_t i) const {
-    const plan::ProgramMotion& m = program.motions[i];
-    const Eigen::Isometry3d planned = cell_->work_T_tool(jointsAt(i));
-    Eigen::Vector3d tip, direction;
-    if (m.target == plan::TargetKind::ToolPoint) {
-      tip = m.position;
-      direction = m.direction;
-    } else {
-      Eigen::Isometry3d tool;
-      if (m.target == plan::TargetKind::Joints)
-        tool =
-            cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof));
-      else if (m.target == plan::TargetKind::WorkPose)
-        tool = program.base_T_nozzle
-                   ? Eigen::Isometry3d(cell_->flange_T_moved().inverse() * program.flange_T_tcp *
-                                       m.frame_T_tcp * program.base_T_nozzle->inverse() *
-                                       cell_->base_T_fixed())
-                   : m.frame_T_tcp * program.flange_T_tcp.inverse() * cell_->flange_T_moved();
-      else
-        tool = cell_->work_T_toolOfFlange(m.frame_T_tcp * program.flange_T_tcp.inverse(),
-                                          cell_->home());
-      tip = tool.translation();
-      direction = -tool.linear().col(2);
-      EXPECT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);
-    }
-    EXPECT_LE((tip - planned.translation()).norm(), 1e-3) << "point " << i;
-    if (program.tellsDirections) {
-      EXPECT_LE((direction + planned.linear().col(2)).norm(), 1e-5) << "point " << i;
-    }
-  }
-
-  // The time that a controller takes for motion i, from what the text says.
-  double seconds(const plan::ReadProgram& program, std::size_t i) const {
-    const plan::ProgramMotion& m = program.motions[i];
-    if (m.durationS > 0.0)
-      return m.durationS;
-    if (m.target == plan::TargetKind::ToolPoint)
-      return (m.position - program.motions[i - 1].position).norm() / m.speedMmPerS;
-    const plan::ProgramMotion& before = program.motions[i - 1];
-    const Eigen::Isometry3d from = before.target != plan::TargetKind::Joints ? before.frame_T_tcp
-                                   : m.target == plan::TargetKind::WorkPose
-                                       ? cell_->work_T_tool(jointsAt(i - 1))
-                                       : tcpAt(i - 1);
-    return (m.frame_T_tcp.translation() - from.translation()).norm() / m.speedMmPerS;
-  }
-
-  // What lies on the way of a joint motion, or of one on a table, becomes one with its end.
-  void dropPieces(plan::ReadProgram& program) const {
-    std::vector<plan::ProgramMotion> whole;
-    double seconds = 0.0, volume = 0.0;
-    for (const plan::ProgramMotion& m : program.motions) {
-      const std::size_t point = whole.size();
-      const bool mayBePiece = m.target == plan::TargetKind::ToolPoint && point > 0 &&
-                              point < trajectory_.pointCount() &&
-                              (!m.way.empty() || trajectory_.move[point] == plan::MoveKind::Joint);
-      if (mayBePiece) {
-        const Eigen::Isometry3d end = cell_->work_T_tool(jointsAt(point));
-        if ((m.position - end.translation()).norm() > 1e-3 ||
-            (program.tellsDirections && (m.direction + end.linear().col(2)).norm() > 1e-4)) {
-          seconds += m.durationS;
-          volume += m.extruding ? m.volumeMm3 : 0.0;
-          continue;
-        }
-      }
-      whole.push_back(m);
-      if (m.durationS > 0.0)
-        whole.back().durationS += seconds;
-      if (m.volumeMm3 >= 0.0)
-        whole.back().volumeMm3 += volume;
-      seconds = volume = 0.0;
-    }
-    program.motions = std::move(whole);
-  }
-};
+class Dialects : public test::ReadPrograms {};
 
 // A dialect that can only go straight says joint motions in pieces, which lead to their points.
 TEST_F(Dialects, sayJointMotionsInPiecesWhereTheyCannotSayThem) {
@@ -441,42 +359,6 @@ TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
   EXPECT_LE(back.motions.front().jointSpeedRadPerS, 0.25);
 }
 
-TEST_F(Dialects, urscriptIsCalledInAFileNodeAndNotOnAPort) {
-  appendRandom(2, 50);
-  for (const bool port : {false, true}) {
-    ProgramInput in = input();
-    in.options.own["urscriptForm"] = std::string(port ? "port" : "node");
-    const std::string text = writeProgram("urscript", in).files[0].text;
-    EXPECT_EQ(text.ends_with("\nend\n"), port);
-    EXPECT_EQ(text.ends_with("\nend\nprint_part_1()\n"), !port);
-    const plan::ReadProgram back = readProgram("urscript", {{"f", text}}, process_);
-    EXPECT_TRUE(back.complete && back.defects.empty());
-  }
-  const std::string text = writeProgram("urscript", input()).files[0].text;
-  EXPECT_FALSE(
-      readProgram("urscript", {{"f", text.substr(0, text.rfind("print_"))}}, process_).complete);
-}
-
-// Motions that print take the plan's time whatever law the controller has for turning, and the
-// output is written only where the flow leaves its band.
-TEST_F(Dialects, urscriptGivesTimesAndHoldsTheFlow) {
-  append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
-  const double flows[] = {10.0, 10.1, 9.9, 10.15, 9.85, 10.3, 10.4};
-  for (int i = 0; i < 7; ++i)
-    append(plan::MoveKind::Print, {0.001 * (i + 1), 0, 0, 0, 0.02 * i, 0}, 0.05, 0.05 * flows[i]);
-  const std::string text = writeProgram("urscript", input()).files[0].text;
-  std::size_t writes = 0;
-  for (std::size_t at = 0;
-       (at = text.find("set_standard_analog_out(0,0.", at)) != std::string::npos; ++at)
-    ++writes;
-  EXPECT_EQ(writes, 3u) << text; // the prime, 10, 10.3
-  const plan::ReadProgram back = readProgram("urscript", {{"f", text}}, process_);
-  for (std::size_t i = 1; i < back.motions.size(); ++i) {
-    EXPECT_NEAR(back.motions[i].durationS, 0.05, 0.05 * kFlowBand);
-    EXPECT_NEAR(back.motions[i].durationS * back.motions[i].flowMm3PerS, 0.05 * flows[i - 1], 1e-4);
-  }
-}
-
 TEST_F(Dialects, sameInputSameBytes) {
   for (const Dialect& d : dialects()) {
     randomFor(d, 4, 300);
@@ -513,125 +395,6 @@ TEST_F(Dialects, refuseATrajectoryOfAnotherArm) {
   append(plan::MoveKind::Joint, {0, 0, 0, 0}, 0, 0);
   for (const Dialect& d : dialects())
     EXPECT_THROW(writeProgram(d.id, input()), base::Error) << d.id;
-}
-
-// A plate that turns about its own origin: the TCP stands still while the nozzle prints a ring.
-TEST_F(Dialects, urscriptTimesAPlateThatTurnsOnTheSpot) {
-  append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
-  for (int i = 1; i <= 50; ++i)
-    append(plan::MoveKind::Print, {0, 0, 0, 0, 0, 0.02 * i}, 0.05, 0.8);
-  const plan::ReadProgram back =
-      readProgram("urscript", writeProgram("urscript", input()).files, process_);
-  ASSERT_EQ(back.motions.size(), 51u);
-  for (std::size_t i = 1; i < back.motions.size(); ++i) {
-    EXPECT_NEAR(back.motions[i].durationS, 0.05, 1e-6);
-    EXPECT_NEAR(back.motions[i].flowMm3PerS, 16.0, 0.016);
-  }
-}
-
-TEST_F(Dialects, urscriptSlowsWhatAsksForMoreThanTheFullFlow) {
-  append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
-  append(plan::MoveKind::Print, {0.001, 0, 0, 0, 0, 0}, 0.01, 0.8); // 80 mm3/s, 40 is full
-  const plan::ReadProgram back =
-      readProgram("urscript", writeProgram("urscript", input()).files, process_);
-  ASSERT_EQ(back.motions.size(), 2u);
-  EXPECT_DOUBLE_EQ(back.motions[1].flowMm3PerS, 40.0);
-  EXPECT_NEAR(back.motions[1].flowMm3PerS * seconds(back, 1), 0.8, 8e-4);
-}
-
-TEST_F(Dialects, urscriptIsCutOnlyWhereTheExtruderIsOff) {
-  appendRandom(9, 1000);
-  ProgramInput cut = input();
-  cut.options.motionsPerFile = 100;
-  const plan::Program program = writeProgram("urscript", cut);
-  ASSERT_GT(program.files.size(), 3u);
-  const plan::ReadProgram back = readProgram("urscript", program.files, process_);
-  EXPECT_TRUE(back.complete);
-  EXPECT_TRUE(back.defects.empty());
-  ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
-  for (std::size_t i = 1; i < back.motions.size(); ++i) {
-    expectTarget(back, i);
-    if (back.motions[i].file != back.motions[i - 1].file) {
-      EXPECT_FALSE(back.motions[i].extruding);
-      EXPECT_EQ(back.motions[i - 1].blendMm, 0.0);
-    }
-  }
-}
-
-TEST_F(Dialects, urscriptBlendsNeitherMeetNorLeaveAPath) {
-  appendRandom(5, 3000);
-  const plan::ReadProgram back =
-      readProgram("urscript", writeProgram("urscript", input()).files, process_);
-  ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
-  std::size_t blended = 0;
-  for (std::size_t i = 1; i + 1 < back.motions.size(); ++i) {
-    const plan::ProgramMotion& m = back.motions[i];
-    const bool inside = trajectory_.move[i] != plan::MoveKind::Joint &&
-                        trajectory_.move[i] == trajectory_.move[i + 1];
-    if (!inside) {
-      EXPECT_EQ(m.blendMm, 0.0);
-      continue;
-    }
-    blended += m.blendMm > 0.0;
-    const double next =
-        (back.motions[i + 1].frame_T_tcp.translation() - m.frame_T_tcp.translation()).norm();
-    EXPECT_LT(m.blendMm + back.motions[i + 1].blendMm, next) << "point " << i;
-  }
-  EXPECT_GT(blended, 2500u);
-}
-
-// The corner as the controller is assumed to round it, run through the cell's own frames: position
-// on a parabola, orientation by the same blend of the two turns.
-TEST_F(Dialects, urscriptBlendsStayNearTheCornerOnThePart) {
-  for (unsigned seed = 6; seed < 12; ++seed)
-    appendRandom(seed, 400);
-  const plan::ReadProgram back =
-      readProgram("urscript", writeProgram("urscript", input()).files, process_);
-  const auto nozzle = [&](const Eigen::Vector3d& p, const Eigen::Quaterniond& q) {
-    Eigen::Isometry3d tcp = Eigen::Isometry3d::Identity();
-    tcp.linear() = q.toRotationMatrix();
-    tcp.translation() = p;
-    return Eigen::Vector3d(
-        cell_->work_T_toolOfFlange(tcp * back.flange_T_tcp.inverse(), cell_->home()).translation());
-  };
-  double worst = 0.0;
-  for (std::size_t i = 1; i + 1 < back.motions.size(); ++i) {
-    const double r = back.motions[i].blendMm;
-    if (r == 0.0)
-      continue;
-    const Eigen::Isometry3d poses[3] = {tcpAt(i - 1), back.motions[i].frame_T_tcp,
-                                        back.motions[i + 1].frame_T_tcp};
-    const Eigen::Vector3d c = poses[1].translation();
-    const double f1 = r / (c - poses[0].translation()).norm();
-    const double f2 = r / (poses[2].translation() - c).norm();
-    const Eigen::Quaterniond q0(poses[0].linear()), q1(poses[1].linear()), q2(poses[2].linear());
-    // The path without a blend: on the part it is slightly curved.
-    std::vector<Eigen::Vector3d> sharp;
-    for (int k = -50; k <= 50; ++k) {
-      const int side = k < 0 ? 0 : 2;
-      const double u = std::abs(k) / 100.0;
-      sharp.push_back(
-          nozzle(c + u * (poses[side].translation() - c), q1.slerp(u, side == 0 ? q0 : q2)));
-    }
-    for (int k = 0; k <= 20; ++k) {
-      const double s = k / 20.0, a = f1 * (1 - s) * (1 - s), b = f2 * s * s;
-      const Eigen::Vector3d p =
-          c + a * (poses[0].translation() - c) + b * (poses[2].translation() - c);
-      const Eigen::Quaterniond q = q1.slerp(a, q0) * q1.conjugate() * q1.slerp(b, q2);
-      const Eigen::Vector3d tip = nozzle(p, q);
-      double nearest = 1e9;
-      for (std::size_t n = 1; n < sharp.size(); ++n) {
-        const Eigen::Vector3d d = sharp[n] - sharp[n - 1], e = tip - sharp[n - 1];
-        const double t = std::clamp(e.dot(d) / d.squaredNorm(), 0.0, 1.0);
-        nearest = std::min(nearest, (e - t * d).norm());
-      }
-      worst = std::max(worst, nearest);
-    }
-  }
-  // The tolerance holds to first order; the plate's turn within a blend adds its own on these hard
-  // random motions. Both together stay a tenth of what replay allows.
-  EXPECT_LE(worst, kBlendToleranceMm + 0.003);
-  EXPECT_GT(worst, 0.5 * kBlendToleranceMm);
 }
 
 TEST_F(Dialects, aForeignProgramDecidesOnlyAmongForeignOnes) {

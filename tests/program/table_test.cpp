@@ -33,7 +33,7 @@ Vector3d leaning(double tiltDeg, double aroundDeg) {
   return {std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), std::cos(t)};
 }
 
-// robots.md's vector: B = -9.0950, C = -126.5073; and the point by its formulas.
+// The vector of docs/programs.md (G-code with B and C): B = -9.0950, C = -126.5073; and the point by its formulas.
 TEST(Table, StandsAsTheThesisHasIt) {
   const TableAngles a = anglesOf({Vector3d(-0.094, 0.127, 0.987)}).front();
   EXPECT_NEAR(degrees(a.tilt), -9.0950, 5e-5);
