@@ -6240,7 +6240,7 @@ Fai clic per sceglierne un altro</translation>
     <name>voluta::panels::ProgramFacts</name>
     <message>
         <source>What is assumed of the controller</source>
-        <translation>Che cosa si suppone del controllore</translation>
+        <translation>Ipotesi sul controllore</translation>
     </message>
     <message>
         <source>%1 in one file</source>
