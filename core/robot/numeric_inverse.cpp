@@ -20,7 +20,7 @@ constexpr int kTurns = 20; // places a joint of the table
 constexpr int kCells = 24; // a side of the grid of cells: outward, and up from -reach to reach
 constexpr std::size_t kSeeds = 64;
 constexpr double kApartRad = 0.5; // of two seeds
-constexpr int kSteps = 25;
+constexpr int kSteps = 12;
 constexpr double kGoodMm = 1e-7, kGoodRad = 1e-10; // a branch
 constexpr double kSameRad = 1e-6;
 
