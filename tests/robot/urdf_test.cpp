@@ -101,7 +101,7 @@ TEST_F(Urdf, HasTheSolidsOfItsLinks) {
   EXPECT_LT((upper.p0 - Vector3d(-462.5, 0, 132)).norm(), 1e-9);
   EXPECT_LT((upper.p1 - Vector3d(37.5, 0, 132)).norm(), 1e-9);
   const auto& fore = std::get<Box>(links[3].shapes.at(0));
-  EXPECT_LT((fore.half - Vector3d(180, 45, 45)).norm(), 1e-9);
+  EXPECT_LT((fore.half - Vector3d(180, 35, 35)).norm(), 1e-9);
   EXPECT_DOUBLE_EQ(std::get<Capsule>(links[4].shapes.at(0)).radius, 55.0); // what is to be seen
   EXPECT_EQ(links[6].frame, 6);
 }
@@ -216,10 +216,10 @@ TEST_F(Urdf, EnclosesMeshesAndReplacesThoseThatAreNotThere) {
   std::filesystem::create_directories(folder_ / std::filesystem::path("my_arm/meshes"));
   std::ofstream(folder_ / std::filesystem::path("my_arm/meshes/bar.stl"), std::ios::binary)
       << geometry::writeStl(bar);
-  const std::string box = R"(<box size="0.36 0.09 0.09"/>)";
+  const std::string box = R"(<box size="0.36 0.07 0.07"/>)";
   const std::string urdf =
       with(with(test::ur5Urdf(), box, R"(<mesh filename="package://my_arm/meshes/bar.stl"/>)"),
-           R"(<sphere radius="0.05"/>)", R"(<mesh filename="../meshes/none.stl"/>)");
+           R"(<sphere radius="0.04"/>)", R"(<mesh filename="../meshes/none.stl"/>)");
   const UrdfRobot robot = read(urdf);
   const auto& capsule = std::get<Capsule>(robot.model.links[3].shapes.at(0));
   EXPECT_LT(capsule.radius, 25.0);

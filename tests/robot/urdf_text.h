@@ -37,11 +37,11 @@ inline std::string ur5Urdf(
   <link name="upper_arm"><collision><origin xyz="-0.2125 0 0.132" rpy="0 1.5707963267948966 0"/>
     <geometry><cylinder radius="0.06" length="0.5"/></geometry></collision></link>
   <link name="forearm"><collision><origin xyz="-0.196 0 0.027"/><geometry>
-    <box size="0.36 0.09 0.09"/></geometry></collision></link>
+    <box size="0.36 0.07 0.07"/></geometry></collision></link>
   <link name="wrist_1"><visual><geometry><sphere radius="0.055"/></geometry></visual></link>
-  <link name="wrist_2"><collision><geometry><sphere radius="0.05"/></geometry></collision></link>
+  <link name="wrist_2"><collision><geometry><sphere radius="0.04"/></geometry></collision></link>
   <link name="wrist_3"><collision><origin xyz="0 0 -0.021"/><geometry>
-    <sphere radius="0.04"/></geometry></collision></link>
+    <sphere radius="0.035"/></geometry></collision></link>
   <link name="tool0"/>
   <joint name="flange" type="fixed"><parent link="wrist_3"/><child link="tool0"/></joint>
 )" + joint("pan", "inertia", "shoulder", R"(xyz="0 0 0.089159")", full) +
