@@ -5365,6 +5365,106 @@ mm³</translation>
         <source>{option} is an option of {having}; written are {formats}</source>
         <translation>{option} è un&apos;opzione di {having}; si scrivono {formats}</translation>
     </message>
+    <message>
+        <source>&apos;{attribute}&apos; is missing</source>
+        <translation>manca &apos;{attribute}&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;{attribute}&apos; is no three numbers: &apos;{text}&apos;</source>
+        <translation>&apos;{attribute}&apos; non è fatto di tre numeri: &apos;{text}&apos;</translation>
+    </message>
+    <message>
+        <source>expand it first: xacro FILE &gt; arm.urdf</source>
+        <translation>espanderlo prima: xacro FILE &gt; arm.urdf</translation>
+    </message>
+    <message>
+        <source>from &apos;{base}&apos; to &apos;{tip}&apos; {count} axes turn; six are needed</source>
+        <translation>da &apos;{base}&apos; a &apos;{tip}&apos; girano {count} assi; ne servono sei</translation>
+    </message>
+    <message>
+        <source>give the cell another home; where only the shapes that enclose two links overlap, list the pair under neverMeet in the robot&apos;s file</source>
+        <translation>dare alla cella un&apos;altra posizione di riposo; dove si sovrappongono solo le forme che racchiudono due membri, elencare la coppia sotto neverMeet nel file del robot</translation>
+    </message>
+    <message>
+        <source>has no links</source>
+        <translation>non ha membri</translation>
+    </message>
+    <message>
+        <source>has no tip: no joint moves</source>
+        <translation>non ha punta: nessun giunto si muove</translation>
+    </message>
+    <message>
+        <source>has several tips: {names}</source>
+        <translation>ha più punte: {names}</translation>
+    </message>
+    <message>
+        <source>has two bases, &apos;{first}&apos; and &apos;{second}&apos;: no joint leads from one to the other</source>
+        <translation>ha due basi, &apos;{first}&apos; e &apos;{second}&apos;: nessun giunto porta dall&apos;una all&apos;altra</translation>
+    </message>
+    <message>
+        <source>is a xacro file</source>
+        <translation>è un file xacro</translation>
+    </message>
+    <message>
+        <source>is no URDF: it begins with &lt;{element}&gt;</source>
+        <translation>non è un URDF: comincia con &lt;{element}&gt;</translation>
+    </message>
+    <message>
+        <source>joint &apos;{joint}&apos; follows &apos;{other}&apos; (mimic), which is not taken</source>
+        <translation>il giunto &apos;{joint}&apos; segue &apos;{other}&apos; (mimic), che non si accetta</translation>
+    </message>
+    <message>
+        <source>joint &apos;{joint}&apos; has an axis of no length</source>
+        <translation>il giunto &apos;{joint}&apos; ha un asse senza lunghezza</translation>
+    </message>
+    <message>
+        <source>joint &apos;{joint}&apos; has its lower limit not below its upper</source>
+        <translation>il giunto &apos;{joint}&apos; ha il limite inferiore non sotto il superiore</translation>
+    </message>
+    <message>
+        <source>joint &apos;{joint}&apos; is of no type that is known: &apos;{type}&apos;</source>
+        <translation>il giunto &apos;{joint}&apos; non è di un tipo noto: &apos;{type}&apos;</translation>
+    </message>
+    <message>
+        <source>joint &apos;{joint}&apos; is {type}; only joints that turn are taken</source>
+        <translation>il giunto &apos;{joint}&apos; è {type}; si accettano solo giunti che girano</translation>
+    </message>
+    <message>
+        <source>joint &apos;{joint}&apos; names a link that is not there: &apos;{link}&apos;</source>
+        <translation>il giunto &apos;{joint}&apos; nomina un membro che non c&apos;è: &apos;{link}&apos;</translation>
+    </message>
+    <message>
+        <source>link &apos;{link}&apos; hangs on two joints, &apos;{first}&apos; and &apos;{second}&apos;: a loop, which is not taken</source>
+        <translation>il membro &apos;{link}&apos; è appeso a due giunti, &apos;{first}&apos; e &apos;{second}&apos;: un anello, che non si accetta</translation>
+    </message>
+    <message>
+        <source>link &apos;{link}&apos; is on a loop, which is not taken</source>
+        <translation>il membro &apos;{link}&apos; è su un anello, che non si accetta</translation>
+    </message>
+    <message>
+        <source>name one: --tip</source>
+        <translation>nominarne una: --tip</translation>
+    </message>
+    <message>
+        <source>name the links between which they are: --base, --tip</source>
+        <translation>nominare i membri fra cui si trovano: --base, --tip</translation>
+    </message>
+    <message>
+        <source>the base &apos;{base}&apos; moves beside the way to &apos;{tip}&apos;</source>
+        <translation>la base &apos;{base}&apos; si muove fuori dalla via verso &apos;{tip}&apos;</translation>
+    </message>
+    <message>
+        <source>two links are named &apos;{link}&apos;</source>
+        <translation>due membri si chiamano &apos;{link}&apos;</translation>
+    </message>
+    <message>
+        <source>{first} meets {second} where the arm rests: nothing can be moved</source>
+        <translation>{first} tocca {second} dove il braccio riposa: nulla si può muovere</translation>
+    </message>
+    <message>
+        <source>{option}: no link is named &apos;{name}&apos;</source>
+        <translation>{option}: nessun membro si chiama &apos;{name}&apos;</translation>
+    </message>
 </context>
 <context>
     <name>Duration</name>

@@ -8,6 +8,7 @@
 #include "pipeline/compare_figures.h"
 #include "pipeline/resume.h"
 #include "pipeline/road.h"
+#include "robot/urdf_reader.h"
 
 #include <filesystem>
 #include <functional>
@@ -77,6 +78,13 @@ struct RobotOptions {
   std::string forward, inverse; // comma separated; one of them
 };
 ExitCode robotCommand(const RobotOptions& options);
+
+struct ImportRobotOptions {
+  std::filesystem::path urdf, file; // file: empty for the user's own robots, by the robot's id
+  robot::UrdfOptions options;
+};
+// Writes a robot's file from a URDF, and says what the robot is and what of it is assumed.
+ExitCode importRobotCommand(const ImportRobotOptions& options);
 
 struct ListOptions {
   std::string what;

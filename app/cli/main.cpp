@@ -264,16 +264,42 @@ void addOrient(CLI::App& app, Parsed& parsed, int threads) {
       [options, &parsed] { parsed.run = [options] { return orientCommand(*options); }; });
 }
 
+CLI::App* addImportRobot(CLI::App& robot, Parsed& parsed) {
+  auto options = std::make_shared<ImportRobotOptions>();
+  CLI::App* import = robot.add_subcommand("import", "a robot's file from a URDF");
+  import->add_option("FILE", options->urdf, "URDF, xacro expanded")->required();
+  import->add_option("--tip", options->options.tip, "link whose frame is the flange");
+  import->add_option("--base", options->options.base, "link whose frame poses are counted from");
+  import->add_option("--id", options->options.id, "what the robot is called");
+  import->add_option("--controller", options->options.controller,
+                     "program format that it reads (see: list formats); csv, unless given");
+  import->add_option("-o", options->file, "file to write; the user's own robots, unless given");
+  import->callback(
+      [options, &parsed] { parsed.run = [options] { return importRobotCommand(*options);
+};
+} // namespace
+);
+return import;
+}
+
 void addRobot(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<RobotOptions>();
   CLI::App* robot = app.add_subcommand("robot", "forward and inverse kinematics, degrees and mm");
-  robot->add_option("ID", options->id, "robot (see: list robots)")->required();
-  CLI::Option_group* which = robot->add_option_group("query");
-  which->add_option("--fk", options->forward, "q1,q2,...: flange pose");
-  which->add_option("--ik", options->inverse, "x,y,z,qw,qx,qy,qz: all branches");
-  which->require_option(1);
-  robot->callback(
-      [options, &parsed] { parsed.run = [options] { return robotCommand(*options); }; });
+  CLI::Option* id = robot->add_option("ID", options->id, "robot (see: list robots)");
+  CLI::Option* forward = robot->add_option("--fk", options->forward, "q1,q2,...: flange pose");
+  CLI::Option* inverse =
+      robot->add_option("--ik", options->inverse, "x,y,z,qw,qx,qy,qz: all branches");
+  forward->excludes(inverse);
+  const CLI::App* import = addImportRobot(*robot, parsed);
+  robot->callback([=, &parsed] {
+    if (import->parsed())
+      return;
+    if (id->count() == 0)
+      throw CLI::RequiredError("ID");
+    if (forward->count() + inverse->count() == 0)
+      throw CLI::RequiredError("--fk or --ik");
+    parsed.run = [options] { return robotCommand(*options); };
+  });
 }
 
 void addList(CLI::App& app, Parsed& parsed) {

@@ -5,16 +5,36 @@
 #include "base/nearest_name.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace voluta::base {
 
+std::filesystem::path userDataFolder() {
+  const auto set = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return value ? std::filesystem::path(value) : std::filesystem::path();
+  };
+  if (auto chosen = set("VOLUTA_DATA"); !chosen.empty())
+    return chosen;
+  if (auto data = set("XDG_DATA_HOME"); !data.empty())
+    return data / "voluta";
+  if (auto home = set("HOME"); !home.empty())
+    return home / ".local" / "share" / "voluta";
+  return {};
+}
+
 std::vector<std::string> dataFileIds(const std::string& folder) {
   std::vector<std::string> ids;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(resourceFolder() / folder, none))
-    if (entry.path().extension() == ".json")
-      ids.push_back(entry.path().stem().string());
+  for (const std::filesystem::path& data : {resourceFolder(), userDataFolder()}) {
+    std::error_code none;
+    if (data.empty())
+      continue;
+    for (const auto& entry : std::filesystem::directory_iterator(data / folder, none))
+      if (entry.path().extension() == ".json")
+        ids.push_back(entry.path().stem().string());
+  }
   std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
 }
 
@@ -22,7 +42,10 @@ std::filesystem::path dataFile(const std::string& folder, const std::string& id,
   const std::vector<std::string> ids = dataFileIds(folder);
   if (std::find(ids.begin(), ids.end(), id) == ids.end())
     throw Error(ErrorCode::Usage, Message(unknown, {id}), {}, didYouMean(id, ids));
-  return resourceFolder() / folder / (id + ".json");
+  const std::filesystem::path name = std::filesystem::path(folder) / (id + ".json");
+  std::error_code none;
+  const std::filesystem::path own = resourceFolder() / name;
+  return std::filesystem::exists(own, none) ? own : userDataFolder() / name;
 }
 
 } // namespace voluta::base

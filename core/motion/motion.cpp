@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -63,7 +64,10 @@ public:
     result_.times.collision += watch.seconds();
 
     ways_.resize(plan_.paths.size());
-    for (std::size_t p = 0; p < plan_.paths.size(); ++p) {
+    homeMeets_ = contactAtHome();
+    if (homeMeets_)
+      refuseAll(*homeMeets_);
+    for (std::size_t p = 0; p < plan_.paths.size() && !homeMeets_; ++p) {
       ctx.report(0.05 + 0.55 * static_cast<double>(plan_.paths[p].first) /
                             static_cast<double>(plan_.waypointCount()),
                  "motion"_text);
@@ -84,6 +88,19 @@ private:
     std::vector<Run> runs;
     std::vector<Refused> refused;
   };
+
+  // Whatever is planned begins and ends there.
+  std::optional<collision::Contact> contactAtHome() const {
+    collision::CellCollision::Frames frames;
+    cell_.framePoses(home_.q, frames);
+    return collision_.bodies(frames, options_.travelling);
+  }
+  void refuseAll(const collision::Contact& contact) {
+    refusals_.assign(plan_.waypointCount(), Refusal::Collision);
+    for (std::size_t p = 0; p < plan_.paths.size(); ++p)
+      for (std::size_t w = 0; w < plan_.paths[p].count; ++w)
+        ways_[p].refused.push_back({plan_.paths[p].first + w, Refusal::Collision, contact});
+  }
 
   // The paths that have such waypoints, ascending, but those that do without them already.
   std::vector<std::size_t> avoid(const std::vector<std::size_t>& waypoints) {
@@ -292,6 +309,12 @@ private:
       result_.findings.push_back(std::move(f));
     };
     result_.findings = findingsOf(refused, scene_, [&](std::size_t w) { return timeOf[w]; });
+    if (homeMeets_)
+      result_.findings.insert(
+          result_.findings.begin(),
+          plan::makeFinding(plan::FindingKind::HomeMeets,
+                            {{"first", collision_.nameOf(homeMeets_->first)},
+                             {"second", collision_.nameOf(homeMeets_->second)}}));
     for (const bool caught : {false, true})
       addLost(caught, [&](const LostPiece& first, std::size_t waypoints, std::size_t pieces) {
         const std::size_t w = first.waypoints.front();
@@ -340,8 +363,9 @@ private:
   RobotState home_;
   KnownTransfers transfers_;
   std::vector<std::size_t> headBefore_;
-  std::vector<Refusal> refusals_;     // of waypoints, before any path is planned
-  std::vector<PathWay> ways_;         // a path
+  std::vector<Refusal> refusals_; // of waypoints, before any path is planned
+  std::vector<PathWay> ways_;     // a path
+  std::optional<collision::Contact> homeMeets_;
   std::vector<LostPiece> lost_;       // for want of a way
   std::vector<Refused> refusedAgain_; // where runs were planned again to be come to
   TrajectoryCheck check_;

@@ -344,6 +344,11 @@ constexpr auto kRows = std::to_array<FindingRow>({
      kTurnOrClearance},
     {CollisionInMotion, "collisionInMotion", "collision", Motion, Blocks,
      "{first} meets {second} in the finished motion"_text, kTurnOrClearance},
+    {HomeMeets, "homeMeets", "collision", Motion, Blocks,
+     "{first} meets {second} where the arm rests: nothing can be moved"_text,
+     "give the cell another home; where only the shapes that enclose two links overlap, list the "
+     "pair "
+     "under neverMeet in the robot's file"_text},
     {NoWayTo, "noWayTo", "transfer", Motion, Blocks,
      "{place}: no way to {pieces} piece of a path was found that keeps clear of everything|"
      "{place}: no way to {pieces} pieces of paths was found that keeps clear of everything"_plural,

@@ -90,6 +90,7 @@ enum class FindingKind : std::uint8_t {
   MeetsOnCloserLook,
   MoreMeetOnCloserLook,
   CollisionInMotion,
+  HomeMeets,
   NoWayTo,
   NoWayBack,
   NoWayFrom,

@@ -1,9 +1,7 @@
 #include "robot/joint_reading.h"
 
 #include "base/error.h"
-#include "base/units.h"
-
-#include <cmath>
+#include "robot/angles.h"
 
 namespace voluta::robot {
 
@@ -39,20 +37,16 @@ Eigen::Isometry3d ReadKinematics::flange(const JointVector& q) const {
 
 void ReadKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
                              std::vector<JointVector>& solutions) const {
-  const auto wrapped = [](double angle) {
-    const double rest = std::remainder(angle, base::kTurn);
-    return rest <= -base::kPi ? base::kPi : rest;
-  };
   const std::size_t before = solutions.size();
   arm_->inverse(base_T_flange, solutions);
   for (std::size_t s = before; s < solutions.size(); ++s) {
     JointVector& q = solutions[s];
     for (Eigen::Index i = 0; i < q.size(); ++i) {
       const auto at = static_cast<std::size_t>(i);
-      q[i] = wrapped(reading_.signs[at] * q[i] + reading_.offsetsRad[at]);
+      q[i] = wrappedAngle(reading_.signs[at] * q[i] + reading_.offsetsRad[at]);
     }
     if (reading_.thirdIsCoupled)
-      q[2] = wrapped(q[2] + q[1]);
+      q[2] = wrappedAngle(q[2] + q[1]);
   }
 }
 

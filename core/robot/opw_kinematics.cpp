@@ -1,7 +1,7 @@
 #include "robot/opw_kinematics.h"
 
 #include "base/error.h"
-#include "base/units.h"
+#include "robot/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@ namespace voluta::robot {
 
 namespace {
 
-using base::kPi;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -21,12 +20,6 @@ constexpr double kWristSingular = 1e-12;
 // near are one: mm, and cosine of the elbow.
 constexpr double kShoulderSlackMm = 1e-9;
 constexpr double kElbowSlack = 1e-13;
-
-// In (-pi, pi].
-double wrapped(double angle) {
-  const double rest = std::remainder(angle, 2.0 * kPi);
-  return rest <= -kPi ? kPi : rest;
-}
 
 Matrix3d aboutY(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -147,7 +140,7 @@ void OpwKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
         q << theta1, theta2, theta3, theta4, theta5, theta6;
         for (std::size_t i = 0; i < 6; ++i) {
           double& joint = q[static_cast<Eigen::Index>(i)];
-          joint = wrapped(joint + g_.offsets[i]);
+          joint = wrappedAngle(joint + g_.offsets[i]);
         }
         solutions.push_back(q);
       }

@@ -2,10 +2,14 @@
 // marked optional; an unknown key is an error.
 //   id, label, maker      texts; id as the file's name
 //   controller            id of the program format its controller reads, e.g. "urscript"
-//   family                kinematic family: "ur" | "opw" (ortho-parallel with a spherical wrist)
+//   family                kinematic family: "ur" | "opw" (ortho-parallel with a spherical wrist) |
+//                         "chain" (any six turning axes)
 //   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH;
 //                         opw: {a1, a2, b, c1, c2, c3, c4, offsetsDeg}, offsetsDeg a list: what the
-//                         controller calls each joint where the arm stands upright
+//                         controller calls each joint where the arm stands upright; chain:
+//                         {joints, flange}: joints a list of {pose, axis}, the pose of a joint's
+//                         frame at zero in the link's before it and its axis in its own, flange the
+//                         flange's pose in the last
 //   reading               optional, where the controller counts joints otherwise than the family:
 //                         {signs, offsetsDeg, thirdIsCoupled}, all optional, as JointReading
 //   limits                a list with an object for each joint, as the controller counts them:
@@ -16,7 +20,9 @@
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
 #include "base/json_node.h"
+#include "robot/chain_kinematics.h"
 #include "robot/joint_reading.h"
+#include "robot/json_pose.h"
 #include "robot/limits_reader.h"
 #include "robot/opw_kinematics.h"
 #include "robot/robot_model.h"
@@ -58,13 +64,31 @@ std::shared_ptr<const Kinematics> opwFamily(const base::JsonNode& g) {
   return std::make_shared<OpwKinematics>(geometry);
 }
 
+std::shared_ptr<const Kinematics> chainFamily(const base::JsonNode& g) {
+  g.allowOnly({"joints", "flange"});
+  SerialChain chain;
+  for (const base::JsonNode& joint : g.at("joints").items()) {
+    joint.allowOnly({"pose", "axis"});
+    const Eigen::Vector3d axis = readVector3(joint.at("axis"));
+    if (axis.norm() == 0.0)
+      joint.at("axis").fail("has no length"_text);
+    chain.joints.push_back({readPose(joint.at("pose")), axis.normalized()});
+  }
+  if (chain.joints.size() != 6)
+    g.at("joints").fail(
+        base::message("must hold 6 joints, holds {found}"_text, chain.joints.size()));
+  chain.last_T_flange = readPose(g.at("flange"));
+  return std::make_shared<ChainKinematics>(std::move(chain));
+}
+
 // A new family is a row here and a file beside ur_kinematics.cpp.
 struct Family {
   const char* id;
   std::function<std::shared_ptr<const Kinematics>(const base::JsonNode&)> make;
 };
 const std::vector<Family>& families() {
-  static const std::vector<Family> table = {{"ur", urFamily}, {"opw", opwFamily}};
+  static const std::vector<Family> table = {
+      {"ur", urFamily}, {"opw", opwFamily}, {"chain", chainFamily}};
   return table;
 }
 

@@ -92,5 +92,15 @@ TEST_F(PathUnderACollar, IsLostAlone) {
             0);
 }
 
+// A head so wide that it meets the arm at rest: that is told once, at once, and nothing is tried.
+TEST_F(PathUnderACollar, AnArmThatMeetsSomethingAtRestIsToldFirst) {
+  process_.head.sections = {{0.0, 0.9}, {12.0, 6.0}, {12.0, 700.0}, {110.0, 700.0}};
+  const motion::MotionResult moved = planned(nullptr);
+  ASSERT_FALSE(moved.findings.empty());
+  EXPECT_EQ(moved.findings.front().kind, plan::FindingKind::HomeMeets);
+  EXPECT_TRUE(moved.findings.front().blocking);
+  EXPECT_EQ(moved.skipped.size(), plan_.waypointCount());
+}
+
 } // namespace
 } // namespace voluta

@@ -1,0 +1,24 @@
+// Solids for the links of an arm that comes as a URDF.
+#pragma once
+
+#include "robot/body.h"
+#include "robot/urdf_chain.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace voluta::robot {
+
+// A body a frame, base first, with all that is fixed to it: what its links have for collisions, or
+// else for the eye. Cylinders, boxes and spheres as they are, meshes enclosed by a capsule each.
+// What has no solid, or a mesh that cannot be had, gets a capsule along the link; all that is told
+// in `assumed`. `file`: the URDF, beside which meshes are looked for.
+std::vector<Body> urdfBodies(const UrdfTree& tree, const UrdfChain& chain,
+                             const std::filesystem::path& file, std::vector<std::string>& assumed);
+
+// Where a mesh's file is: relative to the URDF's folder; "package://NAME/REST" as NAME/REST in that
+// folder or one above it, or REST in one of them that is called NAME. Empty: it is not there.
+std::filesystem::path meshPath(const std::string& written, const std::filesystem::path& urdf);
+
+} // namespace voluta::robot
