@@ -4316,10 +4316,6 @@ mm³</translation>
         <translation>Un 3MF con percorsi (.build.3mf) si stampa lungo questi. Disattivato: il suo oggetto viene pianificato da capo.</translation>
     </message>
     <message>
-        <source>A file node needs the function to be called behind its end; text that is sent runs by itself and must not call it.</source>
-        <translation>Un nodo File vuole che la funzione sia chiamata dopo la sua fine; un testo inviato parte da sé e non deve chiamarla.</translation>
-    </message>
-    <message>
         <source>Adds NAME.build.3mf: the tool-paths of the plan in 6 axes for other programs (3MF Toolpath Extension).</source>
         <translation>Aggiunge NAME.build.3mf: i percorsi del piano a 6 assi per altri programmi (3MF Toolpath Extension).</translation>
     </message>
@@ -4488,10 +4484,6 @@ mm³</translation>
         <translation>i fattori di «{attribute}» sono più fini del tipo del modificatore</translation>
     </message>
     <message>
-        <source>file node of PolyScope</source>
-        <translation>nodo File di PolyScope</translation>
-    </message>
-    <message>
         <source>from the front (x to the right, z up)</source>
         <translation>di fronte (x a destra, z in alto)</translation>
     </message>
@@ -4606,10 +4598,6 @@ mm³</translation>
     <message>
         <source>only the flow at a motion&apos;s beginning is read</source>
         <translation>si legge solo il flusso all&apos;inizio di un movimento</translation>
-    </message>
-    <message>
-        <source>sent to port 30001 or 30002</source>
-        <translation>inviato alla porta 30001 o 30002</translation>
     </message>
     <message>
         <source>share of the part inside beads</source>
@@ -5464,6 +5452,18 @@ mm³</translation>
     <message>
         <source>{option}: no link is named &apos;{name}&apos;</source>
         <translation>{option}: nessun membro si chiama &apos;{name}&apos;</translation>
+    </message>
+    <message>
+        <source>A file node of PolyScope needs the function to be called behind its end; text that is sent to port 30001 or 30002 runs by itself and must not call it.</source>
+        <translation>Un nodo file di PolyScope vuole che la funzione sia chiamata dopo la sua fine; un testo mandato alla porta 30001 o 30002 parte da solo e non deve chiamarla.</translation>
+    </message>
+    <message>
+        <source>a file node</source>
+        <translation>un nodo file</translation>
+    </message>
+    <message>
+        <source>a port</source>
+        <translation>una porta</translation>
     </message>
 </context>
 <context>

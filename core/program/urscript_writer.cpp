@@ -210,11 +210,10 @@ private:
 
 base::ParameterSpec urscriptForm() {
   return base::choiceParameter(
-      "urscriptForm", "node",
-      {{"node", "file node of PolyScope"_text}, {"port", "sent to port 30001 or 30002"_text}},
+      "urscriptForm", "node", {{"node", "a file node"_text}, {"port", "a port"_text}},
       "Programs"_text, "URScript for"_text,
-      "A file node needs the function to be called behind its end; text that "
-      "is sent runs by itself and must not call it."_text);
+      "A file node of PolyScope needs the function to be called behind its end; text that is sent "
+      "to port 30001 or 30002 runs by itself and must not call it."_text);
 }
 
 std::vector<base::ParameterSpec> urscriptOptions() {

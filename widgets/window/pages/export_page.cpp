@@ -147,7 +147,17 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
   const auto cell = motion ? motion->cell : nullptr;
   const bool current = work().document.upToDate(Stage::Replay);
   std::vector<panels::ExportFormat> formats;
-  for (const program::Dialect& dialect : program::dialects()) {
+  // The cell's own first, then those that any cell comes with, then other makers'.
+  std::vector<const program::Dialect*> dialects;
+  for (const program::Dialect& dialect : program::dialects())
+    dialects.push_back(&dialect);
+  const auto rank = [&](const program::Dialect* dialect) {
+    const bool own = cell && !dialect->controller.empty() && !program::isForeign(*dialect, *cell);
+    return own ? 0 : dialect->forAnyCell ? 1 : 2;
+  };
+  std::ranges::stable_sort(dialects, {}, rank);
+  for (const program::Dialect* row : dialects) {
+    const program::Dialect& dialect = *row;
     panels::ExportFormat format;
     format.id = QString::fromUtf8(dialect.id.data(), static_cast<qsizetype>(dialect.id.size()));
     format.label = language::words(dialect.label);
