@@ -345,7 +345,7 @@ TEST_F(FirstHourTest, ASmallScreenHasPlanAndCancelInSightAndFindingsToRead) {
     auto* bar = find<QToolBar>("toolBar");
     for (const char* action : {"plan", "cancel"}) {
       const QWidget* button = bar->widgetForAction(find<QAction>(action));
-      EXPECT_TRUE(button->isVisible()) << language << " " << action;
+      EXPECT_TRUE(waitFor([&] { return button->isVisible(); }, 2000)) << language << " " << action;
       EXPECT_LE(button->mapTo(&window(), button->rect().bottomRight()).x(), window().width());
     }
   }
