@@ -93,7 +93,7 @@ const std::vector<Dialect>& dialects() {
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
-       .merge = {.leastS = 0.024, .leastMm = 0.5, .motionS = 0.02},
+       .merge = {.leastS = 0.024, .leastMm = 0.5, .motionS = kRapidMotionS},
        .options = rapidOptions,
        .longestText = 80, // of a string
        .write = writeRapid,

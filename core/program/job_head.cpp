@@ -38,14 +38,8 @@ private:
   std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-std::string fixed(double value, int decimals) {
-  std::string text;
-  appendFixed(text, value, decimals, true);
-  return text;
-}
-
 std::string degreesOf(double rad) {
-  return fixed(base::radiansToDegrees(rad), 1);
+  return fixedText(base::radiansToDegrees(rad), 1);
 }
 
 constexpr std::string_view kPart = "part ", kJob = ", job ", kCell = "cell ", kRobot = ", robot ",
@@ -148,8 +142,9 @@ std::vector<std::string> headLines(const ProgramInput& input) {
       joined({kPart, head.part, kJob, head.job}),
       joined({kCell, head.cell, kRobot, head.robot, kProcess, head.process, " (",
               plainText(p.material), ")"}),
-      joined({std::to_string(t.pointCount()), " motions, ", fixed(mm3, 1), " mm3, ",
-              fixed(mm3 * 1e-3 * p.densityGPerCm3, 1), " g, ", fixed(t.timeS.back(), 1), " s"})};
+      joined({std::to_string(t.pointCount()), " motions, ", fixedText(mm3, 1), " mm3, ",
+              fixedText(mm3 * 1e-3 * p.densityGPerCm3, 1), " g, ", fixedText(t.timeS.back(), 1),
+              " s"})};
   if (input.foreign)
     return lines;
   std::string range = "joints go, degrees:", start = "starts at joints, degrees:";

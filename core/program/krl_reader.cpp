@@ -434,14 +434,8 @@ private:
     const bool held = mode == "tcp";
     if (held && turnsWithAxis_)
       return fail("a work object that robot and external axis move is not read"_text);
-    plan::ReadProgram& known = out_.program();
-    if (toolSet_ &&
-        (!tool->isApprox(known.flange_T_tcp, 1e-9) || held != known.base_T_nozzle.has_value() ||
-         (held && !base->isApprox(*known.base_T_nozzle, 1e-9))))
+    if (!out_.tool(*tool, held ? base : std::nullopt))
       return fail("a second, different tool"_text);
-    toolSet_ = true;
-    known.flange_T_tcp = *tool;
-    known.base_T_nozzle = held ? base : std::nullopt;
     m.target = held || turnsWithAxis_ ? plan::TargetKind::WorkPose : plan::TargetKind::FlangePose;
     frame_T_base_ = held             ? Eigen::Isometry3d::Identity()
                     : turnsWithAxis_ ? Eigen::Isometry3d(workToUnit() * *base)
@@ -554,7 +548,7 @@ private:
   bool openData_ = false;                                   // DEFDAT without its ENDDAT
   std::size_t dataFile_ = 0;
   bool aheadOfArm_ = false; // behind CONTINUE
-  bool moved_ = false, toolSet_ = false;
+  bool moved_ = false;
   bool turnsWithAxis_ = false; // $BASE is an external axis' frame
   bool framesChanged_ = false; // since the last pose
   Eigen::Isometry3d frame_T_base_ = Eigen::Isometry3d::Identity();

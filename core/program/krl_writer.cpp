@@ -64,11 +64,6 @@ private:
     out_ += "\r\n";
   }
   void number(double value, int decimals) { appendFixed(out_, value, decimals, true); }
-  static std::string fixed(double value, int decimals) {
-    std::string text;
-    appendFixed(text, value, decimals, true);
-    return text;
-  }
 
   // ---- files
 
@@ -130,9 +125,9 @@ private:
       line("");
     }
     line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], 1 = ",
-                 fixed(in_.process.maxFlowMm3PerS, 3), " mm3/s, 0 to 10 V"}));
+                 fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s, 0 to 10 V"}));
     if (turnLimit_ > kMostTurnDegPerS)
-      line(joined({"; the tool turns by up to ", fixed(turnLimit_, 0),
+      line(joined({"; the tool turns by up to ", fixedText(turnLimit_, 0),
                    " degrees/s: machine data ($VEL_MA.ORI1) may hold it to less"}));
     if (slow_ > 0)
       line(joined({"; ", std::to_string(slow_),
@@ -141,8 +136,8 @@ private:
       line(joined({"; it calls ", std::to_string(bodies_.size()), " more files beside it"}));
     const double megabytes = static_cast<double>(bytes) * 1e-6,
                  room = numberOf(krlMemoryMb(), in_.options);
-    line(joined({megabytes > room ? "; TOO LONG: " : "; ", fixed(megabytes, 1),
-                 " MB of programs, the controller has room for ", fixed(room, 2), " MB"}));
+    line(joined({megabytes > room ? "; TOO LONG: " : "; ", fixedText(megabytes, 1),
+                 " MB of programs, the controller has room for ", fixedText(room, 2), " MB"}));
   }
 
   void setUp() {
@@ -167,15 +162,18 @@ private:
     out_ += "$TOOL=";
     frame(in_.cell.flange_T_moved());
     line("");
-    out_ += joined({"$LOAD={M ", fixed(assumedLoadKg(in_), 3), ",CM {"});
+    out_ += joined({"$LOAD={M ", fixedText(assumedLoadKg(in_), 3), ",CM {"});
     const Eigen::Vector3d centre = in_.cell.flange_T_moved().translation();
     for (int k = 0; k < 3; ++k)
-      out_ += joined({k > 0 ? "," : "", k == 0 ? "X " : k == 1 ? "Y " : "Z ", fixed(centre[k], 1)});
-    line(heldPlate() ? ",A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: 0.5 kg of plate, and the part"
-                     : ",A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: 1 kg of head");
-    line(joined({"$ACC.CP=", fixed(kKrlMostMmPerS2 / 1000.0, 2)}));
-    line(joined({"$VEL.ORI1=", fixed(turnLimit_, 0)}));
-    line(joined({"$VEL.ORI2=", fixed(turnLimit_, 0)}));
+      out_ += joined({k > 0 ? "," : "",
+                      k == 0   ? "X "
+                      : k == 1 ? "Y "
+                               : "Z ",
+                      fixedText(centre[k], 1)});
+    line(joined({",A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: ", assumedLoadText(in_)}));
+    line(joined({"$ACC.CP=", fixedText(kKrlMostMmPerS2 / 1000.0, 2)}));
+    line(joined({"$VEL.ORI1=", fixedText(turnLimit_, 0)}));
+    line(joined({"$VEL.ORI2=", fixedText(turnLimit_, 0)}));
   }
 
   void frame(const Eigen::Isometry3d& pose) {
@@ -203,7 +201,7 @@ private:
     out_.clear();
     // Settings live on, but a file is to be read by itself.
     held_.clear();
-    held_["$VEL.ORI1"] = held_["$VEL.ORI2"] = fixed(turnLimit_, 0);
+    held_["$VEL.ORI1"] = held_["$VEL.ORI2"] = fixedText(turnLimit_, 0);
     outputsOff();
     stands_ = true;
   }
@@ -225,7 +223,7 @@ private:
     line(joined({stands_ ? "" : "TRIGGER WHEN DISTANCE=0 DELAY=0 DO ", "$ANOUT[1]=", share}));
   }
   void extruder(bool on) override { line(on ? "$OUT[1]=TRUE" : "$OUT[1]=FALSE"); }
-  void wait(double seconds) override { line(joined({"WAIT SEC ", fixed(seconds, 3)})); }
+  void wait(double seconds) override { line(joined({"WAIT SEC ", fixedText(seconds, 3)})); }
 
   // Where it isn't said already.
   void set(std::string_view name, const std::string& value) {
@@ -240,13 +238,11 @@ private:
     const plan::Trajectory& t = in_.trajectory;
     double percent = kStartPercent;
     if (const double s = motionSeconds(t, i); s > 0.0) {
-      double largest = 0.0;
-      for (int k = 0; k < in_.cell.armDof(); ++k)
-        largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
+      const double largest = leadingJointRad(in_, i);
       percent = std::clamp(std::round(100.0 * base::radiansToDegrees(largest) / s / kKrlPtpDegPerS),
                            1.0, 100.0);
     }
-    const std::string said = fixed(percent, 0);
+    const std::string said = fixedText(percent, 0);
     if (held_["BAS"] != said)
       line(joined({"BAS (#VEL_PTP,", said, ")"}));
     held_["BAS"] = said;
@@ -300,16 +296,16 @@ private:
     double mmPerS = motions_.speedMmPerS(i);
     if (byTurn || !(mmPerS > 0.0))
       mmPerS = std::max(in_.process.travelSpeedMmPerS, 2.0 * mmPerS);
-    const std::string turn = byTurn
-                                 ? fixed(turnDegPerS(i), decimalsFor(turnDegPerS(i), kSpeedDigits))
-                                 : fixed(turnLimit_, 0);
-    set("$VEL.CP", fixed(mmPerS / 1000.0, decimalsFor(mmPerS / 1000.0, kSpeedDigits)));
+    const std::string turn =
+        byTurn ? fixedText(turnDegPerS(i), decimalsFor(turnDegPerS(i), kSpeedDigits))
+               : fixedText(turnLimit_, 0);
+    set("$VEL.CP", fixedText(mmPerS / 1000.0, decimalsFor(mmPerS / 1000.0, kSpeedDigits)));
     set("$VEL.ORI1", turn);
     set("$VEL.ORI2", turn);
     const double blend = stops ? 0.0 : motions_.blendMm(i);
     const bool rounds = blend >= std::pow(10.0, -kBlendDecimals);
     if (rounds)
-      set("$APO.CDIS", fixed(steppedDown(blend), kBlendDecimals));
+      set("$APO.CDIS", fixedText(steppedDown(blend), kBlendDecimals));
     out_ += "LIN ";
     target(i);
     line(rounds ? " C_DIS" : "");

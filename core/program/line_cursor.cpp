@@ -86,14 +86,7 @@ struct Sum {
 } // namespace
 
 std::string_view codeOf(std::string_view line, const LineSyntax& syntax) {
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"')
-      quoted = !quoted;
-    else if (line[i] == syntax.comment && !quoted)
-      return trimmed(line.substr(0, i));
-  }
-  return trimmed(line);
+  return trimmed(line.substr(0, findUnquoted(line, {&syntax.comment, 1})));
 }
 
 void LineCursor::blanks() {

@@ -9,22 +9,6 @@
 
 namespace voluta::program {
 
-namespace {
-
-// Where `mark` stands outside of strings.
-std::size_t findOutside(std::string_view text, char mark) {
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '"')
-      quoted = !quoted;
-    else if (text[i] == mark && !quoted)
-      return i;
-  }
-  return std::string_view::npos;
-}
-
-} // namespace
-
 std::string_view melfaCode(std::string_view line, std::size_t& step) {
   line = trimmed(line);
   std::size_t digits = 0;
@@ -38,11 +22,11 @@ std::string_view melfaCode(std::string_view line, std::size_t& step) {
   TextScanner first{line};
   if (sameWord(first.name(), "rem"))
     return {};
-  return trimmed(line.substr(0, findOutside(line, '\'')));
+  return trimmed(line.substr(0, findUnquoted(line, "'")));
 }
 
 std::string_view takeMelfaStatement(std::string_view& rest) {
-  const std::size_t colon = findOutside(rest, ':');
+  const std::size_t colon = findUnquoted(rest, ":");
   const std::string_view code = trimmed(rest.substr(0, colon));
   rest.remove_prefix(colon == std::string_view::npos ? rest.size() : colon + 1);
   return code;

@@ -82,18 +82,13 @@ private:
     out_ += code;
     out_ += "\r\n";
   }
-  static std::string fixed(double value, int decimals) {
-    std::string text;
-    appendFixed(text, value, decimals, true);
-    return text;
-  }
   static std::string position(const Eigen::Vector3d& mm, const Eigen::Vector3d& degrees,
                               int mmDecimals, int degDecimals, std::string_view flags) {
     std::string text = "(";
     for (int k = 0; k < 3; ++k)
-      text += fixed(mm[k], mmDecimals) + ",";
+      text += fixedText(mm[k], mmDecimals) + ",";
     for (int k = 0; k < 3; ++k)
-      text += fixed(degrees[k], degDecimals) + (k < 2 ? "," : ")");
+      text += fixedText(degrees[k], degDecimals) + (k < 2 ? "," : ")");
     text += flags;
     return text;
   }
@@ -176,9 +171,9 @@ private:
     }
     say(joined({"extruder on: output ", std::to_string(kMelfaExtruder), "; flow: outputs ",
                 std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
-                " as a number, ", fixed(kMelfaFullFlow, 0), " = ",
-                fixed(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
-    say(joined({"load assumed: ", fixed(assumedLoadKg(in_), 3), " kg, to be set in HNDDAT1"}));
+                " as a number, ", fixedText(kMelfaFullFlow, 0), " = ",
+                fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
+    say(joined({"load assumed: ", fixedText(assumedLoadKg(in_), 3), " kg, to be set in HNDDAT1"}));
   }
 
   void endFile(std::size_t file) override {
@@ -202,7 +197,7 @@ private:
     double value = 0.0;
     parseNumber(share, value);
     std::string code = joined({"M_Outw(", std::to_string(kMelfaFlow),
-                               ")=", fixed(std::round(value * kMelfaFullFlow), 0)});
+                               ")=", fixedText(std::round(value * kMelfaFullFlow), 0)});
     if (blendMm_ > 0.0)
       with_ = " Wth " + code;
     else
@@ -211,18 +206,16 @@ private:
   void extruder(bool on) override {
     step(joined({"M_Out(", std::to_string(kMelfaExtruder), on ? ")=1" : ")=0"}));
   }
-  void wait(double seconds) override { step("Dly " + fixed(seconds, 3)); }
+  void wait(double seconds) override { step("Dly " + fixedText(seconds, 3)); }
 
   void jointMotion(std::size_t i) override {
     const plan::Trajectory& t = in_.trajectory;
     double percent = kMelfaStartPercent;
     if (const double s = motionSeconds(t, i); s > 0.0) {
-      double largest = 0.0;
-      for (int k = 0; k < t.dof; ++k)
-        largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
+      const double largest = leadingJointRad(in_, i);
       percent = std::clamp(100.0 * largest / s / kMelfaJointRadPerS, kLeastPercent, 100.0);
     }
-    if (std::string text = fixed(percent, kPercentDecimals); text != override_) {
+    if (std::string text = fixedText(percent, kPercentDecimals); text != override_) {
       step("JOvrd " + text);
       override_ = std::move(text);
     }
@@ -232,7 +225,7 @@ private:
     }
     std::string joints = "J1=(";
     for (int k = 0; k < t.dof; ++k)
-      joints += (k ? "," : "") + fixed(base::radiansToDegrees(t.at(i)[k]), kFrameDecimals);
+      joints += (k ? "," : "") + fixedText(base::radiansToDegrees(t.at(i)[k]), kFrameDecimals);
     step(joints + ")");
     step("Mov J1");
   }
@@ -243,11 +236,11 @@ private:
         s > 0.0 ? std::max(motions_.speedMmPerS(i), kLeastMmPerS) : in_.process.travelSpeedMmPerS;
     if (std::abs(mmPerS - mmPerS_) > kSameSpeed * mmPerS_) {
       mmPerS_ = mmPerS;
-      step("Spd " + fixed(mmPerS, decimalsFor(mmPerS, kSpeedDigits)));
+      step("Spd " + fixedText(mmPerS, decimalsFor(mmPerS, kSpeedDigits)));
     }
     const double blendMm = stops ? 0.0 : heldBlendMm(i);
     if (blendMm > 0.0 && blendMm != blendMm_) {
-      const std::string r = fixed(blendMm, 3);
+      const std::string r = fixedText(blendMm, 3);
       step(joined({"Cnt 1,", r, ",", r}));
       blendMm_ = blendMm;
     }

@@ -6,6 +6,7 @@
 #include "program/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace voluta::program {
 
@@ -71,6 +72,14 @@ void placeInWorkFrame(const ProgramInput& input, int decimals, std::vector<Motio
 
 double motionSeconds(const plan::Trajectory& trajectory, std::size_t point) {
   return point == 0 ? 0.0 : trajectory.timeS[point] - trajectory.timeS[point - 1];
+}
+
+double leadingJointRad(const ProgramInput& input, std::size_t point) {
+  const plan::Trajectory& t = input.trajectory;
+  double largest = 0.0;
+  for (int k = 0; point > 0 && k < input.cell.armDof(); ++k)
+    largest = std::max(largest, std::abs(t.at(point)[k] - t.at(point - 1)[k]));
+  return largest;
 }
 
 double motionVolumeMm3(const plan::Trajectory& trajectory, std::size_t point) {

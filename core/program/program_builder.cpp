@@ -15,6 +15,20 @@ void ProgramBuilder::beginOutputs() {
   program_.tellsPauses = true;
 }
 
+bool ProgramBuilder::tool(const Eigen::Isometry3d& flange_T_tcp,
+                          const std::optional<Eigen::Isometry3d>& base_T_nozzle) {
+  constexpr double kSame = 1e-9;
+  const std::optional<Eigen::Isometry3d>& before = program_.base_T_nozzle;
+  if (toolSet_ && (!flange_T_tcp.isApprox(program_.flange_T_tcp, kSame) ||
+                   base_T_nozzle.has_value() != before.has_value() ||
+                   (before && !base_T_nozzle->isApprox(*before, kSame))))
+    return false;
+  toolSet_ = true;
+  program_.flange_T_tcp = flange_T_tcp;
+  program_.base_T_nozzle = base_T_nozzle;
+  return true;
+}
+
 void ProgramBuilder::turn(bool on) {
   const std::size_t happened = program_.motions.size() + program_.pauses.size();
   // On and off again with nothing between: a prime that lost its wait.

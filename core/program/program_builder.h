@@ -8,7 +8,9 @@
 #include "program/known_words.h"
 #include "program/text.h"
 
+#include <Eigen/Geometry>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -42,6 +44,12 @@ public:
   // The mass that the arm is told to carry. A defect where it is told another amid the print.
   void load(std::string_view word, double kg);
 
+  // What moves and, where the nozzle stands, that: set once for all motions (plan::ReadProgram).
+  // false: another one was set before.
+  bool tool(const Eigen::Isometry3d& flange_T_tcp,
+            const std::optional<Eigen::Isometry3d>& base_T_nozzle);
+  bool toolSet() const { return toolSet_; }
+
   plan::ReadProgram& program() { return program_; }
   plan::ReadProgram take(bool complete);
 
@@ -51,6 +59,7 @@ private:
   Defects defects_;
   WordPlaces places_;
   ReadOutputs outputs_;
+  bool toolSet_ = false;
   std::size_t onSince_ = 0; // motions and pauses when the extruder was turned on
 };
 

@@ -46,6 +46,9 @@ inline constexpr std::size_t kMotionsPerModule = 5000;
 // whose z is: its x and y are the work frame's y and z.
 Eigen::Isometry3d workToUnit();
 
+// What a motion takes at least for an IRC5 to plan it in time, s.
+inline constexpr double kRapidMotionS = 0.02;
+
 // motionsPerFile; rapidModules: .mod, or .modx (RobotWare 7, OmniCore).
 base::ParameterSpec rapidModules();
 std::vector<base::ParameterSpec> rapidOptions();

@@ -461,20 +461,15 @@ private:
     }
     const std::optional<Eigen::Isometry3d> nozzle = held ? std::optional(tcp) : std::nullopt;
     const Eigen::Isometry3d carried = held ? Eigen::Isometry3d(user * frame) : tcp;
-    plan::ReadProgram& known = out_.program();
-    if (toolSet_ &&
-        (!carried.isApprox(known.flange_T_tcp, 1e-9) || held != known.base_T_nozzle.has_value() ||
-         (held && !tcp.isApprox(*known.base_T_nozzle, 1e-9))))
+    const bool first = !out_.toolSet();
+    if (!out_.tool(carried, nozzle))
       return fail("a second, different tool"_text);
-    known.flange_T_tcp = carried;
-    known.base_T_nozzle = nozzle;
     constexpr std::size_t kMass = 8; // tool0 has none
-    if (!toolSet_ && tool.size() > kMass) {
+    if (first && tool.size() > kMass) {
       const std::size_t here = std::exchange(out_.line, toolLine_ > 0 ? toolLine_ : out_.line);
       out_.load("tooldata", tool[kMass]);
       out_.line = here;
     }
-    toolSet_ = true;
     return true;
   }
 
@@ -525,7 +520,6 @@ private:
   std::map<std::string, Procedure, std::less<>> procedures_; // of the module
   std::vector<std::string> running_;
   bool linearOff_ = false, jointOff_ = false;
-  bool toolSet_ = false;
   std::set<std::string, std::less<>> activeUnits_;
   // Of the last motion, where its pose is known.
   std::optional<Eigen::Isometry3d> last_; // frame_T_tcp

@@ -23,7 +23,6 @@ constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZon
 constexpr double kStartMmPerS = 50.0, kStartDegPerS = 20.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
-constexpr double kLeastSeconds = 0.02; // of a motion, for an IRC5 to plan it in time
 constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
 constexpr double kRodDegPerS = 1000.0;
@@ -209,11 +208,11 @@ private:
   void aboutDensity() {
     std::size_t few = 0;
     for (std::size_t i = 1; i < targets_.size(); ++i)
-      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < (1.0 + kFlowBand) * kLeastSeconds;
+      few += motions_.seconds(i) > 0.0 && motions_.seconds(i) < (1.0 + kFlowBand) * kRapidMotionS;
     if (few == 0)
       return;
     out_ += joined({"  ! ", std::to_string(few), " motions take "});
-    number(kLeastSeconds * 1000.0, 0);
+    number(kRapidMotionS * 1000.0, 0);
     line(" ms, the least that the controller plans in time");
   }
 
@@ -240,8 +239,7 @@ private:
   }
 
   void declareTool() {
-    line(heldPlate() ? "  ! load assumed: 0.5 kg of plate, and the part"
-                     : "  ! load assumed: 1 kg of head");
+    line(joined({"  ! load assumed: ", assumedLoadText(in_)}));
     out_ += joined({"  PERS tooldata ", kTool, ":=[", heldPlate() ? "FALSE," : "TRUE,"});
     frame(heldPlate() ? in_.cell.base_T_fixed() : in_.cell.flange_T_moved());
     out_ += ",[";

@@ -46,10 +46,7 @@ private:
   // Those of a line, between semicolons.
   void statements(std::string_view code, bool outside) {
     while (!code.empty()) {
-      bool quoted = false;
-      std::size_t end = 0;
-      for (; end < code.size() && (quoted || code[end] != ';'); ++end)
-        quoted = quoted != (code[end] == '"');
+      const std::size_t end = std::min(findUnquoted(code, ";"), code.size());
       if (const std::string_view one = trimmed(code.substr(0, end)); !one.empty())
         whole(one, outside);
       code.remove_prefix(std::min(end + 1, code.size()));
@@ -308,14 +305,8 @@ private:
       return fail("a tool, local or control point that only the controller knows"_text);
     const Eigen::Isometry3d tool = tool_ != 0 ? *tools_[tool_] : Eigen::Isometry3d::Identity();
     const std::optional<Eigen::Isometry3d> nozzle = ecp_ != 0 ? points_[ecp_] : std::nullopt;
-    plan::ReadProgram& known = out_.program();
-    if (toolSet_ && (!tool.isApprox(known.flange_T_tcp, 1e-9) ||
-                     nozzle.has_value() != known.base_T_nozzle.has_value() ||
-                     (nozzle && !nozzle->isApprox(*known.base_T_nozzle, 1e-9))))
+    if (!out_.tool(tool, nozzle))
       return fail("a second, different tool"_text);
-    toolSet_ = true;
-    known.flange_T_tcp = tool;
-    known.base_T_nozzle = nozzle;
     if (!point.joints.empty()) {
       m.target = plan::TargetKind::Joints;
       if (!m.jointInterpolated)
@@ -379,7 +370,7 @@ private:
   Frames tools_, locals_, points_; // points: external control points
   std::size_t tool_ = 0, ecp_ = 0;
   std::map<std::string, double, std::less<>> settings_; // of the words for speeds
-  bool powerHigh_ = false, rounds_ = false, toolSet_ = false;
+  bool powerHigh_ = false, rounds_ = false;
   std::optional<Eigen::Isometry3d> last_; // frame_T_tcp of the last motion, where it was a pose
   plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;
 };

@@ -60,11 +60,6 @@ private:
     out_ += "\r\n";
   }
   void number(double value, int decimals) { appendFixed(out_, value, decimals, true); }
-  static std::string fixed(double value, int decimals) {
-    std::string text;
-    appendFixed(text, value, decimals, true);
-    return text;
-  }
 
   std::string callingFile() {
     out_.clear();
@@ -90,7 +85,7 @@ private:
               "tool 1's in Base, the work frame on the flange"
             : "  ' moving nozzle: poses are tool 1's in Base, the nozzle's tip");
     line(joined({"  ' extruder on: output 1; flow: analogue output 1, 10 V = ",
-                 fixed(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
+                 fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
     line("  ' to be added to a project of RC+, and called or chosen to be run");
   }
 
@@ -109,7 +104,7 @@ private:
       line("  AutoLJM On");
     out_ += "  Weight ";
     number(assumedLoadKg(in_), 3);
-    line(heldPlate() ? " ' assumed: 0.5 kg of plate, and the part" : " ' assumed: 1 kg of head");
+    line(joined({" ' assumed: ", assumedLoadText(in_)}));
   }
 
   void frame(const Eigen::Isometry3d& pose) {
@@ -162,10 +157,10 @@ private:
   void flow(std::string_view share) override {
     double value = 0.0;
     parseNumber(share, value);
-    line(joined({"  AIO_Out 1, ", fixed(kVolts * value, 7)}));
+    line(joined({"  AIO_Out 1, ", fixedText(kVolts * value, 7)}));
   }
   void extruder(bool on) override { line(on ? "  On 1" : "  Off 1"); }
-  void wait(double seconds) override { line(joined({"  Wait ", fixed(seconds, 3)})); }
+  void wait(double seconds) override { line(joined({"  Wait ", fixedText(seconds, 3)})); }
 
   void set(std::string_view name, const std::string& value) {
     std::string& held = held_[std::string(name)];
@@ -174,20 +169,20 @@ private:
     held = value;
     line(joined({"  ", name, " ", value}));
   }
-  static std::string figure(double value) { return fixed(value, decimalsFor(value, kSpeedDigits)); }
+  static std::string figure(double value) {
+    return fixedText(value, decimalsFor(value, kSpeedDigits));
+  }
 
   void jointMotion(std::size_t i) override {
     const plan::Trajectory& t = in_.trajectory;
     double percent = kStartPercent;
     if (const double s = motionSeconds(t, i); s > 0.0) {
-      double largest = 0.0;
-      for (int k = 0; k < in_.cell.armDof(); ++k)
-        largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
+      const double largest = leadingJointRad(in_, i);
       percent =
           std::clamp(std::round(100.0 * base::radiansToDegrees(largest) / s / kSpelplusPtpDegPerS),
                      1.0, 100.0);
     }
-    set("Speed", fixed(percent, 0));
+    set("Speed", fixedText(percent, 0));
     out_ += "  Go ";
     if (program_.foreign) {
       target(i);
@@ -244,10 +239,11 @@ private:
     if (byTurn) {
       const double s = motions_.seconds(i), degPerS = turnDeg(i) / s;
       set("SpeedR", figure(degPerS));
-      set("AccelR", fixed(std::min(steppedUp(degPerS / (2.0 * kTurnShare * s)), kMostDegPerS2), 2));
+      set("AccelR",
+          fixedText(std::min(steppedUp(degPerS / (2.0 * kTurnShare * s)), kMostDegPerS2), 2));
     } else {
       set("SpeedS", figure(speedMmPerS(i)));
-      set("AccelS", fixed(canRound(i) ? accelerationOf(i) : kSpelplusMmPerS2, 2));
+      set("AccelS", fixedText(canRound(i) ? accelerationOf(i) : kSpelplusMmPerS2, 2));
     }
     const bool rounds = !stops && motions_.blendMm(i) > 0.0 && canRound(i) && canRound(i + 1);
     out_ += "  Move ";

@@ -24,6 +24,11 @@ double assumedLoadKg(const ProgramInput& input) {
   return kPlateKg + input.trajectory.extrudedMm3.back() * 1e-6 * input.process.densityGPerCm3;
 }
 
+std::string_view assumedLoadText(const ProgramInput& input) {
+  return input.cell.nozzleMount() == robot::Mount::World ? "0.5 kg of plate, and the part"
+                                                         : "1 kg of head";
+}
+
 TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets,
                        double (*written)(double share))
     : in_(input), targets_(targets), seconds_(targets.size(), 0.0), flow_(targets.size(), 0.0) {

@@ -8,6 +8,7 @@
 #include "program/program_input.h"
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace voluta::program {
@@ -24,6 +25,8 @@ inline constexpr double kFlowBand = 0.02;
 
 // What the moved tool is assumed to weigh: a plate with the whole part, or a head. kg.
 double assumedLoadKg(const ProgramInput& input);
+// Of what, for a program's remark.
+std::string_view assumedLoadText(const ProgramInput& input);
 
 // `targets`: one a point, their tcpMm as the program writes them, so that rounding doesn't become
 // speed; in the frame in which the program moves it straight. The caller keeps both alive. Points

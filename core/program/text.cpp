@@ -38,6 +38,23 @@ void appendFixed(std::string& out, double value, int decimals, bool trim) {
   }
 }
 
+std::string fixedText(double value, int decimals) {
+  std::string text;
+  appendFixed(text, value, decimals, true);
+  return text;
+}
+
+std::size_t findUnquoted(std::string_view text, std::string_view mark) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"')
+      quoted = !quoted;
+    else if (!quoted && text.substr(i).starts_with(mark))
+      return i;
+  }
+  return std::string_view::npos;
+}
+
 double roundedTo(double value, int decimals) {
   return static_cast<double>(std::llround(value * kPowers[decimals])) / kPowers[decimals];
 }

@@ -15,10 +15,15 @@ namespace voluta::program {
 // Appends `value` rounded to `decimals` (0..9) places, never as "-0" and never with an exponent;
 // with `trim` without zeros at its end ("0.5", "2"). Precondition: |value| * 10^decimals < 2^62.
 void appendFixed(std::string& out, double value, int decimals, bool trim = false);
+// What appendFixed appends, zeros at its end trimmed.
+std::string fixedText(double value, int decimals);
 // The value that appendFixed writes.
 double roundedTo(double value, int decimals);
 // Decimals that give `value` (> 0) the asked significant digits, at most 9.
 int decimalsFor(double value, int significantDigits);
+
+// Where `mark` begins outside of double quotes; npos: nowhere.
+std::size_t findUnquoted(std::string_view text, std::string_view mark);
 
 // A letter or underscore, then letters, digits, underscores: what all controllers take for a name.
 // Other characters become underscores; at most 31 characters.

@@ -27,16 +27,8 @@ constexpr double kMostAcrossMm = 0.05, kMostAlongShare = 0.25;
 
 enum class Block { None, Joints, Poses };
 
-// The statement without its remark; // inside a string is none.
 std::string_view withoutRemark(std::string_view code) {
-  bool quoted = false;
-  for (std::size_t i = 0; i + 1 < code.size(); ++i) {
-    if (code[i] == '"')
-      quoted = !quoted;
-    else if (!quoted && code[i] == '/' && code[i + 1] == '/')
-      return trimmed(code.substr(0, i));
-  }
-  return trimmed(code);
+  return trimmed(code.substr(0, findUnquoted(code, "//")));
 }
 
 class TmscriptReader {

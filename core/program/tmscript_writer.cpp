@@ -54,15 +54,10 @@ private:
     out_ += "\r\n";
   }
   void frame(std::string_view script) { out_ += tmFrame(std::to_string(++frames_), script); }
-  static std::string fixed(double value, int decimals) {
-    std::string text;
-    appendFixed(text, value, decimals, true);
-    return text;
-  }
   static std::string listed(const PvtVector& values, int mmDecimals, int degDecimals) {
     std::string text;
     for (int k = 0; k < 6; ++k)
-      text += (k ? "," : "") + fixed(values[k], k < 3 ? mmDecimals : degDecimals);
+      text += (k ? "," : "") + fixedText(values[k], k < 3 ? mmDecimals : degDecimals);
     return text;
   }
 
@@ -76,7 +71,7 @@ private:
         xyzAngles(Eigen::Quaterniond(tcp.linear())) * base::radiansToDegrees(1.0);
     frame("ChangeBase(\"RobotBase\")");
     frame(joined({"ChangeTCP({", listed(numbers, kFrameDecimals, kFrameDecimals), "},",
-                  fixed(assumedLoadKg(in_), 3), ")"}));
+                  fixedText(assumedLoadKg(in_), 3), ")"}));
     outputsOff();
   }
 
@@ -91,7 +86,7 @@ private:
                ? "fixed nozzle: the TCP is the plate's centre, poses are the plate's in RobotBase"
                : "moving nozzle: the TCP is the nozzle's tip, poses are in RobotBase");
     remark(joined({"extruder on: DO 0 of the control box; flow: AO 0, 10 V = ",
-                   fixed(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
+                   fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
   }
 
   void endFile(std::size_t) override {
@@ -114,7 +109,7 @@ private:
   void flow(std::string_view share) override {
     double value = 0.0;
     parseNumber(share, value);
-    frame("IO[\"ControlBox\"].AO[0]=" + fixed(value * kTmFullVolts, kVoltDecimals));
+    frame("IO[\"ControlBox\"].AO[0]=" + fixedText(value * kTmFullVolts, kVoltDecimals));
   }
   void extruder(bool on) override {
     frame(on ? "IO[\"ControlBox\"].DO[0]=1" : "IO[\"ControlBox\"].DO[0]=0");
@@ -131,7 +126,8 @@ private:
     within_ = false;
   }
   void point(std::string_view numbers, std::string_view velocity, double seconds) {
-    frame(joined({"PVTPoint(", numbers, ",", velocity, ",", fixed(seconds, kSecondDecimals), ")"}));
+    frame(joined(
+        {"PVTPoint(", numbers, ",", velocity, ",", fixedText(seconds, kSecondDecimals), ")"}));
   }
 
   // Where the arm stands at the first point.
@@ -147,8 +143,8 @@ private:
       return listed(numbers_[i], kMmDecimals, kDegDecimals);
     std::string text;
     for (int k = 0; k < in_.trajectory.dof; ++k)
-      text +=
-          (k ? "," : "") + fixed(base::radiansToDegrees(in_.trajectory.at(i)[k]), kJointDecimals);
+      text += (k ? "," : "") +
+              fixedText(base::radiansToDegrees(in_.trajectory.at(i)[k]), kJointDecimals);
     return text;
   }
 
@@ -156,14 +152,12 @@ private:
     const plan::Trajectory& t = in_.trajectory;
     double percent = kTmStartPercent;
     if (const double s = motionSeconds(t, i); s > 0.0) {
-      double largest = 0.0;
-      for (int k = 0; k < t.dof; ++k)
-        largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
+      const double largest = leadingJointRad(in_, i);
       percent = std::clamp(100.0 * largest / s / kTmJointRadPerS, 1.0, 100.0);
     }
     leave();
     frame(joined({program_.foreign ? "PTP(\"CPP\"," : "PTP(\"JPP\",", target(i), ",",
-                  fixed(percent, 0), ",", kRampMs, ",0,false)"}));
+                  fixedText(percent, 0), ",", kRampMs, ",0,false)"}));
   }
 
   void straightMotion(std::size_t i, bool stops) override {

@@ -17,18 +17,6 @@
 namespace voluta::program {
 
 namespace {
-// The line without its comment; '#' inside a string is none.
-std::string_view withoutComment(std::string_view line) {
-  bool inString = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"')
-      inString = !inString;
-    else if (line[i] == '#' && !inString)
-      return line.substr(0, i);
-  }
-  return line;
-}
-
 constexpr double kMaxJointRad = 100.0, kMaxMetres = 100.0, kMaxSpeed = 100.0;
 
 class UrscriptReader {
@@ -68,7 +56,8 @@ private:
     while (reader.next(line)) {
       out_.line = reader.number();
       mustCall = mustCall || trimmed(line).starts_with(kCalledNote);
-      if (const std::string_view code = trimmed(withoutComment(line)); !code.empty())
+      if (const std::string_view code = trimmed(line.substr(0, findUnquoted(line, "#")));
+          !code.empty())
         lines_.push_back({reader.number(), code});
     }
     const std::size_t last = out_.line;

@@ -95,12 +95,11 @@ private:
     const Eigen::Isometry3d& tcp = cell.flange_T_moved();
     pose(tcp.translation(), rotationVector(Eigen::Quaterniond(tcp.linear())), kTcpDecimals);
     line(")");
-    const bool plate = cell.nozzleMount() == robot::Mount::World;
     number("  set_payload(", assumedLoadKg(in_), 3);
     out_ += ",[";
     for (int k = 0; k < 3; ++k)
       number(k ? "," : "", tcp.translation()[k] / 1000.0, 4);
-    line(plate ? "]) # assumed: 0.5 kg of plate, and the part" : "]) # assumed: 1 kg of head");
+    line(joined({"]) # assumed: ", assumedLoadText(in_)}));
     line("  set_analog_outputdomain(0,1) # 0 to 10 V");
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
@@ -152,9 +151,7 @@ private:
     const double acceleration = i > 0 ? in_.cell.travelAcceleration() : kStartRadPerS2;
     double speed = kStartRadPerS;
     if (const double s = motionSeconds(t, i); s > 0.0) {
-      double largest = 0.0;
-      for (int k = 0; k < t.dof; ++k)
-        largest = std::max(largest, std::abs(t.at(i)[k] - t.at(i - 1)[k]));
+      const double largest = leadingJointRad(in_, i);
       if (largest > 1e-6)
         speed = largest / s;
     }

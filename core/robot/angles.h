@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/units.h"
+#include "robot/robot_model.h"
 
 #include <cmath>
 
@@ -11,6 +12,14 @@ namespace voluta::robot {
 inline double wrappedAngle(double angle) {
   const double rest = std::remainder(angle, base::kTurn);
   return rest <= -base::kPi ? base::kPi : rest;
+}
+
+// Are the arms' joints the same but for whole turns, each within `rad`?
+inline bool sameJoints(const JointVector& a, const JointVector& b, double rad) {
+  for (Eigen::Index i = 0; i < a.size(); ++i)
+    if (std::abs(std::remainder(a[i] - b[i], base::kTurn)) > rad)
+      return false;
+  return true;
 }
 
 } // namespace voluta::robot

@@ -102,12 +102,7 @@ public:
       const JointVector q = jointsAt(way, t);
       const bool known =
           std::any_of(solutions.begin() + static_cast<std::ptrdiff_t>(before), solutions.end(),
-                      [&](const JointVector& other) {
-                        for (int i = 0; i < 6; ++i)
-                          if (std::abs(std::remainder(q[i] - other[i], base::kTurn)) > kSameRad)
-                            return false;
-                        return true;
-                      });
+                      [&](const JointVector& other) { return sameJoints(q, other, kSameRad); });
       if (!known)
         solutions.push_back(q);
     }

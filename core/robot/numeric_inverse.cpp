@@ -183,12 +183,7 @@ void NumericInverse::inverse(const Isometry3d& base_T_flange,
       q[i] = wrappedAngle(q[i]);
     const bool known =
         std::any_of(solutions.begin() + static_cast<std::ptrdiff_t>(before), solutions.end(),
-                    [&](const JointVector& other) {
-                      for (int i = 0; i < 6; ++i)
-                        if (std::abs(std::remainder(q[i] - other[i], base::kTurn)) > kSameRad)
-                          return false;
-                      return true;
-                    });
+                    [&](const JointVector& other) { return sameJoints(q, other, kSameRad); });
     if (!known)
       solutions.push_back(q);
   }

@@ -1,3 +1,5 @@
+#include "error_code.h"
+
 #include "base/files.h"
 
 #include "base/error.h"
@@ -12,6 +14,7 @@
 
 namespace fs = std::filesystem;
 using namespace voluta::base;
+using voluta::test::codeOf;
 
 namespace {
 
@@ -23,16 +26,6 @@ protected:
   }
   const voluta::test::TemporaryFolder folder_;
 };
-
-ErrorCode codeOf(const std::function<void()>& f) {
-  try {
-    f();
-  } catch (const Error& e) {
-    return e.code();
-  }
-  ADD_FAILURE() << "no Error was thrown";
-  return ErrorCode::Internal;
-}
 
 TEST_F(Files, WritesWholeAndReadsBack) {
   const fs::path file = folder_ / "a.txt";

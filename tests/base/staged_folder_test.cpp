@@ -1,4 +1,6 @@
 // Sets of files come whole or not at all, whenever the process that writes them is killed.
+#include "error_code.h"
+
 #include "base/staged_folder.h"
 
 #include "base/error.h"
@@ -21,6 +23,7 @@
 
 namespace fs = std::filesystem;
 using namespace voluta::base;
+using voluta::test::codeOf;
 
 namespace {
 
@@ -32,16 +35,6 @@ protected:
   }
   const voluta::test::TemporaryFolder folder_;
 };
-
-ErrorCode codeOf(const std::function<void()>& f) {
-  try {
-    f();
-  } catch (const Error& e) {
-    return e.code();
-  }
-  ADD_FAILURE() << "no Error was thrown";
-  return ErrorCode::Internal;
-}
 
 TEST_F(StagedFolders, AppearOnlyOnCommit) {
   const fs::path target = folder_ / "deep" / "out";
