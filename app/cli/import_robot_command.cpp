@@ -1,12 +1,10 @@
 #include "base/data_files.h"
 #include "base/files.h"
-#include "base/nearest_name.h"
 #include "cli/commands.h"
 #include "program/dialect.h"
 #include "robot/chain_kinematics.h"
 #include "robot/robot_file_writer.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace voluta::cli {
@@ -27,20 +25,11 @@ const char* solverOf(robot::ArmKind kind) {
   return "of no kind with a closed form, solved numerically: nearly all branches, and slowly";
 }
 
-void requireFormat(const std::string& id) {
-  std::vector<std::string> known;
-  for (const program::Dialect& dialect : program::dialects())
-    known.emplace_back(dialect.id);
-  if (std::find(known.begin(), known.end(), id) == known.end())
-    throw base::Error(base::ErrorCode::Usage, base::message("unknown format '{id}'"_text, id), {},
-                      base::didYouMean(id, known));
-}
-
 } // namespace
 
 ExitCode importRobotCommand(const ImportRobotOptions& asked) {
   robot::UrdfOptions options = asked.options;
-  requireFormat(options.controller);
+  program::findDialect(options.controller); // throws where there is none
   // A robot's file is named as the robot is.
   if (options.id.empty() && !asked.file.empty())
     options.id = asked.file.stem().string();

@@ -60,11 +60,12 @@ public:
   MotionResult plan(const base::RunContext& ctx) {
     base::Stopwatch watch;
     headBefore_ = headBefore(scene_.plan);
-    refusals_ = headRefusals(scene_, headBefore_, ctx.sub(0.0, 0.05));
+    homeMeets_ = contactAtHome();
+    if (!homeMeets_)
+      refusals_ = headRefusals(scene_, headBefore_, ctx.sub(0.0, 0.05));
     result_.times.collision += watch.seconds();
 
     ways_.resize(plan_.paths.size());
-    homeMeets_ = contactAtHome();
     if (homeMeets_)
       refuseAll(*homeMeets_);
     for (std::size_t p = 0; p < plan_.paths.size() && !homeMeets_; ++p) {

@@ -10,6 +10,7 @@
 #include "motion/margins.h"
 #include "motion/resume.h"
 #include "pipeline/printed_mesh.h"
+#include "pipeline/replay_stage.h"
 #include "voxel/column_parity.h"
 
 #include <algorithm>
@@ -33,9 +34,7 @@ struct Measured {
 };
 
 std::string printedName(const PlanResult& result) {
-  // Of a print that is taken up again a file of its own, beside the first's.
-  const char* ending = result.job.resumedAt > 0 ? "-rest.printed.stl" : ".printed.stl";
-  return std::filesystem::path(result.job.partName).stem().string() + ending;
+  return programsName(result.job) + ".printed.stl";
 }
 
 bool isProved(const CheckedProgram& program) {

@@ -5,6 +5,7 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 
+#include <filesystem>
 #include <numeric>
 
 namespace voluta::pipeline {
@@ -52,6 +53,10 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
           in.options,
           first,
           withInput(in, [](const program::ProgramInput& all) { return program::jobHash(all); })};
+}
+
+std::string programsName(const project::Job& job) {
+  return std::filesystem::path(job.partName).stem().string() + (job.resumedAt > 0 ? "-rest" : "");
 }
 
 program::JobHead headOf(const ProgramStageInput& said) {

@@ -25,6 +25,10 @@ struct ReadBack {
 // (program::pointsFor), and the job's hash as it is without. The caller keeps them alive.
 ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points);
 
+// What a job's programs and what lies beside them are called: as the part; the rest of a print that
+// is taken up again apart from the first.
+std::string programsName(const project::Job& job);
+
 // What the head of a program says that is written from these (the points of its dialect: saying).
 program::JobHead headOf(const ProgramStageInput& said);
 

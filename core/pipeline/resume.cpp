@@ -123,15 +123,12 @@ void done(project::Job& job, project::Stage stage, const plan::Findings& finding
 void writePrograms(PlanResult& result, const base::RunContext& ctx) {
   project::Job& job = result.job;
   const std::vector<std::string> formats = chosenFormats(job.choices, *result.cell);
-  const ProgramStageInput in{job.printed(),
-                             job.platform,
-                             *job.toolPlan,
-                             *job.trajectory,
-                             *result.cell,
-                             *result.process,
-                             std::filesystem::path(job.partName).stem().string() + "-rest",
-                             program::programOptions(parameterValues(job.choices)),
-                             job.resumedAt};
+  const ProgramStageInput in{
+      job.printed(),     job.platform,
+      *job.toolPlan,     *job.trajectory,
+      *result.cell,      *result.process,
+      programsName(job), program::programOptions(parameterValues(job.choices)),
+      job.resumedAt};
   replay::JudgedRuns judged;
   plan::Findings findings;
   project::Timings timings;

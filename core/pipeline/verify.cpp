@@ -43,10 +43,6 @@ void requireMotions(const ReadBack& back, const std::string& format,
                                   format, defects.front().line, defects.front().reason),
                     program.string());
 }
-
-std::string nameOf(const project::Job& job) {
-  return std::filesystem::path(job.partName).stem().string() + (job.resumedAt > 0 ? "-rest" : "");
-}
 } // namespace
 
 VerifyResult verifyProgram(const std::filesystem::path& program, const std::filesystem::path& job,
@@ -69,7 +65,7 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
                              *planned.trajectory,
                              cell,
                              process,
-                             nameOf(planned),
+                             programsName(planned),
                              {},
                              planned.resumedAt};
   const program::MergedPoints points =
