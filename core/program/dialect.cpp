@@ -124,10 +124,10 @@ const std::vector<Dialect>& dialects() {
        .isWord = isKrlWord,
        .remark = ";",
        .mayBeMissing = mayBeMissingInKrl},
-      {.id = "spelplus",
+      {.id = "spel",
        .label = "SPEL+ (Epson)"_text,
        .extension = "prg",
-       .controller = "spelplus",
+       .controller = "spel",
        .needsJoints = false,
        .turnsRods = false,
        // What any of its arms takes.

@@ -24,7 +24,7 @@ constexpr Procedures::Words kStructure = {kSpelplusSyntax, spelplusPart};
 class SpelplusReader {
 public:
   SpelplusReader(const process::Process& process, const base::RunContext& ctx)
-      : out_("spelplus", process), procedures_(kStructure, out_, ctx) {}
+      : out_("spel", process), procedures_(kStructure, out_, ctx) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     out_.beginOutputs();

@@ -32,14 +32,14 @@ public:
       : in_(input), ctx_(ctx), tcp_(motionTargets(input, ctx)), targets_(tcp_),
         motions_(in_, targets_), cuts_(cutsOf(input.trajectory, input.options.motionsPerFile)),
         name_(programName(input.name)) {
-    program_.format = "spelplus";
+    program_.format = "spel";
     program_.foreign = input.foreign;
   }
 
   plan::Program write() {
     // Straight and fast is the nozzle on the part.
     placeInWorkFrame(in_, kPositionDecimals, targets_);
-    walkTrajectory(in_, {"spelplus", cuts_, &motions_}, *this, ctx_);
+    walkTrajectory(in_, {"spel", cuts_, &motions_}, *this, ctx_);
     if (!oneFile())
       program_.files.insert(program_.files.begin(), {fileName(0), callingFile()});
     return std::move(program_);

@@ -341,7 +341,7 @@ TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
                                  {"melfa", "Hlt\r\n"},
                                  {"tmscript", "Pause()"},
                                  {"krl", "HALT\r\n"},
-                                 {"spelplus", "Pause\r\n"}}) {
+                                 {"spel", "Pause\r\n"}}) {
     randomFor(findDialect(id), 2, 50);
     const plan::Program program = writeProgram(id, input());
     const plan::ReadProgram back = readProgram(id, program.files, process_);

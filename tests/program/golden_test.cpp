@@ -251,8 +251,8 @@ END
 }
 
 // Positions as URScript's: the plate's in Base. The upright axis stands for U and W alike.
-TEST_F(Golden, spelplus) {
-  EXPECT_EQ(from(text("spelplus"), "  Motor On"), R"(  Motor On
+TEST_F(Golden, spel) {
+  EXPECT_EQ(from(text("spel"), "  Motor On"), R"(  Motor On
   Power Low
   TLSet 1, XY(0,0,100,0,0,0)
   Tool 1

@@ -17,7 +17,7 @@ using test::expectDefect;
 plan::ReadProgram readFiles(std::vector<plan::ProgramFile> files) {
   process::Process process;
   process.maxFlowMm3PerS = 40.0;
-  return readProgram("spelplus", files, process);
+  return readProgram("spel", files, process);
 }
 
 // In lines 8 and on.
@@ -126,7 +126,7 @@ using Spelplus = test::Programs;
 
 TEST_F(Spelplus, aFixedNozzleIsAnExternalControlPoint) {
   appendRandom(4, 60);
-  const plan::Program program = writeProgram("spelplus", input());
+  const plan::Program program = writeProgram("spel", input());
   const std::string& text = program.files[0].text;
   EXPECT_NE(text.find("  TLSet 1, XY(0,0,100,0,0,0)\r\n  Tool 1\r\n  ECPSet 1, "
                       "XY(-800,-250,0,0,0,180)\r\n  ECP 1\r\n  AutoLJM On\r\n"),
@@ -137,7 +137,7 @@ TEST_F(Spelplus, aFixedNozzleIsAnExternalControlPoint) {
                     first = text.find("  Go "), high = text.find("Power High");
   EXPECT_TRUE(low < asked && asked < first && first < high && high != std::string::npos);
   EXPECT_LT(high, text.find("  Move "));
-  const plan::ReadProgram back = readProgram("spelplus", program.files, process_);
+  const plan::ReadProgram back = readProgram("spel", program.files, process_);
   expectSound(back);
   ASSERT_TRUE(back.base_T_nozzle && back.base_T_nozzle->isApprox(cell_->base_T_fixed(), 1e-6));
   EXPECT_EQ(back.motions[5].target, plan::TargetKind::WorkPose);
@@ -147,9 +147,9 @@ TEST_F(Spelplus, longProgramsAreCalledFileByFile) {
   appendRandom(9, 1000);
   ProgramInput cut = input();
   cut.options.motionsPerFile = 100;
-  const plan::Program program = writeProgram("spelplus", cut);
+  const plan::Program program = writeProgram("spel", cut);
   ASSERT_GT(program.files.size(), 8u);
-  const plan::ReadProgram back = readProgram("spelplus", program.files, process_);
+  const plan::ReadProgram back = readProgram("spel", program.files, process_);
   expectSound(back);
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
   EXPECT_EQ(filesOfSpelplus(program.files[0].text).size(), program.files.size() - 1);
@@ -159,7 +159,7 @@ TEST_F(Spelplus, longProgramsAreCalledFileByFile) {
 TEST_F(Spelplus, cornersStayWithinTheirBlends) {
   appendRandom(6, 2000);
   const plan::ReadProgram ours =
-      readProgram("spelplus", writeProgram("spelplus", input()).files, process_);
+      readProgram("spel", writeProgram("spel", input()).files, process_);
   const plan::ReadProgram krl = readProgram("krl", writeProgram("krl", input()).files, process_);
   ASSERT_EQ(ours.motions.size(), krl.motions.size());
   std::size_t rounded = 0;

@@ -252,7 +252,7 @@ TEST(Words, OfSpelplusAreKnownOrRefused) {
       "TMOut Toff Ton Trap VRun Wait WaitNet WaitPos WaitSig Weight Where WOpen WorkQue_Add Xqt "
       "XYLim "
       "ZeroFlg";
-  expectAllKnownOrRefused("spelplus", wordsOf(kManual, " 1"), spelplus, kAmid,
+  expectAllKnownOrRefused("spel", wordsOf(kManual, " 1"), spelplus, kAmid,
                           {"Accel", "AccelR", "AccelS", "Cls", "MemOff", "MemOn", "Print"});
 }
 
@@ -328,10 +328,10 @@ TEST(Words, StandWhereTheyMay) {
       {"krl", krl, "$OUT[3]=TRUE\n", true, false, true},
       {"krl", krl, "$OV_PRO=50\n", false, false, false},
       {"krl", krl, "MsgNotify(\"here\")\n", true, true, true},
-      {"spelplus", spelplus, "Pause\n", true, false, true},
-      {"spelplus", spelplus, "Weight 1\n", true, false, false},
-      {"spelplus", spelplus, "On 3\n", true, false, true},
-      {"spelplus", spelplus, "AutoLJM On\n", true, false, false},
+      {"spel", spelplus, "Pause\n", true, false, true},
+      {"spel", spelplus, "Weight 1\n", true, false, false},
+      {"spel", spelplus, "On 3\n", true, false, true},
+      {"spel", spelplus, "AutoLJM On\n", true, false, false},
       {"melfa", melfa, "Accel 100,100\n", true, true, true},
       {"melfa", melfa, "Accel 20,100\n", false, false, false},
       {"melfa", melfa, "Hlt\n", true, false, true},

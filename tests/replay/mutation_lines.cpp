@@ -103,7 +103,7 @@ std::vector<std::string> linesAmid(const std::string& format) {
         "RETURN",
         "$ADVANCE=0",
         "$ACC.CP=0.01"}},
-      {"spelplus",
+      {"spel",
        {"  Wait 600",
         "  Wait 0.5",
         "  Wait Sw(1) = On",

@@ -297,7 +297,7 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(shifted("the extruder starts late", "^\\$OUT\\[1\\]=TRUE"));
     all.push_back(shifted("the extruder stops late", "^\\$OUT\\[1\\]=FALSE"));
     all.push_back(insertedInHead("$OV_PRO=50"));
-  } else if (format == "spelplus") {
+  } else if (format == "spel") {
     all.push_back(replaced("speed of 900", "SpeedS [0-9.]+", "SpeedS 900"));
     all.push_back(replaced("speed of 1", "SpeedS [0-9.]+", "SpeedS 1"));
     all.push_back(erased("the speed is missing", "SpeedS ", true));
@@ -401,7 +401,7 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
 std::vector<Mutation> harmlessMutations(const std::string& format) {
   static const std::map<std::string, std::string> kRemark = {
       {"urscript", "# "},  {"rapid", "! "}, {"gcode-extended", "; "}, {"gcode-bc", "; "},
-      {"gcode", "; "},     {"krl", "; "},   {"spelplus", "' "},       {"melfa", "' "},
+      {"gcode", "; "},     {"krl", "; "},   {"spel", "' "},       {"melfa", "' "},
       {"tmscript", "// "}, {"csv", "# "}};
   const std::string remark = kRemark.at(format);
   const auto any = [](Subject& s, std::mt19937_64& random) {
@@ -471,7 +471,7 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
            text.insert(endOf(text), " " + remark + "ok");
            return s.read.motions[m].line;
          }});
-  if (format == "rapid" || format == "krl" || format == "spelplus" || format == "melfa")
+  if (format == "rapid" || format == "krl" || format == "spel" || format == "melfa")
     all.push_back(
         {"letters of the other case", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
            const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
@@ -502,7 +502,7 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
   } else if (format == "krl") {
     all.push_back(swapped("$BASE=", "$TOOL="));
     all.push_back(swapped("$VEL.ORI1", "$LOAD"));
-  } else if (format == "spelplus") {
+  } else if (format == "spel") {
     all.push_back(swapped("Weight", "AutoLJM"));
     all.push_back(swapped("Power Low", "TLSet"));
   } else if (format.starts_with("gcode")) {

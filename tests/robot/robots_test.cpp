@@ -132,7 +132,7 @@ TEST_F(Robots, TechmanAsItsDescriptionHasIt) {
 }
 
 TEST_F(Robots, MitsubishiAsItsDescriptionHasIt) {
-  expectChain("rv-2f",
+  expectChain("rv2f",
               {{{{0, 0, 0}, kZ},
                 {{0, 0, 295}, kY},
                 {{0, 0, 230}, kY},
