@@ -102,7 +102,10 @@ void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValue
 
 void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
   request.until = project::stageOf(values.until);
-  pipeline::setParameters(request.choices, values.sets);
+  project::Choices& choices = request.choices;
+  pipeline::setParameters(choices, values.sets);
+  if (!choices.automatic && !choices.platformStays)
+    choices.platform = pipeline::usualPlatform(choices);
 }
 
 void addPlan(CLI::App& app, Parsed& parsed, int threads) {
@@ -168,7 +171,7 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
                  curved::GrowthScheme().id() + " unless given");
   addChoices(*compare, "--platforms", compared.platforms,
              "P,...: what material starts on, of " + platformForms() + "; " +
-                 project::Platform().text() + " unless given");
+                 "the cell's plate unless given");
   compare
       ->add_option("--weight", values->weights,
                    "FIGURE=NUMBER in the rule for the best. Rule: " +
@@ -184,6 +187,8 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
       options.weights = pipeline::defaultWeights();
       for (const std::string& weight : values->weights)
         pipeline::setWeight(options.weights, weight);
+      if (!options.compared.modes.empty())
+        options.compared.plan.choices.mode = options.compared.modes.front();
       takePlanOptions(options.compared.plan, *values);
       return compareCommand(options);
     };

@@ -30,8 +30,9 @@ void sayFindings(const plan::Findings& findings) {
 void sayResult(const project::Report& r) {
   const project::DecompositionReport& d = r.decomposition;
   for (const project::TriedReport& tried : r.tried)
-    fmt::print("mode {} on {} is not taken: {}\n", tried.mode, tried.platform,
-               base::english(tried.reason));
+    if (!tried.taken)
+      fmt::print("mode {} on {} is not taken: {}\n", tried.mode, tried.platform,
+                 base::english(tried.reason));
   fmt::print("mode {}; ", d.mode);
   if (d.voxels > 0)
     fmt::print("{} voxels, {} missed; ", d.voxels, d.missedAfterSupports);

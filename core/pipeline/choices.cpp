@@ -208,6 +208,17 @@ planar::RiskRule riskRule(const project::Choices& choices) {
   return modes::riskRule({choices, values, process});
 }
 
+project::Platform usualPlatform(const project::Choices& choices) {
+  project::Choices named = choices;
+  named.platform = project::Platform();
+  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  const project::Platform plate("cell");
+  if (!mode || !plate.isForAnyOf(mode->platforms))
+    return named.platform;
+  const process::Process process = chosenProcess(named, parameterValues(named));
+  return modes::cellOnAnyPlatform(named, process).plates().empty() ? named.platform : plate;
+}
+
 void checkChoices(const project::Choices& given) {
   const project::Choices choices = given.automatic ? automaticChoices(given).front() : given;
   std::vector<std::string> modeIds, formatIds;

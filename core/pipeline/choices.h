@@ -57,6 +57,11 @@ motion::MotionOptions motionOptionsOf(const base::ParameterValues& values, int s
 // When faces of pieces need support. Throws Error{Usage}: parameters, process.
 planar::RiskRule riskRule(const project::Choices& choices);
 
+// What material starts on where nobody chose it for the choices' mode: the plate of their cell that
+// fits; in a cell without plates, and for what no plate carries, the first kind of the table.
+// Throws Error{Usage}: names that nothing answers to; as loadCell.
+project::Platform usualPlatform(const project::Choices& choices);
+
 // Throws Error{Usage} for a placement that is no rotation or not finite, and for any name that
 // nothing answers to, naming the nearest.
 void checkChoices(const project::Choices& choices);

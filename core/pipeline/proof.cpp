@@ -64,7 +64,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.verdict = checked.verdict;
   const project::MotionReport& motion = result.job.report.motion;
   proof.plannedS = motion.durationS;
-  proof.programS = checked.verdict.durationS;
+  proof.programS = checked.verdict.controllerDurationS;
   const plan::Trajectory& t = measured.trajectory;
   proof.materialMm3 = t.extrudedMm3.back();
   const auto closest = std::lower_bound(t.timeS.begin(), t.timeS.end(), motion.minClearanceAtS);

@@ -97,7 +97,7 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   r.collisions = verdict.collisions;
   r.limitViolations = verdict.limitViolations;
   r.maxDeviationMm = verdict.maxDeviationMm;
-  r.durationS = verdict.durationS;
+  r.controllerDurationS = verdict.durationS;
   r.flowErrorFraction = verdict.flowErrorFraction;
   const replay::ReplayThresholds limits;
   r.thresholds.covered = limits.coveredMin;
@@ -179,7 +179,7 @@ void tellProgram(const CheckedProgram& checked, bool first, bool decides, projec
   }
   row.maxDeviationMm = checked.maxDeviationMm;
   row.maxDeviationRad = checked.maxDeviationRad;
-  row.durationS = checked.verdict.durationS;
+  row.durationS = checked.verdict.controllerDurationS;
   row.flowErrorFraction = checked.verdict.flowErrorFraction;
   row.massRatio = checked.verdict.massRatio;
   report.programs.push_back(std::move(row));

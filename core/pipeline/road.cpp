@@ -37,11 +37,9 @@ public:
         return 0.02 + 0.98 * static_cast<double>(k) / static_cast<double>(ways.size());
       };
       if (modes::findMode(ways[i].mode).cuts && !request_.loaded->remains.empty()) {
-        tried_.push_back({ways[i].mode,
-                          ways[i].platform.text(),
-                          {},
-                          "pieces are not cut out of a mesh with defects"_text,
-                          0.0});
+        tried_.push_back({.mode = ways[i].mode,
+                          .platform = ways[i].platform.text(),
+                          .reason = "pieces are not cut out of a mesh with defects"_text});
         continue;
       }
       auto outcome =
@@ -51,27 +49,25 @@ public:
       if (const auto* error = std::get_if<base::Error>(&outcome)) {
         if (!error_)
           error_ = *error;
-        tried_.push_back({ways[i].mode, ways[i].platform.text(), {}, error->whole(), 0.0});
+        tried_.push_back(
+            {.mode = ways[i].mode, .platform = ways[i].platform.text(), .reason = error->whole()});
         continue;
       }
       PlanResult& result = std::get<PlanResult>(outcome);
-      if (nothingBlocks(result.job.report))
+      tried_.push_back(triedAs(ways[i], result.job));
+      if (tried_.back().passed) {
+        tried_.back().taken = true;
         return told(std::move(result));
-      const project::Report& report = result.job.report;
-      const auto blocking = std::find_if(report.findings.begin(), report.findings.end(),
-                                         [](const plan::Finding& f) { return f.blocking; });
+      }
       if (!best || *result.job.reached > furthest_) {
         best = ways[i];
         furthest_ = *result.job.reached;
-        bestTried_ = tried_.size();
+        bestTried_ = tried_.size() - 1;
       }
-      tried_.push_back({ways[i].mode, ways[i].platform.text(),
-                        std::string(project::stageName(*result.job.reached)),
-                        plan::reasonOf(*blocking), report.timings.total});
     }
     if (!best)
       throw *error_;
-    tried_.erase(tried_.begin() + static_cast<std::ptrdiff_t>(bestTried_));
+    tried_[bestTried_].taken = true;
     return told(plan(*best, false, ctx_.quiet()));
   }
 
@@ -80,6 +76,17 @@ private:
     PlanRequest one = request_;
     one.choices = way;
     return planOneWay(one, untilBlocked, ctx, cache_, onStage_, onPreview_);
+  }
+  static project::TriedReport triedAs(const project::Choices& way, const project::Job& job) {
+    const project::Report& report = job.report;
+    const auto blocking = std::ranges::find_if(report.findings, &plan::Finding::blocking);
+    const bool passed = blocking == report.findings.end();
+    return {.mode = way.mode,
+            .platform = way.platform.text(),
+            .passed = passed,
+            .stage = std::string(project::stageName(*job.reached)),
+            .reason = passed ? base::Message() : plan::reasonOf(*blocking),
+            .seconds = report.timings.total};
   }
   PlanResult told(PlanResult result) {
     result.job.report.tried = std::move(tried_);

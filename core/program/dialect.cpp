@@ -23,6 +23,10 @@
 
 namespace voluta::program {
 
+namespace {
+constexpr double kSameJointRad = 1e-5; // as near as joints are written
+}
+
 const std::vector<Dialect>& dialects() {
   static const std::vector<Dialect> table = {
       {.id = "urscript",
@@ -33,7 +37,7 @@ const std::vector<Dialect>& dialects() {
        .turnsRods = false,
        // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
-       .merge = {.motionS = 0.008},
+       .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
        .options = urscriptOptions,
        .write = writeUrscript,
        .read = readUrscript,
@@ -93,7 +97,8 @@ const std::vector<Dialect>& dialects() {
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
-       .merge = {.leastS = 0.024, .leastMm = 0.5, .motionS = kRapidMotionS},
+       .merge =
+           {.leastS = 0.024, .leastMm = 0.5, .motionS = kRapidMotionS, .jointRad = kSameJointRad},
        .options = rapidOptions,
        .longestText = 80, // of a string
        .write = writeRapid,
@@ -115,7 +120,7 @@ const std::vector<Dialect>& dialects() {
                 .jointsInPercent = true,
                 .lookAhead = 5},
        // Two cycles of its interpolation.
-       .merge = {.leastS = 0.024, .leastMm = 0.5},
+       .merge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad},
        .options = krlOptions,
        .write = writeKrl,
        .read = readKrl,
@@ -152,7 +157,7 @@ const std::vector<Dialect>& dialects() {
                 .jointAccelerationRadPerS2 = 20.0,
                 .cycleS = 0.00711},
        // Three cycles of a CR750.
-       .merge = {.leastS = 0.0213},
+       .merge = {.leastS = 0.0213, .jointRad = kSameJointRad},
        .options = melfaOptions,
        .longestLine = 127,
        .write = writeMelfa,
@@ -167,7 +172,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "tmscript",
        .turnsRods = false,
        // Points say their times; Line and PTP their ramps. What is not known of a queue's pace.
-       .merge = {.leastS = 0.02},
+       .merge = {.leastS = 0.02, .jointRad = kSameJointRad},
        .write = writeTmscript,
        .read = readTmscript,
        .looksLike = looksLikeTmscript,
@@ -282,10 +287,15 @@ void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> dir
 
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
-  MergeLimits limits = findDialect(id).merge;
+  const Dialect& dialect = findDialect(id);
+  MergeLimits limits = dialect.merge;
   // Around a rod joined motions cost a percent of the cover (two tubes, measured).
-  if (!input.cell.externalAxes().empty())
+  const bool turnsRod = !input.cell.externalAxes().empty();
+  if (turnsRod)
     limits.leastS = limits.leastMm = 0.0;
+  // Where poses are written, the pieces of a joint motion say which way it goes.
+  if (turnsRod || isForeign(dialect, input.cell))
+    limits.jointRad = 0.0;
   return mergedPoints(input, limits, ctx);
 }
 

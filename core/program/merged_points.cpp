@@ -24,7 +24,8 @@ public:
     keep(0, 0);
     for (std::size_t from = 0; from + 1 < in_.pointCount();) {
       std::size_t to = from + 1;
-      while (isShort(from, to) && canGoOn(to) && fits(from, to + 1))
+      while ((isShort(from, to) && canGoOn(to) && fits(from, to + 1)) ||
+             (turnsOn(to) && onJointLine(from, to + 1)))
         ++to;
       keep(from + 1, to);
       from = to;
@@ -54,6 +55,29 @@ private:
   }
   // A bead's last point stays.
   bool canGoOn(std::size_t to) const { return to + 1 < in_.pointCount() && isPrint(in_, to + 1); }
+
+  bool turns(std::size_t i) const { return in_.move[i] == plan::MoveKind::Joint; }
+  // Joint motions to `to` and to the next.
+  bool turnsOn(std::size_t to) const {
+    return limits_.jointRad > 0.0 && to + 1 < in_.pointCount() && turns(to) && turns(to + 1);
+  }
+  Eigen::Map<const Eigen::VectorXd> joints(std::size_t i) const { return {in_.at(i), in_.dof}; }
+
+  // Are all between on the line from one to the other in joint space, one after the other?
+  bool onJointLine(std::size_t from, std::size_t to) const {
+    const Eigen::VectorXd a = joints(from), way = joints(to) - a;
+    const double squared = way.squaredNorm();
+    if (!(squared > 0.0))
+      return false;
+    double last = 0.0;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double u = (joints(i) - a).dot(way) / squared;
+      if (u < last || u > 1.0 || (joints(i) - a - u * way).cwiseAbs().maxCoeff() > limits_.jointRad)
+        return false;
+      last = u;
+    }
+    return true;
+  }
 
   // Is all between near to the straight motion?
   bool fits(std::size_t from, std::size_t to) const {
@@ -102,7 +126,7 @@ void slowShortMotions(plan::Trajectory& trajectory, double leastS) {
 MergedPoints mergedPoints(const ProgramInput& input, const MergeLimits& limits,
                           const base::RunContext& ctx) {
   MergedPoints merged;
-  if (limits.leastS > 0.0 || limits.leastMm > 0.0) {
+  if (limits.leastS > 0.0 || limits.leastMm > 0.0 || limits.jointRad > 0.0) {
     merged = Merger(input, limits, ctx).run();
   } else {
     merged.trajectory = input.trajectory;

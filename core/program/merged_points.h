@@ -1,6 +1,7 @@
 // A trajectory with fewer points and none too soon after the one before, for controllers that have
 // to plan each motion in time: close positions are told as errors, or stop the arm. They move the
-// nozzle straight on the part.
+// nozzle straight on the part. And of joint motions each that goes on as the one before: the arm
+// would stop between them.
 #pragma once
 
 #include "base/run_context.h"
@@ -16,7 +17,8 @@ struct MergeLimits {
   // What may be left out is as near to the joined motion: the tip, the nozzle's axis, and the
   // bead's section by share.
   double toleranceMm = 0.004, toleranceRad = 0.01, sectionShare = 0.02;
-  double motionS = 0.0; // what a motion takes at least: the material of a shorter one flows slower
+  double motionS = 0.0;  // what a motion takes at least: the material of a shorter one flows slower
+  double jointRad = 0.0; // a joint motion that is as near to one with the next is one; 0: none is
 };
 
 struct MergedPoints {
@@ -25,9 +27,10 @@ struct MergedPoints {
 };
 
 // Leaves out points between two Print motions while the motion to the point before them is shorter
-// than wanted and all that it leaves out keeps the tolerances; times and material add up. Points at
-// which anything else begins or ends stay. Then slows what is still too short. Throws
-// Error{Internal} (preconditions of ProgramInput), Cancelled.
+// than wanted and all that it leaves out keeps the tolerances; times and material add up. Likewise
+// between joint motions on one line in joint space. Points at which anything else begins or ends
+// stay. Then slows what is still too short. Throws Error{Internal} (preconditions of ProgramInput),
+// Cancelled.
 MergedPoints mergedPoints(const ProgramInput& input, const MergeLimits& limits,
                           const base::RunContext& ctx);
 

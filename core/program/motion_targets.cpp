@@ -82,6 +82,13 @@ double leadingJointRad(const ProgramInput& input, std::size_t point) {
   return largest;
 }
 
+double rampedSpeed(double rad, double seconds, double radPerS2) {
+  const double most = radPerS2 * seconds; // twice what a motion without an even stretch gets to
+  const double spare = most * most - 4.0 * radPerS2 * rad;
+  return spare >= 0.0 ? 0.5 * (most - std::sqrt(spare))
+                      : std::min(std::sqrt(radPerS2 * rad), 2.0 * rad / seconds);
+}
+
 double motionVolumeMm3(const plan::Trajectory& trajectory, std::size_t point) {
   return point == 0 ? 0.0 : trajectory.extrudedMm3[point] - trajectory.extrudedMm3[point - 1];
 }

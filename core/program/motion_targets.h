@@ -38,6 +38,9 @@ double motionSeconds(const plan::Trajectory& trajectory, std::size_t point);
 double motionVolumeMm3(const plan::Trajectory& trajectory, std::size_t point);
 // How far the arm's joint that goes furthest goes in it, rad.
 double leadingJointRad(const ProgramInput& input, std::size_t point);
+// The speed at which a joint motion from rest to rest takes `seconds` (> 0), with ramps of
+// `radPerS2`; the greatest that it gets to, where it takes longer. rad/s.
+double rampedSpeed(double rad, double seconds, double radPerS2);
 bool isPrint(const plan::Trajectory& trajectory, std::size_t point);
 
 // Flow of the prime: a bead of the process's default section at its default speed, at most the

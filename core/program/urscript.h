@@ -8,7 +8,8 @@
 //                  over v and a, for way and turn alike (a speed would leave the turn to a limit of
 //                  the controller's own); a is what ramps and blends ask for. v= where no time is
 //                  known.
-//   Joint          movej([q...], a=, v=), v of the leading joint, a the cell's travelAcceleration;
+//   Joint          movej([q...], a=, v=), a the cell's travelAcceleration, v of the leading joint at
+//                  which it takes as long as planned from rest to rest;
 //                  movej(p[...]) in a program for another maker's robot. The first point is always
 //                  a movej, at kStartRadPerS, behind a popup that asks the operator.
 // The extruder is on while standard digital output 0 is, with a flow of (standard analogue output

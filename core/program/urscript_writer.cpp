@@ -153,7 +153,7 @@ private:
     if (const double s = motionSeconds(t, i); s > 0.0) {
       const double largest = leadingJointRad(in_, i);
       if (largest > 1e-6)
-        speed = largest / s;
+        speed = rampedSpeed(largest, s, acceleration);
     }
     out_ += "  movej(";
     if (program_.foreign) {

@@ -85,15 +85,16 @@ struct ReplayReport {
   double halfCarriedFraction = 0.0, longestUnsupportedMm = 0.0;
   std::size_t collisions = 0, limitViolations = 0;
   double maxDeviationMm = 0.0;
-  double durationS = 0.0, flowErrorFraction = 0.0;
+  double controllerDurationS = 0.0, flowErrorFraction = 0.0;
   ThresholdsReport thresholds;
 };
 
-// A way of building that was tried and not taken.
+// A way of building that was tried, of a plan that looks for its way.
 struct TriedReport {
   std::string mode, platform;
-  std::string stage;    // where it ended
-  base::Message reason; // what blocks there
+  bool passed = false, taken = false;
+  std::string stage = {};    // where it ended
+  base::Message reason = {}; // what blocks there; empty: nothing
   double seconds = 0.0;
 };
 
@@ -114,7 +115,7 @@ struct Report {
   MotionReport motion;
   std::vector<ProgramReport> programs;
   ReplayReport replay;
-  std::vector<TriedReport> tried; // before the way that was taken
+  std::vector<TriedReport> tried; // in the order they were tried
   plan::Findings findings;
   Timings timings;
   double peakRssMb = 0.0;

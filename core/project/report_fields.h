@@ -128,14 +128,18 @@ constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
                     Field{"collisions", &R::collisions},
                     Field{"limitViolations", &R::limitViolations},
                     Field{"maxDeviationMm", &R::maxDeviationMm, "mm"},
-                    Field{"durationS", &R::durationS, "s", true},
+                    Field{"controllerDurationS", &R::controllerDurationS, "s", true},
                     Field{"flowErrorFraction", &R::flowErrorFraction, "%", true},
                     Field{"thresholds", &R::thresholds}};
 }
 constexpr auto fieldsOf(std::type_identity<TriedReport>) {
   using R = TriedReport;
-  return std::tuple{Field{"mode", &R::mode}, Field{"platform", &R::platform},
-                    Field{"stage", &R::stage}, Field{"reason", &R::reason},
+  return std::tuple{Field{"mode", &R::mode},
+                    Field{"platform", &R::platform},
+                    Field{"passed", &R::passed, "", true},
+                    Field{"taken", &R::taken, "", true},
+                    Field{"why", &R::reason, "", true},
+                    Field{"stage", &R::stage},
                     Field{"seconds", &R::seconds, "s"}};
 }
 constexpr auto fieldsOf(std::type_identity<Timings>) {

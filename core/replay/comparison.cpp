@@ -7,6 +7,7 @@
 #include "geometry/triangle_queries.h"
 #include "plan/finding_kinds.h"
 #include "replay/beads.h"
+#include "replay/controller_time.h"
 #include "replay/joint_arcs.h"
 
 #include <algorithm>
@@ -130,13 +131,20 @@ struct WholeMotion {
   std::size_t first; // motion
   double volumeMm3 = 0.0, durationS = 0.0;
 };
+// By its text; of a joint motion with its ramps where the text gives them.
+double textS(const plan::ReadProgram& program, const ExecutedPath& path, std::size_t m) {
+  const plan::ProgramMotion& motion = program.motions[m];
+  return m > 0 && path.arm && motion.jointInterpolated
+             ? jointMotionS(path, m, motion.jointAccelerationRadPerS2)
+             : path.durationS[m];
+}
 WholeMotion wholeMotion(const plan::ReadProgram& program, const ExecutedPath& path,
                         const Alignment& alignment, std::size_t m) {
-  WholeMotion whole{m, motionVolume(program, path, m), path.durationS[m]};
+  WholeMotion whole{m, motionVolume(program, path, m), textS(program, path, m)};
   while (whole.first > 0 && alignment.leadsTo[whole.first - 1] == alignment.pointOf[m]) {
     --whole.first;
     whole.volumeMm3 += motionVolume(program, path, whole.first);
-    whole.durationS += path.durationS[whole.first];
+    whole.durationS += textS(program, path, whole.first);
   }
   return whole;
 }

@@ -55,7 +55,8 @@ struct ComparisonOptions {
 };
 
 // Deviations of the alignment, defects of the reader and a missing end; and of motions (with their
-// pieces) that follow each other as their points do: time (length by speed) and material that
+// pieces) that follow each other as their points do: time (length by speed, of joint motions with
+// the ramps that the text gives) and material that
 // differ by more than 5 %, the extruder on over a travel or off over a print, a bead by joints,
 // joints in another configuration, external axes elsewhere. Differences of one kind in consecutive
 // motions are one finding, at the first of them.

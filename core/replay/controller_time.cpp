@@ -134,22 +134,12 @@ private:
       const double from = std::min(legs_[m - 1].end, leg.speed), to = std::min(leg.end, leg.speed);
       seconds = trapezoidS(leg.way, from, leg.speed, to, leg.acceleration);
     } else if (!leg.straight && !leg.timed) {
-      seconds = jointS(m);
+      seconds = jointMotionS(path_, m,
+                             motions_[m].jointAccelerationRadPerS2 > 0.0
+                                 ? motions_[m].jointAccelerationRadPerS2
+                                 : model_.jointAccelerationRadPerS2);
     }
     return seconds > 0.0 ? std::max(seconds, model_.cycleS) : 0.0;
-  }
-
-  double jointS(std::size_t m) const {
-    const plan::ProgramMotion& motion = motions_[m];
-    const double a = motion.jointAccelerationRadPerS2 > 0.0 ? motion.jointAccelerationRadPerS2
-                                                            : model_.jointAccelerationRadPerS2;
-    double turn = 0.0;
-    for (int k = 0; k < path_.dof; ++k)
-      turn = std::max(turn, std::abs(path_.jointsAt(m)[k] - path_.jointsAt(m - 1)[k]));
-    const double seconds = path_.durationS[m];
-    if (a <= 0.0 || seconds <= 0.0 || turn < kLeastMm)
-      return seconds;
-    return trapezoidS(turn, 0.0, turn / seconds, 0.0, a);
   }
 
   const std::vector<plan::ProgramMotion>& motions_;
@@ -160,6 +150,16 @@ private:
 };
 
 } // namespace
+
+double jointMotionS(const ExecutedPath& path, std::size_t m, double radPerS2) {
+  double turn = 0.0;
+  for (int k = 0; k < path.dof; ++k)
+    turn = std::max(turn, std::abs(path.jointsAt(m)[k] - path.jointsAt(m - 1)[k]));
+  const double seconds = path.durationS[m];
+  if (radPerS2 <= 0.0 || seconds <= 0.0 || turn < kLeastMm)
+    return seconds;
+  return trapezoidS(turn, 0.0, turn / seconds, 0.0, radPerS2);
+}
 
 std::vector<double> controllerTimes(const plan::ReadProgram& program, const ExecutedPath& path,
                                     TurnLaw law) {

@@ -25,6 +25,9 @@ enum class TurnLaw {
   WaySpeed // the model's turnMmPerRad besides
 };
 
+// Seconds of joint motion m, m >= 1, at its text's speed with ramps of `radPerS2`; 0: without.
+double jointMotionS(const ExecutedPath& path, std::size_t m, double radPerS2);
+
 // Seconds of each motion; 0 for the first, which starts anywhere. Where the model does everything
 // at once: the path's own durations.
 std::vector<double> controllerTimes(const plan::ReadProgram& program, const ExecutedPath& path,

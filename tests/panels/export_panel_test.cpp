@@ -197,7 +197,7 @@ TEST(VerdictMeasures, EveryMeasureIsHeldToItsLimit) {
   const auto measures = panels::verdictMeasures(r);
   r.flowErrorFraction = 0.02;
   r.thresholds.flowError = 0.01;
-  r.durationS = 125.0;
+  r.controllerDurationS = 125.0;
   const auto timed = panels::verdictMeasures(r);
   ASSERT_EQ(timed.size(), 11u);
   EXPECT_FALSE(timed[9].passed) << "flow";

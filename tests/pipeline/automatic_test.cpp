@@ -139,7 +139,9 @@ TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
   const pipeline::PlanResult result = pipeline::planPart(automaticRequest(), {});
   const project::Job& job = result.job;
   EXPECT_TRUE(pipeline::nothingBlocks(job.report));
-  EXPECT_TRUE(job.report.tried.empty());
+  ASSERT_EQ(job.report.tried.size(), 1U);
+  EXPECT_TRUE(job.report.tried.front().passed && job.report.tried.front().taken);
+  EXPECT_TRUE(job.report.tried.front().reason.empty());
   EXPECT_TRUE(job.choices.automatic);
   EXPECT_EQ(job.choices.mode, pipeline::automaticWays().front().mode);
   EXPECT_TRUE(job.choices.parameters.empty()); // a way's own are not the user's
@@ -162,8 +164,10 @@ TEST(Automatic, WhatBlocksAWayIsTold) {
   EXPECT_EQ(first.mode, pipeline::automaticWays().front().mode);
   EXPECT_FALSE(first.stage.empty());
   EXPECT_FALSE(first.reason.empty());
-  for (const project::TriedReport& tried : result.job.report.tried)
-    EXPECT_NE(tried.mode, result.job.choices.mode);
+  for (const project::TriedReport& tried : result.job.report.tried) {
+    EXPECT_EQ(tried.passed, tried.reason.empty());
+    EXPECT_EQ(tried.taken, tried.mode == result.job.choices.mode);
+  }
   const std::string json = project::reportJson(result.job.report);
   EXPECT_EQ(project::readReportJson(json).tried.size(), result.job.report.tried.size());
 }

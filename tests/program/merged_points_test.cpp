@@ -3,6 +3,7 @@
 
 #include "base/units.h"
 #include "program/dialect.h"
+#include "program/motion_targets.h"
 
 namespace voluta::program {
 namespace {
@@ -68,6 +69,39 @@ TEST_F(MergedPointsOf, motionsThatStayTooShortAreSlowed) {
     EXPECT_NEAR(t.timeS[i] - t.timeS[i - 1], i % 4 == 0 ? 0.02 : 0.05, 1e-12) << i;
   limits.motionS = 0.0;
   EXPECT_EQ(mergedPoints(input(), limits, {}).trajectory.timeS, trajectory_.timeS);
+}
+
+// Pieces of one joint motion are one, at which the arm does not stop; a bend in joint space,
+// another kind of motion and the first point stay. Poses for another maker's arm keep their pieces.
+TEST_F(MergedPointsOf, piecesOfAJointMotionAreOne) {
+  const auto joints = [](double a, double b) { return std::vector<double>{a, b, 1.5, 0, 1.5, 0}; };
+  append(plan::MoveKind::Joint, joints(0.0, -1.5), 0.0, 0.0);
+  for (int i = 1; i <= 3; ++i)
+    append(plan::MoveKind::Joint, joints(0.3 * i, -1.5 + 0.1 * i), 0.5, 0.0);
+  append(plan::MoveKind::Joint, joints(0.6, -1.2), 0.5, 0.0); // back, on another line
+  append(plan::MoveKind::Joint, joints(0.3, -1.2), 0.5, 0.0);
+  append(plan::MoveKind::Linear, joints(0.3, -1.19), 0.5, 0.0);
+  append(plan::MoveKind::Joint, joints(0.2, -1.19), 0.5, 0.0);
+  const MergedPoints merged = mergedPoints(input(), {.jointRad = 1e-5}, {});
+  EXPECT_EQ(merged.pointOf, (std::vector<std::size_t>{0, 1, 1, 1, 2, 2, 3, 4}));
+  EXPECT_EQ(merged.trajectory.timeS, (std::vector<double>{0.0, 1.5, 2.5, 3.0, 3.5}));
+  for (std::size_t i = 0; i < merged.pointOf.size(); ++i)
+    if (i + 1 == merged.pointOf.size() || merged.pointOf[i + 1] != merged.pointOf[i]) {
+      EXPECT_EQ(merged.trajectory.at(merged.pointOf[i])[0], trajectory_.at(i)[0]) << i;
+    }
+  EXPECT_EQ(mergedPoints(input(), {}, {}).trajectory.joints, trajectory_.joints);
+  EXPECT_EQ(pointsFor("rapid", input()).trajectory.joints,
+            trajectory_.joints); // poses, to this arm
+  EXPECT_EQ(pointsFor("urscript", input()).trajectory.pointCount(), 5u);
+}
+
+// Ramps up and down at 2 rad/s2 with a stretch at 0.5 rad/s take a quarter of a second more than
+// the way at that speed; what no speed does gets the greatest that the ramps allow.
+TEST(RampedSpeed, takesTheTime) {
+  EXPECT_NEAR(rampedSpeed(1.0, 1.0 / 0.5 + 0.5 / 2.0, 2.0), 0.5, 1e-12);
+  EXPECT_NEAR(rampedSpeed(1.0, 2.0 * std::sqrt(0.5), 2.0), std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(rampedSpeed(1.0, 1.41, 2.0), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(rampedSpeed(1.0, 0.9, 100.0), 1.1251781, 1e-6);
 }
 
 } // namespace

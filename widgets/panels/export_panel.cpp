@@ -32,7 +32,8 @@ namespace {
 std::optional<ProgramFigures> figuresOf(const ExportFormat& format) {
   if (format.files.empty() || !format.verdict)
     return std::nullopt;
-  ProgramFigures figures{0, format.files.size(), format.verdict->durationS, format.plannedS};
+  ProgramFigures figures{0, format.files.size(), format.verdict->controllerDurationS,
+                         format.plannedS};
   for (const ExportFile& file : format.files)
     figures.bytes += file.text ? file.text->size() : 0;
   return figures;

@@ -47,7 +47,7 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
        r.maxDeviationMm <= limits.deviationMm},
       {VerdictTable::tr("Wrong flow"), percent(r.flowErrorFraction),
        atMost(shortPercent(limits.flowError)), r.flowErrorFraction <= limits.flowError},
-      {VerdictTable::tr("Time on the controller"), forms::durationText(r.durationS), {}, true},
+      {VerdictTable::tr("Time on the controller"), forms::durationText(r.controllerDurationS), {}, true},
   };
 }
 

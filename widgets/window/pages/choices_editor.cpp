@@ -198,8 +198,9 @@ QString ChoicesEditor::wayTaken() const {
   QString text = tr("Taken: %1, %2.")
                      .arg(labelOf(job.choices.mode), language::words(job.choices.platform.shown()));
   for (const project::TriedReport& tried : job.report.tried)
-    text += QLatin1Char('\n') +
-            tr("Not taken: %1: %2.").arg(labelOf(tried.mode), language::words(tried.reason));
+    if (!tried.taken)
+      text += QLatin1Char('\n') +
+              tr("Not taken: %1: %2.").arg(labelOf(tried.mode), language::words(tried.reason));
   return text;
 }
 
