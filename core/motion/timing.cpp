@@ -14,6 +14,7 @@ namespace {
 constexpr double kMmPerRad = 50.0;
 constexpr double kLeastSeconds = 1e-4;
 constexpr double kTravelJointSpeed = 0.5; // of the limit, for joint moves
+constexpr double kSameLineRad = 0.0025;   // a step of a rod's motor and more
 constexpr int kRounds = 200;
 
 // Time of one segment with ramps from v0 to v1 (peak at most cap) of a given acceleration.
@@ -77,6 +78,16 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
   return s;
 }
 
+// Does a joint motion go on as the one before, so that both are one?
+bool goesOn(const robot::JointVector& a, const robot::JointVector& b, const robot::JointVector& c) {
+  const robot::JointVector in = b - a, way = c - a;
+  const double squared = way.squaredNorm();
+  if (!(squared > 0.0))
+    return false;
+  const double at = in.dot(way) / squared;
+  return at >= 0.0 && at <= 1.0 && (in - at * way).cwiseAbs().maxCoeff() <= kSameLineRad;
+}
+
 // At each point, mm/s.
 std::vector<double> cornerSpeeds(const std::vector<TimedPoint>& points,
                                  const std::vector<double>& length, const TimingLimits& limits) {
@@ -84,7 +95,9 @@ std::vector<double> cornerSpeeds(const std::vector<TimedPoint>& points,
   std::vector<double> corner(n + 1, 1e9);
   corner[0] = corner[n] = 0.0;
   for (std::size_t i = 1; i < n; ++i) {
-    if (points[i].stop)
+    const bool turns = points[i].jointMove && points[i + 1].jointMove;
+    // Controllers that are given no rounding stand between joint motions.
+    if (points[i].stop || (turns && !goesOn(points[i - 1].q, points[i].q, points[i + 1].q)))
       corner[i] = 0.0;
     else if (!points[i].jointMove && !points[i + 1].jointMove) {
       // In terms of the tip's speed; the profile's runs on the longer, mixed way.

@@ -37,7 +37,8 @@ struct TimedPoint {
 // allows that turns with it; speeds are at most the wanted ones, those at which every joint keeps
 // its velocity limit, and at corners those of a circle that cuts the corner by cornerMm. Then
 // speeds are lowered until every joint's acceleration, from one step's mean velocity to the next
-// one's over the time between their middles, keeps its limit. Precondition: limits for every joint,
+// one's over the time between their middles, keeps its limit. Between joint moves that do not go on
+// along one line in joint space the arm stands, as controllers do. Precondition: limits for every joint,
 // all positive.
 std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits);
 

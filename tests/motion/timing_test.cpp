@@ -49,6 +49,26 @@ TEST(Timing, ALoadedArmTravelsGently) {
   EXPECT_LT(before, 2.0);
 }
 
+// Joint moves on one line take as long as one; where they bend the arm stands, and both take as
+// long as each alone.
+TEST(Timing, JointMovesStandWhereTheyBend) {
+  TimedPoint from, middle, to, aside;
+  from.q = middle.q = to.q = robot::JointVector::Zero(2);
+  middle.jointMove = to.jointMove = true;
+  middle.q[1] = 1.0;
+  to.q[1] = 2.0;
+  aside = to;
+  aside.q = Eigen::Vector2d(1.0, 1.0);
+  motion::TimingLimits limits = limitsOf(2);
+  limits.travelRadPerS2 = 1.4;
+  EXPECT_NEAR(motion::timesOf({from, middle, to}, limits).back(),
+              motion::timesOf({from, to}, limits).back(), 1e-9);
+  EXPECT_NEAR(motion::timesOf({from, middle, aside}, limits).back(),
+              motion::timesOf({from, middle}, limits).back() +
+                  motion::timesOf({middle, aside}, limits).back(),
+              1e-9);
+}
+
 // A straight move on the way of which a joint goes far faster than from end to end, as near a
 // singular pose: it takes as long as if it went that fast all the way.
 TEST(Timing, AMoveIsTimedByWhereAJointGoesFastest) {
