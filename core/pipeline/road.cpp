@@ -85,8 +85,7 @@ private:
             .platform = way.platform.text(),
             .passed = passed,
             .stage = std::string(project::stageName(*job.reached)),
-            .reason = passed ? base::Message() : plan::reasonOf(*blocking),
-            .seconds = report.timings.total};
+            .reason = passed ? base::Message() : plan::reasonOf(*blocking)};
   }
   PlanResult told(PlanResult result) {
     result.job.report.tried = std::move(tried_);

@@ -63,7 +63,8 @@ private:
   }
   Eigen::Map<const Eigen::VectorXd> joints(std::size_t i) const { return {in_.at(i), in_.dof}; }
 
-  // Are all between on the line from one to the other in joint space, one after the other?
+  // Are all between on the line from one to the other in joint space, each further on? Where the
+  // arm stays a print ends or is taken up again.
   bool onJointLine(std::size_t from, std::size_t to) const {
     const Eigen::VectorXd a = joints(from), way = joints(to) - a;
     const double squared = way.squaredNorm();
@@ -72,7 +73,8 @@ private:
     double last = 0.0;
     for (std::size_t i = from + 1; i < to; ++i) {
       const double u = (joints(i) - a).dot(way) / squared;
-      if (u < last || u > 1.0 || (joints(i) - a - u * way).cwiseAbs().maxCoeff() > limits_.jointRad)
+      if (!(u > last && u < 1.0 - kSlack) ||
+          (joints(i) - a - u * way).cwiseAbs().maxCoeff() > limits_.jointRad)
         return false;
       last = u;
     }

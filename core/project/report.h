@@ -95,7 +95,6 @@ struct TriedReport {
   bool passed = false, taken = false;
   std::string stage = {};    // where it ended
   base::Message reason = {}; // what blocks there; empty: nothing
-  double seconds = 0.0;
 };
 
 // Disjoint wall seconds.

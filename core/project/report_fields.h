@@ -139,8 +139,7 @@ constexpr auto fieldsOf(std::type_identity<TriedReport>) {
                     Field{"passed", &R::passed, "", true},
                     Field{"taken", &R::taken, "", true},
                     Field{"why", &R::reason, "", true},
-                    Field{"stage", &R::stage},
-                    Field{"seconds", &R::seconds, "s"}};
+                    Field{"stage", &R::stage}};
 }
 constexpr auto fieldsOf(std::type_identity<Timings>) {
   using R = Timings;

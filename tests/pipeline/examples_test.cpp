@@ -80,7 +80,9 @@ TEST(Examples, FromAFileToAVerdict) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, plate);
   const plan::ToolPlan toolPlan = coverExample(layers.stack, cell, process, plate);
-  const plan::Trajectory trajectory = moveExample(toolPlan, cell, process);
+  const plan::Trajectory moved = moveExample(toolPlan, cell, process);
+  const plan::Trajectory trajectory =
+      program::pointsFor("urscript", {toolPlan, moved, cell, process, "part"}, ctx).trajectory;
 
   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
   const plan::Program program = program::writeProgram("urscript", input, ctx);

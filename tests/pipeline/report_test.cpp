@@ -29,7 +29,7 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
     {"replay",
      {"passed", "coveredFraction", "unsupportedFraction", "halfCarriedFraction",
       "longestUnsupportedMm", "overfillFraction", "massRatio", "collisions", "limitViolations",
-      "maxDeviationMm", "durationS", "flowErrorFraction", "thresholds"}},
+      "maxDeviationMm", "controllerDurationS", "flowErrorFraction", "thresholds"}},
     {"timingS",
      {"load", "repair", "voxelise", "peel", "grow", "smooth", "extract", "trim", "decompose",
       "toolpath", "orient", "ik", "graph", "jerk", "collision", "transfer", "write", "replay",

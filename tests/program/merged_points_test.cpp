@@ -90,9 +90,12 @@ TEST_F(MergedPointsOf, piecesOfAJointMotionAreOne) {
       EXPECT_EQ(merged.trajectory.at(merged.pointOf[i])[0], trajectory_.at(i)[0]) << i;
     }
   EXPECT_EQ(mergedPoints(input(), {}, {}).trajectory.joints, trajectory_.joints);
+  append(plan::MoveKind::Joint, joints(0.2, -1.19), 0.0,
+         0.0); // a print ends, and is taken up again
+  EXPECT_EQ(mergedPoints(input(), {.jointRad = 1e-5}, {}).trajectory.pointCount(), 6u);
   EXPECT_EQ(pointsFor("rapid", input()).trajectory.joints,
             trajectory_.joints); // poses, to this arm
-  EXPECT_EQ(pointsFor("urscript", input()).trajectory.pointCount(), 5u);
+  EXPECT_EQ(pointsFor("urscript", input()).trajectory.pointCount(), 6u);
 }
 
 // Ramps up and down at 2 rad/s2 with a stretch at 0.5 rad/s take a quarter of a second more than
