@@ -183,7 +183,6 @@ const std::vector<Dialect>& dialects() {
        .extension = "csv",
        .controller = "",
        .needsJoints = true,
-       .forAnyCell = true,
        .write = writeJointTable,
        .read = readJointTable,
        .looksLike = looksLikeJointTable,

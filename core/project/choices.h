@@ -27,7 +27,7 @@ struct Choices {
   std::string units = "mm"; // of a mesh's file: length_unit.h
   geometry::Placement placement;
   bool repair = true;               // false: the mesh as it was read
-  std::vector<std::string> formats; // empty: the cell's controller, gcode-extended, csv
+  std::vector<std::string> formats; // empty: the cell's controller, gcode-extended
   std::map<std::string, std::string> parameters; // changed ones, as text
   int seed = 1;
 };

@@ -18,6 +18,9 @@ class ExportingTest : public testing::Test {
 protected:
   void SetUp() override {
     document_.openPart(test::boxPart(), {}, true);
+    project::Choices choices = document_.choices();
+    choices.formats = {"urscript", "gcode-extended", "csv"};
+    document_.setChoices(choices, "formats");
     QSignalSpy finished(&planning_, &Planning::finished);
     planning_.plan();
     ASSERT_TRUE(finished.wait(120000));

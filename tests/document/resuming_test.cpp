@@ -88,7 +88,7 @@ TEST_F(ResumingTest, PlanWritesItsProgramsAnewAndUndoBringsItBack) {
   // Another text of the same motion: the same verdict.
   EXPECT_EQ(result->checked[0]->passed, before->passed);
   EXPECT_EQ(result->checked[0]->verdict.coveredFraction, before->verdict.coveredFraction);
-  EXPECT_EQ(result->checked[0]->verdict.durationS, before->verdict.durationS);
+  EXPECT_EQ(result->checked[0]->verdict.controllerDurationS, before->verdict.controllerDurationS);
   EXPECT_NE(result->checked[0]->program.files[0].text, before->program.files[0].text);
   EXPECT_TRUE(result->checked[0]->program.files[0].text.ends_with("\nend\n"));
   // Another motion is not this rest's.

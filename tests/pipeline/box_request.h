@@ -27,6 +27,7 @@ inline const pipeline::PlanResult& boxPlan() {
   static const pipeline::PlanResult kPlan = [] {
     pipeline::PlanRequest request = boxRequest();
     request.choices.mode = "flat";
+    request.choices.formats = {"urscript", "gcode-extended", "csv"};
     return pipeline::planPart(request, base::RunContext());
   }();
   return kPlan;

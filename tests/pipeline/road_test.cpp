@@ -26,10 +26,16 @@ using namespace voluta::project;
 
 namespace {
 
-using test::boxPart, test::boxRequest;
+using test::boxPart;
 
 base::RunContext context() {
   return base::RunContext(base::CancelToken(), 2);
+}
+
+PlanRequest boxRequest(const std::map<std::string, std::string>& parameters = {}) {
+  PlanRequest request = test::boxRequest(parameters);
+  request.choices.formats = {"urscript", "gcode-extended", "csv"};
+  return request;
 }
 
 // What a report says, but for how long it took and on how many threads.
