@@ -38,6 +38,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
+       .goesOnIn = filesOfUrscript,
        .isWord = isUrscriptWord,
        .remark = "#",
        .mayBeMissing = mayBeMissingInUrscript},

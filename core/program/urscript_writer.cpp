@@ -37,6 +37,8 @@ public:
     const Walk walk{"urscript", cutsOf(in_.trajectory, in_.options.motionsPerFile), &motions_};
     parts_ = walk.cuts.size() - 1;
     walkTrajectory(in_, walk, *this, ctx_);
+    if (parts_ > 1 && !forPort_)
+      program_.files.insert(program_.files.begin(), {fileName(0), callingFile()});
     return std::move(program_);
   }
 
@@ -76,20 +78,48 @@ private:
     }
   }
 
+  // Part 0: the one that calls the others, or all of it.
+  std::string functionName(std::size_t part) const {
+    const std::string name = programName(in_.name);
+    return part == 0 ? name : joined({name, "_", std::to_string(part)});
+  }
+  std::string fileName(std::size_t part) const {
+    return joined({part == 0 ? identifierOf(in_.name) : functionName(part), ".script"});
+  }
+
+  // For file nodes: the parts' stand before it, so that their functions are known.
+  std::string callingFile() {
+    out_.clear();
+    line(joined({"def ", functionName(0), "():"}));
+    line(joined({"  ", kCalledNote, ", as a file node wants it"}));
+    about();
+    line("  # file nodes before this one, so that what they define is known to it:");
+    for (std::size_t part = 1; part <= parts_; ++part)
+      line(joined({"  # ", fileName(part)}));
+    for (std::size_t part = 1; part <= parts_; ++part)
+      line(joined({"  ", functionName(part), "()"}));
+    line("end");
+    line(joined({functionName(0), "()"}));
+    return std::move(out_);
+  }
+
   void beginFile(std::size_t file) override {
-    const std::string part = file > 0 ? joined({"_", std::to_string(file + 1)}) : "";
-    name_ = programName(in_.name) + part;
-    file_ = joined({identifierOf(in_.name), part, ".script"});
+    const bool alone = parts_ == 1;
+    part_ = alone ? 0 : file + 1;
     out_.clear();
     out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 64u << 20));
-    line(joined({"def ", name_, "():"}));
-    line(forPort_ ? "  # for ports 30001 and 30002: sent, it runs by itself"
-                  : joined({"  ", kCalledNote, ", as a file node wants it"}));
-    if (file == 0)
+    line(joined({"def ", functionName(part_), "():"}));
+    if (forPort_)
+      line("  # for ports 30001 and 30002: sent, it runs by itself");
+    else
+      line(alone ? joined({"  ", kCalledNote, ", as a file node wants it"})
+                 : joined({"  ", kPartNote, functionName(0)}));
+    if (!alone)
+      line(joined({"  # file ", std::to_string(file + 1), " of ", std::to_string(parts_)}));
+    if (forPort_ && file + 1 < parts_)
+      line(joined({"  ", kNextNote, fileName(part_ + 1)}));
+    if (alone || (forPort_ && file == 0))
       about();
-    if (parts_ > 1)
-      line(joined({"  # file ", std::to_string(file + 1), " of ", std::to_string(parts_),
-                   ", to be run one after the other"}));
     const robot::Cell& cell = in_.cell;
     out_ += "  set_tcp(";
     const Eigen::Isometry3d& tcp = cell.flange_T_moved();
@@ -129,9 +159,9 @@ private:
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
     line("end");
-    if (!forPort_)
-      line(joined({name_, "()"}));
-    program_.files.push_back({file_, out_});
+    if (!forPort_ && parts_ == 1)
+      line(joined({functionName(0), "()"}));
+    program_.files.push_back({fileName(part_), out_});
   }
 
   void remark(std::string_view text) override { line(joined({"  # ", text})); }
@@ -199,8 +229,8 @@ private:
   TcpMotions motions_;
   std::vector<Eigen::Vector3d> rotation_;
   plan::Program program_;
-  std::string out_, name_, file_;
-  std::size_t parts_ = 1;
+  std::string out_;
+  std::size_t parts_ = 1, part_ = 0;
 };
 
 } // namespace
