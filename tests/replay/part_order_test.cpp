@@ -73,7 +73,7 @@ protected:
   std::vector<std::size_t> parts_; // files with motions
 };
 
-// A name where a main program calls a part, of which no other's name is the beginning.
+// What a main program calls a part.
 std::string nameOf(const plan::ProgramFile& file) {
   return file.name.substr(0, file.name.rfind('.'));
 }
@@ -81,7 +81,11 @@ std::string nameOf(const plan::ProgramFile& file) {
 TEST_P(PartOrder, TextsThatChangedPlacesAreRefused) {
   auto files = whole_.files;
   std::swap(files[parts_[1]].text, files[parts_[2]].text);
-  expectRefused("two parts' texts have changed places", files, {0, parts_[1], parts_[2]});
+  // These find a function by its own name, whatever the file is called that it stands in.
+  if (GetParam() == "urscript" || GetParam() == "spel")
+    EXPECT_TRUE(verify(files).passed);
+  else
+    expectRefused("two parts' texts have changed places", files, {0, parts_[1], parts_[2]});
 }
 
 TEST_P(PartOrder, APartInThePlaceOfAnotherIsRefused) {
