@@ -96,6 +96,11 @@ double primeFlowMm3PerS(const process::Process& process) {
                       process.speedMmPerS);
 }
 
+bool primesStanding(const ProgramInput& input) {
+  return input.process.primeS > 0.0 && input.trajectory.extrudedMm3.back() > 0.0 &&
+         !input.toolPlan.primes();
+}
+
 std::string PathNames::at(std::size_t waypoint) {
   const auto& paths = toolPlan_.paths;
   if (waypoint == plan::kNoWaypoint)

@@ -49,11 +49,12 @@ private:
     std::size_t file, first, end;
   };
   struct File {
-    std::vector<Line> lines;                   // with code in them
-    std::map<std::size_t, std::size_t> behind; // the line behind a definition at the top, by its own
-    std::size_t last = 0;                      // line of the text
-    std::string_view defined;                  // last
-    bool mustCall = false, isPart = false;     // as its notes say
+    std::vector<Line> lines; // with code in them
+    std::map<std::size_t, std::size_t>
+        behind;                            // the line behind a definition at the top, by its own
+    std::size_t last = 0;                  // line of the text
+    std::string_view defined;              // last
+    bool mustCall = false, isPart = false; // as its notes say
     bool closed = true, cameTo = false;
   };
   File& here() { return files_[out_.file]; }
@@ -273,6 +274,8 @@ private:
       digitalOut(call);
     else if (name == "set_standard_analog_out" || name == "set_analog_out")
       analogOut(call);
+    else if (name == "socket_send_string")
+      sendText(call);
     else if (name == "set_tcp")
       setTcp(call);
     else if (name == "sleep")
@@ -439,6 +442,12 @@ private:
       return;
     }
     out_.flow(value);
+  }
+  void sendText(const Call& call) {
+    if (call.count == 0 || call.arguments[0].value.kind != ValueKind::Text)
+      defect("a text to be sent is needed"_text);
+    else
+      out_.send(call.arguments[0].value.text);
   }
   void setTcp(const Call& call) {
     Eigen::Isometry3d tcp;

@@ -1,5 +1,8 @@
 #include "base/error.h"
 #include "base/units.h"
+#include "program/castelli_serial.h"
+#include "program/extruder.h"
+#include "program/gcode_text.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
@@ -22,6 +25,7 @@ constexpr int kSpeedDecimals = 7;
 constexpr int kBlendDecimals = 6;
 constexpr double kMaxAccelerationMPerS2 = 10.0;
 constexpr double kStartRadPerS2 = 0.5;
+constexpr std::string_view kSocket = "extruder";
 
 class UrscriptWriter : private Speller {
 public:
@@ -130,9 +134,28 @@ private:
     for (int k = 0; k < 3; ++k)
       number(k ? "," : "", tcp.translation()[k] / 1000.0, 4);
     line(joined({"]) # assumed: ", assumedLoadText(in_)}));
-    line("  set_analog_outputdomain(0,1) # 0 to 10 V");
+    if (!sends()) {
+      line("  set_analog_outputdomain(0,1) # 0 to 10 V");
+      outputsOff();
+      return;
+    }
+    line(joined({"  socket_open(\"", kCastelliAddress, "\",", std::to_string(kCastelliPort), ",\"",
+                 kSocket, "\") # the extruder's address, to be set"}));
+    outputsOff();
+    if (const auto celsius = nozzleCelsius(in_.process.material); celsius && file == 0)
+      send(joined({"M", std::to_string(*celsius), "n"}));
+  }
+  bool sends() const { return extruderOf(in_).text != nullptr; }
+  void outputsOff() {
+    if (sends()) {
+      send(extruderOf(in_).text(0.0));
+      return;
+    }
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
+  }
+  void send(std::string_view text) override {
+    line(joined({"  socket_send_string(\"", text, "\",\"", kSocket, "\")"}));
   }
 
   void about() {
@@ -146,9 +169,10 @@ private:
     line(cell.nozzleMount() == robot::Mount::World
              ? "  # fixed nozzle: the TCP is the plate's centre, poses are the plate's in Base"
              : "  # moving nozzle: the TCP is the nozzle's tip");
-    out_ += "  # extruder on: digital output 0; flow: analogue output 0, 1 = ";
-    appendFixed(out_, p.maxFlowMm3PerS, 3, true);
-    line(" mm3/s");
+    line(joined(
+        {"  # ", extruderNote(in_, joined({"extruder on: digital output 0; flow: analogue output "
+                                           "0, 1 = ",
+                                           fixedText(p.maxFlowMm3PerS, 3), " mm3/s"}))}));
   }
 
   void ask() override {
@@ -156,8 +180,9 @@ private:
   }
   void endFile(std::size_t) override {
     line("  # end");
-    line("  set_standard_digital_out(0,False)");
-    line("  set_standard_analog_out(0,0)");
+    outputsOff();
+    if (sends())
+      line(joined({"  socket_close(\"", kSocket, "\")"}));
     line("end");
     if (!forPort_ && parts_ == 1)
       line(joined({functionName(0), "()"}));
