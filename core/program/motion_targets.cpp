@@ -1,5 +1,7 @@
 #include "program/motion_targets.h"
 
+#include "plan/waypoints.h"
+
 #include "base/error.h"
 #include "base/parallel.h"
 #include "process/bead_model.h"
@@ -98,7 +100,7 @@ double primeFlowMm3PerS(const process::Process& process) {
 
 bool primesStanding(const ProgramInput& input) {
   return input.process.primeS > 0.0 && input.trajectory.extrudedMm3.back() > 0.0 &&
-         !input.toolPlan.primes();
+         !plan::primesOnPath(input.toolPlan, input.trajectory);
 }
 
 std::string PathNames::at(std::size_t waypoint) {

@@ -1,6 +1,7 @@
 #include "replay/beside_motion.h"
 
 #include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
 #include "process/bead_model.h"
 
 #include <algorithm>
@@ -154,7 +155,8 @@ private:
 
 double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
                        const process::Process& process) {
-  if (plan.primes() || trajectory.extrudedMm3.empty() || !(trajectory.extrudedMm3.back() > 0.0))
+  if (plan::primesOnPath(plan, trajectory) || trajectory.extrudedMm3.empty() ||
+      !(trajectory.extrudedMm3.back() > 0.0))
     return 0.0;
   const double flow =
       process::beadArea(process.beadWidthMm, process.layerHeightMm) * process.speedMmPerS;
