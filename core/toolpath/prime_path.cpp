@@ -122,7 +122,7 @@ void addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell, const process::
   std::vector<Vector3d> points;
   for (std::size_t c = 0; c + 1 < place.corners.size(); ++c) {
     const Vector2d step = place.corners[c + 1] - place.corners[c];
-    const int n = std::max(1, static_cast<int>(std::ceil(step.norm() / options.stepMm)));
+    const int n = std::max(1, static_cast<int>(std::ceil(step.norm() / options.stepMm - 1e-9)));
     for (int i = c == 0 ? 0 : 1; i <= n; ++i) {
       const Vector2d at = place.corners[c] + step * i / n;
       points.emplace_back(at.x(), at.y(), z);
