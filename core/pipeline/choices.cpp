@@ -45,6 +45,9 @@ base::ParameterTable allParameters() {
                             true),
       base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads"_text, "step"_text,
                             "Longest distance of waypoints along a tool-path."_text),
+      base::numberParameter("retractMm", "mm", 0.0, 0.0, 8.0, "Beads"_text,
+                            "filament drawn back"_text,
+                            "For each travel, where the extruder can; 0: stays as it is."_text),
       base::booleanParameter("givenToolPaths", true, "Beads"_text, "tool-paths of the file"_text,
                              "A 3MF with tool-paths (.build.3mf) is printed along these. Off: its "
                              "object is planned anew."_text),
@@ -160,6 +163,9 @@ process::Process chosenProcess(const project::Choices& choices,
   put("layerHeightMm", p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
   put("beadWidthMm", p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
   put("stepMm", p.stepMm, 0.1, 10.0);
+  put("retractMm", p.retractMm, 0.0, 8.0);
+  if (values.text("prime") == "none")
+    p.primeS = 0.0;
   return p;
 }
 

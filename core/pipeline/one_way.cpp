@@ -14,6 +14,7 @@
 #include "pipeline/stage_keys.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
+#include "program/extruder.h"
 #include "replay/verification.h"
 #include "robot/plate.h"
 
@@ -179,8 +180,11 @@ private:
     report().decomposition.mode = choices_.mode;
     result_.cell = std::make_shared<robot::Cell>(
         robot::loadCell(choices_.cell, *process_, decomposed_->platform));
-    for (const std::string& format : chosenFormats(choices_, *result_.cell))
+    for (const std::string& format : chosenFormats(choices_, *result_.cell)) {
       program::requireRodTurns(program::findDialect(format), *result_.cell);
+      program::requireExtruder(program::findDialect(format), *result_.cell,
+                               program::programOptions(values_));
+    }
     plan::Findings findings = decomposed_->findings;
     // A pedestal is made for the part and has a foot as far as its stem; but not for one beside its
     // place.

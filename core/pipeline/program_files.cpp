@@ -12,10 +12,8 @@ namespace {
 std::vector<plan::ProgramFile> filesOf(const std::filesystem::path& program,
                                        const program::Dialect& dialect, std::string text) {
   std::vector<plan::ProgramFile> files{{program.filename().string(), std::move(text)}};
-  if (!dialect.goesOnIn)
-    return files;
   for (std::size_t i = 0; i < files.size(); ++i)
-    for (const std::string& name : dialect.goesOnIn(files[i].text)) {
+    for (const std::string& name : program::goesOnIn(dialect, files[i].text)) {
       const bool known = std::any_of(files.begin(), files.end(),
                                      [&](const plan::ProgramFile& f) { return f.name == name; });
       if (!known && !name.empty() && name == std::filesystem::path(name).filename())

@@ -45,12 +45,12 @@ struct ProcessKeys {
 ProcessKeys keysOf(const process::Process& process) {
   const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
                speed, travelSpeed, acceleration, tolerance, bridge, bridgeSpeed, maxFlow, prime,
-               material, density, head] = process;
+               retract, material, density, head] = process;
   static_cast<void>(label); // nothing is made from it
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
                         bridgeSpeed, maxFlow),
           base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
-          base::keyText(id, nozzle, bridge, prime, material, density)};
+          base::keyText(id, nozzle, bridge, prime, retract, material, density)};
 }
 
 std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,

@@ -28,6 +28,8 @@ struct ToolPlan {
   std::vector<ToolPath> paths;            // in print order; together they cover all waypoints once
 
   std::size_t waypointCount() const { return position.size(); }
+  // Does a bead that is waste fill the nozzle before the part begins?
+  bool primes() const { return !paths.empty() && paths.front().kind == PathKind::Skirt; }
 };
 
 } // namespace voluta::plan

@@ -56,8 +56,8 @@ Process readProcess(const std::filesystem::path& file) {
   const JsonNode top = JsonNode::readFile(file);
   top.allowOnly({"id", "label", "nozzleDiameterMm", "layerHeightMm", "beadWidthMm", "stepMm",
                  "speedMmPerS", "travelSpeedMmPerS", "accelerationMmPerS2", "contactToleranceMm",
-                 "bridgeMm", "bridgeSpeedMmPerS", "maxFlowMm3PerS", "primeS", "material",
-                 "densityGPerCm3", "head"});
+                 "bridgeMm", "bridgeSpeedMmPerS", "maxFlowMm3PerS", "primeS", "retractMm",
+                 "material", "densityGPerCm3", "head"});
   Process p;
   p.id = top.at("id").text();
   p.label = top.at("label").text();
@@ -75,6 +75,8 @@ Process readProcess(const std::filesystem::path& file) {
                                                      : kBridgeSpeed * p.speedMmPerS;
   p.maxFlowMm3PerS = top.at("maxFlowMm3PerS").positive();
   p.primeS = top.at("primeS").notNegative();
+  if (top.has("retractMm"))
+    p.retractMm = top.at("retractMm").notNegative();
   p.material = top.at("material").text();
   p.densityGPerCm3 = top.at("densityGPerCm3").positive();
   p.head = readHead(top.at("head"));

@@ -33,6 +33,7 @@ struct Process {
   double bridgeSpeedMmPerS = 10.0; // at most, where it does
   double maxFlowMm3PerS = 40.0;    // flow at the analogue output's full scale
   double primeS = 0.2;             // extruder runs this long before a path moves
+  double retractMm = 0.0;          // of filament, drawn back for a travel; 0: stays as it is
   std::string material = "PLA";
   double densityGPerCm3 = 1.24;
   HeadShape head;

@@ -4,6 +4,8 @@
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "geometry/directions.h"
+#include "program/extruder.h"
+#include "program/extruder_stream.h"
 #include "program/gcode_bc.h"
 #include "program/gcode_extended.h"
 #include "program/gcode_plain.h"
@@ -38,10 +40,12 @@ const std::vector<Dialect>& dialects() {
        // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
+       .extruders = {kOutputsExtruder, kCastelliExtruder, kStreamExtruder},
        .options = urscriptOptions,
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
+       .goesOnIn = filesOfUrscript,
        .isWord = isUrscriptWord,
        .remark = "#",
        .mayBeMissing = mayBeMissingInUrscript},
@@ -99,6 +103,7 @@ const std::vector<Dialect>& dialects() {
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
        .merge =
            {.leastS = 0.024, .leastMm = 0.5, .motionS = kRapidMotionS, .jointRad = kSameJointRad},
+       .extruders = {kOutputsExtruder, kStreamExtruder},
        .options = rapidOptions,
        .longestText = 80, // of a string
        .write = writeRapid,
@@ -121,6 +126,7 @@ const std::vector<Dialect>& dialects() {
                 .lookAhead = 5},
        // Two cycles of its interpolation.
        .merge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad},
+       .extruders = {kOutputsExtruder, kStreamExtruder},
        .options = krlOptions,
        .write = writeKrl,
        .read = readKrl,
@@ -139,6 +145,7 @@ const std::vector<Dialect>& dialects() {
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
                 .jointsInPercent = true},
+       .extruders = {kOutputsExtruder, kCastelliExtruder, kStreamExtruder},
        .options = spelplusOptions,
        .longestLine = 512,
        .write = writeSpelplus,
@@ -158,6 +165,7 @@ const std::vector<Dialect>& dialects() {
                 .cycleS = 0.00711},
        // Three cycles of a CR750.
        .merge = {.leastS = 0.0213, .jointRad = kSameJointRad},
+       .extruders = {kOutputsExtruder, kStreamExtruder},
        .options = melfaOptions,
        .longestLine = 127,
        .write = writeMelfa,
@@ -173,6 +181,7 @@ const std::vector<Dialect>& dialects() {
        .turnsRods = false,
        // Points say their times; Line and PTP their ramps. What is not known of a queue's pace.
        .merge = {.leastS = 0.02, .jointRad = kSameJointRad},
+       .extruders = {kOutputsExtruder, kStreamExtruder},
        .write = writeTmscript,
        .read = readTmscript,
        .looksLike = looksLikeTmscript,
@@ -222,7 +231,11 @@ const Dialect* detectDialect(std::string_view fileName, std::string_view text) {
 }
 
 std::vector<base::ParameterSpec> optionsOf(const Dialect& dialect) {
-  return dialect.options ? dialect.options() : std::vector<base::ParameterSpec>();
+  std::vector<base::ParameterSpec> options =
+      dialect.options ? dialect.options() : std::vector<base::ParameterSpec>();
+  if (dialect.extruders.size() > 1)
+    options.push_back(extruderOption(dialect.extruders));
+  return options;
 }
 
 base::ParameterTable programParameters() {
@@ -302,9 +315,12 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
                            const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
   requireRodTurns(dialect, input.cell);
+  requireExtruder(dialect, input.cell, input.options);
   ProgramInput own = input;
   own.foreign = isForeign(dialect, input.cell);
   own.options = optionsAmong(optionsOf(dialect), input.options);
+  if (dialect.extruders.empty())
+    own.options.own[std::string(kExtruderOption)] = std::string(kOutputsExtruder);
   if (!dialect.tiltsNozzle) {
     std::vector<Eigen::Vector3d> directions;
     const std::vector<MotionTarget> targets = motionTargets(input, ctx);
@@ -313,7 +329,50 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
         directions.push_back(targets[i].direction);
     requireUpright(dialect, directions);
   }
-  return dialect.write(own, ctx);
+  plan::Program program = dialect.write(own, ctx);
+  if (!dialect.extruders.empty() && extruderOf(own).streams)
+    program.files.push_back(streamFile(own, ctx));
+  return program;
+}
+
+namespace {
+// As the dialect reads all but a stream of filament, which then gives the flow.
+plan::ReadProgram readWithStream(const Dialect& dialect,
+                                 const std::vector<plan::ProgramFile>& files,
+                                 const process::Process& process, const base::RunContext& ctx) {
+  std::vector<plan::ProgramFile> own;
+  std::vector<std::size_t> places; // of own
+  std::size_t stream = files.size();
+  for (std::size_t f = 0; f < files.size(); ++f)
+    if (stream == files.size() && looksLikeStream(files[f].text)) {
+      stream = f;
+    } else {
+      own.push_back(files[f]);
+      places.push_back(f);
+    }
+  if (stream == files.size())
+    return dialect.read(files, process, ctx);
+  plan::ReadProgram program = dialect.read(own, process, ctx);
+  const auto place = [&](auto& what) {
+    if (what.file < places.size())
+      what.file = places[what.file];
+  };
+  std::ranges::for_each(program.motions, place);
+  std::ranges::for_each(program.pauses, place);
+  std::ranges::for_each(program.defects, place);
+  if (program.load)
+    place(*program.load);
+  applyStream(files[stream].text, stream, program);
+  return program;
+}
+} // namespace
+
+std::vector<std::string> goesOnIn(const Dialect& dialect, std::string_view text) {
+  std::vector<std::string> files =
+      dialect.goesOnIn ? dialect.goesOnIn(text) : std::vector<std::string>();
+  if (std::string stream = streamOf(text); !stream.empty())
+    files.push_back(std::move(stream));
+  return files;
 }
 
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,
@@ -322,7 +381,7 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
   plan::ReadProgram program;
   program.format = dialect.id;
   if (!tellNoTexts(files, program.defects)) {
-    program = dialect.read(files, process, ctx);
+    program = readWithStream(dialect, files, process, ctx);
     if (program.defects.empty())
       tellMixedLineEnds(files, program.defects);
     if (program.defects.empty())

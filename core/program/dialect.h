@@ -36,7 +36,9 @@ struct Dialect {
   bool tiltsNozzle = true;      // can it say another direction than the plate's normal
   plan::TimeModel time = {};    // of its controller; readProgram hands it on
   MergeLimits merge = {};       // of printing motions that its controller can plan in time
-  bool forAnyCell = false;      // written beside the cell's own where the user chooses no formats
+  // Ids of program::extruders() that it has words for; empty: its motions tell amounts themselves.
+  std::vector<std::string_view> extruders = {};
+  bool forAnyCell = false; // written beside the cell's own where the user chooses no formats
   // What the user may choose about its text; nullptr: nothing. Dialects may share an option.
   std::vector<base::ParameterSpec> (*options)() = nullptr;
   // What its controller takes: characters of a line, and of a text in quotation marks. 0: no limit
@@ -70,6 +72,10 @@ const Dialect& findDialect(std::string_view id);
 // The dialect that a file is written in: by its text; where that leaves it open, by the extension
 // of its name. nullptr: none.
 const Dialect* detectDialect(std::string_view fileName, std::string_view text);
+
+// Names of the files, next to it, that a file of a program goes on in: Dialect::goesOnIn, and a
+// stream of filament.
+std::vector<std::string> goesOnIn(const Dialect& dialect, std::string_view text);
 
 // A dialect's options; all rows', each once; and what was chosen of the latter. The last throws
 // nothing when `values` are over a table with programParameters().

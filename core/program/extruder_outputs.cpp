@@ -7,6 +7,11 @@
 
 namespace voluta::program {
 
+std::pair<double, double> pushedOut(double mm3, double drawnMm3) {
+  const double left = drawnMm3 - mm3;
+  return {std::max(0.0, -left), std::max(0.0, left)};
+}
+
 std::string shareText(double share) {
   share = std::clamp(share, 0.0, 1.0);
   std::string text;

@@ -6,8 +6,16 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace voluta::program {
+
+// Filament that is drawn back further than this is out of the hot end, mm; what of it may not be
+// back before a bead, mm3.
+inline constexpr double kMostDrawnBackMm = 20.0, kDrawnBackLeftMm3 = 0.02;
+// Of an amount that is pushed (drawn, below zero) where so much had been drawn back: what comes
+// out, and what is then drawn back. mm3.
+std::pair<double, double> pushedOut(double mm3, double drawnMm3);
 
 // A share of the full flow as it is written, in [0, 1]: four significant digits.
 std::string shareText(double share);

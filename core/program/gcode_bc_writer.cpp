@@ -143,6 +143,10 @@ private:
   }
 
   void remark(std::string_view text) override { text_.remark(text); }
+  // Under G93.
+  void draw(double filamentMm) override {
+    text_.draw(filamentMm, 60.0 * kDrawnMmPerS / std::abs(filamentMm));
+  }
   void jointMotion(std::size_t i) override { motion(i); }
   void straightMotion(std::size_t i, bool) override { motion(i); }
 
@@ -172,7 +176,7 @@ private:
     text_.word(" B", sense_ * base::radiansToDegrees(pose.angles.tilt), kAngleDecimals);
     text_.word(" C", sense_ * base::radiansToDegrees(pose.angles.turn), kAngleDecimals);
     if (filamentMm)
-      text_.word(" E", *filamentMm, kFilamentDecimals);
+      text_.amount(*filamentMm);
     if (!(s > 0.0))
       s = std::max(kLeastS, (pose.axesMm - last_.axesMm).norm() / in_.process.travelSpeedMmPerS);
     const double perMinute = 60.0 / s;

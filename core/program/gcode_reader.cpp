@@ -11,7 +11,6 @@ namespace voluta::program {
 namespace {
 // Longer than any path from an extruder's gear to the melt that slicers draw back on (they use 0.5
 // to 10 mm).
-constexpr double kMostDrawnBackMm = 20.0;
 } // namespace
 
 GcodeReader::GcodeReader(std::string_view format, const process::Process& process,

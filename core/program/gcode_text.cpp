@@ -7,22 +7,12 @@
 #include "program/text.h"
 #include "program/walk.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace voluta::program {
 
 namespace {
-// Usual nozzle temperatures; a process says nothing about it yet.
-std::optional<int> nozzleCelsius(std::string_view material) {
-  if (material == "PLA")
-    return 210;
-  if (material == "PETG")
-    return 240;
-  if (material == "ABS")
-    return 245;
-  return std::nullopt;
-}
-
 class StraightWriter : private Speller {
 public:
   StraightWriter(const StraightGcode& kind, const ProgramInput& input, const base::RunContext& ctx)
@@ -48,6 +38,7 @@ private:
   }
 
   void remark(std::string_view text) override { text_.remark(text); }
+  void draw(double filamentMm) override { text_.draw(filamentMm, 60.0 * kDrawnMmPerS); }
   // The nozzle's way is not a straight one: it is said in pieces.
   void jointMotion(std::size_t i) override {
     const int pieces = i == 0 ? 1 : jointPieces(in_, i);
@@ -80,7 +71,7 @@ private:
       text_.word(" nZ", target.direction.z(), kDirectionDecimals);
     }
     if (filamentMm)
-      text_.word(" E", *filamentMm, kFilamentDecimals);
+      text_.amount(*filamentMm);
     // The speed between the targets as written, so that rounding doesn't become speed.
     const double length = (tip - lastTip_).norm();
     double speed = s > 0.0 ? length / s : 0.0;
@@ -101,6 +92,16 @@ private:
 };
 
 } // namespace
+
+std::optional<int> nozzleCelsius(std::string_view material) {
+  if (material == "PLA")
+    return 210;
+  if (material == "PETG")
+    return 240;
+  if (material == "ABS")
+    return 245;
+  return std::nullopt;
+}
 
 double filamentArea(double diameterMm) {
   return base::kPi / 4.0 * diameterMm * diameterMm;
@@ -123,6 +124,17 @@ void GcodeText::word(std::string_view letters, double value, int decimals, bool 
 
 void GcodeText::line(std::string_view text) {
   out += text;
+  out += '\n';
+}
+
+void GcodeText::amount(double filamentMm) {
+  word(" E", filamentMm, kFilamentDecimals);
+  lastMm_ = filamentMm;
+}
+
+void GcodeText::draw(double filamentMm, double f) {
+  word("G1 E", lastMm_ + std::min(0.0, filamentMm), kFilamentDecimals);
+  word(" F", f, 3, true);
   out += '\n';
 }
 
@@ -153,7 +165,7 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   if (celsius)
     out += joined({"M109 S", std::to_string(*celsius), "\n"});
   out += "G92 E0\n";
-  if (p.primeS > 0.0 && input.trajectory.extrudedMm3.back() > 0.0) {
+  if (primesStanding(input)) {
     const double mmPerS = primeFlowMm3PerS(p) / filamentArea();
     word("G1 E", mmPerS * p.primeS, kFilamentDecimals, true);
     word(" F", mmPerS * 60.0, 3, true);

@@ -15,6 +15,8 @@ namespace voluta::program {
 
 inline constexpr double kFilamentDiameterMm = 1.75;
 inline constexpr int kPositionDecimals = 4, kDirectionDecimals = 6, kFilamentDecimals = 5;
+// Of filament that is drawn back and returned.
+inline constexpr double kDrawnMmPerS = 30.0;
 inline constexpr std::string_view kDiameterNote = "filament diameter ";
 inline constexpr std::string_view kGcodeEnd = "; end";
 // Of machines that are no arms; as kStartQuestion.
@@ -25,6 +27,9 @@ inline constexpr std::string_view kGcodeQuestion =
 double filamentArea(double diameterMm = kFilamentDiameterMm);
 // Between which a nozzle prints a material; makers' data sheets and what print heads stand.
 std::pair<double, double> nozzleRange(std::string_view material);
+
+// A usual nozzle temperature of a material, degrees C, assumed: a process says nothing about it.
+std::optional<int> nozzleCelsius(std::string_view material);
 
 class GcodeText {
 public:
@@ -38,10 +43,18 @@ public:
             const std::vector<std::string>& notes = {});
   void end();
 
+  // A bead's motion has so much filament out at its end.
+  void amount(double filamentMm);
+  // Filament that is drawn back from there (below zero), or returned to it.
+  void draw(double filamentMm, double f);
+
   // The filament's length at a point of a bead; none where the motion to it does not print.
   static std::optional<double> filamentMm(const plan::Trajectory& trajectory, std::size_t point);
 
   std::string out;
+
+private:
+  double lastMm_ = 0.0;
 };
 
 // Motions that are straight on the part, one a point, a joint motion in pieces: extended G-code,

@@ -1,6 +1,8 @@
 #include "program/job_head.h"
 
 #include "base/units.h"
+#include "program/extruder.h"
+#include "program/extruder_stream.h"
 #include "program/motion_targets.h"
 #include "program/text.h"
 
@@ -145,6 +147,10 @@ std::vector<std::string> headLines(const ProgramInput& input) {
       joined({std::to_string(t.pointCount()), " motions, ", fixedText(mm3, 1), " mm3, ",
               fixedText(mm3 * 1e-3 * p.densityGPerCm3, 1), " g, ", fixedText(t.timeS.back(), 1),
               " s"})};
+  if (extruderOf(input).streams)
+    lines.push_back(joined({kStreamNote, streamName(input),
+                            ", played from each moment on at which the extruder's output goes "
+                            "on; the analogue one stays at 0"}));
   if (input.foreign)
     return lines;
   std::string range = "joints go, degrees:", start = "starts at joints, degrees:";

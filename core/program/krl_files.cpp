@@ -56,6 +56,22 @@ bool mayBeMissingInKrl(const std::vector<std::string>& lines, std::size_t i) {
   return primes(lines, i);
 }
 
+void tellOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder& out) {
+  for (out.file = 1; out.file < files.size(); ++out.file) {
+    const std::string& file = files[out.file].name;
+    LineReader lines(files[out.file].text);
+    std::string name;
+    for (std::string_view line; name.empty() && lines.next(line);)
+      krlPart({codeOf(line, kKrlSyntax), kKrlSyntax}, name);
+    LineCursor own(file, kKrlSyntax);
+    out.line = lines.number();
+    if (!name.empty() && file.ends_with(".src") && !own.isWord(name))
+      out.defect(base::message("the file {file} begins with {procedure}: a module is called as its "
+                               "first procedure"_text,
+                               file, name));
+  }
+}
+
 std::vector<std::string> filesOfKrl(std::string_view text) {
   std::vector<std::string> defined, called;
   LineReader lines(text);

@@ -51,6 +51,7 @@ public:
     };
     bool complete =
         procedures_.find(files, wholly([this](LineCursor& line) { return outside(line); }));
+    tellOtherNames(files, out_);
     if (openData_) {
       out_.file = dataFile_;
       out_.defect("ENDDAT is missing: the file was cut short"_text);

@@ -125,7 +125,7 @@ bool KrlVariables::takePart(LineCursor& line, const std::string& within, KrlValu
     return false;
   if (line.isMark('{'))
     return takeAggregate(line, within, value, depth);
-  if (line.takeText())
+  if (std::string_view text; line.takeText(text))
     return true;
   if (line.takeMark('#')) {
     std::string word;

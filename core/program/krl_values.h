@@ -20,6 +20,9 @@ inline constexpr LineSyntax kKrlSyntax{';', '$'};
 // DEF NAME ( ) and END; `name` in small letters, empty where it is not the head of a procedure that
 // is read.
 LinePart krlPart(LineCursor line, std::string& name);
+// A defect each: a module, but for the first, that is not called as its first procedure, which a
+// controller would not find.
+void tellOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder& out);
 
 // A variable's name with its index and parts, in small letters: "$vel.cp", "$out[1]", "p1".
 bool takeKrlPath(LineCursor& line, std::string& path);

@@ -143,12 +143,13 @@ bool LineCursor::takeName(std::string& small) {
   return true;
 }
 
-bool LineCursor::takeText() {
+bool LineCursor::takeText(std::string_view& text) {
   if (!isMark('"'))
     return false;
   const std::size_t end = rest_.find('"', 1);
   if (end == std::string_view::npos)
     return false;
+  text = rest_.substr(1, end - 1);
   rest_.remove_prefix(end + 1);
   return true;
 }

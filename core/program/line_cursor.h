@@ -28,9 +28,9 @@ public:
   bool takeMark(char c);
   bool isWord(std::string_view small); // a name, given in small letters
   bool takeWord(std::string_view small);
-  bool takeName(std::string& small); // a letter, underscore or sign first
-  bool takeText();                   // in double quotes
-  bool takeNumber(double& value);    // without a sign before it
+  bool takeName(std::string& small);     // a letter, underscore or sign first
+  bool takeText(std::string_view& text); // in double quotes
+  bool takeNumber(double& value);        // without a sign before it
   std::string_view rest();
 
 private:

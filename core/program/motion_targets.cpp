@@ -1,5 +1,7 @@
 #include "program/motion_targets.h"
 
+#include "plan/waypoints.h"
+
 #include "base/error.h"
 #include "base/parallel.h"
 #include "process/bead_model.h"
@@ -101,6 +103,11 @@ double primeFlowMm3PerS(const process::Process& process) {
   return std::min(process.maxFlowMm3PerS,
                   process::beadArea(process.beadWidthMm, process.layerHeightMm) *
                       process.speedMmPerS);
+}
+
+bool primesStanding(const ProgramInput& input) {
+  return input.process.primeS > 0.0 && input.trajectory.extrudedMm3.back() > 0.0 &&
+         !plan::primesOnPath(input.toolPlan, input.trajectory);
 }
 
 std::string PathNames::at(std::size_t waypoint) {

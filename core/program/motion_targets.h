@@ -46,6 +46,8 @@ bool isPrint(const plan::Trajectory& trajectory, std::size_t point);
 // Flow of the prime: a bead of the process's default section at its default speed, at most the
 // extruder's full flow.
 double primeFlowMm3PerS(const process::Process& process);
+// Does the extruder fill the nozzle where the arm stands at its start? Not where a path does.
+bool primesStanding(const ProgramInput& input);
 
 // Says, for the comments of a program, which path begins at a point.
 class PathNames {

@@ -1,5 +1,10 @@
 #include "program/program_builder.h"
 
+#include "program/castelli_serial.h"
+#include "program/gcode_text.h"
+
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace voluta::program {
@@ -39,9 +44,41 @@ void ProgramBuilder::turn(bool on) {
   outputs_.turn(on);
 }
 
+void ProgramBuilder::send(std::string_view text) {
+  const auto command = readCastelli(text);
+  if (!command) {
+    defect(base::message("'{text}' is no text that the extruder takes"_text, text.substr(0, 40)));
+    return;
+  }
+  const double value = static_cast<double>(command->value);
+  switch (command->word) {
+  case 'G':
+    turn(command->value > 0);
+    flow(std::max(0.0, castelliFlowMm3PerS(command->value)) / process_.maxFlowMm3PerS);
+    drawsMm3PerS_ = std::max(0.0, -castelliFlowMm3PerS(command->value));
+    return;
+  case 'M':
+    if (const auto [least, most] = nozzleRange(process_.material);
+        value != 0.0 && !(value >= least && value <= most))
+      defect(base::message("{celsius} °C is no heat to print {material} with"_text,
+                           base::number(value), process_.material));
+    wordAt("M", kAside);
+    return;
+  case 'R':
+    wordAt("R", kSetUp);
+    return;
+  default: // fan, and what it is asked
+    wordAt(text, kAnywhere);
+  }
+}
+
 void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
   if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
     defect("the extruder's outputs are not set before this motion"_text);
+  if (drawsMm3PerS_ > 0.0)
+    defect("the extruder runs back while the nozzle moves"_text);
+  if (m.extruding && std::exchange(drawnMm3_, 0.0) > kDrawnBackLeftMm3)
+    defect("the filament that was drawn back is not back"_text);
   motion(std::move(m));
 }
 
@@ -55,7 +92,13 @@ void ProgramBuilder::motion(plan::ProgramMotion m) {
 }
 
 void ProgramBuilder::pauseByOutputs(double seconds) {
-  pause(seconds, outputs_.flowShare() * process_.maxFlowMm3PerS * seconds);
+  const double pushed = (outputs_.flowShare() * process_.maxFlowMm3PerS - drawsMm3PerS_) * seconds;
+  double out = 0.0;
+  std::tie(out, drawnMm3_) = pushedOut(pushed, drawnMm3_);
+  if (drawnMm3_ > kMostDrawnBackMm * filamentArea(kCastelliFilamentMm))
+    defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
+                         base::mm(drawnMm3_ / filamentArea(kCastelliFilamentMm))));
+  pause(seconds, out);
 }
 
 void ProgramBuilder::pause(double seconds, double volumeMm3) {

@@ -28,6 +28,8 @@ public:
   void beginOutputs();
   void turn(bool on);
   void flow(double share) { outputs_.flow(share); }
+  // A text of the castelli-serial extruder, in place of both outputs.
+  void send(std::string_view text);
   bool outputsEnded() const { return outputs_.ended(); }
 
   // File and line are filled in. With the extruder as the outputs have it, or as the motion says.
@@ -60,6 +62,8 @@ private:
   WordPlaces places_;
   ReadOutputs outputs_;
   bool toolSet_ = false;
+  // The extruder runs back, mm3/s; so much of the filament is drawn back, mm3.
+  double drawsMm3PerS_ = 0.0, drawnMm3_ = 0.0;
   std::size_t onSince_ = 0; // motions and pauses when the extruder was turned on
 };
 

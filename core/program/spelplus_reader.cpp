@@ -97,6 +97,8 @@ private:
       return digital(word == "on", line);
     if (word == "aio_out")
       return analogue(line);
+    if (word == "write" && line.isMark('#'))
+      return send(line);
     if (word == "wait")
       return wait(line);
     if (word == "power" || word == "motor" || word == "cp")
@@ -178,6 +180,16 @@ private:
     if (!(volts >= 0.0 && volts <= kVolts))
       return fail("an analogue output outside 0 to 10 V"_text);
     out_.flow(volts / kVolts);
+    return true;
+  }
+  // Write #201, "text"
+  bool send(LineCursor& line) {
+    double port = 0.0;
+    std::string_view text;
+    if (!line.takeMark('#') || !line.takeNumber(port) || !line.takeMark(',') ||
+        !line.takeText(text))
+      return false;
+    out_.send(text);
     return true;
   }
   bool wait(LineCursor& line) {

@@ -1,5 +1,8 @@
 #include "base/units.h"
+#include "program/castelli_serial.h"
 #include "program/euler_angles.h"
+#include "program/extruder.h"
+#include "program/gcode_text.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
@@ -23,6 +26,7 @@ constexpr double kMostDegPerS2 = 5000.0, kLeastDegPerS = 0.1; // AccelR, SpeedR
 constexpr double kLeastMmPerS = 0.1;                          // SpeedS
 constexpr double kStartPercent = 10.0;
 constexpr double kVolts = 10.0;
+constexpr std::string_view kPort = "201"; // the first of TCP/IP
 // Of a motion that turns on the spot, at each of its ends.
 constexpr double kTurnShare = 0.45;
 
@@ -84,8 +88,10 @@ private:
             ? "  ' fixed nozzle: external control point 1 (an option of the controller); poses are "
               "tool 1's in Base, the work frame on the flange"
             : "  ' moving nozzle: poses are tool 1's in Base, the nozzle's tip");
-    line(joined({"  ' extruder on: output 1; flow: analogue output 1, 10 V = ",
-                 fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
+    line(joined(
+        {"  ' ", extruderNote(in_, joined({"extruder on: output 1; flow: analogue output "
+                                           "1, 10 V = ",
+                                           fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s"}))}));
     line("  ' to be added to a project of RC+, and called or chosen to be run");
   }
 
@@ -105,6 +111,19 @@ private:
     out_ += "  Weight ";
     number(assumedLoadKg(in_), 3);
     line(joined({" ' assumed: ", assumedLoadText(in_)}));
+    if (!sends())
+      return;
+    line(joined({"  SetNet #", kPort, ", \"", kCastelliAddress, "\", ",
+                 std::to_string(kCastelliPort), ", CRLF ' the extruder's address, to be set"}));
+    line(joined({"  OpenNet #", kPort, " As Client"}));
+    line(joined({"  WaitNet #", kPort}));
+    if (const auto celsius = nozzleCelsius(in_.process.material))
+      send(joined({"M", std::to_string(*celsius), "n"}));
+  }
+  bool sends() const { return extruderOf(in_).text != nullptr; }
+  // Write adds no end of a line, which the extruder would take for a text.
+  void send(std::string_view text) override {
+    line(joined({"  Write #", kPort, ", \"", text, "\""}));
   }
 
   void frame(const Eigen::Isometry3d& pose) {
@@ -146,6 +165,10 @@ private:
     program_.files.push_back({fileName(oneFile() ? 0 : file + 1), std::move(out_)});
   }
   void outputsOff() {
+    if (sends()) {
+      send(extruderOf(in_).text(0.0));
+      return;
+    }
     line("  Off 1");
     line("  AIO_Out 1, 0");
   }

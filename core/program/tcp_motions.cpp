@@ -1,6 +1,7 @@
 #include "program/tcp_motions.h"
 
 #include "program/blend.h"
+#include "program/extruder.h"
 #include "program/extruder_outputs.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
                        double (*written)(double share))
     : in_(input), targets_(targets), seconds_(targets.size(), 0.0), flow_(targets.size(), 0.0) {
   const double full = in_.process.maxFlowMm3PerS;
+  const Extruder& extruder = extruderOf(in_);
   double held = 0.0;
   for (std::size_t i = 1; i < targets.size(); ++i) {
     double s = motionSeconds(in_.trajectory, i);
@@ -42,7 +44,7 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
       const double wanted = s > 0.0 ? volume / s : 0.0;
       if (wanted > 0.0) {
         if (std::abs(wanted - held) > kFlowBand * held)
-          held = written(wanted / full) * full;
+          held = writtenBy(extruder, in_.process, wanted / full, written) * full;
         flow_[i] = held;
         s = held > 0.0 ? volume / held : s;
       }

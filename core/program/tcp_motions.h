@@ -33,7 +33,8 @@ std::string_view assumedLoadText(const ProgramInput& input);
 // are indices >= 0; motion i ends at point i.
 class TcpMotions {
 public:
-  // `written`: a share of the full flow as the program says it.
+  // `written`: a share of the full flow as the program's outputs say it; another extruder's words
+  // (extruderOf) say it their own way.
   TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets,
              double (*written)(double share) = writtenShare);
 

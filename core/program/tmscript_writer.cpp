@@ -134,7 +134,7 @@ private:
   void wait(double seconds) override {
     leave();
     frame(program_.foreign ? "PVTEnter(1)" : "PVTEnter(0)");
-    point(target(0), listed(PvtVector::Zero(), 0, 0), seconds);
+    point(target(at_), listed(PvtVector::Zero(), 0, 0), seconds);
     frame("PVTExit()");
   }
 
@@ -149,6 +149,7 @@ private:
   }
 
   void jointMotion(std::size_t i) override {
+    at_ = i;
     const plan::Trajectory& t = in_.trajectory;
     double percent = kTmStartPercent;
     if (const double s = motionSeconds(t, i); s > 0.0) {
@@ -161,6 +162,7 @@ private:
   }
 
   void straightMotion(std::size_t i, bool stops) override {
+    at_ = i;
     enter();
     const PvtMotion in = motion(i);
     PvtVector velocity = PvtVector::Zero();
@@ -181,6 +183,7 @@ private:
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
+  std::size_t at_ = 0;             // point
   std::vector<PvtVector> numbers_; // of the targets, as written
   plan::Program program_;
   std::string out_;

@@ -16,6 +16,8 @@
 // 0, in 0..1, 0 to 10 V) x process.maxFlowMm3PerS. Flow and times: TcpMotions. Blends
 // (program/tcp_motions.h) only between Print motions or straight travels. Prime: once, at the first
 // point, before anything moves on; the extruder runs for process.primeS.
+// With motionsPerFile: for a file node a file that calls the functions of the others, whose nodes
+// stand before it; for a port files that are sent in turn.
 #pragma once
 
 #include "base/run_context.h"
@@ -24,13 +26,20 @@
 #include "program/program_input.h"
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace voluta::program {
 
 inline constexpr double kStartRadPerS = 0.25;
 // Said by a program whose function is called behind its end, so that the call is missed.
 inline constexpr std::string_view kCalledNote = "# called in the last line";
+
+// Said by a file that a program calls: by itself it does nothing.
+inline constexpr std::string_view kPartNote = "# a part, called by ";
+// Said by a file that is sent to a port; the name of the file to be sent next follows.
+inline constexpr std::string_view kNextNote = "# when it has ended, send ";
 
 // motionsPerFile; urscriptForm: for a file node, or sent to a port, where `end` is the last line
 // and nothing calls the function.
@@ -42,13 +51,15 @@ plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& c
 // Understood: def/end, calls of the functions named above, movep (as movel with a blend), sleep,
 // outputs by set_[standard_]digital_out and set_[standard_]analog_out, and urscriptWords();
 // positional and named arguments in any order, spaces, comments, CR LF. Everything else is a
-// defect. `complete`: every function was closed by `end` and, where the text says kCalledNote,
+// defect. Functions of any file may be called; a file that is a part runs only so, any other one by
+// itself, in their order. `complete`: every function was closed by `end` and, where the text says kCalledNote,
 // called, after the extruder's two outputs were set off behind the last motion.
 plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
                                const process::Process& process, const base::RunContext& ctx);
 // What else may stand in a program, and where; everything else is refused.
 std::span<const KnownWord> urscriptWords();
 bool looksLikeUrscript(std::string_view text);
+std::vector<std::string> filesOfUrscript(std::string_view text);                   // Dialect
 bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i); // Dialect
 
 } // namespace voluta::program

@@ -25,9 +25,15 @@ public:
       : ctx_(ctx), out_("urscript", process) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    files_.resize(files.size());
+    for (out_.file = 0; out_.file < files.size(); ++out_.file) {
+      collect(files[out_.file].text);
+      findFunctions();
+    }
     bool complete = !files.empty();
     for (out_.file = 0; out_.file < files.size(); ++out_.file)
-      complete = readFile(files[out_.file].text) && complete;
+      if (!here().cameTo)
+        complete = runFile() && complete;
     return out_.take(complete);
   }
 
@@ -40,70 +46,104 @@ private:
   };
   // Lines [first, end) of its body.
   struct Function {
-    std::size_t first, end;
+    std::size_t file, first, end;
   };
+  struct File {
+    std::vector<Line> lines; // with code in them
+    std::map<std::size_t, std::size_t>
+        behind;                            // the line behind a definition at the top, by its own
+    std::size_t last = 0;                  // line of the text
+    std::string_view defined;              // last
+    bool mustCall = false, isPart = false; // as its notes say
+    bool closed = true, cameTo = false;
+  };
+  File& here() { return files_[out_.file]; }
+  const std::vector<Line>& lines() { return here().lines; }
 
-  bool readFile(std::string_view text) {
-    functions_.clear();
-    variables_.clear();
-    running_.clear();
-    lines_.clear();
-    tcpSet_ = false;
-    out_.beginOutputs();
+  void collect(std::string_view text) {
     LineReader reader(text);
-    std::string_view line;
-    bool mustCall = false;
-    while (reader.next(line)) {
-      out_.line = reader.number();
-      mustCall = mustCall || trimmed(line).starts_with(kCalledNote);
+    for (std::string_view line; reader.next(line);) {
+      here().last = reader.number();
+      here().mustCall = here().mustCall || trimmed(line).starts_with(kCalledNote);
+      here().isPart = here().isPart || trimmed(line).starts_with(kPartNote);
       if (const std::string_view code = trimmed(line.substr(0, findUnquoted(line, "#")));
           !code.empty())
-        lines_.push_back({reader.number(), code});
+        here().lines.push_back({reader.number(), code});
     }
-    const std::size_t last = out_.line;
-    const bool ran = readFunctions(mustCall);
-    out_.line = last;
-    if (!out_.outputsEnded())
+  }
+  void findFunctions() {
+    for (std::size_t i = 0; i < lines().size();) {
+      out_.line = lines()[i].number;
+      if (!isDefinition(lines()[i].code)) {
+        ++i;
+        continue;
+      }
+      const std::size_t head = i;
+      here().defined = nameOfDefinition(lines()[i].code);
+      here().closed = define(i);
+      here().behind[head] = i;
+    }
+  }
+
+  void begin() {
+    here().cameTo = true;
+    tcpSet_ = false;
+    out_.beginOutputs();
+  }
+  bool end() {
+    const bool ended = out_.outputsEnded();
+    if (!ended)
       defect("the extruder is not set off behind the last motion"_text);
-    return ran && out_.outputsEnded();
+    return ended;
+  }
+
+  bool runFile() {
+    out_.line = here().last;
+    if (here().isPart) {
+      defect("nothing of this file is run"_text);
+      return false;
+    }
+    variables_.clear();
+    begin();
+    const bool ran = runTop();
+    out_.line = here().last;
+    return end() && ran;
   }
 
   // What stands outside of functions: their definitions, set-up of variables, one call. Text that
   // is sent to a port ends with `end` and runs by itself.
-  bool readFunctions(bool mustCall) {
-    std::string_view defined;
-    std::size_t tops = 0;
-    bool closed = true, called = false;
-    for (std::size_t i = 0; i < lines_.size();) {
-      out_.line = lines_[i].number;
-      if (isDefinition(lines_[i].code)) {
-        defined = nameOfDefinition(lines_[i].code);
-        closed = define(i);
-        ++tops;
+  bool runTop() {
+    const std::size_t tops = here().behind.size();
+    const bool closed = here().closed, mustCall = here().mustCall;
+    bool called = false;
+    for (std::size_t i = 0; i < lines().size();) {
+      out_.line = lines()[i].number;
+      const std::string_view code = lines()[i].code;
+      if (const auto definition = here().behind.find(i); definition != here().behind.end()) {
+        i = definition->second;
         continue;
       }
       Call call;
-      if (UrscriptScanner{lines_[i].code, variables_}.call(call) &&
-          functions_.contains(call.name)) {
+      if (UrscriptScanner{code, variables_}.call(call) && functions_.contains(call.name)) {
         if (called)
           defect("a second call outside the functions"_text);
         called = true;
         run(call);
-      } else if (lines_[i].code == "end") {
+      } else if (code == "end") {
         defect("'end' closes no function"_text);
-      } else if (!assign(lines_[i].code)) {
-        tellOutside(lines_[i].code);
+      } else if (!assign(code)) {
+        tellOutside(code);
       }
       ++i;
     }
-    if (!lines_.empty())
-      out_.line = lines_.back().number;
+    if (!lines().empty())
+      out_.line = lines().back().number;
     if (tops == 0)
       defect("no function is defined"_text);
     else if (!called && closed && (tops > 1 || mustCall))
       defect("the function is never called"_text);
     if (!called && tops > 0)
-      run({.name = defined, .arguments = {}, .count = 0});
+      run({.name = here().defined, .arguments = {}, .count = 0});
     return tops > 0 && closed && (called || (tops == 1 && !mustCall));
   }
 
@@ -138,7 +178,7 @@ private:
 
   // The definition in line i, which moves behind its end. false: it has none.
   bool define(std::size_t& i) {
-    UrscriptScanner scanner{lines_[i].code, variables_};
+    UrscriptScanner scanner{lines()[i].code, variables_};
     const std::string_view kind = scanner.name(), name = scanner.name();
     if (name.empty() || !scanner.take('(') || !scanner.take(')') || !scanner.take(':') ||
         !scanner.ended())
@@ -148,16 +188,16 @@ private:
     else if (functions_.contains(name))
       defect(base::message("the function '{defined}' is defined twice"_text, name));
     const std::size_t first = ++i;
-    for (std::size_t open = 1; i < lines_.size(); ++i) {
-      open += opensBlock(lines_[i].code) ? 1 : 0;
-      if (lines_[i].code == "end" && --open == 0) {
-        functions_.try_emplace(std::string(name), Function{first, i++});
+    for (std::size_t open = 1; i < lines().size(); ++i) {
+      open += opensBlock(lines()[i].code) ? 1 : 0;
+      if (lines()[i].code == "end" && --open == 0) {
+        functions_.try_emplace(std::string(name), Function{out_.file, first, i++});
         return true;
       }
     }
-    functions_.try_emplace(std::string(name), Function{first, i});
-    if (!lines_.empty())
-      out_.line = lines_.back().number;
+    functions_.try_emplace(std::string(name), Function{out_.file, first, i});
+    if (!lines().empty())
+      out_.line = lines().back().number;
     defect(base::message("the function '{defined}' has no end"_text, name));
     return false;
   }
@@ -173,18 +213,27 @@ private:
         defect(base::message("'{name}' is called as it cannot be"_text, call.name));
       return;
     }
-    const std::string name(call.name);
-    running_.push_back(name);
-    const std::size_t callLine = out_.line;
-    for (std::size_t i = at->second.first; i < at->second.end;) {
-      out_.line = lines_[i].number;
+    const Function function = at->second;
+    running_.emplace_back(call.name);
+    const std::size_t callLine = out_.line, callFile = out_.file;
+    const bool goesOver = function.file != callFile;
+    out_.file = function.file;
+    if (goesOver)
+      begin();
+    for (std::size_t i = function.first; i < function.end;) {
+      out_.line = lines()[i].number;
       if (i % 4096 == 0)
         ctx_.checkpoint();
-      if (isDefinition(lines_[i].code))
+      if (isDefinition(lines()[i].code))
         define(i);
       else
-        statement(lines_[i++].code);
+        statement(lines()[i++].code);
     }
+    if (goesOver) {
+      out_.line = here().last;
+      end();
+    }
+    out_.file = callFile;
     out_.line = callLine;
     running_.pop_back();
   }
@@ -225,6 +274,8 @@ private:
       digitalOut(call);
     else if (name == "set_standard_analog_out" || name == "set_analog_out")
       analogOut(call);
+    else if (name == "socket_send_string")
+      sendText(call);
     else if (name == "set_tcp")
       setTcp(call);
     else if (name == "sleep")
@@ -392,6 +443,12 @@ private:
     }
     out_.flow(value);
   }
+  void sendText(const Call& call) {
+    if (call.count == 0 || call.arguments[0].value.kind != ValueKind::Text)
+      defect("a text to be sent is needed"_text);
+    else
+      out_.send(call.arguments[0].value.text);
+  }
   void setTcp(const Call& call) {
     Eigen::Isometry3d tcp;
     if (call.count != 1 || !poseOf(call.arguments[0].value, tcp)) {
@@ -415,7 +472,7 @@ private:
 
   const base::RunContext& ctx_;
   ProgramBuilder out_;
-  std::vector<Line> lines_; // with code in them
+  std::vector<File> files_;
   std::map<std::string, Function, std::less<>> functions_;
   UrscriptVariables variables_;
   std::vector<std::string> running_; // functions, the innermost last
@@ -427,21 +484,6 @@ private:
 plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
                                const process::Process& process, const base::RunContext& ctx) {
   return UrscriptReader(process, ctx).read(files);
-}
-
-bool looksLikeUrscript(std::string_view text) {
-  const std::string_view head = text.substr(0, 16384);
-  return (head.starts_with("def ") || head.find("\ndef ") != std::string_view::npos) &&
-         (head.find("movel(") != std::string_view::npos ||
-          head.find("movej(") != std::string_view::npos ||
-          head.find("movep(") != std::string_view::npos);
-}
-
-bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i) {
-  return lines[i].find("set_payload") != std::string::npos ||
-         lines[i].find("set_analog_outputdomain") != std::string::npos ||
-         lines[i].find("sleep(") != std::string::npos ||
-         lines[i].find("popup(") != std::string::npos || primes(lines, i);
 }
 
 } // namespace voluta::program

@@ -125,8 +125,7 @@ bool UrscriptScanner::factor(Value& value) {
   }
   if (take('"')) {
     value.kind = ValueKind::Text;
-    std::string_view text;
-    return textBehindQuote(text);
+    return textBehindQuote(value.text);
   }
   if (take('('))
     return this->value(value) && take(')');

@@ -21,6 +21,7 @@ struct Value {
   double number = 0.0; // Number; Boolean as 0 or 1
   std::array<double, 8> list{};
   std::size_t count = 0; // of list
+  std::string_view text; // Text, of the line
 };
 
 struct Argument {

@@ -28,6 +28,8 @@ std::span<const KnownWord> urscriptWords() {
       KnownWord{"set_runstate_standard_digital_output_to_value", kSetUp, "output of a stop"},
       KnownWord{"set_tool_digital_out", kAside, "an output of the tool"},
       KnownWord{"set_configurable_digital_out", kAside, "an output that is not the extruder's"},
+      KnownWord{"socket_open", kSetUp, "a way to another machine"},
+      KnownWord{"socket_close", kAtEnd, "its end"},
       KnownWord{"set_flag", kAnywhere, "a flag of the program's own"},
   };
   return kTable;

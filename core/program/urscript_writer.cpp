@@ -1,5 +1,8 @@
 #include "base/error.h"
 #include "base/units.h"
+#include "program/castelli_serial.h"
+#include "program/extruder.h"
+#include "program/gcode_text.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
@@ -22,6 +25,7 @@ constexpr int kSpeedDecimals = 7;
 constexpr int kBlendDecimals = 6;
 constexpr double kMaxAccelerationMPerS2 = 10.0;
 constexpr double kStartRadPerS2 = 0.5;
+constexpr std::string_view kSocket = "extruder";
 
 class UrscriptWriter : private Speller {
 public:
@@ -37,6 +41,8 @@ public:
     const Walk walk{"urscript", cutsOf(in_.trajectory, in_.options.motionsPerFile), &motions_};
     parts_ = walk.cuts.size() - 1;
     walkTrajectory(in_, walk, *this, ctx_);
+    if (parts_ > 1 && !forPort_)
+      program_.files.insert(program_.files.begin(), {fileName(0), callingFile()});
     return std::move(program_);
   }
 
@@ -76,20 +82,48 @@ private:
     }
   }
 
+  // Part 0: the one that calls the others, or all of it.
+  std::string functionName(std::size_t part) const {
+    const std::string name = programName(in_.name);
+    return part == 0 ? name : joined({name, "_", std::to_string(part)});
+  }
+  std::string fileName(std::size_t part) const {
+    return joined({part == 0 ? identifierOf(in_.name) : functionName(part), ".script"});
+  }
+
+  // For file nodes: the parts' stand before it, so that their functions are known.
+  std::string callingFile() {
+    out_.clear();
+    line(joined({"def ", functionName(0), "():"}));
+    line(joined({"  ", kCalledNote, ", as a file node wants it"}));
+    about();
+    line("  # file nodes before this one, so that what they define is known to it:");
+    for (std::size_t part = 1; part <= parts_; ++part)
+      line(joined({"  # ", fileName(part)}));
+    for (std::size_t part = 1; part <= parts_; ++part)
+      line(joined({"  ", functionName(part), "()"}));
+    line("end");
+    line(joined({functionName(0), "()"}));
+    return std::move(out_);
+  }
+
   void beginFile(std::size_t file) override {
-    const std::string part = file > 0 ? joined({"_", std::to_string(file + 1)}) : "";
-    name_ = programName(in_.name) + part;
-    file_ = joined({identifierOf(in_.name), part, ".script"});
+    const bool alone = parts_ == 1;
+    part_ = alone ? 0 : file + 1;
     out_.clear();
     out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 64u << 20));
-    line(joined({"def ", name_, "():"}));
-    line(forPort_ ? "  # for ports 30001 and 30002: sent, it runs by itself"
-                  : joined({"  ", kCalledNote, ", as a file node wants it"}));
-    if (file == 0)
+    line(joined({"def ", functionName(part_), "():"}));
+    if (forPort_)
+      line("  # for ports 30001 and 30002: sent, it runs by itself");
+    else
+      line(alone ? joined({"  ", kCalledNote, ", as a file node wants it"})
+                 : joined({"  ", kPartNote, functionName(0)}));
+    if (!alone)
+      line(joined({"  # file ", std::to_string(file + 1), " of ", std::to_string(parts_)}));
+    if (forPort_ && file + 1 < parts_)
+      line(joined({"  ", kNextNote, fileName(part_ + 1)}));
+    if (alone || (forPort_ && file == 0))
       about();
-    if (parts_ > 1)
-      line(joined({"  # file ", std::to_string(file + 1), " of ", std::to_string(parts_),
-                   ", to be run one after the other"}));
     const robot::Cell& cell = in_.cell;
     out_ += "  set_tcp(";
     const Eigen::Isometry3d& tcp = cell.flange_T_moved();
@@ -100,9 +134,28 @@ private:
     for (int k = 0; k < 3; ++k)
       number(k ? "," : "", tcp.translation()[k] / 1000.0, 4);
     line(joined({"]) # assumed: ", assumedLoadText(in_)}));
-    line("  set_analog_outputdomain(0,1) # 0 to 10 V");
+    if (!sends()) {
+      line("  set_analog_outputdomain(0,1) # 0 to 10 V");
+      outputsOff();
+      return;
+    }
+    line(joined({"  socket_open(\"", kCastelliAddress, "\",", std::to_string(kCastelliPort), ",\"",
+                 kSocket, "\") # the extruder's address, to be set"}));
+    outputsOff();
+    if (const auto celsius = nozzleCelsius(in_.process.material); celsius && file == 0)
+      send(joined({"M", std::to_string(*celsius), "n"}));
+  }
+  bool sends() const { return extruderOf(in_).text != nullptr; }
+  void outputsOff() {
+    if (sends()) {
+      send(extruderOf(in_).text(0.0));
+      return;
+    }
     line("  set_standard_digital_out(0,False)");
     line("  set_standard_analog_out(0,0)");
+  }
+  void send(std::string_view text) override {
+    line(joined({"  socket_send_string(\"", text, "\",\"", kSocket, "\")"}));
   }
 
   void about() {
@@ -116,9 +169,10 @@ private:
     line(cell.nozzleMount() == robot::Mount::World
              ? "  # fixed nozzle: the TCP is the plate's centre, poses are the plate's in Base"
              : "  # moving nozzle: the TCP is the nozzle's tip");
-    out_ += "  # extruder on: digital output 0; flow: analogue output 0, 1 = ";
-    appendFixed(out_, p.maxFlowMm3PerS, 3, true);
-    line(" mm3/s");
+    line(joined(
+        {"  # ", extruderNote(in_, joined({"extruder on: digital output 0; flow: analogue output "
+                                           "0, 1 = ",
+                                           fixedText(p.maxFlowMm3PerS, 3), " mm3/s"}))}));
   }
 
   void ask() override {
@@ -126,12 +180,13 @@ private:
   }
   void endFile(std::size_t) override {
     line("  # end");
-    line("  set_standard_digital_out(0,False)");
-    line("  set_standard_analog_out(0,0)");
+    outputsOff();
+    if (sends())
+      line(joined({"  socket_close(\"", kSocket, "\")"}));
     line("end");
-    if (!forPort_)
-      line(joined({name_, "()"}));
-    program_.files.push_back({file_, out_});
+    if (!forPort_ && parts_ == 1)
+      line(joined({functionName(0), "()"}));
+    program_.files.push_back({fileName(part_), out_});
   }
 
   void remark(std::string_view text) override { line(joined({"  # ", text})); }
@@ -199,8 +254,8 @@ private:
   TcpMotions motions_;
   std::vector<Eigen::Vector3d> rotation_;
   plan::Program program_;
-  std::string out_, name_, file_;
-  std::size_t parts_ = 1;
+  std::string out_;
+  std::size_t parts_ = 1, part_ = 0;
 };
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "program/walk.h"
 
+#include "program/extruder.h"
 #include "program/extruder_outputs.h"
+#include "program/gcode_text.h"
 #include "program/motion_targets.h"
 
 #include <algorithm>
@@ -12,12 +14,17 @@ namespace {
 class Walker {
 public:
   Walker(const ProgramInput& input, const Walk& walk, Speller& speller, const base::RunContext& ctx)
-      : in_(input), walk_(walk), speller_(speller), ctx_(ctx), paths_(input.toolPlan) {}
+      : in_(input), walk_(walk), speller_(speller), ctx_(ctx), paths_(input.toolPlan),
+        extruder_(extruderOf(input)) {
+    for (std::size_t i = 0; i < input.trajectory.pointCount(); ++i)
+      lastPrint_ = isPrint(input.trajectory, i) ? i : lastPrint_;
+  }
 
   void run() {
     for (std::size_t file = 0; file + 1 < walk_.cuts.size(); ++file) {
       const std::size_t end = walk_.cuts[file + 1];
       outputs_.off();
+      said_.clear();
       speller_.beginFile(file);
       for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
         if (i % 4096 == 0)
@@ -34,9 +41,14 @@ private:
     const plan::Trajectory& t = in_.trajectory;
     if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
       speller_.remark(path);
+    if (isPrint(t, i) && drawn_)
+      draw(false);
     if (walk_.outputs != nullptr && isPrint(t, i))
       flow(walk_.outputs->flowMm3PerS(i));
     extruder(isPrint(t, i));
+    if (i > 0 && isPrint(t, i - 1) && !isPrint(t, i) && i < lastPrint_ &&
+        in_.process.retractMm > 0.0)
+      draw(true);
     if (i == 0)
       speller_.ask();
     if (i == 0 || t.move[i] == plan::MoveKind::Joint)
@@ -48,17 +60,48 @@ private:
   }
 
   void flow(double mm3PerS) {
+    flow_ = mm3PerS;
+    if (extruder_.text || extruder_.streams)
+      return;
     if (const auto share = outputs_.flow(mm3PerS))
       speller_.flow(*share);
   }
   void extruder(bool on) {
-    if (walk_.outputs != nullptr && outputs_.turn(on))
+    if (walk_.outputs == nullptr)
+      return;
+    const bool turns = outputs_.turn(on);
+    if (extruder_.text)
+      say(extruder_.text(on ? flow_ : 0.0));
+    else if (turns)
       speller_.extruder(on);
+  }
+  // Behind beginFile it stands.
+  void say(const std::string& text) {
+    if (text == (said_.empty() ? extruder_.text(0.0) : said_))
+      return;
+    said_ = text;
+    speller_.send(text);
+  }
+
+  void draw(bool back) {
+    drawn_ = back;
+    const double mm = in_.process.retractMm, seconds = mm / kDrawBackMmPerS;
+    if (walk_.outputs == nullptr) {
+      speller_.draw(back ? -mm : mm);
+    } else if (extruder_.text) {
+      const double mm3PerS = filamentArea(extruder_.filamentMm) * kDrawBackMmPerS;
+      say(extruder_.text(back ? -mm3PerS : mm3PerS));
+      speller_.wait(seconds);
+      say(extruder_.text(0.0));
+    } else if (extruder_.streams) {
+      extruder(true);
+      speller_.wait(seconds);
+      extruder(false);
+    }
   }
 
   void prime() {
-    if (walk_.outputs == nullptr || !(in_.process.primeS > 0.0) ||
-        in_.trajectory.extrudedMm3.back() <= 0.0)
+    if (walk_.outputs == nullptr || !primesStanding(in_))
       return;
     speller_.remark("prime");
     flow(primeFlowMm3PerS(in_.process));
@@ -74,6 +117,11 @@ private:
   const base::RunContext& ctx_;
   PathNames paths_;
   WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
+  const Extruder& extruder_;
+  double flow_ = 0.0; // wanted
+  bool drawn_ = false;
+  std::size_t lastPrint_ = 0; // point
+  std::string said_;          // last
 };
 
 } // namespace

@@ -24,7 +24,12 @@ public:
   // Told only where they change; of dialects that have an extruder of two outputs (Walk::outputs).
   virtual void flow(std::string_view /*share*/) {} // 0..1, of process.maxFlowMm3PerS
   virtual void extruder(bool /*on*/) {}
+  // A text for an extruder that takes texts (Extruder::text).
+  virtual void send(std::string_view /*text*/) {}
   virtual void wait(double /*seconds*/) {}
+  // Filament goes forth, or back below zero, where the arm stands; of dialects whose motions tell
+  // amounts.
+  virtual void draw(double /*filamentMm*/) {}
   // The first point is always a joint motion.
   virtual void jointMotion(std::size_t point) = 0;
   // `stops`: the last one of its file.
@@ -35,12 +40,14 @@ struct Walk {
   std::string_view format; // for the progress that is told
   // Where files begin: first 0, ascending, last the number of points.
   std::vector<std::size_t> cuts;
-  // The flow of a dialect whose extruder is two outputs, which then primes at the first point;
-  // nullptr: amounts are told by the motions.
+  // The flow of a dialect whose extruder is told beside the motions (program/extruder.h), and then
+  // primes at the first point; nullptr: amounts are told by the motions.
   const TcpMotions* outputs = nullptr;
 };
 
-// Per point: its remark, the outputs, the motion; at the first, the prime. Throws Cancelled.
+// Per point: its remark, the outputs, the motion; at the first, the prime. With process.retractMm
+// filament is drawn back behind a bead that another follows, and returned before that. Throws
+// Cancelled.
 void walkTrajectory(const ProgramInput& input, const Walk& walk, Speller& speller,
                     const base::RunContext& ctx);
 

@@ -25,10 +25,9 @@ double motionVolume(const plan::ReadProgram& program, const ExecutedPath& path, 
 std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf,
                                          const plan::Trajectory& trajectory,
                                          const plan::ToolPlan& plan, double defaultHeightMm) {
-  std::vector<char> ofPart(plan.waypointCount(), 1);
+  std::vector<plan::PathKind> kind(plan.waypointCount());
   for (const plan::ToolPath& path : plan.paths)
-    if (path.kind == plan::PathKind::Support || path.kind == plan::PathKind::Skirt)
-      std::fill_n(ofPart.begin() + static_cast<std::ptrdiff_t>(path.first), path.count, char{0});
+    std::fill_n(kind.begin() + static_cast<std::ptrdiff_t>(path.first), path.count, path.kind);
   // Points between waypoints (subdivisions) have the height of the next waypoint along the bead.
   std::vector<std::size_t> waypointAt(trajectory.pointCount(), plan::kNoWaypoint);
   std::size_t next = plan::kNoWaypoint;
@@ -40,15 +39,16 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
       next = plan::kNoWaypoint; // an approach knows nothing of what was before
   }
   std::vector<BeadKnowledge> result(pointOf.size());
-  BeadKnowledge last{static_cast<float>(defaultHeightMm), static_cast<float>(defaultHeightMm),
-                     true};
+  BeadKnowledge last{static_cast<float>(defaultHeightMm), static_cast<float>(defaultHeightMm), true,
+                     false};
   for (std::size_t m = 0; m < pointOf.size(); ++m) {
-    BeadKnowledge here{last.toHeightMm, last.toHeightMm, last.ofPart};
+    BeadKnowledge here{last.toHeightMm, last.toHeightMm, last.ofPart, last.waste};
     const std::size_t w =
         pointOf[m] < waypointAt.size() ? waypointAt[pointOf[m]] : plan::kNoWaypoint;
     if (w < plan.waypointCount()) {
       here.toHeightMm = plan.heightMm[w];
-      here.ofPart = ofPart[w] != 0;
+      here.waste = kind[w] == plan::PathKind::Skirt;
+      here.ofPart = !here.waste && kind[w] != plan::PathKind::Support;
     }
     result[m] = last = here;
   }
@@ -108,6 +108,7 @@ std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const Ex
     piece.run = run;
     piece.motion = static_cast<std::uint32_t>(m);
     piece.ofPart = known.ofPart;
+    piece.waste = known.waste;
     if (length < 1e-6) {
       piece.from = piece.to = path.tip[end - 1];
       piece.fromDirection = piece.toDirection = path.direction[end - 1];
@@ -232,6 +233,10 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
   std::vector<Found> found(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
+      if (pieces[p].waste) {
+        found[p] = {true, 1.0};
+        continue;
+      }
       const Beneath beneath(pieces[p], static_cast<std::uint32_t>(p), printed, ground);
       found[p] = {beneath.supported(), beneath.carriedShare()};
     }
@@ -240,6 +245,8 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
   double inTheAir = 0.0;
   std::size_t from = 0;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (pieces[p].waste)
+      continue;
     const double length = (pieces[p].to - pieces[p].from).norm();
     result.lengthMm += length;
     if (!found[p].supported) {

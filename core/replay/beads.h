@@ -23,6 +23,7 @@ namespace voluta::replay {
 struct BeadKnowledge {
   float fromHeightMm = 0.0f, toHeightMm = 0.0f;
   bool ofPart = true; // false: support or skirt
+  bool waste = false; // a skirt: whether it rests on anything is nobody's concern
 };
 
 // Material of a motion that takes so long, mm3: the amount that the text gives, else flow x time; 0
@@ -62,7 +63,8 @@ struct SupportedBeads {
 // up to 0.7 heights aside (a cone of 35 degrees about the build direction; what lies beside the
 // bead in its own layer is no support). Stricter, it is carried where the ground or such material
 // lies right beneath: looked for at eight places across its width, 1.05 to 1.25 heights below the
-// tip. What the same bead laid over its last 3 mm or two widths does not count. Throws Cancelled.
+// tip. What the same bead laid over its last 3 mm or two widths does not count. Waste is not looked
+// at. Throws Cancelled.
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
                            const GroundProbe& ground, const base::RunContext& ctx);
 

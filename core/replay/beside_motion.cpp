@@ -1,6 +1,7 @@
 #include "replay/beside_motion.h"
 
 #include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
 #include "process/bead_model.h"
 
 #include <algorithm>
@@ -34,11 +35,11 @@ Beads beadsOf(const plan::ReadProgram& program) {
 
 class Judge {
 public:
-  Judge(const plan::ReadProgram& program, const ExecutedPath& path,
+  Judge(const plan::ReadProgram& program, const ExecutedPath& path, const plan::ToolPlan& plan,
         const plan::Trajectory& trajectory, const robot::Cell& cell,
         const process::Process& process)
-      : program_(program), path_(path), trajectory_(trajectory), cell_(cell), process_(process),
-        beads_(beadsOf(program)) {}
+      : program_(program), path_(path), plan_(plan), trajectory_(trajectory), cell_(cell),
+        process_(process), beads_(beadsOf(program)) {}
 
   std::vector<TextFinding> judge() {
     pauses();
@@ -73,7 +74,7 @@ private:
   }
 
   void prime() {
-    const double planned = plannedPrimeMm3(trajectory_, process_);
+    const double planned = plannedPrimeMm3(plan_, trajectory_, process_);
     if (!program_.tellsPauses || program_.motions.empty())
       return;
     double volume = 0.0;
@@ -142,6 +143,7 @@ private:
 
   const plan::ReadProgram& program_;
   const ExecutedPath& path_;
+  const plan::ToolPlan& plan_;
   const plan::Trajectory& trajectory_;
   const robot::Cell& cell_;
   const process::Process& process_;
@@ -151,8 +153,10 @@ private:
 
 } // namespace
 
-double plannedPrimeMm3(const plan::Trajectory& trajectory, const process::Process& process) {
-  if (trajectory.extrudedMm3.empty() || !(trajectory.extrudedMm3.back() > 0.0))
+double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
+                       const process::Process& process) {
+  if (plan::primesOnPath(plan, trajectory) || trajectory.extrudedMm3.empty() ||
+      !(trajectory.extrudedMm3.back() > 0.0))
     return 0.0;
   const double flow =
       process::beadArea(process.beadWidthMm, process.layerHeightMm) * process.speedMmPerS;
@@ -169,11 +173,11 @@ double standingMm3(const plan::ReadProgram& program) {
 }
 
 std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
-                                           const ExecutedPath& path,
+                                           const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
                                            const robot::Cell& cell,
                                            const process::Process& process) {
-  return Judge(program, path, trajectory, cell, process).judge();
+  return Judge(program, path, plan, trajectory, cell, process).judge();
 }
 
 } // namespace voluta::replay

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "plan/program.h"
+#include "plan/tool_plan.h"
 #include "process/process.h"
 #include "replay/comparison.h"
 #include "replay/executed_path.h"
@@ -13,8 +14,10 @@
 namespace voluta::replay {
 
 // What the plan has flow out before its first bead: a usual bead's flow for the process' time, at
-// most the extruder's full flow. 0 where nothing is printed. mm3.
-double plannedPrimeMm3(const plan::Trajectory& trajectory, const process::Process& process);
+// most the extruder's full flow. 0 where nothing is printed, and where a bead of its own fills the
+// nozzle. mm3.
+double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
+                       const process::Process& process);
 
 // Material that pauses between the first bead and the last let out; it lies in no bead. mm3.
 double standingMm3(const plan::ReadProgram& program);
@@ -30,7 +33,7 @@ double standingMm3(const plan::ReadProgram& program);
 // - A straight motion speeds up at most half as hard again as the process does or as its own
 //   speeds ask for; a joint motion as the joints may.
 std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
-                                           const ExecutedPath& path,
+                                           const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
                                            const robot::Cell& cell,
                                            const process::Process& process);

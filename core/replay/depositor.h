@@ -38,6 +38,7 @@ struct BeadPiece {
   std::uint32_t run = 0;                      // which bead
   std::uint32_t motion = 0;                   // of the program
   bool ofPart = true;                         // false: support or skirt
+  bool waste = false;                         // a skirt
 };
 
 // The section of a piece: width from its volume and length, and where that is less than its

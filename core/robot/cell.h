@@ -51,6 +51,8 @@ public:
   const std::string& id() const { return id_; }
   const std::string& label() const { return label_; }
   const std::string& note() const { return note_; } // how it was laid out, for who sets it up
+  // Id of what turns the filament (program/extruder.h).
+  const std::string& extruder() const { return extruder_; }
   const RobotModel& robot() const { return robot_; }
   int dof() const { return static_cast<int>(limits_.size()); } // the robot's and external axes
   int armDof() const { return robot_.dof(); }
@@ -101,7 +103,7 @@ private:
   Cell() = default;
   double turnOf(const JointVector& q) const; // of the work frame about its x, rad
 
-  std::string id_, label_, note_;
+  std::string id_, label_, note_, extruder_ = "outputs";
   RobotModel robot_;
   Mount nozzleMount_ = Mount::World;
   Eigen::Isometry3d flange_T_moved_ = Eigen::Isometry3d::Identity();

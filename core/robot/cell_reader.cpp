@@ -3,6 +3,8 @@
 // robot/shape_reader.h.
 //   id, label             texts; id as the file's name
 //   note                  optional text: how the cell was laid out
+//   extruder              optional: id of a row of program::extruders(), "outputs" where it is not
+//                         given
 //   robot                 id of a robot
 //   nozzle                {mount: "world" | "flange", pose, holder}: pose is base_T_tool or
 //                         flange_T_tool (z in the direction of extrusion); holder, optional, is
@@ -44,7 +46,6 @@ namespace voluta::robot {
 
 namespace {
 constexpr double kTravelDegPerS2 = 80.0;
-
 
 constexpr double kStepMm = 1e-9; // head sections closer than this are a step, not a frustum
 
@@ -178,7 +179,7 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
                 platform::PlatformSolid solid) {
   const base::JsonNode top = base::JsonNode::readFile(file);
   top.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
-                 "travelAccelerationDegPerS2", "neverMeet", "externalAxes"});
+                 "travelAccelerationDegPerS2", "neverMeet", "externalAxes", "extruder"});
   Cell cell;
   cell.id_ = top.at("id").text();
   if (cell.id_ != file.stem().string())
@@ -187,6 +188,8 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   cell.label_ = top.at("label").text();
   if (top.has("note"))
     cell.note_ = top.at("note").text();
+  if (top.has("extruder"))
+    cell.extruder_ = top.at("extruder").text();
   cell.robot_ = readRobotOf(top.at("robot"));
   cell.limits_ = cell.robot_.limits;
   for (const base::JsonNode& axis : top.at("externalAxes").items()) {

@@ -27,6 +27,16 @@ base::ParameterTable toolpathParameters() {
       base::numberParameter("windingAngle", "deg", ToolpathOptions{}.windingAngleDeg, 0.0, 90.0,
                             "Tool-paths"_text, "winding angle"_text,
                             "Of helical infill: 0 winds around the axis, 90 runs along it."_text),
+      base::choiceParameter("prime", "line",
+                            {{"line", "a line beside the part"_text},
+                             {"skirt", "a ring round the part"_text},
+                             {"none", "none"_text}},
+                            "Tool-paths"_text, "prime"_text,
+                            "How the nozzle is filled before the part begins: on the plate, or in "
+                            "the air beside it where it has no room. It is waste."_text),
+      base::numberParameter("primeLengthMm", "mm", ToolpathOptions{}.primeLengthMm, 10.0, 200.0,
+                            "Tool-paths"_text, "length of the prime"_text,
+                            "Of the line beside the part."_text),
   });
 }
 
@@ -38,6 +48,8 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.infillAngleDeg = values.number("infillAngle");
   o.infillTurnDeg = values.number("infillTurn");
   o.windingAngleDeg = values.number("windingAngle");
+  o.prime = values.text("prime");
+  o.primeLengthMm = values.number("primeLengthMm");
   return o;
 }
 

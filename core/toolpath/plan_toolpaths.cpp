@@ -1,5 +1,7 @@
 #include "toolpath/plan_toolpaths.h"
 
+#include "toolpath/prime_path.h"
+
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
@@ -146,6 +148,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   r.seconds.orient = watch.seconds();
   r.plan = std::move(oriented.plan);
   slowBridges(r.plan, oriented.hanging, process);
+  addPrimePath(r.plan, cell, process, options);
   r.findings = std::move(oriented.findings);
 
   ToolpathStatistics& s = r.statistics;
@@ -162,6 +165,8 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                                  static_cast<double>(r.plan.heightMm[j]));
       };
       s.lengthMm += length;
+      if (path.kind == PathKind::Skirt)
+        continue;
       s.materialMm3 += process::beadVolume(section(i - 1), section(i), length);
     }
     if (k > 0)

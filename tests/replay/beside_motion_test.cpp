@@ -97,7 +97,8 @@ TEST(BesideMotion, AMissingOrOtherPrimeIsFound) {
     double volume = 0.0;
     for (const plan::ProgramPause& p : read.pauses)
       volume += p.volumeMm3;
-    EXPECT_NEAR(volume, plannedPrimeMm3(scene().trajectory, scene().process), 1e-3) << d.id;
+    EXPECT_NEAR(volume, plannedPrimeMm3(scene().plan, scene().trajectory, scene().process), 1e-3)
+        << d.id;
     const auto wait = std::find_if(read.pauses.begin(), read.pauses.end(),
                                    [](const plan::ProgramPause& p) { return p.volumeMm3 > 0.0; });
     ASSERT_NE(wait, read.pauses.end());

@@ -1,6 +1,7 @@
 #include "replay/mutations.h"
 
 #include "mutation_lines.h"
+#include "replay/flow_mutations.h"
 
 #include "base/units.h"
 
@@ -395,6 +396,7 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
   structure(all);
   targets(all, format == "gcode-bc" ? 5 : format.starts_with("gcode") ? 3 : 6);
   words(all, format);
+  all.push_back(lowerFlow(format, 0.8, 200));
   return all;
 }
 

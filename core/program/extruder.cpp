@@ -1,0 +1,101 @@
+#include "program/extruder.h"
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "program/castelli_serial.h"
+#include "program/dialect.h"
+#include "program/gcode_text.h"
+#include "program/text.h"
+
+#include <algorithm>
+
+namespace voluta::program {
+
+namespace {
+constexpr std::string_view kAsCell = "cell";
+
+std::string_view chosenId(const robot::Cell& cell, const ProgramOptions& options) {
+  const auto chosen = options.own.find(kExtruderOption);
+  const std::string* id =
+      chosen == options.own.end() ? nullptr : std::get_if<std::string>(&chosen->second);
+  return id && *id != kAsCell ? std::string_view(*id) : std::string_view(cell.extruder());
+}
+} // namespace
+
+const std::vector<Extruder>& extruders() {
+  static const std::vector<Extruder> table = {
+      {.id = kOutputsExtruder, .label = "outputs: one on and off, one for the flow"_text},
+      {.id = kCastelliExtruder,
+       .label = "texts over a socket: G, M, F (Castelli 2020)"_text,
+       .text = castelliFlowText,
+       .written = castelliWritten,
+       .filamentMm = kCastelliFilamentMm,
+       .lagS = 0.01,
+       .note = "extruder castelli-serial: G is half the period of a step in us, 1674.18 steps/mm "
+               "of 3 mm filament, G0 stops it"},
+      {.id = kStreamExtruder,
+       .label = "a file of amounts of filament over time, played beside the motion"_text,
+       .streams = true,
+       .filamentMm = kFilamentDiameterMm,
+       .lagS = 0.01},
+  };
+  return table;
+}
+
+const Extruder& findExtruder(std::string_view id) {
+  std::vector<std::string> ids;
+  for (const Extruder& row : extruders()) {
+    if (row.id == id)
+      return row;
+    ids.emplace_back(row.id);
+  }
+  throw base::Error(base::ErrorCode::Usage, base::message("unknown extruder '{id}'"_text, id), {},
+                    base::message("did you mean '{name}'?"_text, base::nearestName(id, ids)));
+}
+
+base::ParameterSpec extruderOption(std::span<const std::string_view> ids) {
+  std::vector<base::Choice> choices = {{std::string(kAsCell), "as the cell has it"_text}};
+  for (const std::string_view id : ids)
+    choices.push_back({std::string(id), findExtruder(id).label});
+  return base::choiceParameter(std::string(kExtruderOption), std::string(kAsCell),
+                               std::move(choices), "Programs"_text, "extruder"_text,
+                               "How the program tells the extruder how much to give."_text);
+}
+
+const Extruder& extruderOf(const ProgramInput& input) {
+  return findExtruder(chosenId(input.cell, input.options));
+}
+
+void requireExtruder(const Dialect& dialect, const robot::Cell& cell,
+                     const ProgramOptions& options) {
+  if (dialect.extruders.empty())
+    return;
+  const Extruder& wanted = findExtruder(chosenId(cell, options));
+  if (std::ranges::find(dialect.extruders, wanted.id) != dialect.extruders.end())
+    return;
+  std::string own;
+  for (const std::string_view id : dialect.extruders)
+    own += joined({own.empty() ? "" : ", ", id});
+  throw base::Error(
+      base::ErrorCode::Usage,
+      base::message("format {format} has no words for extruder {extruder} that keep step with the "
+                    "motion"_text,
+                    dialect.id, wanted.id),
+      {}, base::message("take extruder {extruders}"_text, own));
+}
+
+double writtenBy(const Extruder& extruder, const process::Process& process, double share,
+                 double (*outputs)(double share)) {
+  const double full = process.maxFlowMm3PerS;
+  return extruder.written ? extruder.written(share * full) / full : outputs(share);
+}
+
+std::string extruderNote(const ProgramInput& input, std::string_view outputs) {
+  const Extruder& row = extruderOf(input);
+  if (!row.text)
+    return std::string(outputs);
+  return joined(
+      {row.note, "; it is assumed to follow within ", fixedText(1000.0 * row.lagS, 0), " ms"});
+}
+
+} // namespace voluta::program

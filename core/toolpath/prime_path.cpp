@@ -1,0 +1,154 @@
+#include "toolpath/prime_path.h"
+
+#include "base/units.h"
+#include "process/bead_model.h"
+#include "robot/plate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace voluta::toolpath {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int kSides = 24;
+
+Vector2d side(int k) {
+  const double a = 2.0 * base::kPi * k / kSides;
+  return {std::cos(a), std::sin(a)};
+}
+
+// How far the points go that way.
+template <typename Points> double reach(const Points& points, const Vector2d& way) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const auto& p : points)
+    most = std::max(most, p.x() * way.x() + p.y() * way.y());
+  return most;
+}
+
+bool inside(const std::vector<Vector2d>& plate, const Vector2d& p, double fromEdgeMm) {
+  for (std::size_t i = 0; i < plate.size(); ++i) {
+    const Vector2d along = plate[(i + 1) % plate.size()] - plate[i], to = p - plate[i];
+    if (along.norm() > 0.0 && along.x() * to.y() - along.y() * to.x() < fromEdgeMm * along.norm())
+      return false;
+  }
+  return true;
+}
+
+// Across that side, so far out, about the middle of the points.
+std::vector<Vector2d> lineAt(const Vector2d& out, double distanceMm, const Vector2d& middle,
+                             double lengthMm) {
+  const Vector2d along(-out.y(), out.x());
+  const Vector2d centre = distanceMm * out + along.dot(middle) * along;
+  return {centre - 0.5 * lengthMm * along, centre + 0.5 * lengthMm * along};
+}
+
+// Round all points, its sides that far from them.
+std::vector<Vector2d> ringAround(const std::vector<Vector3d>& points, double asideMm) {
+  std::vector<Vector2d> corners;
+  for (int k = 0; k <= kSides; ++k) {
+    Eigen::Matrix2d sides;
+    sides << side(k % kSides).transpose(), side((k + 1) % kSides).transpose();
+    corners.emplace_back(sides.inverse() *
+                         Vector2d(reach(points, side(k % kSides)) + asideMm,
+                                  reach(points, side((k + 1) % kSides)) + asideMm));
+  }
+  return corners;
+}
+
+} // namespace
+
+PrimePlace primePlace(const std::vector<Vector2d>& plate, const std::vector<Vector3d>& positions,
+                      const Vector2d& rest, bool skirt, double lengthMm) {
+  const auto fits = [&](const std::vector<Vector2d>& corners) {
+    return std::ranges::all_of(
+        corners, [&](const Vector2d& p) { return inside(plate, p, kPrimeFromEdgeMm); });
+  };
+  if (skirt)
+    if (auto ring = ringAround(positions, kPrimeAsideMm); fits(ring))
+      return {std::move(ring), true};
+  Vector2d middle = Vector2d::Zero();
+  for (const Vector3d& p : positions)
+    middle += p.head<2>() / static_cast<double>(positions.size());
+  // The end that is nearer to what comes next, or before, is put there.
+  const auto nearest = [&](const Vector2d& to, bool first, auto&& line) {
+    std::optional<std::vector<Vector2d>> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < kSides; ++k) {
+      std::vector<Vector2d> corners = line(side(k));
+      if (corners.empty())
+        continue;
+      const double front = (corners.front() - to).norm(), back = (corners.back() - to).norm();
+      if (first ? back < front : front < back)
+        std::ranges::reverse(corners);
+      if (const double d = std::min(front, back); d < least - 1e-9) {
+        least = d;
+        best = std::move(corners);
+      }
+    }
+    return best;
+  };
+  const Vector2d begin = positions.front().head<2>();
+  for (const double length : {lengthMm, 0.5 * lengthMm})
+    if (auto line = nearest(begin, false, [&](const Vector2d& out) {
+          auto corners = lineAt(out, reach(positions, out) + kPrimeAsideMm, middle, length);
+          return fits(corners) ? corners : std::vector<Vector2d>();
+        }))
+      return {*std::move(line), true};
+  return {*nearest(rest, true,
+                   [&](const Vector2d& out) {
+                     return lineAt(out, reach(plate, out) + kPrimeOutsideMm, Vector2d::Zero(),
+                                   kPrimeInAirMm);
+                   }),
+          false};
+}
+
+void addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell, const process::Process& process,
+                  const ToolpathOptions& options) {
+  const robot::Prism* plate = robot::plateOf(cell);
+  if (options.prime == "none" || plan.paths.empty() || !plate || options.platform.mesh ||
+      options.platform.rod)
+    return;
+  const PrimePlace place = primePlace(plate->polygon, plan.position,
+                                      cell.work_T_tool(cell.home()).translation().head<2>(),
+                                      options.prime == "skirt", options.primeLengthMm);
+  const double height = process.layerHeightMm, width = process.beadWidthMm;
+  const double z = place.onPlate ? height : kPrimeAboveMm;
+  std::vector<Vector3d> points;
+  for (std::size_t c = 0; c + 1 < place.corners.size(); ++c) {
+    const Vector2d step = place.corners[c + 1] - place.corners[c];
+    const int n = std::max(1, static_cast<int>(std::ceil(step.norm() / options.stepMm - 1e-9)));
+    for (int i = c == 0 ? 0 : 1; i <= n; ++i) {
+      const Vector2d at = place.corners[c] + step * i / n;
+      points.emplace_back(at.x(), at.y(), z);
+    }
+  }
+  const std::size_t count = points.size();
+  const double speed =
+      std::min(process.speedMmPerS, process.maxFlowMm3PerS / process::beadArea(width, height));
+  const auto before = [&](auto& list, const auto& value) {
+    list.insert(list.begin(), count, value);
+  };
+  plan.position.insert(plan.position.begin(), points.begin(), points.end());
+  before(plan.direction, Vector3d::UnitZ().eval());
+  before(plan.widthMm, static_cast<float>(width));
+  before(plan.heightMm, static_cast<float>(height));
+  before(plan.speedMmPerS, static_cast<float>(speed));
+  for (plan::ToolPath& path : plan.paths)
+    path.first += count;
+  plan::ToolPath path;
+  path.count = count;
+  path.kind = plan::PathKind::Skirt;
+  path.layer = plan.paths.front().layer;
+  path.patch = plan.paths.front().patch;
+  path.group = plan.paths.front().group;
+  path.closed = place.corners.size() > 2;
+  plan.paths.insert(plan.paths.begin(), path);
+}
+
+} // namespace voluta::toolpath

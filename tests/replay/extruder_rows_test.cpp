@@ -1,0 +1,312 @@
+// Programs for every extruder that a dialect has words for beside its outputs (those are in
+// mutation_test.cpp): the undamaged one passes, harm is refused at its line.
+#include "program/dialect.h"
+#include "program/extruder.h"
+#include "program/extruder_stream.h"
+#include "replay/scene.h"
+#include "replay/told.h"
+#include "replay/verification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <gtest/gtest.h>
+#include <regex>
+#include <sstream>
+
+namespace voluta::replay {
+namespace {
+
+struct Row {
+  std::string dialect, extruder;
+};
+std::vector<Row> rows() {
+  std::vector<Row> all;
+  for (const program::Dialect& d : program::dialects())
+    for (const std::string_view id : d.extruders)
+      if (id != program::kOutputsExtruder)
+        all.push_back({std::string(d.id), std::string(id)});
+  return all;
+}
+
+const test::Scene& scene() {
+  static const test::Scene s = test::boxScene(1);
+  return s;
+}
+
+using Lines = std::vector<std::string>;
+// Changes the lines from `at` on (an index); where, or nothing.
+using Harm = std::function<std::optional<std::size_t>(Lines&, std::size_t at)>;
+struct Kind {
+  std::string name;
+  Harm harm;
+};
+
+std::ptrdiff_t offset(std::size_t i) {
+  return static_cast<std::ptrdiff_t>(i);
+}
+std::optional<std::size_t> next(const Lines& lines, std::size_t at, const std::string& pattern) {
+  const std::regex words(pattern);
+  for (std::size_t i = at; i < lines.size(); ++i)
+    if (std::regex_search(lines[i], words))
+      return i;
+  return std::nullopt;
+}
+Kind replaced(const std::string& name, const std::string& pattern, const std::string& by,
+              bool fromTop = false) {
+  return {name, [=](Lines& lines, std::size_t at) {
+            const auto i = next(lines, fromTop ? 0 : at, pattern);
+            if (i)
+              lines[*i] = std::regex_replace(lines[*i], std::regex(pattern), by);
+            return i;
+          }};
+}
+Kind erased(const std::string& name, const std::string& pattern, bool fromTop = false) {
+  return {name, [=](Lines& lines, std::size_t at) {
+            const auto i = next(lines, fromTop ? 0 : at, pattern);
+            if (i)
+              lines.erase(lines.begin() + offset(*i));
+            return i;
+          }};
+}
+// So many lines behind one that the pattern is in.
+Kind inserted(const std::string& line, const std::string& pattern, std::size_t behind) {
+  return {"amid: " + line, [=](Lines& lines, std::size_t at) {
+            auto i = next(lines, at, pattern);
+            if (i)
+              lines.insert(lines.begin() + offset(*i = *i + behind), line);
+            return i;
+          }};
+}
+Kind later(const std::string& name, const std::string& pattern) {
+  return {name, [=](Lines& lines, std::size_t at) -> std::optional<std::size_t> {
+            const auto i = next(lines, at, pattern);
+            if (!i || *i + 4 > lines.size())
+              return std::nullopt;
+            std::rotate(lines.begin() + offset(*i), lines.begin() + offset(*i + 1),
+                        lines.begin() + offset(*i + 4));
+            return i;
+          }};
+}
+// Each number that the pattern has in brackets, over so many lines.
+Kind scaled(const std::string& name, const std::string& pattern, double by, std::size_t count,
+            int decimals) {
+  return {name, [=](Lines& lines, std::size_t at) {
+            const std::regex words(pattern);
+            const auto first = next(lines, at, pattern);
+            for (std::size_t i = first.value_or(lines.size());
+                 i < std::min(lines.size(), first.value_or(0) + count); ++i)
+              if (std::smatch m; std::regex_search(lines[i], m, words)) {
+                char number[32];
+                std::snprintf(number, sizeof number, "%.*f", decimals, by * std::stod(m[1].str()));
+                lines[i].replace(static_cast<std::size_t>(m.position(1)),
+                                 static_cast<std::size_t>(m.length(1)), number);
+              }
+            return first;
+          }};
+}
+
+// Of a line that sends `text` in this dialect.
+std::string sent(const std::string& dialect, const std::string& text) {
+  return dialect == "spel" ? "  Write #201, \"" + text + "\"\r"
+                           : "  socket_send_string(\"" + text + "\",\"extruder\")";
+}
+
+std::vector<Kind> textKinds(const std::string& dialect) {
+  const std::string flows = "\"G([1-9][0-9]*)n\"", stop = "\"G0n\"";
+  const std::string wait = dialect == "spel" ? "^  Wait [0-9]" : "^  sleep";
+  std::vector<Kind> all = {scaled("flow is 80 % over 200 lines", flows, 1.25, 200, 0),
+                           replaced("a flow loses a digit", "\"G([0-9]+)[0-9]n\"", "\"G$1n\""),
+                           replaced("a flow has a digit more", flows, "\"G$011n\""),
+                           replaced("the filament runs back", flows, "\"G-$1n\""),
+                           replaced("a text has no end", flows, "\"G$1\""),
+                           replaced("another word", flows, "\"X$1n\""),
+                           replaced("a flow becomes heat", flows, "\"M$1n\""),
+                           replaced("a part of a step", flows, "\"G$1.5n\""),
+                           erased("the extruder never starts", flows),
+                           erased("the extruder stays on", stop),
+                           later("the extruder starts late", flows),
+                           later("the extruder stops late", stop),
+                           erased("the prime is missing", wait, true),
+                           replaced("ten times the prime",
+                                    dialect == "spel" ? "Wait 0\\.2" : "sleep\\(0\\.2",
+                                    dialect == "spel" ? "Wait 2" : "sleep(2", true),
+                           replaced("heat of 400", "\"M210n\"", "\"M400n\"", true)};
+  for (const char* text : {"G50n", "G0n", "G-50n", "M0n", "M400n", "R0n", "G131", "", "nn"})
+    all.push_back(inserted(sent(dialect, text), flows, 3));
+  return all;
+}
+
+std::vector<Kind> streamKinds() {
+  const std::string step = "^[0-9]+ [0-9.]+ ([0-9.]+)$", time = "^[0-9]+ ([0-9.]+) [0-9.]+$";
+  std::vector<Kind> all = {
+      scaled("flow is 80 % over 200 lines", step, 0.8, 200, 5),
+      scaled("one amount is twice", step, 2.0, 1, 5),
+      scaled("one amount is nothing", step, 0.0, 1, 5),
+      scaled("one time is twice", time, 2.0, 1, 6),
+      scaled("all times are half as long again", time, 1.5, 100000, 6),
+      erased("a line is missing", step),
+      erased("the extruder never goes on", "^on "),
+      erased("the extruder never goes off", "^off "),
+      later("it goes on late", "^on "),
+      later("a line comes late", step),
+      replaced("an amount lost its point", "^([0-9]+ [0-9.]+) ([0-9]+)\\.([0-9]+)$", "$1 $2$3"),
+      replaced("an amount has a sign", "^([0-9]+ [0-9.]+) ", "$1 -"),
+      replaced("a time is no number", "^([0-9]+) [0-9.]+ ", "$1 x "),
+      replaced("a number of a motion is another", "^([0-9]+) ([0-9.]+ )", "9$1 $2"),
+      replaced("a word too many", "^([0-9]+ [0-9.]+ [0-9.]+)$", "$1 7"),
+      replaced("on elsewhere", "^on ([0-9]+)", "on 9$1"),
+      replaced("off elsewhere", "^off ([0-9]+)", "off 9$1"),
+      replaced("filament of 2.85 mm", "diameter 1\\.75", "diameter 2.85", true),
+      erased("the end is missing", "^end", true)};
+  for (const char* line : {"on 5", "off 5", "end", "5 0 0", "G1 E5", "stop"})
+    all.push_back(inserted(line, step, 0));
+  all.push_back({"the file ends early", [](Lines& lines, std::size_t at) {
+                   lines.resize(at);
+                   return std::optional(at - 1);
+                 }});
+  all.push_back({"two lines have changed places", [=](Lines& lines, std::size_t at) {
+                   const auto i = next(lines, at, step);
+                   if (i)
+                     std::swap(lines[*i], lines[*i + 1]);
+                   return i;
+                 }});
+  return all;
+}
+
+class ExtruderRows : public ::testing::TestWithParam<Row> {
+protected:
+  void SetUp() override {
+    const test::Scene& s = scene();
+    program::ProgramInput in{s.plan, s.trajectory, s.cell, s.process, "box"};
+    in.options.own["extruder"] = GetParam().extruder;
+    files_ = program::writeProgram(GetParam().dialect, in).files;
+    for (std::size_t f = 0; f < files_.size(); ++f)
+      if (program::looksLikeStream(files_[f].text))
+        stream_ = f;
+    whole_ = read(files_);
+  }
+  bool streams() const { return stream_.has_value(); }
+
+  plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) const {
+    return program::readProgram(GetParam().dialect, files, scene().process);
+  }
+  Verification verify(const std::vector<plan::ProgramFile>& files) const {
+    const test::Scene& s = scene();
+    return replayProgram({read(files), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+                         ReplayThresholds{}, {});
+  }
+  std::size_t harmed() const { return stream_.value_or(0); }
+  Lines lines() const {
+    Lines all;
+    std::istringstream in(files_[harmed()].text);
+    for (std::string line; std::getline(in, line);)
+      all.push_back(line);
+    return all;
+  }
+
+  // At the line or the one beside it, or at the motion that it concerns, or that follows it.
+  bool named(const Verification& v, const Lines& lines, std::size_t at) const {
+    const std::size_t line = at + 1;
+    const auto near = [](std::size_t a, std::size_t b) { return a + 1 >= b && a <= b + 1; };
+    std::size_t concerned = 0;
+    if (streams()) {
+      std::size_t motion = 0;
+      for (const std::size_t i : {at, std::min(at + 1, lines.size() - 1)})
+        if (std::smatch m; motion == 0 && i < lines.size() &&
+                           std::regex_search(lines[i], m, std::regex("^([0-9]+) ")))
+          motion = std::stoul(m[1].str());
+      concerned =
+          motion > 0 && motion <= whole_.motions.size() ? whole_.motions[motion - 1].line : 1;
+    }
+    std::size_t following = 0;
+    if (!streams())
+      for (const plan::ProgramMotion& m : whole_.motions)
+        if (following == 0 && m.line >= line)
+          following = m.line;
+    return !v.passed && std::any_of(v.places.begin(), v.places.end(), [&](TextPlace p) {
+      if (p.file == harmed() + 1 && near(p.line, line))
+        return true;
+      return streams() ? p.file != harmed() + 1 && near(p.line, concerned)
+                       : near(p.line, following);
+    });
+  }
+
+  std::vector<plan::ProgramFile> files_;
+  std::optional<std::size_t> stream_;
+  plan::ReadProgram whole_;
+};
+
+TEST_P(ExtruderRows, TheUndamagedProgramPasses) {
+  const Verification v = verify(files_);
+  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_NEAR(v.massRatio, 1.0, 0.01);
+  EXPECT_TRUE(v.findings.empty()) << told(v);
+}
+
+TEST_P(ExtruderRows, HarmIsFoundAtItsLine) {
+  const std::vector<Kind> kinds = streams() ? streamKinds() : textKinds(GetParam().dialect);
+  std::size_t tried = 0, refused = 0, found = 0;
+  std::string missed;
+  for (const Kind& kind : kinds)
+    for (const double share : {0.3, 0.6}) {
+      Lines text = lines();
+      const auto at =
+          kind.harm(text, static_cast<std::size_t>(share * static_cast<double>(text.size())));
+      if (!at) {
+        missed += "not applied: " + kind.name + "\n";
+        continue;
+      }
+      auto files = files_;
+      files[harmed()].text.clear();
+      for (const std::string& line : text)
+        files[harmed()].text += line + "\n";
+      const Verification v = verify(files);
+      const bool here = named(v, text, *at);
+      ++tried;
+      refused += v.passed ? 0 : 1;
+      found += here ? 1 : 0;
+      if (!here)
+        missed += kind.name + " (line " + std::to_string(*at + 1) +
+                  "): " + (v.passed ? "passed\n" : told(v).substr(0, 200) + "\n");
+    }
+  std::printf("%-10s %-16s %2zu kinds, %3zu edits: %3zu refused, %3zu at the line\n",
+              GetParam().dialect.c_str(), GetParam().extruder.c_str(), kinds.size(), tried, refused,
+              found);
+  EXPECT_EQ(tried, 2 * kinds.size()) << missed;
+  EXPECT_EQ(refused, tried) << missed;
+  EXPECT_EQ(found, tried) << missed;
+}
+
+TEST_P(ExtruderRows, WhatDoesNoHarmBringsNoAlarm) {
+  int alarms = 0, tried = 0;
+  for (std::size_t at = 5; at + 5 < lines().size(); at += 17)
+    for (const char* line : {"", "   ", "MARK seen"}) {
+      Lines text = lines();
+      std::string extra = line;
+      if (extra.starts_with("MARK"))
+        extra = std::string(streams() ? "#" : program::findDialect(GetParam().dialect).remark) +
+                " seen by me";
+      if (!text.front().empty() && text.front().back() == '\r')
+        extra += '\r';
+      text.insert(text.begin() + offset(at), extra);
+      auto files = files_;
+      files[harmed()].text.clear();
+      for (const std::string& each : text)
+        files[harmed()].text += each + "\n";
+      const Verification v = verify(files);
+      ++tried;
+      alarms += v.passed && v.findings.empty() ? 0 : 1;
+    }
+  std::printf("%-10s %-16s %d harmless edits: %d alarms\n", GetParam().dialect.c_str(),
+              GetParam().extruder.c_str(), tried, alarms);
+  EXPECT_EQ(alarms, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Replay, ExtruderRows, ::testing::ValuesIn(rows()), [](const auto& i) {
+  return std::regex_replace(i.param.dialect + "_" + i.param.extruder, std::regex("-"), "_");
+});
+
+} // namespace
+} // namespace voluta::replay
