@@ -51,15 +51,16 @@ struct Printed {
   }
 };
 
-// Lines above the plate's middle, their directions leaning towards azimuth.
+// Lines above the plate's middle, their directions leaning towards azimuth, each on the one before.
 plan::ToolPlan leaning(double lean, double azimuth, int lines = 4) {
   plan::ToolPlan plan;
   const Vector3d d(std::sin(lean) * std::cos(azimuth), std::sin(lean) * std::sin(azimuth),
                    std::cos(lean));
+  const Vector3d along(-std::sin(azimuth), std::cos(azimuth), 0.0);
   for (int l = 0; l < lines; ++l) {
     std::vector<Vector3d> points;
     for (int i = 0; i <= 30; ++i)
-      points.push_back(Vector3d(i - 15.0, 3.0 * l, 60.0));
+      points.push_back(Vector3d(0, 0, 60) + (i - 15.0) * along + 0.8 * l * d);
     test::appendPath(plan, points, std::vector<Vector3d>(points.size(), d), l);
   }
   return plan;
@@ -111,8 +112,9 @@ TEST(Positioner, TiltsThePlateToDirectionsThatLean) {
     expectSound(p);
     EXPECT_TRUE(p.result.skipped.empty()) << p.result.skipped.size() << " at " << azimuth;
     for (std::size_t i = 0; i < p.result.trajectory.pointCount(); ++i)
-      if (p.result.trajectory.move[i] == plan::MoveKind::Print)
+      if (p.result.trajectory.move[i] == plan::MoveKind::Print) {
         EXPECT_LE(p.lean(i), base::degreesToRadians(36));
+      }
   }
 }
 

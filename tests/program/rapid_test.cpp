@@ -496,9 +496,9 @@ TEST(RapidReader, namesWhatOfARodItCannotTake) {
     const char* part;
   } cases[] = {
       {rodModule(kMove), 8, "eax_a is missing"},
-      {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[0,0,9E9,9E9,9E9,9E9]],v100,fine,t1\\WObj:=w1;"
-                 "\n"),
-       8, "other than eax_a"},
+      {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[0,9E9,0,9E9,9E9,9E9]],v100,fine,t1"
+                 "\\WObj:=w1;\n"),
+       8, "behind one that is not used"},
       {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[2E7,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1"
                  "\\WObj:=w1;\n"),
        8, "limit"},
