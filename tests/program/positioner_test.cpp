@@ -28,7 +28,8 @@ TEST_F(Positioner, isReadBackWhereItWas) {
       const robot::JointVector q = jointsAt(i);
       if (m.target == plan::TargetKind::Joints) {
         ASSERT_EQ(m.joints.size(), 8u) << format;
-        EXPECT_LE((Eigen::Map<const Eigen::VectorXd>(m.joints.data(), 8) - q).norm(), 2e-6); // degrees with four decimals
+        EXPECT_LE((Eigen::Map<const Eigen::VectorXd>(m.joints.data(), 8) - q).norm(),
+                  2e-6); // degrees with four decimals
       } else if (m.target != plan::TargetKind::ToolPoint) {
         ASSERT_EQ(m.target, plan::TargetKind::UnitPose) << format;
         ASSERT_EQ(m.externals.size(), 2u) << format;
