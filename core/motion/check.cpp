@@ -21,12 +21,12 @@ constexpr double kJointStep = base::degreesToRadians(0.5); // rad, for joint mov
 constexpr double kNearRad = 0.3; // of a joint between steps of a straight move
 
 // The states between the ends of one motion: of a straight one where the nozzle goes straight,
-// which near a singular wrist is far from where the joints would go by themselves.
+// which near a singular wrist is far from where the joints would go by themselves. Under a rod the
+// arm hardly moves.
 class Between {
 public:
   Between(const robot::Cell& cell, const JointVector& from, const JointVector& to, bool straight)
-      : cell_(cell), from_(from), to_(to), last_(from),
-        straight_(straight && cell.externalAxes().empty()) {
+      : cell_(cell), from_(from), to_(to), last_(from), straight_(straight && !cell.rod()) {
     if (straight_) {
       start_ = cell.work_T_tool(from);
       end_ = cell.work_T_tool(to);
@@ -42,6 +42,8 @@ public:
       const Eigen::Quaterniond tool =
           Eigen::Quaterniond(start_.linear()).slerp(t, Eigen::Quaterniond(end_.linear()));
       JointVector solved;
+      const Eigen::Index axes = q.size() - cell_.armDof();
+      last_.tail(axes) = q.tail(axes);
       if (solveNear(cell_, tip, tool, last_, kNearRad, scratch_, solved))
         q = solved;
     }

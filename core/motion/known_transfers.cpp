@@ -8,7 +8,7 @@ std::string KnownTransfers::keyOf(Way way, const RobotState& from, const RobotSt
                                   std::size_t fromWaypoint, std::size_t toWaypoint,
                                   const Surround& surround) {
   return base::keyText(way, fromWaypoint, toWaypoint, from.q, from.tip, from.tool.coeffs(),
-                       from.rodRad, to.q, to.tip, to.tool.coeffs(), to.rodRad, surround.centre,
+                       from.axes, to.q, to.tip, to.tool.coeffs(), to.axes, surround.centre,
                        surround.radius);
 }
 

@@ -89,7 +89,7 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
               ((rung[n].sample + k) % options.samples + options.samples) % options.samples;
           for (const int m : bySample[static_cast<std::size_t>(sample)]) {
             const auto from = static_cast<std::size_t>(m);
-            if (std::abs(rungs[r - 1][from].rod - rung[n].rod) > options.rodWindow)
+            if (std::abs(rungs[r - 1][from].aside - rung[n].aside) > options.asideWindow)
               continue;
             const double soFar = cost[r - 1][from] + rung[n].cost;
             if (soFar >= cost[r][n])

@@ -11,7 +11,7 @@ namespace voluta::motion {
 struct LadderNode {
   robot::JointVector q;
   int sample = 0;       // which turn about the nozzle, 0 .. samples - 1 (circular)
-  int rod = 0;          // which angle of the rod, in steps from the upright one
+  int aside = 0;        // how far the last external axis is from where it stands by itself, steps
   double cost = 0.0;    // of being here, added to the way's length
   bool blocked = false; // not to be used
 };
@@ -20,7 +20,7 @@ using Rung = std::vector<LadderNode>;
 struct LadderOptions {
   int samples = 24;               // turns about the nozzle in a full circle
   int window = 2;                 // neighbours differ by at most so many samples
-  int rodWindow = 1;              // and by at most so many of the rod's
+  int asideWindow = 1;            // and by at most so many steps aside
   std::vector<double> maxStepRad; // per rung: largest joint step from the rung before
 };
 

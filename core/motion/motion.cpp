@@ -6,11 +6,11 @@
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "motion/check.h"
+#include "motion/external_axes.h"
 #include "motion/head_refusals.h"
 #include "motion/nozzle_frame.h"
 #include "motion/path_planner.h"
 #include "motion/refusal_findings.h"
-#include "motion/rod_turn.h"
 #include "motion/sequence.h"
 #include "motion/timed_points.h"
 #include "motion/timing.h"
@@ -54,7 +54,7 @@ public:
        const collision::GrowingPart& part, const MotionOptions& options)
       : plan_(plan), cell_(cell), process_(process), options_(options),
         collision_(cell, process), scene_{plan, cell,     collision_,
-                                          part, options_, radiusAboutRod(plan)},
+                                          part, options_, leversOf(plan, cell)},
         planner_(scene_), home_(stateAt(cell, cell.home())) {}
 
   MotionResult plan(const base::RunContext& ctx) {

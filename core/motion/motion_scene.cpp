@@ -1,7 +1,7 @@
 #include "motion/motion_scene.h"
 
+#include "collision/shape_distance.h"
 #include "motion/nozzle_frame.h"
-#include "motion/rod_turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +32,12 @@ int MotionScene::divisions(const Vector3d& from, const Vector3d& to, double angl
 
 double MotionScene::span(const JointVector& a, const JointVector& b) const {
   const double arm = (b - a).head(cell.armDof()).cwiseAbs().maxCoeff();
-  const double rod = std::abs(rodAngle(cell, b) - rodAngle(cell, a));
-  return std::max(arm, rod * partRadiusMm / kLeverMm);
+  double axes = 0.0;
+  for (std::size_t k = 0; k < leversMm.size(); ++k) {
+    const Eigen::Index j = cell.armDof() + static_cast<Eigen::Index>(k);
+    axes += std::abs(b[j] - a[j]) * leversMm[k] / kLeverMm;
+  }
+  return std::max(arm, axes);
 }
 
 bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& tool,
@@ -53,11 +57,40 @@ bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& 
   return found;
 }
 
-double radiusAboutRod(const plan::ToolPlan& plan) {
-  double radius = 0.0;
-  for (const Eigen::Vector3d& p : plan.position)
-    radius = std::max(radius, p.tail<2>().norm());
-  return radius;
+std::vector<double> leversOf(const plan::ToolPlan& plan, const robot::Cell& cell) {
+  const std::size_t count = cell.externalAxes().size();
+  std::vector<double> levers(count, 1.0);
+  if (cell.rod()) { // round, and so is what holds it
+    double radius = 0.0;
+    for (const Vector3d& p : plan.position)
+      radius = std::max(radius, p.tail<2>().norm());
+    return {radius};
+  }
+  const auto bodiesReach = [&](int frame) { // from the frame's origin
+    double reach = 0.0;
+    for (const robot::Body& body : cell.bodies())
+      if (body.frame == frame)
+        for (const robot::Shape& shape : body.shapes) {
+          const collision::Ball ball =
+              collision::boundingBall(collision::place(shape, Eigen::Isometry3d::Identity()));
+          reach = std::max(reach, ball.centre.norm() + ball.radius);
+        }
+    return reach;
+  };
+  double reach = bodiesReach(cell.workFrame());
+  for (const Vector3d& p : plan.position)
+    reach = std::max(reach, p.norm());
+  reach += count > 0 ? cell.axis_T_work().translation().norm() : 0.0;
+  for (std::size_t k = count; k-- > 0;) {
+    const robot::ExternalAxis& axis = cell.externalAxes()[k];
+    reach = std::max(reach, bodiesReach(cell.axisFrame(k)));
+    if (axis.kind == robot::AxisKind::Turning)
+      levers[k] = reach;
+    else
+      reach += std::max(std::abs(axis.limits.min), std::abs(axis.limits.max));
+    reach += axis.before_T_axis.translation().norm();
+  }
+  return levers;
 }
 
 } // namespace voluta::motion

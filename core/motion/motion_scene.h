@@ -11,8 +11,9 @@
 
 namespace voluta::motion {
 
-// How far a plan's waypoints are from the rod's axis at most, mm.
-double radiusAboutRod(const plan::ToolPlan& plan);
+// How far each external axis' turn takes what it moves at most, mm a radian; 1 of one that slides.
+// Of a rod what is printed counts, of others also the bodies that they move.
+std::vector<double> leversOf(const plan::ToolPlan& plan, const robot::Cell& cell);
 
 // All referenced objects outlive it.
 struct MotionScene {
@@ -31,9 +32,9 @@ struct MotionScene {
   int divisions(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
 
   // How far joints are apart for whoever looks between them, rad: the largest step of the arm's, or
-  // the rod's where that takes the part further than a joint would at an arm's lever.
+  // what external axes take the part, where that is further than a joint would at an arm's lever.
   double span(const robot::JointVector& a, const robot::JointVector& b) const;
-  double partRadiusMm = 0.0; // of all that is printed, about the rod
+  std::vector<double> leversMm = {}; // of the external axes: leversOf
 };
 
 // The joints that bring the nozzle there, nearest to `near` (largest joint step); false when there

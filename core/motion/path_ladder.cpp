@@ -4,9 +4,10 @@
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
+#include "motion/axis_schedule.h"
+#include "motion/external_axes.h"
 #include "motion/joint_costs.h"
 #include "motion/nozzle_frame.h"
-#include "motion/rod_turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,64 +21,84 @@ using robot::JointVector;
 
 namespace {
 
-constexpr double kRodStep = 15.0 * base::kPi / 180.0;   // of its angle from the upright one
+constexpr double kAsideStep = 15.0 * base::kPi / 180.0; // of the last external axis
 constexpr double kLiftStepMm = 2.0, kLiftFactor = 10.0; // of liftMm, from both ends of a run
 constexpr std::size_t kRungChunk = 2, kJudgeChunk = 1;
 // On a rod the nozzle hardly moves in the base, however long the way: rungs come at least so often.
-constexpr std::size_t kRodRungWaypoints = 64;
-constexpr double kRodCost = 0.3;       // of a node a step of the rod's from the upright angle
+constexpr std::size_t kAxisRungWaypoints = 64;
+constexpr double kAsideCost = 0.3;     // of a node a step of the last external axis aside
 constexpr std::size_t kWidenReach = 3; // rungs to both sides
-
-Quaterniond rodTurn(double angle) {
-  return Quaterniond(std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0);
-}
 
 } // namespace
 
 PathLadder::PathLadder(const MotionScene& scene, std::size_t first, std::size_t count,
-                       const RobotState& from, PathTimes& times)
+                       const RobotState& from, const base::RunContext& ctx, PathTimes& times)
     : scene_(scene), times_(times), first_(first), from_(from) {
   options_.samples = scene.options.samples;
   options_.window = std::max(1, scene.options.samples / 12);
-  followed_ = carryTools(count);
+  followed_ = carryTools(count, ctx);
 }
 
-std::size_t PathLadder::carryTools(std::size_t count) {
+std::size_t PathLadder::carryTools(std::size_t count, const base::RunContext& ctx) {
   tools_.resize(count);
   Quaterniond tool = from_.tool;
-  if (scene_.cell.externalAxes().empty()) {
+  const robot::Cell& cell = scene_.cell;
+  if (cell.externalAxes().empty()) {
     for (std::size_t i = 0; i < count; ++i) {
       tool = carried(tool, scene_.plan.direction[first_ + i]);
       tools_[i] = tool;
     }
     return count;
   }
-  // As it stands in the base: round a cone it comes back to itself there, in the work frame not.
-  rod_ = uprightAngles(scene_.plan, scene_.cell, first_, count, from_.rodRad);
-  tool = rodTurn(from_.rodRad) * tool;
-  for (std::size_t i = 0; i < rod_.size(); ++i) {
-    tool = carried(tool, turnedByRod(scene_.plan.direction[first_ + i], rod_[i]));
-    tools_[i] = rodTurn(-rod_[i]) * tool;
+  if (cell.rod()) {
+    for (const double angle : uprightAngles(scene_.plan, cell, first_, count, from_.axes[0]))
+      axes_.push_back(JointVector::Constant(1, angle));
+  } else {
+    const base::Stopwatch watch;
+    axes_ = axisSchedule(scene_, first_, count, from_, ctx);
+    times_.graph += watch.seconds();
   }
-  return rod_.size();
+  // As it stands in the base: round a cone it comes back to itself there, in the work frame not.
+  tool = axesTurn(cell, from_.axes) * tool;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    tool = carried(tool, turnedByAxes(cell, scene_.plan.direction[first_ + i], axes_[i]));
+    tools_[i] = axesTurn(cell, axes_[i]).conjugate() * tool;
+  }
+  return axes_.size();
 }
 
-Vector3d PathLadder::inBase(const Vector3d& v, std::size_t waypoint) const {
-  return rod_.empty() ? v : turnedByRod(v, rodAt(waypoint));
+JointVector PathLadder::axesAt(std::size_t waypoint, double aside) const {
+  if (axes_.empty())
+    return {};
+  JointVector axes = axes_[waypoint - first_];
+  axes[axes.size() - 1] += aside;
+  return axes;
+}
+
+Vector3d PathLadder::pointAt(std::size_t waypoint) const {
+  const Vector3d& p = scene_.plan.position[waypoint];
+  return axes_.empty() ? p : movedByAxes(scene_.cell, p, axes_[waypoint - first_]);
+}
+
+Vector3d PathLadder::directionAt(std::size_t waypoint) const {
+  const Vector3d& d = scene_.plan.direction[waypoint];
+  return axes_.empty() ? d : turnedByAxes(scene_.cell, d, axes_[waypoint - first_]);
+}
+
+bool PathLadder::canStandAside() const {
+  return !axes_.empty() && scene_.cell.externalAxes().back().kind == robot::AxisKind::Turning;
 }
 
 std::vector<std::size_t> PathLadder::rungWaypoints(std::size_t count) const {
-  const plan::ToolPlan& plan = scene_.plan;
   std::vector<std::size_t> rungs{first_};
   double way = 0.0, turn = 0.0;
   for (std::size_t i = first_ + 1; i < first_ + count; ++i) {
-    const double step = (inBase(plan.position[i], i) - inBase(plan.position[i - 1], i - 1)).norm();
-    const double angle = std::acos(std::clamp(
-        inBase(plan.direction[i], i).dot(inBase(plan.direction[i - 1], i - 1)), -1.0, 1.0));
+    const double step = (pointAt(i) - pointAt(i - 1)).norm();
+    const double angle = std::acos(std::clamp(directionAt(i).dot(directionAt(i - 1)), -1.0, 1.0));
     way += step;
     turn += angle;
     const bool tooFar = way > scene_.options.rungMm || turn > scene_.options.rungTurnRad ||
-                        (!rod_.empty() && i - rungs.back() > kRodRungWaypoints);
+                        (!axes_.empty() && i - rungs.back() > kAxisRungWaypoints);
     if (tooFar && i - 1 > rungs.back()) {
       rungs.push_back(i - 1);
       way = step;
@@ -152,18 +173,23 @@ bool PathLadder::refine(std::size_t rung, const base::RunContext& ctx) {
   return true;
 }
 
-void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>& rodSteps) const {
+void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>& asides) const {
   const int samples = scene_.options.samples;
   std::vector<JointVector> solutions;
-  for (const int rod : rodSteps) {
-    const JointVector near = withRod(scene_.cell, from_.q, rodAt(place.waypoint) + kRodStep * rod);
+  for (const int aside : asides) {
+    const JointVector near =
+        withAxes(scene_.cell, from_.q, axesAt(place.waypoint, kAsideStep * aside));
+    const double last = near[near.size() - 1];
+    if (aside != 0 &&
+        (last < scene_.cell.limits().back().min || last > scene_.cell.limits().back().max))
+      continue;
     for (int k = 0; k < samples; ++k) {
       const Quaterniond tool =
           turned(toolAt(place.waypoint), base::kTurn * k / static_cast<double>(samples));
       scene_.cell.inverse(toolPose(scene_.plan.position[place.waypoint], tool), near, solutions);
       for (const JointVector& q : solutions)
-        rung.push_back({q, k, rod,
-                        limitCost(q, scene_.cell.robot().limits) + kRodCost * std::abs(rod),
+        rung.push_back({q, k, aside,
+                        limitCost(q, scene_.cell.robot().limits) + kAsideCost * std::abs(aside),
                         false});
     }
   }
@@ -171,7 +197,7 @@ void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>
 
 bool PathLadder::widen(std::size_t rung, const base::RunContext& ctx) {
   std::vector<std::size_t> todo;
-  if (!rod_.empty())
+  if (canStandAside())
     for (std::size_t r = rung < kWidenReach ? 0 : rung - kWidenReach;
          r < std::min(rung + kWidenReach + 1, places_.size()); ++r)
       if (!places_[r].widened)
@@ -308,7 +334,7 @@ Course PathLadder::courseOf(const LadderWay& way) const {
   const plan::ToolPlan& plan = scene_.plan;
   const int samples = scene_.options.samples;
   Course course;
-  double turn = 0.0, rod = 0.0;
+  double turn = 0.0, aside = 0.0;
   int last = 0;
   for (std::size_t r = 0; r < way.reached; ++r) {
     const LadderNode& node = rungs_[r][static_cast<std::size_t>(way.node[r])];
@@ -316,10 +342,10 @@ Course PathLadder::courseOf(const LadderWay& way) const {
     int change = r == 0 ? sample : (sample - last + samples) % samples;
     if (change > samples / 2)
       change -= samples;
-    const double next = turn + base::kTurn * change / samples, nextRod = kRodStep * node.rod;
+    const double next = turn + base::kTurn * change / samples, nextAside = kAsideStep * node.aside;
     if (r == 0) {
       course.turn.push_back(next);
-      course.rod.push_back(nextRod);
+      course.aside.push_back(nextAside);
     } else {
       const std::size_t b = places_[r - 1].waypoint, e = places_[r].waypoint;
       double length = 0.0;
@@ -331,11 +357,11 @@ Course PathLadder::courseOf(const LadderWay& way) const {
         const double t = length > 0.0 ? travelled / length
                                       : static_cast<double>(i - b) / static_cast<double>(e - b);
         course.turn.push_back(turn + t * (next - turn));
-        course.rod.push_back(rod + t * (nextRod - rod));
+        course.aside.push_back(aside + t * (nextAside - aside));
       }
     }
     turn = next;
-    rod = nextRod;
+    aside = nextAside;
     last = sample;
   }
   return course;

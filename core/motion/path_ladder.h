@@ -1,7 +1,8 @@
 // The ladder graph over a stretch of a path: rungs at some of its waypoints, nodes for the turns
 // about the nozzle and the branches of the inverse kinematics, looked at for collisions only where
-// a way would use them (Dai 3.5.3). Where the cell turns a rod, it stands so that the nozzle points
-// down in the base, or turned on from there in steps of 15 degrees where that does not do.
+// a way would use them (Dai 3.5.3). The cell's external axes go as they are to before (a rod so
+// that the nozzle points down in the base, others as in axis_schedule.h), or with the last one
+// turned on from there in steps of 15 degrees where that does not do.
 #pragma once
 
 #include "base/run_context.h"
@@ -26,8 +27,8 @@ inline constexpr double kRungStepRad = 0.9;
 
 // At every waypoint from the first rung's on, rad.
 struct Course {
-  std::vector<double> turn; // about the nozzle, from the tool's orientation without any
-  std::vector<double> rod;  // of the rod, from where it stands by itself
+  std::vector<double> turn;  // about the nozzle, from the tool's orientation without any
+  std::vector<double> aside; // of the last external axis, from where it stands by itself
 };
 
 // All that takes part is referenced and outlives it. The same for any number of threads.
@@ -35,11 +36,11 @@ class PathLadder {
 public:
   // Over waypoints [first, first + count), to follow on `from`; without rungs as yet.
   PathLadder(const MotionScene& scene, std::size_t first, std::size_t count, const RobotState& from,
-             PathTimes& times);
+             const base::RunContext& ctx, PathTimes& times);
 
-  // How many of the waypoints the rod can follow without leaving its limits.
+  // How many of the waypoints the external axes can follow without leaving their limits.
   std::size_t followed() const { return followed_; }
-  bool turnsRod() const { return !rod_.empty(); }
+  bool movesPart() const { return !axes_.empty(); }
   std::size_t size() const { return places_.size(); }
   std::size_t waypointOf(std::size_t rung) const { return places_[rung].waypoint; }
   // The rung at a waypoint, or the first one behind it.
@@ -47,10 +48,10 @@ public:
   LadderNode& node(std::size_t rung, int index) {
     return rungs_[rung][static_cast<std::size_t>(index)];
   }
-  // The tool's orientation in work before any turn about the nozzle, and the rod's angle with the
-  // nozzle down (0 without a rod).
+  // The tool's orientation in work before any turn about the nozzle, and where the external axes
+  // are by themselves, with the last one by so much aside (none without any).
   const Eigen::Quaterniond& toolAt(std::size_t waypoint) const { return tools_[waypoint - first_]; }
-  double rodAt(std::size_t waypoint) const { return rod_.empty() ? 0.0 : rod_[waypoint - first_]; }
+  robot::JointVector axesAt(std::size_t waypoint, double aside = 0.0) const;
 
   // Rungs over the stretch's first `count` waypoints, as often as its way and turns ask for. What
   // is known of those that are there already stays.
@@ -59,8 +60,8 @@ public:
   void keepUpTo(std::size_t rung, const base::RunContext& ctx);
   // Makes every waypoint between rungs r - 1 and r a rung. False: they were neighbours already.
   bool refine(std::size_t rung, const base::RunContext& ctx);
-  // Adds nodes for other angles of the rod about a rung, checked for collisions. False: they were
-  // there already, or there is no rod.
+  // Adds nodes for other angles of the last external axis about a rung, checked for collisions.
+  // False: they were there already, or there is none.
   bool widen(std::size_t rung, const base::RunContext& ctx);
   // Blocks nodes in which something collides, each rung once.
   void judge(const std::vector<std::size_t>& rungs, const base::RunContext& ctx);
@@ -84,31 +85,35 @@ public:
   // Why all nodes of a rung are of no use.
   Refused refusalOf(std::size_t rung) const;
   // Refuses the first rung's waypoint and those up to the last rung that has no node of use either,
-  // whatever the rod's angle; returns how many. On a rod the arm stands nearly still between rungs.
+  // whatever the last external axis' angle; returns how many. On a rod the arm stands nearly still
+  // between rungs.
   std::size_t refuseBlocked(const base::RunContext& ctx, std::vector<Refused>& refused);
 
 private:
   struct Place { // a rung: its waypoint and what is known of its nodes
     std::size_t waypoint;
     bool judged = false;  // all nodes were checked for collisions
-    bool widened = false; // has nodes for other angles of the rod too
+    bool widened = false; // has nodes with the last external axis aside too
     bool lifted = false;  // nodes from which the arm cannot lift the nozzle were blocked
     std::vector<std::size_t> unliftable;      // those nodes
     std::vector<collision::Contact> contacts; // why nodes are blocked, where by collision
   };
 
-  std::size_t carryTools(std::size_t count);
-  Eigen::Vector3d inBase(const Eigen::Vector3d& v, std::size_t waypoint) const;
+  std::size_t carryTools(std::size_t count, const base::RunContext& ctx);
+  // As the external axes have them.
+  Eigen::Vector3d pointAt(std::size_t waypoint) const;
+  Eigen::Vector3d directionAt(std::size_t waypoint) const;
+  bool canStandAside() const;
   std::vector<std::size_t> rungWaypoints(std::size_t count) const;
   void setPlaces(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx);
-  void addNodes(const Place& place, Rung& rung, const std::vector<int>& rodSteps) const;
+  void addNodes(const Place& place, Rung& rung, const std::vector<int>& asides) const;
 
   const MotionScene& scene_;
   PathTimes& times_;
   std::size_t first_;
   RobotState from_;
   std::vector<Eigen::Quaterniond> tools_;
-  std::vector<double> rod_; // empty: no rod
+  std::vector<robot::JointVector> axes_; // empty: there are none
   std::size_t followed_ = 0;
   std::vector<Place> places_;
   std::vector<Rung> rungs_;

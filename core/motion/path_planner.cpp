@@ -4,9 +4,9 @@
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "motion/even_turns.h"
+#include "motion/external_axes.h"
 #include "motion/joint_costs.h"
 #include "motion/nozzle_frame.h"
-#include "motion/rod_turn.h"
 #include "process/bead_model.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ public:
   Stretch(const MotionScene& scene, std::size_t path, std::size_t first, std::size_t count,
           const RobotState& from, const base::RunContext& ctx, PathTimes& times)
       : scene_(scene), ctx_(ctx), times_(times), first_(first),
-        ladder_(scene, first, count, from, times), count_(ladder_.followed()) {
+        ladder_(scene, first, count, from, ctx, times), count_(ladder_.followed()) {
     run_.path = path;
   }
 
@@ -76,16 +76,16 @@ bool Stretch::fill(const Course& course, const JointVector& start, std::vector<R
   const auto toolAt = [&](std::size_t i) {
     return turned(ladder_.toolAt(i), course.turn[i - first_]);
   };
-  const auto rodTo = [&](std::size_t i) { return ladder_.rodAt(i) + course.rod[i - first_]; };
+  const auto axesTo = [&](std::size_t i) { return ladder_.axesAt(i, course.aside[i - first_]); };
   JointVector q;
-  // The first_ solution may differ from the ladder's where turns were evened out.
+  // The first solution may differ from the ladder's where turns were evened out.
   if (!solveNear(scene_.cell, plan.position[first_], toolAt(first_), start, kRungStepRad, scratch,
                  q)) {
     failedAt = first_;
     return false;
   }
   points.push_back(
-      {{plan.position[first_], toolAt(first_), q, rodTo(first_)}, first_, first_, 0.0, 0.0});
+      {{plan.position[first_], toolAt(first_), q, axesTo(first_)}, first_, first_, 0.0, 0.0});
   for (std::size_t i = first_ + 1; i < first_ + course.turn.size(); ++i) {
     const Quaterniond from = toolAt(i - 1), to = toolAt(i);
     const Vector3d a = plan.position[i - 1], b = plan.position[i];
@@ -98,13 +98,14 @@ bool Stretch::fill(const Course& course, const JointVector& start, std::vector<R
       const double t = static_cast<double>(k) / n;
       const Vector3d tip = k == n ? b : Vector3d(a + t * (b - a));
       const Quaterniond tool = k == n ? to : from.slerp(t, to);
-      const double rod = k == n ? rodTo(i) : rodTo(i - 1) + t * (rodTo(i) - rodTo(i - 1));
-      const JointVector last = withRod(scene_.cell, q, rod);
+      const JointVector axes =
+          k == n ? axesTo(i) : JointVector(axesTo(i - 1) + t * (axesTo(i) - axesTo(i - 1)));
+      const JointVector last = withAxes(scene_.cell, q, axes);
       if (!solveNear(scene_.cell, tip, tool, last, scene_.options.maxStepRad, scratch, q)) {
         failedAt = i;
         return false;
       }
-      points.push_back({{tip, tool, q, rod},
+      points.push_back({{tip, tool, q, axes},
                         k == n ? i : plan::kNoWaypoint,
                         i,
                         volume,
@@ -149,7 +150,7 @@ bool Stretch::goFurther(const LadderWay& way) {
 
 std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& refused) {
   if (way.reached == 0) {
-    if (ladder_.turnsRod())
+    if (ladder_.movesPart())
       return ladder_.refuseBlocked(ctx_, refused);
     ladder_.judge({0}, ctx_); // for the reason
   }
@@ -164,8 +165,8 @@ std::vector<std::size_t> Stretch::follow(const LadderWay& way) {
   const bool followed = fill(course, way.q.front(), run_.ladder, failedAt);
   // On a rod it often need not turn at all.
   const bool uneven =
-      !ladder_.turnsRod() || std::any_of(course.turn.begin(), course.turn.end(),
-                                         [&](double t) { return t != course.turn.front(); });
+      !ladder_.movesPart() || std::any_of(course.turn.begin(), course.turn.end(),
+                                          [&](double t) { return t != course.turn.front(); });
   if (uneven)
     course.turn = evened(course.turn, kSmoothing);
   const bool smooth = followed && uneven && scene_.options.smooth &&

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "collision/cell_collision.h"
+#include "motion/external_axes.h"
 #include "motion/motion_scene.h"
-#include "motion/rod_turn.h"
 #include "motion/sequence.h"
 #include "motion/timed_points.h"
 #include "motion/transfer.h"
@@ -138,7 +138,7 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   // All of the path is in it, also what the cut run has laid.
   const Surround surround = surroundsOf(plan)[path + 1];
   const collision::CellCollision collision(cell, process);
-  const MotionScene scene{plan, cell, collision, part, options, radiusAboutRod(plan)};
+  const MotionScene scene{plan, cell, collision, part, options, leversOf(plan, cell)};
   const RobotState start = stateAt(cell, jointsAt(t, point));
   const RobotState home = stateAt(cell, homeAfter(cell, start.q));
 
@@ -162,8 +162,10 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   std::size_t end = point + 1; // of the run
   while (end < t.pointCount() && t.move[end] == MoveKind::Print)
     ++end;
-  // A rod's steps are no acceleration, and its smooth way is not kept: it goes on as it went.
-  const bool cut = t.move[point] == MoveKind::Print && cell.externalAxes().empty();
+  // An axis' steps are no acceleration, and its smooth way is not kept: it goes on as it went.
+  const bool steps = std::any_of(cell.externalAxes().begin(), cell.externalAxes().end(),
+                                 [](const robot::ExternalAxis& axis) { return axis.step > 0.0; });
+  const bool cut = t.move[point] == MoveKind::Print && !steps;
   const std::vector<double> fromRest =
       cut ? timesFromRest(t, point, end, plan, cell, limits) : std::vector<double>();
   double shift = all.timeS.back() - t.timeS[point];

@@ -15,7 +15,7 @@ struct RobotState {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); // mm
   Eigen::Quaterniond tool = Eigen::Quaterniond::Identity();
   robot::JointVector q;
-  double rodRad = 0.0; // where the rod would be if it had no steps; q holds the nearest one
+  robot::JointVector axes = {}; // where external ones would be without steps; q holds the nearest
 
   Eigen::Vector3d direction() const { return -(tool * Eigen::Vector3d::UnitZ()); }
 };

@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/run_context.h"
-#include "motion/rod_turn.h"
+#include "motion/external_axes.h"
 
 #include <algorithm>
 #include <optional>
@@ -284,7 +284,7 @@ std::vector<Surround> surroundsOf(const plan::ToolPlan& plan) {
 
 RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q) {
   const Eigen::Isometry3d pose = cell.work_T_tool(q);
-  return {pose.translation(), Eigen::Quaterniond(pose.linear()), q, rodAngle(cell, q)};
+  return {pose.translation(), Eigen::Quaterniond(pose.linear()), q, axesOf(cell, q)};
 }
 
 ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,

@@ -10,11 +10,11 @@ namespace voluta::motion {
 
 namespace {
 
-// Its steps are not the rod's acceleration: the motor takes them as they come on a smooth way.
-robot::JointVector withoutSteps(const robot::Cell& cell, const RobotState& state) {
+// An external axis' steps are not its acceleration: the motor takes them as they come on a smooth
+// way.
+robot::JointVector withoutSteps(const RobotState& state) {
   robot::JointVector q = state.q;
-  if (!cell.externalAxes().empty())
-    q[cell.armDof()] = state.rodRad;
+  q.tail(state.axes.size()) = state.axes;
   return q;
 }
 
@@ -27,7 +27,8 @@ robot::JointVector mostBetween(const robot::Cell& cell, const RobotState& from,
   robot::JointVector q = from.q, most = robot::JointVector::Zero(q.size());
   for (int k = 1; k <= kSteps; ++k) {
     const double t = static_cast<double>(k) / kSteps;
-    const robot::JointVector last = q;
+    robot::JointVector last = q;
+    last.tail(to.axes.size()) = from.axes + t * (to.axes - from.axes);
     if (!solveNear(cell, from.tip + t * (to.tip - from.tip), from.tool.slerp(t, to.tool), last,
                    base::kPi, scratch, q))
       return {};
@@ -51,8 +52,8 @@ std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<R
   constexpr double kCloserLook = 0.3; // of a joint's limit, from point to point
   const auto isFast = [&](const RunPoint& from, const RunPoint& to) {
     const double way = (to.at.tip - from.at.tip).norm();
-    if (to.speedMmPerS <= 0.0 || !cell.externalAxes().empty())
-      return false;
+    if (to.speedMmPerS <= 0.0 || cell.rod())
+      return false; // under a rod the arm hardly moves
     for (Eigen::Index j = 0; j < to.at.q.size(); ++j)
       if (std::abs(to.at.q[j] - from.at.q[j]) * to.speedMmPerS >
           kCloserLook * way * cell.limits()[static_cast<std::size_t>(j)].velocity)
@@ -63,7 +64,7 @@ std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<R
   timed.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const RunPoint& p = points[i];
-    timed.push_back({withoutSteps(cell, p.at), p.at.tip, p.speedMmPerS, false, false});
+    timed.push_back({withoutSteps(p.at), p.at.tip, p.speedMmPerS, false, false});
     if (i > 0 && isFast(points[i - 1], p))
       timed.back().most = mostBetween(cell, points[i - 1].at, p.at);
   }

@@ -3,8 +3,8 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "geometry/least_turn.h"
+#include "motion/external_axes.h"
 #include "motion/nozzle_frame.h"
-#include "motion/rod_turn.h"
 #include "motion/rrt_connect.h"
 
 #include <algorithm>
@@ -25,8 +25,8 @@ constexpr double kLinearPieceMm = 25.0;   // longest linear move that is written
 constexpr double kJointCheck = base::degreesToRadians(0.5),
                  kCloseJointCheck = base::degreesToRadians(0.2);
 constexpr double kJointPiece = base::degreesToRadians(20.0); // longest joint move that is written
-constexpr double kRodPiece = 0.5 * base::kPi;                // the rod's
-constexpr double kJointMarginMm = 3.0;                       // more, for what moves between checks
+constexpr double kAxisPiece = 0.5 * base::kPi, kSlidePieceMm = 200.0; // external axes'
+constexpr double kJointMarginMm = 3.0; // more, for what moves between checks
 constexpr double kSameJoints = 1e-6;
 constexpr double kArcPiece = base::degreesToRadians(10.0);
 constexpr double kBallMarginMm = 5.0;
@@ -101,7 +101,7 @@ bool TransferPlanner::linear(const RobotState& from, const Vector3d& tip, const 
       return false;
     most = most.cwiseMax((q - last).cwiseAbs());
     if (k % checks == 0) {
-      points.push_back({{p, r, q}, MoveKind::Linear, checks * most});
+      points.push_back({{p, r, q, axesOf(scene_.cell, q)}, MoveKind::Linear, checks * most});
       most.setZero();
     }
   }
@@ -169,15 +169,20 @@ void TransferPlanner::appendJointWay(const std::vector<JointVector>& way, const 
   for (std::size_t i = 1; i < way.size(); ++i) {
     const JointVector step = way[i] - way[i - 1];
     const double arm = armOf(scene_.cell, step).cwiseAbs().maxCoeff();
-    const double rod = std::abs(rodAngle(scene_.cell, step));
-    const int pieces =
-        std::max(1, static_cast<int>(std::ceil(std::max(arm / kJointPiece, rod / kRodPiece))));
+    double most = arm / kJointPiece;
+    for (std::size_t k = 0; k < scene_.cell.externalAxes().size(); ++k)
+      most = std::max(most, std::abs(step[scene_.cell.armDof() + static_cast<Eigen::Index>(k)]) /
+                                (scene_.cell.externalAxes()[k].kind == robot::AxisKind::Turning
+                                     ? kAxisPiece
+                                     : kSlidePieceMm));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(most)));
     for (int k = 1; k <= pieces; ++k) {
       const JointVector wanted =
           k == pieces ? way[i] : JointVector(way[i - 1] + static_cast<double>(k) / pieces * step);
-      const JointVector q = withRod(scene_.cell, wanted, rodAngle(scene_.cell, wanted));
+      const JointVector q = withAxes(scene_.cell, wanted, axesOf(scene_.cell, wanted));
       const Eigen::Isometry3d pose = scene_.cell.work_T_tool(q);
-      points.push_back({{pose.translation(), Quaterniond(pose.linear()), q}, MoveKind::Joint});
+      points.push_back({{pose.translation(), Quaterniond(pose.linear()), q, axesOf(scene_.cell, q)},
+                        MoveKind::Joint});
     }
   }
   points.back().at = to;
@@ -234,8 +239,9 @@ std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const Robo
   const std::vector<Points> up = lifts(from, heights, before);
   const std::vector<Points> down = lifts(to, heights, before);
   Transfer transfer;
-  if (!scene_.cell.externalAxes().empty()) {
-    // The arm hardly moves while the rod turns to where the next path begins.
+  const bool axesMove = axesOf(scene_.cell, from.q) != axesOf(scene_.cell, to.q);
+  if (scene_.cell.rod() || axesMove) {
+    // The arm hardly moves while the part is brought to where the next path begins.
     for (std::size_t h = 0; h < std::min(up.size(), down.size()); ++h) {
       ctx.checkpoint();
       const RobotState &high = up[h].back().at, &low = down[h].back().at;

@@ -41,10 +41,10 @@ public:
   // turn: lift along the nozzle, straight, down (lifts from 1 mm for hops or liftMm up); out of the
   // surrounding ball and round it on an arc; the same lifts with a joint move between; RRT-Connect
   // between the lifted stations. Lifting along the nozzle frees a head that is free, since it is
-  // convex along its axis. Where the cell turns a rod, lifts with a joint move between come first:
-  // the arm hardly moves, the rod turns. Checked at steps of at most 2 mm and 1 degree (linear),
-  // half a degree a joint with 3 mm more clearance or a fifth of a degree (joint moves; a rod's by
-  // what the part moves). None: no way was found.
+  // convex along its axis. Where a rod turns or other external axes move, lifts with a joint move
+  // between come first: the arm hardly moves, the part does. Checked at steps of at most 2 mm and 1
+  // degree (linear), half a degree a joint with 3 mm more clearance or a fifth of a degree (joint
+  // moves; external axes' by what the part moves). None: no way was found.
   std::optional<Transfer> plan(const RobotState& from, const RobotState& to, bool hop,
                                std::size_t before, const Surround& surround, std::uint64_t seed,
                                const base::RunContext& ctx) const;

@@ -218,9 +218,10 @@ private:
     const base::ParameterValues values = parameterValues(job().choices);
     const motion::MotionOptions options = motionOptionsOf(values, job().choices.seed);
     const collision::CellCollision collision(*result_.plan.cell, *result_.plan.process);
-    const motion::MotionScene scene{*job().toolPlan, *result_.plan.cell,
-                                    collision,       growing,
-                                    options,         motion::radiusAboutRod(*job().toolPlan)};
+    const motion::MotionScene scene{
+        *job().toolPlan, *result_.plan.cell,
+        collision,       growing,
+        options,         motion::leversOf(*job().toolPlan, *result_.plan.cell)};
     const plan::Trajectory rest =
         motion::partOf(resumed.trajectory, resumed.firstPoint, resumed.trajectory.pointCount());
     const motion::TrajectoryCheck check = motion::checkTrajectory(

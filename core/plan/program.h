@@ -29,6 +29,7 @@ enum class TargetKind {
   FlangePose, // base_T_tcp with the TCP that the program sets (flange_T_tcp)
   WorkPose, // work_T_tcp with that TCP, and the external axes that turn the work frame; or, with a
             // fixed nozzle (base_T_nozzle), the nozzle in the work object that the flange holds
+  UnitPose, // as WorkPose, but in the frame of what the last external axis moves, z along that axis
   ToolPoint // nozzle tip and direction in the work frame (5 degrees of freedom)
 };
 
@@ -46,7 +47,7 @@ struct ProgramMotion {
   bool jointInterpolated = false; // between targets: joints linear, else straight
   std::vector<double> joints;     // Joints
   Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose: of Base; WorkPose
-  std::vector<double> externals;                                 // WorkPose, radians
+  std::vector<double> externals;                                 // WorkPose, UnitPose, radians
   Eigen::Vector3d position = Eigen::Vector3d::Zero();            // ToolPoint, mm
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();          // ToolPoint, unit
   // ToolPoint: where the nozzle passes between the last target and this one, at equal steps of the

@@ -92,7 +92,7 @@ bool isForeign(const Dialect& dialect, const robot::Cell& cell);
 bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
                    const robot::Cell& cell);
 
-// Throws Error{Usage}: the cell turns a rod and the dialect knows no external axis.
+// Throws Error{Usage}: the cell has external axes and the dialect knows none, or none that slides.
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell);
 
 // Nearer to the plate's normal than this a nozzle counts as upright.

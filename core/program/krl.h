@@ -14,13 +14,14 @@
 // The first motion is a PTP with all axes (block coincidence), behind a HALT.
 // Moving nozzle: $IPO_MODE=#BASE, $BASE the work frame, $TOOL the nozzle. Nozzle in the world:
 // $IPO_MODE=#TCP, $BASE the nozzle and $TOOL the work frame on the flange; poses are the nozzle's
-// on the part. A rod that turns: $BASE=EK(MACHINE_DEF[2].ROOT, ..., frame) and E1 in degrees in
-// every target, whole turns added up; the frame brings the axis' z to the work frame's x
-// (workToUnit). The extruder is on while $OUT[1] is, with a flow of $ANOUT[1] (0..1) x
-// process.maxFlowMm3PerS. Assignments where the arm stands; between motions that do not stop they
-// would halt it (they stop the advance run), so the flow is a TRIGGER at the next motion's
-// beginning. A program of more than kKrlMotionsPerFile points gets files of about that many, which
-// the first one calls in turn; its head tells when all are more than ProgramOptions::krlMemoryMb.
+// on the part. External axes that move the part: $BASE=EK(MACHINE_DEF[2].ROOT, ..., frame) and E1,
+// E2 and on in degrees in every target, whole turns added up; the frame is the work frame in that
+// of what they move, z along the last axis (Cell::work_T_unit). The extruder is on while $OUT[1]
+// is, with a flow of $ANOUT[1] (0..1) x process.maxFlowMm3PerS. Assignments where the arm stands;
+// between motions that do not stop they would halt it (they stop the advance run), so the flow is a
+// TRIGGER at the next motion's beginning. A program of more than kKrlMotionsPerFile points gets
+// files of about that many, which the first one calls in turn; its head tells when all are more
+// than ProgramOptions::krlMemoryMb.
 #pragma once
 
 #include "base/run_context.h"
@@ -54,9 +55,9 @@ plan::Program writeKrl(const ProgramInput& input, const base::RunContext& ctx);
 // turn over all files, PTP, LIN, SPTP, SLIN to literals or names with C_DIS and WITH, partial
 // targets, $OUT, $ANOUT, TRIGGER at a motion's beginning, WAIT SEC, BAS and krlWords(). Everything
 // else is a defect; so are outputs behind CONTINUE, which run ahead of the arm. An output between
-// motions halts the arm: the blend before it is none. Motions under EK or #TCP are WorkPose. Where
-// turning takes longer than the way, the motion's time is that. `complete`: every procedure ended,
-// every file was come to, the extruder's outputs are off behind the last motion.
+// motions halts the arm: the blend before it is none. Motions under EK are UnitPose, under #TCP
+// WorkPose. Where turning takes longer than the way, the motion's time is that. `complete`: every
+// procedure ended, every file was come to, the extruder's outputs are off behind the last motion.
 plan::ReadProgram readKrl(const std::vector<plan::ProgramFile>& files,
                           const process::Process& process, const base::RunContext& ctx);
 // What else may stand in a program, and where: statements, and variables that may be assigned.

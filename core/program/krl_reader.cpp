@@ -3,7 +3,6 @@
 #include "program/krl_values.h"
 #include "program/procedures.h"
 #include "program/program_builder.h"
-#include "program/rapid.h"
 #include "program/text.h"
 
 #include <Eigen/Geometry>
@@ -437,14 +436,14 @@ private:
       return fail("a work object that robot and external axis move is not read"_text);
     if (!out_.tool(*tool, held ? base : std::nullopt))
       return fail("a second, different tool"_text);
-    m.target = held || turnsWithAxis_ ? plan::TargetKind::WorkPose : plan::TargetKind::FlangePose;
-    frame_T_base_ = held             ? Eigen::Isometry3d::Identity()
-                    : turnsWithAxis_ ? Eigen::Isometry3d(workToUnit() * *base)
-                                     : *base;
+    m.target = held             ? plan::TargetKind::WorkPose
+               : turnsWithAxis_ ? plan::TargetKind::UnitPose
+                                : plan::TargetKind::FlangePose;
+    frame_T_base_ = held ? Eigen::Isometry3d::Identity() : *base;
     return true;
   }
 
-  // E1, where it turns the base. Others, and it elsewhere, must stand where they stood.
+  // E1 and on, where they turn the base. Elsewhere they must stand where they stood.
   bool externalOf(plan::ProgramMotion& m, const KrlValue& target) {
     for (std::size_t k = 0; k < kKrlExternal.size(); ++k) {
       const auto degrees = part(target, kKrlExternal[k]);
@@ -452,8 +451,7 @@ private:
         continue;
       if (!(std::abs(*degrees) <= kMostExternalDegrees))
         return fail("an external axis far outside any limit"_text);
-      const bool turns = k == 0 && turnsWithAxis_;
-      if (!turns && externals_[k] && *externals_[k] != *degrees)
+      if (!turnsWithAxis_ && externals_[k] && *externals_[k] != *degrees)
         return fail("an external axis that moves no work object is not read"_text);
       externals_[k] = degrees;
     }
@@ -461,7 +459,8 @@ private:
       return true;
     if (!externals_[0])
       return fail("E1 is missing: an external axis moves the base"_text);
-    m.externals = {base::degreesToRadians(*externals_[0])};
+    for (std::size_t k = 0; k < externals_.size() && externals_[k]; ++k)
+      m.externals.push_back(base::degreesToRadians(*externals_[k]));
     return true;
   }
 

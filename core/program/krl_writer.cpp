@@ -5,7 +5,6 @@
 #include "program/krl_values.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
-#include "program/rapid.h"
 #include "program/steps.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
@@ -54,7 +53,7 @@ public:
 private:
   bool oneFile() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
-  bool turnsRod() const { return !in_.cell.externalAxes().empty(); }
+  bool movesPart() const { return !in_.cell.externalAxes().empty(); }
   std::string partName(std::size_t part) const {
     return joined({name_, "_", std::to_string(part)});
   }
@@ -119,9 +118,18 @@ private:
            "nozzle's on it");
     else
       line("; moving nozzle: $TOOL is the nozzle's tip, $BASE the work frame");
-    if (turnsRod()) {
-      out_ += "; the rod is E1 of MACHINE_DEF[2]; its ROOT, z along the axis, is expected at ";
-      frame(in_.cell.base_T_fixed() * workToUnit());
+    if (movesPart()) {
+      if (in_.cell.rod()) {
+        out_ += "; the rod is E1 of MACHINE_DEF[2]; its ROOT, z along the axis, is expected at ";
+      } else {
+        out_ += "; the table is on MACHINE_DEF[2]:";
+        for (std::size_t k = 0; k < in_.cell.externalAxes().size(); ++k)
+          out_ += joined({k > 0 ? ", " : " ", in_.cell.externalAxes()[k].name, " is E",
+                          std::to_string(k + 1)});
+        line("");
+        out_ += "; its frame, where all of them are at 0, z along the last one, is expected at ";
+      }
+      frame(in_.cell.base_T_fixed() * in_.cell.work_T_unit());
       line("");
     }
     line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], 1 = ",
@@ -149,9 +157,9 @@ private:
     line("$ADVANCE=5");
     line(heldPlate() ? "$IPO_MODE=#TCP" : "$IPO_MODE=#BASE");
     out_ += "$BASE=";
-    if (turnsRod()) {
+    if (movesPart()) {
       out_ += "EK(MACHINE_DEF[2].ROOT,MACHINE_DEF[2].MECH_TYPE,";
-      frame(workToUnit().inverse());
+      frame(in_.cell.work_T_unit().inverse());
       line(")");
     } else {
       frame(heldPlate() ? in_.cell.base_T_fixed()
@@ -266,10 +274,10 @@ private:
     out_ += '}';
   }
   void external(std::size_t i) {
-    if (!turnsRod())
-      return;
-    out_ += ",E1 ";
-    number(base::radiansToDegrees(in_.trajectory.at(i)[in_.cell.armDof()]), kDegreeDecimals);
+    for (int k = in_.cell.armDof(); k < in_.cell.dof(); ++k) {
+      out_ += joined({",E", std::to_string(k - in_.cell.armDof() + 1), " "});
+      number(base::radiansToDegrees(in_.trajectory.at(i)[k]), kDegreeDecimals);
+    }
   }
 
   double turnDegPerS(std::size_t i) const {

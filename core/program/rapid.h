@@ -13,17 +13,18 @@
 // Moving nozzle: the tool is held, work object = the work frame. Nozzle in the world: a stationary
 // tool (robhold FALSE, its frame in world) and a work object that the flange holds (robhold TRUE),
 // so that path, speed and zones are those of the nozzle on the part. Configurations are not
-// supervised (ConfL\Off, ConfJ\Off), cf1..cf6 are the plan's. A rod that turns is a mechanical unit
-// of the axis' name: ActUnit, work object [FALSE,FALSE, "rod",...] with eax_a in degrees in every
-// target, as whole turns add up; positions and speeds are then those on the part, and the
-// controller turns rod and arm together. Its frame has z along the axis (workToUnit). The other
-// external axes, and all of them elsewhere, are 9E9. A controller keeps a number to 24 bits: eax_a
-// to 0.008 degrees beyond 364 turns, half of that below. The extruder is on while the digital
-// output doExtruder is, with a flow of aoFlow (0..1) x process.maxFlowMm3PerS; more than the full
-// flow slows the motion. Zones: TcpMotions::blendMm in position, turn and external axes alike.
-// Prime: as in URScript. A program of more than kMotionsPerModule points gets modules of about that
-// many, each cut where the extruder is off (or, where it never is, at a stop); the first one then
-// loads and runs them in turn. The .pgf, the controller's list of what to load, is the last file.
+// supervised (ConfL\Off, ConfJ\Off), cf1..cf6 are the plan's. External axes that move the part are
+// one mechanical unit (the rod's name, or Cell::externalUnit): ActUnit, work object [FALSE,FALSE,
+// "rod",...] with eax_a, eax_b and on in degrees in every target, as whole turns add up; positions
+// and speeds are then those on the part, and the controller moves them and the arm together. The
+// unit's frame has z along the last axis (Cell::work_T_unit). Further external axes, and all of
+// them elsewhere, are 9E9. A controller keeps a number to 24 bits: eax_a to 0.008 degrees beyond
+// 364 turns, half of that below. The extruder is on while the digital output doExtruder is, with a
+// flow of aoFlow (0..1) x process.maxFlowMm3PerS; more than the full flow slows the motion. Zones:
+// TcpMotions::blendMm in position, turn and external axes alike. Prime: as in URScript. A program
+// of more than kMotionsPerModule points gets modules of about that many, each cut where the
+// extruder is off (or, where it never is, at a stop); the first one then loads and runs them in
+// turn. The .pgf, the controller's list of what to load, is the last file.
 #pragma once
 
 #include "base/run_context.h"
@@ -31,7 +32,6 @@
 #include "program/known_words.h"
 #include "program/program_input.h"
 
-#include <Eigen/Geometry>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -41,10 +41,6 @@
 namespace voluta::program {
 
 inline constexpr std::size_t kMotionsPerModule = 5000;
-
-// In the work frame of a rod, whose x is its axis, the frame of the mechanical unit that turns it,
-// whose z is: its x and y are the work frame's y and z.
-Eigen::Isometry3d workToUnit();
 
 // What a motion takes at least for an IRC5 to plan it in time, s.
 inline constexpr double kRapidMotionS = 0.02;
@@ -60,11 +56,12 @@ plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx)
 // without arguments called in turn from main, Offs, MoveL, MoveJ, MoveAbsJ, SetDO, SetAO, WaitTime,
 // ConfL\Off, ConfJ\Off, ActUnit, DeactUnit, rapidWords(), Load, UnLoad and the call of what was
 // loaded; statements over any lines, comments, letters of either case, v5..v7000, z0..z200.
-// Everything else is a defect, and so are line ends other than CR LF, external axes but an eax_a
-// that moves the work object, a quaternion off its length and a tool or work object that does not
-// fit the other. Targets in a work object that moves or is held are WorkPose. Where turning takes
-// longer than the way (v_ori, v_reax), the motion's time is that. `complete`: every module was
-// ended and run, the extruder's outputs off behind its last motion.
+// Everything else is a defect, and so are line ends other than CR LF, external axes but those
+// from eax_a on that move the work object, a quaternion off its length and a tool or work object
+// that does not fit the other. Targets in a work object that moves are UnitPose, in one that is
+// held WorkPose. Where turning takes longer than the way (v_ori, v_reax), the motion's time is
+// that. `complete`: every module was ended and run, the extruder's outputs off behind its last
+// motion.
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx);
 // What else may stand in a program, and where; everything else is refused.

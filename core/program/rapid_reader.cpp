@@ -405,27 +405,28 @@ private:
     return true;
   }
 
-  // eax_a, where the motion's work object is moved by it.
+  // eax_a and on, where the motion's work object is moved by them.
   bool externalOf(plan::ProgramMotion& m, const std::vector<double>& target,
                   const RapidData& object) {
     if (holdsObject(object) && isMoved(object))
       return fail("a work object that robot and external axis move is not read"_text);
-    const std::size_t first = target.size() - 6;
-    const double degrees = target[first];
-    if (std::any_of(target.begin() + static_cast<std::ptrdiff_t>(first) + 1, target.end(),
-                    [](double external) { return external != kUnused; }))
-      return fail("external axes other than eax_a are not read"_text);
-    if (isMoved(object) != (degrees != kUnused))
+    const auto first = target.end() - 6;
+    const auto unused = std::find(first, target.end(), kUnused);
+    if (std::any_of(unused, target.end(), [](double external) { return external != kUnused; }))
+      return fail("an external axis behind one that is not used is not read"_text);
+    if (isMoved(object) != (unused != first))
       return fail(isMoved(object) ? "eax_a is missing: an external axis moves the work object"_text
                                   : "an external axis that moves no work object is not read"_text);
     if (!isMoved(object))
       return true;
-    if (!(std::abs(degrees) <= kMostExternalDegrees))
+    if (std::any_of(first, unused,
+                    [](double degrees) { return !(std::abs(degrees) <= kMostExternalDegrees); }))
       return fail("an external axis far outside any limit"_text);
     if (!activeUnits_.contains(object.text))
       defect(
           base::message("the mechanical unit '{text}' is not active: ActUnit"_text, object.text));
-    m.externals = {base::degreesToRadians(degrees)};
+    for (auto degrees = first; degrees != unused; ++degrees)
+      m.externals.push_back(base::degreesToRadians(*degrees));
     return true;
   }
 
@@ -454,10 +455,12 @@ private:
           return fail("a configuration is whole quarters of a turn"_text);
       // The user frame of one that moves is the mechanical unit's own; of one that the flange holds
       // it is the flange's.
-      m.target =
-          isMoved(object) || held ? plan::TargetKind::WorkPose : plan::TargetKind::FlangePose;
-      m.frame_T_tcp =
-          held ? pose : Eigen::Isometry3d((isMoved(object) ? workToUnit() : user) * frame * pose);
+      m.target = held              ? plan::TargetKind::WorkPose
+                 : isMoved(object) ? plan::TargetKind::UnitPose
+                                   : plan::TargetKind::FlangePose;
+      m.frame_T_tcp = held              ? pose
+                      : isMoved(object) ? Eigen::Isometry3d(frame * pose)
+                                        : Eigen::Isometry3d(user * frame * pose);
     }
     const std::optional<Eigen::Isometry3d> nozzle = held ? std::optional(tcp) : std::nullopt;
     const Eigen::Isometry3d carried = held ? Eigen::Isometry3d(user * frame) : tcp;
@@ -500,8 +503,8 @@ private:
         base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
                                    .angularDistance(Eigen::Quaterniond(last_->linear())));
     double waits = turn / speed[1];
-    if (!m.externals.empty())
-      waits = std::max(waits, base::radiansToDegrees(std::abs(m.externals[0] - lastExternal_[0])) /
+    for (std::size_t k = 0; k < std::min(m.externals.size(), lastExternal_.size()); ++k)
+      waits = std::max(waits, base::radiansToDegrees(std::abs(m.externals[k] - lastExternal_[k])) /
                                   speed[3]);
     if (waits > way + 1e-9) {
       m.durationS = waits;

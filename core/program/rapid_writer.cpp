@@ -24,8 +24,9 @@ constexpr double kStartMmPerS = 50.0, kStartDegPerS = 20.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
 constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
+constexpr std::size_t kExternals = 6;
 constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
-constexpr double kRodDegPerS = 1000.0;
+constexpr double kAxisDegPerS = 1000.0;
 
 std::string moduleName(const std::string& part, std::size_t module) {
   std::string id = programName(part);
@@ -41,9 +42,10 @@ public:
         cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
                                            ? input.options.motionsPerFile
                                            : kMotionsPerModule)),
-        name_(identifierOf(input.name)), object_(turnsRod()    ? "wRod"
-                                                 : heldPlate() ? "wPlate"
-                                                               : "wPrint") {
+        name_(identifierOf(input.name)), object_(in_.cell.rod() ? "wRod"
+                                                 : movesPart()  ? "wTable"
+                                                 : heldPlate()  ? "wPlate"
+                                                                : "wPrint") {
     program_.format = "rapid";
     program_.foreign = input.foreign;
   }
@@ -67,10 +69,13 @@ private:
   // The motions stand in main itself.
   bool oneModule() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
-  bool turnsRod() const { return !in_.cell.externalAxes().empty(); }
-  std::string unit() const { return rapidName(in_.cell.externalAxes().front().name); }
-  // Radians. Precondition: turnsRod().
-  double rodAngle(std::size_t i) const { return in_.trajectory.at(i)[in_.cell.armDof()]; }
+  bool movesPart() const { return !in_.cell.externalAxes().empty(); }
+  std::string unit() const { return rapidName(in_.cell.externalUnit()); }
+  // Of one of the external axes, radians.
+  double axisAt(std::size_t i, std::size_t axis) const {
+    return in_.trajectory.at(i)[static_cast<std::size_t>(in_.cell.armDof()) + axis];
+  }
+  std::size_t axes() const { return in_.cell.externalAxes().size(); }
 
   void line(std::string_view text) {
     out_ += text;
@@ -121,7 +126,7 @@ private:
     line("  PROC main()");
     line("    ConfL\\Off;");
     line("    ConfJ\\Off;");
-    if (turnsRod())
+    if (movesPart())
       line(joined({"    ActUnit ", unit(), ";"}));
     outputsOff();
   }
@@ -165,7 +170,7 @@ private:
   void listOfSignals() {
     line("EIO:CFG_1.0:6:1::");
     line("# What the program expects; give each signal its -Device and -DeviceMap.");
-    if (turnsRod())
+    if (movesPart())
       line(joined({"# Its mechanical unit, ", unit(), ", belongs into MOC.cfg."}));
     line("#");
     line("EIO_SIGNAL:");
@@ -186,8 +191,8 @@ private:
       line("  ! fixed nozzle: a stationary tool, which stands in world, the base while the base "
            "frame "
            "is zero; the arm holds the work object, poses are the nozzle's on it");
-    else if (turnsRod())
-      aboutRod();
+    else if (movesPart())
+      aboutAxes();
     else
       line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object, "
            "which stands in world, the base while the base frame is zero");
@@ -196,7 +201,7 @@ private:
     line(" mm3/s");
     line(joined({"  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: ", name_,
                  "_EIO.cfg"}));
-    if (turnsRod())
+    if (movesPart())
       line(joined({"  ! expects the mechanical unit ", unit()}));
     aboutDensity();
     if (cuts_.size() > 2)
@@ -216,20 +221,31 @@ private:
     line(" ms, the least that the controller plans in time");
   }
 
-  void aboutRod() {
-    line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the work object that turns "
-         "with the rod");
-    out_ +=
-        joined({"  ! the rod is the mechanical unit ", unit(), ", its angle eax_a, its frame "});
-    frame(in_.cell.base_T_fixed() * workToUnit());
+  void aboutAxes() {
+    line(
+        joined({"  ! moving nozzle: the TCP is the nozzle's tip, poses are in the work object that "
+                "turns with the ",
+                in_.cell.rod() ? "rod" : "table"}));
+    if (in_.cell.rod()) {
+      out_ +=
+          joined({"  ! the rod is the mechanical unit ", unit(), ", its angle eax_a, its frame "});
+    } else {
+      out_ += joined({"  ! the table is on the mechanical unit ", unit(), ":"});
+      for (std::size_t k = 0; k < axes(); ++k)
+        out_ += joined({k > 0 ? ", " : " ", in_.cell.externalAxes()[k].name, " is eax_",
+                        std::string(1, static_cast<char>('a' + k))});
+      line("");
+      out_ += "  ! its frame, where all of them are at 0, z along the last one: ";
+    }
+    frame(in_.cell.base_T_fixed() * in_.cell.work_T_unit());
     line(" in world, the base while the base frame is zero");
   }
 
   void declareObject() {
     out_ += joined({"  PERS wobjdata ", object_, ":=[", heldPlate() ? "TRUE," : "FALSE,"});
-    if (turnsRod()) {
+    if (movesPart()) {
       out_ += joined({"FALSE,\"", unit(), "\",[[0,0,0],[1,0,0,0]],"});
-      frame(workToUnit().inverse());
+      frame(in_.cell.work_T_unit().inverse());
     } else {
       out_ += "TRUE,\"\",";
       frame(heldPlate() ? in_.cell.flange_T_moved() : in_.cell.base_T_work(jointsAt(0)));
@@ -308,13 +324,18 @@ private:
   }
 
   void externals(std::size_t i) {
-    if (!turnsRod()) {
+    if (!movesPart()) {
       out_ += kNoExternals;
       return;
     }
-    out_ += '[';
-    number(base::radiansToDegrees(rodAngle(i)), kExternalDecimals);
-    out_ += ",9E9,9E9,9E9,9E9,9E9]";
+    for (std::size_t k = 0; k < kExternals; ++k) {
+      out_ += k > 0 ? ',' : '[';
+      if (k < axes())
+        number(base::radiansToDegrees(axisAt(i, k)), kExternalDecimals);
+      else
+        out_ += "9E9";
+    }
+    out_ += ']';
   }
 
   // Quarters of a turn of axes 1, 4 and 6, and which of the eight branches; another maker's axes
@@ -343,7 +364,7 @@ private:
     const double s = joint ? motionSeconds(in_.trajectory, i) : motions_.seconds(i);
     const bool timed = s > 0.0 && (joint || motions_.needsTime(i));
     double mmPerS = i == 0 ? kStartMmPerS : in_.process.travelSpeedMmPerS;
-    double degPerS = i == 0 ? kStartDegPerS : kTurnDegPerS, rodDegPerS = kRodDegPerS;
+    double degPerS = i == 0 ? kStartDegPerS : kTurnDegPerS, axisDegPerS = kAxisDegPerS;
     if (s > 0.0 && !timed) {
       mmPerS = motions_.speedMmPerS(i);
       // Turns must not be what the motion waits for.
@@ -352,15 +373,15 @@ private:
         return std::max(least, std::ceil(1.05 * base::radiansToDegrees(rad) / s));
       };
       degPerS = never(degPerS, turnRad);
-      if (turnsRod())
-        rodDegPerS = never(rodDegPerS, std::abs(rodAngle(i) - rodAngle(i - 1)));
+      for (std::size_t k = 0; k < axes(); ++k)
+        axisDegPerS = never(axisDegPerS, std::abs(axisAt(i, k) - axisAt(i - 1, k)));
     }
     out_ += ",[";
     number(mmPerS, kSpeedDecimals);
     out_ += ',';
     number(degPerS, 0);
     out_ += ",5000,";
-    number(rodDegPerS, 0);
+    number(axisDegPerS, 0);
     out_ += ']';
     if (timed) {
       out_ += "\\T:=";
@@ -393,13 +414,6 @@ private:
 };
 
 } // namespace
-
-Eigen::Isometry3d workToUnit() {
-  Eigen::Isometry3d work_T_unit = Eigen::Isometry3d::Identity();
-  work_T_unit.linear() << Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(),
-      Eigen::Vector3d::UnitX();
-  return work_T_unit;
-}
 
 base::ParameterSpec rapidModules() {
   return base::choiceParameter(

@@ -192,7 +192,7 @@ struct Cells {
   Cells(const PrintedPart& printed, const robot::Cell& cell) : part(printed) {
     const voxel::VoxelGrid& g = printed.grid();
     const Vector3d half = 0.5 * g.pitch * g.size.cast<double>(), centre = g.origin + half;
-    if (cell.externalAxes().empty()) {
+    if (!cell.rod()) {
       hull = robot::Box{Isometry3d(Eigen::Translation3d(centre)), half};
       reach = centre.norm() + half.norm();
     } else {
@@ -223,7 +223,8 @@ public:
         reach = std::max(reach, b.centre.norm() + b.radius);
       balls_.push_back(std::move(balls));
       // A rod is round about the axis that it turns on.
-      const bool turnsInItself = !cell.externalAxes().empty() && body.frame == cell.workFrame();
+      const bool turnsInItself =
+          cell.rod() && (body.frame == cell.workFrame() || body.frame == cell.axisFrame(0));
       reach_.push_back(turnsInItself ? 0.0 : reach);
     }
   }

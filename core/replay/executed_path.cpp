@@ -94,18 +94,30 @@ private:
   bool isToolPoint(std::size_t m) const {
     return motions_[m].target == plan::TargetKind::ToolPoint;
   }
+  // Told where external axes, or the flange that holds it, have the part.
+  static bool isInWork(const plan::ProgramMotion& motion) {
+    return motion.target == plan::TargetKind::WorkPose ||
+           motion.target == plan::TargetKind::UnitPose;
+  }
   bool isStraight(std::size_t m) const { return !motions_[m].jointInterpolated || !path_.arm; }
   JointVector jointsOf(std::size_t m) const {
     return Eigen::Map<const Eigen::VectorXd>(path_.jointsAt(m), path_.dof);
   }
 
+  // So many values; controllers may tell of further axes, which rest.
+  static bool holds(const std::vector<double>& values, int count) {
+    return static_cast<int>(values.size()) >= count &&
+           std::all_of(values.begin() + count, values.end(), [](double v) { return v == 0.0; });
+  }
   // A target with more or fewer values than the cell has axes is another cell's: home stands in,
   // and the motion is out of reach.
   bool isOfThisCell(const plan::ProgramMotion& motion) const {
     if (motion.target == plan::TargetKind::Joints)
-      return static_cast<int>(motion.joints.size()) == cell_->dof();
-    return motion.target != plan::TargetKind::WorkPose ||
-           static_cast<int>(motion.externals.size()) == externals_;
+      return motion.externals.empty() ? static_cast<int>(motion.joints.size()) == cell_->dof()
+                                      : holds(motion.joints, cell_->dof());
+    if (motion.target == plan::TargetKind::UnitPose)
+      return externals_ > 0 && holds(motion.externals, externals_);
+    return !isInWork(motion) || static_cast<int>(motion.externals.size()) == externals_;
   }
   JointVector jointTarget(const plan::ProgramMotion& motion) const {
     if (!isOfThisCell(motion))
@@ -123,9 +135,9 @@ private:
       if (!isOfThisCell(motion))
         std::fill(now.begin(), now.end(), 0.0);
       else if (motion.target == plan::TargetKind::Joints)
-        now.assign(motion.joints.end() - externals_, motion.joints.end());
-      else if (motion.target == plan::TargetKind::WorkPose)
-        now = motion.externals;
+        now.assign(motion.joints.begin() + cell_->armDof(), motion.joints.begin() + cell_->dof());
+      else if (isInWork(motion))
+        now.assign(motion.externals.begin(), motion.externals.begin() + externals_);
       externalsAt_.insert(externalsAt_.end(), now.begin(), now.end());
     }
   }
@@ -176,8 +188,11 @@ private:
     if (motion.target == plan::TargetKind::WorkPose && program_.base_T_nozzle)
       return cell_->flange_T_moved().inverse() * program_.flange_T_tcp * motion.frame_T_tcp *
              program_.base_T_nozzle->inverse() * cell_->base_T_fixed();
-    if (motion.target == plan::TargetKind::WorkPose)
-      return motion.frame_T_tcp * tcp_T_flange_ * cell_->flange_T_moved();
+    if (isInWork(motion)) {
+      const Isometry3d work_T_moved = motion.frame_T_tcp * tcp_T_flange_ * cell_->flange_T_moved();
+      return motion.target == plan::TargetKind::UnitPose ? cell_->work_T_unit() * work_T_moved
+                                                         : work_T_moved;
+    }
     if (!inWork_)
       return motion.frame_T_tcp;
     return cell_->work_T_toolOfFlange(motion.frame_T_tcp * tcp_T_flange_,
@@ -404,7 +419,7 @@ private:
 
   double stepOf(std::size_t axis) const {
     const auto arm = static_cast<std::size_t>(cell_->armDof());
-    return axis < arm ? 0.0 : cell_->externalAxes()[axis - arm].stepRad;
+    return axis < arm ? 0.0 : cell_->externalAxes()[axis - arm].step;
   }
 
   void checkSpeeds() {

@@ -16,8 +16,12 @@ Eigen::Isometry3d Cell::work_T_tool(const JointVector& q) const {
   return work_T_toolOfFlange(robot_.kinematics->flange(q), q);
 }
 
-double Cell::turnOf(const JointVector& q) const {
-  return externalAxes_.empty() ? 0.0 : q[armDof()];
+Eigen::Isometry3d Cell::work_T_unit() const {
+  base::require(!externalAxes_.empty(), "a cell with an external axis");
+  Eigen::Isometry3d axis_T_unit = Eigen::Isometry3d::Identity();
+  axis_T_unit.linear() << Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(),
+      Eigen::Vector3d::UnitX();
+  return axis_T_work_.inverse(Eigen::Isometry) * axis_T_unit;
 }
 
 Eigen::Isometry3d Cell::base_T_work(const JointVector& q) const {
@@ -25,7 +29,11 @@ Eigen::Isometry3d Cell::base_T_work(const JointVector& q) const {
     return robot_.kinematics->flange(q) * flange_T_moved_;
   if (externalAxes_.empty())
     return base_T_fixed_;
-  return base_T_fixed_ * Eigen::AngleAxisd(turnOf(q), Eigen::Vector3d::UnitX());
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (std::size_t k = 0; k < externalAxes_.size(); ++k)
+    pose = pose * externalAxes_[k].before_T_axis *
+           movedBy(externalAxes_[k], q[armDof() + static_cast<Eigen::Index>(k)]);
+  return pose * axis_T_work_;
 }
 
 // RoboFDM eq. 2.3. With the plate on the flange: base_T_flange flange_T_work work_T_tool =
@@ -59,6 +67,12 @@ void Cell::framePoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base
   const bool plateMoves = nozzleMount_ == Mount::World;
   base_T_frame.push_back(plateMoves ? moved : base_T_work(q));
   base_T_frame.push_back(plateMoves ? base_T_fixed_ : moved);
+  Eigen::Isometry3d axis = Eigen::Isometry3d::Identity();
+  for (std::size_t k = 0; k < externalAxes_.size(); ++k) {
+    axis = axis * externalAxes_[k].before_T_axis *
+           movedBy(externalAxes_[k], q[armDof() + static_cast<Eigen::Index>(k)]);
+    base_T_frame.push_back(axis * externalAxes_[k].axis_T_moved);
+  }
 }
 
 std::vector<std::string> cellIds() {

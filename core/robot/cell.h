@@ -10,6 +10,7 @@
 
 #include "platform/platform_solid.h"
 #include "process/process.h"
+#include "robot/external_axis.h"
 #include "robot/robot_model.h"
 
 #include <Eigen/Geometry>
@@ -22,14 +23,6 @@
 namespace voluta::robot {
 
 enum class Mount { World, Flange };
-
-// An axis of the cell beside the robot's own: what it turns is the work frame, about its x.
-struct ExternalAxis {
-  std::string name;
-  JointLimits limits;
-  double stepRad = 0.0; // it stands at whole multiples of this; 0: anywhere
-  bool runsOn = false;  // turns without end: limits.min and max are then those of its counter
-};
 
 // The rod that a cell holds at both ends, its axis on the work frame's x.
 struct CellRod {
@@ -56,8 +49,10 @@ public:
   const RobotModel& robot() const { return robot_; }
   int dof() const { return static_cast<int>(limits_.size()); } // the robot's and external axes
   int armDof() const { return robot_.dof(); }
-  // In a joint vector they follow the robot's own.
+  // In a joint vector they follow the robot's own; from the base to the platform.
   const std::vector<ExternalAxis>& externalAxes() const { return externalAxes_; }
+  // What controllers call the mechanical unit that they are, together. Empty without any.
+  const std::string& externalUnit() const { return externalUnit_; }
   const std::optional<CellRod>& rod() const { return rod_; }
   // What platforms it comes with, as a user writes them, the smallest first.
   const std::vector<std::string>& plates() const { return plates_; }
@@ -67,6 +62,12 @@ public:
   const Eigen::Isometry3d& flange_T_moved() const; // work frame (plate on the flange) or tool frame
   // Tool frame (fixed nozzle) or work frame with the external axes at zero.
   const Eigen::Isometry3d& base_T_fixed() const;
+
+  // The work frame in that of the last external axis, which goes with it; identity without any.
+  const Eigen::Isometry3d& axis_T_work() const { return axis_T_work_; }
+  // The frame of what the last external axis moves as controllers have it, z along that axis.
+  // Precondition: there is one.
+  Eigen::Isometry3d work_T_unit() const;
 
   // Forward: pose of the nozzle in the work frame.
   Eigen::Isometry3d work_T_tool(const JointVector& q) const;
@@ -88,10 +89,12 @@ public:
   double travelAcceleration() const { return travelAcceleration_; }
 
   // Bodies and their frames. Frame indices, n the robot's own joints: 0 robot base (= world), 1..n
-  // links, n + 1 flange, n + 2 work frame, n + 3 tool frame.
+  // links, n + 1 flange, n + 2 work frame, n + 3 tool frame, n + 4 on what each external axis
+  // moves.
   const std::vector<Body>& bodies() const { return bodies_; }
   int workFrame() const { return armDof() + 2; }
   int toolFrame() const { return armDof() + 3; }
+  int axisFrame(std::size_t axis) const { return armDof() + 4 + static_cast<int>(axis); }
   void framePoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_frame) const;
   // Pairs of bodies that may collide and are to be checked: all but those fixed to each other,
   // neighbours along the arm, and pairs that the cell's file lists as never meeting.
@@ -101,14 +104,14 @@ public:
 
 private:
   Cell() = default;
-  double turnOf(const JointVector& q) const; // of the work frame about its x, rad
-
   std::string id_, label_, note_, extruder_ = "outputs";
   RobotModel robot_;
   Mount nozzleMount_ = Mount::World;
   Eigen::Isometry3d flange_T_moved_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d base_T_fixed_ = Eigen::Isometry3d::Identity();
-  std::vector<ExternalAxis> externalAxes_; // at most one
+  std::vector<ExternalAxis> externalAxes_;
+  std::string externalUnit_;
+  Eigen::Isometry3d axis_T_work_ = Eigen::Isometry3d::Identity();
   std::vector<JointLimits> limits_;
   std::optional<CellRod> rod_;
   std::vector<std::string> plates_;

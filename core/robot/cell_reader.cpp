@@ -11,7 +11,8 @@
 //                         what carries the head, shapes in the tool frame. The head itself comes
 //                         from the process.
 //   platform              {mount: the other one, pose, thicknessMm, stem, plates}: pose is
-//                         flange_T_work or base_T_work; the plate is the job's polygon, thicknessMm
+//                         flange_T_work or base_T_work, or with external axes the work frame in
+//                         what the last one moves; the plate is the job's polygon, thicknessMm
 //                         thick below z = 0; stem, optional, is what carries it, shapes in the work
 //                         frame; plates, optional: those that there are, the smallest first, as
 //                         platforms are written ("disc:120", "rect:200x150") Or {mount: "world",
@@ -25,14 +26,22 @@
 //                         controllers take by themselves (1.4 rad/s2)
 //   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
 //                         the cell's own are named "holder", "head" and "platform"
-//   externalAxes          a list, empty or of one for a cell with a rod: {name, minDeg, maxDeg,
-//                         velocityDegPerS, accelerationDegPerS2, stepDeg, end}: it turns the rod
-//                         about x; stepDeg 0: it stands anywhere; end is "unwinds" or "runsOn"
+//   externalAxes          a list, the first axis in the base, each next on what the one before it
+//                         moves, the platform on the last; empty: none. {name, kind: "turning" |
+//                         "sliding", pose: where it lies in that frame at 0, axis: [x, y, z] of
+//                         that pose about or along which it moves, carries, bodies}; of one that
+//                         turns minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2, stepDeg (0:
+//                         it stands anywhere), end ("unwinds" or "runsOn"); of one that slides
+//                         minMm, maxMm, velocityMmPerS, accelerationMmPerS2, stepMm. carries,
+//                         optional, is "platform"; bodies, optional, is what it moves of its own:
+//                         {name, shapes} in the frame that goes with it. A rod has one axis, along
+//                         its x
+//   externalUnit          optional: what the controller calls the mechanical unit that these axes
+//                         are; else the last one's name
 #include "robot/cell.h"
 
 #include "base/json_node.h"
 #include "robot/json_pose.h"
-#include "robot/limits_reader.h"
 #include "robot/plate.h"
 #include "robot/shape_reader.h"
 
@@ -89,22 +98,15 @@ CellRod readRod(const base::JsonNode& node) {
   return rod;
 }
 
-ExternalAxis readAxis(const base::JsonNode& node) {
-  node.allowOnly(
-      {"name", "minDeg", "maxDeg", "velocityDegPerS", "accelerationDegPerS2", "stepDeg", "end"});
-  ExternalAxis axis;
-  axis.name = node.at("name").text();
-  axis.limits = readJointLimits(node);
-  if (axis.limits.min > 0.0 || axis.limits.max < 0.0)
-    node.fail("must have 0, where it rests, within its limits"_text);
-  axis.stepRad = base::degreesToRadians(node.at("stepDeg").number());
-  if (axis.stepRad < 0.0)
-    node.at("stepDeg").fail("must not be negative"_text);
-  const std::string end = node.at("end").text();
-  if (end != "unwinds" && end != "runsOn")
-    node.at("end").fail(base::message("must be unwinds or runsOn, is '{end}'"_text, end));
-  axis.runsOn = end == "runsOn";
-  return axis;
+// A rod lies on the work frame's x, and is turned about it.
+void requireTurnsRod(const base::JsonNode& axes, const std::vector<ExternalAxis>& chain,
+                     const Eigen::Isometry3d& axis_T_work) {
+  constexpr double kSame = 1e-9;
+  if (chain.size() != 1 || chain.front().kind != AxisKind::Turning)
+    axes.fail("must hold one axis, which turns the rod"_text);
+  if ((axis_T_work.linear().col(0) - Eigen::Vector3d::UnitX()).norm() > kSame ||
+      axis_T_work.translation().tail<2>().norm() > kSame)
+    axes.fail("must turn the rod about its own axis, the work frame's x"_text);
 }
 
 // The rod that is in the cell: the job's where it has one.
@@ -162,10 +164,12 @@ void requireConvex(const std::vector<Eigen::Vector2d>& polygon) {
 }
 
 // Bodies with the same number never move relative to each other. Frames: base, links, flange,
-// work, tool. `dof`: of the arm.
-int rigidGroup(int frame, int dof, bool plateMoves, bool rodTurns) {
-  if (rodTurns && frame == dof + 2)
-    return dof + 1;
+// work, tool, on what each external axis moves. `dof`: of the arm.
+int rigidGroup(int frame, int dof, bool plateMoves, int axes) {
+  if (frame > dof + 3)
+    return frame - 3; // behind the last link
+  if (axes > 0 && frame == dof + 2)
+    return dof + axes;
   if (frame == dof + 1 || frame == (plateMoves ? dof + 2 : dof + 3))
     return dof; // on the last link
   if (frame > dof)
@@ -179,7 +183,8 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
                 platform::PlatformSolid solid) {
   const base::JsonNode top = base::JsonNode::readFile(file);
   top.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
-                 "travelAccelerationDegPerS2", "neverMeet", "externalAxes", "extruder"});
+                 "travelAccelerationDegPerS2", "neverMeet", "externalAxes", "externalUnit",
+                 "extruder"});
   Cell cell;
   cell.id_ = top.at("id").text();
   if (cell.id_ != file.stem().string())
@@ -192,10 +197,25 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
     cell.extruder_ = top.at("extruder").text();
   cell.robot_ = readRobotOf(top.at("robot"));
   cell.limits_ = cell.robot_.limits;
-  for (const base::JsonNode& axis : top.at("externalAxes").items()) {
-    cell.externalAxes_.push_back(readAxis(axis));
-    cell.limits_.push_back(cell.externalAxes_.back().limits);
+  std::vector<Body> onAxes;
+  for (const base::JsonNode& node : top.at("externalAxes").items()) {
+    AxisDescription described =
+        readExternalAxis(node, cell.externalAxes_.empty() ? nullptr : &cell.externalAxes_.back());
+    for (Body& body : described.bodies) {
+      body.frame = cell.axisFrame(cell.externalAxes_.size());
+      onAxes.push_back(std::move(body));
+    }
+    cell.limits_.push_back(described.axis.limits);
+    cell.externalAxes_.push_back(std::move(described.axis));
   }
+  if (cell.dof() > JointVector::MaxRowsAtCompileTime)
+    top.at("externalAxes")
+        .fail(base::message("must be fewer: robot and axes are {most} at most"_text,
+                            static_cast<int>(JointVector::MaxRowsAtCompileTime)));
+  if (!cell.externalAxes_.empty())
+    cell.externalUnit_ = cell.externalAxes_.back().name;
+  if (top.has("externalUnit"))
+    cell.externalUnit_ = top.at("externalUnit").text();
 
   const base::JsonNode nozzle = top.at("nozzle"), platform = top.at("platform");
   nozzle.allowOnly({"mount", "pose", "holder"});
@@ -205,10 +225,6 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   } else {
     platform.allowOnly({"mount", "pose", "thicknessMm", "stem", "plates"});
   }
-  if (cell.externalAxes_.size() != (cell.rod_ ? 1U : 0U))
-    top.at("externalAxes")
-        .fail(cell.rod_ ? "must hold one axis, which turns the rod"_text
-                        : "must be empty: this cell has no rod"_text);
   if (solid.rod && !cell.rod_)
     throw base::Error(base::ErrorCode::UnusableInput,
                       base::message("cell {id} holds no rod to print on"_text, cell.id_), {},
@@ -220,8 +236,16 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
   const bool plateMoves = cell.nozzleMount_ == Mount::World;
   if (plateMoves && cell.rod_)
     platform.at("mount").fail("must be world: a rod is held at both ends"_text);
+  if (plateMoves && !cell.externalAxes_.empty())
+    top.at("externalAxes").fail("must be empty: the plate is on the flange"_text);
   cell.flange_T_moved_ = readPose((plateMoves ? platform : nozzle).at("pose"));
   cell.base_T_fixed_ = readPose((plateMoves ? nozzle : platform).at("pose"));
+  if (!cell.externalAxes_.empty()) {
+    cell.axis_T_work_ = cell.externalAxes_.back().axis_T_moved * cell.base_T_fixed_;
+    cell.base_T_fixed_ = cell.base_T_work(JointVector::Zero(cell.dof()));
+  }
+  if (cell.rod_)
+    requireTurnsRod(top.at("externalAxes"), cell.externalAxes_, cell.axis_T_work_);
 
   cell.bodies_ = cell.robot_.links;
   cell.bodies_.push_back(headBody(process.head, cell.toolFrame()));
@@ -245,12 +269,21 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
       plate.shapes.push_back(*std::move(foot));
     cell.bodies_.push_back(std::move(plate));
   }
+  const auto isTaken = [&](const std::string& name) {
+    return std::any_of(cell.bodies_.begin(), cell.bodies_.end(),
+                       [&](const Body& other) { return other.name == name; });
+  };
+  for (Body& body : onAxes) {
+    if (isTaken(body.name))
+      top.at("externalAxes")
+          .fail(base::message("has a name that is taken already: '{name}'"_text, body.name));
+    cell.bodies_.push_back(std::move(body));
+  }
   for (const base::JsonNode& obstacle : top.at("obstacles").items()) {
     obstacle.allowOnly({"name", "shapes"});
     const std::string name = obstacle.at("name").text();
-    for (const Body& other : cell.bodies_)
-      if (other.name == name)
-        obstacle.at("name").fail(base::message("is taken already: '{name}'"_text, name));
+    if (isTaken(name))
+      obstacle.at("name").fail(base::message("is taken already: '{name}'"_text, name));
     cell.bodies_.push_back({name, BodyRole::Obstacle, 0, readShapes(obstacle.at("shapes"))});
   }
 
@@ -281,7 +314,7 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
       never.push_back(pair);
   const auto groupOf = [&](int body) {
     return rigidGroup(cell.bodies_[static_cast<std::size_t>(body)].frame, cell.armDof(), plateMoves,
-                      cell.rod_.has_value());
+                      static_cast<int>(cell.externalAxes_.size()));
   };
   const auto isLink = [&](int body) {
     return cell.bodies_[static_cast<std::size_t>(body)].role == BodyRole::Link;
@@ -296,8 +329,8 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
         continue;
       cell.checkedPairs_.emplace_back(a, b);
     }
-  const int partGroup =
-      rigidGroup(cell.workFrame(), cell.armDof(), plateMoves, cell.rod_.has_value());
+  const int partGroup = rigidGroup(cell.workFrame(), cell.armDof(), plateMoves,
+                                   static_cast<int>(cell.externalAxes_.size()));
   for (int a = 0; a < count; ++a)
     if (groupOf(a) != partGroup)
       cell.bodiesAgainstPart_.push_back(a);

@@ -47,7 +47,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::expect(cell.externalAxes().size() == (cell.rod() ? 1U : 0U), "a rod has its axis");
       std::vector<Eigen::Isometry3d> frames;
       cell.framePoses(cell.home(), frames);
-      fuzz::expect(static_cast<int>(frames.size()) == cell.armDof() + 4, "every frame has a pose");
+      fuzz::expect(static_cast<int>(frames.size()) ==
+                       cell.armDof() + 4 + static_cast<int>(cell.externalAxes().size()),
+                   "every frame has a pose");
     });
   read("fdm-1.0.json", text, [](const std::filesystem::path& file) {
     const process::Process process = process::readProcess(file);

@@ -36,7 +36,7 @@ Case randomCase(std::mt19937& engine, bool blocks, bool rod = false) {
       node.q.resize(rod ? 3 : 2);
       node.q.head(2) << number(-1, 1), number(-1, 1);
       if (rod) {
-        node.rod = static_cast<int>(number(-2, 2));
+        node.aside = static_cast<int>(number(-2, 2));
         node.q[2] = 100 * number(-1, 1);
       }
       node.sample = n;
@@ -73,7 +73,7 @@ std::pair<std::size_t, double> exhaustive(const Case& c) {
         const LadderNode& last = c.rungs[chosen.size() - 1][chosen.back()];
         const int apart = std::abs(last.sample - rung[n].sample);
         const Eigen::VectorXd d = (rung[n].q - last.q).head(2).cwiseAbs();
-        if (std::abs(last.rod - rung[n].rod) > 1)
+        if (std::abs(last.aside - rung[n].aside) > 1)
           continue;
         if ((apart != 0 && apart != 1 && apart != 5) || d.maxCoeff() > 0.9)
           continue;

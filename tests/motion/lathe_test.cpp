@@ -5,8 +5,8 @@
 #include "base/units.h"
 #include "collision/cell_collision.h"
 #include "helpers/temporary_folder.h"
+#include "motion/external_axes.h"
 #include "motion/motion.h"
-#include "motion/rod_turn.h"
 #include "motion/sample_plans.h"
 #include "plan/finding_kinds.h"
 

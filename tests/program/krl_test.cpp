@@ -205,7 +205,7 @@ TEST_F(Krl, aRodIsE1) {
       << text.substr(0, 2000);
   const plan::ReadProgram back = readProgram("krl", {{"f", text}}, process_);
   for (std::size_t i = 0; i < back.motions.size(); ++i) {
-    EXPECT_EQ(back.motions[i].target, plan::TargetKind::WorkPose);
+    EXPECT_EQ(back.motions[i].target, plan::TargetKind::UnitPose);
     EXPECT_NEAR(back.motions[i].externals.at(0), trajectory_.at(i)[6], 1e-6);
   }
 }

@@ -35,10 +35,11 @@ inline constexpr const char* kCellJson = R"({
 inline constexpr const char* kRodCellJson = R"({
   "id": "bench", "label": "bench", "robot": "irb1200",
   "nozzle": {"mount": "flange", "pose": {"xyzMm": [0, 0, 200]}},
-  "platform": {"mount": "world", "pose": {"xyzMm": [400, 0, 350], "rpyDeg": [0, 0, 90]},
+  "platform": {"mount": "world", "pose": {"xyzMm": [0, 0, 0]},
                "rod": {"diameterMm": 5, "lengthMm": 200, "printableRadiusMm": 50}},
   "obstacles": [], "homeDeg": [0, 0, 0, 0, 0, 0], "neverMeet": [],
-  "externalAxes": [{"name": "rod", "minDeg": -360000, "maxDeg": 360000, "velocityDegPerS": 720,
+  "externalAxes": [{"name": "rod", "kind": "turning", "axis": [1, 0, 0],
+                    "pose": {"xyzMm": [400, 0, 350], "rpyDeg": [0, 0, 90]}, "minDeg": -360000, "maxDeg": 360000, "velocityDegPerS": 720,
                     "accelerationDegPerS2": 8400, "stepDeg": 0.1125, "end": "runsOn"}]
 })";
 
@@ -57,6 +58,12 @@ protected:
     const TemporaryFolder folder;
     base::writeFile(folder / "bench.json", kRodCellJson);
     cell_.emplace(robot::Cell::read(folder / "bench.json", process_, {}));
+  }
+
+  void usePositioner() {
+    platform::PlatformSolid plate;
+    plate.polygon = {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+    cell_.emplace(robot::loadCell("irb1200-irbp", process_, plate));
   }
 
   void append(plan::MoveKind move, const std::vector<double>& q, double seconds, double volume) {
@@ -173,7 +180,7 @@ protected:
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     std::vector<double> q = {0.1, -0.1, 0.3, 0.1, 1.2, 0.3, 0.0}, drift(6);
-    const double step = cell_->externalAxes().front().stepRad;
+    const double step = cell_->externalAxes().front().step;
     double steps = 0.0;
     std::size_t waypoint = plan_.waypointCount();
     for (std::size_t i = 0; i < points; ++i) {
@@ -195,6 +202,31 @@ protected:
     }
     plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitX());
+  }
+
+  // Likewise on a plate that tilts and turns meanwhile.
+  void appendRandomOnPositioner(unsigned seed, std::size_t points) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::vector<double> q = {0.1, -0.1, 0.3, 0.1, 1.2, 0.3, 0.2, -3.0}, drift(8);
+    std::size_t waypoint = plan_.waypointCount();
+    for (std::size_t i = 0; i < points; ++i) {
+      const std::size_t phase = i % 40;
+      if (phase == 1)
+        for (double& d : drift)
+          d = 4e-4 * (unit(random) - 0.5);
+      for (std::size_t k = 0; k < 8; ++k)
+        q[k] += phase < 3 ? 0.02 * (unit(random) - 0.5) : drift[k] + 1e-4 * (unit(random) - 0.5);
+      const double volume = phase < 3 || phase == 39 ? 0.0 : 0.05 + 0.2 * unit(random);
+      const auto move = phase < 2                   ? plan::MoveKind::Joint
+                        : phase == 2 || phase == 39 ? plan::MoveKind::Linear
+                                                    : plan::MoveKind::Print;
+      append(move, q, volume / 30.0 + 0.05 + 0.1 * unit(random), volume);
+      if (move == plan::MoveKind::Print || phase == 2)
+        noteWaypoint(waypoint++, phase == 2, static_cast<int>(i / 400));
+    }
+    plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
+    plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
   }
 
   program::ProgramInput input() const { return {plan_, trajectory_, *cell_, process_, "part 1"}; }

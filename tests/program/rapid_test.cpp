@@ -477,13 +477,16 @@ TEST(RapidReader, placesTargetsInTheWorkFrameThatTheRodTurns) {
   EXPECT_EQ(program.motions[0].joints.size(), 7u);
   EXPECT_NEAR(program.motions[0].joints[6], 2.0 * base::kPi, 1e-12);
   const plan::ProgramMotion& m = program.motions[1];
-  EXPECT_EQ(m.target, plan::TargetKind::WorkPose);
+  EXPECT_EQ(m.target, plan::TargetKind::UnitPose);
   ASSERT_EQ(m.externals.size(), 1u);
   EXPECT_NEAR(m.externals[0], -base::degreesToRadians(720.1125), 1e-12);
-  // The object lies 10 mm along the unit's axis, which is the work frame's x; its axes are the work
-  // frame's. The user frame of the text says nothing.
-  EXPECT_LE((m.frame_T_tcp.translation() - Eigen::Vector3d(11, 2, 3)).norm(), 1e-12);
-  EXPECT_TRUE(m.frame_T_tcp.linear().isIdentity(1e-12));
+  // The object lies 10 mm along the unit's axis, its z, which is the work frame's x; its axes are
+  // the work frame's. The user frame of the text says nothing.
+  EXPECT_LE((m.frame_T_tcp.translation() - Eigen::Vector3d(2, 3, 11)).norm(), 1e-12);
+  EXPECT_TRUE(
+      (m.frame_T_tcp.linear() * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitZ()));
+  EXPECT_TRUE(
+      (m.frame_T_tcp.linear() * Eigen::Vector3d::UnitZ()).isApprox(Eigen::Vector3d::UnitY()));
 }
 
 TEST(RapidReader, namesWhatOfARodItCannotTake) {
@@ -493,9 +496,9 @@ TEST(RapidReader, namesWhatOfARodItCannotTake) {
     const char* part;
   } cases[] = {
       {rodModule(kMove), 8, "eax_a is missing"},
-      {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[0,0,9E9,9E9,9E9,9E9]],v100,fine,t1\\WObj:=w1;"
-                 "\n"),
-       8, "other than eax_a"},
+      {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[0,9E9,0,9E9,9E9,9E9]],v100,fine,t1"
+                 "\\WObj:=w1;\n"),
+       8, "behind one that is not used"},
       {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[2E7,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1"
                  "\\WObj:=w1;\n"),
        8, "limit"},
@@ -570,9 +573,9 @@ TEST_F(Rapid, aRodsProgramComesBack) {
                 1e-8);
       continue;
     }
-    ASSERT_EQ(m.target, plan::TargetKind::WorkPose);
+    ASSERT_EQ(m.target, plan::TargetKind::UnitPose);
     ASSERT_NEAR(m.externals.at(0), q[6], 1e-9); // whole steps have four decimals
-    const Eigen::Isometry3d planned = cell_->work_T_tool(q);
+    const Eigen::Isometry3d planned = cell_->work_T_unit().inverse() * cell_->work_T_tool(q);
     ASSERT_LE((m.frame_T_tcp.translation() - planned.translation()).norm(), 1e-3);
     ASSERT_LE(Eigen::AngleAxisd(planned.linear().transpose() * m.frame_T_tcp.linear()).angle(),
               1e-5);

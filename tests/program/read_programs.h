@@ -38,6 +38,9 @@ protected:
                                        m.frame_T_tcp * program.base_T_nozzle->inverse() *
                                        cell_->base_T_fixed())
                    : m.frame_T_tcp * program.flange_T_tcp.inverse() * cell_->flange_T_moved();
+      else if (m.target == plan::TargetKind::UnitPose)
+        tool = cell_->work_T_unit() * m.frame_T_tcp * program.flange_T_tcp.inverse() *
+               cell_->flange_T_moved();
       else
         tool = cell_->work_T_toolOfFlange(m.frame_T_tcp * program.flange_T_tcp.inverse(),
                                           cell_->home());
@@ -59,10 +62,12 @@ protected:
     if (m.target == plan::TargetKind::ToolPoint)
       return (m.position - program.motions[i - 1].position).norm() / m.speedMmPerS;
     const plan::ProgramMotion& before = program.motions[i - 1];
-    const Eigen::Isometry3d from = before.target != plan::TargetKind::Joints ? before.frame_T_tcp
-                                   : m.target == plan::TargetKind::WorkPose
-                                       ? cell_->work_T_tool(jointsAt(i - 1))
-                                       : tcpAt(i - 1);
+    const Eigen::Isometry3d from =
+        before.target != plan::TargetKind::Joints ? before.frame_T_tcp
+        : m.target == plan::TargetKind::UnitPose
+            ? cell_->work_T_unit().inverse() * cell_->work_T_tool(jointsAt(i - 1))
+        : m.target == plan::TargetKind::WorkPose ? cell_->work_T_tool(jointsAt(i - 1))
+                                                 : tcpAt(i - 1);
     return (m.frame_T_tcp.translation() - from.translation()).norm() / m.speedMmPerS;
   }
 

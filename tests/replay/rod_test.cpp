@@ -190,7 +190,7 @@ TEST(Rod, HeldStillAPoseIsOneInBase) {
 TEST(Rod, OneStepOffItsPlanIsFound) {
   const test::Scene& s = scene();
   plan::ReadProgram program = programOf(s, plan::TargetKind::WorkPose);
-  program.motions[100].externals[0] += s.cell.externalAxes()[0].stepRad;
+  program.motions[100].externals[0] += s.cell.externalAxes()[0].step;
   const Verification v = replayed(s, program);
   EXPECT_FALSE(v.passed);
   ASSERT_EQ(v.deviations, 1u) << told(v);
@@ -221,7 +221,7 @@ TEST(Rod, ItsRangeAndSpeedAreLimits) {
 TEST(Rod, WholeStepsAreNoSpeed) {
   const test::Scene& s = scene();
   plan::ReadProgram program = programOf(s, plan::TargetKind::WorkPose);
-  const double step = s.cell.externalAxes()[0].stepRad;
+  const double step = s.cell.externalAxes()[0].step;
   // A turn of 1.2 steps in the time that it needs at full speed, rounded to 2.
   for (std::size_t j = 3; j < 40; ++j) {
     program.motions[j].externals[0] =

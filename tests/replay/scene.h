@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -96,9 +97,9 @@ inline double clearance(const robot::Cell& cell, const robot::JointVector& q) {
 // short way round; as they are where there is no rod.
 inline robot::JointVector turnedUp(const robot::Cell& cell, const Eigen::Vector3d& direction,
                                    robot::JointVector q) {
-  if (cell.externalAxes().empty())
+  if (!cell.rod())
     return q;
-  const double turn = 2.0 * base::kPi, step = cell.externalAxes().front().stepRad;
+  const double turn = 2.0 * base::kPi, step = cell.externalAxes().front().step;
   double& angle = q[cell.armDof()];
   const double up = std::atan2(direction.y(), direction.z());
   angle = step * std::round((up + turn * std::round((angle - up) / turn)) / step);
@@ -220,10 +221,10 @@ inline Scene rodScene(int layers = 2) {
 }
 
 // A solid box of 12 x 12 x (0.8 x layers) mm, printed.
-inline Scene boxScene(int layers = 4) {
+inline Scene boxScene(int layers = 4, const std::string& in = "ur5-fixed") {
   usesSourceTreeResources();
   process::Process p = process::loadProcess("fdm-1.0");
-  robot::Cell cell = robot::loadCell("ur5-fixed", p, squarePlatform(12.0));
+  robot::Cell cell = robot::loadCell(in, p, squarePlatform(12.0));
   plan::ToolPlan plan = boxPlan(12.0, 11, layers, p);
   plan::Trajectory t = walk(plan, cell, p);
   return {p,

@@ -1,13 +1,18 @@
 // The fixed nozzle's frames, joint wrap, and what every row of the tables has to keep.
 #include "resource_fixture.h"
 
+#include "base/data_files.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "base/units.h"
+#include "helpers/temporary_folder.h"
 #include "process/process.h"
 #include "robot/cell.h"
 
 #include <algorithm>
+#include <fstream>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 
@@ -50,7 +55,8 @@ TEST_F(Cells, everyCellKeepsItsContract) {
       }
       const Eigen::Isometry3d work_T_tool = cell.work_T_tool(q);
       cell.framePoses(q, frames);
-      ASSERT_EQ(static_cast<int>(frames.size()), cell.armDof() + 4);
+      ASSERT_EQ(static_cast<int>(frames.size()),
+                cell.armDof() + 4 + static_cast<int>(cell.externalAxes().size()));
       const auto at = [&](int f) { return frames[static_cast<std::size_t>(f)]; };
       EXPECT_TRUE(
           (at(cell.workFrame()).inverse() * at(cell.toolFrame())).isApprox(work_T_tool, 1e-12));
@@ -127,7 +133,7 @@ TEST_F(Cells, workFrameOfTheLatheTurnsAboutItsX) {
   ASSERT_EQ(cell.dof(), 7);
   ASSERT_EQ(cell.armDof(), 6);
   ASSERT_EQ(cell.externalAxes().size(), 1u);
-  EXPECT_NEAR(cell.externalAxes().front().stepRad, 2 * kPi / 3200, 1e-15);
+  EXPECT_NEAR(cell.externalAxes().front().step, 2 * kPi / 3200, 1e-15);
   std::vector<Eigen::Isometry3d> still, frames;
   cell.framePoses(cell.home(), still);
   const auto at = [](const std::vector<Eigen::Isometry3d>& poses, int f) {
@@ -142,7 +148,7 @@ TEST_F(Cells, workFrameOfTheLatheTurnsAboutItsX) {
     cell.framePoses(q, frames);
     for (int f = 0; f < static_cast<int>(frames.size()); ++f) {
       Eigen::Isometry3d expected = at(still, f);
-      if (f == cell.workFrame())
+      if (f == cell.workFrame() || f == cell.axisFrame(0))
         expected.linear() *= turn;
       EXPECT_TRUE(at(frames, f).isApprox(expected, 1e-12)) << f;
     }
@@ -171,6 +177,118 @@ TEST_F(Cells, workFrameOfTheLatheTurnsAboutItsX) {
   EXPECT_TRUE(pairs.count({"head", "motor"}));
   EXPECT_FALSE(pairs.count({"motor", "table"}));
   EXPECT_FALSE(pairs.count({"far bearing", "platform"}));
+}
+
+// references: T = Tz(1020) Rx(q1) Tz(-120) Rz(q2), at (90, 0) in 0, 120, 1020 about x by 90.
+TEST_F(Cells, thePositionerTiltsAndTurnsItsPlate) {
+  const Cell cell = load("irb1200-irbp");
+  ASSERT_EQ(cell.dof(), 8);
+  ASSERT_EQ(cell.externalAxes().size(), 2u);
+  EXPECT_EQ(cell.externalUnit(), "STN1");
+  const Eigen::Isometry3d base_T_stand(Eigen::Translation3d(500, 0, 240 - 1020));
+  const auto standing = [&](double tilt, double turn) {
+    JointVector q = cell.home();
+    q.tail(2) << base::degreesToRadians(tilt), base::degreesToRadians(turn);
+    return Eigen::Isometry3d(base_T_stand.inverse() * cell.base_T_work(q));
+  };
+  const Eigen::Isometry3d checked = standing(90, 0);
+  EXPECT_LT((checked.translation() - Eigen::Vector3d(0, 120, 1020)).norm(), 1e-9);
+  const Eigen::Quaterniond quaternion(checked.linear());
+  EXPECT_NEAR(quaternion.w(), 0.7071068, 1e-7);
+  EXPECT_NEAR(quaternion.x(), 0.7071068, 1e-7);
+  EXPECT_NEAR(quaternion.y(), 0.0, 1e-12);
+  EXPECT_NEAR(quaternion.z(), 0.0, 1e-12);
+  for (const double tilt : {-130.0, -20.0, 45.0})
+    for (const double turn : {-600.0, 30.0, 410.0}) {
+      const Eigen::Isometry3d expected =
+          Eigen::Translation3d(0, 0, 1020) *
+          Eigen::AngleAxisd(base::degreesToRadians(tilt), Eigen::Vector3d::UnitX()) *
+          Eigen::Translation3d(0, 0, -120) *
+          Eigen::AngleAxisd(base::degreesToRadians(turn), Eigen::Vector3d::UnitZ());
+      EXPECT_TRUE(standing(tilt, turn).isApprox(expected, 1e-12));
+    }
+  // Controllers count from the plate's frame: its z is the last axis.
+  EXPECT_TRUE(cell.work_T_unit().isApprox(Eigen::Isometry3d::Identity(), 1e-12));
+  // The cradle tilts and does not turn; it may meet the arm and what is printed, not what it holds.
+  const auto name = [&](int b) { return cell.bodies()[static_cast<std::size_t>(b)].name; };
+  for (const Body& body : cell.bodies())
+    if (body.name == "cradle") {
+      EXPECT_EQ(body.frame, cell.axisFrame(0));
+    }
+  std::set<std::string> against;
+  for (const int b : cell.bodiesAgainstPart())
+    against.insert(name(b));
+  EXPECT_THAT(against, ::testing::IsSupersetOf({"cradle", "stand", "forearm", "head"}));
+  EXPECT_EQ(against.count("platform"), 0u);
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (const auto& [a, b] : cell.checkedPairs())
+    pairs.insert({std::min(name(a), name(b)), std::max(name(a), name(b))});
+  EXPECT_TRUE(pairs.count({"cradle", "forearm"}));
+  EXPECT_TRUE(pairs.count({"cradle", "head"}));
+  EXPECT_TRUE(pairs.count({"cradle", "floor"}));
+  EXPECT_TRUE(pairs.count({"platform", "stand"}));
+  EXPECT_FALSE(pairs.count({"cradle", "platform"}));
+  EXPECT_FALSE(pairs.count({"floor", "stand"}));
+}
+
+// Inverse, then forward, with external axes anywhere.
+TEST_F(Cells, posesComeBackWithThePositionerAnywhere) {
+  const Cell cell = load("irb1200-irbp");
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<JointVector> solutions;
+  double worst = 0.0;
+  std::size_t found = 0;
+  for (int n = 0; n < 2000; ++n) {
+    JointVector q(8);
+    for (int i = 0; i < 8; ++i) {
+      const JointLimits& l = cell.limits()[static_cast<std::size_t>(i)];
+      q[i] = l.min + (l.max - l.min) * unit(random);
+    }
+    const Eigen::Isometry3d work_T_tool = cell.work_T_tool(q);
+    cell.inverse(work_T_tool, q, solutions);
+    ASSERT_FALSE(solutions.empty());
+    found += solutions.size();
+    for (const JointVector& s : solutions) {
+      EXPECT_EQ(s.tail(2), q.tail(2));
+      worst =
+          std::max(worst, (cell.work_T_tool(s).translation() - work_T_tool.translation()).norm());
+    }
+  }
+  EXPECT_GE(found, 4000u);
+  EXPECT_LE(worst, 1e-8);
+}
+
+// A slide between the tilting axis and the plate: mm, along the direction given.
+TEST_F(Cells, whatSlidesMovesThePlateByMillimetres) {
+  nlohmann::json description =
+      nlohmann::json::parse(base::readFile(base::resourceFolder() / "cells/irb1200-irbp.json"));
+  description["externalAxes"][1] = {{"name", "slide"},
+                                    {"kind", "sliding"},
+                                    {"pose", {{"xyzMm", {0, 0, -120}}}},
+                                    {"axis", {3, 4, 0}},
+                                    {"minMm", -50},
+                                    {"maxMm", 80},
+                                    {"velocityMmPerS", 100},
+                                    {"accelerationMmPerS2", 500},
+                                    {"stepMm", 0}};
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "irb1200-irbp.json";
+  std::ofstream(file) << description.dump();
+  const Cell cell = Cell::read(file, process::loadProcess("fdm-1.0"), disc(40));
+  EXPECT_EQ(cell.externalAxes()[1].kind, AxisKind::Sliding);
+  EXPECT_EQ(cell.limits()[7].max, 80.0);
+  JointVector q = cell.home();
+  q.tail(2) << kPi / 2, 50.0;
+  const Eigen::Isometry3d pose = cell.base_T_work(q);
+  // In what is tilted it goes to (30, 40, -120); y of that is up now, and -z to the side.
+  EXPECT_LT((pose.translation() - Eigen::Vector3d(530, 120, 280)).norm(), 1e-9);
+  EXPECT_TRUE(pose.linear().isApprox(
+      Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitX()).toRotationMatrix(), 1e-12));
+  std::vector<JointVector> solutions;
+  cell.inverse(cell.work_T_tool(q), q, solutions);
+  for (const JointVector& s : solutions)
+    EXPECT_TRUE(cell.work_T_tool(s).isApprox(cell.work_T_tool(q), 1e-9));
 }
 
 TEST_F(Cells, headAndPlatformComeFromProcessAndJob) {

@@ -113,12 +113,33 @@ TEST_F(Files, cellMistakesNameFileAndKey) {
   EXPECT_EQ(travels(800.0), "");
   EXPECT_THAT(travels(801.0), HasSubstr("'travelAccelerationDegPerS2' is more than"));
   EXPECT_THAT(travels(0.0), HasSubstr("'travelAccelerationDegPerS2'"));
-  const json axis = json::parse(R"({"name": "rail", "minDeg": -9, "maxDeg": 9, "stepDeg": 0,
+  const json axis = json::parse(R"({"name": "rail", "kind": "turning", "axis": [1, 0, 0],
+      "pose": {"xyzMm": [0, 0, 0]}, "minDeg": -9, "maxDeg": 9, "stepDeg": 0,
       "velocityDegPerS": 1, "accelerationDegPerS2": 1, "end": "unwinds"})");
   EXPECT_THAT(complaint(cell, [&](json& j) { j["externalAxes"] = json::array({axis}); }),
-              HasSubstr("'externalAxes' must be empty: this cell has no rod"));
+              HasSubstr("'externalAxes' must be empty: the plate is on the flange"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["obstacles"][0]["name"] = "forearm"; }),
               HasSubstr("'obstacles[0].name'"));
+}
+
+TEST_F(Files, mistakesAboutAxesNameFileAndKey) {
+  const std::string cell = "cells/irb1200-irbp.json";
+  EXPECT_EQ(complaint(cell, [](json&) {}), "");
+  const auto axis = [&](int k, const char* key, const json& value) {
+    return complaint(cell, [&](json& j) { j["externalAxes"][k][key] = value; });
+  };
+  EXPECT_THAT(axis(0, "carries", "robot"), HasSubstr("'externalAxes[0].carries' must be platform"));
+  EXPECT_EQ(axis(0, "carries", "platform"), "");
+  EXPECT_THAT(axis(0, "kind", "rolling"), HasSubstr("'externalAxes[0].kind' must be turning or"));
+  EXPECT_THAT(axis(0, "kind", "sliding"), HasSubstr("'externalAxes[0].minDeg'"));
+  EXPECT_THAT(axis(1, "axis", {0, 0, 0}),
+              HasSubstr("'externalAxes[1].axis' must have a direction"));
+  EXPECT_THAT(axis(1, "pose", {0, 0, 0}), HasSubstr("'externalAxes[1].pose'"));
+  EXPECT_THAT(
+      complaint(cell, [](json& j) { j["externalAxes"][0]["bodies"][0]["name"] = "forearm"; }),
+      HasSubstr("taken already: 'forearm'"));
+  EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"].push_back(j["externalAxes"][1]); }),
+              HasSubstr("'externalAxes' must be fewer: robot and axes are 8 at most"));
 }
 
 TEST_F(Files, mistakesAboutTheRodNameFileAndKey) {
@@ -133,6 +154,7 @@ TEST_F(Files, mistakesAboutTheRodNameFileAndKey) {
   EXPECT_THAT(axis("minDeg", 10), HasSubstr("'externalAxes[0]' must have 0"));
   EXPECT_THAT(axis("minDeg", "low"), HasSubstr("'externalAxes[0].minDeg' must be a number"));
   EXPECT_THAT(axis("speed", 1), HasSubstr("'externalAxes[0].speed'"));
+  EXPECT_THAT(axis("axis", {0, 1, 0}), HasSubstr("must turn the rod about its own axis"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"].clear(); }),
               HasSubstr("'externalAxes' must hold one axis"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"][0] = 1; }),

@@ -1,0 +1,281 @@
+#include "motion/axis_schedule.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "base/units.h"
+#include "motion/even_turns.h"
+#include "motion/external_axes.h"
+#include "motion/nozzle_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+
+namespace voluta::motion {
+
+using Eigen::Vector3d;
+using robot::JointVector;
+
+namespace {
+
+constexpr double kStep = base::degreesToRadians(15.0);
+constexpr double kFreeLean = base::degreesToRadians(20.0);
+// Of a rung: a little for any lean, more where it goes beyond what is free.
+constexpr double kLeanScale = base::degreesToRadians(30.0), kAnyLean = 0.001, kMuchLean = 0.2;
+constexpr double kStartTravel = 0.3; // a radian, with the nozzle lifted; while printing it is 1
+constexpr double kBlocked = 20.0;    // of a position in which the arm does not get there
+constexpr int kSearches = 6;
+constexpr int kTurnStride = 2;       // of the turns about the nozzle that are tried
+constexpr double kSmoothing = 200.0; // waves under about 24 waypoints go
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Positions of the axes that are tried: all that have each at a whole step within its limits.
+class Grid {
+public:
+  explicit Grid(const robot::Cell& cell) : cell_(cell) {
+    const Vector3d up =
+        cell.externalAxes().front().before_T_axis.linear().transpose() * Vector3d::UnitZ();
+    for (const robot::ExternalAxis& axis : cell.externalAxes()) {
+      const bool stays = axis.kind == robot::AxisKind::Sliding;
+      // One that runs on needs no more than a turn either way.
+      const double low = axis.runsOn ? -base::kTurn : axis.limits.min;
+      const double high = axis.runsOn ? base::kTurn : axis.limits.max;
+      first_.push_back(stays ? 0 : static_cast<int>(std::ceil(low / kStep - 1e-9)));
+      counts_.push_back(
+          stays ? 1 : static_cast<int>(std::floor(high / kStep + 1e-9)) - first_.back() + 1);
+      strides_.push_back(nodes_);
+      nodes_ *= counts_.back();
+    }
+    for (int n = 0; n < nodes_; ++n)
+      up_.push_back(axesTurn(cell, at(n)).conjugate() * up);
+    addMoves(0, 0, 0.0, {});
+  }
+
+  int size() const { return nodes_; }
+  JointVector at(int node) const {
+    JointVector axes(static_cast<Eigen::Index>(counts_.size()));
+    for (std::size_t k = 0; k < counts_.size(); ++k)
+      axes[static_cast<Eigen::Index>(k)] = kStep * (first_[k] + place(node, k));
+    return axes;
+  }
+  // The work frame's direction that is up there.
+  const Vector3d& upAt(int node) const { return up_[static_cast<std::size_t>(node)]; }
+
+  struct Move {
+    int by = 0; // what it adds to a node's number
+    double cost = 0.0;
+    std::vector<int> steps; // an axis: -1, 0, 1
+  };
+  const std::vector<Move>& moves() const { return moves_; }
+  bool allows(int node, const Move& move) const {
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      const int to = place(node, k) + move.steps[k];
+      if (to < 0 || to >= counts_[k])
+        return false;
+    }
+    return true;
+  }
+
+private:
+  int place(int node, std::size_t axis) const { return node / strides_[axis] % counts_[axis]; }
+  void addMoves(std::size_t axis, int by, double cost, std::vector<int> steps) {
+    if (axis == counts_.size()) {
+      moves_.push_back({by, cost, std::move(steps)});
+      return;
+    }
+    for (const int step : {0, -1, 1}) {
+      steps.push_back(step);
+      addMoves(axis + 1, by + step * strides_[axis], cost + kStep * std::abs(step), steps);
+      steps.pop_back();
+    }
+  }
+
+  const robot::Cell& cell_;
+  std::vector<int> first_, counts_, strides_;
+  int nodes_ = 1;
+  std::vector<Vector3d> up_;
+  std::vector<Move> moves_; // to stay is the first
+};
+
+double leanOf(const Vector3d& direction, const Vector3d& up) {
+  return std::acos(std::clamp(direction.dot(up), -1.0, 1.0));
+}
+
+double leanCost(double lean) {
+  const double all = lean / kLeanScale, much = std::max(0.0, lean - kFreeLean) / kLeanScale;
+  return kAnyLean * all * all + kMuchLean * much * much;
+}
+
+class Schedule {
+public:
+  Schedule(const MotionScene& scene, std::size_t first, std::size_t count, const RobotState& from,
+           const base::RunContext& ctx)
+      : scene_(scene), ctx_(ctx), first_(first), count_(count), from_(from) {
+    rungs_ = {first_};
+    double way = 0.0, turn = 0.0;
+    for (std::size_t i = first_ + 1; i < first_ + count_; ++i) {
+      way += (scene_.plan.position[i] - scene_.plan.position[i - 1]).norm();
+      turn += leanOf(scene_.plan.direction[i], scene_.plan.direction[i - 1]);
+      if (way > scene_.options.rungMm || turn > scene_.options.rungTurnRad ||
+          i + 1 == first_ + count_) {
+        rungs_.push_back(i);
+        way = turn = 0.0;
+      }
+    }
+  }
+
+  std::vector<JointVector> find() {
+    if (stays())
+      return std::vector<JointVector>(count_, from_.axes);
+    const Grid grid(scene_.cell);
+    std::vector<int> way;
+    for (int search = 0; search < kSearches; ++search) {
+      ctx_.checkpoint();
+      way = cheapest(grid);
+      if (!lookAt(grid, way))
+        break;
+    }
+    return along(grid, way);
+  }
+
+private:
+  bool stays() const {
+    const Vector3d up =
+        axesTurn(scene_.cell, from_.axes).conjugate() *
+        (scene_.cell.externalAxes().front().before_T_axis.linear().transpose() * Vector3d::UnitZ());
+    for (const std::size_t w : rungs_)
+      if (leanOf(scene_.plan.direction[w], up) > kFreeLean)
+        return false;
+    std::vector<char> reached(rungs_.size(), 0);
+    base::parallelChunks(ctx_, rungs_.size(), 4, [&](std::size_t b, std::size_t e) {
+      for (std::size_t r = b; r < e; ++r)
+        reached[r] = getsThere(rungs_[r], from_.axes);
+    });
+    return std::find(reached.begin(), reached.end(), 0) == reached.end();
+  }
+
+  bool getsThere(std::size_t waypoint, const JointVector& axes) const {
+    const JointVector near = withAxes(scene_.cell, from_.q, axes);
+    const Eigen::Quaterniond tool = carried(from_.tool, scene_.plan.direction[waypoint]);
+    std::vector<JointVector> solutions;
+    collision::CellCollision::Frames frames;
+    for (int k = 0; k < scene_.options.samples; k += kTurnStride) {
+      scene_.cell.inverse(toolPose(scene_.plan.position[waypoint],
+                                   turned(tool, base::kTurn * k / scene_.options.samples)),
+                          near, solutions);
+      for (const JointVector& q : solutions) {
+        scene_.cell.framePoses(q, frames);
+        if (!scene_.collision.bodies(frames, scene_.options.printing) &&
+            !scene_.collision.bodiesAndPart(frames, scene_.part, waypoint, scene_.options.printing))
+          return true;
+      }
+    }
+    return false;
+  }
+
+  // One node a rung.
+  std::vector<int> cheapest(const Grid& grid) const {
+    const auto nodes = static_cast<std::size_t>(grid.size());
+    std::vector<double> cost(nodes), before(nodes);
+    std::vector<std::vector<std::uint8_t>> came(rungs_.size());
+    for (std::size_t r = 0; r < rungs_.size(); ++r) {
+      const Vector3d& direction = scene_.plan.direction[rungs_[r]];
+      came[r].assign(nodes, 0);
+      for (std::size_t n = 0; n < nodes; ++n) {
+        const int node = static_cast<int>(n);
+        double best = kInfinity;
+        if (r == 0)
+          best = kStartTravel * (grid.at(node) - from_.axes).cwiseAbs().sum();
+        else
+          for (std::size_t m = 0; m < grid.moves().size(); ++m) {
+            // Every move has its opposite among them.
+            const Grid::Move& move = grid.moves()[m];
+            if (!grid.allows(node, move))
+              continue;
+            const double total = before[static_cast<std::size_t>(node + move.by)] + move.cost;
+            if (total < best) {
+              best = total;
+              came[r][n] = static_cast<std::uint8_t>(m);
+            }
+          }
+        cost[n] = best + leanCost(leanOf(direction, grid.upAt(node)));
+        if (const auto known = reached_.find({r, node}); known != reached_.end() && !known->second)
+          cost[n] += kBlocked;
+      }
+      before.swap(cost);
+    }
+    std::vector<int> way(rungs_.size());
+    int node = static_cast<int>(std::min_element(before.begin(), before.end()) - before.begin());
+    for (std::size_t r = rungs_.size(); r-- > 0;) {
+      way[r] = node;
+      node += grid.moves()[came[r][static_cast<std::size_t>(node)]].by;
+    }
+    return way;
+  }
+
+  // Whether the arm gets to what is new on the way. False: nothing new is in its way.
+  bool lookAt(const Grid& grid, const std::vector<int>& way) {
+    std::vector<std::size_t> todo;
+    for (std::size_t r = 0; r < way.size(); ++r)
+      if (!reached_.contains({r, way[r]}))
+        todo.push_back(r);
+    std::vector<char> reached(todo.size(), 0);
+    base::parallelChunks(ctx_, todo.size(), 2, [&](std::size_t b, std::size_t e) {
+      for (std::size_t t = b; t < e; ++t)
+        reached[t] = getsThere(rungs_[todo[t]], grid.at(way[todo[t]]));
+    });
+    bool blocked = false;
+    for (std::size_t t = 0; t < todo.size(); ++t) {
+      reached_[{todo[t], way[todo[t]]}] = reached[t] != 0;
+      blocked = blocked || reached[t] == 0;
+    }
+    return blocked;
+  }
+
+  // Linear in the way between rungs, evened out.
+  std::vector<JointVector> along(const Grid& grid, const std::vector<int>& way) const {
+    std::vector<JointVector> axes{grid.at(way.front())};
+    for (std::size_t r = 1; r < rungs_.size(); ++r) {
+      const JointVector from = grid.at(way[r - 1]), to = grid.at(way[r]);
+      const std::size_t b = rungs_[r - 1], e = rungs_[r];
+      for (std::size_t i = b + 1; i <= e; ++i)
+        axes.push_back(from +
+                       static_cast<double>(i - b) / static_cast<double>(e - b) * (to - from));
+    }
+    for (std::size_t k = 0; k < scene_.cell.externalAxes().size(); ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      std::vector<double> course;
+      for (const JointVector& a : axes)
+        course.push_back(a[axis]);
+      if (std::adjacent_find(course.begin(), course.end(), std::not_equal_to<>()) == course.end())
+        continue;
+      course = evened(course, kSmoothing);
+      const robot::JointLimits& limits = scene_.cell.externalAxes()[k].limits;
+      for (std::size_t i = 0; i < axes.size(); ++i)
+        axes[i][axis] = std::clamp(course[i], limits.min, limits.max);
+    }
+    return axes;
+  }
+
+  const MotionScene& scene_;
+  const base::RunContext& ctx_;
+  std::size_t first_, count_;
+  const RobotState& from_;
+  std::vector<std::size_t> rungs_;                      // waypoints
+  std::map<std::pair<std::size_t, int>, bool> reached_; // rung and node: does the arm get there
+};
+
+} // namespace
+
+std::vector<JointVector> axisSchedule(const MotionScene& scene, std::size_t first,
+                                      std::size_t count, const RobotState& from,
+                                      const base::RunContext& ctx) {
+  base::require(!scene.cell.externalAxes().empty() && !scene.cell.rod() && count > 0,
+                "external axes that carry the platform, and a path");
+  return Schedule(scene, first, count, from, ctx).find();
+}
+
+} // namespace voluta::motion

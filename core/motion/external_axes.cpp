@@ -1,0 +1,143 @@
+#include "motion/external_axes.h"
+
+#include "base/error.h"
+#include "base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::motion {
+
+using Eigen::Vector3d;
+using robot::JointVector;
+
+namespace {
+
+constexpr double kAlongRod = 1e-6; // part of a unit direction across the rod that says nothing
+
+double onStep(const robot::ExternalAxis& axis, double value) {
+  return axis.step > 0.0 ? axis.step * std::round(value / axis.step) : value;
+}
+
+// About x.
+Vector3d turnedAboutX(const Vector3d& v, double angleRad) {
+  const double c = std::cos(angleRad), s = std::sin(angleRad);
+  return {v.x(), c * v.y() - s * v.z(), s * v.y() + c * v.z()};
+}
+
+// What lies behind an axis, in what that one moves.
+const Eigen::Isometry3d& behind(const robot::Cell& cell, std::size_t axis) {
+  return axis + 1 < cell.externalAxes().size() ? cell.externalAxes()[axis + 1].before_T_axis
+                                               : cell.axis_T_work();
+}
+
+// Angle about x, from y to z.
+double angleOf(const Vector3d& v) {
+  return std::atan2(v.z(), v.y());
+}
+
+} // namespace
+
+JointVector axesOf(const robot::Cell& cell, const JointVector& q) {
+  return q.tail(q.size() - cell.armDof());
+}
+
+JointVector armOf(const robot::Cell& cell, const JointVector& q) {
+  return q.head(cell.armDof());
+}
+
+JointVector withAxes(const robot::Cell& cell, JointVector q, const JointVector& axes) {
+  for (Eigen::Index k = 0; k < axes.size(); ++k)
+    q[cell.armDof() + k] = onStep(cell.externalAxes()[static_cast<std::size_t>(k)], axes[k]);
+  return q;
+}
+
+Eigen::Quaterniond axesTurn(const robot::Cell& cell, const JointVector& axes) {
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  for (std::size_t k = 0; k < cell.externalAxes().size(); ++k) {
+    const double half = 0.5 * axes[static_cast<Eigen::Index>(k)];
+    if (cell.externalAxes()[k].kind == robot::AxisKind::Turning)
+      turn = turn * Eigen::Quaterniond(std::cos(half), std::sin(half), 0.0, 0.0);
+    turn = turn * Eigen::Quaterniond(behind(cell, k).linear());
+  }
+  return turn;
+}
+
+Vector3d turnedByAxes(const robot::Cell& cell, const Vector3d& direction, const JointVector& axes) {
+  Vector3d v = direction;
+  for (std::size_t k = cell.externalAxes().size(); k-- > 0;) {
+    v = behind(cell, k).linear() * v;
+    if (cell.externalAxes()[k].kind == robot::AxisKind::Turning)
+      v = turnedAboutX(v, axes[static_cast<Eigen::Index>(k)]);
+  }
+  return v;
+}
+
+Vector3d movedByAxes(const robot::Cell& cell, const Vector3d& point, const JointVector& axes) {
+  Vector3d p = point;
+  for (std::size_t k = cell.externalAxes().size(); k-- > 0;) {
+    p = behind(cell, k) * p;
+    if (cell.externalAxes()[k].kind == robot::AxisKind::Turning)
+      p = turnedAboutX(p, axes[static_cast<Eigen::Index>(k)]);
+    else
+      p.x() += axes[static_cast<Eigen::Index>(k)];
+  }
+  return p;
+}
+
+std::vector<double> uprightAngles(const plan::ToolPlan& plan, const robot::Cell& cell,
+                                  std::size_t first, std::size_t count, double nearRad) {
+  base::require(cell.rod().has_value(), "a rod that turns");
+  const robot::ExternalAxis& axis = cell.externalAxes().front();
+  const double up = angleOf(cell.base_T_fixed().linear().transpose() * Vector3d::UnitZ());
+  std::vector<double> angles(count);
+  double last = nearRad;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3d& d = plan.direction[first + i];
+    if (std::hypot(d.y(), d.z()) > kAlongRod) {
+      const double wanted = up - angleOf(d);
+      last = wanted + base::kTurn * std::round((last - wanted) / base::kTurn);
+    }
+    angles[i] = last;
+  }
+
+  // Half a step more than the limits allow: rounding may go either way.
+  const double low = axis.limits.min + 0.5 * axis.step;
+  const double high = axis.limits.max - 0.5 * axis.step;
+  const auto reach = [&](double offset) {
+    std::size_t n = 0;
+    while (n < count && angles[n] + offset >= low && angles[n] + offset <= high)
+      ++n;
+    return n;
+  };
+  std::size_t best = reach(0.0);
+  double offset = 0.0;
+  if (best < count) {
+    const auto turns = static_cast<int>(std::ceil((high - low) / base::kTurn)) + 1;
+    for (int k = 1; k <= turns && best < count; ++k)
+      for (const double sign : {-1.0, 1.0}) {
+        const std::size_t n = reach(sign * k * base::kTurn);
+        if (n > best) {
+          best = n;
+          offset = sign * k * base::kTurn;
+        }
+      }
+  }
+  angles.resize(best);
+  for (double& a : angles)
+    a += offset;
+  return angles;
+}
+
+JointVector homeAfter(const robot::Cell& cell, const JointVector& q) {
+  JointVector rest = cell.home();
+  for (std::size_t k = 0; k < cell.externalAxes().size(); ++k) {
+    const robot::ExternalAxis& axis = cell.externalAxes()[k];
+    const Eigen::Index at = cell.armDof() + static_cast<Eigen::Index>(k);
+    if (axis.runsOn)
+      rest[at] = onStep(axis, base::kTurn * std::round(q[at] / base::kTurn));
+  }
+  return rest;
+}
+
+} // namespace voluta::motion

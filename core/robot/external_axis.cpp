@@ -1,0 +1,102 @@
+#include "robot/external_axis.h"
+
+#include "base/units.h"
+#include "robot/json_pose.h"
+#include "robot/limits_reader.h"
+#include "robot/shape_reader.h"
+
+namespace voluta::robot {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+namespace {
+
+// A turn that takes x to the unit direction; of a frame's own axes the one that keeps their order.
+Isometry3d xTo(const Vector3d& direction) {
+  constexpr double kSame = 1e-12;
+  Isometry3d turn = Isometry3d::Identity();
+  for (int k = 0; k < 3; ++k)
+    if ((direction - Vector3d::Unit(k)).norm() < kSame) {
+      turn.linear() << Vector3d::Unit(k), Vector3d::Unit((k + 1) % 3), Vector3d::Unit((k + 2) % 3);
+      return turn;
+    }
+  turn.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), direction).toRotationMatrix();
+  return turn;
+}
+
+AxisKind readKind(const base::JsonNode& node) {
+  const std::string kind = node.text();
+  if (kind == "turning")
+    return AxisKind::Turning;
+  if (kind == "sliding")
+    return AxisKind::Sliding;
+  node.fail(base::message("must be turning or sliding, is '{kind}'"_text, kind));
+}
+
+JointLimits readSlide(const base::JsonNode& node) {
+  const JointLimits limits{node.at("minMm").number(), node.at("maxMm").number(),
+                           node.at("velocityMmPerS").positive(),
+                           node.at("accelerationMmPerS2").positive()};
+  if (limits.min >= limits.max)
+    node.fail("has minMm not below maxMm"_text);
+  return limits;
+}
+
+} // namespace
+
+Isometry3d movedBy(const ExternalAxis& axis, double value) {
+  Isometry3d moved = Isometry3d::Identity();
+  if (axis.kind == AxisKind::Turning)
+    moved.linear() = Eigen::AngleAxisd(value, Vector3d::UnitX()).toRotationMatrix();
+  else
+    moved.translation().x() = value;
+  return moved;
+}
+
+AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis* before) {
+  AxisDescription described;
+  ExternalAxis& axis = described.axis;
+  axis.kind = readKind(node.at("kind"));
+  if (axis.kind == AxisKind::Turning)
+    node.allowOnly({"name", "kind", "carries", "pose", "axis", "minDeg", "maxDeg",
+                    "velocityDegPerS", "accelerationDegPerS2", "stepDeg", "end", "bodies"});
+  else
+    node.allowOnly({"name", "kind", "carries", "pose", "axis", "minMm", "maxMm", "velocityMmPerS",
+                    "accelerationMmPerS2", "stepMm", "bodies"});
+  axis.name = node.at("name").text();
+  if (node.has("carries") && node.at("carries").text() != "platform")
+    node.at("carries").fail("must be platform: an axis that carries the robot is not read"_text);
+  if (axis.kind == AxisKind::Turning) {
+    axis.limits = readJointLimits(node);
+    axis.step = base::degreesToRadians(node.at("stepDeg").notNegative());
+    const std::string end = node.at("end").text();
+    if (end != "unwinds" && end != "runsOn")
+      node.at("end").fail(base::message("must be unwinds or runsOn, is '{end}'"_text, end));
+    axis.runsOn = end == "runsOn";
+  } else {
+    axis.limits = readSlide(node);
+    axis.step = node.at("stepMm").notNegative();
+  }
+  if (axis.limits.min > 0.0 || axis.limits.max < 0.0)
+    node.fail("must have 0, where it rests, within its limits"_text);
+
+  const Vector3d direction = readVector3(node.at("axis"));
+  if (direction.norm() < 1e-6)
+    node.at("axis").fail("must have a direction"_text);
+  const Isometry3d turn = xTo(direction.normalized());
+  axis.axis_T_moved = turn.inverse(Eigen::Isometry);
+  axis.before_T_axis = readPose(node.at("pose")) * turn;
+  if (before != nullptr)
+    axis.before_T_axis = before->axis_T_moved * axis.before_T_axis;
+  if (node.has("bodies"))
+    for (const base::JsonNode& body : node.at("bodies").items()) {
+      body.allowOnly({"name", "shapes"});
+      described.bodies.push_back(
+          {body.at("name").text(), BodyRole::Obstacle, 0, readShapes(body.at("shapes"))});
+    }
+  return described;
+}
+
+} // namespace voluta::robot

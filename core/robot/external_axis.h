@@ -1,0 +1,43 @@
+// An axis of a cell beside the robot's own. Those of a cell are a chain: the first stands in the
+// base, each next one on what the one before it moves, and the platform on the last.
+#pragma once
+
+#include "base/json_node.h"
+#include "robot/body.h"
+#include "robot/robot_model.h"
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace voluta::robot {
+
+enum class AxisKind : std::uint8_t { Turning, Sliding };
+
+struct ExternalAxis {
+  std::string name;
+  AxisKind kind = AxisKind::Turning;
+  JointLimits limits;  // of one that slides in mm
+  double step = 0.0;   // it stands at whole multiples of this, rad or mm; 0: anywhere
+  bool runsOn = false; // turns without end: limits.min and max are then those of its counter
+  // Where it lies in the frame of the axis before it, which goes with that one (the first: in the
+  // base), at 0. It turns about its own x, or slides along it.
+  Eigen::Isometry3d before_T_axis = Eigen::Isometry3d::Identity();
+  // The frame in which what it moves is given, in its own: they differ by a turn.
+  Eigen::Isometry3d axis_T_moved = Eigen::Isometry3d::Identity();
+};
+
+// Where it moves its frame to from where it is at 0: `value` rad or mm.
+Eigen::Isometry3d movedBy(const ExternalAxis& axis, double value);
+
+// A cell's external axis as its file has it; `bodies` is what it carries by itself.
+struct AxisDescription {
+  ExternalAxis axis;
+  std::vector<Body> bodies; // their frames are the cell's to fill in
+};
+// The keys are described in robot/cell_reader.cpp. `before`: the axis before it, nullptr: none.
+// Throws Error{UnusableInput}.
+AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis* before);
+
+} // namespace voluta::robot

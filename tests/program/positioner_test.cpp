@@ -1,0 +1,67 @@
+// A plate that two axes tilt and turn, in every language that can say where they are.
+#include "program_defects.h"
+#include "program_fixture.h"
+#include "read_programs.h"
+
+#include "base/units.h"
+#include "program/dialect.h"
+
+namespace voluta::program {
+namespace {
+
+class Positioner : public test::ReadPrograms {};
+
+TEST_F(Positioner, isReadBackWhereItWas) {
+  usePositioner();
+  appendRandomOnPositioner(3, 200);
+  for (const char* format : {"rapid", "krl", "csv", "gcode-extended"}) {
+    const plan::Program written = writeProgram(format, input());
+    plan::ReadProgram back = readProgram(format, written.files, process_);
+    EXPECT_TRUE(back.complete) << format;
+    for (const auto& d : back.defects)
+      ADD_FAILURE() << format << ":" << d.line << ": " << base::english(d.reason);
+    dropPieces(back);
+    ASSERT_EQ(back.motions.size(), trajectory_.pointCount()) << format;
+    for (std::size_t i = 0; i < back.motions.size(); ++i) {
+      expectTarget(back, i);
+      const plan::ProgramMotion& m = back.motions[i];
+      const robot::JointVector q = jointsAt(i);
+      if (m.target == plan::TargetKind::Joints) {
+        ASSERT_EQ(m.joints.size(), 8u) << format;
+        EXPECT_LE((Eigen::Map<const Eigen::VectorXd>(m.joints.data(), 8) - q).norm(),
+                  2e-6); // degrees with four decimals
+      } else if (m.target != plan::TargetKind::ToolPoint) {
+        ASSERT_EQ(m.target, plan::TargetKind::UnitPose) << format;
+        ASSERT_EQ(m.externals.size(), 2u) << format;
+        EXPECT_NEAR(m.externals[0], q[6], 1e-6);
+        EXPECT_NEAR(m.externals[1], q[7], 1e-6);
+      }
+    }
+  }
+}
+
+// The plate's own frame is the unit's: z is the last axis, nothing lies between.
+TEST_F(Positioner, isOneMechanicalUnitInRapid) {
+  usePositioner();
+  appendRandomOnPositioner(3, 60);
+  const std::string text = writeProgram("rapid", input()).files[0].text;
+  EXPECT_NE(text.find("ActUnit STN1;"), std::string::npos);
+  EXPECT_NE(text.find("PERS wobjdata wTable:=[FALSE,FALSE,\"STN1\",[[0,0,0],[1,0,0,0]],"
+                      "[[0,0,0],[1,0,0,0]]];"),
+            std::string::npos)
+      << text.substr(0, 3000);
+  EXPECT_NE(text.find("tilt is eax_a, turn is eax_b"), std::string::npos);
+  EXPECT_NE(text.find("[[500,0,120],[1,0,0,0]]"), std::string::npos) << "where it is at 0";
+}
+
+TEST_F(Positioner, isNotSaidWhereNoAxisCanBe) {
+  usePositioner();
+  appendRandomOnPositioner(3, 60);
+  for (const Dialect& d : dialects())
+    if (!d.turnsRods) {
+      EXPECT_THROW(writeProgram(d.id, input()), base::Error) << d.id;
+    }
+}
+
+} // namespace
+} // namespace voluta::program
