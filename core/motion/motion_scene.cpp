@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 using robot::JointVector;
 
 namespace {
-constexpr double kLeverMm = 100.0; // of an arm's joint: a small one, to be careful
+constexpr double kLeverMm = robot::kSlideMmPerRad; // of an arm's joint: a small one, to be careful
 } // namespace
 
 double MotionScene::bend(const Vector3d& from, const Vector3d& to, double angle) const {
@@ -31,7 +31,7 @@ int MotionScene::divisions(const Vector3d& from, const Vector3d& to, double angl
 }
 
 double MotionScene::span(const JointVector& a, const JointVector& b) const {
-  const double arm = (b - a).head(cell.armDof()).cwiseAbs().maxCoeff();
+  const double arm = robot::largestTurn(b - a, cell.robot().limits);
   const double rod = std::abs(rodAngle(cell, b) - rodAngle(cell, a));
   return std::max(arm, rod * partRadiusMm / kLeverMm);
 }
@@ -43,7 +43,7 @@ bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& 
   double best = maxStep;
   bool found = false;
   for (const JointVector& s : scratch) {
-    const double step = (s - near).cwiseAbs().maxCoeff();
+    const double step = robot::largestTurn(s - near, cell.robot().limits);
     if (step <= best) {
       best = step;
       q = s;

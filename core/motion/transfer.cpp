@@ -168,7 +168,7 @@ void TransferPlanner::appendJointWay(const std::vector<JointVector>& way, const 
                                      Points& points) const {
   for (std::size_t i = 1; i < way.size(); ++i) {
     const JointVector step = way[i] - way[i - 1];
-    const double arm = armOf(scene_.cell, step).cwiseAbs().maxCoeff();
+    const double arm = robot::largestTurn(step, scene_.cell.robot().limits);
     const double rod = std::abs(rodAngle(scene_.cell, step));
     const int pieces =
         std::max(1, static_cast<int>(std::ceil(std::max(arm / kJointPiece, rod / kRodPiece))));

@@ -145,7 +145,8 @@ private:
                                                             : model_.jointAccelerationRadPerS2;
     double turn = 0.0;
     for (int k = 0; k < path_.dof; ++k)
-      turn = std::max(turn, std::abs(path_.jointsAt(m)[k] - path_.jointsAt(m - 1)[k]));
+      turn = std::max(turn,
+                      std::abs(path_.turnOf(k, path_.jointsAt(m)[k] - path_.jointsAt(m - 1)[k])));
     const double seconds = path_.durationS[m];
     if (a <= 0.0 || seconds <= 0.0 || turn < kLeastMm)
       return seconds;
