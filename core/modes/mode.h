@@ -56,8 +56,9 @@ struct Mode {
   project::ResultKind result; // of `decompose`
   // Keys of those of modeParameters() that have a say in it; takesParameter() knows the others.
   std::vector<std::string> parameters;
-  bool grows = false; // by the scheme that is chosen
-  bool cuts = false;  // the part into pieces
+  bool grows = false;   // by the scheme that is chosen
+  bool cuts = false;    // the part into pieces
+  bool upright = false; // are its layers level, the nozzle upright over all of them
   // What it takes a platform as, the usual way first.
   std::vector<project::PlatformUse> platforms = {project::PlatformUse::Plate};
   bool aroundRod = false; // does it need a cell with a rod

@@ -261,13 +261,15 @@ Mode planarMode() {
 }
 
 Mode flatMode() {
-  return {"flat",
-          "Flat layers"_text,
-          {flatPlan, decomposeFlat},
-          {flatSlicePlan, sliced},
-          project::ResultKind::InPieces,
-          {"voxelMm", "overhangAngle", "pieceMaterials", "adaptiveLayers", "cuspMm", "layerPlanes",
-           "supports"}};
+  Mode mode = {"flat",
+               "Flat layers"_text,
+               {flatPlan, decomposeFlat},
+               {flatSlicePlan, sliced},
+               project::ResultKind::InPieces,
+               {"voxelMm", "overhangAngle", "pieceMaterials", "adaptiveLayers", "cuspMm",
+                "layerPlanes", "supports"}};
+  mode.upright = true;
+  return mode;
 }
 
 base::ParameterTable planarModeParameters() {

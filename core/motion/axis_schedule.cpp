@@ -39,7 +39,7 @@ public:
     const Vector3d up =
         cell.externalAxes().front().before_T_axis.linear().transpose() * Vector3d::UnitZ();
     for (const robot::ExternalAxis& axis : cell.externalAxes()) {
-      const bool stays = axis.kind == robot::AxisKind::Sliding;
+      const bool stays = axis.limits.kind == robot::JointKind::Sliding;
       // One that runs on needs no more than a turn either way.
       const double low = axis.runsOn ? -base::kTurn : axis.limits.min;
       const double high = axis.runsOn ? base::kTurn : axis.limits.max;

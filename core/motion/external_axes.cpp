@@ -56,7 +56,7 @@ Eigen::Quaterniond axesTurn(const robot::Cell& cell, const JointVector& axes) {
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
   for (std::size_t k = 0; k < cell.externalAxes().size(); ++k) {
     const double half = 0.5 * axes[static_cast<Eigen::Index>(k)];
-    if (cell.externalAxes()[k].kind == robot::AxisKind::Turning)
+    if (cell.externalAxes()[k].limits.kind == robot::JointKind::Turning)
       turn = turn * Eigen::Quaterniond(std::cos(half), std::sin(half), 0.0, 0.0);
     turn = turn * Eigen::Quaterniond(behind(cell, k).linear());
   }
@@ -67,7 +67,7 @@ Vector3d turnedByAxes(const robot::Cell& cell, const Vector3d& direction, const 
   Vector3d v = direction;
   for (std::size_t k = cell.externalAxes().size(); k-- > 0;) {
     v = behind(cell, k).linear() * v;
-    if (cell.externalAxes()[k].kind == robot::AxisKind::Turning)
+    if (cell.externalAxes()[k].limits.kind == robot::JointKind::Turning)
       v = turnedAboutX(v, axes[static_cast<Eigen::Index>(k)]);
   }
   return v;
@@ -77,7 +77,7 @@ Vector3d movedByAxes(const robot::Cell& cell, const Vector3d& point, const Joint
   Vector3d p = point;
   for (std::size_t k = cell.externalAxes().size(); k-- > 0;) {
     p = behind(cell, k) * p;
-    if (cell.externalAxes()[k].kind == robot::AxisKind::Turning)
+    if (cell.externalAxes()[k].limits.kind == robot::JointKind::Turning)
       p = turnedAboutX(p, axes[static_cast<Eigen::Index>(k)]);
     else
       p.x() += axes[static_cast<Eigen::Index>(k)];

@@ -13,6 +13,12 @@ namespace {
 constexpr std::size_t kChunk = 256;
 constexpr double kSlackMm = 1e-6;
 
+// Off the one direction of a cell that has no other.
+bool leans(const Eigen::Vector3d& direction) {
+  return std::hypot(direction.x(), direction.y()) > robot::kUprightFlangeRad ||
+         direction.z() <= 0.0;
+}
+
 bool beyondRod(const robot::CellRod& rod, const Eigen::Vector3d& tip) {
   return tip.tail<2>().norm() > rod.printableRadiusMm + kSlackMm ||
          std::abs(tip.x()) > 0.5 * rod.lengthMm + kSlackMm;
@@ -49,6 +55,10 @@ std::vector<Refusal> headRefusals(const MotionScene& scene, const std::vector<st
     for (std::size_t i = b; i < e; ++i) {
       if (scene.cell.rod() && beyondRod(*scene.cell.rod(), plan.position[i])) {
         refusals[i] = Refusal::BeyondRod;
+        continue;
+      }
+      if (!scene.cell.tilts() && leans(plan.direction[i])) {
+        refusals[i] = Refusal::Leans;
         continue;
       }
       const Eigen::Isometry3d pose =

@@ -18,7 +18,8 @@ namespace voluta::motion {
 std::vector<std::size_t> headBefore(const plan::ToolPlan& plan);
 
 // Where the head would meet the platform, or the part filled before `headBefore` (one a waypoint):
-// for each waypoint None, HeadPart or HeadPlatform; BeyondRod where the cell does not print at all.
+// for each waypoint None, HeadPart or HeadPlatform; BeyondRod where the cell does not print at all,
+// Leans where its arm cannot lean the nozzle so.
 // Throws Cancelled.
 std::vector<Refusal> headRefusals(const MotionScene& scene,
                                   const std::vector<std::size_t>& headBefore,

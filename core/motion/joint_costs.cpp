@@ -28,11 +28,14 @@ double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& li
   return cost;
 }
 
-double startCost(const JointVector& from, const JointVector& to) {
+double startCost(const JointVector& from, const JointVector& to,
+                 const std::vector<robot::JointLimits>& limits) {
   double cost = 0.0, largest = 0.0;
-  for (Eigen::Index j = 0; j < from.size(); ++j) {
-    const double turns = std::round((to[j] - from[j]) / base::kTurn);
-    const double rest = std::abs(to[j] - from[j] - base::kTurn * turns);
+  const JointVector step = robot::asTurns(to - from, limits);
+  for (Eigen::Index j = 0; j < step.size(); ++j) {
+    const bool slides = limits[static_cast<std::size_t>(j)].kind == robot::JointKind::Sliding;
+    const double turns = slides ? 0.0 : std::round(step[j] / base::kTurn);
+    const double rest = std::abs(step[j] - base::kTurn * turns);
     cost += rest + kTurnCost * std::abs(turns);
     largest = std::max(largest, rest);
   }

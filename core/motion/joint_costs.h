@@ -13,6 +13,8 @@ double limitCost(const robot::JointVector& q, const std::vector<robot::JointLimi
 
 // Of the arm's going from one path's end to the next one's start: turning a joint back by whole
 // turns is done quickly with the nozzle lifted, another branch is a long way through the cell.
-double startCost(const robot::JointVector& from, const robot::JointVector& to);
+// `limits`: of the arm, which `from` and `to` may be longer than.
+double startCost(const robot::JointVector& from, const robot::JointVector& to,
+                 const std::vector<robot::JointLimits>& limits);
 
 } // namespace voluta::motion

@@ -26,13 +26,15 @@ double step(const robot::JointVector& from, const robot::JointVector& to,
   double sum = 0.0;
   const auto count = static_cast<Eigen::Index>(limits.size());
   for (Eigen::Index j = 0; j < count; ++j) {
-    double d = to[j] - from[j];
+    const auto& limit = limits[static_cast<std::size_t>(j)];
+    double d = robot::asTurn(limit.kind, to[j] - from[j]);
     if (std::abs(d) > maxStep) {
+      if (limit.kind == robot::JointKind::Sliding)
+        return kInfinity;
       d -= base::kTurn * rounded(d / base::kTurn);
       if (std::abs(d) > maxStep)
         return kInfinity;
       const double q = from[j] + d;
-      const auto& limit = limits[static_cast<std::size_t>(j)];
       if (q < limit.min || q > limit.max)
         return kInfinity;
     }
@@ -44,10 +46,11 @@ double step(const robot::JointVector& from, const robot::JointVector& to,
 }
 
 robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVector to,
-                                std::size_t count, double maxStep) {
-  for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(count); ++j) {
+                                const std::vector<robot::JointLimits>& limits, double maxStep) {
+  for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(limits.size()); ++j) {
     const double d = to[j] - from[j];
-    if (std::abs(d) > maxStep)
+    const bool turns = limits[static_cast<std::size_t>(j)].kind == robot::JointKind::Turning;
+    if (turns && std::abs(d) > maxStep)
       to[j] = from[j] + d - base::kTurn * rounded(d / base::kTurn);
   }
   return to;
@@ -103,8 +106,8 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
           }
         }
         if (parent[r][n] >= 0)
-          here[n] = nearestTurns(before[static_cast<std::size_t>(parent[r][n])], rung[n].q,
-                                 limits.size(), options.maxStepRad[r]);
+          here[n] = nearestTurns(before[static_cast<std::size_t>(parent[r][n])], rung[n].q, limits,
+                                 options.maxStepRad[r]);
       }
       any = any || cost[r][n] < kInfinity;
     }
@@ -133,7 +136,7 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
   }
   for (std::size_t r = 0; r < way.reached; ++r) {
     const robot::JointVector& q = rungs[r][static_cast<std::size_t>(way.node[r])].q;
-    way.q[r] = r == 0 ? q : nearestTurns(way.q[r - 1], q, limits.size(), options.maxStepRad[r]);
+    way.q[r] = r == 0 ? q : nearestTurns(way.q[r - 1], q, limits, options.maxStepRad[r]);
   }
   return way;
 }

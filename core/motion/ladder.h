@@ -32,7 +32,8 @@ struct LadderWay {
 };
 
 // Dijkstra on a layered graph is a sweep over its layers: the least sum of L1 joint steps from the
-// first rung to the last, starting costs (one a node of the first rung) and node costs included.
+// first rung to the last, starting costs (one a node of the first rung) and node costs included;
+// sliding joints count as robot::asTurn has them.
 // Joints are taken by whole turns nearest to the predecessor's, as long as limits allow it. Where
 // no node of a rung can be reached the way ends before it, at the cheapest node. Ties go to the
 // node at the nearest sample.

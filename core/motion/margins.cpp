@@ -32,13 +32,15 @@ double reachOf(const robot::RobotModel& robot) {
 }
 
 double isotropyAt(const robot::RobotModel& robot, const JointVector& q, double reachMm) {
-  constexpr double kStep = 1e-5; // rad, of the central differences
+  constexpr double kStep = 1e-5; // rad, or of the reach, of the central differences
   const int dof = robot.dof();
   Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 8> jacobian(6, dof);
   for (int j = 0; j < dof; ++j) {
     JointVector less = q.head(dof), more = less;
-    less[j] -= kStep;
-    more[j] += kStep;
+    const bool slides = robot.kinematics->kindOf(j) == robot::JointKind::Sliding;
+    const double step = slides ? kStep * reachMm : kStep;
+    less[j] -= step;
+    more[j] += step;
     const Eigen::Isometry3d a = robot.kinematics->flange(less), b = robot.kinematics->flange(more);
     jacobian.col(j).head<3>() = (b.translation() - a.translation()) / (2.0 * kStep * reachMm);
     const Eigen::AngleAxisd turn(b.linear() * a.linear().transpose());

@@ -15,7 +15,7 @@ namespace voluta::motion {
 
 // A joint where it comes nearest to one of its limits.
 struct LimitMargin {
-  double rad = 0.0; // to the nearer limit; mm of a sliding axis
+  double rad = 0.0; // to the nearer limit; mm of a sliding joint
   std::size_t point = 0;
 };
 

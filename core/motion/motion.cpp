@@ -209,9 +209,9 @@ private:
         if (i < runs) {
           const auto points = timedPoints(cell_, sequence.runs[i].points);
           runTimes[i] = timesOf(points, limits);
-          jerks[i] = jerkOf(points, runTimes[i]);
+          jerks[i] = jerkOf(points, runTimes[i], limits.joints);
           const auto before = timedPoints(cell_, sequence.runs[i].ladder);
-          jerksBefore[i] = jerkOf(before, timesOf(before, limits));
+          jerksBefore[i] = jerkOf(before, timesOf(before, limits), limits.joints);
         }
         if (i < ways) {
           const RobotState& from = i == 0 ? home_ : sequence.runs[i - 1].points.back().at;
@@ -290,7 +290,7 @@ private:
     refused.insert(refused.end(), refusedAgain_.begin(), refusedAgain_.end());
     for (const Refused& r : refused)
       if (r.why == Refusal::Unreachable || r.why == Refusal::NoConnection ||
-          r.why == Refusal::BeyondRod)
+          r.why == Refusal::BeyondRod || r.why == Refusal::Leans)
         ++s.unreachable;
       else
         ++s.collisions;

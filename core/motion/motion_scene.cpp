@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 using robot::JointVector;
 
 namespace {
-constexpr double kLeverMm = 100.0; // of an arm's joint: a small one, to be careful
+constexpr double kLeverMm = robot::kSlideMmPerRad; // of an arm's joint: a small one, to be careful
 } // namespace
 
 double MotionScene::bend(const Vector3d& from, const Vector3d& to, double angle) const {
@@ -31,7 +31,7 @@ int MotionScene::divisions(const Vector3d& from, const Vector3d& to, double angl
 }
 
 double MotionScene::span(const JointVector& a, const JointVector& b) const {
-  const double arm = (b - a).head(cell.armDof()).cwiseAbs().maxCoeff();
+  const double arm = robot::largestTurn(b - a, cell.robot().limits);
   double axes = 0.0;
   for (std::size_t k = 0; k < leversMm.size(); ++k) {
     const Eigen::Index j = cell.armDof() + static_cast<Eigen::Index>(k);
@@ -47,7 +47,7 @@ bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& 
   double best = maxStep;
   bool found = false;
   for (const JointVector& s : scratch) {
-    const double step = (s - near).cwiseAbs().maxCoeff();
+    const double step = robot::largestTurn(s - near, cell.robot().limits);
     if (step <= best) {
       best = step;
       q = s;
@@ -84,7 +84,7 @@ std::vector<double> leversOf(const plan::ToolPlan& plan, const robot::Cell& cell
   for (std::size_t k = count; k-- > 0;) {
     const robot::ExternalAxis& axis = cell.externalAxes()[k];
     reach = std::max(reach, bodiesReach(cell.axisFrame(k)));
-    if (axis.kind == robot::AxisKind::Turning)
+    if (axis.limits.kind == robot::JointKind::Turning)
       levers[k] = reach;
     else
       reach += std::max(std::abs(axis.limits.min), std::abs(axis.limits.max));

@@ -31,14 +31,16 @@ struct MotionScene {
   // Into how many steps such a move is to be divided.
   int divisions(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
 
-  // How far joints are apart for whoever looks between them, rad: the largest step of the arm's, or
-  // what external axes take the part, where that is further than a joint would at an arm's lever.
+  // How far joints are apart for whoever looks between them, rad: the largest step of the arm's
+  // (sliding ones by robot::asTurn), or what external axes take the part, where that is further
+  // than a joint would at an arm's lever.
   double span(const robot::JointVector& a, const robot::JointVector& b) const;
   std::vector<double> leversMm = {}; // of the external axes: leversOf
 };
 
-// The joints that bring the nozzle there, nearest to `near` (largest joint step); false when there
-// are none within maxStep. `scratch` is memory for the call.
+// The joints that bring the nozzle there, nearest to `near` (largest step of the arm's, rad,
+// sliding ones by robot::asTurn); false when there are none within maxStep. `scratch` is memory for
+// the call.
 bool solveNear(const robot::Cell& cell, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
                const robot::JointVector& near, double maxStep,
                std::vector<robot::JointVector>& scratch, robot::JointVector& q);

@@ -86,7 +86,8 @@ Vector3d PathLadder::directionAt(std::size_t waypoint) const {
 }
 
 bool PathLadder::canStandAside() const {
-  return !axes_.empty() && scene_.cell.externalAxes().back().kind == robot::AxisKind::Turning;
+  return !axes_.empty() &&
+         scene_.cell.externalAxes().back().limits.kind == robot::JointKind::Turning;
 }
 
 std::vector<std::size_t> PathLadder::rungWaypoints(std::size_t count) const {
@@ -299,15 +300,17 @@ LadderWay PathLadder::bestWay() {
   const auto search = [&] {
     std::vector<double> startCosts;
     for (const LadderNode& node : rungs_.front())
-      startCosts.push_back(startCost(armOf(scene_.cell, from_.q), armOf(scene_.cell, node.q)));
+      startCosts.push_back(startCost(from_.q, node.q, scene_.cell.robot().limits));
     return shortestWay(rungs_, startCosts, scene_.cell.robot().limits, options_);
   };
   const auto beginNear = [&](const JointVector& near) {
     bool changed = false;
     for (LadderNode& node : rungs_.front())
       for (Eigen::Index j = 0; j < scene_.cell.armDof(); ++j) {
-        const double turns = std::round((near[j] - node.q[j]) / base::kTurn);
         const auto& limit = scene_.cell.limits()[static_cast<std::size_t>(j)];
+        if (limit.kind == robot::JointKind::Sliding)
+          continue;
+        const double turns = std::round((near[j] - node.q[j]) / base::kTurn);
         const double q = node.q[j] + base::kTurn * turns;
         if (turns != 0.0 && q >= limit.min && q <= limit.max) {
           node.q[j] = q;

@@ -13,6 +13,7 @@ enum class Refusal : std::uint8_t {
   None,
   Unreachable, // no joints within limits, whatever the turn about the nozzle
   Collision,   // every way to be there meets something: `contact` is the commonest
+  Leans,       // out of upright, which is all that the cell's arm can do
   HeadPart,    // the head would be in the part, whatever the arm does
   HeadPlatform,
   BeyondRod,   // further out, or further along, than the cell prints around its rod

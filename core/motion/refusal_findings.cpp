@@ -24,6 +24,8 @@ Kinds kindsOf(Refusal why) {
     return {Unconnected, MoreUnconnected};
   case Refusal::CloserLook:
     return {MeetsOnCloserLook, MoreMeetOnCloserLook};
+  case Refusal::Leans:
+    return {StaysUpright, StaysUpright};
   case Refusal::BeyondRod:
     return {BeyondRod, MoreBeyondRod};
   case Refusal::HeadPart:
@@ -67,7 +69,7 @@ plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene
                     refused[e].why == r.why && refused[e].contact.first == r.contact.first &&
                     refused[e].contact.second == r.contact.second;)
       ++e;
-    const bool own = findings.size() < kMostFindings;
+    const bool own = r.why != Refusal::Leans && findings.size() < kMostFindings;
     plan::Finding finding =
         plan::makeFinding(own ? kindsOf(r.why).one : kindsOf(r.why).more, valuesOf(r, scene),
                           scene.plan.position[r.waypoint], e - b);

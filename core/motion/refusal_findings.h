@@ -11,7 +11,8 @@
 namespace voluta::motion {
 
 // One finding for each row of neighbouring waypoints refused for the same reason; from the 100th
-// on, one for all of a reason. `whenS(waypoint)`: when the program is there.
+// on, one for all of a reason, and always one for all that lean. `whenS(waypoint)`: when the
+// program is there.
 plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene& scene,
                           const std::function<double(std::size_t)>& whenS);
 

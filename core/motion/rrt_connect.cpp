@@ -25,10 +25,13 @@ namespace {
 
 using Space = ob::RealVectorStateSpace;
 
-JointVector jointsOf(const ob::State* state, unsigned dof) {
-  JointVector q(dof);
-  for (unsigned j = 0; j < dof; ++j)
-    q[j] = (*state->as<Space::StateType>())[j];
+using Kinds = std::vector<robot::JointKind>;
+
+// States hold turns, sliding joints by what they count as.
+JointVector jointsOf(const ob::State* state, const Kinds& kinds) {
+  JointVector q(static_cast<Eigen::Index>(kinds.size()));
+  for (unsigned j = 0; j < kinds.size(); ++j)
+    q[j] = robot::fromTurn(kinds[j], (*state->as<Space::StateType>())[j]);
   return q;
 }
 
@@ -68,11 +71,11 @@ private:
 class SegmentValidator final : public ob::MotionValidator {
 public:
   using Free = std::function<bool(const JointVector&, const JointVector&)>;
-  SegmentValidator(const ob::SpaceInformationPtr& si, unsigned dof, Free segmentFree)
-      : MotionValidator(si), dof_(dof), free_(std::move(segmentFree)) {}
+  SegmentValidator(const ob::SpaceInformationPtr& si, Kinds kinds, Free segmentFree)
+      : MotionValidator(si), kinds_(std::move(kinds)), free_(std::move(segmentFree)) {}
 
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    return free_(jointsOf(a, dof_), jointsOf(b, dof_));
+    return free_(jointsOf(a, kinds_), jointsOf(b, kinds_));
   }
   bool checkMotion(const ob::State* a, const ob::State* b,
                    std::pair<ob::State*, double>& lastValid) const override {
@@ -85,7 +88,7 @@ public:
   }
 
 private:
-  unsigned dof_;
+  Kinds kinds_;
   Free free_;
 };
 
@@ -115,9 +118,12 @@ treeWay(const JointVector& from, const JointVector& to,
   const auto dof = static_cast<unsigned>(from.size());
   auto space = std::make_shared<Space>(dof);
   ob::RealVectorBounds bounds(dof);
+  const Kinds kinds = robot::kindsOf(limits);
   for (unsigned j = 0; j < dof; ++j) {
-    bounds.low[j] = std::max(limits[j].min, std::min(from[j], to[j]) - base::kPi);
-    bounds.high[j] = std::min(limits[j].max, std::max(from[j], to[j]) + base::kPi);
+    const auto turn = [&](double value) { return robot::asTurn(limits[j].kind, value); };
+    bounds.low[j] = std::max(turn(limits[j].min), std::min(turn(from[j]), turn(to[j])) - base::kPi);
+    bounds.high[j] =
+        std::min(turn(limits[j].max), std::max(turn(from[j]), turn(to[j])) + base::kPi);
   }
   space->setBounds(bounds);
   space->setStateSamplerAllocator([&options](const ob::StateSpace* s) {
@@ -125,9 +131,9 @@ treeWay(const JointVector& from, const JointVector& to,
   });
   auto info = std::make_shared<ob::SpaceInformation>(space);
   info->setStateValidityChecker(
-      [&](const ob::State* s) { return !ctx.cancelled() && free(jointsOf(s, dof)); });
+      [&](const ob::State* s) { return !ctx.cancelled() && free(jointsOf(s, kinds)); });
   info->setMotionValidator(std::make_shared<SegmentValidator>(
-      info, dof, [&](const JointVector& a, const JointVector& b) {
+      info, kinds, [&](const JointVector& a, const JointVector& b) {
         return !ctx.cancelled() && segmentFree(a, b);
       }));
   info->setup();
@@ -135,8 +141,8 @@ treeWay(const JointVector& from, const JointVector& to,
   auto problem = std::make_shared<ob::ProblemDefinition>(info);
   ob::ScopedState<Space> start(space), goal(space);
   for (unsigned j = 0; j < dof; ++j) {
-    start[j] = from[j];
-    goal[j] = to[j];
+    start[j] = robot::asTurn(kinds[j], from[j]);
+    goal[j] = robot::asTurn(kinds[j], to[j]);
   }
   problem->setStartAndGoalStates(start, goal);
   og::RRTConnect planner(info);
@@ -156,7 +162,7 @@ treeWay(const JointVector& from, const JointVector& to,
   const auto& path = *problem->getSolutionPath()->as<og::PathGeometric>();
   std::vector<JointVector> way;
   for (std::size_t i = 0; i < path.getStateCount(); ++i)
-    way.push_back(jointsOf(path.getState(static_cast<unsigned>(i)), dof));
+    way.push_back(jointsOf(path.getState(static_cast<unsigned>(i)), kinds));
   way.front() = from;
   way.back() = to;
   shorten(way, segmentFree, options.shortcuts, options.seed, ctx);

@@ -15,7 +15,7 @@ namespace voluta::motion {
 
 struct TreeOptions {
   int iterations = 4000; // growth steps, then it gives up; never a time
-  double rangeRad = 0.5; // longest step of the trees
+  double rangeRad = 0.5; // longest step of the trees, sliding joints by robot::asTurn
   std::uint64_t seed = 1;
   int shortcuts = 60; // tries to straighten the way found
 };

@@ -52,7 +52,8 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
     const TimedPoint &from = points[i], &to = points[i + 1];
     const double way = (to.tip - from.tip).norm();
     robot::JointVector dq = (to.q - from.q).cwiseAbs();
-    s.length[i] = std::max(1e-6, std::hypot(way, kMmPerRad * dq.head(arm).maxCoeff()));
+    const auto armTurn = [&] { return robot::asTurns(dq, limits.joints).head(arm).maxCoeff(); };
+    s.length[i] = std::max(1e-6, std::hypot(way, kMmPerRad * armTurn()));
     if (to.most.size() > 0)
       dq = dq.cwiseMax(to.most);
     double least = kLeastSeconds; // seconds
@@ -64,7 +65,7 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
     if (!to.jointMove && to.speedMmPerS > 0.0)
       least = std::max(least, way / to.speedMmPerS);
     s.cap[i] = s.length[i] / least;
-    const double turn = dq.head(arm).maxCoeff();
+    const double turn = armTurn();
     if (to.jointMove && limits.travelRadPerS2 > 0.0 && turn > 0.0)
       s.ramp[i] = std::min(s.ramp[i], limits.travelRadPerS2 * s.length[i] / turn);
     // A rod turns with the way, so that its acceleration is the way's.
@@ -181,7 +182,8 @@ std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingL
   return times;
 }
 
-JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times) {
+JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times,
+                   const std::vector<robot::JointLimits>& limits) {
   JerkMeasure measure;
   if (points.empty())
     return measure;
@@ -205,7 +207,9 @@ JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<doub
         const double jerk = (newAcceleration - acceleration) / (newAt - at);
         measure.maxAbs[static_cast<std::size_t>(j)] =
             std::max(measure.maxAbs[static_cast<std::size_t>(j)], std::abs(jerk));
-        measure.sumSquared += jerk * jerk;
+        const auto joint = static_cast<std::size_t>(j);
+        const double turn = joint < limits.size() ? robot::asTurn(limits[joint].kind, jerk) : jerk;
+        measure.sumSquared += turn * turn;
       }
       velocity = newVelocity;
       acceleration = newAcceleration;

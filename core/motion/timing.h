@@ -15,7 +15,7 @@ struct TimingLimits {
   double accelerationMmPerS2 = 500.0;
   double cornerMm = 0.05;     // how far a corner may be cut, for the speed through it
   double jointFraction = 0.9; // of velocity and acceleration limits that is used
-  // Of the arm's joints in joint moves, rad/s2; 0: as in all others.
+  // Of the arm's joints in joint moves, rad/s2, sliding ones by robot::asTurn; 0: as in all others.
   double travelRadPerS2 = 0.0;
   int arm = 0; // the first so many joints are the arm's, those behind them a rod's; 0: all are
 };
@@ -44,9 +44,11 @@ std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingL
 
 // Jerk of the joints over a stretch from rest to rest: third differences of the joints over time.
 struct JerkMeasure {
-  std::vector<double> maxAbs; // a joint, rad/s3
-  double sumSquared = 0.0;    // over all points and joints, (rad/s3)2
+  std::vector<double> maxAbs; // a joint, rad/s3; mm/s3 of a sliding one
+  double sumSquared = 0.0;    // over all points and joints, (rad/s3)2; sliding ones by asTurn()
 };
-JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times);
+// Joints without limits here turn.
+JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times,
+                   const std::vector<robot::JointLimits>& limits = {});
 
 } // namespace voluta::motion

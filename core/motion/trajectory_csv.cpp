@@ -8,19 +8,24 @@
 
 namespace voluta::motion {
 
-std::string trajectoryCsv(const plan::Trajectory& trajectory, double filamentDiameterMm) {
+std::string trajectoryCsv(const plan::Trajectory& trajectory,
+                          const std::vector<robot::JointKind>& kinds, double filamentDiameterMm) {
   base::require(filamentDiameterMm > 0.0, "filament diameter > 0");
   const double section = 0.25 * base::kPi * filamentDiameterMm * filamentDiameterMm;
   std::string text = "timeS";
   auto out = std::back_inserter(text);
   text.reserve(trajectory.pointCount() * 100);
+  const auto kindOf = [&](int joint) {
+    const auto j = static_cast<std::size_t>(joint);
+    return j < kinds.size() ? kinds[j] : robot::JointKind::Turning;
+  };
   for (int j = 0; j < trajectory.dof; ++j)
-    fmt::format_to(out, ",q{}Deg", j + 1);
+    fmt::format_to(out, ",q{}{}", j + 1, kindOf(j) == robot::JointKind::Sliding ? "Mm" : "Deg");
   text += ",extrudedMm3,extrudedMm,waypoint,move\n";
   for (std::size_t i = 0; i < trajectory.pointCount(); ++i) {
     fmt::format_to(out, "{:.6f}", trajectory.timeS[i]);
     for (int j = 0; j < trajectory.dof; ++j)
-      fmt::format_to(out, ",{:.7f}", base::radiansToDegrees(trajectory.at(i)[j]));
+      fmt::format_to(out, ",{:.7f}", robot::shownValue(kindOf(j), trajectory.at(i)[j]));
     fmt::format_to(out, ",{:.5f},{:.5f},", trajectory.extrudedMm3[i],
                    trajectory.extrudedMm3[i] / section);
     if (trajectory.waypoint[i] == plan::kNoWaypoint)

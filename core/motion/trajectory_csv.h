@@ -2,14 +2,19 @@
 #pragma once
 
 #include "plan/trajectory.h"
+#include "robot/joint_kind.h"
 
 #include <string>
+#include <vector>
 
 namespace voluta::motion {
 
-// One row a point under a header row: timeS, q1Deg ... qNDeg, extrudedMm3, extrudedMm (length of
-// filament of the given diameter), waypoint (-1 for none), move (print, linear, joint).
-// Precondition: filamentDiameterMm > 0.
-std::string trajectoryCsv(const plan::Trajectory& trajectory, double filamentDiameterMm = 1.75);
+// One row a point under a header row: timeS, q1Deg ... qNDeg (q3Mm of a sliding joint; joints
+// behind those of `kinds` turn), extrudedMm3, extrudedMm (length of filament of the given
+// diameter), waypoint (-1 for none), move (print, linear, joint). Precondition: filamentDiameterMm
+// > 0.
+std::string trajectoryCsv(const plan::Trajectory& trajectory,
+                          const std::vector<robot::JointKind>& kinds = {},
+                          double filamentDiameterMm = 1.75);
 
 } // namespace voluta::motion

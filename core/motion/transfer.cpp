@@ -168,13 +168,14 @@ void TransferPlanner::appendJointWay(const std::vector<JointVector>& way, const 
                                      Points& points) const {
   for (std::size_t i = 1; i < way.size(); ++i) {
     const JointVector step = way[i] - way[i - 1];
-    const double arm = armOf(scene_.cell, step).cwiseAbs().maxCoeff();
+    const double arm = robot::largestTurn(step, scene_.cell.robot().limits);
     double most = arm / kJointPiece;
     for (std::size_t k = 0; k < scene_.cell.externalAxes().size(); ++k)
-      most = std::max(most, std::abs(step[scene_.cell.armDof() + static_cast<Eigen::Index>(k)]) /
-                                (scene_.cell.externalAxes()[k].kind == robot::AxisKind::Turning
-                                     ? kAxisPiece
-                                     : kSlidePieceMm));
+      most =
+          std::max(most, std::abs(step[scene_.cell.armDof() + static_cast<Eigen::Index>(k)]) /
+                             (scene_.cell.externalAxes()[k].limits.kind == robot::JointKind::Turning
+                                  ? kAxisPiece
+                                  : kSlidePieceMm));
     const int pieces = std::max(1, static_cast<int>(std::ceil(most)));
     for (int k = 1; k <= pieces; ++k) {
       const JointVector wanted =

@@ -56,8 +56,8 @@ double lowLayerMm(const project::Choices& choices) {
 
 std::vector<project::Choices> automaticChoices(const project::Choices& choices) {
   const base::ParameterValues values = parameterValues(choices);
-  const bool rod =
-      modes::cellOnAnyPlatform(choices, chosenProcess(choices, values)).rod().has_value();
+  const robot::Cell cell = modes::cellOnAnyPlatform(choices, chosenProcess(choices, values));
+  const bool rod = cell.rod().has_value();
   std::vector<project::Choices> all, hands; // each way, and what it comes to by hand
   const auto add = [&](const modes::Mode& mode, const project::Platform& platform,
                        std::string_view id) {
@@ -66,7 +66,8 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
     way.automaticWay = id;
     if (!choices.platformStays)
       way.platform = platform;
-    if (mode.aroundRod != rod || !way.platform.isForAnyOf(mode.platforms))
+    if (mode.aroundRod != rod || (!mode.upright && !cell.tilts()) ||
+        !way.platform.isForAnyOf(mode.platforms))
       return;
     project::Choices hand = byHand(way);
     if (std::ranges::any_of(hands, [&](const project::Choices& other) {

@@ -24,9 +24,9 @@ struct AutomaticWay {
 // which cover thin and slanted places better; last what needs a pedestal made for the part.
 const std::vector<AutomaticWay>& automaticWays();
 
-// Those of them, and of the modes for rods and bodies, that go with the cell and, where it stays,
-// the platform of automatic choices: the choices with each way's mode and platform. Throws
-// Error{Usage}: there is none.
+// Those of them, and of the modes for rods and bodies, that go with the cell (level layers alone
+// where it cannot lean the nozzle) and, where it stays, the platform of automatic choices: the
+// choices with each way's mode and platform. Throws Error{Usage}: there is none.
 std::vector<project::Choices> automaticChoices(const project::Choices& choices);
 
 // As somebody would choose by hand what automatic choices, with the mode of one of the ways, come

@@ -47,7 +47,10 @@ void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
     base::writeFile(folder / "toolpath.vtp", toolpath::writeToolpathVtp(*result.job.toolPlan));
   ctx.checkpoint();
   if (result.job.trajectory)
-    base::writeFile(folder / "trajectory.csv", motion::trajectoryCsv(*result.job.trajectory));
+    base::writeFile(folder / "trajectory.csv",
+                    motion::trajectoryCsv(*result.job.trajectory,
+                                          result.cell ? robot::kindsOf(result.cell->limits())
+                                                      : std::vector<robot::JointKind>{}));
 }
 } // namespace
 

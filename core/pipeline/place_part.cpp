@@ -38,7 +38,8 @@ double reachingScale(const geometry::TriangleMesh& mesh, double unit,
   turned.rotation = placement.rotation;
   const Eigen::AlignedBox3d box = geometry::bounds(geometry::place(mesh, unit, turned));
   const double radius = 0.5 * box.diagonal().norm();
-  const double tilt = cell.nozzleMount() == robot::Mount::World ? kReachTiltRad : 0.0;
+  const bool tilts = cell.nozzleMount() == robot::Mount::World && cell.tilts();
+  const double tilt = tilts ? kReachTiltRad : 0.0;
   return robot::reachableBallRadius(cell, tilt) / radius;
 }
 

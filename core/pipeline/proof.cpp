@@ -76,11 +76,12 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   for (std::size_t j = 0; j < measured.margins.joints.size(); ++j) {
     const motion::LimitMargin& margin = measured.margins.joints[j];
     const int external = static_cast<int>(j) - arm;
+    const robot::JointKind kind = result.cell->limits()[j].kind;
     proof.joints.push_back(
         {external < 0 ? std::to_string(j + 1)
                       : result.cell->externalAxes()[static_cast<std::size_t>(external)].name,
-         false,
-         valueAt(base::radiansToDegrees(margin.rad), margin.point, result, measured, checked)});
+         kind == robot::JointKind::Sliding,
+         valueAt(robot::shownValue(kind, margin.rad), margin.point, result, measured, checked)});
   }
   proof.isotropy =
       valueAt(measured.margins.isotropy, measured.margins.isotropyPoint, result, measured, checked);
@@ -168,7 +169,7 @@ std::string proofJson(const Proof& proof) {
   for (const Proof::File& file : proof.files)
     files.push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
   for (const Proof::Joint& joint : proof.joints) {
-    Json row = placeJson(joint.margin, "marginDeg");
+    Json row = placeJson(joint.margin, joint.slides ? "marginMm" : "marginDeg");
     row["joint"] = joint.name;
     joints.push_back(std::move(row));
   }

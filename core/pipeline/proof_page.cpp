@@ -117,7 +117,9 @@ std::string proofPage(const Proof& proof) {
   for (const Proof::Joint& joint : proof.joints)
     page += row(base::escapedMarkup(
                     english(base::message("joint {name}, to its nearer limit"_text, joint.name))),
-                english(base::message("{angle:.1f}"_text, base::degrees(joint.margin.value))),
+                english(base::message("{angle:.1f}"_text, joint.slides
+                                                              ? base::mm(joint.margin.value)
+                                                              : base::degrees(joint.margin.value))),
                 place(joint.margin));
   page += row(english("isotropy of the arm (0: singular, 1: even)"_text),
               english(base::message("{ratio:.4f}"_text, base::number(proof.isotropy.value))),

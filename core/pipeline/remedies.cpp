@@ -182,6 +182,15 @@ std::optional<project::Choices> centrePart(const plan::Finding&, const project::
   return changed;
 }
 
+std::optional<project::Choices> printFlat(const plan::Finding&, const project::Choices& choices) {
+  if (choices.mode == "flat")
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.mode = "flat";
+  changed.automatic = false;
+  return changed;
+}
+
 } // namespace
 
 std::span<const Remedy> remedies() {
@@ -218,7 +227,9 @@ std::span<const Remedy> remedies() {
        {UnitsMicrometres, "unitsMicrometres", "It is in micrometres"_text,
         "A thousandth of the size"_text, unitsMicrometres},
        {CentrePart, "centrePart", "Centre the part"_text,
-        "Over the middle of the platform's place"_text, centrePart}});
+        "Over the middle of the platform's place"_text, centrePart},
+       {PrintFlat, "printFlat", "Print in flat layers"_text,
+        "As an ordinary printer does, the nozzle upright throughout"_text, printFlat}});
   return kRemedies;
 }
 

@@ -29,6 +29,7 @@ constexpr std::array kForTiny{UnitsMetres, UnitsInches};
 constexpr std::array kForHuge{ScaleToFit, UnitsMicrometres};
 constexpr std::array kCentre{CentrePart};
 constexpr std::array kForLying{StandBest};
+constexpr std::array kForUpright{PrintFlat};
 
 constexpr base::Text kTurnOrShrink =
     "turn the part, make the platform smaller or add supports"_text;
@@ -310,6 +311,9 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "and further places, the first at {place}: the robot can be here, but cannot come from or go "
      "on to a neighbouring place without lifting"_text,
      kMoreTurns},
+    {StaysUpright, "staysUpright", "staysUpright", Motion, Blocks,
+     "this arm keeps the nozzle upright, and the layers lean it, first at {place}"_text,
+     "use mode flat, or planar with upright layers"_text, kForUpright},
     {BeyondRod, "beyondRod", "beyondRod", Motion, Blocks,
      "{place}: the cell prints up to {radius} from the rod's axis and {along} from its middle"_text,
      kAlongRod},
@@ -461,6 +465,8 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{joint} at {angle:.1f}, its limit is {limit:.1f#}"_text, kSlower},
     {JointSpeed, "jointSpeed", "limit", Replay, Blocks,
      "{joint} at {speed:.1f}, its limit is {limit:.1f#}"_text, kSlower},
+    {SlideSpeed, "slideSpeed", "limit", Replay, Blocks,
+     "{joint} at {speed:.1f}/s, its limit is {limit:.1f#}"_text, kSlower},
     {BranchJump, "branchJump", "limit", Replay, Blocks,
      "the arm would have to change its configuration, {joint} by {angle:.1f} at once"_text,
      kSlower},

@@ -79,6 +79,7 @@ enum class FindingKind : std::uint8_t {
   MoreUnreachable,
   Unconnected,
   MoreUnconnected,
+  StaysUpright,
   BeyondRod,
   MoreBeyondRod,
   HeadInPart,
@@ -133,6 +134,7 @@ enum class FindingKind : std::uint8_t {
   OutOfReach,
   JointRange,
   JointSpeed,
+  SlideSpeed,
   BranchJump,
   BlendOverlap,
   Flow,
@@ -165,7 +167,8 @@ enum class RemedyId : std::uint8_t {
   UnitsInches,
   UnitsMicrometres,
   ScaleToFit,
-  CentrePart
+  CentrePart,
+  PrintFlat
 };
 
 struct FindingRow {

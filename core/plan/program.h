@@ -48,8 +48,10 @@ struct ProgramMotion {
   std::vector<double> joints;     // Joints
   Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose: of Base; WorkPose
   std::vector<double> externals;                                 // WorkPose, UnitPose, radians
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();            // ToolPoint, mm
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();          // ToolPoint, unit
+  // FlangePose, WorkPose: which way a SCARA's second joint is to stand, by its sign; 0: not given.
+  int elbow = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   // ToolPoint, mm
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // ToolPoint, unit
   // ToolPoint: where the nozzle passes between the last target and this one, at equal steps of the
   // motion's time, where it goes straight in the axes of a machine that turns the part, and not on
   // the part. Empty: straight on the part.

@@ -40,10 +40,6 @@ private:
   std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-std::string degreesOf(double rad) {
-  return fixedText(base::radiansToDegrees(rad), 1);
-}
-
 constexpr std::string_view kPart = "part ", kJob = ", job ", kCell = "cell ", kRobot = ", robot ",
                            kProcess = ", process ";
 constexpr std::size_t kHashDigits = 16;
@@ -153,7 +149,13 @@ std::vector<std::string> headLines(const ProgramInput& input) {
                             "on; the analogue one stays at 0"}));
   if (input.foreign)
     return lines;
-  std::string range = "joints go, degrees:", start = "starts at joints, degrees:";
+  // Of arms all of whose joints turn the unit stands once.
+  std::string slides;
+  for (std::size_t k = 0; k < input.cell.limits().size(); ++k)
+    if (input.cell.limits()[k].kind == robot::JointKind::Sliding)
+      slides += joined({", joint ", std::to_string(k + 1), " mm"});
+  std::string range = joined({"joints go, degrees", slides, ":"}),
+              start = joined({"starts at joints, degrees", slides, ":"});
   for (int k = 0; k < t.dof; ++k) {
     double low = t.at(0)[k], high = low;
     for (std::size_t i = 1; i < t.pointCount(); ++i) {
@@ -161,8 +163,12 @@ std::vector<std::string> headLines(const ProgramInput& input) {
       high = std::max(high, t.at(i)[k]);
     }
     const std::string_view comma = k > 0 ? ", " : " ";
-    range += joined({comma, degreesOf(low), " to ", degreesOf(high)});
-    start += joined({comma, degreesOf(t.at(0)[k])});
+    const auto shown = [&](double value) {
+      return fixedText(
+          robot::shownValue(input.cell.limits()[static_cast<std::size_t>(k)].kind, value), 1);
+    };
+    range += joined({comma, shown(low), " to ", shown(high)});
+    start += joined({comma, shown(t.at(0)[k])});
   }
   start += "; the first motion goes there slowly and straight from wherever the arm stands";
   lines.push_back(std::move(range));

@@ -1,7 +1,6 @@
 #include "program/joint_table.h"
 
 #include "base/error.h"
-#include "base/units.h"
 #include "program/job_head.h"
 #include "program/motion_targets.h"
 #include "program/program_builder.h"
@@ -29,17 +28,28 @@ std::string_view nameOf(plan::MoveKind move) {
   return "joint";
 }
 
-// "time_s,j1_deg,...,extruded_mm3,waypoint,move" -> number of joints; 0: not such a header.
-std::size_t jointsOfHeader(std::string_view line) {
-  std::size_t joints = 0;
-  std::string expected = "time_s";
-  while (joints < 9) {
-    if (line == joined({expected, ",extruded_mm3,waypoint,move"}))
-      return joints;
-    ++joints;
-    expected += joined({",j", std::to_string(joints), "_deg"});
+std::string columnOf(std::size_t joint, robot::JointKind kind) {
+  return joined(
+      {",j", std::to_string(joint + 1), kind == robot::JointKind::Sliding ? "_mm" : "_deg"});
+}
+
+// "time_s,j1_deg,...,extruded_mm3,waypoint,move" -> what its joints do; none: not such a header.
+std::vector<robot::JointKind> jointsOfHeader(std::string_view line) {
+  using enum robot::JointKind;
+  constexpr std::string_view kFront = "time_s", kBack = ",extruded_mm3,waypoint,move";
+  if (!line.starts_with(kFront) || !line.ends_with(kBack))
+    return {};
+  line.remove_prefix(kFront.size());
+  std::vector<robot::JointKind> joints;
+  while (line != kBack && joints.size() < 8) {
+    const bool slides = line.starts_with(columnOf(joints.size(), Sliding));
+    const std::string column = columnOf(joints.size(), slides ? Sliding : Turning);
+    if (!line.starts_with(column))
+      return {};
+    line.remove_prefix(column.size());
+    joints.push_back(slides ? Sliding : Turning);
   }
-  return 0;
+  return line == kBack ? joints : std::vector<robot::JointKind>();
 }
 
 class JointTableReader {
@@ -60,7 +70,7 @@ private:
     LineReader lines(text);
     std::string_view line;
     bool ended = false;
-    joints_ = 0;
+    joints_.clear();
     headed_ = false;
     while (lines.next(line)) {
       out_.line = lines.number();
@@ -73,12 +83,12 @@ private:
         defect("text behind the end"_text);
       if (line.front() == '#')
         ended = ended || line == kEnd;
-      else if (joints_ == 0)
+      else if (joints_.empty())
         header(line);
       else
         row(line);
     }
-    if (joints_ == 0)
+    if (joints_.empty())
       defect("the header line is missing"_text);
     if (!ended)
       defect("the line '# end' is missing: the file was cut short"_text);
@@ -87,25 +97,25 @@ private:
 
   void header(std::string_view line) {
     joints_ = jointsOfHeader(line);
-    headed_ = joints_ > 0;
+    headed_ = !joints_.empty();
     if (!headed_) {
       defect("not the header of a joint table"_text);
       // Rows can still be read when the columns are as many as a header has.
       const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
-      joints_ = commas > 3 && commas - 3 <= 8 ? commas - 3 : 0;
+      joints_.assign(commas > 3 && commas - 3 <= 8 ? commas - 3 : 0, robot::JointKind::Turning);
     }
   }
 
   void row(std::string_view line) {
     plan::ProgramMotion m;
     m.target = plan::TargetKind::Joints;
-    m.joints.resize(joints_);
+    m.joints.resize(joints_.size());
     double time = 0.0, extruded = 0.0, waypoint = 0.0;
     std::string_view rest = line;
     bool good = takeField(rest, time);
-    for (double& joint : m.joints) {
-      good = good && takeField(rest, joint);
-      joint = base::degreesToRadians(joint);
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      good = good && takeField(rest, m.joints[k]);
+      m.joints[k] = robot::ofShownValue(joints_[k], m.joints[k]);
     }
     good = good && takeField(rest, extruded) && takeField(rest, waypoint);
     m.jointInterpolated = rest == "joint";
@@ -141,7 +151,7 @@ private:
 
   const base::RunContext& ctx_;
   ProgramBuilder out_;
-  std::size_t joints_ = 0;
+  std::vector<robot::JointKind> joints_;
   bool headed_ = false, complete_ = false;
   double time_ = 0.0, extruded_ = 0.0;
 };
@@ -163,8 +173,8 @@ private:
     for (const std::string& head : headLines(in_))
       out_ += joined({"# ", head, "\n"});
     out_ += "time_s";
-    for (int k = 1; k <= in_.trajectory.dof; ++k)
-      out_ += joined({",j", std::to_string(k), "_deg"});
+    for (std::size_t k = 0; k < in_.cell.limits().size(); ++k)
+      out_ += columnOf(k, in_.cell.limits()[k].kind);
     out_ += ",extruded_mm3,waypoint,move\n";
   }
   void endFile(std::size_t) override {
@@ -181,7 +191,8 @@ private:
     appendFixed(out_, t.timeS[i], 6);
     for (int k = 0; k < t.dof; ++k) {
       out_ += ',';
-      appendFixed(out_, base::radiansToDegrees(t.at(i)[k]), kDegreeDecimals);
+      const robot::JointKind kind = in_.cell.limits()[static_cast<std::size_t>(k)].kind;
+      appendFixed(out_, robot::shownValue(kind, t.at(i)[k]), kDegreeDecimals);
     }
     out_ += ',';
     appendFixed(out_, t.extrudedMm3[i], 5);

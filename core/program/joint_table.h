@@ -1,7 +1,7 @@
 // Joint table (CSV): the trajectory as it is, for programs and controllers that play tables.
 //
 // A comment "# ...", a header line, one row a point, and "# end" as the last line. Columns: time_s,
-// j1_deg ... (j_mm for sliding axes does not exist yet), extruded_mm3 (cumulative), waypoint (of
+// j1_deg ... (j3_mm of a joint that slides), extruded_mm3 (cumulative), waypoint (of
 // the tool plan, -1: none), move (print, linear: straight in the work frame; joint: linear in
 // joints). A motion's time is the difference of its row's and the last one's.
 #pragma once

@@ -78,10 +78,10 @@ double motionSeconds(const plan::Trajectory& trajectory, std::size_t point) {
 
 double leadingJointRad(const ProgramInput& input, std::size_t point) {
   const plan::Trajectory& t = input.trajectory;
-  double largest = 0.0;
-  for (int k = 0; point > 0 && k < input.cell.armDof(); ++k)
-    largest = std::max(largest, std::abs(t.at(point)[k] - t.at(point - 1)[k]));
-  return largest;
+  if (point == 0)
+    return 0.0;
+  const Eigen::Map<const Eigen::VectorXd> from(t.at(point - 1), t.dof), to(t.at(point), t.dof);
+  return robot::largestTurn(to - from, input.cell.robot().limits);
 }
 
 double rampedSpeed(double rad, double seconds, double radPerS2) {

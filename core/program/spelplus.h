@@ -14,10 +14,12 @@
 // whatever is set; Power High follows it, without which SpeedS has no effect.
 // Moving nozzle: TLSet 1 is the nozzle. Nozzle in the world: TLSet 1 is the work frame on the
 // flange, ECPSet 1 the nozzle, and motions have ECP: straight is then the nozzle's way on the part
-// (an option of the controller). AutoLJM keeps the arm's posture. A four-axis arm has XY(x,y,z,u)
-// and the side of its elbow, /R or /L. External axes move nothing that is printed on: no rod. The
-// extruder is on while output 1 is, with a flow of analogue output 1, 10 V for
-// process.maxFlowMm3PerS. A statement behind a motion with CP runs when that begins to slow down.
+// (an option of the controller). AutoLJM keeps the arm's posture. A four-axis arm has XY(x,y,z,u),
+// u the sum of what its joints turn and the tool, beyond half a turn too, z of flange and tool both
+// up, and the side of its elbow, /R or /L (joint 2 above 0 or not); joint 3 in AglToPls is in mm.
+// External axes move nothing that is printed on: no rod. The extruder is on while output 1 is, with
+// a flow of analogue output 1, 10 V for process.maxFlowMm3PerS. A statement behind a motion with CP
+// runs when that begins to slow down.
 #pragma once
 
 #include "base/run_context.h"

@@ -97,6 +97,8 @@ bool SpelplusVariables::takeOffset(LineCursor& line, SpelplusPoint& point) const
     } else if (!ahead.takeName(name) ||
                std::find(kPostures.begin(), kPostures.end(), name) == kPostures.end()) {
       return false;
+    } else if (name == "r" || name == "l") {
+      point.elbow = name == "r" ? 1 : -1;
     }
     line = ahead;
     return true;

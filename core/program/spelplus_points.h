@@ -23,6 +23,7 @@ struct SpelplusPoint {
   std::array<double, 6> parts{}; // X, Y, Z, mm; U, V, W, degrees
   std::vector<double> joints;    // degrees; of AglToPls alone
   int local = 0;
+  int elbow = 0; // of an arm of four axes: 1 behind /R, -1 behind /L; 0: neither
 
   Eigen::Isometry3d pose() const;
 };

@@ -332,6 +332,7 @@ private:
     Eigen::Isometry3d base_T_tcp = point.pose();
     if (point.local != 0)
       base_T_tcp = *locals_[static_cast<std::size_t>(point.local)] * base_T_tcp;
+    m.elbow = point.elbow;
     m.target = nozzle ? plan::TargetKind::WorkPose : plan::TargetKind::FlangePose;
     m.frame_T_tcp = nozzle ? Eigen::Isometry3d(base_T_tcp.inverse() * *nozzle) : base_T_tcp;
     return true;

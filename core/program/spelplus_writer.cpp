@@ -222,10 +222,23 @@ private:
       line("  Power High");
   }
   void target(std::size_t i) {
-    coordinates(tcp_[i].tcpMm, tcp_[i].tcpTurn, kPositionDecimals, kDegreeDecimals);
+    if (!fourAxes()) {
+      coordinates(tcp_[i].tcpMm, tcp_[i].tcpTurn, kPositionDecimals, kDegreeDecimals);
+      return;
+    }
+    // U goes on behind half a turn, as joint 4 does.
+    const double* q = in_.trajectory.at(i);
+    const double about = base::radiansToDegrees(q[0] + q[1] + q[3]) +
+                         zyxDegrees(Eigen::Quaterniond(in_.cell.flange_T_moved().linear()))[0];
+    const double u = zyxDegrees(tcp_[i].tcpTurn)[0];
+    out_ += "XY(";
+    for (int k = 0; k < 3; ++k) {
+      number(tcp_[i].tcpMm[k], kPositionDecimals);
+      out_ += ',';
+    }
+    number(u + 360.0 * std::round((about - u) / 360.0), kDegreeDecimals);
     // Seen from above, a right arm's forearm turns to the left.
-    if (fourAxes())
-      out_ += in_.trajectory.at(i)[1] >= 0.0 ? " /R" : " /L";
+    out_ += q[1] >= 0.0 ? ") /R" : ") /L";
   }
 
   double turnDeg(std::size_t i) const {

@@ -126,7 +126,7 @@ private:
     if (m.jointInterpolated) {
       allowed = INFINITY;
       for (const robot::JointLimits& limit : cell_.limits())
-        allowed = std::min(allowed, limit.acceleration);
+        allowed = std::min(allowed, robot::asTurn(limit.kind, limit.acceleration));
     } else {
       const double time = path_.durationS[i], before = path_.durationS[i - 1];
       const double speed = time > 0.0 ? path_.commandedMm[i] / time : 0.0;

@@ -242,7 +242,8 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
       const auto off = [&](int first, int last) {
         double most = 0.0;
         for (int k = first; k < last; ++k)
-          most = std::max(most, std::abs(path.jointsAt(m)[k] - trajectory.at(j)[k]));
+          most =
+              std::max(most, std::abs(path.turnOf(k, path.jointsAt(m)[k] - trajectory.at(j)[k])));
         return most;
       };
       if (const double rad = off(0, path.armDof); rad > options.jointRad)

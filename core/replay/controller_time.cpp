@@ -154,7 +154,7 @@ private:
 double jointMotionS(const ExecutedPath& path, std::size_t m, double radPerS2) {
   double turn = 0.0;
   for (int k = 0; k < path.dof; ++k)
-    turn = std::max(turn, std::abs(path.jointsAt(m)[k] - path.jointsAt(m - 1)[k]));
+    turn = std::max(turn, std::abs(path.turnOf(k, path.jointsAt(m)[k] - path.jointsAt(m - 1)[k])));
   const double seconds = path.durationS[m];
   if (radPerS2 <= 0.0 || seconds <= 0.0 || turn < kLeastMm)
     return seconds;

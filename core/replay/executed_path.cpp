@@ -64,6 +64,8 @@ public:
                             !anyIs(plan::TargetKind::FlangePose));
     path_.dof = cell_ != nullptr ? cell_->dof() : 0;
     path_.armDof = path_.dof - externals_;
+    if (cell_ != nullptr)
+      path_.kinds = robot::kindsOf(cell_->limits());
     path_.targetTip.resize(n);
     path_.targetDirection.resize(n);
     path_.commandedMm.assign(n, 0.0);
@@ -316,7 +318,7 @@ private:
         if (m == 0) {
           pushArm(m, 1.0, target);
         } else {
-          const double turn = (target - q).cwiseAbs().maxCoeff();
+          const double turn = robot::largestTurn(target - q, cell_->limits());
           const int steps = stepsOf(turn / kArmStepJointRad);
           for (int k = 1; k <= steps; ++k) {
             const double u = static_cast<double>(k) / steps;
@@ -367,11 +369,16 @@ private:
                          : between(targets_[m - 1], targets_[m], s);
     q = withExternals(m, s, q);
     robot::inverseNear(cell_->robot(), flangeOf(t, q), q, solutions_);
+    const int arm = cell_->armDof();
+    // A straight motion cannot pass the elbow's other side: a target there is a jump at its end.
+    if (const int elbow = s >= 1.0 && !cell_->robot().kinematics->tilts() ? motions_[m].elbow : 0)
+      std::erase_if(solutions_, [&](const JointVector& candidate) {
+        return elbow * candidate[1] < -kRangeSlackRad;
+      });
     if (solutions_.empty())
       return false;
-    const int arm = cell_->armDof();
     const auto away = [&](const JointVector& candidate) {
-      return (candidate - q.head(arm)).squaredNorm();
+      return robot::asTurns(candidate - q.head(arm), cell_->limits()).squaredNorm();
     };
     q.head(arm) = *std::min_element(
         solutions_.begin(), solutions_.end(),
@@ -382,7 +389,8 @@ private:
   void checkRange(std::size_t m, const JointVector& q) {
     for (int k = 0; k < path_.dof; ++k) {
       const robot::JointLimits& limits = cell_->limits()[static_cast<std::size_t>(k)];
-      if (q[k] < limits.min - kRangeSlackRad || q[k] > limits.max + kRangeSlackRad)
+      const double slack = robot::fromTurn(limits.kind, kRangeSlackRad);
+      if (q[k] < limits.min - slack || q[k] > limits.max + slack)
         path_.violations.push_back(
             {LimitKind::JointRange, m, k, q[k], q[k] < limits.min ? limits.min : limits.max});
     }
@@ -396,7 +404,8 @@ private:
       if (motion.durationS > 0.0) {
         duration = motion.durationS;
       } else if (m > 0 && path_.arm && motion.jointInterpolated && motion.jointSpeedRadPerS > 0.0) {
-        duration = (jointsOf(m) - jointsOf(m - 1)).cwiseAbs().maxCoeff() / motion.jointSpeedRadPerS;
+        duration = robot::largestTurn(jointsOf(m) - jointsOf(m - 1), cell_->limits()) /
+                   motion.jointSpeedRadPerS;
       } else if (m > 0 && motion.speedMmPerS > 0.0) {
         duration = path_.commandedMm[m] / motion.speedMmPerS;
         // A pure turn has no length: the controller then turns as fast as its joints may.
@@ -438,8 +447,9 @@ private:
       for (std::size_t k = 0; k < dof; ++k) {
         const double limit = cell_->limits()[k].velocity;
         double turn = std::abs(q1[k] - q0[k]);
-        if (turn > kJumpRad) {
-          worst = {LimitKind::BranchJump, m, static_cast<int>(k), turn, kJumpRad};
+        const double jump = robot::fromTurn(path_.kinds[k], kJumpRad);
+        if (turn > jump) {
+          worst = {LimitKind::BranchJump, m, static_cast<int>(k), turn, jump};
           break;
         }
         turn -= (path_.armFraction[a] - from) * stepOf(k);

@@ -11,10 +11,13 @@
 //   path) and is the parabola whose control point is the target (quadratic Bezier): the corner is
 //   cut by r/2 sin(turn/2). Rotations follow by the same (de Casteljau) construction;
 // - joint motions turn all joints in proportion and stop at their target (no blends);
-// - a Cartesian target is reached with the joint solution nearest to where the arm is; external
+// - a Cartesian target is reached with the joint solution nearest to where the arm is, of those
+// with
+//   the elbow that it asks for; external
 //   axes stay where they are unless the target says otherwise;
 // - durations are length / speed without ramps, as the text says them (controller_time.h tells what
-//   a controller makes of them): joint motions max |dq| / joint speed;
+//   a controller makes of them): joint motions max |dq| / joint speed; wherever joints are held
+//   against each other, sliding ones count as robot::asTurn has them;
 // - an axis that stands at multiples of a step turns evenly between them: held against its limit is
 //   what it turns less one step.
 #pragma once
@@ -39,7 +42,7 @@ struct LimitViolation {
   LimitKind kind;
   std::size_t motion = 0;
   int joint = -1;                  // where it concerns one
-  double value = 0.0, limit = 0.0; // rad, rad/s; BlendOverlap: mm; Flow: mm3/s
+  double value = 0.0, limit = 0.0; // rad, rad/s (mm, mm/s); BlendOverlap: mm; Flow: mm3/s
 };
 
 struct ExecutedPath {
@@ -51,8 +54,9 @@ struct ExecutedPath {
   std::vector<double> turnRad;     // of what the target describes, to there; 0 for ToolPoint
   std::vector<double> cornerRad;   // between its way and the next motion's; 0 at the end
   std::vector<double> durationS, startS;
-  int dof = 0, armDof = 0;    // all axes; those before the external ones
-  std::vector<double> joints; // dof x motions at each motion's end; empty without an arm
+  int dof = 0, armDof = 0;             // all axes; those before the external ones
+  std::vector<robot::JointKind> kinds; // dof of them
+  std::vector<double> joints;          // dof x motions at each motion's end; empty without an arm
 
   // The nozzle along motion m: samples [firstSample[m], firstSample[m + 1]), the start excluded,
   // the end included; at most 0.5 mm apart where extruding, 1 mm elsewhere.
@@ -69,6 +73,10 @@ struct ExecutedPath {
   std::vector<LimitViolation> violations; // in motion order
 
   std::size_t motionCount() const { return targetTip.size(); }
+  // A step of axis k as a turn, rad.
+  double turnOf(int k, double step) const {
+    return robot::asTurn(kinds[static_cast<std::size_t>(k)], step);
+  }
   // Precondition: arm.
   const double* jointsAt(std::size_t motion) const {
     return joints.data() + motion * static_cast<std::size_t>(dof);

@@ -214,9 +214,17 @@ private:
   }
 
   plan::Finding findingOf(const LimitViolation& v) const {
-    const auto degrees = [](double rad) { return base::degrees(base::radiansToDegrees(rad)); };
-    const auto degreesPerS = [](double radPerS) {
-      return base::Quantity{base::radiansToDegrees(radPerS), base::Unit::DegreePerS};
+    const robot::JointKind kind = v.joint >= 0
+                                      ? in_.cell.limits()[static_cast<std::size_t>(v.joint)].kind
+                                      : robot::JointKind::Turning;
+    const bool slides = kind == robot::JointKind::Sliding;
+    const auto place = [&](double value) {
+      return base::Quantity{robot::shownValue(kind, value),
+                            slides ? base::Unit::Mm : base::Unit::Degree};
+    };
+    const auto speed = [&](double value) {
+      return base::Quantity{robot::shownValue(kind, value),
+                            slides ? base::Unit::Mm : base::Unit::DegreePerS};
     };
     const int external = v.joint - in_.cell.armDof();
     const base::Value joint =
@@ -228,13 +236,13 @@ private:
       break;
     case LimitKind::JointRange:
       return plan::makeFinding(
-          JointRange, {{"joint", joint}, {"angle", degrees(v.value)}, {"limit", degrees(v.limit)}});
+          JointRange, {{"joint", joint}, {"angle", place(v.value)}, {"limit", place(v.limit)}});
     case LimitKind::JointSpeed:
       return plan::makeFinding(
-          JointSpeed,
-          {{"joint", joint}, {"speed", degreesPerS(v.value)}, {"limit", degreesPerS(v.limit)}});
+          slides ? SlideSpeed : JointSpeed,
+          {{"joint", joint}, {"speed", speed(v.value)}, {"limit", speed(v.limit)}});
     case LimitKind::BranchJump:
-      return plan::makeFinding(BranchJump, {{"joint", joint}, {"angle", degrees(v.value)}});
+      return plan::makeFinding(BranchJump, {{"joint", joint}, {"angle", place(v.value)}});
     case LimitKind::BlendOverlap:
       return plan::makeFinding(BlendOverlap,
                                {{"blend", base::mm(v.value)}, {"way", base::mm(v.limit)}});

@@ -267,7 +267,8 @@ private:
     if (other.dof != path().dof || otherOf_[motion] == kUnmatched)
       return false;
     for (int k = 0; k < path().dof; ++k)
-      if (std::abs(other.jointsAt(otherOf_[motion])[k] - path().jointsAt(motion)[k]) > kSameRad)
+      if (std::abs(path().turnOf(k, other.jointsAt(otherOf_[motion])[k] -
+                                        path().jointsAt(motion)[k])) > kSameRad)
         return false;
     return true;
   }

@@ -31,7 +31,7 @@ JointReading readingOf(const std::array<double, 6>& signs, const std::array<doub
   JointReading reading;
   for (std::size_t i = 0; i < 6; ++i) {
     reading.signs.push_back(signs[i]);
-    reading.offsetsRad.push_back(-signs[i] * atZero[i]);
+    reading.offsets.push_back(-signs[i] * atZero[i]);
   }
   return reading;
 }

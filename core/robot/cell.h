@@ -85,7 +85,9 @@ public:
 
   const std::vector<JointLimits>& limits() const { return limits_; } // dof() of them
   const JointVector& home() const { return home_; }
-  // Of the arm's joints in travels with what it carries, rad/s2.
+  // Can it bring the nozzle to other directions than one? By its arm, or by what its axes turn.
+  bool tilts() const { return robot_.kinematics->tilts() || !externalAxes_.empty(); }
+  // Of the arm's joints in travels with what it carries, rad/s2; a sliding one's by asTurn().
   double travelAcceleration() const { return travelAcceleration_; }
 
   // Bodies and their frames. Frame indices, n the robot's own joints: 0 robot base (= world), 1..n

@@ -19,11 +19,13 @@
 //                         pose, rod}: rod is {diameterMm, lengthMm, printableRadiusMm}, along x of
 //                         the work frame, lengthMm free between its bearings, which are obstacles
 //   obstacles             list of {name, shapes}, in the robot's base frame; may be empty
-//   homeDeg               list: the robot's joints at rest, with the plate clear of the nozzle;
-//                         external axes rest at 0
-//   travelAccelerationDegPerS2  optional: of the arm's joints in travels with what it carries, at
-//                         most what the robot's file gives; 80 where it is not given, which is what
-//                         controllers take by themselves (1.4 rad/s2)
+//   homeDeg               list: the robot's joints at rest (sliding ones in mm), with the plate
+//   clear
+//                         of the nozzle; external axes rest at 0
+//   travelAccelerationDegPerS2  optional: of the arm's joints in travels with what it carries (a
+//                         sliding one's as asTurn has it), at most what the robot's file gives; 80
+//                         where it is not given, which is what controllers take by themselves (1.4
+//                         rad/s2)
 //   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
 //                         the cell's own are named "holder", "head" and "platform"
 //   externalAxes          a list, the first axis in the base, each next on what the one before it
@@ -49,6 +51,7 @@
 #include "base/units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace voluta::robot {
@@ -102,7 +105,7 @@ CellRod readRod(const base::JsonNode& node) {
 void requireTurnsRod(const base::JsonNode& axes, const std::vector<ExternalAxis>& chain,
                      const Eigen::Isometry3d& axis_T_work) {
   constexpr double kSame = 1e-9;
-  if (chain.size() != 1 || chain.front().kind != AxisKind::Turning)
+  if (chain.size() != 1 || chain.front().limits.kind != JointKind::Turning)
     axes.fail("must hold one axis, which turns the rod"_text);
   if ((axis_T_work.linear().col(0) - Eigen::Vector3d::UnitX()).norm() > kSame ||
       axis_T_work.translation().tail<2>().norm() > kSame)
@@ -293,15 +296,15 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
         base::message("must hold {wanted} joints, holds {found}"_text, cell.armDof(), home.size()));
   cell.home_ = JointVector::Zero(cell.dof());
   for (std::size_t i = 0; i < home.size(); ++i) {
-    const double q = base::degreesToRadians(home[i].number());
+    const double q = ofShownValue(cell.robot_.limits[i].kind, home[i].number());
     if (q < cell.robot_.limits[i].min || q > cell.robot_.limits[i].max)
       home[i].fail("is outside the joint's limits"_text);
     cell.home_[static_cast<Eigen::Index>(i)] = q;
   }
 
-  double most = cell.robot_.limits.front().acceleration;
+  double most = INFINITY;
   for (const JointLimits& limit : cell.robot_.limits)
-    most = std::min(most, limit.acceleration);
+    most = std::min(most, asTurn(limit.kind, limit.acceleration));
   const char* travel = "travelAccelerationDegPerS2";
   const double travelDeg = top.has(travel) ? top.at(travel).positive() : kTravelDegPerS2;
   if (top.has(travel) && base::degreesToRadians(travelDeg) > most * (1.0 + 1e-9))

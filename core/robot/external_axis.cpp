@@ -26,29 +26,20 @@ Isometry3d xTo(const Vector3d& direction) {
   return turn;
 }
 
-AxisKind readKind(const base::JsonNode& node) {
+JointKind readKind(const base::JsonNode& node) {
   const std::string kind = node.text();
   if (kind == "turning")
-    return AxisKind::Turning;
+    return JointKind::Turning;
   if (kind == "sliding")
-    return AxisKind::Sliding;
+    return JointKind::Sliding;
   node.fail(base::message("must be turning or sliding, is '{kind}'"_text, kind));
-}
-
-JointLimits readSlide(const base::JsonNode& node) {
-  const JointLimits limits{node.at("minMm").number(), node.at("maxMm").number(),
-                           node.at("velocityMmPerS").positive(),
-                           node.at("accelerationMmPerS2").positive()};
-  if (limits.min >= limits.max)
-    node.fail("has minMm not below maxMm"_text);
-  return limits;
 }
 
 } // namespace
 
 Isometry3d movedBy(const ExternalAxis& axis, double value) {
   Isometry3d moved = Isometry3d::Identity();
-  if (axis.kind == AxisKind::Turning)
+  if (axis.limits.kind == JointKind::Turning)
     moved.linear() = Eigen::AngleAxisd(value, Vector3d::UnitX()).toRotationMatrix();
   else
     moved.translation().x() = value;
@@ -58,8 +49,8 @@ Isometry3d movedBy(const ExternalAxis& axis, double value) {
 AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis* before) {
   AxisDescription described;
   ExternalAxis& axis = described.axis;
-  axis.kind = readKind(node.at("kind"));
-  if (axis.kind == AxisKind::Turning)
+  const JointKind kind = readKind(node.at("kind"));
+  if (kind == JointKind::Turning)
     node.allowOnly({"name", "kind", "carries", "pose", "axis", "minDeg", "maxDeg",
                     "velocityDegPerS", "accelerationDegPerS2", "stepDeg", "end", "bodies"});
   else
@@ -68,15 +59,14 @@ AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis*
   axis.name = node.at("name").text();
   if (node.has("carries") && node.at("carries").text() != "platform")
     node.at("carries").fail("must be platform: an axis that carries the robot is not read"_text);
-  if (axis.kind == AxisKind::Turning) {
-    axis.limits = readJointLimits(node);
+  axis.limits = readJointLimits(node, kind);
+  if (kind == JointKind::Turning) {
     axis.step = base::degreesToRadians(node.at("stepDeg").notNegative());
     const std::string end = node.at("end").text();
     if (end != "unwinds" && end != "runsOn")
       node.at("end").fail(base::message("must be unwinds or runsOn, is '{end}'"_text, end));
     axis.runsOn = end == "runsOn";
   } else {
-    axis.limits = readSlide(node);
     axis.step = node.at("stepMm").notNegative();
   }
   if (axis.limits.min > 0.0 || axis.limits.max < 0.0)

@@ -7,18 +7,14 @@
 #include "robot/robot_model.h"
 
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace voluta::robot {
 
-enum class AxisKind : std::uint8_t { Turning, Sliding };
-
 struct ExternalAxis {
   std::string name;
-  AxisKind kind = AxisKind::Turning;
-  JointLimits limits;  // of one that slides in mm
+  JointLimits limits;
   double step = 0.0;   // it stands at whole multiples of this, rad or mm; 0: anywhere
   bool runsOn = false; // turns without end: limits.min and max are then those of its counter
   // Where it lies in the frame of the axis before it, which goes with that one (the first: in the

@@ -9,7 +9,7 @@ ReadKinematics::ReadKinematics(std::shared_ptr<const Kinematics> arm, JointReadi
     : arm_(std::move(arm)), reading_(std::move(reading)) {
   base::require(arm_ != nullptr, "an arm whose joints are read");
   const auto dof = static_cast<std::size_t>(arm_->dof());
-  base::require(reading_.signs.size() == dof && reading_.offsetsRad.size() == dof,
+  base::require(reading_.signs.size() == dof && reading_.offsets.size() == dof,
                 "a sign and an offset a joint");
   base::require(!reading_.thirdIsCoupled || dof >= 3, "a third joint to be coupled");
 }
@@ -21,7 +21,7 @@ JointVector ReadKinematics::asFamily(const JointVector& q) const {
     joints[2] -= joints[1];
   for (Eigen::Index i = 0; i < joints.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    joints[i] = reading_.signs[at] * (joints[i] - reading_.offsetsRad[at]);
+    joints[i] = reading_.signs[at] * (joints[i] - reading_.offsets[at]);
   }
   return joints;
 }
@@ -43,7 +43,9 @@ void ReadKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
     JointVector& q = solutions[s];
     for (Eigen::Index i = 0; i < q.size(); ++i) {
       const auto at = static_cast<std::size_t>(i);
-      q[i] = wrappedAngle(reading_.signs[at] * q[i] + reading_.offsetsRad[at]);
+      q[i] = reading_.signs[at] * q[i] + reading_.offsets[at];
+      if (arm_->kindOf(static_cast<int>(i)) == JointKind::Turning)
+        q[i] = wrappedAngle(q[i]);
     }
     if (reading_.thirdIsCoupled)
       q[2] = wrappedAngle(q[2] + q[1]);

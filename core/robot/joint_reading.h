@@ -9,11 +9,11 @@
 
 namespace voluta::robot {
 
-// Joint i of the controller is signs[i] * (the family's joint i) + offsetsRad[i]; where the third
+// Joint i of the controller is signs[i] * (the family's joint i) + offsets[i]; where the third
 // is coupled, the controller's second is added to its third.
 struct JointReading {
-  std::vector<double> signs; // 1 or -1 each, as many as the arm has joints
-  std::vector<double> offsetsRad;
+  std::vector<double> signs;   // 1 or -1 each, as many as the arm has joints
+  std::vector<double> offsets; // rad; mm of a sliding joint
   bool thirdIsCoupled = false;
 };
 
@@ -24,6 +24,8 @@ public:
   ReadKinematics(std::shared_ptr<const Kinematics> arm, JointReading reading);
 
   int dof() const override { return arm_->dof(); }
+  JointKind kindOf(int joint) const override { return arm_->kindOf(joint); }
+  bool tilts() const override { return arm_->tilts(); }
   void linkPoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_link) const override;
   Eigen::Isometry3d flange(const JointVector& q) const override;
   void inverse(const Eigen::Isometry3d& base_T_flange,

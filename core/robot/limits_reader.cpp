@@ -1,16 +1,17 @@
 #include "robot/limits_reader.h"
 
-#include "base/units.h"
-
 namespace voluta::robot {
 
-JointLimits readJointLimits(const base::JsonNode& joint) {
-  const JointLimits limits{base::degreesToRadians(joint.at("minDeg").number()),
-                           base::degreesToRadians(joint.at("maxDeg").number()),
-                           base::degreesToRadians(joint.at("velocityDegPerS").positive()),
-                           base::degreesToRadians(joint.at("accelerationDegPerS2").positive())};
+JointLimits readJointLimits(const base::JsonNode& joint, JointKind kind) {
+  const bool slides = kind == JointKind::Sliding;
+  const auto value = [&](double shown) { return ofShownValue(kind, shown); };
+  const JointLimits limits{
+      value(joint.at(slides ? "minMm" : "minDeg").number()),
+      value(joint.at(slides ? "maxMm" : "maxDeg").number()),
+      value(joint.at(slides ? "velocityMmPerS" : "velocityDegPerS").positive()),
+      value(joint.at(slides ? "accelerationMmPerS2" : "accelerationDegPerS2").positive()), kind};
   if (limits.min >= limits.max)
-    joint.fail("has minDeg not below maxDeg"_text);
+    joint.fail(slides ? "has minMm not below maxMm"_text : "has minDeg not below maxDeg"_text);
   return limits;
 }
 

@@ -6,8 +6,9 @@
 
 namespace voluta::robot {
 
-// The keys minDeg, maxDeg, velocityDegPerS and accelerationDegPerS2 of a node; it may hold others.
+// The keys minDeg, maxDeg, velocityDegPerS and accelerationDegPerS2 of a node, of a sliding joint
+// minMm, maxMm, velocityMmPerS and accelerationMmPerS2; it may hold others.
 // Throws Error{UnusableInput}.
-JointLimits readJointLimits(const base::JsonNode& joint);
+JointLimits readJointLimits(const base::JsonNode& joint, JointKind kind = JointKind::Turning);
 
 } // namespace voluta::robot

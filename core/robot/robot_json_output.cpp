@@ -1,7 +1,6 @@
 #include "robot/robot_json_output.h"
 
 #include "base/error.h"
-#include "base/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,11 +30,11 @@ double plainZero(double v) {
 
 } // namespace
 
-std::string forwardJson(const RobotModel& robot, const std::vector<double>& jointsDeg) {
-  requireNumbers(jointsDeg, static_cast<std::size_t>(robot.dof()), "--fk");
+std::string forwardJson(const RobotModel& robot, const std::vector<double>& shown) {
+  requireNumbers(shown, static_cast<std::size_t>(robot.dof()), "--fk");
   JointVector q(robot.dof());
   for (int i = 0; i < robot.dof(); ++i)
-    q[i] = base::degreesToRadians(jointsDeg[static_cast<std::size_t>(i)]);
+    q[i] = ofShownValue(robot.kinematics->kindOf(i), shown[static_cast<std::size_t>(i)]);
   const Eigen::Isometry3d pose = robot.kinematics->flange(q);
   Eigen::Quaterniond r(pose.linear());
   if (r.w() < 0.0)
@@ -63,7 +62,7 @@ std::string inverseJson(const RobotModel& robot, const std::vector<double>& pose
   for (const JointVector& q : solutions) {
     json joints = json::array();
     for (int i = 0; i < robot.dof(); ++i)
-      joints.push_back(plainZero(base::radiansToDegrees(q[i])));
+      joints.push_back(plainZero(shownValue(robot.kinematics->kindOf(i), q[i])));
     list.push_back(std::move(joints));
   }
   return json{{"solutions", std::move(list)}}.dump();

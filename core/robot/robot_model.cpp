@@ -17,6 +17,30 @@ RobotModel loadRobot(const std::string& id) {
   return readRobot(base::dataFile("robots", id, "unknown robot '{id}'"_text));
 }
 
+std::vector<JointKind> kindsOf(const std::vector<JointLimits>& limits) {
+  std::vector<JointKind> kinds;
+  for (const JointLimits& limit : limits)
+    kinds.push_back(limit.kind);
+  return kinds;
+}
+
+JointVector asTurns(const JointVector& step, const std::vector<JointLimits>& limits) {
+  const auto count = std::min(step.size(), static_cast<Eigen::Index>(limits.size()));
+  JointVector turns = step.head(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    turns[i] = asTurn(limits[static_cast<std::size_t>(i)].kind, step[i]);
+  return turns;
+}
+
+double largestTurn(const JointVector& step, const std::vector<JointLimits>& limits) {
+  double largest = 0.0;
+  const auto count = std::min(step.size(), static_cast<Eigen::Index>(limits.size()));
+  for (Eigen::Index i = 0; i < count; ++i)
+    largest =
+        std::max(largest, std::abs(asTurn(limits[static_cast<std::size_t>(i)].kind, step[i])));
+  return largest;
+}
+
 void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange,
                  const JointVector& near, std::vector<JointVector>& solutions) {
   // A joint at its limit must not be lost to rounding.
@@ -28,6 +52,12 @@ void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange
   const auto outside = [&](JointVector& q) {
     for (int i = 0; i < robot.dof(); ++i) {
       const JointLimits& limit = robot.limits[static_cast<std::size_t>(i)];
+      if (limit.kind == JointKind::Sliding) {
+        if (q[i] < limit.min - kSlack || q[i] > limit.max + kSlack)
+          return true;
+        q[i] = std::clamp(q[i], limit.min, limit.max);
+        continue;
+      }
       const double least = std::ceil((limit.min - kSlack - q[i]) / base::kTurn);
       const double most = std::floor((limit.max + kSlack - q[i]) / base::kTurn);
       if (least > most)

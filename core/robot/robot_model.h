@@ -3,6 +3,7 @@
 #pragma once
 
 #include "robot/body.h"
+#include "robot/joint_kind.h"
 
 #include <Eigen/Geometry>
 #include <filesystem>
@@ -16,25 +17,39 @@ namespace voluta::robot {
 // Joint values, radians (mm for sliding joints); external axes follow the robot's own.
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 8, 1>;
 
+// rad and seconds; mm of a sliding joint.
 struct JointLimits {
-  double min, max;     // rad
-  double velocity;     // rad/s
-  double acceleration; // rad/s2; assumed where the maker publishes none
+  double min, max;
+  double velocity;
+  double acceleration; // assumed where the maker publishes none
+  JointKind kind = JointKind::Turning;
 };
+
+std::vector<JointKind> kindsOf(const std::vector<JointLimits>& limits);
+// The steps of joints as turns, rad (asTurn): as many as there are limits, or all of fewer.
+JointVector asTurns(const JointVector& step, const std::vector<JointLimits>& limits);
+// The largest of them, 0 or more.
+double largestTurn(const JointVector& step, const std::vector<JointLimits>& limits);
+
+// A flange's axis nearer to the base's than this is upright to an arm that cannot tilt it, rad.
+inline constexpr double kUprightFlangeRad = 1e-6;
 
 // Closed-form kinematics of one family (UR, ortho-parallel, ...). Stateless after construction.
 class Kinematics {
 public:
   virtual ~Kinematics() = default;
   virtual int dof() const = 0;
+  virtual JointKind kindOf(int /*joint*/) const { return JointKind::Turning; }
+  // Can it tilt the flange? Else the flange's z is the base's in every pose that it has.
+  virtual bool tilts() const { return true; }
   // Poses of the links' frames, base first, flange last: dof() + 2 entries
   // (base, link 1 ... link dof, flange), in the controller's base frame.
   virtual void linkPoses(const JointVector& q,
                          std::vector<Eigen::Isometry3d>& base_T_link) const = 0;
   virtual Eigen::Isometry3d flange(const JointVector& q) const = 0; // base_T_flange
-  // Appends every branch that reaches base_T_flange, each joint in (-pi, pi], without regard to
-  // limits. Nothing is appended where the pose is out of reach. At a singular pose the free joint
-  // is taken as zero.
+  // Appends every branch that reaches base_T_flange, each turning joint in (-pi, pi], without
+  // regard to limits. Nothing is appended where the pose is out of reach. At a singular pose the
+  // free joint is taken as zero.
   virtual void inverse(const Eigen::Isometry3d& base_T_flange,
                        std::vector<JointVector>& solutions) const = 0;
 };
@@ -63,7 +78,8 @@ RobotModel loadRobot(const std::string& id);
 // All solutions of inverse() as joints can be turned by whole turns within the limits: for each
 // branch the representative nearest to `near` (each joint separately) that is inside the limits;
 // branches with none are left out. What `solutions` held before is dropped; its memory is kept, so
-// that a vector used again allocates nothing. `near` may be longer than the robot's dof.
+// that a vector used again allocates nothing. `near` may be longer than the robot's dof. What
+// slides stays where it is.
 void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange,
                  const JointVector& near, std::vector<JointVector>& solutions);
 

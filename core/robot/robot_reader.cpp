@@ -3,17 +3,21 @@
 //   id, label, maker      texts; id as the file's name
 //   controller            id of the program format its controller reads, e.g. "urscript"
 //   family                kinematic family: "ur" | "opw" (ortho-parallel with a spherical wrist) |
-//                         "chain" (any six turning axes)
+//                         "chain" (any six turning axes) | "scara" (two upright axes and a shaft
+//                         that slides and turns)
 //   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH;
 //                         opw: {a1, a2, b, c1, c2, c3, c4, offsetsDeg}, offsetsDeg a list: what the
 //                         controller calls each joint where the arm stands upright; chain:
 //                         {joints, flange}: joints a list of {pose, axis}, the pose of a joint's
 //                         frame at zero in the link's before it and its axis in its own, flange the
-//                         flange's pose in the last
+//                         flange's pose in the last; scara: {a1, a2, top}, both bars and the
+//                         flange's height where joint 3 is 0
 //   reading               optional, where the controller counts joints otherwise than the family:
-//                         {signs, offsetsDeg, thirdIsCoupled}, all optional, as JointReading
+//                         {signs, offsetsDeg, thirdIsCoupled}, all optional, as JointReading; an
+//                         offset of a sliding joint in mm
 //   limits                a list with an object for each joint, as the controller counts them:
-//                         {minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2}
+//                         {minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2}, of a sliding
+//                         joint {minMm, maxMm, velocityMmPerS, accelerationMmPerS2}
 //   links                 a list of bodies {name, frame, shapes}; frame 0 is the base, n link n, in
 //                         the frames of Kinematics::linkPoses; shapes as in robot/shape_reader.h
 //   neverMeet             optional list of {pair: [name, name], why}: links that need no check
@@ -26,6 +30,7 @@
 #include "robot/limits_reader.h"
 #include "robot/opw_kinematics.h"
 #include "robot/robot_model.h"
+#include "robot/scara_kinematics.h"
 #include "robot/shape_reader.h"
 #include "robot/ur_kinematics.h"
 
@@ -81,6 +86,12 @@ std::shared_ptr<const Kinematics> chainFamily(const base::JsonNode& g) {
   return std::make_shared<ChainKinematics>(std::move(chain));
 }
 
+std::shared_ptr<const Kinematics> scaraFamily(const base::JsonNode& g) {
+  g.allowOnly({"a1", "a2", "top"});
+  return std::make_shared<ScaraKinematics>(
+      ScaraGeometry{g.at("a1").positive(), g.at("a2").positive(), g.at("top").number()});
+}
+
 // A new family is a row here and a file beside ur_kinematics.cpp.
 struct Family {
   const char* id;
@@ -88,7 +99,7 @@ struct Family {
 };
 const std::vector<Family>& families() {
   static const std::vector<Family> table = {
-      {"ur", urFamily}, {"opw", opwFamily}, {"chain", chainFamily}};
+      {"ur", urFamily}, {"opw", opwFamily}, {"chain", chainFamily}, {"scara", scaraFamily}};
   return table;
 }
 
@@ -113,9 +124,9 @@ std::shared_ptr<const Kinematics> asRead(std::shared_ptr<const Kinematics> arm,
         node.at("signs").fail("must be 1 or -1"_text);
   }
   if (node.has("offsetsDeg")) {
-    reading.offsetsRad = numbersOf(node.at("offsetsDeg"), arm->dof());
-    for (double& offset : reading.offsetsRad)
-      offset = base::degreesToRadians(offset);
+    reading.offsets = numbersOf(node.at("offsetsDeg"), arm->dof());
+    for (std::size_t i = 0; i < dof; ++i)
+      reading.offsets[i] = ofShownValue(arm->kindOf(static_cast<int>(i)), reading.offsets[i]);
   }
   reading.thirdIsCoupled = node.has("thirdIsCoupled") && node.at("thirdIsCoupled").boolean();
   return std::make_shared<ReadKinematics>(std::move(arm), std::move(reading));
@@ -132,14 +143,20 @@ std::shared_ptr<const Kinematics> readKinematics(const base::JsonNode& robot) {
       base::message("names no kinematic family that is known: '{id}'"_text, id));
 }
 
-std::vector<JointLimits> readLimits(const base::JsonNode& list, int dof) {
+std::vector<JointLimits> readLimits(const base::JsonNode& list, const Kinematics& arm) {
+  const std::vector<base::JsonNode> joints = list.items();
+  if (static_cast<int>(joints.size()) != arm.dof())
+    list.fail(
+        base::message("must hold {wanted} joints, holds {found}"_text, arm.dof(), joints.size()));
   std::vector<JointLimits> limits;
-  for (const base::JsonNode& joint : list.items()) {
-    joint.allowOnly({"minDeg", "maxDeg", "velocityDegPerS", "accelerationDegPerS2"});
-    limits.push_back(readJointLimits(joint));
+  for (const base::JsonNode& joint : joints) {
+    const JointKind kind = arm.kindOf(static_cast<int>(limits.size()));
+    if (kind == JointKind::Sliding)
+      joint.allowOnly({"minMm", "maxMm", "velocityMmPerS", "accelerationMmPerS2"});
+    else
+      joint.allowOnly({"minDeg", "maxDeg", "velocityDegPerS", "accelerationDegPerS2"});
+    limits.push_back(readJointLimits(joint, kind));
   }
-  if (static_cast<int>(limits.size()) != dof)
-    list.fail(base::message("must hold {wanted} joints, holds {found}"_text, dof, limits.size()));
   return limits;
 }
 
@@ -184,7 +201,7 @@ RobotModel readRobot(const std::filesystem::path& file) {
   robot.maker = top.at("maker").text();
   robot.controller = top.at("controller").text();
   robot.kinematics = readKinematics(top);
-  robot.limits = readLimits(top.at("limits"), robot.dof());
+  robot.limits = readLimits(top.at("limits"), *robot.kinematics);
   robot.links = readLinks(top.at("links"), robot.dof());
   robot.assumed = readTexts(top.at("assumed"));
   if (top.has("sources"))

@@ -125,6 +125,27 @@ TEST(Ladder, RodIsNoStepOfTheArms) {
   EXPECT_EQ(way.q.back()[1], 160.0);
 }
 
+// A slide counts as robot::asTurn has it, and never by whole turns.
+TEST(Ladder, WhatSlidesIsNotWrapped) {
+  const double turn = 2 * base::kPi;
+  const std::vector<robot::JointLimits> slide{{-150, 0, 1, 1, robot::JointKind::Sliding}};
+  const auto wayTo = [&](double mm) {
+    LadderNode from, to;
+    from.q.resize(1);
+    to.q.resize(1);
+    from.q << -20.0;
+    to.q << -20.0 + mm;
+    motion::LadderOptions options;
+    options.maxStepRad.assign(2, 0.05); // 5 mm
+    return shortestWay({{from}, {to}}, {0.0}, slide, options);
+  };
+  EXPECT_EQ(wayTo(turn).reached, 1u);
+  const auto way = wayTo(4.0);
+  ASSERT_EQ(way.reached, 2u);
+  EXPECT_NEAR(way.cost, 0.04, 1e-12);
+  EXPECT_DOUBLE_EQ(way.q.back()[0], -16.0);
+}
+
 // A joint that turns on and on is followed over +-180 degrees, and not beyond its limit.
 TEST(Ladder, TurnsAreFollowedUpToTheLimit) {
   std::vector<Rung> rungs;

@@ -42,6 +42,19 @@ TEST(Automatic, WaysAreOfKnownModesAndPlatformsTheyTake) {
   }
 }
 
+// What a cell can tilt says which ways there are, not its name.
+TEST(Automatic, AnArmThatStaysUprightGetsLevelLayersAtOnce) {
+  project::Choices choices = automatic();
+  choices.cell = "t3";
+  const auto ways = automaticChoices(choices);
+  ASSERT_EQ(ways.size(), 2u);
+  EXPECT_EQ(ways[0].automaticWay, "flat");
+  EXPECT_EQ(byHand(ways[0]).parameters.at("supports"), "auto");
+  EXPECT_EQ(ways[1].automaticWay, "flat-low");
+  choices.cell = "rv2f-moving";
+  EXPECT_EQ(automaticChoices(choices).front().mode, "curved");
+}
+
 TEST(Automatic, ProjectsNameAWayWhateverIsPutBeforeIt) {
   std::set<std::string_view> ids;
   for (const pipeline::AutomaticWay& way : pipeline::automaticWays())

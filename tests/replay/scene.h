@@ -221,10 +221,10 @@ inline Scene rodScene(int layers = 2) {
 }
 
 // A solid box of 12 x 12 x (0.8 x layers) mm, printed.
-inline Scene boxScene(int layers = 4, const std::string& in = "ur5-fixed") {
+inline Scene boxScene(int layers = 4, const std::string& cellId = "ur5-fixed") {
   usesSourceTreeResources();
   process::Process p = process::loadProcess("fdm-1.0");
-  robot::Cell cell = robot::loadCell(in, p, squarePlatform(12.0));
+  robot::Cell cell = robot::loadCell(cellId, p, squarePlatform(12.0));
   plan::ToolPlan plan = boxPlan(12.0, 11, layers, p);
   plan::Trajectory t = walk(plan, cell, p);
   return {p,

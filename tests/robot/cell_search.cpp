@@ -1,7 +1,8 @@
 // Where what stands still in a cell should be: the fixed nozzle, or the plate of a nozzle that the
 // arm carries. For each place tried, the share of printing poses that some branch and some turn
 // about the nozzle reaches with all bodies clear, and the clearance they have. Poses: tip at points
-// of a ball standing on the plate, tilted 0, 30, ... 120 deg to 8 sides; the plate a disc of 40 mm;
+// of a ball standing on the plate, tilted 0, 30, ... 120 deg to 8 sides (an arm that cannot tilt:
+// upright only); the plate a disc of 40 mm;
 // a ball of three quarters of that radius stands for the part, which links other than the one that
 // carries it must not touch.
 //   cell_search CELL [RADIUS] [ROW...]   CELL: a cell's id; RADIUS of the poses' ball, mm (65);
@@ -30,7 +31,7 @@ using nlohmann::json;
 namespace {
 
 constexpr double kClearMm = 3.0, kCapMm = 40.0, kSpacingMm = 18.0, kGantryZ = 1100.0,
-                 kTableZ = -30.0, kRestMm = 20.0;
+                 kRestMm = 20.0;
 constexpr int kTurns = 16, kTilts = 5;
 
 struct Place {
@@ -50,8 +51,11 @@ robot::Cell cellAt(json cell, const Place& place, const std::filesystem::path& f
     stem[0]["frustum"]["p1Mm"][2] = -place.stem + 8;
     stem[1]["frustum"]["p0Mm"][2] = -place.stem + 8;
   } else {
-    cell["platform"]["pose"]["xyzMm"] = {place.x, place.y, place.z};
-    stem[0]["frustum"]["p0Mm"][2] = kTableZ - place.z;
+    // The stem stands on the table, which stays where it is.
+    json& foot = stem[0]["frustum"]["p0Mm"][2];
+    json& plate = cell["platform"]["pose"]["xyzMm"];
+    foot = foot.get<double>() + plate[2].get<double>() - place.z;
+    plate = {place.x, place.y, place.z};
   }
   const auto file = folder / (cell["id"].get<std::string>() + ".json");
   std::ofstream(file) << cell.dump();
@@ -162,9 +166,12 @@ Eigen::Isometry3d toolPose(const Eigen::Vector3d& tip, double tilt, double azimu
   return t;
 }
 
-// Elbow, wrist and shoulder as three bits, by the signs that a UR has.
+// Elbow, wrist and shoulder as three bits, by the signs that a UR has; of an arm that cannot tilt
+// the elbow.
 std::size_t branchOf(const robot::Cell& cell, const robot::JointVector& q,
                      std::vector<Eigen::Isometry3d>& frames) {
+  if (!cell.tilts())
+    return q[1] > 0 ? 1u : 0u;
   cell.framePoses(q, frames);
   const bool front =
       frames[5].translation().dot(Eigen::Vector3d(std::cos(q[0]), std::sin(q[0]), 0)) > 0;
@@ -180,7 +187,7 @@ Score scoreOf(const robot::Cell& cell, double radius, const base::RunContext& ct
         std::vector<robot::JointVector> solutions;
         std::vector<Eigen::Isometry3d> frames;
         for (std::size_t p = begin; p < end; ++p)
-          for (std::size_t ring = 0; ring < kTilts; ++ring) {
+          for (std::size_t ring = 0; ring < (cell.tilts() ? kTilts : 1u); ++ring) {
             constexpr double kTiltDeg[kTilts] = {0, 30, 60, 90, 120};
             for (int side = 0; side < (ring == 0 ? 1 : 8); ++side) {
               double best = -1.0;
@@ -219,23 +226,32 @@ void printRow(const Place& place, const Score& s) {
   std::printf("%5.0f %5.0f %5.0f %5.0f  %6.2f %6.1f  ", place.x, place.y, place.z, place.stem,
               100.0 * clear / poses, s.clearanceSum / poses);
   for (std::size_t i = 0; i < kTilts; ++i)
-    std::printf(" %6.1f", 100.0 * s.clear[i] / s.poses[i]);
+    std::printf(" %6.1f", s.poses[i] > 0 ? 100.0 * s.clear[i] / s.poses[i] : 0.0);
   const auto best = std::max_element(s.clearByBranch.begin(), s.clearByBranch.end());
   std::printf("  %6.1f (%td)\n", 100.0 * *best / poses, best - s.clearByBranch.begin());
   std::fflush(stdout);
 }
 
-// At rest the tip stands 180 mm above the plate: the clearest branch, of those clear by 20 mm the
-// one that turns least from the joints' zero and faces the plate.
+// At rest the tip stands 180 mm above the plate, or as high as the arm gets: the clearest branch,
+// of those clear by 20 mm the one that turns least from the joints' zero and faces the plate.
 void printHome(const robot::Cell& cell, double radius) {
   Clearance clearance(cell, radius);
   std::vector<robot::JointVector> solutions;
   double best = -1.0;
   robot::JointVector home;
-  const auto turns = [](const robot::JointVector& q) { return q.norm() + 3.0 * std::abs(q[0]); };
+  const auto turns = [&](const robot::JointVector& q) {
+    return robot::asTurns(q, cell.limits()).norm() + 3.0 * std::abs(q[0]);
+  };
+  const robot::JointVector zero = robot::JointVector::Zero(cell.dof());
+  double height = 180.0;
+  const auto solve = [&](double turn) {
+    cell.inverse(toolPose({0, 0, height}, 0, 0, turn), zero, solutions);
+    return !solutions.empty();
+  };
+  while (!cell.tilts() && height > 0.0 && !solve(0.0))
+    height -= 5.0;
   for (int turn = 0; turn < kTurns; ++turn) {
-    cell.inverse(toolPose({0, 0, 180}, 0, 0, 2 * kPi * turn / kTurns),
-                 robot::JointVector::Zero(cell.dof()), solutions);
+    solve(2 * kPi * turn / kTurns);
     for (const robot::JointVector& q : solutions)
       if (const double c = std::min(clearance.of(q), kRestMm);
           c > best + 1e-6 || (c > best - 1e-6 && c >= kClearMm && turns(q) < turns(home))) {
@@ -243,10 +259,29 @@ void printHome(const robot::Cell& cell, double radius) {
         home = q;
       }
   }
-  std::printf("clearest rest (%.1f mm):", best);
+  std::printf("clearest rest (%.1f mm), %.0f mm above the plate:", best, height);
   for (Eigen::Index i = 0; i < home.size(); ++i)
-    std::printf(" %.1f", base::radiansToDegrees(home[i]));
+    std::printf(" %.1f",
+                robot::shownValue(cell.limits()[static_cast<std::size_t>(i)].kind, home[i]));
   std::printf("\n");
+}
+
+// Of an arm that cannot tilt: ahead of the middle of joint 1's range, by the height of the lowest
+// tip, which the sliding joint says.
+std::vector<Place> uprightGrid(const robot::Cell& cell) {
+  std::vector<Place> places;
+  robot::JointVector q = robot::JointVector::Zero(cell.dof());
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    const robot::JointLimits& limit = cell.limits()[static_cast<std::size_t>(i)];
+    q[i] = limit.kind == robot::JointKind::Sliding ? limit.min : 0.0;
+  }
+  q[0] = 0.5 * (cell.limits()[0].min + cell.limits()[0].max);
+  const Eigen::Vector3d tip = (cell.base_T_fixed() * cell.work_T_tool(q)).translation();
+  for (double share : {0.55, 0.6, 0.65, 0.7, 0.75})
+    for (double above : {5.0, 15.0, 25.0, 35.0})
+      places.push_back({10.0 * std::round(0.1 * share * tip.x()),
+                        10.0 * std::round(0.1 * share * tip.y()), std::round(tip.z() + above), 0});
+  return places;
 }
 
 // A plate ahead of the arm between 0.4 and 0.7 of what it stretches to, at heights up to 0.45 of
@@ -260,6 +295,8 @@ std::vector<Place> grid(const robot::Cell& cell) {
           places.push_back({x, 0, z, stem});
     return places;
   }
+  if (!cell.tilts())
+    return uprightGrid(cell);
   std::vector<Eigen::Isometry3d> links;
   cell.robot().kinematics->linkPoses(robot::JointVector::Zero(cell.dof()), links);
   double stretch = 0.0;

@@ -276,7 +276,7 @@ TEST_F(Cells, whatSlidesMovesThePlateByMillimetres) {
   const auto file = folder.path() / "irb1200-irbp.json";
   std::ofstream(file) << description.dump();
   const Cell cell = Cell::read(file, process::loadProcess("fdm-1.0"), disc(40));
-  EXPECT_EQ(cell.externalAxes()[1].kind, AxisKind::Sliding);
+  EXPECT_EQ(cell.externalAxes()[1].limits.kind, JointKind::Sliding);
   EXPECT_EQ(cell.limits()[7].max, 80.0);
   JointVector q = cell.home();
   q.tail(2) << kPi / 2, 50.0;

@@ -78,6 +78,16 @@ TEST_F(Files, robotMistakesNameFileAndKey) {
   EXPECT_THAT(complaint(ur5, [](json& j) { j["neverMeet"][0]["pair"][0] = "upper leg"; }),
               HasSubstr("the nearest is 'upper arm'"));
   EXPECT_THAT(complaint(ur5, [](json& j) { j["lable"] = "x"; }), HasSubstr("'lable'"));
+  const std::string t3 = "robots/t3-401s.json";
+  EXPECT_EQ(complaint(t3, [](json&) {}), "");
+  EXPECT_THAT(complaint(t3, [](json& j) { j["limits"][2]["minDeg"] = -9; }),
+              HasSubstr("'limits[2].minDeg'"));
+  EXPECT_THAT(complaint(t3, [](json& j) { j["limits"][2]["minMm"] = 200; }),
+              HasSubstr("'limits[2]'"));
+  EXPECT_THAT(complaint(t3, [](json& j) { j["limits"][2].erase("velocityMmPerS"); }),
+              HasSubstr("velocityMmPerS"));
+  EXPECT_THAT(complaint(t3, [](json& j) { j["geometryMm"]["a2"] = 0; }),
+              HasSubstr("'geometryMm.a2'"));
 }
 
 TEST_F(Files, orthoParallelMistakesNameFileAndKey) {
@@ -131,7 +141,8 @@ TEST_F(Files, mistakesAboutAxesNameFileAndKey) {
   EXPECT_THAT(axis(0, "carries", "robot"), HasSubstr("'externalAxes[0].carries' must be platform"));
   EXPECT_EQ(axis(0, "carries", "platform"), "");
   EXPECT_THAT(axis(0, "kind", "rolling"), HasSubstr("'externalAxes[0].kind' must be turning or"));
-  EXPECT_THAT(axis(0, "kind", "sliding"), HasSubstr("'externalAxes[0].minDeg'"));
+  EXPECT_THAT(axis(0, "kind", "sliding"),
+              HasSubstr("'externalAxes[0].accelerationDegPerS2' (did you mean"));
   EXPECT_THAT(axis(1, "axis", {0, 0, 0}),
               HasSubstr("'externalAxes[1].axis' must have a direction"));
   EXPECT_THAT(axis(1, "pose", {0, 0, 0}), HasSubstr("'externalAxes[1].pose'"));

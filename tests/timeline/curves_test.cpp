@@ -32,7 +32,7 @@ TEST(CurvePyramid, IsTheLeastAndGreatestOfEveryStretch) {
 
 TEST(JointCurves, AFewPointsAreShownAsTheyAre) {
   const test::SampleProgram p = test::sampleProgram(1, 4);
-  const JointCurves curves(p.trajectory, {});
+  const JointCurves curves(p.trajectory, {}, {});
   const QList<QPointF> angle = curves.angle(2, 0.0, 4.0, 100);
   ASSERT_EQ(angle.size(), 5);
   for (int i = 0; i < 5; ++i) {
@@ -43,7 +43,7 @@ TEST(JointCurves, AFewPointsAreShownAsTheyAre) {
 
 TEST(JointCurves, SpeedIsThatOfTheMoveAndDrawnAsSteps) {
   const test::SampleProgram p = test::sampleProgram(1, 4, 0.5);
-  const JointCurves curves(p.trajectory, {});
+  const JointCurves curves(p.trajectory, {}, {});
   const QList<QPointF> speed = curves.speed(0, 0.0, 2.0, 100);
   const double first = base::radiansToDegrees(std::sin(0.05) / 0.5);
   EXPECT_NEAR(speed[0].y(), first, 1e-3);
@@ -53,13 +53,24 @@ TEST(JointCurves, SpeedIsThatOfTheMoveAndDrawnAsSteps) {
   EXPECT_NE(speed[2].y(), speed[1].y());
 }
 
+TEST(JointCurves, WhatSlidesIsDrawnInMillimetres) {
+  const test::SampleProgram p = test::sampleProgram(1, 4, 0.5, 4);
+  using enum robot::JointKind;
+  const JointCurves curves(p.trajectory, {Turning, Turning, Sliding, Turning}, {});
+  EXPECT_NEAR(curves.angle(2, 0.0, 2.0, 100)[1].y(), std::sin(0.05 + 2), 1e-4);
+  EXPECT_NEAR(curves.speed(2, 0.0, 2.0, 100)[0].y(), (std::sin(0.05 + 2) - std::sin(2)) / 0.5,
+              1e-4);
+  EXPECT_NEAR(curves.angle(3, 0.0, 2.0, 100)[1].y(), base::radiansToDegrees(std::sin(0.05 + 3)),
+              1e-4);
+}
+
 // What is drawn of a million points has every extreme in the column it belongs to.
 TEST(JointCurves, ReducedCurvesKeepEveryExtreme) {
   const test::SampleProgram p = test::sampleProgram(100, 3450, 0.01);
   plan::Trajectory& t = *p.trajectory;
   const std::size_t spike = 123456;
   t.joints[spike * 6 + 1] = 3.0;
-  const JointCurves curves(p.trajectory, {});
+  const JointCurves curves(p.trajectory, {}, {});
   const double end = curves.durationS();
   for (const int columns : {1, 300, 1280}) {
     const QList<QPointF> drawn = curves.angle(1, 0.0, end, columns);
@@ -83,7 +94,7 @@ TEST(JointCurves, ReducedCurvesKeepEveryExtreme) {
 TEST(JointCurves, TwoPointsAtOneMomentHaveNoSpeedOfTheirOwn) {
   const test::SampleProgram p = test::sampleProgram(1, 4);
   p.trajectory->timeS[2] = p.trajectory->timeS[1];
-  const JointCurves curves(p.trajectory, {});
+  const JointCurves curves(p.trajectory, {}, {});
   for (int j = 0; j < 6; ++j)
     EXPECT_TRUE(std::isfinite(curves.speedRange(j).high) &&
                 std::isfinite(curves.speedRange(j).low));

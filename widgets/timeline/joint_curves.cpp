@@ -1,14 +1,13 @@
 #include "timeline/joint_curves.h"
 
 #include "base/error.h"
-#include "base/units.h"
 
 #include <algorithm>
 
 namespace voluta::timeline {
 
 JointCurves::JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
-                         const base::RunContext& ctx)
+                         const std::vector<robot::JointKind>& kinds, const base::RunContext& ctx)
     : trajectory_(std::move(trajectory)) {
   base::require(trajectory_ && trajectory_->pointCount() > 0, "JointCurves: points to draw");
   const plan::Trajectory& t = *trajectory_;
@@ -18,14 +17,15 @@ JointCurves::JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
   for (std::size_t joint = 0; joint < dof; ++joint) {
     ctx.checkpoint();
     std::vector<float> angles(count), speeds(count, 0.0f);
+    const robot::JointKind kind = joint < kinds.size() ? kinds[joint] : robot::JointKind::Turning;
     for (std::size_t i = 0; i < count; ++i) {
-      angles[i] = static_cast<float>(base::radiansToDegrees(t.joints[i * dof + joint]));
+      angles[i] = static_cast<float>(robot::shownValue(kind, t.joints[i * dof + joint]));
       if (i + 1 == count)
         break;
       const double step = t.joints[(i + 1) * dof + joint] - t.joints[i * dof + joint];
       const double seconds = t.timeS[i + 1] - t.timeS[i];
       // Two points at one moment: nothing lasts, so the speed before goes on.
-      speeds[i] = seconds > 0.0 ? static_cast<float>(base::radiansToDegrees(step / seconds))
+      speeds[i] = seconds > 0.0 ? static_cast<float>(robot::shownValue(kind, step / seconds))
                                 : (i > 0 ? speeds[i - 1] : 0.0f);
     }
     angle_.emplace_back(std::move(angles));

@@ -3,6 +3,7 @@
 
 #include "base/run_context.h"
 #include "plan/trajectory.h"
+#include "robot/joint_kind.h"
 #include "timeline/curve_pyramid.h"
 
 #include <QList>
@@ -12,11 +13,14 @@
 
 namespace voluta::timeline {
 
-// Immutable; degrees and degrees per second over seconds. Made in O(dof N), on a worker.
+// Immutable; degrees and degrees per second over seconds, mm and mm/s of joints that slide. Made in
+// O(dof N), on a worker.
 class JointCurves {
 public:
-  // Precondition (Error{Internal}): a trajectory with points, times that do not decrease.
-  JointCurves(std::shared_ptr<const plan::Trajectory> trajectory, const base::RunContext& ctx);
+  // Joints behind those of `kinds` turn. Precondition (Error{Internal}): a trajectory with points,
+  // times that do not decrease.
+  JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
+              const std::vector<robot::JointKind>& kinds, const base::RunContext& ctx);
 
   int dof() const { return trajectory_->dof; }
   double durationS() const { return trajectory_->timeS.back(); }

@@ -1,6 +1,5 @@
 #include "timeline/joint_plots.h"
 
-#include "base/units.h"
 #include "forms/colours.h"
 #include "jobs/job_runner.h"
 #include "timeline/chart_canvas.h"
@@ -126,8 +125,11 @@ void JointPlots::buildWidgets() {
 }
 
 void JointPlots::retranslate() {
-  angle_->setAxisTitle(tr("Angle (°)"));
-  speed_->setAxisTitle(tr("Speed (°/s)"));
+  const bool slides = std::any_of(limits_.begin(), limits_.end(), [](const auto& limit) {
+    return limit.kind == robot::JointKind::Sliding;
+  });
+  angle_->setAxisTitle(slides ? tr("Angle (°), way (mm)") : tr("Angle (°)"));
+  speed_->setAxisTitle(slides ? tr("Speed (°/s, mm/s)") : tr("Speed (°/s)"));
   for (ChartCanvas* canvas : {angle_, speed_})
     canvas->setTimeTitle(tr("Time (s)"));
   const std::array<QString, 3> kinds{tr("Angle"), tr("Speed"), tr("Both")};
@@ -148,6 +150,7 @@ void JointPlots::setTrajectory(std::shared_ptr<const plan::Trajectory> trajector
   limits_ = std::move(limits);
   externalAxes_ = std::move(externalAxes);
   curves_.reset();
+  retranslate();
   if (!trajectory || trajectory->pointCount() == 0) {
     runner_->cancel();
     refresh();
@@ -155,8 +158,9 @@ void JointPlots::setTrajectory(std::shared_ptr<const plan::Trajectory> trajector
   }
   refresh();
   runner_->run(
-      [trajectory = std::move(trajectory)](const base::RunContext& ctx) {
-        return std::make_shared<const JointCurves>(trajectory, ctx);
+      [trajectory = std::move(trajectory),
+       kinds = robot::kindsOf(limits_)](const base::RunContext& ctx) {
+        return std::make_shared<const JointCurves>(trajectory, kinds, ctx);
       },
       [this](base::Outcome<std::shared_ptr<const JointCurves>> outcome) {
         auto* curves = std::get_if<std::shared_ptr<const JointCurves>>(&outcome);
@@ -287,8 +291,8 @@ void JointPlots::refresh() {
       const robot::ExternalAxis* axis = externalAxis(i);
       if (limits && i < limits_.size() && !(angles && axis && axis->runsOn)) {
         const robot::JointLimits& l = limits_[i];
-        curve.low = base::radiansToDegrees(angles ? l.min : -l.velocity);
-        curve.high = base::radiansToDegrees(angles ? l.max : l.velocity);
+        curve.low = robot::shownValue(l.kind, angles ? l.min : -l.velocity);
+        curve.high = robot::shownValue(l.kind, angles ? l.max : l.velocity);
       }
       ranges.push_back(angles ? curves_->angleRange(joint) : curves_->speedRange(joint));
       curves.push_back(std::move(curve));
