@@ -72,6 +72,32 @@ struct Centrelines {
   }
 };
 
+// Where wide beads got more than `mostHatchMm`, which the widest lays, they leave it to their
+// neighbours; false where none did.
+bool lessenExtras(const std::vector<SurfaceCurve>& curves, const Cells& cells, double mostHatchMm,
+                  std::vector<std::vector<double>>& extras) {
+  bool any = false;
+  for (std::size_t k = 0; k < extras.size(); ++k) {
+    std::vector<double>& extra = extras[k];
+    const auto& points = curves[k].points;
+    const std::vector<double>& area = cells.share[k].areaMm2;
+    const auto length = [&](std::size_t i) {
+      return (points[(i + 1) % points.size()].position - points[i].position).norm();
+    };
+    for (std::size_t i = 0; i < extra.size(); ++i) {
+      const std::size_t before = (i + area.size() - 1) % area.size(), after = i % area.size();
+      const double hatch =
+          (area[before] + area[after]) / std::max(1e-9, length(before) + length(after));
+      if (extra[i] <= 0.0 || hatch <= mostHatchMm)
+        continue;
+      // The rim between two beads moves by half of what one of them is given.
+      extra[i] = std::max(0.0, extra[i] - 2.0 * (hatch - mostHatchMm));
+      any = true;
+    }
+  }
+  return any;
+}
+
 // Per vertex, from the footprints of the lines: gap_fill.h.
 std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
                               const std::vector<double>& hatchMm, double beadScale) {
@@ -362,9 +388,12 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();
-  Cells cells =
-      shareOut(s, lines.curves, kReach * beadScale,
-               (kind.isWound ? kWoundMm2 : kSectionMm2) * beadScale * beadScale, lines.extras(s));
+  const double sectionMm2 = (kind.isWound ? kWoundMm2 : kSectionMm2) * beadScale * beadScale;
+  std::vector<std::vector<double>> extras = lines.extras(s);
+  Cells cells = shareOut(s, lines.curves, kReach * beadScale, sectionMm2, extras);
+  if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,
+                   extras))
+    cells = shareOut(s, lines.curves, kReach * beadScale, sectionMm2, extras);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)

@@ -82,6 +82,18 @@ std::vector<double> wantedAlong(const Loop& loop, const std::vector<double>& wan
   return along;
 }
 
+// The width nearest below the wanted one that leaves no place beside it which neither it nor
+// another bead can fill; `roomMm` from the rim to the middle of the patch.
+double fitting(double wantedMm, double roomMm, double hatchMm, const process::Process& process) {
+  const double overlap = process.beadWidthMm - hatchMm;
+  double width = std::min(wantedMm, roomMm + overlap);
+  const double left = roomMm + overlap - width,
+               least = 0.5 * (process.beadWidthMinMm - overlap); // of a bead along the middle
+  if (width + left > process.beadWidthMaxMm && left < least)
+    width -= least - left;
+  return std::max(process.beadWidthMm, width);
+}
+
 } // namespace
 
 std::vector<double> outerHatches(const PatchSurface& s, const std::vector<double>& wantedMm,
@@ -134,11 +146,8 @@ std::vector<double> outerHatches(const PatchSurface& s, const std::vector<double
     sweep(loop, [&](std::size_t i, std::size_t j, double mm) {
       width[j] = std::max(width[j], width[i] - kSlope * mm);
     });
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto v = at(loop.vertices[i]);
-      const double most = room[i] + process.beadWidthMm - hatchMm[v];
-      width[i] = std::max(process.beadWidthMm, std::min(width[i], most));
-    }
+    for (std::size_t i = 0; i < n; ++i)
+      width[i] = fitting(width[i], room[i], hatchMm[at(loop.vertices[i])], process);
     sweep(loop, [&](std::size_t i, std::size_t j, double mm) {
       width[j] = std::min(width[j], width[i] + kSlope * mm);
     });

@@ -6,8 +6,8 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "geometry/mesh_query.h"
+#include "helpers/laid_beads.h"
 #include "pipeline/road.h"
-#include "process/bead_model.h"
 #include "replay/beads.h"
 #include "replay/coverage.h"
 #include "replay/ground.h"
@@ -26,45 +26,6 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr std::array<const char*, 5> kKinds = {"wall", "infill", "gap", "skirt", "support"};
-
-struct Laid {
-  std::vector<replay::BeadPiece> pieces;
-  std::vector<std::size_t> waypoint; // per piece: the one it leads to
-};
-
-Laid laidBy(const plan::ToolPlan& plan) {
-  Laid laid;
-  for (std::uint32_t k = 0; k < plan.paths.size(); ++k) {
-    const plan::ToolPath& path = plan.paths[k];
-    double run = 0.0;
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
-      replay::BeadPiece piece;
-      piece.from = plan.position[i - 1];
-      piece.to = plan.position[i];
-      piece.fromDirection = plan.direction[i - 1];
-      piece.toDirection = plan.direction[i];
-      piece.fromHeightMm = plan.heightMm[i - 1];
-      piece.toHeightMm = plan.heightMm[i];
-      const double length = (piece.to - piece.from).norm();
-      const auto area = [&](std::size_t j) {
-        const auto w = static_cast<double>(plan.widthMm[j]),
-                   h = static_cast<double>(plan.heightMm[j]);
-        return process::beadArea(w, h);
-      };
-      piece.volumeMm3 = static_cast<float>(process::beadVolume(area(i - 1), area(i), length));
-      run += length;
-      piece.runMm = static_cast<float>(run);
-      piece.run = k + 1;
-      piece.motion = static_cast<std::uint32_t>(i);
-      piece.ofPart = path.kind != plan::PathKind::Support && path.kind != plan::PathKind::Skirt;
-      if (length < 1e-6)
-        continue;
-      laid.pieces.push_back(piece);
-      laid.waypoint.push_back(i);
-    }
-  }
-  return laid;
-}
 
 // As replay::findSupport looks right beneath a piece; and how far aside from its middle, to the
 // left and to the right, the first material lies.
@@ -119,8 +80,7 @@ struct Run {
 void report(const pipeline::PlanResult& planned, int listed, const base::RunContext& ctx) {
   const plan::ToolPlan& plan = *planned.job.toolPlan;
   const process::Process& process = *planned.process;
-  const Laid laid = laidBy(plan);
-  const auto& pieces = laid.pieces;
+  const std::vector<replay::BeadPiece> pieces = test::laidBeads(plan);
   const geometry::TriangleMesh& part = planned.job.printed();
   Vector3d low = part.vertices.front(), high = low;
   for (const auto* points : {&part.vertices, &plan.position})
@@ -162,7 +122,7 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
   std::vector<Run> runs;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const double length = (pieces[p].to - pieces[p].from).norm();
-    const plan::ToolPath& path = pathOf(plan, laid.waypoint[p]);
+    const plan::ToolPath& path = pathOf(plan, pieces[p].motion);
     if (under[p].carried < 0.5) {
       const double h = static_cast<double>(pieces[p].toHeightMm);
       const double near = std::min(under[p].leftMm, under[p].rightMm),
@@ -210,7 +170,7 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
                                   .normalized();
       lean += std::asin(std::clamp(-normal.dot(pieces[p].toDirection), -1.0, 1.0)) * 57.29578 / n;
     }
-    const plan::ToolPath& path = pathOf(plan, laid.waypoint[run.first]);
+    const plan::ToolPath& path = pathOf(plan, pieces[run.first].motion);
     const std::size_t of = static_cast<std::size_t>(&path - plan.paths.data());
     const Vector3d at = pieces[(run.first + run.end) / 2].to;
     std::printf("    %6.1f mm of %7.1f  layer %4d patch %4d path %5zu %-7s %s h %.2f w %.2f "

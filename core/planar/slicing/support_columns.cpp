@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kArcMm = 0.05;     // of round corners
 constexpr double kNarrowest = 0.25; // of a bead: what reaches out by less hangs on by itself
-constexpr double kFooting = 0.5;    // share of a column's section that stands on something
+constexpr double kFooting = 0.9;    // of a bead's width: what stands on something is as wide
 constexpr double kTaper = 0.5;      // of what a layer may reach out: a bead's middle stays carried
 constexpr double kTrunk = 4.0;      // beads: columns don't get thinner than that downwards
 constexpr double kUnderBase = 0.25; // of the first layer: how deep under a base it is asked for
@@ -224,11 +224,12 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
         out.unheldMm2 += area;
       }
     }
+    // What stands on something, and as much beside it as its beads reach out.
     Paths kept;
     for (const Paths& column : components(columns[k]))
-      if (areaMm2(shared(column, below)) >= kFooting * areaMm2(column))
-        kept.insert(kept.end(), column.begin(), column.end());
-    columns[k] = std::move(kept);
+      if (!wideEnough(shared(column, below), kFooting * half).empty())
+        kept = united(kept, shared(column, grown(below, half)));
+    columns[k] = wideEnough(kept, 0.9 * half);
     out.sections[k] = sectionOf(columns[k], levels.plane(k), levels.frame());
     below = united(grown(columns[k], options.gapMm), grown(standing[k], options.gapMm));
   }
