@@ -136,9 +136,12 @@ TEST(CarriedWallWidths, LeaveSupportsAndSeams) {
   layers::LayerStack seamed = stack;
   stack.patches[1].group = layers::kSupportGroup;
   seamed.patches[1].innerRim.assign(seamed.patches[1].surface.vertices.size(), 1);
-  for (const layers::LayerStack& each : {stack, seamed})
-    for (const double w : toolpath::carriedWallWidths(each, {}, {})[1])
-      EXPECT_DOUBLE_EQ(w, process::Process{}.beadWidthMm);
+  const process::Process process;
+  for (const layers::LayerStack& each : {stack, seamed}) {
+    const auto widths = toolpath::carriedWallWidths(each, process, {});
+    for (const double w : widths[1])
+      EXPECT_DOUBLE_EQ(w, process.beadWidthMm);
+  }
 }
 
 // A wall that is wider than the others keeps its width and its place, and the beads still tile.

@@ -225,8 +225,8 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
         out.unheldMm2 += area;
       }
     }
-    // Where most of a column stands on something, all of it; else what does, and as much beside it
-    // as its beads reach out, from which it grows.
+    // Where most of a column stands on something, all of it; else what does, and so much beside it
+    // that half a bead beyond the gap reaches out, from which it grows.
     Paths kept;
     for (const Paths& column : components(columns[k])) {
       const Paths stands = shared(column, below);
