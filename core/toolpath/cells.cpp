@@ -1,9 +1,12 @@
 #include "toolpath/cells.h"
 
+#include "base/error.h"
 #include "toolpath/segment_grid.h"
 #include "toolpath/surface_samples.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -14,7 +17,9 @@ namespace {
 // Gives samples of a surface to the nearest segment of the curves.
 class Sharer {
 public:
-  Sharer(const std::vector<SurfaceCurve>& curves, double reachMm) : curves_(curves) {
+  Sharer(const std::vector<SurfaceCurve>& curves, double reachMm,
+         const std::vector<std::vector<double>>& extraMm)
+      : curves_(curves), reach_(reachMm) {
     cells_.share.resize(curves.size());
     std::vector<SegmentGrid::Segment> segments;
     for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -26,6 +31,12 @@ public:
       for (std::size_t i = 0; i < n; ++i) {
         segments.push_back({points[i].position, points[(i + 1) % points.size()].position});
         owner_.emplace_back(c, i);
+        if (!extraMm.empty()) {
+          const std::vector<double>& extra = extraMm[c];
+          extra_.push_back(extra.empty() ? std::array{0.0, 0.0}
+                                         : std::array{extra[i], extra[(i + 1) % points.size()]});
+          mostExtra_ = std::max({mostExtra_, extra_.back()[0], extra_.back()[1]});
+        }
       }
     }
     grid_.emplace(segments, reachMm);
@@ -34,8 +45,10 @@ public:
   void add(const SurfaceSample& sample, const Eigen::Vector3d& normal) {
     const Eigen::Vector3d& p = sample.position;
     const double area = sample.areaMm2;
-    const SegmentGrid::Hit hit = grid_->nearest(p, last_);
+    SegmentGrid::Hit hit = grid_->nearest(p, last_);
     last_ = hit.segment;
+    if (hit.segment >= 0 && mostExtra_ > 0.0)
+      hit = nearestOfWide(p, hit);
     if (hit.segment < 0) {
       cells_.orphanMm2 += area;
       return;
@@ -64,7 +77,36 @@ public:
   }
 
 private:
+  double extraAt(int segment, double t) const {
+    const auto& [from, to] = extra_[static_cast<std::size_t>(segment)];
+    return (1.0 - t) * from + t * to;
+  }
+
+  // The segment whose bead's rim is nearest, among those that a wide one may take from `nearest`.
+  SegmentGrid::Hit nearestOfWide(const Eigen::Vector3d& p, const SegmentGrid::Hit& nearest) const {
+    SegmentGrid::Hit best = nearest;
+    double least = nearest.distanceMm - extraAt(nearest.segment, nearest.t);
+    grid_->forEachWithin(p, std::min(reach_, least + mostExtra_),
+                         [&](int segment, double t, double distance) {
+                           const double rim = distance - extraAt(segment, t);
+                           if (rim < least || (rim == least && segment < best.segment)) {
+                             least = rim;
+                             best.segment = segment;
+                             best.t = t;
+                             best.distanceMm = distance;
+                           }
+                         });
+    const auto [c, i] = owner_[static_cast<std::size_t>(best.segment)];
+    const auto& points = curves_[c].points;
+    best.point =
+        (1.0 - best.t) * points[i].position + best.t * points[(i + 1) % points.size()].position;
+    return best;
+  }
+
   const std::vector<SurfaceCurve>& curves_;
+  double reach_;
+  std::vector<std::array<double, 2>> extra_; // of a segment's ends; empty: none anywhere
+  double mostExtra_ = 0.0;
   Cells cells_;
   std::vector<std::pair<std::size_t, std::size_t>> owner_; // of a segment: curve, its place there
   std::optional<SegmentGrid> grid_;
@@ -74,8 +116,9 @@ private:
 } // namespace
 
 Cells shareOut(const PatchSurface& s, const std::vector<SurfaceCurve>& curves, double reachMm,
-               double sampleMm2) {
-  Sharer sharer(curves, reachMm);
+               double sampleMm2, const std::vector<std::vector<double>>& extraMm) {
+  base::require(extraMm.empty() || extraMm.size() == curves.size(), "shareOut: extras per curve");
+  Sharer sharer(curves, reachMm, extraMm);
   forEachSample(s, sampleMm2, [&](const SurfaceSample& sample) {
     sharer.add(sample, s.triangleNormal[sample.triangle]);
   });

@@ -20,8 +20,10 @@ struct Cells {
   double orphanMm2 = 0.0;       // further than the reach from any curve
 };
 
-// Samples stand for at most `sampleMm2` each (surface_samples.h).
+// Samples stand for at most `sampleMm2` each (surface_samples.h). `extraMm`: per curve, per point,
+// >= 0: by how much nearer than it is a sample counts, half of what the curve's bead is wider than
+// others; empty for a curve, or for all: 0.
 Cells shareOut(const PatchSurface& surface, const std::vector<SurfaceCurve>& curves, double reachMm,
-               double sampleMm2);
+               double sampleMm2, const std::vector<std::vector<double>>& extraMm = {});
 
 } // namespace voluta::toolpath

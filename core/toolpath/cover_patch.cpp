@@ -10,6 +10,7 @@
 #include "toolpath/curve_tools.h"
 #include "toolpath/gap_fill.h"
 #include "toolpath/infill.h"
+#include "toolpath/outer_walls.h"
 #include "toolpath/surface_fields.h"
 #include "toolpath/walls.h"
 
@@ -43,6 +44,10 @@ struct Centrelines {
   std::vector<SurfaceCurve> curves;
   std::vector<PathKind> kind;
   std::vector<int> ring;
+  // Per vertex, half of what an outermost wall there is wider than other beads; empty: nothing.
+  std::vector<double> extraMm;
+
+  bool isOuterWall(std::size_t k) const { return kind[k] == PathKind::Wall && ring[k] == 0; }
 
   void add(std::vector<SurfaceCurve>&& more, PathKind k, int r) {
     for (SurfaceCurve& c : more) {
@@ -53,7 +58,64 @@ struct Centrelines {
       ring.push_back(r);
     }
   }
+
+  // As shareOut takes them.
+  std::vector<std::vector<double>> extras(const PatchSurface& s) const {
+    if (extraMm.empty())
+      return {};
+    std::vector<std::vector<double>> all(curves.size());
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      if (isOuterWall(k))
+        for (const SurfacePoint& p : curves[k].points)
+          all[k].push_back(s.interpolate(extraMm, p));
+    return all;
+  }
 };
+
+// Where wide beads got more than `mostHatchMm`, which the widest lays, they leave it to their
+// neighbours; false where none did.
+bool lessenExtras(const std::vector<SurfaceCurve>& curves, const Cells& cells, double mostHatchMm,
+                  std::vector<std::vector<double>>& extras) {
+  bool any = false;
+  for (std::size_t k = 0; k < extras.size(); ++k) {
+    std::vector<double>& extra = extras[k];
+    const auto& points = curves[k].points;
+    const std::vector<double>& area = cells.share[k].areaMm2;
+    const auto length = [&](std::size_t i) {
+      return (points[(i + 1) % points.size()].position - points[i].position).norm();
+    };
+    for (std::size_t i = 0; i < extra.size(); ++i) {
+      const std::size_t before = (i + area.size() - 1) % area.size(), after = i % area.size();
+      const double hatch =
+          (area[before] + area[after]) / std::max(1e-9, length(before) + length(after));
+      if (extra[i] <= 0.0 || hatch <= mostHatchMm)
+        continue;
+      // The rim between two beads moves by half of what one of them is given.
+      extra[i] = std::max(0.0, extra[i] - 2.0 * (hatch - mostHatchMm));
+      any = true;
+    }
+  }
+  return any;
+}
+
+// Per vertex, from the footprints of the lines: gap_fill.h.
+std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
+                              const std::vector<double>& hatchMm, double beadScale) {
+  std::vector<SurfaceCurve> usual, wide;
+  for (std::size_t k = 0; k < lines.curves.size(); ++k)
+    (lines.isOuterWall(k) && !lines.extraMm.empty() ? wide : usual).push_back(lines.curves[k]);
+  std::vector<double> outside =
+      distanceToSegments(s, segmentsOf(s, usual), kGapReachMm * beadScale);
+  for (std::size_t v = 0; v < outside.size(); ++v)
+    outside[v] -= 0.5 * hatchMm[v];
+  if (wide.empty())
+    return outside;
+  const std::vector<double> toWide =
+      distanceToSegments(s, segmentsOf(s, wide), kGapReachMm * beadScale);
+  for (std::size_t v = 0; v < outside.size(); ++v)
+    outside[v] = std::min(outside[v], toWide[v] - 0.5 * hatchMm[v] - lines.extraMm[v]);
+  return outside;
+}
 
 bool oneLoop(const PatchSurface& s) {
   if (s.boundary.empty())
@@ -221,7 +283,7 @@ PatchSurface refined(const layers::Patch& patch, const process::Process& process
 
 Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                         const ToolpathOptions& o, const InfillKind& kind, int layer,
-                        const base::RunContext& ctx) {
+                        const std::vector<double>& wallWidthMm, const base::RunContext& ctx) {
   const std::size_t n = s.position.size();
   const double beadScale = beadScaleOf(process);
   const std::vector<double> boundaryMm = distanceToSegments(s, boundarySegments(s), 1e9);
@@ -229,18 +291,30 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   for (std::size_t v = 0; v < n; ++v) {
     hatchMm[v] =
         process::hatchOf(process.beadWidthMm, std::min(s.thicknessMm[v], process.beadWidthMm));
-    depth[v] = boundaryMm[v] / hatchMm[v];
   }
+  const std::vector<double> outerMm =
+      o.walls > 0 && !kind.isWound ? outerHatches(s, wallWidthMm, boundaryMm, hatchMm, process)
+                                   : hatchMm;
+  Centrelines lines;
+  if (outerMm != hatchMm)
+    for (std::size_t v = 0; v < n; ++v)
+      lines.extraMm.push_back(0.5 * (outerMm[v] - hatchMm[v]));
+  // From the part's surface; the outermost hatch may be wider than the others.
+  const auto inHatches = [&](double mm, std::size_t v) {
+    return mm <= outerMm[v] ? mm / outerMm[v] : 1.0 + (mm - outerMm[v]) / hatchMm[v];
+  };
   const BoundaryParts parts = boundaryParts(s);
   if (!parts.seams.empty()) {
     const std::vector<double> surfaceMm = distanceToSegments(s, parts.surface, 1e9),
                               seamMm = distanceToSegments(s, parts.seams, 1e9);
     for (std::size_t v = 0; v < n; ++v)
-      depth[v] = std::min(surfaceMm[v] / hatchMm[v], o.walls + seamMm[v] / hatchMm[v]);
+      depth[v] = std::min(inHatches(surfaceMm[v], v), o.walls + seamMm[v] / hatchMm[v]);
+  } else {
+    for (std::size_t v = 0; v < n; ++v)
+      depth[v] = inHatches(boundaryMm[v], v);
   }
-  Centrelines lines;
   for (int i = 0; i < o.walls; ++i)
-    lines.add(wallAt(s, depth, hatchMm, beadScale, i + 0.5), PathKind::Wall, i);
+    lines.add(wallAt(s, depth, i == 0 ? outerMm : hatchMm, beadScale, i + 0.5), PathKind::Wall, i);
   ctx.checkpoint();
   const InfillRegion region{
       s,
@@ -255,14 +329,16 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   lines.add(kind.fill(region, ctx), PathKind::Infill, 0);
   ctx.checkpoint();
   if (o.infillDensity >= 1.0)
-    lines.add(gapSpines(s, lines.curves, boundaryMm, hatchMm, beadScale), PathKind::GapFill, 0);
+    lines.add(gapSpines(s, outsideOf(s, lines, hatchMm, beadScale), boundaryMm, hatchMm, beadScale),
+              PathKind::GapFill, 0);
   ctx.checkpoint();
   return lines;
 }
 } // namespace
 
 PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
-                      const ToolpathOptions& o, const base::RunContext& ctx) {
+                      const ToolpathOptions& o, const base::RunContext& ctx,
+                      const std::vector<double>& wallWidthMm) {
   base::require(o.infillDensity > 0 && o.infillDensity <= 1, "infill density is in (0, 1]");
   base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
   const InfillKind& kind = infillKind(o.infill);
@@ -279,7 +355,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   cover.areaMm2 = s.areaMm2;
   cover.volumeMm3 = s.volumeMm3;
   cover.simple = oneLoop(s);
-  Centrelines lines = centrelines(s, process, o, kind, patch.layer, ctx);
+  Centrelines lines = centrelines(s, process, o, kind, patch.layer, wallWidthMm, ctx);
   if (lines.curves.empty())
     return cover;
 
@@ -296,8 +372,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   for (int i = 0; solid && i < kRelaxations; ++i) {
     ctx.checkpoint();
-    const Cells cells =
-        shareOut(s, lines.curves, kReach * beadScale, kMoveMm2 * beadScale * beadScale);
+    const Cells cells = shareOut(s, lines.curves, kReach * beadScale,
+                                 kMoveMm2 * beadScale * beadScale, lines.extras(s));
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.isWound || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
@@ -312,8 +388,12 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();
-  Cells cells = shareOut(s, lines.curves, kReach * beadScale,
-                         (kind.isWound ? kWoundMm2 : kSectionMm2) * beadScale * beadScale);
+  const double sectionMm2 = (kind.isWound ? kWoundMm2 : kSectionMm2) * beadScale * beadScale;
+  std::vector<std::vector<double>> extras = lines.extras(s);
+  Cells cells = shareOut(s, lines.curves, kReach * beadScale, sectionMm2, extras);
+  if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,
+                   extras))
+    cells = shareOut(s, lines.curves, kReach * beadScale, sectionMm2, extras);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)

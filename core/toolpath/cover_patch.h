@@ -46,9 +46,12 @@ struct PatchCover {
 // 3. Resampled; each stretch lays the volume of what is nearest to it: beads tile the patch and
 //    their volume is the patch's, as far as the bead's limits of width allow (Castelli 2.1.1:
 //    section = w h - (1 - pi/4) h2).
+// Outermost walls are as wide as `wallWidthMm` of the rim's vertices says (carried_walls.h; empty:
+// the usual width), where there is room for it (outer_walls.h). Lines that wind have none.
 // Preconditions: per-vertex arrays match, thickness > 0, options in range. Throws Cancelled,
 // Error{Usage} for an unknown infill, or one that winds where the patch has no chart.
 PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
-                      const ToolpathOptions& options, const base::RunContext& ctx);
+                      const ToolpathOptions& options, const base::RunContext& ctx,
+                      const std::vector<double>& wallWidthMm = {});
 
 } // namespace voluta::toolpath

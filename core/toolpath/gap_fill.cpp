@@ -20,7 +20,7 @@ constexpr double kEdge = 0.18;       // hatches: the spine ends this far from th
 constexpr double kWorthwhile = 0.28; // hatches: half width of the least gap that gets a bead
 constexpr int kRounds = 8;           // branches of branches
 // mm, of beads of the usual width; the least spines of a wide gap and of a narrow one.
-constexpr double kReach = 2.5, kStep = 0.4, kShortestWide = 0.5, kShortestNarrow = 1.2;
+constexpr double kStep = 0.4, kShortestWide = 0.5, kShortestNarrow = 1.2;
 
 // Shortest ways from one vertex within a region, lengths weighted by the vertices' cost.
 class Ways {
@@ -80,16 +80,14 @@ private:
 };
 } // namespace
 
-std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<SurfaceCurve>& curves,
+std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<double>& outsideMm,
                                     const std::vector<double>& boundaryMm,
                                     const std::vector<double>& hatchMm, double beadScale) {
   const std::size_t n = s.position.size();
   // Half the gap's width to be had at a vertex, in hatches.
   std::vector<double> room(n);
-  const std::vector<double> toCurve =
-      distanceToSegments(s, segmentsOf(s, curves), kReach * beadScale);
   for (std::size_t v = 0; v < n; ++v)
-    room[v] = std::min(boundaryMm[v], toCurve[v] - 0.5 * hatchMm[v]) / hatchMm[v];
+    room[v] = std::min(boundaryMm[v], outsideMm[v]) / hatchMm[v];
 
   std::vector<SurfaceCurve> spines;
   std::vector<double> cost(n);
@@ -133,7 +131,7 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<Sur
       break;
     // A spine's bead takes the gap around it as far as a bead may be wide.
     const std::vector<double> toSpine =
-        distanceToSegments(s, segmentsOf(s, fresh), kReach * beadScale);
+        distanceToSegments(s, segmentsOf(s, fresh), kGapReachMm * beadScale);
     for (std::size_t v = 0; v < n; ++v)
       room[v] = std::min(room[v], (toSpine[v] - 0.8 * hatchMm[v]) / hatchMm[v]);
     for (SurfaceCurve& c : fresh)

@@ -10,6 +10,7 @@
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/bridges.h"
+#include "toolpath/carried_walls.h"
 #include "toolpath/directions.h"
 
 #include <algorithm>
@@ -126,6 +127,8 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                              const base::RunContext& ctx) {
   ToolpathResult r;
   base::Stopwatch watch;
+  const std::vector<std::vector<double>> wallWidths =
+      carriedWallWidths(stack, process, ctx.quiet());
   std::vector<PatchCover> covers(stack.patches.size());
   // In spans, so that progress is told from this thread.
   constexpr std::size_t kSpan = 64;
@@ -134,7 +137,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
     const std::size_t count = std::min(kSpan, covers.size() - from);
     base::parallelChunks(ctx, count, 1, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = from + b; i < from + e; ++i)
-        covers[i] = coverPatch(stack.patches[i], process, options, silent);
+        covers[i] = coverPatch(stack.patches[i], process, options, silent, wallWidths[i]);
     });
     ctx.report(0.6 * static_cast<double>(from + count) / static_cast<double>(covers.size()),
                "tool-paths"_text);

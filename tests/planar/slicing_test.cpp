@@ -404,6 +404,25 @@ TEST(Supports, ColumnsStandOnThePlateUnderAnArm) {
   EXPECT_TRUE(supportsOf(slicePieces(pieces, {}, {})).empty());
 }
 
+// A plate that ends under the column's inner third: it stands there, and grows out over the edge by
+// half a bead and the gap a layer, until half of its outline stands on it.
+TEST(Supports, AColumnGrowsFromWhatOfItStands) {
+  const SliceResult sliced = slicePieces({pieceOf(gallows())}, supported(14), {});
+  const auto supports = supportsOf(sliced);
+  ASSERT_EQ(supports.size(), 20u);
+  double before = 14.0;
+  for (const layers::Patch* patch : supports) {
+    const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
+    const double edge = box.max().x();
+    EXPECT_TRUE(edge <= before + 0.6 + 0.3 + 0.02 ||
+                before + 0.3 - box.min().x() >= 0.5 * box.sizes().x() - 0.02)
+        << edge << " over " << before;
+    before = edge;
+  }
+  EXPECT_LE(geometry::bounds(supports.front()->surface).max().x(), 14.62);
+  EXPECT_NEAR(before, 20.0, 0.02);
+}
+
 TEST(Supports, ATipThatHangsStandsOnAColumn) {
   // An arm with a point under it, steeper than any overhang: its first sections are too narrow for
   // a bead, and those that follow reach out over them by little.

@@ -16,9 +16,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kArcMm = 0.05;     // of round corners
-constexpr double kNarrowest = 0.25; // of a bead: what reaches out by less hangs on by itself
-constexpr double kFooting = 0.5;    // share of a column's section that stands on something
+constexpr double kArcMm = 0.05;       // of round corners
+constexpr double kNarrowest = 0.25;   // of a bead: what reaches out by less hangs on by itself
+constexpr double kFooting = 0.5;      // share of a column's section that stands on something
+constexpr double kNarrowColumn = 0.9; // of a bead
 constexpr double kTaper = 0.5;      // of what a layer may reach out: a bead's middle stays carried
 constexpr double kTrunk = 4.0;      // beads: columns don't get thinner than that downwards
 constexpr double kUnderBase = 0.25; // of the first layer: how deep under a base it is asked for
@@ -196,7 +197,7 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
         united(heads, tapered(columns[k], kTaper * reach, kTrunk * options.beadWidthMm));
     const Paths occupied =
         grown(united(standing[k - 1], levels.later(levels.middle(k - 1))), options.gapMm);
-    columns[k - 1] = wideEnough(without(carried, occupied), 0.9 * half);
+    columns[k - 1] = wideEnough(without(carried, occupied), kNarrowColumn * half);
     any = true;
   }
   if (!any)
@@ -224,11 +225,16 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
         out.unheldMm2 += area;
       }
     }
+    // Where most of a column stands on something, all of it; else what does, and so much beside it
+    // that half a bead beyond the gap reaches out, from which it grows.
     Paths kept;
-    for (const Paths& column : components(columns[k]))
-      if (areaMm2(shared(column, below)) >= kFooting * areaMm2(column))
-        kept.insert(kept.end(), column.begin(), column.end());
-    columns[k] = std::move(kept);
+    for (const Paths& column : components(columns[k])) {
+      const Paths stands = shared(column, below);
+      const bool all = areaMm2(stands) >= kFooting * areaMm2(column);
+      if (all || !wideEnough(stands, kNarrowColumn * half).empty())
+        kept = united(kept, all ? column : shared(column, grown(below, half)));
+    }
+    columns[k] = wideEnough(kept, kNarrowColumn * half);
     out.sections[k] = sectionOf(columns[k], levels.plane(k), levels.frame());
     below = united(grown(columns[k], options.gapMm), grown(standing[k], options.gapMm));
   }

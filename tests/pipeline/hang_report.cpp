@@ -1,0 +1,238 @@
+// hang_report [--keep DIR] [--mode M] [--platform P] [--set KEY=VALUE]... [--list N] [--threads N]
+// PART...
+// Which beads of real parts lie on nothing: planned up to the tool-paths, laid as a replay lays
+// them, and told by what they are (path, height, how far aside the next material below is).
+// --keep: plans up to the decomposition are kept in DIR and read from there.
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "geometry/mesh_query.h"
+#include "helpers/laid_beads.h"
+#include "pipeline/road.h"
+#include "replay/beads.h"
+#include "replay/coverage.h"
+#include "replay/ground.h"
+#include "replay/printed_part.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <string>
+
+using namespace voluta;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::array<const char*, 5> kKinds = {"wall", "infill", "gap", "skirt", "support"};
+
+// As replay::findSupport looks right beneath a piece; and how far aside from its middle, to the
+// left and to the right, the first material lies.
+struct Beneath {
+  double carried = 0.0, leftMm = 0.0, rightMm = 0.0;
+};
+Beneath beneath(const replay::BeadPiece& piece, std::uint32_t index,
+                const replay::PrintedPart& printed, const replay::GroundProbe& ground) {
+  const Vector3d tip = 0.5 * (piece.from + piece.to);
+  const Vector3d up = (piece.fromDirection + piece.toDirection).normalized();
+  const Vector3d side = up.cross(piece.to - piece.from).normalized();
+  const double height =
+      0.5 * (static_cast<double>(piece.fromHeightMm) + static_cast<double>(piece.toHeightMm));
+  const double width = replay::sectionOf(piece, 10.0).widthMm;
+  const replay::Moment moment{index, piece.run, piece.runMm,
+                              static_cast<float>(std::max(3.0, 2.0 * width))};
+  const auto holds = [&](double aside) {
+    for (double depth : {1.05, 1.15, 1.25}) {
+      const Vector3d at = tip + aside * side - depth * height * up;
+      if (printed.printedAt(at, moment) || ground.holds(at, 0.25 * width))
+        return true;
+    }
+    return false;
+  };
+  Beneath out;
+  for (int k = 0; k < 8; ++k)
+    out.carried += holds(((k + 0.5) / 8 - 0.5) * width) / 8.0;
+  const auto reach = [&](double sign) {
+    double aside = 0.0;
+    while (aside < 6.0 && !holds(sign * aside))
+      aside += 0.05;
+    return aside;
+  };
+  if (out.carried < 0.5) {
+    out.leftMm = reach(1.0);
+    out.rightMm = reach(-1.0);
+  }
+  return out;
+}
+
+const plan::ToolPath& pathOf(const plan::ToolPlan& plan, std::size_t waypoint) {
+  return *std::prev(
+      std::upper_bound(plan.paths.begin(), plan.paths.end(), waypoint,
+                       [](std::size_t w, const plan::ToolPath& path) { return w < path.first; }));
+}
+
+struct Run {
+  std::size_t first = 0, end = 0;
+  double lengthMm = 0.0;
+};
+
+void report(const pipeline::PlanResult& planned, int listed, const base::RunContext& ctx) {
+  const plan::ToolPlan& plan = *planned.job.toolPlan;
+  const process::Process& process = *planned.process;
+  const std::vector<replay::BeadPiece> pieces = test::laidBeads(plan);
+  const geometry::TriangleMesh& part = planned.job.printed();
+  Vector3d low = part.vertices.front(), high = low;
+  for (const auto* points : {&part.vertices, &plan.position})
+    for (const Vector3d& p : *points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  const Vector3d margin = Vector3d::Constant(process.beadWidthMaxMm);
+  const voxel::VoxelGrid grid =
+      replay::gridOver(low - margin, high + margin, 0.25 * process.beadWidthMm, 48'000'000);
+  const replay::BeadGrid beads =
+      replay::depositBeads(grid, pieces, {.widthMaxMm = 3.0 * process.beadWidthMaxMm}, ctx);
+  const replay::PrintedPart printed(beads, pieces);
+  const replay::GroundProbe ground(planned.job.platform);
+  const replay::SupportedBeads support = replay::findSupport(pieces, printed, ground, ctx);
+  const geometry::MeshQuery query(part);
+  const replay::PartCells cells = replay::partCells(part, query, grid, ctx);
+  const replay::Coverage coverage =
+      replay::measureCoverage(beads, cells, query, 0.25 * process.beadWidthMm, ctx);
+  double excess = 0.0;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    excess += pieces[p].ofPart ? static_cast<double>(beads.pieceExcessMm3[p]) : 0.0;
+  std::printf("  unsupported %.4f halfCarried %.4f longest %.1f covered %.4f overfill %.4f "
+              "layers %d thickness %.3f +- %.3f p01 %.2f p99 %.2f\n",
+              support.unsupportedMm / support.lengthMm, support.halfCarriedMm / support.lengthMm,
+              support.longestUnsupportedMm, coverage.coveredFraction,
+              (coverage.outsideMm3 + excess) / std::max(1e-9, cells.volumeMm3),
+              planned.job.report.layers.count, planned.job.report.layers.thicknessMeanMm,
+              planned.job.report.layers.thicknessStdMm, planned.job.report.layers.thicknessP01Mm,
+              planned.job.report.layers.thicknessP99Mm);
+
+  std::vector<Beneath> under(pieces.size());
+  base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t b, std::size_t e) {
+    for (std::size_t p = b; p < e; ++p)
+      under[p] = beneath(pieces[p], static_cast<std::uint32_t>(p), printed, ground);
+  });
+  // Length that is carried on less than half, by kind of path, height, and which side holds.
+  std::map<std::string, std::array<double, 2>> share;
+  std::vector<Run> runs;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const double length = (pieces[p].to - pieces[p].from).norm();
+    const plan::ToolPath& path = pathOf(plan, pieces[p].motion);
+    if (under[p].carried < 0.5) {
+      const double h = static_cast<double>(pieces[p].toHeightMm);
+      const double near = std::min(under[p].leftMm, under[p].rightMm),
+                   far = std::max(under[p].leftMm, under[p].rightMm);
+      const char* held = far < 6.0 ? "between" : near < 6.0 ? "beside" : "nowhere";
+      char key[80];
+      std::snprintf(key, sizeof key, "%-7s %-8s h %.1f w %.1f aside %.1f",
+                    kKinds[static_cast<std::size_t>(path.kind)], held, 0.2 * std::floor(h / 0.2),
+                    0.2 * std::floor(replay::sectionOf(pieces[p], 10.0).widthMm / 0.2),
+                    0.4 * std::floor(near / 0.4));
+      share[key][under[p].carried > 0.0 ? 0 : 1] += length;
+    }
+    const bool goesOn = p > 0 && pieces[p].run == pieces[p - 1].run;
+    if (under[p].carried > 0.0)
+      continue;
+    if (!goesOn || runs.empty() || runs.back().end != p)
+      runs.push_back({p, p, 0.0});
+    runs.back().end = p + 1;
+    runs.back().lengthMm += length;
+  }
+  std::vector<std::pair<std::string, std::array<double, 2>>> sorted(share.begin(), share.end());
+  std::ranges::sort(sorted, std::greater{},
+                    [](const auto& s) { return s.second[0] + s.second[1]; });
+  for (std::size_t k = 0; k < std::min<std::size_t>(sorted.size(), 14); ++k)
+    std::printf("    %s: less than half %.5f, on nothing %.5f of all\n", sorted[k].first.c_str(),
+                sorted[k].second[0] / support.lengthMm, sorted[k].second[1] / support.lengthMm);
+  std::erase_if(runs, [&](const Run& r) { return r.lengthMm <= process.bridgeMm; });
+  std::ranges::sort(runs, std::greater{}, &Run::lengthMm);
+  std::printf("  %zu runs over %.1f mm\n", runs.size(), process.bridgeMm);
+  for (std::size_t r = 0; r < std::min(runs.size(), static_cast<std::size_t>(listed)); ++r) {
+    const Run& run = runs[r];
+    double h = 0, w = 0, near = 0, far = 0, lean = 0;
+    const double n = static_cast<double>(run.end - run.first);
+    for (std::size_t p = run.first; p < run.end; ++p) {
+      h += static_cast<double>(pieces[p].toHeightMm) / n;
+      w += replay::sectionOf(pieces[p], 10.0).widthMm / n;
+      near += std::min(under[p].leftMm, under[p].rightMm) / n;
+      far += std::max(under[p].leftMm, under[p].rightMm) / n;
+      const auto hit = query.closest(pieces[p].to - 0.5 * h * pieces[p].toDirection);
+      const auto& t = part.triangles[static_cast<std::size_t>(hit.triangle)];
+      const Vector3d normal = (part.vertices[static_cast<std::size_t>(t[1])] -
+                               part.vertices[static_cast<std::size_t>(t[0])])
+                                  .cross(part.vertices[static_cast<std::size_t>(t[2])] -
+                                         part.vertices[static_cast<std::size_t>(t[0])])
+                                  .normalized();
+      lean += std::asin(std::clamp(-normal.dot(pieces[p].toDirection), -1.0, 1.0)) * 57.29578 / n;
+    }
+    const plan::ToolPath& path = pathOf(plan, pieces[run.first].motion);
+    const std::size_t of = static_cast<std::size_t>(&path - plan.paths.data());
+    const Vector3d at = pieces[(run.first + run.end) / 2].to;
+    std::printf("    %6.1f mm of %7.1f  layer %4d patch %4d path %5zu %-7s %s h %.2f w %.2f "
+                "aside %.2f/%.2f lean %5.1f  at (%.1f %.1f %.1f)\n",
+                run.lengthMm,
+                static_cast<double>(std::ranges::max(std::vector<float>(
+                    1,
+                    [&] {
+                      float most = 0;
+                      for (std::size_t p = run.first;
+                           p < pieces.size() && pieces[p].run == pieces[run.first].run; ++p)
+                        most = pieces[p].runMm;
+                      return most;
+                    }()))),
+                path.layer, path.patch, of, kKinds[static_cast<std::size_t>(path.kind)],
+                path.closed ? "ring" : "open", h, w, near, far, lean, at.x(), at.y(), at.z());
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app;
+  std::vector<std::string> parts, sets;
+  std::string keep, mode = "curved", platform = "fit:0", scale = "fit";
+  int listed = 12, threads = 1;
+  app.add_option("parts", parts)->required();
+  app.add_option("--keep", keep);
+  app.add_option("--mode", mode);
+  app.add_option("--platform", platform);
+  app.add_option("--scale", scale);
+  app.add_option("--set", sets);
+  app.add_option("--list", listed);
+  app.add_option("--threads", threads);
+  CLI11_PARSE(app, argc, argv);
+  const base::RunContext ctx(base::CancelToken(), threads);
+  for (const std::string& file : parts) {
+    pipeline::PlanRequest request;
+    request.part = file;
+    request.choices.mode = mode;
+    request.choices.platform = project::Platform(platform);
+    request.choices.scale = scale;
+    for (const std::string& set : sets)
+      request.choices.parameters[set.substr(0, set.find('='))] = set.substr(set.find('=') + 1);
+    request.until = project::Stage::Toolpath;
+    pipeline::StageCache cache;
+    const std::filesystem::path kept =
+        std::filesystem::path(keep) /
+        (std::filesystem::path(file).stem().string() + "-" + mode + ".voluta");
+    if (!keep.empty() && std::filesystem::exists(kept)) {
+      const project::Job job = project::readJob(kept);
+      request.loaded = job.loaded;
+      pipeline::seedCache(cache, project::upTo(job, project::Stage::Decompose));
+    }
+    const base::Stopwatch clock;
+    const pipeline::PlanResult planned = pipeline::planPart(request, ctx, &cache);
+    std::printf("%s %s: %.1f s\n", std::filesystem::path(file).stem().c_str(), mode.c_str(),
+                clock.seconds());
+    if (!keep.empty() && !std::filesystem::exists(kept))
+      project::writeJob(kept, project::upTo(planned.job, project::Stage::Decompose));
+    if (planned.job.toolPlan)
+      report(planned, listed, ctx);
+    std::fflush(stdout);
+  }
+}
