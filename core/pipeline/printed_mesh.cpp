@@ -186,7 +186,8 @@ geometry::TriangleMesh outerBeads(const plan::ToolPlan& plan, const collision::G
   const std::vector<char> seen = seenSegments(plan, part);
   Tubes tubes(plan);
   for (const plan::ToolPath& path : plan.paths)
-    for (std::size_t i = path.first + 1, end = path.first + path.count; i < end;) {
+    for (std::size_t i = path.first + 1, end = path.first + path.count;
+         path.kind != plan::PathKind::Skirt && i < end;) {
       if (!seen[i]) {
         ++i;
         continue;

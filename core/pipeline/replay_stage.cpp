@@ -71,17 +71,19 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
   back.read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
   if (in.firstPoint > 0) {
     std::vector<plan::ProgramMotion> motions = motionsBefore(format, in, ctx);
-    back.before = motions.size();
+    back.read.firstMotion = motions.size();
+    for (plan::ProgramPause& pause : back.read.pauses)
+      pause.before += back.read.firstMotion;
     motions.insert(motions.end(), back.read.motions.begin(), back.read.motions.end());
     back.read.motions = std::move(motions);
   }
-  back.verdict = replay::replayProgram(
-      {back.read, in.toolPlan, in.trajectory, in.cell, in.process, in.part, in.platform}, {},
-      ctx.sub(0.1, 1.0), judged);
+  back.verdict = replay::replayProgram({back.read, in.toolPlan, in.trajectory, in.cell, in.process,
+                                        in.part, in.platform, in.firstPoint},
+                                       {}, ctx.sub(0.1, 1.0), judged);
   // The program's own time, not that of what was printed before it.
   const auto& seconds = back.verdict.motionS;
   back.verdict.durationS -= std::accumulate(
-      seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(back.before), 0.0);
+      seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(back.read.firstMotion), 0.0);
   return back;
 }
 

@@ -17,7 +17,6 @@ namespace voluta::pipeline {
 
 struct ReadBack {
   plan::ReadProgram read; // behind the motions of what was printed before, of no line
-  std::size_t before = 0; // how many these are
   replay::Verification verdict;
 };
 

@@ -36,7 +36,7 @@ std::optional<plan::Finding> otherOrigin(const std::vector<plan::ProgramFile>& f
 void requireMotions(const ReadBack& back, const std::string& format,
                     const std::filesystem::path& program) {
   const auto& defects = back.read.defects;
-  if (back.read.motions.size() > back.before || defects.empty())
+  if (back.read.motions.size() > back.read.firstMotion || defects.empty())
     return;
   throw base::Error(base::ErrorCode::UnusableInput,
                     base::message("no motion of format {format} is in it: line {line}: {what}"_text,

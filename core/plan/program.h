@@ -97,6 +97,8 @@ struct ReadProgram {
   // A nozzle that stands, as the program sets it; flange_T_tcp is then the work object's frame.
   std::optional<Eigen::Isometry3d> base_T_nozzle;
   std::vector<ProgramMotion> motions;
+  // Those before are not of the text: what was printed before it begins.
+  std::size_t firstMotion = 0;
   std::vector<ProgramPause> pauses; // in order
   bool tellsPauses = false;         // the language has words for them, so a prime is to be found
   bool tellsDirections = true;      // the language has words for the nozzle's direction

@@ -17,8 +17,8 @@ std::size_t waypointAhead(const Trajectory& trajectory, std::size_t point) {
   return kNoWaypoint;
 }
 
-bool primesOnPath(const ToolPlan& plan, const Trajectory& trajectory) {
-  return plan.primes() && waypointAhead(trajectory, 0) < plan.paths.front().count;
+bool primesOnPath(const ToolPlan& plan, const Trajectory& trajectory, std::size_t from) {
+  return plan.primes() && waypointAhead(trajectory, from) < plan.paths.front().count;
 }
 
 } // namespace voluta::plan

@@ -14,8 +14,9 @@ const ToolPath* pathOf(const ToolPlan& plan, std::size_t waypoint);
 // The waypoint that a point is, or is on the way to; kNoWaypoint: it follows the last one.
 std::size_t waypointAhead(const Trajectory& trajectory, std::size_t point);
 
-// Does a bead that is waste fill the nozzle first? Not of a plan whose bead for that is not in the
-// motion: it could not be planned, or the motion is the rest of a print.
-bool primesOnPath(const ToolPlan& plan, const Trajectory& trajectory);
+// Does a bead that is waste fill the nozzle first, from a point of the motion on? Not of a plan
+// whose bead for that is not in the motion: it could not be planned, or lies before the rest of a
+// print.
+bool primesOnPath(const ToolPlan& plan, const Trajectory& trajectory, std::size_t from = 0);
 
 } // namespace voluta::plan

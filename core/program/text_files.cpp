@@ -8,7 +8,7 @@ namespace voluta::program {
 
 namespace {
 bool hasMark(std::string_view text) {
-  return text.starts_with("\xef\xbb\xbf") || text.starts_with("\xff\xfe") ||
+  return text.starts_with(kByteOrderMark) || text.starts_with("\xff\xfe") ||
          text.starts_with("\xfe\xff");
 }
 bool isNoText(char c) {

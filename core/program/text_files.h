@@ -9,6 +9,8 @@
 
 namespace voluta::program {
 
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 // One defect a file that begins with a byte-order mark or holds what no text holds. true: there is
 // one; such files are not to be read.
 bool tellNoTexts(const std::vector<plan::ProgramFile>& files,

@@ -1,5 +1,6 @@
 #include "program/language_words.h"
 #include "program/text.h"
+#include "program/text_files.h"
 #include "program/urscript.h"
 #include "program/urscript_values.h"
 
@@ -26,6 +27,8 @@ std::vector<std::string> filesOfUrscript(std::string_view text) {
   static const UrscriptVariables kNone;
   std::vector<std::string> files;
   std::vector<std::string_view> defined, called;
+  if (text.starts_with(kByteOrderMark)) // is the reader's to refuse
+    text.remove_prefix(kByteOrderMark.size());
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
     if (const std::string_view note = trimmed(line); note.starts_with(kNextNote))

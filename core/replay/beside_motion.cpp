@@ -20,14 +20,16 @@ constexpr double kHarder = 1.5;
 // Writers let the speed change within half the motion.
 constexpr double kHalf = 2.0;
 
-// Motions that extrude: first and last; count, 0 where there is none.
+// The text's own motions that extrude: first and last; count, 0 where there is none.
 struct Beads {
   std::size_t first, last;
 };
 Beads beadsOf(const plan::ReadProgram& program) {
   const auto lays = [](const plan::ProgramMotion& m) { return m.extruding; };
   const auto& motions = program.motions;
-  const auto first = std::find_if(motions.begin(), motions.end(), lays);
+  const auto begin =
+      motions.begin() + static_cast<std::ptrdiff_t>(std::min(program.firstMotion, motions.size()));
+  const auto first = std::find_if(begin, motions.end(), lays);
   const auto last = std::find_if(motions.rbegin(), motions.rend(), lays);
   return {static_cast<std::size_t>(first - motions.begin()),
           first == motions.end() ? 0 : static_cast<std::size_t>(motions.rend() - last) - 1};
@@ -37,9 +39,9 @@ class Judge {
 public:
   Judge(const plan::ReadProgram& program, const ExecutedPath& path, const plan::ToolPlan& plan,
         const plan::Trajectory& trajectory, const robot::Cell& cell,
-        const process::Process& process)
+        const process::Process& process, std::size_t firstPoint)
       : program_(program), path_(path), plan_(plan), trajectory_(trajectory), cell_(cell),
-        process_(process), beads_(beadsOf(program)) {}
+        process_(process), firstPoint_(firstPoint), beads_(beadsOf(program)) {}
 
   std::vector<TextFinding> judge() {
     pauses();
@@ -74,7 +76,7 @@ private:
   }
 
   void prime() {
-    const double planned = plannedPrimeMm3(plan_, trajectory_, process_);
+    const double planned = plannedPrimeMm3(plan_, trajectory_, process_, firstPoint_);
     if (!program_.tellsPauses || program_.motions.empty())
       return;
     double volume = 0.0;
@@ -109,14 +111,15 @@ private:
   }
 
   void firstMotion() {
-    if (program_.motions.empty())
+    const std::size_t first = program_.firstMotion;
+    if (first >= program_.motions.size())
       return;
-    const plan::ProgramMotion& m = program_.motions.front();
+    const plan::ProgramMotion& m = program_.motions[first];
     if (m.target == plan::TargetKind::ToolPoint) // from home, by its head
       return;
     if (m.jointSpeedRadPerS > kFirstRadPerS || m.jointAccelerationRadPerS2 > kFirstRadPerS2 ||
         m.speedMmPerS > kFirstMmPerS)
-      add(FirstMotionFast, placeOf(program_, 0), {});
+      add(FirstMotionFast, placeOf(program_, first), {});
   }
 
   void acceleration(std::size_t i) {
@@ -147,6 +150,7 @@ private:
   const plan::Trajectory& trajectory_;
   const robot::Cell& cell_;
   const process::Process& process_;
+  std::size_t firstPoint_;
   Beads beads_;
   std::vector<TextFinding> found_;
 };
@@ -154,8 +158,8 @@ private:
 } // namespace
 
 double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
-                       const process::Process& process) {
-  if (plan::primesOnPath(plan, trajectory) || trajectory.extrudedMm3.empty() ||
+                       const process::Process& process, std::size_t firstPoint) {
+  if (plan::primesOnPath(plan, trajectory, firstPoint) || trajectory.extrudedMm3.empty() ||
       !(trajectory.extrudedMm3.back() > 0.0))
     return 0.0;
   const double flow =
@@ -175,9 +179,9 @@ double standingMm3(const plan::ReadProgram& program) {
 std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
                                            const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
-                                           const robot::Cell& cell,
-                                           const process::Process& process) {
-  return Judge(program, path, plan, trajectory, cell, process).judge();
+                                           const robot::Cell& cell, const process::Process& process,
+                                           std::size_t firstPoint) {
+  return Judge(program, path, plan, trajectory, cell, process, firstPoint).judge();
 }
 
 } // namespace voluta::replay

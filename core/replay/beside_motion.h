@@ -15,9 +15,9 @@ namespace voluta::replay {
 
 // What the plan has flow out before its first bead: a usual bead's flow for the process' time, at
 // most the extruder's full flow. 0 where nothing is printed, and where a bead of its own fills the
-// nozzle. mm3.
+// nozzle. `firstPoint`: of the trajectory, where the program begins. mm3.
 double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
-                       const process::Process& process);
+                       const process::Process& process, std::size_t firstPoint = 0);
 
 // Material that pauses between the first bead and the last let out; it lies in no bead. mm3.
 double standingMm3(const plan::ReadProgram& program);
@@ -35,7 +35,7 @@ double standingMm3(const plan::ReadProgram& program);
 std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
                                            const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
-                                           const robot::Cell& cell,
-                                           const process::Process& process);
+                                           const robot::Cell& cell, const process::Process& process,
+                                           std::size_t firstPoint = 0);
 
 } // namespace voluta::replay

@@ -99,8 +99,8 @@ private:
         alignProgram(in_.program, *path_, planned, in_.trajectory, in_.cell, ctx_);
     deviates(compareWithPlan(in_.program, *path_, planned, in_.trajectory, alignment,
                              ComparisonOptions{}));
-    deviates(
-        judgeBesideMotion(in_.program, *path_, in_.plan, in_.trajectory, in_.cell, in_.process));
+    deviates(judgeBesideMotion(in_.program, *path_, in_.plan, in_.trajectory, in_.cell, in_.process,
+                               in_.firstPoint));
     const struct PathDeviation deviation =
         pathDeviation(*path_, planned, in_.trajectory, in_.program, alignment, ctx_);
     out_.maxDeviationMm = deviation.mm;

@@ -30,6 +30,7 @@ struct ReplayInput {
   const process::Process& process;
   const geometry::TriangleMesh& part; // placed, without what of it is in the ground: work frame, mm
   const platform::PlatformSolid& platform; // what the first beads are laid on
+  std::size_t firstPoint = 0; // of the trajectory, where the text begins: the rest of a print
 };
 
 // What a program has to keep to (docs/design.md, Replay).

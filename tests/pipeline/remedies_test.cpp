@@ -86,6 +86,7 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       unchanged.scale = choices.scale;
       unchanged.units = choices.units;
       unchanged.process = choices.process;
+      unchanged.mode = choices.mode;
       EXPECT_EQ(keysOf(unchanged), before) << remedy.name << " changes something else too";
       for (const std::string_view name : base::placeNames(remedy.label.english()))
         EXPECT_NE(finding.value(name), nullptr) << remedy.name << " for " << row.id;

@@ -76,6 +76,10 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"tableXMm", {"5", kStageCount}},        // nor for a table
     {"tableZMm", {"5", kStageCount}},
     {"tableSense", {"tool", kStageCount}},
+    {"retractMm", {"1", 5}},
+    {"prime", {"skirt", 3}},
+    {"primeLengthMm", {"60", 3}},
+    {"extruder", {"e-stream", 5}},
 };
 
 // Works on a copy of the program's data, to be changed.
