@@ -14,7 +14,9 @@ namespace {
 constexpr double kMmPerRad = 50.0;
 constexpr double kLeastSeconds = 1e-4;
 constexpr double kTravelJointSpeed = 0.5; // of the limit, for joint moves
-constexpr double kSameLineRad = 0.0025;   // a step of a rod's motor and more
+// Off a line: as near as programs join joint motions (program/dialect.cpp); a step of a rod's motor
+// and more.
+constexpr double kSameLineRad = 1e-5, kSameStepsRad = 0.0025;
 constexpr int kRounds = 200;
 
 // Time of one segment with ramps from v0 to v1 (peak at most cap) of a given acceleration.
@@ -53,7 +55,9 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
     const double way = (to.tip - from.tip).norm();
     robot::JointVector dq = (to.q - from.q).cwiseAbs();
     const auto armTurn = [&] { return robot::asTurns(dq, limits.joints).head(arm).maxCoeff(); };
-    s.length[i] = std::max(1e-6, std::hypot(way, kMmPerRad * armTurn()));
+    // A joint move's way is that of its joints alone, so that its pieces are one ramped motion.
+    const double arms = kMmPerRad * armTurn();
+    s.length[i] = std::max(1e-6, to.jointMove && arm == dof ? arms : std::hypot(way, arms));
     if (to.most.size() > 0)
       dq = dq.cwiseMax(to.most);
     double least = kLeastSeconds; // seconds
@@ -80,25 +84,29 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
 }
 
 // Does a joint motion go on as the one before, so that both are one?
-bool goesOn(const robot::JointVector& a, const robot::JointVector& b, const robot::JointVector& c) {
+bool goesOn(const robot::JointVector& a, const robot::JointVector& b, const robot::JointVector& c,
+            double sameRad) {
   const robot::JointVector in = b - a, way = c - a;
   const double squared = way.squaredNorm();
   if (!(squared > 0.0))
     return false;
   const double at = in.dot(way) / squared;
-  return at >= 0.0 && at <= 1.0 && (in - at * way).cwiseAbs().maxCoeff() <= kSameLineRad;
+  return at >= 0.0 && at <= 1.0 && (in - at * way).cwiseAbs().maxCoeff() <= sameRad;
 }
 
 // At each point, mm/s.
 std::vector<double> cornerSpeeds(const std::vector<TimedPoint>& points,
                                  const std::vector<double>& length, const TimingLimits& limits) {
   const std::size_t n = length.size();
+  const bool steps = limits.arm > 0 && limits.arm < points.front().q.size();
+  const double sameRad = steps ? kSameStepsRad : kSameLineRad;
   std::vector<double> corner(n + 1, 1e9);
   corner[0] = corner[n] = 0.0;
   for (std::size_t i = 1; i < n; ++i) {
     const bool turns = points[i].jointMove && points[i + 1].jointMove;
     // Controllers that are given no rounding stand between joint motions.
-    if (points[i].stop || (turns && !goesOn(points[i - 1].q, points[i].q, points[i + 1].q)))
+    if (points[i].stop ||
+        (turns && !goesOn(points[i - 1].q, points[i].q, points[i + 1].q, sameRad)))
       corner[i] = 0.0;
     else if (!points[i].jointMove && !points[i + 1].jointMove) {
       // In terms of the tip's speed; the profile's runs on the longer, mixed way.

@@ -61,6 +61,8 @@ TEST(Timing, JointMovesStandWhereTheyBend) {
   aside.q = Eigen::Vector2d(1.0, 1.0);
   motion::TimingLimits limits = limitsOf(2);
   limits.travelRadPerS2 = 1.4;
+  middle.tip = {300, 0, 0}; // wherever the tip goes meanwhile
+  to.tip = {310, 0, 0};
   EXPECT_NEAR(motion::timesOf({from, middle, to}, limits).back(),
               motion::timesOf({from, to}, limits).back(), 1e-9);
   EXPECT_NEAR(motion::timesOf({from, middle, aside}, limits).back(),
