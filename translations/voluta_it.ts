@@ -1564,10 +1564,6 @@ mm³</translation>
         <translation>esporta o copia di nuovo il file</translation>
     </message>
     <message>
-        <source>external axes other than eax_a are not read</source>
-        <translation>gli assi esterni diversi da eax_a non vengono letti</translation>
-    </message>
-    <message>
         <source>extruded material becomes less</source>
         <translation>il materiale estruso diminuisce</translation>
     </message>
@@ -2117,10 +2113,6 @@ mm³</translation>
     <message>
         <source>must be an object</source>
         <translation>deve essere un oggetto</translation>
-    </message>
-    <message>
-        <source>must be empty: this cell has no rod</source>
-        <translation>deve essere vuota: questa cella non ha una barra</translation>
     </message>
     <message>
         <source>must be greater than 0</source>
@@ -5465,6 +5457,190 @@ mm³</translation>
         <source>a port</source>
         <translation>una porta</translation>
     </message>
+    <message>
+        <source>&apos;{text}&apos; is no text that the extruder takes</source>
+        <translation>&apos;{text}&apos; non è un testo che l&apos;estrusore accetta</translation>
+    </message>
+    <message>
+        <source>As an ordinary printer does, the nozzle upright throughout</source>
+        <translation>Come una comune stampante, l&apos;ugello sempre verticale</translation>
+    </message>
+    <message>
+        <source>For each travel, where the extruder can; 0: stays as it is.</source>
+        <translation>A ogni spostamento, se l&apos;estrusore può; 0: resta com&apos;è.</translation>
+    </message>
+    <message>
+        <source>How the nozzle is filled before the part begins: on the plate, or in the air beside it where it has no room. It is waste.</source>
+        <translation>Come si riempie l&apos;ugello prima che il pezzo cominci: sul piatto, o in aria accanto dove non c&apos;è posto. È scarto.</translation>
+    </message>
+    <message>
+        <source>How the program tells the extruder how much to give.</source>
+        <translation>Come il programma dice all&apos;estrusore quanto dare.</translation>
+    </message>
+    <message>
+        <source>Of the line beside the part.</source>
+        <translation>Della linea accanto al pezzo.</translation>
+    </message>
+    <message>
+        <source>Print in flat layers</source>
+        <translation>Stampa a strati piani</translation>
+    </message>
+    <message>
+        <source>a filament of no sensible diameter</source>
+        <translation>un filamento di diametro senza senso</translation>
+    </message>
+    <message>
+        <source>a file of amounts of filament over time, played beside the motion</source>
+        <translation>un file di quantità di filamento nel tempo, eseguito accanto al movimento</translation>
+    </message>
+    <message>
+        <source>a line beside the part</source>
+        <translation>una linea accanto al pezzo</translation>
+    </message>
+    <message>
+        <source>a motion is missing in the stream of filament, or comes twice</source>
+        <translation>nel flusso di filamento manca un movimento, o ce n&apos;è uno due volte</translation>
+    </message>
+    <message>
+        <source>a ring round the part</source>
+        <translation>un anello attorno al pezzo</translation>
+    </message>
+    <message>
+        <source>a text to be sent is needed</source>
+        <translation>serve un testo da inviare</translation>
+    </message>
+    <message>
+        <source>an external axis behind one that is not used is not read</source>
+        <translation>un asse esterno dietro a uno non usato non viene letto</translation>
+    </message>
+    <message>
+        <source>as the cell has it</source>
+        <translation>come nella cella</translation>
+    </message>
+    <message>
+        <source>extruder</source>
+        <translation>estrusore</translation>
+    </message>
+    <message>
+        <source>filament drawn back</source>
+        <translation>filamento ritirato</translation>
+    </message>
+    <message>
+        <source>filament runs back</source>
+        <translation>il filamento torna indietro</translation>
+    </message>
+    <message>
+        <source>format {format} does not say where {axis} of cell {cell} slides</source>
+        <translation>il formato {format} non dice dove scorre {axis} della cella {cell}</translation>
+    </message>
+    <message>
+        <source>format {format} has no words for extruder {extruder} that keep step with the motion</source>
+        <translation>il formato {format} non ha parole per l&apos;estrusore {extruder} al passo col movimento</translation>
+    </message>
+    <message>
+        <source>has a name that is taken already: &apos;{name}&apos;</source>
+        <translation>ha un nome già preso: &apos;{name}&apos;</translation>
+    </message>
+    <message>
+        <source>has minMm not below maxMm</source>
+        <translation>ha minMm non inferiore a maxMm</translation>
+    </message>
+    <message>
+        <source>length of the prime</source>
+        <translation>lunghezza dell&apos;innesco</translation>
+    </message>
+    <message>
+        <source>must be empty: the plate is on the flange</source>
+        <translation>deve essere vuoto: il piatto è sulla flangia</translation>
+    </message>
+    <message>
+        <source>must be fewer: robot and axes are {most} at most</source>
+        <translation>devono essere meno: robot e assi sono al più {most}</translation>
+    </message>
+    <message>
+        <source>must be platform: an axis that carries the robot is not read</source>
+        <translation>deve essere platform: un asse che porta il robot non viene letto</translation>
+    </message>
+    <message>
+        <source>must be turning or sliding, is &apos;{kind}&apos;</source>
+        <translation>deve essere turning o sliding, è &apos;{kind}&apos;</translation>
+    </message>
+    <message>
+        <source>must have a direction</source>
+        <translation>deve avere una direzione</translation>
+    </message>
+    <message>
+        <source>must turn the rod about its own axis, the work frame&apos;s x</source>
+        <translation>deve girare l&apos;asta attorno al suo asse, la x del riferimento di lavoro</translation>
+    </message>
+    <message>
+        <source>outputs: one on and off, one for the flow</source>
+        <translation>uscite: una acceso e spento, una per il flusso</translation>
+    </message>
+    <message>
+        <source>prime</source>
+        <translation>innesco</translation>
+    </message>
+    <message>
+        <source>take extruder {extruders}</source>
+        <translation>usa l&apos;estrusore {extruders}</translation>
+    </message>
+    <message>
+        <source>texts over a socket: G, M, F (Castelli 2020)</source>
+        <translation>testi via socket: G, M, F (Castelli 2020)</translation>
+    </message>
+    <message>
+        <source>the extruder goes on or off where it cannot</source>
+        <translation>l&apos;estrusore si accende o si spegne dove non può</translation>
+    </message>
+    <message>
+        <source>the extruder runs back while the nozzle moves</source>
+        <translation>l&apos;estrusore torna indietro mentre l&apos;ugello si muove</translation>
+    </message>
+    <message>
+        <source>the extruder runs where the program does not stand</source>
+        <translation>l&apos;estrusore gira dove il programma non sta fermo</translation>
+    </message>
+    <message>
+        <source>the extruder runs where the program has it off</source>
+        <translation>l&apos;estrusore gira dove il programma lo ha spento</translation>
+    </message>
+    <message>
+        <source>the filament that was drawn back is not back</source>
+        <translation>il filamento ritirato non è tornato</translation>
+    </message>
+    <message>
+        <source>the file {file} begins with {procedure}: a module is called as its first procedure</source>
+        <translation>il file {file} comincia con {procedure}: un modulo si chiama come la sua prima procedura</translation>
+    </message>
+    <message>
+        <source>the stream of filament has no end: the file was cut short</source>
+        <translation>il flusso di filamento non ha fine: il file è stato troncato</translation>
+    </message>
+    <message>
+        <source>the stream of filament has nothing for this motion</source>
+        <translation>il flusso di filamento non ha nulla per questo movimento</translation>
+    </message>
+    <message>
+        <source>this arm keeps the nozzle upright, and the layers lean it, first at {place}</source>
+        <translation>questo braccio tiene l&apos;ugello verticale, e gli strati lo inclinano, dapprima in {place}</translation>
+    </message>
+    <message>
+        <source>time runs back in the stream of filament</source>
+        <translation>nel flusso di filamento il tempo torna indietro</translation>
+    </message>
+    <message>
+        <source>unknown extruder &apos;{id}&apos;</source>
+        <translation>estrusore &apos;{id}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>use mode flat, or planar with upright layers</source>
+        <translation>usa la modalità flat, o planar con strati verticali</translation>
+    </message>
+    <message>
+        <source>{joint} at {speed:.1f}/s, its limit is {limit:.1f#}</source>
+        <translation>{joint} a {speed:.1f}/s, il suo limite è {limit:.1f#}</translation>
+    </message>
 </context>
 <context>
     <name>Duration</name>
@@ -6546,6 +6722,14 @@ circa %6 in base a volume e altezza, senza supporti</translation>
     <message>
         <source>Show axis %1</source>
         <translation>Mostra l’asse %1</translation>
+    </message>
+    <message>
+        <source>Angle (°), way (mm)</source>
+        <translation>Angolo (°), corsa (mm)</translation>
+    </message>
+    <message>
+        <source>Speed (°/s, mm/s)</source>
+        <translation>Velocità (°/s, mm/s)</translation>
     </message>
 </context>
 <context>
