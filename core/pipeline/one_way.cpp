@@ -182,7 +182,7 @@ private:
         robot::loadCell(choices_.cell, *process_, decomposed_->platform));
     for (const std::string& format : chosenFormats(choices_, *result_.cell)) {
       program::requireRodTurns(program::findDialect(format), *result_.cell);
-      program::requireExtruder(program::findDialect(format), *result_.cell,
+      program::requireExtruder(format, program::findDialect(format).extruders, *result_.cell,
                                program::programOptions(values_));
     }
     plan::Findings findings = decomposed_->findings;

@@ -321,7 +321,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
                            const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
   requireRodTurns(dialect, input.cell);
-  requireExtruder(dialect, input.cell, input.options);
+  requireExtruder(dialect.id, dialect.extruders, input.cell, input.options);
   ProgramInput own = input;
   own.foreign = isForeign(dialect, input.cell);
   own.options = optionsAmong(optionsOf(dialect), input.options);

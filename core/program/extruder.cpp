@@ -3,8 +3,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "program/castelli_serial.h"
-#include "program/dialect.h"
-#include "program/gcode_text.h"
+#include "program/filament.h"
 #include "program/text.h"
 
 #include <algorithm>
@@ -66,21 +65,21 @@ const Extruder& extruderOf(const ProgramInput& input) {
   return findExtruder(chosenId(input.cell, input.options));
 }
 
-void requireExtruder(const Dialect& dialect, const robot::Cell& cell,
-                     const ProgramOptions& options) {
-  if (dialect.extruders.empty())
+void requireExtruder(std::string_view format, std::span<const std::string_view> ids,
+                     const robot::Cell& cell, const ProgramOptions& options) {
+  if (ids.empty())
     return;
   const Extruder& wanted = findExtruder(chosenId(cell, options));
-  if (std::ranges::find(dialect.extruders, wanted.id) != dialect.extruders.end())
+  if (std::ranges::find(ids, wanted.id) != ids.end())
     return;
   std::string own;
-  for (const std::string_view id : dialect.extruders)
+  for (const std::string_view id : ids)
     own += joined({own.empty() ? "" : ", ", id});
   throw base::Error(
       base::ErrorCode::Usage,
       base::message("format {format} has no words for extruder {extruder} that keep step with the "
                     "motion"_text,
-                    dialect.id, wanted.id),
+                    format, wanted.id),
       {}, base::message("take extruder {extruders}"_text, own));
 }
 

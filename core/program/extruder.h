@@ -20,8 +20,6 @@ class Cell;
 
 namespace voluta::program {
 
-struct Dialect;
-
 struct Extruder {
   std::string_view id;
   base::Text label;
@@ -56,10 +54,10 @@ base::ParameterSpec extruderOption(std::span<const std::string_view> ids);
 
 // The one that a program is written for.
 const Extruder& extruderOf(const ProgramInput& input);
-// Throws Error{Usage}: the dialect has no words for the one that was chosen, or that the cell has.
-// Dialects that tell amounts take any.
-void requireExtruder(const Dialect& dialect, const robot::Cell& cell,
-                     const ProgramOptions& options);
+// Throws Error{Usage}: the one that was chosen, or that the cell has, is none of `ids`, those that
+// a format has words for. None: it tells amounts, and takes any.
+void requireExtruder(std::string_view format, std::span<const std::string_view> ids,
+                     const robot::Cell& cell, const ProgramOptions& options);
 
 // Of the flow as a share of the full one: what is written of it. `outputs`: of the dialect's own.
 double writtenBy(const Extruder& extruder, const process::Process& process, double share,

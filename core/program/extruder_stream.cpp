@@ -2,7 +2,7 @@
 
 #include "program/extruder.h"
 #include "program/extruder_outputs.h"
-#include "program/gcode_text.h"
+#include "program/filament.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
 #include "program/tcp_motions.h"

@@ -93,30 +93,6 @@ private:
 
 } // namespace
 
-std::optional<int> nozzleCelsius(std::string_view material) {
-  if (material == "PLA")
-    return 210;
-  if (material == "PETG")
-    return 240;
-  if (material == "ABS")
-    return 245;
-  return std::nullopt;
-}
-
-double filamentArea(double diameterMm) {
-  return base::kPi / 4.0 * diameterMm * diameterMm;
-}
-
-std::pair<double, double> nozzleRange(std::string_view material) {
-  if (material == "PLA")
-    return {170.0, 250.0};
-  if (material == "PETG")
-    return {200.0, 280.0};
-  if (material == "ABS")
-    return {200.0, 290.0};
-  return {100.0, 450.0};
-}
-
 void GcodeText::word(std::string_view letters, double value, int decimals, bool trim) {
   out += letters;
   appendFixed(out, value, decimals, trim);

@@ -3,6 +3,7 @@
 
 #include "base/run_context.h"
 #include "plan/program.h"
+#include "program/filament.h"
 #include "program/program_input.h"
 
 #include <optional>
@@ -13,23 +14,13 @@
 
 namespace voluta::program {
 
-inline constexpr double kFilamentDiameterMm = 1.75;
-inline constexpr int kPositionDecimals = 4, kDirectionDecimals = 6, kFilamentDecimals = 5;
+inline constexpr int kPositionDecimals = 4, kDirectionDecimals = 6;
 // Of filament that is drawn back and returned.
 inline constexpr double kDrawnMmPerS = 30.0;
-inline constexpr std::string_view kDiameterNote = "filament diameter ";
 inline constexpr std::string_view kGcodeEnd = "; end";
 // Of machines that are no arms; as kStartQuestion.
 inline constexpr std::string_view kGcodeQuestion =
     "The machine drives home and then to its start. Is the way clear?";
-
-// mm2; mm3 a mm of filament.
-double filamentArea(double diameterMm = kFilamentDiameterMm);
-// Between which a nozzle prints a material; makers' data sheets and what print heads stand.
-std::pair<double, double> nozzleRange(std::string_view material);
-
-// A usual nozzle temperature of a material, degrees C, assumed: a process says nothing about it.
-std::optional<int> nozzleCelsius(std::string_view material);
 
 class GcodeText {
 public:

@@ -1,7 +1,7 @@
 #include "program/program_builder.h"
 
 #include "program/castelli_serial.h"
-#include "program/gcode_text.h"
+#include "program/filament.h"
 
 #include <algorithm>
 #include <tuple>

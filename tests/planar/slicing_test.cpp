@@ -11,7 +11,6 @@
 #include "helpers/shapes.h"
 #include "planar/flat.h"
 #include "planar/slicing/region_mesh.h"
-#include "planar/slicing/uniform_misses.h"
 #include "planar/slicing/user_planes.h"
 
 #include <gtest/gtest.h>
@@ -535,23 +534,6 @@ TEST(Flat, OverhangsArePlacedOnTheFacesThemselves) {
   EXPECT_GT(many[5].where->x(), 4.0);
 }
 
-TEST(UniformMisses, ARoofIsMissedButForItsFirstSteps) {
-  // Boge 6.3, on a T: a leg 4 wide and 8 high, a bar 20 wide and 3 high.
-  voxel::SolidVoxels t;
-  t.grid.size = {22, 3, 13};
-  t.solid.assign(t.grid.cellCount(), 0);
-  t.grid.origin = {0, 0, -1};
-  t.grid.pitch = 1.0;
-  for (int k = 1; k <= 11; ++k)
-    for (int i = 1; i <= 20; ++i)
-      if (k > 8 || (i >= 9 && i <= 12)) {
-        t.solid[t.grid.index(i, 1, k)] = 1;
-        ++t.count;
-      }
-  // Rows of the bar reach 6, 8 and 10 wide.
-  EXPECT_EQ(uniformMisses(t).count, std::size_t{14 + 12 + 10});
-}
-
 TEST(UserPlanes, LayersOfABentBarAreItsSections) {
   // A quarter ring about the y axis through x = 30: section 8 x 10, from the plate up and over.
   const int n = 60;
@@ -604,15 +586,6 @@ TEST(UserPlanes, AQuadrilateralCutsWithinItsCorners) {
   EXPECT_NEAR(volumeOf(sliced), 320.0, 1e-6);
   ASSERT_EQ(sliced.findings.size(), 1u);
   EXPECT_EQ(voluta::plan::kindWord(sliced.findings[0]), "planeMisses");
-}
-
-TEST(UserPlanes, WrongOnesAreRefusedWithTheirPlace) {
-  for (const char* wrong :
-       {"", "{}", "[]", "[3]", R"([{"point": [0,0], "normal": [0,0,1]}])",
-        R"([{"point": [0,0,1], "normal": [0,0,0]}])", R"([{"corners": [[0,0,0],[1,0,0],[1,1,0]]}])",
-        R"([{"corners": [[0,0,0],[9,0,0],[9,9,5],[0,9,0]]}])",
-        R"([{"corners": [[0,0,0],[9,0,0],[1,1,0],[0,9,0]]}])"})
-    EXPECT_THROW(readUserPlanes(wrong, "here"), base::Error) << wrong;
 }
 
 } // namespace

@@ -179,7 +179,7 @@ TEST_F(Cells, workFrameOfTheLatheTurnsAboutItsX) {
   EXPECT_FALSE(pairs.count({"far bearing", "platform"}));
 }
 
-// references: T = Tz(1020) Rx(q1) Tz(-120) Rz(q2), at (90, 0) in 0, 120, 1020 about x by 90.
+// T = Tz(1020) Rx(q1) Tz(-120) Rz(q2), at (90, 0) in 0, 120, 1020 about x by 90.
 TEST_F(Cells, thePositionerTiltsAndTurnsItsPlate) {
   const Cell cell = load("irb1200-irbp");
   ASSERT_EQ(cell.dof(), 8);

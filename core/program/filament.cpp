@@ -1,0 +1,31 @@
+#include "program/filament.h"
+
+#include "base/units.h"
+
+namespace voluta::program {
+
+double filamentArea(double diameterMm) {
+  return base::kPi / 4.0 * diameterMm * diameterMm;
+}
+
+std::pair<double, double> nozzleRange(std::string_view material) {
+  if (material == "PLA")
+    return {170.0, 250.0};
+  if (material == "PETG")
+    return {200.0, 280.0};
+  if (material == "ABS")
+    return {200.0, 290.0};
+  return {100.0, 450.0};
+}
+
+std::optional<int> nozzleCelsius(std::string_view material) {
+  if (material == "PLA")
+    return 210;
+  if (material == "PETG")
+    return 240;
+  if (material == "ABS")
+    return 245;
+  return std::nullopt;
+}
+
+} // namespace voluta::program
