@@ -5474,10 +5474,6 @@ mm³</translation>
         <translation>Come si riempie l&apos;ugello prima che il pezzo cominci: sul piatto, o in aria accanto dove non c&apos;è posto. È scarto.</translation>
     </message>
     <message>
-        <source>How the program tells the extruder how much to give.</source>
-        <translation>Come il programma dice all&apos;estrusore quanto dare.</translation>
-    </message>
-    <message>
         <source>Of the line beside the part.</source>
         <translation>Della linea accanto al pezzo.</translation>
     </message>
@@ -5488,10 +5484,6 @@ mm³</translation>
     <message>
         <source>a filament of no sensible diameter</source>
         <translation>un filamento di diametro senza senso</translation>
-    </message>
-    <message>
-        <source>a file of amounts of filament over time, played beside the motion</source>
-        <translation>un file di quantità di filamento nel tempo, eseguito accanto al movimento</translation>
     </message>
     <message>
         <source>a line beside the part</source>
@@ -5512,10 +5504,6 @@ mm³</translation>
     <message>
         <source>an external axis behind one that is not used is not read</source>
         <translation>un asse esterno dietro a uno non usato non viene letto</translation>
-    </message>
-    <message>
-        <source>as the cell has it</source>
-        <translation>come nella cella</translation>
     </message>
     <message>
         <source>extruder</source>
@@ -5574,20 +5562,12 @@ mm³</translation>
         <translation>deve girare l&apos;asta attorno al suo asse, la x del riferimento di lavoro</translation>
     </message>
     <message>
-        <source>outputs: one on and off, one for the flow</source>
-        <translation>uscite: una acceso e spento, una per il flusso</translation>
-    </message>
-    <message>
         <source>prime</source>
         <translation>innesco</translation>
     </message>
     <message>
         <source>take extruder {extruders}</source>
         <translation>usa l&apos;estrusore {extruders}</translation>
-    </message>
-    <message>
-        <source>texts over a socket: G, M, F (Castelli 2020)</source>
-        <translation>testi via socket: G, M, F (Castelli 2020)</translation>
     </message>
     <message>
         <source>the extruder goes on or off where it cannot</source>
@@ -5640,6 +5620,26 @@ mm³</translation>
     <message>
         <source>{joint} at {speed:.1f}/s, its limit is {limit:.1f#}</source>
         <translation>{joint} a {speed:.1f}/s, il suo limite è {limit:.1f#}</translation>
+    </message>
+    <message>
+        <source>Castelli serial</source>
+        <translation>seriale Castelli</translation>
+    </message>
+    <message>
+        <source>E stream</source>
+        <translation>flusso E</translation>
+    </message>
+    <message>
+        <source>How the program tells the extruder how much to give: outputs, one on and off, one for the flow; Castelli serial, texts over a socket; E stream, a file of amounts over time.</source>
+        <translation>Come il programma dice all&apos;estrusore quanto dare: uscite, una acceso e spento, una per il flusso; seriale Castelli, testi via socket; flusso E, un file di quantità nel tempo.</translation>
+    </message>
+    <message>
+        <source>outputs</source>
+        <translation>uscite</translation>
+    </message>
+    <message>
+        <source>the cell&apos;s</source>
+        <translation>della cella</translation>
     </message>
 </context>
 <context>

@@ -23,9 +23,9 @@ std::string_view chosenId(const robot::Cell& cell, const ProgramOptions& options
 
 const std::vector<Extruder>& extruders() {
   static const std::vector<Extruder> table = {
-      {.id = kOutputsExtruder, .label = "outputs: one on and off, one for the flow"_text},
+      {.id = kOutputsExtruder, .label = "outputs"_text},
       {.id = kCastelliExtruder,
-       .label = "texts over a socket: G, M, F (Castelli 2020)"_text,
+       .label = "Castelli serial"_text,
        .text = castelliFlowText,
        .written = castelliWritten,
        .filamentMm = kCastelliFilamentMm,
@@ -33,7 +33,7 @@ const std::vector<Extruder>& extruders() {
        .note = "extruder castelli-serial: G is half the period of a step in us, 1674.18 steps/mm "
                "of 3 mm filament, G0 stops it"},
       {.id = kStreamExtruder,
-       .label = "a file of amounts of filament over time, played beside the motion"_text,
+       .label = "E stream"_text,
        .streams = true,
        .filamentMm = kFilamentDiameterMm,
        .lagS = 0.01},
@@ -53,12 +53,13 @@ const Extruder& findExtruder(std::string_view id) {
 }
 
 base::ParameterSpec extruderOption(std::span<const std::string_view> ids) {
-  std::vector<base::Choice> choices = {{std::string(kAsCell), "as the cell has it"_text}};
+  std::vector<base::Choice> choices = {{std::string(kAsCell), "the cell's"_text}};
   for (const std::string_view id : ids)
     choices.push_back({std::string(id), findExtruder(id).label});
-  return base::choiceParameter(std::string(kExtruderOption), std::string(kAsCell),
-                               std::move(choices), "Programs"_text, "extruder"_text,
-                               "How the program tells the extruder how much to give."_text);
+  return base::choiceParameter(
+      std::string(kExtruderOption), std::string(kAsCell), std::move(choices), "Programs"_text,
+      "extruder"_text,
+      "How the program tells the extruder how much to give: outputs, one on and off, one for the flow; Castelli serial, texts over a socket; E stream, a file of amounts over time."_text);
 }
 
 const Extruder& extruderOf(const ProgramInput& input) {
