@@ -171,7 +171,7 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
                  curved::GrowthScheme().id() + " unless given");
   addChoices(*compare, "--platforms", compared.platforms,
              "P,...: what material starts on, of " + platformForms() + "; " +
-                 "the cell's plate unless given");
+                 "the cell's plate unless given (planar: fit)");
   compare
       ->add_option("--weight", values->weights,
                    "FIGURE=NUMBER in the rule for the best. Rule: " +

@@ -219,7 +219,7 @@ project::Platform usualPlatform(const project::Choices& choices) {
   named.platform = project::Platform();
   const modes::Mode* mode = modes::modeNamed(choices.mode);
   const project::Platform plate("cell");
-  if (!mode || !plate.isForAnyOf(mode->platforms))
+  if (!mode || mode->cuts || !plate.isForAnyOf(mode->platforms))
     return named.platform;
   const process::Process process = chosenProcess(named, parameterValues(named));
   return modes::cellOnAnyPlatform(named, process).plates().empty() ? named.platform : plate;

@@ -58,7 +58,8 @@ motion::MotionOptions motionOptionsOf(const base::ParameterValues& values, int s
 planar::RiskRule riskRule(const project::Choices& choices);
 
 // What material starts on where nobody chose it for the choices' mode: the plate of their cell that
-// fits; in a cell without plates, and for what no plate carries, the first kind of the table.
+// fits; in a cell without plates, for what no plate carries, and for pieces, which a head has to
+// reach from below their bases, the first kind of the table.
 // Throws Error{Usage}: names that nothing answers to; as loadCell.
 project::Platform usualPlatform(const project::Choices& choices);
 
