@@ -43,6 +43,10 @@ template <typename F> auto withInput(const ProgramStageInput& in, const F& use) 
 
 ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points) {
   const std::size_t first = in.firstPoint > 0 ? points.pointOf[in.firstPoint] : 0;
+  // A point stands for those before it that were left out, and ends where the last of them does.
+  std::vector<std::size_t> commonPoint(points.trajectory.pointCount(), 0);
+  for (std::size_t point = 0; point < points.pointOf.size(); ++point)
+    commonPoint[points.pointOf[point]] = point;
   return {in.part,
           in.platform,
           in.toolPlan,
@@ -52,7 +56,8 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
           in.name,
           in.options,
           first,
-          withInput(in, [](const program::ProgramInput& all) { return program::jobHash(all); })};
+          withInput(in, [](const program::ProgramInput& all) { return program::jobHash(all); }),
+          std::move(commonPoint)};
 }
 
 std::string programsName(const project::Job& job) {
@@ -78,7 +83,7 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
     back.read.motions = std::move(motions);
   }
   back.verdict = replay::replayProgram({back.read, in.toolPlan, in.trajectory, in.cell, in.process,
-                                        in.part, in.platform, in.firstPoint},
+                                        in.part, in.platform, in.firstPoint, in.commonPoint},
                                        {}, ctx.sub(0.1, 1.0), judged);
   // The program's own time, not that of what was printed before it.
   const auto& seconds = back.verdict.motionS;

@@ -122,6 +122,7 @@ struct ProgramStageInput {
   program::ProgramOptions options = {};
   std::size_t firstPoint = 0; // of the trajectory at which the program begins: Job::resumedAt
   std::string job = {};       // program::ProgramInput::job
+  std::vector<std::size_t> commonPoint = {}; // replay::ReplayInput's
 };
 // `judged`: of programs of the same motion (replay/verification.h).
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,

@@ -41,17 +41,17 @@ void stretch(Apart& most, const ExecutedPath& path, std::size_t motion, const Ex
 
 std::vector<Apart> apart(const Run& a, const Run& b, double reachMm, const base::RunContext& ctx) {
   std::size_t points = 0;
-  for (const std::size_t point : a.pointOf)
+  for (const std::size_t point : a.commonPoint)
     if (point != kUnmatched)
       points = std::max(points, point + 1);
   std::vector<std::size_t> motionTo(points, kUnmatched);
-  for (std::size_t m = 0; m < a.pointOf.size(); ++m)
-    if (a.pointOf[m] != kUnmatched)
-      motionTo[a.pointOf[m]] = m;
+  for (std::size_t m = 0; m < a.commonPoint.size(); ++m)
+    if (a.commonPoint[m] != kUnmatched)
+      motionTo[a.commonPoint[m]] = m;
   std::vector<Apart> result(b.path.motionCount());
   base::parallelChunks(ctx, result.size(), 2048, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end && !ctx.cancelled(); ++m) {
-      const std::size_t same = b.pointOf[m] < points ? motionTo[b.pointOf[m]] : kUnmatched;
+      const std::size_t same = b.commonPoint[m] < points ? motionTo[b.commonPoint[m]] : kUnmatched;
       if (same == kUnmatched)
         continue;
       result[m].motion = same;

@@ -65,6 +65,8 @@ private:
     base::require(t.joints.size() == n * static_cast<std::size_t>(t.dof) && t.move.size() == n &&
                       t.waypoint.size() == n && t.extrudedMm3.size() == n,
                   "replay: the trajectory's arrays have one length");
+    base::require(in_.commonPoint.empty() || in_.commonPoint.size() == n,
+                  "replay: a common number a point");
     base::require(!in_.part.empty(), "replay: the part has triangles");
     base::require(in_.platform.known(), "replay: the platform is known");
   }
@@ -110,6 +112,10 @@ private:
         beadKnowledge(alignment.pointOf, in_.trajectory, in_.plan, in_.process.layerHeightMm);
     out_.pointOf = alignment.pointOf;
     run.pointOf = std::move(alignment.pointOf);
+    run.commonPoint = run.pointOf;
+    if (!in_.commonPoint.empty())
+      for (std::size_t& point : run.commonPoint)
+        point = point == kUnmatched ? kUnmatched : in_.commonPoint[point];
   }
 
   void tellBeads(const JudgedRun& run) {

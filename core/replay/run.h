@@ -26,6 +26,7 @@ struct Run {
   ExecutedPath path;
   std::vector<double> volumeMm3;        // per motion
   std::vector<std::size_t> pointOf;     // per motion: its point of the trajectory, or kUnmatched
+  std::vector<std::size_t> commonPoint; // likewise, by its number for all programs of the plan
   std::vector<BeadKnowledge> knowledge; // per motion
 };
 
@@ -70,8 +71,8 @@ struct Apart {
   double tipMm = 0.0;  // the nozzle's tip from the other's way, at most; either way round
   double headMm = 0.0; // the head's far end likewise
 };
-// Per motion of b, from those of a; `reachMm`: of the head along its axis. Precondition: runs of
-// programs of one trajectory. Throws Cancelled.
+// Per motion of b, from those of a, by their common points; `reachMm`: of the head along its axis.
+// Throws Cancelled.
 std::vector<Apart> apart(const Run& a, const Run& b, double reachMm, const base::RunContext& ctx);
 
 } // namespace voluta::replay

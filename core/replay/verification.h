@@ -12,6 +12,7 @@
 #include "robot/cell.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct ReplayInput {
   const geometry::TriangleMesh& part; // placed, without what of it is in the ground: work frame, mm
   const platform::PlatformSolid& platform; // what the first beads are laid on
   std::size_t firstPoint = 0; // of the trajectory, where the text begins: the rest of a print
+  // Per point of the trajectory, its number in the one that programs compared with each other have
+  // in common; empty: this one is it.
+  std::span<const std::size_t> commonPoint = {};
 };
 
 // What a program has to keep to (docs/design.md, Replay).

@@ -10,8 +10,9 @@
 namespace voluta::toolpath {
 
 namespace {
-// Of the square of half the widest bead: about two dozen samples across and along a width.
-constexpr double kSampleOfReach = 0.15;
+// Of the square of half the widest bead: about two dozen samples across and along a width; on a
+// patch of which so many tell its share to a few thousandths, coarser ones.
+constexpr double kSampleOfReach = 0.15, kCoarseOfReach = 0.3, kEnough = 16000.0;
 } // namespace
 
 Coverage measureCoverage(const PatchSurface& s, const std::vector<Bead>& beads) {
@@ -42,7 +43,8 @@ Coverage measureCoverage(const PatchSurface& s, const std::vector<Bead>& beads) 
     double along;
   };
   std::vector<Hit> hits;
-  const double sampleMm2 = kSampleOfReach * reach * reach;
+  const double sampleMm2 = std::clamp(s.areaMm2 / kEnough, kSampleOfReach * reach * reach,
+                                      kCoarseOfReach * reach * reach);
   forEachSample(s, std::max(sampleMm2, 1e-6), [&](const SurfaceSample& sample) {
     const Eigen::Vector3d& p = sample.position;
     bool covered = false;
