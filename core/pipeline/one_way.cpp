@@ -30,7 +30,7 @@ namespace {
 // Where each stage ends in the time that a whole plan of a usual part takes.
 constexpr std::array<double, project::kStageCount> kEnds{0.02, 0.14, 0.22, 0.44, 0.6, 1.0};
 
-constexpr int kRounds = 3; // of moving without what the replay found
+constexpr int kRounds = 6; // of moving without what the replay found
 
 // Is the platform's own place, the work frame's z, beneath the part's box?
 bool coversAxis(const geometry::TriangleMesh& part) {
@@ -287,8 +287,15 @@ private:
     return program::decidesOnPlan(checked.program.format, chosenFormats(choices_, *result_.cell),
                                   *result_.cell);
   }
+  // Of a program for another controller, whose way there is another, only what is met here and
+  // there: for that little it is not to be refused either.
   std::vector<std::size_t> metIn(const CheckedProgram& checked) const {
-    return decides(checked) ? checked.metAt : std::vector<std::size_t>();
+    constexpr double kHereAndThere = 0.002; // of the waypoints
+    const auto waypoints = static_cast<double>(result_.job.toolPlan->waypointCount());
+    return decides(checked) ||
+                   static_cast<double>(checked.metAt.size()) <= kHereAndThere * waypoints
+               ? checked.metAt
+               : std::vector<std::size_t>();
   }
 
   // `untilMet`: not what follows a program in which something meets.

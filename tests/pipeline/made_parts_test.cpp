@@ -40,10 +40,12 @@ TEST_P(PlannedMadePart, ComesThroughByItself) {
                           {}, true, base::RunContext());
   request.choices.automatic = true;
   request.choices.scale = "fit";
-  request.choices.formats = {"csv"};
+  request.choices.formats = {"csv", "gcode-extended"};
   const pipeline::PlanResult result = pipeline::planPart(request, base::RunContext({}, 2));
   for (const plan::Finding& f : result.job.report.findings)
     EXPECT_FALSE(f.blocking) << part.name << ": " << plan::englishReason(f);
+  for (const auto& checked : result.checked)
+    EXPECT_TRUE(checked->passed) << part.name << ": " << checked->program.format;
   EXPECT_TRUE(result.job.report.replay.passed) << part.name;
 }
 
