@@ -84,5 +84,8 @@ struct VerifyResult {
 // it), Usage}.
 VerifyResult verifyProgram(const std::filesystem::path& program, const std::filesystem::path& job,
                            const base::RunContext& ctx);
+// Against a job at hand. Precondition: it has part, tool-plan and trajectory.
+VerifyResult verifyProgram(const std::filesystem::path& program, const project::Job& job,
+                           const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -47,14 +47,21 @@ void requireMotions(const ReadBack& back, const std::string& format,
 
 VerifyResult verifyProgram(const std::filesystem::path& program, const std::filesystem::path& job,
                            const base::RunContext& ctx) {
-  for (const std::filesystem::path& file : {program, job})
-    base::finishStaged(std::filesystem::absolute(file).parent_path());
-  std::string text = base::readFile(program);
+  base::finishStaged(std::filesystem::absolute(job).parent_path());
   const project::Job planned = project::readJob(job);
   if (!planned.part || !planned.toolPlan || !planned.trajectory)
     throw base::Error(base::ErrorCode::UnusableInput,
                       "the job holds no motion to verify against"_text, job.string(),
                       "plan it without --until"_text);
+  return verifyProgram(program, planned, ctx);
+}
+
+VerifyResult verifyProgram(const std::filesystem::path& program, const project::Job& planned,
+                           const base::RunContext& ctx) {
+  base::require(planned.part && planned.toolPlan && planned.trajectory,
+                "verifyProgram: a job with its motion");
+  base::finishStaged(std::filesystem::absolute(program).parent_path());
+  std::string text = base::readFile(program);
   const FoundProgram found = findProgram(program, std::move(text));
   const std::string format(found.dialect->id);
   const process::Process process = chosenProcess(planned.choices, parameterValues(planned.choices));

@@ -10,8 +10,12 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDir>
+#include <QFile>
 #include <QLabel>
+#include <QListWidget>
+#include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
@@ -201,6 +205,65 @@ TEST_F(ExportTest, FromTheTimeLineAndCancelled) {
   EXPECT_EQ(document().result(Stage::Motion), result) << "cancelled";
   bar()->setTimeS(bar()->clock()->durationS());
   EXPECT_TRUE(waitFor([&] { return !resume->isEnabled(); }, 5000)) << "nothing is left to print";
+}
+
+TEST_F(ExportTest, AProgramFromDiskIsJudgedByThePlanOnShow) {
+  planPlinth();
+  const plan::ProgramFile& file =
+      document().result(Stage::Replay)->checked.at(0)->program.files.at(0);
+  ASSERT_TRUE(file.name.ends_with(".script"));
+  const auto write = [&](const QString& name, const std::string& text) {
+    QFile out(path(name));
+    EXPECT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(text.data(), static_cast<qint64>(text.size()));
+    return path(name);
+  };
+  const auto verified = [&](const QString& program) {
+    answerFileDialog(program);
+    clickMenu("exportMenu", "verifyProgram");
+    auto* dialog = window().findChild<QDialog*>("verifyDialog");
+    auto* close = dialog ? dialog->findChild<QDialogButtonBox*>() : nullptr;
+    EXPECT_TRUE(close && waitFor([&] { return close->button(QDialogButtonBox::Close); }, 20000));
+    return dialog;
+  };
+  const auto verdict = [](QDialog* dialog) {
+    return dialog->findChild<QLabel*>("verifyVerdict")->text();
+  };
+  const auto shut = [&](QDialog* dialog) {
+    const QPointer<QDialog> gone = dialog;
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    EXPECT_TRUE(waitFor([&] { return !gone; }, 5000));
+  };
+  QDialog* good = verified(write("good.script", file.text));
+  ASSERT_NE(good, nullptr);
+  EXPECT_TRUE(verdict(good).contains("passed")) << verdict(good).toStdString();
+  EXPECT_FALSE(good->findChild<QListWidget*>("verifyFindings")->isVisible());
+  shut(good);
+
+  // A motion is missing.
+  std::string other = file.text;
+  const std::size_t line = other.rfind('\n', other.find("movel(", other.size() / 2));
+  other.erase(line, other.find('\n', line + 1) - line);
+  QDialog* bad = verified(write("bad.script", other));
+  ASSERT_NE(bad, nullptr);
+  EXPECT_TRUE(verdict(bad).contains("refused")) << verdict(bad).toStdString();
+  auto* found = bad->findChild<QListWidget*>("verifyFindings");
+  ASSERT_GT(found->count(), 0);
+  EXPECT_TRUE(found->item(0)->text().contains("line ")) << found->item(0)->text().toStdString();
+  if (qEnvironmentVariableIsSet("VOLUTA_SHOTS"))
+    bad->grab().save(qEnvironmentVariable("VOLUTA_SHOTS") + "/verify.png");
+  shut(bad);
+
+  // No program at all: one line, and the window goes on.
+  QDialog* none = verified(write("none.script", "\x7f\x45LF"));
+  ASSERT_NE(none, nullptr);
+  EXPECT_FALSE(verdict(none).contains("passed"));
+  shut(none);
+
+  // Of a plan that is out of date nothing can be judged.
+  document().setParameter("walls", "4");
+  EXPECT_TRUE(
+      waitFor([&] { return !window().findChild<QAction*>("verifyProgram")->isEnabled(); }, 5000));
 }
 
 } // namespace

@@ -12,8 +12,10 @@
 #include "window/pages/resumable.h"
 #include "window/presenter.h"
 #include "window/program_preview.h"
+#include "window/verify_dialog.h"
 
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
@@ -119,7 +121,28 @@ std::vector<Command> ExportPage::commands() {
            [this] { work().shell.show(*this); },
            {},
            {},
-           "export"}};
+           "export"},
+          {"verifyProgram",
+           "exportMenu",
+           0,
+           QT_TRANSLATE_NOOP("Commands", "&Verify a program…"),
+           QT_TRANSLATE_NOOP("Commands", "Replay a program from disk against the plan on show"),
+           {},
+           [this] { verify(); },
+           [this] { return verifiable() != nullptr; }}};
+}
+
+std::shared_ptr<const pipeline::PlanResult> ExportPage::verifiable() const {
+  const auto motion = work().document.result(Stage::Motion);
+  return motion && motion->job.trajectory && work().document.upToDate(Stage::Motion) ? motion
+                                                                                     : nullptr;
+}
+
+void ExportPage::verify() {
+  const QString file = QFileDialog::getOpenFileName(side_->window(), tr("Verify a program"),
+                                                    panel_->folder(), tr("All files (*)"));
+  if (const auto plan = verifiable(); plan && !file.isEmpty())
+    (new VerifyDialog(file, plan, side_->window()))->open();
 }
 
 void ExportPage::draw(scene::ViewState& view) {

@@ -54,6 +54,9 @@ private:
   void showLine();
   void goToLine(int file, qulonglong line);
   void setFormats(const QStringList& ids);
+  // What a program from disk can be judged by; null: nothing that is up to date.
+  std::shared_ptr<const pipeline::PlanResult> verifiable() const;
+  void verify();
   void place(const Order& order);
   void write(const Order& order);
   bool mayReplace(const QString& folder, const QStringList& names);

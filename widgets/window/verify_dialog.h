@@ -1,0 +1,41 @@
+// What the replay makes of a program from disk: its verdict, and what it found by line.
+#pragma once
+
+#include "document/verifying.h"
+
+#include <QDialog>
+#include <QString>
+
+class QDialogButtonBox;
+class QLabel;
+class QListWidget;
+class QProgressBar;
+
+namespace voluta::panels {
+class VerdictTable;
+}
+
+namespace voluta::window {
+
+class VerifyDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  // Begins at once; closed before it is done it is given up. Precondition: the plan has a motion.
+  VerifyDialog(const QString& program, std::shared_ptr<const pipeline::PlanResult> plan,
+               QWidget* parent = nullptr);
+
+private:
+  void show(const pipeline::VerifyResult& result);
+  void conclude(const QString& verdict, bool passed);
+
+  document::Verifying verifying_;
+  QLabel *sign_, *verdict_;
+  QProgressBar* progress_;
+  panels::VerdictTable* table_;
+  QLabel* foundTitle_;
+  QListWidget* found_;
+  QDialogButtonBox* buttons_;
+};
+
+} // namespace voluta::window
