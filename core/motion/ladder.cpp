@@ -21,7 +21,7 @@ double rounded(double x) {
 // L1 step of the joints that have limits here from `from` to the representative of `to` nearest to
 // it; infinite where a joint's step is larger than maxStep or its limits are left, and where the
 // sum is no less than `most`.
-double step(const robot::JointVector& from, const robot::JointVector& to,
+double step(const double* from, const robot::JointVector& to,
             const std::vector<robot::JointLimits>& limits, double maxStep, double most) {
   double sum = 0.0;
   const auto count = static_cast<Eigen::Index>(limits.size());
@@ -56,6 +56,51 @@ robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVect
   return to;
 }
 
+// The reached nodes of the rung before, those of one sample side by side: what the search through
+// them reads lies together.
+class Reached {
+public:
+  Reached(int samples, std::size_t joints)
+      : joints_(joints), first_(static_cast<std::size_t>(samples) + 1, 0) {}
+
+  struct Node {
+    int index, aside;
+    double cost;
+  };
+
+  // `q` as `rung`: joints by whole turns as they were reached.
+  void take(const Rung& rung, const std::vector<robot::JointVector>& q,
+            const std::vector<double>& cost) {
+    std::fill(first_.begin(), first_.end(), 0);
+    const auto slot = [&](std::size_t n) { return static_cast<std::size_t>(rung[n].sample); };
+    for (std::size_t n = 0; n < rung.size(); ++n)
+      if (cost[n] < kInfinity)
+        ++first_[slot(n) + 1];
+    for (std::size_t s = 1; s < first_.size(); ++s)
+      first_[s] += first_[s - 1];
+    nodes_.resize(first_.back());
+    q_.resize(first_.back() * joints_);
+    fill_.assign(first_.begin(), first_.end() - 1);
+    for (std::size_t n = 0; n < rung.size(); ++n)
+      if (cost[n] < kInfinity) {
+        const std::size_t at = fill_[slot(n)]++;
+        nodes_[at] = {static_cast<int>(n), rung[n].aside, cost[n]};
+        std::copy_n(q[n].data(), joints_, q_.begin() + static_cast<std::ptrdiff_t>(at * joints_));
+      }
+  }
+  // Places of the nodes of a sample: from begin to end.
+  std::size_t begin(int sample) const { return first_[static_cast<std::size_t>(sample)]; }
+  std::size_t end(int sample) const { return first_[static_cast<std::size_t>(sample) + 1]; }
+  const Node& node(std::size_t at) const { return nodes_[at]; }
+  const double* joints(std::size_t at) const { return q_.data() + at * joints_; }
+
+private:
+  std::size_t joints_;
+  std::vector<std::size_t> first_, fill_; // per sample
+  std::vector<Node> nodes_;
+  std::vector<double> q_;
+};
+
 } // namespace
 
 LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>& startCost,
@@ -69,8 +114,8 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
   std::vector<std::vector<double>> cost(rungs.size());
   std::vector<std::vector<int>> parent(rungs.size());
   std::vector<robot::JointVector> here, before;
-  // Reached nodes of the rung before; all turns are neighbours where the window spans the circle.
-  std::vector<std::vector<int>> bySample(static_cast<std::size_t>(options.samples));
+  Reached reached(options.samples, limits.size());
+  // All turns are neighbours where the window spans the circle.
   const int reach = std::min(options.window, (options.samples - 1) / 2);
   for (std::size_t r = 0; r < rungs.size(); ++r) {
     const Rung& rung = rungs[r];
@@ -85,26 +130,26 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
         cost[r][n] = startCost[n] + rung[n].cost;
         here[n] = rung[n].q;
       } else {
+        double least = kInfinity;
         // The nearest turns first: what they cost bounds the search through the others.
         for (int turn = 0; turn <= 2 * reach; ++turn) {
           const int k = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
           const int sample =
               ((rung[n].sample + k) % options.samples + options.samples) % options.samples;
-          for (const int m : bySample[static_cast<std::size_t>(sample)]) {
-            const auto from = static_cast<std::size_t>(m);
-            if (std::abs(rungs[r - 1][from].aside - rung[n].aside) > options.asideWindow)
+          for (std::size_t m = reached.begin(sample); m < reached.end(sample); ++m) {
+            const Reached::Node& from = reached.node(m);
+            const double soFar = from.cost + rung[n].cost;
+            if (soFar >= least || std::abs(from.aside - rung[n].aside) > options.asideWindow)
               continue;
-            const double soFar = cost[r - 1][from] + rung[n].cost;
-            if (soFar >= cost[r][n])
-              continue;
-            const double total = soFar + step(before[from], rung[n].q, limits,
-                                              options.maxStepRad[r], cost[r][n] - soFar);
-            if (total < cost[r][n]) {
-              cost[r][n] = total;
-              parent[r][n] = m;
+            const double total = soFar + step(reached.joints(m), rung[n].q, limits,
+                                              options.maxStepRad[r], least - soFar);
+            if (total < least) {
+              least = total;
+              parent[r][n] = from.index;
             }
           }
         }
+        cost[r][n] = least;
         if (parent[r][n] >= 0)
           here[n] = nearestTurns(before[static_cast<std::size_t>(parent[r][n])], rung[n].q, limits,
                                  options.maxStepRad[r]);
@@ -115,11 +160,7 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
       break;
     way.reached = r + 1;
     before.swap(here);
-    for (auto& nodes : bySample)
-      nodes.clear();
-    for (std::size_t n = 0; n < rung.size(); ++n)
-      if (cost[r][n] < kInfinity)
-        bySample[static_cast<std::size_t>(rung[n].sample)].push_back(static_cast<int>(n));
+    reached.take(rung, before, cost[r]);
   }
   if (way.reached == 0)
     return way;
