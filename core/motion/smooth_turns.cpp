@@ -21,6 +21,7 @@ namespace {
 constexpr std::size_t kChunk = 64;
 constexpr double kReachMm = 300.0;   // what a turn counts beside mm
 constexpr double kLongestStep = 0.5; // rad, of a joint between Newton's steps
+constexpr double kSlack = 1e-9;      // a joint at its limit must not be lost to rounding
 constexpr double kNearLimit = 0.9;   // of a joint's range
 // Of the diagonal. The least is what rounding leaves of waves of a thousand points.
 constexpr double kLeastDamping = 1e-13, kMostDamping = 1e3, kFirstDamping = 1e-9;
@@ -141,8 +142,9 @@ bool TurnSmoother::follow(std::size_t i, double turn, const TurnedPoint& from, T
     return false;
   for (Eigen::Index j = 0; j < dof; ++j) {
     const robot::JointLimits& l = cell_.robot().limits[static_cast<std::size_t>(j)];
-    if (to.q[j] < l.min || to.q[j] > l.max)
+    if (to.q[j] < l.min - kSlack || to.q[j] > l.max + kSlack)
       return false;
+    to.q[j] = std::clamp(to.q[j], l.min, l.max);
   }
   to.rate = rateOf(jacobian, wanted);
   return to.rate.allFinite();
@@ -168,9 +170,8 @@ bool TurnSmoother::stepOf(const std::vector<TurnedPoint>& at, const std::vector<
   const auto dof = static_cast<Eigen::Index>(scale_.size());
   std::vector<JointVector> jerks, rates(n);
   jerksOf([&](std::size_t i) -> const JointVector& { return at[i].q; }, jerks);
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i)
     rates[i] = scaled(at[i].rate);
-  }
   std::vector<double> right(n, 0.0);
   for (std::size_t s = 0; s < stencils_.size(); ++s)
     for (std::size_t k = 0; k < 4; ++k)

@@ -15,9 +15,10 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kProbeRad = 0.5, kProbeMm = 10.0; // far enough that rounding hardly counts
 constexpr double kNoTwist = 1e-9;
-constexpr double kThereMm = 1e-9, kThereRad = 1e-12;
+constexpr double kLastStep = 3e-6; // rad; what it leaves is of its square
 constexpr int kSteps = 8;
-constexpr double kReachMm = 300.0; // what a rad counts beside mm in a step
+constexpr double kSingular = 1e-14; // in place of what a singular arm lacks
+constexpr double kReachMm = 300.0;  // what a rad counts beside mm in a step
 
 // The sine of the turn from `is` to `wanted` along its axis; of a small one the turn itself.
 Vector3d smallTurn(const Matrix3d& wanted, const Matrix3d& is) {
@@ -80,27 +81,40 @@ bool ArmTwists::follow(const Isometry3d& wanted, double longestStep, JointVector
     at = jacobian(q, is, links);
     Vector6d error;
     error << wanted.translation() - is.translation(), smallTurn(wanted.linear(), is.linear());
-    if (error.head<3>().norm() < kThereMm && error.tail<3>().norm() < kThereRad)
-      return (wanted.linear() - is.linear()).norm() < 1e-6; // and not half a turn off
     const JointVector step = jointsFor(at, error, kReachMm);
+    double longest = 0.0;
     for (Eigen::Index j = 0; j < dof; ++j)
-      if (!(std::abs(asTurn(kinematics_.kindOf(static_cast<int>(j)), step[j])) <= longestStep))
-        return false;
+      longest =
+          std::max(longest, std::abs(asTurn(kinematics_.kindOf(static_cast<int>(j)), step[j])));
+    if (!(longest <= longestStep))
+      return false;
     q.head(dof) += step;
+    if (longest <= kLastStep) // half a turn off looks like being there
+      return (wanted.linear() - is.linear()).norm() < 1e-3;
   }
   return false;
 }
 
+namespace {
+
+template <int kDof>
+JointVector solved(const ArmJacobian& jacobian, Vector6d twist, double lengthMm) {
+  Eigen::Matrix<double, 6, kDof, Eigen::ColMajor, 6, kDof == Eigen::Dynamic ? 8 : kDof> scaled =
+      jacobian;
+  scaled.template topRows<3>() /= lengthMm;
+  twist.head<3>() /= lengthMm;
+  Eigen::Matrix<double, kDof, kDof, Eigen::ColMajor, kDof == Eigen::Dynamic ? 8 : kDof,
+                kDof == Eigen::Dynamic ? 8 : kDof>
+      normal = scaled.transpose().lazyProduct(scaled);
+  normal.diagonal().array() += kSingular;
+  return normal.llt().solve(scaled.transpose().lazyProduct(twist));
+}
+
+} // namespace
+
 JointVector jointsFor(const ArmJacobian& jacobian, const Vector6d& twist, double lengthMm) {
-  ArmJacobian scaled = jacobian;
-  scaled.topRows<3>() /= lengthMm;
-  Vector6d wanted = twist;
-  wanted.head<3>() /= lengthMm;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 8, 8> normal =
-      scaled.transpose() * scaled;
-  normal.diagonal().array() += 1e-14;
-  const JointVector right = scaled.transpose() * wanted;
-  return normal.llt().solve(right);
+  return jacobian.cols() == 6 ? solved<6>(jacobian, twist, lengthMm)
+                              : solved<Eigen::Dynamic>(jacobian, twist, lengthMm);
 }
 
 } // namespace voluta::robot

@@ -26,10 +26,10 @@ public:
   ArmJacobian jacobian(const JointVector& q, Eigen::Isometry3d& base_T_flange,
                        std::vector<Eigen::Isometry3d>& links) const;
 
-  // Newton's steps from q to the nearest joints that bring the flange there, within 1e-9 mm and
-  // 1e-12 rad; without regard to limits. False, and q is of no use, where eight steps do not come
+  // Newton's steps from q to the nearest joints that bring the flange there, within 1e-8 mm and
+  // 1e-10 rad; without regard to limits. False, and q is of no use, where eight steps do not come
   // there or a step is longer than `longestStep` (rad, sliding joints by asTurn). Ends with the
-  // Jacobian there. Joints of q behind the arm's stay.
+  // Jacobian before the last step, which is no longer than 3e-6. Joints of q behind the arm's stay.
   bool follow(const Eigen::Isometry3d& base_T_flange, double longestStep, JointVector& q,
               ArmJacobian& jacobian, std::vector<Eigen::Isometry3d>& links) const;
 

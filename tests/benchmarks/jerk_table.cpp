@@ -1,11 +1,14 @@
-// One layer's tool-paths three ways (Dai 2020, table 4.2): jerk_table [--cell ID] [--layer N]
-// [--noise DEG] JOB. The shortest path through a graph of 30 and of 360 turns about the nozzle at
-// every waypoint (eqs. 4.4-4.6), the source's local filter over the first of them (algorithm 6),
-// and the motion as it is planned here, collisions looked at. Greatest five-point jerk of each
-// joint and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are the same for
-// all: those of the nozzle alone, with corners and ramps, as if joints had no limits. Without
-// --layer it takes the one whose number of waypoints is nearest to 3,600; --noise turns each
-// direction by a random angle up to DEG to a random side (4.5.4).
+// One layer's tool-paths by several ways (Dai 2020, table 4.2):
+// jerk_table [--cell ID] [--layer N] [--noise DEG] [--even-directions] [--even-times] [--no-dense]
+// JOB. The shortest path through a graph of 30 and of 360 turns about the nozzle at every waypoint
+// (eqs. 4.4-4.6), the first of them through the source's local filter (algorithm 6) and smoothed
+// whole, and the motion as it is planned here, collisions looked at; and that smoothed whole, with
+// nothing looked at. Greatest five-point jerk of each joint, beside that of the graph of 30, and
+// sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are the same for all: those
+// of the nozzle alone, with corners and ramps, as if joints had no limits. Without --layer it takes
+// the one whose number of waypoints is nearest to 3,600. --noise turns each direction by a random
+// angle up to DEG to a random side (4.5.4). --even-directions and --even-times tell how much of the
+// jerk the directions' and the times' unevenness makes, which no turn takes away.
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
@@ -44,7 +47,7 @@ struct Measure {
 using Joints = std::vector<JointVector>;
 
 std::vector<double> tipTimes(const plan::ToolPlan& plan, const plan::ToolPath& path,
-                             const process::Process& process) {
+                             const process::Process& process, bool even) {
   std::vector<motion::TimedPoint> points;
   for (std::size_t i = path.first; i < path.first + path.count; ++i)
     points.push_back(
@@ -52,16 +55,11 @@ std::vector<double> tipTimes(const plan::ToolPlan& plan, const plan::ToolPath& p
   motion::TimingLimits limits;
   limits.joints.assign(6, {-1e9, 1e9, 1e9, 1e9});
   limits.accelerationMmPerS2 = process.accelerationMmPerS2;
-  if (getenv("EVENDT")) {
-    std::vector<double> t;
-    double len = 0;
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      len += (plan.position[i] - plan.position[i - 1]).norm();
-    for (std::size_t i = 0; i < path.count; ++i)
-      t.push_back(static_cast<double>(i) * len / 20.0 / static_cast<double>(path.count));
-    return t;
-  }
-  return motion::timesOf(points, limits);
+  std::vector<double> times = motion::timesOf(points, limits);
+  if (even)
+    for (std::size_t i = 0; i < times.size(); ++i)
+      times[i] = times.back() * static_cast<double>(i) / static_cast<double>(times.size() - 1);
+  return times;
 }
 
 void measure(const Joints& q, const std::vector<double>& times, Measure& m) {
@@ -229,7 +227,22 @@ Joints wholePath(const robot::Cell& cell, const robot::ArmTwists& twists, const 
   return smooth;
 }
 
-plan::ToolPlan layerOf(const plan::ToolPlan& plan, int wanted, double noise) {
+// Takes out of the directions what waves are shorter than about 24 waypoints.
+void evenDirections(plan::ToolPlan& plan, const plan::ToolPath& path) {
+  constexpr double kSmoothing = 200.0;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    std::vector<double> part;
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      part.push_back(plan.direction[i][k]);
+    part = motion::evened(part, kSmoothing);
+    for (std::size_t i = 0; i < path.count; ++i)
+      plan.direction[path.first + i][k] = part[i];
+  }
+  for (std::size_t i = path.first; i < path.first + path.count; ++i)
+    plan.direction[i].normalize();
+}
+
+plan::ToolPlan layerOf(const plan::ToolPlan& plan, int wanted, double noise, bool evened) {
   std::map<int, std::size_t> counts;
   for (const plan::ToolPath& p : plan.paths)
     counts[p.layer] += p.count;
@@ -266,24 +279,9 @@ plan::ToolPlan layerOf(const plan::ToolPlan& plan, int wanted, double noise) {
     p.first = first;
     layer.paths.push_back(p);
   }
-  if (const char* lambda = getenv("SMOOTHDIR"))
-    for (const plan::ToolPath& p : layer.paths) {
-      std::vector<std::vector<double>> d(3);
-      for (std::size_t i = p.first; i < p.first + p.count; ++i)
-        for (int k = 0; k < 3; ++k)
-          d[static_cast<std::size_t>(k)].push_back(layer.direction[i][k]);
-      for (auto& x : d)
-        x = motion::evened(x, atof(lambda));
-      double worst = 0, mean = 0;
-      for (std::size_t i = 0; i < p.count; ++i) {
-        Eigen::Vector3d v = Eigen::Vector3d(d[0][i], d[1][i], d[2][i]).normalized();
-        double off = std::acos(std::min(1.0, v.dot(layer.direction[p.first + i])));
-        worst = std::max(worst, off);
-        mean += off / p.count;
-        layer.direction[p.first + i] = v;
-      }
-      std::printf("path %zu off by mean %.2f most %.2f deg\n", p.count, mean * 57.3, worst * 57.3);
-    }
+  for (const plan::ToolPath& p : layer.paths)
+    if (evened)
+      ::evenDirections(layer, p);
   std::printf("layer %d: %zu paths, %zu waypoints\n", wanted, layer.paths.size(),
               layer.waypointCount());
   return layer;
@@ -300,9 +298,9 @@ void row(const char* name, const Measure& m, const Measure& p30) {
 
 int main(int argc, char** argv) {
   std::string cellId, file;
-  int wanted = -1, threads = 2;
+  int wanted = -1;
   double noise = 0.0;
-  bool dense = true;
+  bool dense = true, evenTimes = false, evenDirections = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--cell" && i + 1 < argc)
@@ -313,6 +311,10 @@ int main(int argc, char** argv) {
       noise = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--no-dense")
       dense = false;
+    else if (word == "--even-times")
+      evenTimes = true;
+    else if (word == "--even-directions")
+      evenDirections = true;
     else
       file = word;
   }
@@ -321,8 +323,8 @@ int main(int argc, char** argv) {
   const process::Process process = process::loadProcess(job.choices.process);
   const robot::Cell cell =
       robot::loadCell(cellId.empty() ? job.choices.cell : cellId, process, job.platform);
-  const plan::ToolPlan plan = layerOf(*job.toolPlan, wanted, noise);
-  const base::RunContext ctx(base::CancelToken(), threads);
+  const plan::ToolPlan plan = layerOf(*job.toolPlan, wanted, noise, evenDirections);
+  const base::RunContext ctx(base::CancelToken(), 2);
   const robot::ArmTwists twists(*cell.robot().kinematics);
   const collision::GrowingPart part(plan, collision::growingPitch(plan, process), ctx);
   const motion::MotionOptions options;
@@ -344,7 +346,7 @@ int main(int argc, char** argv) {
       result.times.collision, result.times.transfer, result.statistics.sumSquaredJerkBefore,
       result.statistics.sumSquaredJerk);
   for (const plan::ToolPath& path : plan.paths) {
-    const std::vector<double> times = tipTimes(plan, path, process);
+    const std::vector<double> times = tipTimes(plan, path, process, evenTimes);
     Joints q(at.begin() + static_cast<std::ptrdiff_t>(path.first),
              at.begin() + static_cast<std::ptrdiff_t>(path.first + path.count));
     const auto missing = [](const JointVector& v) { return v.size() == 0; };
