@@ -44,6 +44,8 @@ private:
   std::size_t refuseStart(const LadderWay& way, std::vector<Refused>& refused);
   // Fills run_ along a way over all rungs. Returns the waypoints that fail; none: it is good.
   std::vector<std::size_t> follow(const LadderWay& way);
+  // Of a run that meets nothing; its ends stay.
+  void smooth();
   // Can both ends be left? Where not, their nodes are blocked: false asks for another way.
   bool endsLift();
   // Settles for what comes before the first failure. False: that is nothing.
@@ -164,21 +166,23 @@ std::vector<std::size_t> Stretch::follow(const LadderWay& way) {
   times_.ik += watch.seconds();
   if (!followed)
     return {failedAt};
-  if (scene_.options.smooth) {
-    SmoothedRun smoothed = smoothRun(
-        smoothing_, run_.ladder,
-        [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
-        ctx_);
-    run_.points = std::move(smoothed.points);
-    times_.jerk += smoothed.smoothS;
-    times_.collision += smoothed.checkS;
-    return smoothed.failed;
-  }
   watch = base::Stopwatch();
   run_.points = run_.ladder;
   std::vector<std::size_t> failed = failures(run_.points);
   times_.collision += watch.seconds();
   return failed;
+}
+
+void Stretch::smooth() {
+  if (!scene_.options.smooth)
+    return;
+  SmoothedRun smoothed = smoothRun(
+      smoothing_, run_.ladder,
+      [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
+      ctx_);
+  run_.points = std::move(smoothed.points);
+  times_.jerk += smoothed.smoothS;
+  times_.collision += smoothed.checkS;
 }
 
 bool Stretch::endsLift() {
@@ -255,6 +259,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
     if (failed.empty()) {
       if (wantsLift_ && !endsLift())
         continue;
+      smooth();
       runs.push_back(std::move(run_));
       return count_;
     }

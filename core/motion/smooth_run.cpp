@@ -71,29 +71,19 @@ void about(std::size_t i, std::size_t window, std::size_t count, const Body& bod
     body(k);
 }
 
-// The waypoints of points that are marked, each once.
-std::vector<std::size_t> waypointsOf(const std::vector<RunPoint>& points,
-                                     const std::vector<char>& marks) {
-  std::vector<std::size_t> waypoints;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (marks[i] && (waypoints.empty() || waypoints.back() != points[i].next))
-      waypoints.push_back(points[i].next);
-  return waypoints;
-}
-
 } // namespace
 
 SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& points,
                       const Meets& meets, const base::RunContext& ctx) {
   const base::Stopwatch watch;
   const std::size_t n = points.size();
-  SmoothedRun result;
-  const auto meeting = [&](const std::vector<TurnedPoint>& at, const std::vector<char>& asked) {
+  SmoothedRun result{points};
+  const auto meeting = [&](const std::vector<TurnedPoint>& at) {
     const base::Stopwatch checking;
     std::vector<char> found(n, 0);
     base::parallelChunks(ctx, n, kCheckChunk, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i)
-        found[i] = asked[i] && meets(at[i].q, points[i].next);
+        found[i] = meets(at[i].q, points[i].next);
     });
     result.checkS += checking.seconds();
     return found;
@@ -101,17 +91,9 @@ SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& point
   const auto any = [](const std::vector<char>& marks) {
     return std::find(marks.begin(), marks.end(), 1) != marks.end();
   };
-  const auto asItWas = [&](const std::vector<char>& failed) {
-    result.points = points;
-    result.failed = waypointsOf(points, failed);
-    result.smoothS = watch.seconds() - result.checkS;
-    return result;
-  };
-
   const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points));
   const std::vector<TurnedPoint> start = smoother.start(ctx);
   const std::vector<TurnHold> free(n);
-  const std::vector<char> all(n, 1);
   std::vector<TurnedPoint> at = start;
   std::vector<TurnHold> holds = free;
   // The ladder laid ends where the next path's start is near, and whence the nozzle can be lifted.
@@ -120,16 +102,11 @@ SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& point
   for (int k = 0; k <= kPulls; ++k) {
     if (k > 0)
       smoother.smooth(at, holds, kAfterPull, ctx);
-    const std::vector<char> met = meeting(at, all), far = longSteps(by.scene, points, at);
-    if (k == 0 && any(met))
-      if (const std::vector<char> before = meeting(start, met); any(before))
-        return asItWas(before);
+    const std::vector<char> met = meeting(at), far = longSteps(by.scene, points, at);
     if (!any(met) && !any(far)) {
-      if (smoother.cost(at, free) > smoother.cost(start, free))
-        break;
-      result.points = turnedBy(points, at);
-      result.smoothS = watch.seconds() - result.checkS;
-      return result;
+      if (smoother.cost(at, free) <= smoother.cost(start, free))
+        result.points = turnedBy(points, at);
+      break;
     }
     std::vector<TurnHold> more = holds;
     for (std::size_t i = 0; i < n; ++i) {
@@ -144,7 +121,8 @@ SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& point
     }
     holds = std::move(more);
   }
-  return asItWas(meeting(start, all));
+  result.smoothS = watch.seconds() - result.checkS;
+  return result;
 }
 
 } // namespace voluta::motion

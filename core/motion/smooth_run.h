@@ -28,8 +28,6 @@ using Meets = std::function<bool(const robot::JointVector& q, std::size_t waypoi
 
 struct SmoothedRun {
   std::vector<RunPoint> points;
-  // Waypoints at which something meets; none unless `points` are those that came.
-  std::vector<std::size_t> failed;
   double smoothS = 0.0, checkS = 0.0; // wall seconds
 };
 
@@ -38,7 +36,9 @@ struct SmoothedRun {
 // allow more. Where something meets, or where a step would turn so far that the nozzle bends off
 // its way, turns are drawn back towards what they were, and all are smoothed again, a few times;
 // where that is not enough the run stays as it was. Never worse: over those times the sum of
-// squared jerks is at most that of `points`. The same for any number of threads. Throws Cancelled.
+// squared jerks is at most that of `points`. Both ends stay: the ladder laid them near the next
+// path's. Precondition: nothing meets as `points` are. The same for any number of threads. Throws
+// Cancelled.
 SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& points,
                       const Meets& meets, const base::RunContext& ctx);
 
