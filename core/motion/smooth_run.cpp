@@ -21,7 +21,7 @@ constexpr int kPulls = 6;
 constexpr double kFirstStay = 1e-5, kMoreStay = 100.0, kFirstTogether = 1e-3, kMoreTogether = 30.0;
 constexpr std::size_t kMeetingWindow = 24, kFarWindow = 3; // points to both sides
 constexpr double kBendSlack = 1.2;                         // the run's own steps end just inside
-constexpr TurnSmoothing kAfterPull{6, 1e-2, 0.3};
+constexpr TurnSmoothing kAfterPull{3, 1e-2, 0.3};
 
 std::vector<RunPoint> turnedBy(const std::vector<RunPoint>& points,
                                const std::vector<TurnedPoint>& at) {

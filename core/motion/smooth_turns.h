@@ -33,7 +33,7 @@ struct TurnHold {
 inline constexpr double kHeld = std::numeric_limits<double>::infinity();
 
 struct TurnSmoothing {
-  int rounds = 8;          // of Gauss-Newton's steps at most
+  int rounds = 6;          // of Gauss-Newton's steps at most
   double enough = 1e-3;     // ends where a step lowers the sum by a smaller share
   double longestTurn = 0.3; // rad, of any point in a step
 };

@@ -1,14 +1,16 @@
 // One layer's tool-paths by several ways (Dai 2020, table 4.2):
 // jerk_table [--cell ID] [--layer N] [--noise DEG] [--even-directions] [--even-times] [--no-dense]
-// JOB. The shortest path through a graph of 30 and of 360 turns about the nozzle at every waypoint
-// (eqs. 4.4-4.6), the first of them through the source's local filter (algorithm 6) and smoothed
-// whole, and the motion as it is planned here, collisions looked at; and that smoothed whole, with
-// nothing looked at. Greatest five-point jerk of each joint, beside that of the graph of 30, and
-// sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are the same for all: those
-// of the nozzle alone, with corners and ramps, as if joints had no limits. Without --layer it takes
-// the one whose number of waypoints is nearest to 3,600. --noise turns each direction by a random
-// angle up to DEG to a random side (4.5.4). --even-directions and --even-times tell how much of the
-// jerk the directions' and the times' unevenness makes, which no turn takes away.
+// [--slow FACTOR] // JOB. The shortest path through a graph of 30 and of 360 turns about the nozzle
+// at every waypoint (eqs. 4.4-4.6), the first of them through the source's local filter (algorithm
+// 6) and smoothed whole, and the motion as it is planned here, collisions looked at; and that
+// smoothed whole, with nothing looked at. Greatest five-point jerk of each joint, beside that of
+// the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are
+// the same for all: those of the nozzle alone, with corners and ramps, as if joints had no limits.
+// Without --layer it takes the one whose number of waypoints is nearest to 3,600. --noise turns
+// each direction by a random angle up to DEG to a random side (4.5.4). --even-directions and
+// --even-times tell how much of the jerk the directions' and the times' unevenness makes, which no
+// turn takes away. --slow: times are so many times as long, for graphs that joints' speeds would
+// else leave without a way.
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
@@ -47,7 +49,7 @@ struct Measure {
 using Joints = std::vector<JointVector>;
 
 std::vector<double> tipTimes(const plan::ToolPlan& plan, const plan::ToolPath& path,
-                             const process::Process& process, bool even) {
+                             const process::Process& process, bool even, double slow) {
   std::vector<motion::TimedPoint> points;
   for (std::size_t i = path.first; i < path.first + path.count; ++i)
     points.push_back(
@@ -59,6 +61,8 @@ std::vector<double> tipTimes(const plan::ToolPlan& plan, const plan::ToolPath& p
   if (even)
     for (std::size_t i = 0; i < times.size(); ++i)
       times[i] = times.back() * static_cast<double>(i) / static_cast<double>(times.size() - 1);
+  for (double& t : times)
+    t *= slow;
   return times;
 }
 
@@ -299,7 +303,7 @@ void row(const char* name, const Measure& m, const Measure& p30) {
 int main(int argc, char** argv) {
   std::string cellId, file;
   int wanted = -1;
-  double noise = 0.0;
+  double noise = 0.0, slow = 1.0;
   bool dense = true, evenTimes = false, evenDirections = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -309,6 +313,8 @@ int main(int argc, char** argv) {
       wanted = std::stoi(argv[++i]);
     else if (word == "--noise" && i + 1 < argc)
       noise = base::degreesToRadians(std::stod(argv[++i]));
+    else if (word == "--slow" && i + 1 < argc)
+      slow = std::stod(argv[++i]);
     else if (word == "--no-dense")
       dense = false;
     else if (word == "--even-times")
@@ -346,7 +352,7 @@ int main(int argc, char** argv) {
       result.times.collision, result.times.transfer, result.statistics.sumSquaredJerkBefore,
       result.statistics.sumSquaredJerk);
   for (const plan::ToolPath& path : plan.paths) {
-    const std::vector<double> times = tipTimes(plan, path, process, evenTimes);
+    const std::vector<double> times = tipTimes(plan, path, process, evenTimes, slow);
     Joints q(at.begin() + static_cast<std::ptrdiff_t>(path.first),
              at.begin() + static_cast<std::ptrdiff_t>(path.first + path.count));
     const auto missing = [](const JointVector& v) { return v.size() == 0; };
