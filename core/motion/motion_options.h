@@ -23,7 +23,7 @@ struct MotionOptions {
   double hopLiftMm = 1.0;
   std::uint64_t seed = 1;    // of the sampling planner
   int treeIterations = 4000; // of the sampling planner, a transfer
-  bool smooth = true;        // even out the turn about the nozzle along paths
+  bool smooth = true;        // turns about the nozzle along paths
 };
 
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples.

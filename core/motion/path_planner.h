@@ -1,5 +1,5 @@
-// One path of the tool plan in joints: runs over its ladder graph (path_ladder.h), turns evened out
-// where that stays clear.
+// One path of the tool plan in joints: runs over its ladder graph (path_ladder.h), their turns
+// about the nozzle made smooth (smooth_run.h).
 #pragma once
 
 #include "motion/motion_scene.h"

@@ -20,7 +20,9 @@ constexpr std::size_t kCheckChunk = 16;
 constexpr int kPulls = 6;
 constexpr double kFirstStay = 1e-5, kMoreStay = 100.0, kFirstTogether = 1e-3, kMoreTogether = 30.0;
 constexpr std::size_t kMeetingWindow = 24, kFarWindow = 3; // points to both sides
-constexpr double kBendSlack = 1.2;                         // the run's own steps end just inside
+// Of the deviation: the run's own steps end just inside. In the last rounds a little more will do.
+constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
+constexpr int kStrictPulls = 3;
 constexpr TurnSmoothing kAfterPull{3, 1e-2, 0.3};
 
 std::vector<RunPoint> turnedBy(const std::vector<RunPoint>& points,
@@ -49,15 +51,14 @@ std::vector<double> nozzleTimes(const RunSmoothing& by, const std::vector<RunPoi
 // Which steps turn further than the run's own and so far that the nozzle would bend off its way, or
 // that a joint would jump: a mark for their later end.
 std::vector<char> longSteps(const MotionScene& scene, const std::vector<RunPoint>& points,
-                            const std::vector<TurnedPoint>& at) {
+                            const std::vector<TurnedPoint>& at, double slack) {
   std::vector<char> marks(points.size(), 0);
   const auto tool = [&](std::size_t i) { return turned(points[i].at.tool, at[i].turn); };
   for (std::size_t i = 1; i < points.size(); ++i) {
     const RobotState &from = points[i - 1].at, &to = points[i].at;
     const double angle = angleBetween(tool(i - 1), tool(i));
-    const bool bends =
-        scene.bend(from.tip, to.tip, angle) > kBendSlack * scene.options.deviationMm &&
-        angle > angleBetween(from.tool, to.tool);
+    const bool bends = scene.bend(from.tip, to.tip, angle) > slack * scene.options.deviationMm &&
+                       angle > angleBetween(from.tool, to.tool);
     const double step = robot::largestTurn(at[i].q - at[i - 1].q, scene.cell.robot().limits);
     marks[i] = bends || step > scene.options.maxStepRad;
   }
@@ -102,7 +103,9 @@ SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& point
   for (int k = 0; k <= kPulls; ++k) {
     if (k > 0)
       smoother.smooth(at, holds, kAfterPull, ctx);
-    const std::vector<char> met = meeting(at), far = longSteps(by.scene, points, at);
+    const std::vector<char> met = meeting(at),
+                            far = longSteps(by.scene, points, at,
+                                            k < kStrictPulls ? kBendSlack : kLastBendSlack);
     if (!any(met) && !any(far)) {
       if (smoother.cost(at, free) <= smoother.cost(start, free))
         result.points = turnedBy(points, at);
