@@ -1,10 +1,10 @@
 // One layer's tool-paths by several ways (Dai 2020, table 4.2):
 // jerk_table [--cell ID] [--layer N] [--noise DEG] [--even-directions] [--even-times] [--no-dense]
-// [--slow FACTOR] // JOB. The shortest path through a graph of 30 and of 360 turns about the nozzle
-// at every waypoint (eqs. 4.4-4.6), the first of them through the source's local filter (algorithm
-// 6) and smoothed whole, and the motion as it is planned here, collisions looked at; and that
-// smoothed whole, with nothing looked at. Greatest five-point jerk of each joint, beside that of
-// the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are
+// [--slow FACTOR] [--ladder] JOB. The shortest path through a graph of 30 and of 360 turns about
+// the nozzle at every waypoint (eqs. 4.4-4.6), the first of them through the source's local filter
+// (algorithm 6) and smoothed whole, and the motion as it is planned here, collisions looked at; and
+// that smoothed whole, with nothing looked at. Greatest five-point jerk of each joint, beside that
+// of the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are
 // the same for all: those of the nozzle alone, with corners and ramps, as if joints had no limits.
 // Without --layer it takes the one whose number of waypoints is nearest to 3,600. --noise turns
 // each direction by a random angle up to DEG to a random side (4.5.4). --even-directions and
@@ -304,7 +304,7 @@ int main(int argc, char** argv) {
   std::string cellId, file;
   int wanted = -1;
   double noise = 0.0, slow = 1.0;
-  bool dense = true, evenTimes = false, evenDirections = false;
+  bool ladder = false, dense = true, evenTimes = false, evenDirections = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--cell" && i + 1 < argc)
@@ -315,6 +315,8 @@ int main(int argc, char** argv) {
       noise = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--slow" && i + 1 < argc)
       slow = std::stod(argv[++i]);
+    else if (word == "--ladder")
+      ladder = true;
     else if (word == "--no-dense")
       dense = false;
     else if (word == "--even-times")
@@ -333,7 +335,8 @@ int main(int argc, char** argv) {
   const base::RunContext ctx(base::CancelToken(), 2);
   const robot::ArmTwists twists(*cell.robot().kinematics);
   const collision::GrowingPart part(plan, collision::growingPitch(plan, process), ctx);
-  const motion::MotionOptions options;
+  motion::MotionOptions options;
+  options.smooth = !ladder;
 
   base::Stopwatch watch;
   motion::MotionPlanner planner(plan, cell, process, part, options);
