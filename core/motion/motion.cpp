@@ -8,6 +8,7 @@
 #include "motion/check.h"
 #include "motion/external_axes.h"
 #include "motion/head_refusals.h"
+#include "motion/jerk.h"
 #include "motion/nozzle_frame.h"
 #include "motion/path_planner.h"
 #include "motion/refusal_findings.h"
@@ -55,7 +56,7 @@ public:
       : plan_(plan), cell_(cell), process_(process), options_(options),
         collision_(cell, process), scene_{plan, cell,     collision_,
                                           part, options_, leversOf(plan, cell)},
-        planner_(scene_), home_(stateAt(cell, cell.home())) {}
+        planner_(scene_, timingLimits(cell, process)), home_(stateAt(cell, cell.home())) {}
 
   MotionResult plan(const base::RunContext& ctx) {
     base::Stopwatch watch;
@@ -167,6 +168,7 @@ private:
     const PathTimes paths = planner_.takeTimes();
     result_.times.ik += paths.ik;
     result_.times.graph += paths.graph;
+    result_.times.jerk += paths.jerk;
     result_.times.collision += paths.collision;
     report();
     return std::exchange(result_, {});
@@ -211,7 +213,7 @@ private:
           runTimes[i] = timesOf(points, limits);
           jerks[i] = jerkOf(points, runTimes[i], limits.joints);
           const auto before = timedPoints(cell_, sequence.runs[i].ladder);
-          jerksBefore[i] = jerkOf(before, timesOf(before, limits), limits.joints);
+          jerksBefore[i] = jerkOf(before, runTimes[i], limits.joints);
         }
         if (i < ways) {
           const RobotState& from = i == 0 ? home_ : sequence.runs[i - 1].points.back().at;

@@ -28,7 +28,8 @@ struct MotionStatistics {
   std::size_t splits = 0;      // paths are printed in so many more pieces than there are paths
   std::size_t transfers = 0, arcTransfers = 0, jointTransfers = 0, treeTransfers = 0;
   std::vector<double> maxJerk; // a joint, rad/s3 (mm/s3), while printing
-  double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0; // before: turns as the ladder gave them
+  // Before: with the turns that the ladder gave, over the same times.
+  double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0;
   double minClearanceMm = 0.0; // of bodies and part, the head's to plate and part left out; at most
                                // kClearanceCapMm
   double minClearanceAtS = 0.0; // when it is that

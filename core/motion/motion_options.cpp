@@ -4,6 +4,10 @@
 
 namespace voluta::motion {
 
+namespace {
+constexpr const char *kTurnSmoothing = "turnSmoothing", *kWholePath = "wholePath";
+}
+
 base::ParameterTable motionParameters() {
   const MotionOptions d;
   return base::ParameterTable(
@@ -21,7 +25,13 @@ base::ParameterTable motionParameters() {
        base::integerParameter("redundancySamples", d.samples, 8, 72, "Motion"_text,
                               "turns about the nozzle"_text,
                               "How many turns of the part about the nozzle's axis are tried at "
-                              "each place."_text)});
+                              "each place."_text),
+       base::choiceParameter(
+           kTurnSmoothing, "evened",
+           {{"evened", "evened out"_text}, {kWholePath, "least jerk of whole paths"_text}},
+           "Motion"_text, "smooth turns"_text,
+           "How turns about the nozzle are made smooth: quickly, or by a search for the least jerk "
+           "of the joints, which takes as long again as the rest of the motion."_text)});
 }
 
 MotionOptions motionOptions(const base::ParameterValues& values) {
@@ -33,6 +43,8 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.liftMm = values.number("liftMm");
   o.hopLiftMm = std::min(o.hopLiftMm, o.liftMm);
   o.samples = static_cast<int>(values.integer("redundancySamples"));
+  o.smoothing = values.text(kTurnSmoothing) == kWholePath ? TurnMethod::WholePath
+                                                            : TurnMethod::Evened;
   return o;
 }
 

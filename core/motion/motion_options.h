@@ -8,6 +8,13 @@
 
 namespace voluta::motion {
 
+// What is done to the turns about the nozzle that the ladder gave.
+enum class TurnMethod {
+  None,
+  Evened,   // waves of a few waypoints are taken out (even_turns.h)
+  WholePath // the least jerk over each whole run (smooth_run.h): twice the motion's time
+};
+
 struct MotionOptions {
   int samples = 24;          // turns about the nozzle that are tried
   double rungMm = 5.0;       // distance of rungs of the ladder graph along a path
@@ -23,10 +30,10 @@ struct MotionOptions {
   double hopLiftMm = 1.0;
   std::uint64_t seed = 1;    // of the sampling planner
   int treeIterations = 4000; // of the sampling planner, a transfer
-  bool smooth = true;        // even out the turn about the nozzle along paths
+  TurnMethod smoothing = TurnMethod::Evened;
 };
 
-// Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples.
+// Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples, turnSmoothing.
 base::ParameterTable motionParameters();
 // Throws nothing when `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);

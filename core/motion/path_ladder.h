@@ -19,7 +19,7 @@
 namespace voluta::motion {
 
 struct PathTimes {
-  double ik = 0.0, graph = 0.0, collision = 0.0; // wall seconds
+  double ik = 0.0, graph = 0.0, jerk = 0.0, collision = 0.0; // wall seconds
 };
 
 // The largest joint step, rad, between rungs that are some waypoints apart.

@@ -7,6 +7,7 @@
 #include "motion/external_axes.h"
 #include "motion/joint_costs.h"
 #include "motion/nozzle_frame.h"
+#include "motion/smooth_run.h"
 #include "process/bead_model.h"
 
 #include <algorithm>
@@ -22,16 +23,16 @@ namespace {
 
 constexpr int kTries = 40; // of blocking what failed and searching again
 constexpr int kTriesBeforeJudgingAll = 6;
-constexpr double kSmoothing = 200.0; // waves under about 24 waypoints go
+constexpr double kEvening = 200.0; // waves under about 24 waypoints go
 constexpr std::size_t kCheckChunk = 16;
 
 // What is left to plan of a path: as much of it as can be joined becomes a run.
 class Stretch {
 public:
-  Stretch(const MotionScene& scene, std::size_t path, std::size_t first, std::size_t count,
+  Stretch(const RunSmoothing& smoothing, std::size_t path, std::size_t first, std::size_t count,
           const RobotState& from, const base::RunContext& ctx, PathTimes& times)
-      : scene_(scene), ctx_(ctx), times_(times), first_(first),
-        ladder_(scene, first, count, from, ctx, times), count_(ladder_.followed()) {
+      : smoothing_(smoothing), scene_(smoothing.scene), ctx_(ctx), times_(times), first_(first),
+        ladder_(scene_, first, count, from, ctx, times), count_(ladder_.followed()) {
     run_.path = path;
   }
 
@@ -45,6 +46,8 @@ private:
   std::size_t refuseStart(const LadderWay& way, std::vector<Refused>& refused);
   // Fills run_ along a way over all rungs. Returns the waypoints that fail; none: it is good.
   std::vector<std::size_t> follow(const LadderWay& way);
+  // Of a run that meets nothing; its ends stay.
+  void smooth();
   // Can both ends be left? Where not, their nodes are blocked: false asks for another way.
   bool endsLift();
   // Settles for what comes before the first failure. False: that is nothing.
@@ -58,6 +61,7 @@ private:
             std::size_t& failedAt) const;
   std::vector<std::size_t> failures(const std::vector<RunPoint>& points) const;
 
+  const RunSmoothing& smoothing_;
   const MotionScene& scene_;
   const base::RunContext& ctx_;
   PathTimes& times_;
@@ -159,29 +163,41 @@ std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& ref
 }
 
 std::vector<std::size_t> Stretch::follow(const LadderWay& way) {
-  Course course = ladder_.courseOf(way);
   std::size_t failedAt = 0;
   base::Stopwatch watch;
+  Course course = ladder_.courseOf(way);
   const bool followed = fill(course, way.q.front(), run_.ladder, failedAt);
   // On a rod it often need not turn at all.
   const bool uneven =
       !ladder_.movesPart() || std::any_of(course.turn.begin(), course.turn.end(),
                                           [&](double t) { return t != course.turn.front(); });
-  if (uneven)
-    course.turn = evened(course.turn, kSmoothing);
-  const bool smooth = followed && uneven && scene_.options.smooth &&
-                      fill(course, way.q.front(), run_.points, failedAt);
+  const bool evens = followed && uneven && scene_.options.smoothing == TurnMethod::Evened;
+  if (evens)
+    course.turn = evened(course.turn, kEvening);
+  const bool even = evens && fill(course, way.q.front(), run_.points, failedAt);
   times_.ik += watch.seconds();
   if (!followed)
     return {failedAt};
   watch = base::Stopwatch();
   std::vector<std::size_t> failed;
-  if (!smooth || !failures(run_.points).empty()) {
+  if (!even || !failures(run_.points).empty()) {
     run_.points = run_.ladder;
     failed = failures(run_.points);
   }
   times_.collision += watch.seconds();
   return failed;
+}
+
+void Stretch::smooth() {
+  if (scene_.options.smoothing != TurnMethod::WholePath)
+    return;
+  SmoothedRun smoothed = smoothRun(
+      smoothing_, run_.ladder,
+      [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
+      ctx_);
+  run_.points = std::move(smoothed.points);
+  times_.jerk += smoothed.smoothS;
+  times_.collision += smoothed.checkS;
 }
 
 bool Stretch::endsLift() {
@@ -258,6 +274,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
     if (failed.empty()) {
       if (wantsLift_ && !endsLift())
         continue;
+      smooth();
       runs.push_back(std::move(run_));
       return count_;
     }
@@ -279,12 +296,13 @@ void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
                        const RobotState& from, const base::RunContext& ctx, std::vector<Run>& runs,
                        std::vector<Refused>& refused) {
   RobotState last = from;
+  const RunSmoothing smoothing{scene_, twists_, limits_};
   std::size_t done = 0;
   while (done < count) {
     ctx.checkpoint();
     const std::size_t runsBefore = runs.size(), refusedBefore = refused.size();
     const std::size_t step =
-        Stretch(scene_, path, first + done, count - done, last, ctx, times_).plan(runs, refused);
+        Stretch(smoothing, path, first + done, count - done, last, ctx, times_).plan(runs, refused);
     // Where the run before ended is printed, whether or not it goes on from there.
     if (refused.size() > refusedBefore && !runs.empty() &&
         refused[refusedBefore].waypoint == runs.back().points.back().waypoint)

@@ -1,11 +1,13 @@
-// One path of the tool plan in joints: runs over its ladder graph (path_ladder.h), turns evened out
-// where that stays clear.
+// One path of the tool plan in joints: runs over its ladder graph (path_ladder.h), their turns
+// about the nozzle made smooth (smooth_run.h).
 #pragma once
 
 #include "motion/motion_scene.h"
 #include "motion/path_ladder.h"
 #include "motion/refusal.h"
 #include "motion/run.h"
+#include "motion/timing.h"
+#include "robot/arm_twists.h"
 
 #include <cstddef>
 #include <utility>
@@ -19,7 +21,8 @@ namespace voluta::motion {
 
 class PathPlanner {
 public:
-  explicit PathPlanner(const MotionScene& scene) : scene_(scene) {}
+  PathPlanner(const MotionScene& scene, TimingLimits limits)
+      : scene_(scene), twists_(*scene.cell.robot().kinematics), limits_(std::move(limits)) {}
 
   // Plans waypoints [first, first + count) of path `path`, none of which the head refuses, to
   // follow on `from`. Appends the runs that are printed (usually one) and the waypoints that are
@@ -33,6 +36,8 @@ public:
 
 private:
   const MotionScene& scene_;
+  robot::ArmTwists twists_;
+  TimingLimits limits_;
   PathTimes times_;
 };
 

@@ -190,42 +190,4 @@ std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingL
   return times;
 }
 
-JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times,
-                   const std::vector<robot::JointLimits>& limits) {
-  JerkMeasure measure;
-  if (points.empty())
-    return measure;
-  const Eigen::Index dof = points.front().q.size();
-  measure.maxAbs.assign(static_cast<std::size_t>(dof), 0.0);
-  const std::size_t n = points.size();
-  for (Eigen::Index j = 0; j < dof; ++j) {
-    double velocity = 0.0, acceleration = 0.0, middle = 0.0, at = 0.0;
-    for (std::size_t i = 1; i <= n; ++i) {
-      // Velocities at the middles of steps, accelerations between them, jerks between those;
-      // at rest after the last point.
-      const double dt = i < n ? times[i] - times[i - 1] : 0.0;
-      const double newVelocity =
-          i < n && dt > 0.0 ? (points[i].q[j] - points[i - 1].q[j]) / dt : 0.0;
-      const double newMiddle = i < n ? 0.5 * (times[i] + times[i - 1]) : times[n - 1];
-      if (newMiddle - middle <= 0.0)
-        continue;
-      const double newAcceleration = (newVelocity - velocity) / (newMiddle - middle);
-      const double newAt = 0.5 * (newMiddle + middle);
-      if (newAt > at) {
-        const double jerk = (newAcceleration - acceleration) / (newAt - at);
-        measure.maxAbs[static_cast<std::size_t>(j)] =
-            std::max(measure.maxAbs[static_cast<std::size_t>(j)], std::abs(jerk));
-        const auto joint = static_cast<std::size_t>(j);
-        const double turn = joint < limits.size() ? robot::asTurn(limits[joint].kind, jerk) : jerk;
-        measure.sumSquared += turn * turn;
-      }
-      velocity = newVelocity;
-      acceleration = newAcceleration;
-      middle = newMiddle;
-      at = newAt;
-    }
-  }
-  return measure;
-}
-
 } // namespace voluta::motion

@@ -38,17 +38,8 @@ struct TimedPoint {
 // its velocity limit, and at corners those of a circle that cuts the corner by cornerMm. Then
 // speeds are lowered until every joint's acceleration, from one step's mean velocity to the next
 // one's over the time between their middles, keeps its limit. Between joint moves that do not go on
-// along one line in joint space the arm stands, as controllers do. Precondition: limits for every joint,
-// all positive.
+// along one line in joint space the arm stands, as controllers do. Precondition: limits for every
+// joint, all positive.
 std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits);
-
-// Jerk of the joints over a stretch from rest to rest: third differences of the joints over time.
-struct JerkMeasure {
-  std::vector<double> maxAbs; // a joint, rad/s3; mm/s3 of a sliding one
-  double sumSquared = 0.0;    // over all points and joints, (rad/s3)2; sliding ones by asTurn()
-};
-// Joints without limits here turn.
-JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times,
-                   const std::vector<robot::JointLimits>& limits = {});
 
 } // namespace voluta::motion

@@ -1,6 +1,7 @@
 #include "motion/timing.h"
 
 #include "motion/even_turns.h"
+#include "motion/jerk.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,0 +1,88 @@
+#include "motion/jerk.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::motion {
+
+std::vector<JerkStencil> jerkStencils(const std::vector<double>& times) {
+  using Weights = std::array<double, 4>;
+  const auto differences = [](const Weights& a, const Weights& b, double over) {
+    Weights d;
+    for (std::size_t k = 0; k < 4; ++k)
+      d[k] = (a[k] - b[k]) / over;
+    return d;
+  };
+  // The weights of a step before, for the step after it: everything is one point further back.
+  const auto shifted = [](const Weights& w) { return Weights{w[1], w[2], w[3], 0.0}; };
+  std::vector<JerkStencil> stencils;
+  const std::size_t n = times.size();
+  if (n == 0)
+    return stencils;
+  Weights velocity{}, acceleration{};
+  double middle = times[0], at = times[0];
+  for (std::size_t i = 1; i <= n; ++i) {
+    Weights newVelocity{};
+    double newMiddle = times[n - 1];
+    if (i < n) {
+      const double dt = times[i] - times[i - 1];
+      base::require(dt > 0.0, "jerkStencils: times rise");
+      newVelocity[3] = 1.0 / dt;
+      newVelocity[2] = -1.0 / dt;
+      newMiddle = 0.5 * (times[i] + times[i - 1]);
+    }
+    if (newMiddle <= middle)
+      continue;
+    const Weights newAcceleration = differences(newVelocity, shifted(velocity), newMiddle - middle);
+    const double newAt = 0.5 * (newMiddle + middle);
+    stencils.push_back({i, differences(newAcceleration, shifted(acceleration), newAt - at)});
+    velocity = newVelocity;
+    acceleration = newAcceleration;
+    middle = newMiddle;
+    at = newAt;
+  }
+  return stencils;
+}
+
+std::array<double, 5> fivePointJerk(const std::vector<double>& times, std::size_t i) {
+  base::require(i >= 2 && i + 2 < times.size(), "fivePointJerk: two points on both sides");
+  // Third derivative of each Lagrange polynomial: its divisor, and six times the sum of the other
+  // points' times with the sign turned, seen from times[i], plus what t^4 leaves at t = 0: nothing.
+  std::array<double, 5> t{}, weights{};
+  for (std::size_t k = 0; k < 5; ++k)
+    t[k] = times[i + k - 2] - times[i];
+  for (std::size_t k = 0; k < 5; ++k) {
+    double divisor = 1.0, sum = 0.0;
+    for (std::size_t m = 0; m < 5; ++m)
+      if (m != k) {
+        divisor *= t[k] - t[m];
+        sum += t[m];
+      }
+    weights[k] = -6.0 * sum / divisor;
+  }
+  return weights;
+}
+
+JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times,
+                   const std::vector<robot::JointLimits>& limits) {
+  JerkMeasure measure;
+  if (points.empty())
+    return measure;
+  const auto dof = static_cast<std::size_t>(points.front().q.size());
+  measure.maxAbs.assign(dof, 0.0);
+  for (const JerkStencil& s : jerkStencils(times))
+    for (std::size_t j = 0; j < dof; ++j) {
+      double jerk = 0.0;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (s.last + k >= 3 && s.last + k - 3 < points.size())
+          jerk += s.weight[k] * points[s.last + k - 3].q[static_cast<Eigen::Index>(j)];
+      measure.maxAbs[j] = std::max(measure.maxAbs[j], std::abs(jerk));
+      const double turn = j < limits.size() ? robot::asTurn(limits[j].kind, jerk) : jerk;
+      measure.sumSquared += turn * turn;
+    }
+  return measure;
+}
+
+} // namespace voluta::motion

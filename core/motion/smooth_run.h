@@ -1,0 +1,45 @@
+// A run with its turns about the nozzle as smooth as they can be without meeting anything.
+#pragma once
+
+#include "motion/motion_scene.h"
+#include "motion/run.h"
+#include "motion/timing.h"
+#include "robot/arm_twists.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::motion {
+
+// What runs of one job are smoothed by. All that is referenced outlives it.
+struct RunSmoothing {
+  const MotionScene& scene;
+  const robot::ArmTwists& twists;
+  const TimingLimits& limits;
+};
+
+// Does something meet at those joints, on the way to that waypoint?
+using Meets = std::function<bool(const robot::JointVector& q, std::size_t waypoint)>;
+
+struct SmoothedRun {
+  std::vector<RunPoint> points;
+  double smoothS = 0.0, checkS = 0.0; // wall seconds
+};
+
+// Turns of `points` that make jerk least (smooth_turns.h) over the times of the nozzle alone, as
+// the process wants it: what the joints then allow is the timing's to see to, and smooth joints
+// allow more. Where something meets, or where a step would turn so far that the nozzle bends off
+// its way, turns are drawn back towards what they were, and all are smoothed again, a few times;
+// where that is not enough the run stays as it was. Never worse: over those times the sum of
+// squared jerks is at most that of `points`. Both ends stay: the ladder laid them near the next
+// path's. Precondition: nothing meets as `points` are. The same for any number of threads. Throws
+// Cancelled.
+SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& points,
+                      const Meets& meets, const base::RunContext& ctx);
+
+} // namespace voluta::motion

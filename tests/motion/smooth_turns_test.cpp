@@ -1,0 +1,238 @@
+#include "motion/smooth_turns.h"
+
+#include "base/run_context.h"
+#include "base/units.h"
+#include "collision/growing_part.h"
+#include "motion/motion_scene.h"
+#include "motion/nozzle_frame.h"
+#include "motion/sample_plans.h"
+#include "motion/sequence.h"
+#include "motion/smooth_run.h"
+#include "motion/timed_points.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using motion::RunPoint;
+using motion::TurnedPoint;
+using motion::TurnHold;
+using robot::JointVector;
+
+namespace {
+
+base::RunContext onThreads(int threads) {
+  return base::RunContext(base::CancelToken(), threads);
+}
+
+std::vector<double> evenTimes(std::size_t count, double step) {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < count; ++i)
+    times.push_back(step * static_cast<double>(i));
+  return times;
+}
+
+// A closed wall, leaning, in the arm's joints: its turn about the nozzle wanders by chance.
+struct Wall {
+  process::Process process = process::loadProcess("fdm-1.0");
+  robot::Cell cell;
+  robot::ArmTwists twists;
+  plan::ToolPlan plan;
+  std::vector<RunPoint> points;
+  std::vector<double> times;
+
+  explicit Wall(int seed, double wander = 0.02)
+      : cell(robot::loadCell("ur5-fixed", process, test::disc(20.0))),
+        twists(*cell.robot().kinematics),
+        plan(test::rings(
+            1, [](int) { return 15.0; }, [](int) { return 0.8; }, [](int) { return 0.3; })) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    std::uniform_real_distribution<double> step(-wander, wander);
+    Eigen::Quaterniond tool = motion::uprightTool();
+    double turn = 20.0 * step(random);
+    JointVector q = cell.home();
+    std::vector<JointVector> scratch;
+    for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
+      tool = motion::carried(tool, plan.direction[i]);
+      turn += step(random);
+      const Eigen::Quaterniond at = motion::turned(tool, turn);
+      if (!motion::solveNear(cell, plan.position[i], at, q, i == 0 ? base::kTurn : 0.5, scratch, q))
+        break;
+      points.push_back({{plan.position[i], at, q, {}}, i, i, 0.0, 20.0});
+      times.push_back(times.empty() ? 0.0 : times.back() + 0.04 + 0.5 * std::abs(step(random)));
+    }
+  }
+};
+
+double largestOff(const robot::Cell& cell, const RunPoint& p, const TurnedPoint& at) {
+  const Eigen::Isometry3d pose = cell.work_T_tool(at.q);
+  return std::max((pose.translation() - p.at.tip).norm(),
+                  (-pose.linear().col(2) - p.at.direction()).norm());
+}
+
+} // namespace
+
+// Of this arm the turn about the nozzle is joint 4 alone, so that the least jerk of a stretch whose
+// ends stand alike is joint 4 standing still, whatever the other joints do.
+TEST(TurnSmoother, TheWristOfAScaraStandsStill) {
+  const process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("t3", process, test::disc(20.0));
+  const robot::ArmTwists twists(*cell.robot().kinematics);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> chance(-0.02, 0.02);
+  std::vector<RunPoint> points;
+  constexpr std::size_t kPoints = 120;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const double t = static_cast<double>(i) / (kPoints - 1);
+    JointVector q(4);
+    q << 0.2 + 0.3 * t * t, 1.2 - 0.2 * std::sin(3.0 * t), cell.home()[2], 0.4;
+    if (i > 0 && i + 1 < kPoints)
+      q[3] += 0.2 * std::sin(base::kPi * t) + chance(random);
+    RunPoint p;
+    p.at = motion::stateAt(cell, q);
+    points.push_back(p);
+  }
+  const motion::TurnSmoother smoother(cell, twists, points, evenTimes(kPoints, 0.05));
+  std::vector<TurnedPoint> at = smoother.start(onThreads(1));
+  std::vector<TurnHold> holds(kPoints);
+  holds.front().stay = holds.back().stay = motion::kHeld;
+  smoother.smooth(at, holds, {60, 0.0, 0.3}, onThreads(1));
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    EXPECT_NEAR(at[i].q[3], 0.4, 1e-4) << i;
+    EXPECT_LT((at[i].q - points[i].at.q).head(3).norm(), 1e-6);
+    EXPECT_LT(largestOff(cell, points[i], at[i]), 1e-6);
+  }
+}
+
+TEST(TurnSmoother, RateIsTheDerivativeOfTheInverse) {
+  const Wall wall(1);
+  ASSERT_EQ(wall.points.size(), wall.plan.waypointCount());
+  const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
+  const auto at = smoother.start(onThreads(1));
+  constexpr double kStep = 1e-5;
+  std::vector<JointVector> scratch;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const auto& state = wall.points[i].at;
+    JointVector more, less;
+    ASSERT_TRUE(motion::solveNear(wall.cell, state.tip, motion::turned(state.tool, kStep), state.q,
+                                  0.1, scratch, more));
+    ASSERT_TRUE(motion::solveNear(wall.cell, state.tip, motion::turned(state.tool, -kStep), state.q,
+                                  0.1, scratch, less));
+    EXPECT_LT(((more - less) / (2.0 * kStep) - at[i].rate).norm(), 1e-5 * (1.0 + at[i].rate.norm()))
+        << i;
+  }
+}
+
+TEST(TurnSmoother, NeverWorseAndEveryPointStaysWhereItIs) {
+  for (int seed = 1; seed <= 12; ++seed) {
+    const Wall wall(seed);
+    ASSERT_EQ(wall.points.size(), wall.plan.waypointCount()) << seed;
+    const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
+    const auto start = smoother.start(onThreads(2));
+    std::vector<TurnHold> holds(wall.points.size());
+    holds[7].stay = motion::kHeld;
+    auto at = start;
+    smoother.smooth(at, holds, {}, onThreads(2));
+    EXPECT_LT(smoother.cost(at, holds), 0.4 * smoother.cost(start, holds)) << seed;
+    EXPECT_EQ(at[7].q, start[7].q);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      EXPECT_LT(largestOff(wall.cell, wall.points[i], at[i]), 1e-6) << seed;
+      for (Eigen::Index j = 0; j < at[i].q.size(); ++j) {
+        const auto& limit = wall.cell.limits()[static_cast<std::size_t>(j)];
+        EXPECT_GE(at[i].q[j], limit.min);
+        EXPECT_LE(at[i].q[j], limit.max);
+      }
+    }
+    auto alone = start;
+    smoother.smooth(alone, holds, {}, onThreads(1));
+    for (std::size_t i = 0; i < at.size(); ++i)
+      ASSERT_EQ(at[i].q, alone[i].q) << "threads";
+  }
+}
+
+// A firm hold on turns brings them back to the points' own; one on their differences makes them
+// alike.
+TEST(TurnSmoother, HoldsBringTurnsBack) {
+  const Wall wall(3);
+  const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
+  const auto start = smoother.start(onThreads(1));
+  std::vector<TurnHold> free(wall.points.size()), firm(wall.points.size(), {1e6, 0.0}),
+      together(wall.points.size(), {0.0, 1e6});
+  auto at = start;
+  smoother.smooth(at, free, {}, onThreads(1));
+  const motion::TurnSmoothing much{60, 1e-9, 0.3};
+  auto back = at, joined = at;
+  smoother.smooth(back, firm, much, onThreads(1));
+  smoother.smooth(joined, together, much, onThreads(1));
+  double away = 0.0;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    away = std::max(away, std::abs(at[i].turn));
+    EXPECT_LT(std::abs(back[i].turn), 1e-3) << i;
+    if (i > 0) {
+      EXPECT_LT(std::abs(joined[i].turn - joined[i - 1].turn), 1e-3) << i;
+    }
+  }
+  EXPECT_GT(away, 0.05);
+}
+
+namespace {
+
+struct SmoothScene {
+  Wall wall;
+  collision::CellCollision collision;
+  collision::GrowingPart part;
+  motion::MotionOptions options;
+  motion::MotionScene scene;
+  motion::TimingLimits limits;
+
+  explicit SmoothScene(int seed)
+      : wall(seed, 0.005), collision(wall.cell, wall.process),
+        part(wall.plan, 0.45, {}), scene{wall.plan, wall.cell, collision, part, options, {}},
+        limits(motion::timingLimits(wall.cell, wall.process)) {}
+
+  motion::SmoothedRun smoothed(const motion::Meets& meets) const {
+    return motion::smoothRun({scene, wall.twists, limits}, wall.points, meets, onThreads(2));
+  }
+};
+
+} // namespace
+
+TEST(SmoothRun, GoesBackWhereSomethingMeets) {
+  for (int seed = 1; seed <= 4; ++seed) {
+    const SmoothScene s(seed);
+    const auto& points = s.wall.points;
+    const auto clear = s.smoothed([](const JointVector&, std::size_t) { return false; });
+    ASSERT_EQ(clear.points.size(), points.size());
+    // Where joints left what they were furthest, half of that is too much.
+    std::size_t furthest = 0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (const double off = (clear.points[i].at.q - points[i].at.q).norm(); off > most) {
+        most = off;
+        furthest = i;
+      }
+    ASSERT_GT(most, 1e-3) << seed;
+    const motion::Meets meets = [&](const JointVector& q, std::size_t w) {
+      return w == furthest && (q - points[w].at.q).norm() > 0.5 * most;
+    };
+    const auto kept = s.smoothed(meets);
+    const double off = (kept.points[furthest].at.q - points[furthest].at.q).norm();
+    EXPECT_LE(off, 0.5 * most);
+    // And is not simply what it was.
+    double moved = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      moved = std::max(moved, (kept.points[i].at.q - points[i].at.q).norm());
+    EXPECT_GT(moved, 1e-4) << seed;
+    EXPECT_EQ(kept.points.front().at.q, points.front().at.q);
+    EXPECT_EQ(kept.points.back().at.q, points.back().at.q);
+  }
+}
+
+TEST(SmoothRun, StaysAsItWasWhereNothingElseIsClear) {
+  const SmoothScene s(2);
+  const auto& points = s.wall.points;
+  const auto run = s.smoothed(
+      [&](const JointVector& q, std::size_t w) { return (q - points[w].at.q).norm() > 1e-12; });
+  for (std::size_t i = 0; i < run.points.size(); ++i)
+    EXPECT_EQ(run.points[i].at.q, points[i].at.q);
+}
