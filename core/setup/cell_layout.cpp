@@ -55,7 +55,7 @@ std::vector<Place> placesFor(const ArmFacts& facts, Mount nozzle) {
   // A flange that looks up asks for more height than one that looks down.
   const std::vector<double> ups = nozzle == Mount::Flange
                                       ? std::vector<double>{0.05, 0.15, 0.3, 0.45}
-                                      : std::vector<double>{0.4, 0.5, 0.6, 0.7, 0.8};
+                                      : std::vector<double>{0.4, 0.55, 0.7, 0.85, 1.0};
   std::vector<Place> places;
   for (std::size_t i = 0; i < outs.size(); ++i)
     for (std::size_t k = 0; k < ups.size(); ++k)
@@ -196,6 +196,18 @@ std::vector<std::string> notesOf(const ArmFacts& facts) {
   return notes;
 }
 
+struct Tried {
+  robot::CellDescription cell;
+  CellScore score;
+  double offCentre;
+};
+// By what can be printed there; of nearly as much, nearer to the middle of the grid.
+bool better(const Tried& a, const Tried& b) {
+  const double is = std::round(a.score.meanOfTilts() / kSame),
+               other = std::round(b.score.meanOfTilts() / kSame);
+  return is != other ? is > other : a.offCentre < b.offCentre;
+}
+
 } // namespace
 
 robot::Cell cellOf(const robot::CellDescription& description, const robot::RobotModel& robot,
@@ -234,41 +246,35 @@ CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const process::P
   const PosePattern pattern = patternFor(facts.reachMm);
   std::vector<std::pair<int, int>> meetAtRest;
   for (int round = 0; round < kRounds; ++round) {
-    std::optional<robot::CellDescription> best;
-    double bestShare = 0.0, bestOff = 0.0;
+    std::vector<Tried> tried;
     std::optional<std::pair<int, int>> meeting;
     for (std::size_t i = 0; i < places.size(); ++i) {
       ctx.report((round + static_cast<double>(i) / static_cast<double>(places.size())) / kRounds,
                  "places for the plate"_text);
-      robot::CellDescription tried = describe(robot, facts, nozzle, places[i]);
-      tried.neverMeet = nearInCell(cellOf(tried, robot, process));
-      const robot::Cell cell = cellOf(tried, robot, process);
-      const double share = scoreOf(cell, process, pattern, ctx.quiet()).meanOfTilts();
-      if (share == 0.0 && !meeting)
-        meeting = blockingLinks(cell, process);
-      if (share > bestShare + kSame ||
-          (share > bestShare - kSame && share > 0.0 && places[i].offCentre < bestOff)) {
-        bestShare = share;
-        bestOff = places[i].offCentre;
-        best = std::move(tried);
-      }
+      robot::CellDescription cell = describe(robot, facts, nozzle, places[i]);
+      cell.neverMeet = nearInCell(cellOf(cell, robot, process));
+      const robot::Cell at = cellOf(cell, robot, process);
+      CellScore score = scoreOf(at, process, pattern, ctx.quiet());
+      if (score.meanOfTilts() > 0.0)
+        tried.push_back({std::move(cell), std::move(score), places[i].offCentre});
+      else if (!meeting)
+        meeting = blockingLinks(at, process);
     }
-    if (best) {
-      CellLayout layout;
-      layout.cell = *std::move(best);
-      const robot::Cell cell = cellOf(layout.cell, robot, process);
-      if (const auto rest = restPose(cell, process, facts.reachMm); rest && rest->clearMm > 0.0) {
-        layout.rest = *rest;
-        layout.cell.home = rest->q;
-        layout.pattern = pattern;
-        layout.score = scoreOf(cell, process, pattern, ctx.quiet());
-        layout.meetAtRest = meetAtRest;
-        layout.notes = notesOf(facts);
-        layout.cell.note = noteOf(layout, places.size());
-        ctx.report(1.0, "places for the plate"_text);
-        return layout;
+    std::stable_sort(tried.begin(), tried.end(), better);
+    for (Tried& one : tried) {
+      const robot::Cell cell = cellOf(one.cell, robot, process);
+      const auto rest = restPose(cell, process, facts.reachMm);
+      if (!rest || rest->clearMm <= 0.0) {
+        if (!meeting)
+          meeting = blockingLinks(cell, process);
+        continue;
       }
-      meeting = blockingLinks(cell, process);
+      CellLayout layout{std::move(one.cell),  *rest,      pattern,
+                        std::move(one.score), meetAtRest, notesOf(facts)};
+      layout.cell.home = rest->q;
+      layout.cell.note = noteOf(layout, places.size());
+      ctx.report(1.0, "places for the plate"_text);
+      return layout;
     }
     if (!meeting)
       break;

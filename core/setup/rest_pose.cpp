@@ -72,7 +72,7 @@ std::optional<RestPose> restPose(const robot::Cell& cell, const process::Process
   std::vector<Eigen::Isometry3d> frames;
   std::optional<RestPose> best;
   double bestWorth = -1.0, bestTurns = 0.0;
-  for (double height = kHeightMm; height > 0.0 && !best; height -= kStepMm) {
+  for (double height = kHeightMm; height > 0.0 && bestWorth <= 0.0; height -= kStepMm) {
     const robot::NozzleTurns turns(cell, toolPose({0, 0, height}, 0.0, 0.0), zero);
     for (int turn = 0; turn < kTurns; ++turn) {
       turns.at(base::kTurn * turn / kTurns, solutions);

@@ -20,10 +20,10 @@ struct RestPose {
 
 inline constexpr double kRestClearMm = 20.0;
 
-// The tip 180 mm above the plate, or as high as the arm gets; of what is clear by kRestClearMm,
-// 10 degrees from limits and well away from singular the pose that turns least from the joints'
-// zero, else the best in all three together. Nothing: the arm does not get above the plate.
-// `reachMm`: of the arm.
+// The tip 180 mm above the plate, or as high as the arm gets, clear; of what is clear by
+// kRestClearMm, 10 degrees from limits and well away from singular the pose that turns least from
+// the joints' zero, else the best in all three together. Nothing: the arm does not get above the
+// plate. `reachMm`: of the arm.
 std::optional<RestPose> restPose(const robot::Cell& cell, const process::Process& process,
                                  double reachMm);
 

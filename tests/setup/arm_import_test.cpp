@@ -58,8 +58,9 @@ protected:
     cell.framePoses(cell.home(), frames);
     EXPECT_FALSE(bodies.bodies(frames, {kClearMm, kClearMm, 0.0}));
     EXPECT_GT(import.layout.rest.fromSingular, 0.05);
-    if (cell.robot().kinematics->isFast())
+    if (cell.robot().kinematics->isFast()) {
       EXPECT_GT(robot::reachableBallRadius(cell, 0.0), 40.0);
+    }
     EXPECT_GT(import.layout.score.share(0), upright);
     EXPECT_GT(import.layout.score.share(1), 0.6); // by 30 degrees
     const Eigen::Vector3d up = cell.work_T_tool(cell.home()).linear().col(2);
