@@ -80,10 +80,13 @@ struct RobotOptions {
 ExitCode robotCommand(const RobotOptions& options);
 
 struct ImportRobotOptions {
-  std::filesystem::path urdf, file; // file: empty for the user's own robots, by the robot's id
+  std::filesystem::path urdf, folder; // folder: empty for the user's own
   robot::UrdfOptions options;
+  std::string cell = "moving"; // or "fixed"
+  int threads = 1;
 };
-// Writes a robot's file from a URDF, and says what the robot is and what of it is assumed.
+// Writes a robot's file and a cell's from a URDF, and says what the robot is, what of it is assumed
+// and how to plan with it.
 ExitCode importRobotCommand(const ImportRobotOptions& options);
 
 struct ListOptions {

@@ -1,9 +1,10 @@
 #include "base/data_files.h"
-#include "base/files.h"
 #include "cli/commands.h"
+#include "cli/run_interruptibly.h"
+#include "process/process.h"
 #include "program/dialect.h"
-#include "robot/chain_kinematics.h"
-#include "robot/robot_file_writer.h"
+#include "project/choices.h"
+#include "setup/arm_import.h"
 
 #include <fmt/format.h>
 
@@ -22,36 +23,53 @@ const char* solverOf(robot::ArmKind kind) {
   case robot::ArmKind::Other:
     break;
   }
-  return "of no kind with a closed form, solved numerically: nearly all branches, and slowly";
+  return "of no kind with a closed form, solved numerically: nearly all branches, and plans take "
+         "longer";
+}
+
+std::filesystem::path folderOf(const ImportRobotOptions& asked) {
+  if (asked.folder.empty() && base::userDataFolder().empty())
+    throw base::Error(base::ErrorCode::Usage, "no folder for robots of one's own"_text, {},
+                      "name the folder: -o DIR"_text);
+  if (std::filesystem::is_regular_file(asked.folder) || asked.folder.extension() == ".json")
+    throw base::Error(base::ErrorCode::Usage,
+                      "is a file; a folder is wanted, for robots/ and cells/"_text,
+                      asked.folder.string(), "name the robot with --id"_text);
+  return asked.folder.empty() ? base::userDataFolder() : asked.folder;
 }
 
 } // namespace
 
 ExitCode importRobotCommand(const ImportRobotOptions& asked) {
-  robot::UrdfOptions options = asked.options;
-  program::findDialect(options.controller); // throws where there is none
-  // A robot's file is named as the robot is.
-  if (options.id.empty() && !asked.file.empty())
-    options.id = asked.file.stem().string();
-  const robot::UrdfRobot robot = robot::readUrdf(asked.urdf, options);
-  std::filesystem::path file = asked.file;
-  if (file.empty()) {
-    if (base::userDataFolder().empty())
-      throw base::Error(base::ErrorCode::Usage, "no folder for robots of one's own"_text, {},
-                        "name the file: -o FILE"_text);
-    file = base::userDataFolder() / "robots" / (robot.model.id + ".json");
-    std::filesystem::create_directories(file.parent_path());
-  } else if (file.stem().string() != robot.model.id) {
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("--id '{id}': a robot's file is named as the robot is, not "
-                                    "'{file}'"_text,
-                                    robot.model.id, file.filename().string()));
+  program::findDialect(asked.options.controller); // throws where there is none
+  const std::filesystem::path folder = folderOf(asked);
+  const robot::Mount nozzle = asked.cell == "fixed" ? robot::Mount::World : robot::Mount::Flange;
+  const process::Process process = process::loadProcess(project::Choices().process);
+  auto outcome = runInterruptibly(
+      [&](const base::RunContext& ctx) {
+        return setup::importArm(asked.urdf, asked.options, nozzle, process, ctx);
+      },
+      asked.threads, {}, [] {});
+  if (std::holds_alternative<base::Cancelled>(outcome)) {
+    fmt::print(stderr, "cancelled; nothing was written\n");
+    return kCancelled;
   }
-  base::writeFile(file, robot::robotFileJson(robot.model, robot.chain, robot.source));
-  fmt::print("{} {}\n", robot.model.id, file.string());
-  fmt::print("arm: {}\n", solverOf(robot::ChainKinematics(robot.chain).kind()));
-  for (const std::string& assumed : robot.model.assumed)
+  if (const auto* error = std::get_if<base::Error>(&outcome))
+    throw *error;
+  const auto& import = std::get<setup::ArmImport>(outcome);
+  const setup::ImportedFiles files = setup::writeImport(import, folder);
+  const robot::RobotModel& robot = import.arm.model;
+  fmt::print("robot {} {}\n", robot.id, files.robot.string());
+  fmt::print("cell {} {}\n", import.layout.cell.id, files.cell.string());
+  fmt::print("arm: {}\n", solverOf(import.kind));
+  fmt::print("cell: {}\n", import.layout.cell.note);
+  for (const std::string& assumed : robot.assumed)
     fmt::print("assumed: {}\n", assumed);
+  fmt::print("next: {}voluta-cli plan PART -o DIR --cell {} --scale fit\n",
+             asked.folder.empty()
+                 ? ""
+                 : fmt::format("VOLUTA_DATA={} ", std::filesystem::absolute(folder).string()),
+             import.layout.cell.id);
   return kDone;
 }
 

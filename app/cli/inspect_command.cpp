@@ -1,6 +1,6 @@
 #include "base/files.h"
 #include "cli/commands.h"
-#include "geometry/formats/mesh_reader.h"
+#include "geometry/formats/foreign_reader.h"
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
 #include "geometry/repair/repair.h"
@@ -79,10 +79,13 @@ ExitCode inspectCells(const InspectOptions& options, const std::string& bytes) {
 } // namespace
 
 ExitCode inspectCommand(const InspectOptions& options) {
-  const std::string bytes = base::readFile(options.part);
-  if (project::isVoxelText(options.part, bytes))
+  const bool foreign = geometry::isForeign(options.part);
+  const std::string bytes = foreign ? std::string() : base::readFile(options.part);
+  if (!foreign && project::isVoxelText(options.part, bytes))
     return inspectCells(options, bytes);
-  const geometry::MeshFile file = geometry::readMesh(bytes, options.part);
+  const geometry::MeshFile file =
+      foreign ? geometry::readForeign(options.part, geometry::ForeignFrame::Upright)
+              : geometry::readMesh(bytes, options.part);
   const geometry::RepairResult repaired = geometry::repair(file.mesh, {});
   Json found = diagnosisJson(geometry::diagnose(file.mesh));
   Json mended = diagnosisJson(geometry::diagnose(repaired.mesh));

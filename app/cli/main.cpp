@@ -269,16 +269,24 @@ void addOrient(CLI::App& app, Parsed& parsed, int threads) {
       [options, &parsed] { parsed.run = [options] { return orientCommand(*options); }; });
 }
 
-CLI::App* addImportRobot(CLI::App& robot, Parsed& parsed) {
+CLI::App* addImportRobot(CLI::App& robot, Parsed& parsed, int threads) {
   auto options = std::make_shared<ImportRobotOptions>();
-  CLI::App* import = robot.add_subcommand("import", "a robot's file from a URDF");
+  options->threads = threads;
+  CLI::App* import = robot.add_subcommand("import", "a robot and a cell for it from a URDF");
   import->add_option("FILE", options->urdf, "URDF, xacro expanded")->required();
   import->add_option("--tip", options->options.tip, "link whose frame is the flange");
   import->add_option("--base", options->options.base, "link whose frame poses are counted from");
   import->add_option("--id", options->options.id, "what the robot is called");
   import->add_option("--controller", options->options.controller,
                      "program format that it reads (see: list formats); csv, unless given");
-  import->add_option("-o", options->file, "file to write; the user's own robots, unless given");
+  import->add_option("-o", options->folder,
+                     "folder for robots/ and cells/; the user's own, unless given");
+  import
+      ->add_option("--cell", options->cell,
+                   "what stands still: moving (nozzle on the arm, plate "
+                   "on a table) or fixed (plate on the arm)")
+      ->check(CLI::IsMember({"moving", "fixed"}));
+  addThreads(*import, options->threads);
   import->callback(
       [options, &parsed] { parsed.run = [options] { return importRobotCommand(*options);
 };
@@ -287,7 +295,7 @@ CLI::App* addImportRobot(CLI::App& robot, Parsed& parsed) {
 return import;
 }
 
-void addRobot(CLI::App& app, Parsed& parsed) {
+void addRobot(CLI::App& app, Parsed& parsed, int threads) {
   auto options = std::make_shared<RobotOptions>();
   CLI::App* robot = app.add_subcommand("robot", "forward and inverse kinematics, degrees and mm");
   CLI::Option* id = robot->add_option("ID", options->id, "robot (see: list robots)");
@@ -295,7 +303,7 @@ void addRobot(CLI::App& app, Parsed& parsed) {
   CLI::Option* inverse =
       robot->add_option("--ik", options->inverse, "x,y,z,qw,qx,qy,qz: all branches");
   forward->excludes(inverse);
-  const CLI::App* import = addImportRobot(*robot, parsed);
+  const CLI::App* import = addImportRobot(*robot, parsed, threads);
   robot->callback([=, &parsed] {
     if (import->parsed())
       return;
@@ -361,7 +369,7 @@ int run(int argc, char** argv) {
   addRender(app, parsed);
   addInspect(app, parsed);
   addOrient(app, parsed, threads);
-  addRobot(app, parsed);
+  addRobot(app, parsed, threads);
   addList(app, parsed);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());

@@ -17,15 +17,18 @@ JsonNode::JsonNode(std::shared_ptr<const json> root, const json* value, std::str
     : root_(std::move(root)), value_(value), file_(std::move(file)), key_(std::move(key)) {}
 
 JsonNode JsonNode::readFile(const std::filesystem::path& file) {
-  const std::string bytes = base::readFile(file);
+  return parse(base::readFile(file), file.string());
+}
+
+JsonNode JsonNode::parse(std::string_view text, const std::string& file) {
   auto root = std::make_shared<json>();
   try {
-    *root = json::parse(bytes);
+    *root = json::parse(text);
   } catch (const json::exception& e) {
     throw Error(ErrorCode::UnreadableFile, message("not JSON: {why}"_text, std::string(e.what())),
-                file.string());
+                file);
   }
-  JsonNode node(root, root.get(), file.string(), "");
+  JsonNode node(root, root.get(), file, "");
   if (!root->is_object())
     node.fail("must be an object"_text);
   return node;

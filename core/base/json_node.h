@@ -18,6 +18,8 @@ public:
   // Reads and parses a file whose top is an object. Throws Error{UnreadableFile}: not there, not
   // readable or not JSON; Error{UnusableInput}: no object.
   static JsonNode readFile(const std::filesystem::path& file);
+  // The same from its text; `file` names it in errors.
+  static JsonNode parse(std::string_view text, const std::string& file);
 
   // All below throw Error{UnusableInput} with the file as context and the key's path in the
   // message.

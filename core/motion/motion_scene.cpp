@@ -43,7 +43,12 @@ double MotionScene::span(const JointVector& a, const JointVector& b) const {
 bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& tool,
                const JointVector& near, double maxStep, std::vector<JointVector>& scratch,
                JointVector& q) {
-  cell.inverse(toolPose(tip, tool), near, scratch);
+  const Eigen::Isometry3d pose = toolPose(tip, tool);
+  if (const auto next = cell.next(pose, near, maxStep)) {
+    q = *next;
+    return true;
+  }
+  cell.inverse(pose, near, scratch);
   double best = maxStep;
   bool found = false;
   for (const JointVector& s : scratch) {

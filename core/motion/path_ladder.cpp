@@ -8,6 +8,7 @@
 #include "motion/external_axes.h"
 #include "motion/joint_costs.h"
 #include "motion/nozzle_frame.h"
+#include "robot/nozzle_turns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,10 +185,10 @@ void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>
     if (aside != 0 &&
         (last < scene_.cell.limits().back().min || last > scene_.cell.limits().back().max))
       continue;
+    const robot::NozzleTurns turns(
+        scene_.cell, toolPose(scene_.plan.position[place.waypoint], toolAt(place.waypoint)), near);
     for (int k = 0; k < samples; ++k) {
-      const Quaterniond tool =
-          turned(toolAt(place.waypoint), base::kTurn * k / static_cast<double>(samples));
-      scene_.cell.inverse(toolPose(scene_.plan.position[place.waypoint], tool), near, solutions);
+      turns.at(base::kTurn * k / static_cast<double>(samples), solutions);
       for (const JointVector& q : solutions)
         rung.push_back({q, k, aside,
                         limitCost(q, scene_.cell.robot().limits) + kAsideCost * std::abs(aside),

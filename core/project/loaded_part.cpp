@@ -6,6 +6,7 @@
 #include "base/stopwatch.h"
 #include "build3mf/bead_cells.h"
 #include "build3mf/build_reader.h"
+#include "geometry/formats/foreign_reader.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/repair/repair.h"
 #include "project/content_hash.h"
@@ -137,6 +138,11 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
                         {}, base::didYouMean(name, sampleNames()));
     loaded.name = name + ".stl";
     loaded.source = std::make_shared<geometry::TriangleMesh>(samples::samplePart());
+  } else if (geometry::isForeign(part)) {
+    loaded.name = std::filesystem::path(part).filename().string();
+    geometry::MeshFile file = geometry::readForeign(part, geometry::ForeignFrame::Upright);
+    loaded.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
+    loaded.readNotes = std::move(file.repairs);
   } else {
     const std::string bytes = base::readFile(part);
     loaded.name = std::filesystem::path(part).filename().string();

@@ -19,6 +19,7 @@ using robot::JointVector;
 constexpr double kPrintSampleMm = 0.5, kTravelSampleMm = 1.0;
 constexpr double kArmStepMm = 2.0, kArmStepRad = base::degreesToRadians(2.0);
 constexpr double kArmStepJointRad = 0.03, kArmStepExternalRad = 0.1;
+constexpr double kNextRad = 0.2;          // further from one step to the next is another branch
 constexpr double kMostArmSteps = 20000.0; // a number gone wrong must not take for ever
 constexpr double kSpeedSlack = 1.02;      // rounding of speeds in a program's text
 constexpr double kRangeSlackRad = 1e-4;   // likewise of joints
@@ -368,8 +369,12 @@ private:
                          ? targets_[m]
                          : between(targets_[m - 1], targets_[m], s);
     q = withExternals(m, s, q);
-    robot::inverseNear(cell_->robot(), flangeOf(t, q), q, solutions_);
     const int arm = cell_->armDof();
+    if (const auto next = robot::nextBranch(cell_->robot(), flangeOf(t, q), q, kNextRad)) {
+      q.head(arm) = *next;
+      return true;
+    }
+    robot::inverseNear(cell_->robot(), flangeOf(t, q), q, solutions_);
     // A straight motion cannot pass the elbow's other side: a target there is a jump at its end.
     if (const int elbow = s >= 1.0 && !cell_->robot().kinematics->tilts() ? motions_[m].elbow : 0)
       std::erase_if(solutions_, [&](const JointVector& candidate) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace voluta::robot {
 
@@ -109,7 +110,139 @@ double volumeOf(const Capsule& capsule) {
   return base::kPi * r * r * ((capsule.p1 - capsule.p0).norm() + 4.0 / 3.0 * r);
 }
 
+struct Plane {
+  Vector3d normal;
+  double offset;
+};
+
+void addCorners(const std::vector<Vector3d>& polygon, std::vector<Corners>& triangles) {
+  for (std::size_t k = 2; k < polygon.size(); ++k)
+    triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+}
+
+// What is below the plane and what is above; triangles across it are cut.
+std::array<std::vector<Corners>, 2> cut(const std::vector<Corners>& triangles, const Plane& plane) {
+  std::array<std::vector<Corners>, 2> sides;
+  for (const Corners& triangle : triangles) {
+    std::array<double, 3> height{};
+    for (std::size_t k = 0; k < 3; ++k)
+      height[k] = plane.normal.dot(triangle[k]) - plane.offset;
+    if (height[0] <= 0 && height[1] <= 0 && height[2] <= 0) {
+      sides[0].push_back(triangle);
+    } else if (height[0] >= 0 && height[1] >= 0 && height[2] >= 0) {
+      sides[1].push_back(triangle);
+    } else {
+      std::vector<Vector3d> below, above;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        (height[k] <= 0 ? below : above).push_back(triangle[k]);
+        if ((height[k] <= 0) != (height[next] <= 0)) {
+          const double t = height[k] / (height[k] - height[next]);
+          const Vector3d at = triangle[k] + t * (triangle[next] - triangle[k]);
+          below.push_back(at);
+          above.push_back(at);
+        }
+      }
+      addCorners(below, sides[0]);
+      addCorners(above, sides[1]);
+    }
+  }
+  return sides;
+}
+
+Capsule around(const std::vector<Corners>& triangles, const Vector3d& alsoAlong) {
+  std::vector<Vector3d> points;
+  points.reserve(3 * triangles.size());
+  for (const Corners& triangle : triangles)
+    points.insert(points.end(), triangle.begin(), triangle.end());
+  const auto less = [](const Vector3d& a, const Vector3d& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  std::sort(points.begin(), points.end(), less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return enclosingCapsule(points, alsoAlong);
+}
+
+// A part of the mesh: some of its triangles, to look for cuts, and all.
+struct Part {
+  std::vector<Corners> some, all;
+  Capsule capsule{Vector3d::Zero(), Vector3d::Zero(), 0.0};
+};
+
+struct Cut {
+  Plane plane;
+  double volume; // of both halves' capsules
+};
+std::optional<Cut> bestCut(const Part& part, const Vector3d& alsoAlong) {
+  const Vector3d along = part.capsule.p1 - part.capsule.p0;
+  const Vector3d u = along.norm() > 0.0 ? along.normalized() : Vector3d::UnitZ();
+  const Vector3d v = u.unitOrthogonal();
+  std::optional<Cut> best;
+  for (const Vector3d& normal : {u, v, Vector3d(u.cross(v))}) {
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (const Corners& triangle : part.some)
+      for (const Vector3d& p : triangle) {
+        low = std::min(low, normal.dot(p));
+        high = std::max(high, normal.dot(p));
+      }
+    for (const double share : {0.2, 0.35, 0.5, 0.65, 0.8}) {
+      const Plane plane{normal, low + share * (high - low)};
+      const auto sides = cut(part.some, plane);
+      if (sides[0].empty() || sides[1].empty())
+        continue;
+      const double volume =
+          volumeOf(around(sides[0], alsoAlong)) + volumeOf(around(sides[1], alsoAlong));
+      if (!best || volume < best->volume)
+        best = Cut{plane, volume};
+    }
+  }
+  return best;
+}
+
 } // namespace
+
+std::vector<Capsule> enclosingCapsules(const std::vector<Corners>& triangles,
+                                       const Vector3d& alsoAlong, int most) {
+  constexpr std::size_t kSome = 2000;
+  constexpr double kSaved = 1.0 / 6.0;
+  base::require(!triangles.empty() && most >= 1, "triangles to enclose");
+  std::vector<Part> parts(1);
+  const std::size_t stride = (triangles.size() + kSome - 1) / kSome;
+  for (std::size_t t = 0; t < triangles.size(); t += stride)
+    parts[0].some.push_back(triangles[t]);
+  parts[0].all = triangles;
+  parts[0].capsule = around(triangles, alsoAlong);
+  while (static_cast<int>(parts.size()) < most) {
+    double whole = 0.0, saved = 0.0;
+    std::size_t at = 0;
+    Plane plane{};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const double volume = volumeOf(parts[i].capsule);
+      whole += volume;
+      if (const auto found = bestCut(parts[i], alsoAlong);
+          found && volume - found->volume > saved) {
+        saved = volume - found->volume;
+        at = i;
+        plane = found->plane;
+      }
+    }
+    if (saved < kSaved * whole)
+      break;
+    auto some = cut(parts[at].some, plane), all = cut(parts[at].all, plane);
+    std::array<Part, 2> halves;
+    for (std::size_t side = 0; side < 2; ++side) {
+      halves[side].some = std::move(some[side]);
+      halves[side].all = std::move(all[side]);
+      halves[side].capsule = around(halves[side].all, alsoAlong);
+    }
+    parts[at] = std::move(halves[0]);
+    parts.push_back(std::move(halves[1]));
+  }
+  std::vector<Capsule> capsules;
+  for (const Part& part : parts)
+    capsules.push_back(part.capsule);
+  return capsules;
+}
 
 Capsule enclosingCapsule(const std::vector<Vector3d>& points, const Vector3d& alsoAlong) {
   base::require(!points.empty(), "points to enclose");

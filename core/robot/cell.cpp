@@ -61,6 +61,16 @@ void Cell::inverse(const Eigen::Isometry3d& work_T_tool, const JointVector& near
   }
 }
 
+std::optional<JointVector> Cell::next(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
+                                      double mostRad) const {
+  auto q = nextBranch(robot_, base_T_flange(work_T_tool, near), near, mostRad);
+  if (q) {
+    q->conservativeResize(dof());
+    q->tail(dof() - armDof()) = near.tail(dof() - armDof());
+  }
+  return q;
+}
+
 void Cell::framePoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_frame) const {
   robot_.kinematics->linkPoses(q, base_T_frame);
   const Eigen::Isometry3d moved = base_T_frame.back() * flange_T_moved_;

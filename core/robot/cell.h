@@ -20,6 +20,10 @@
 #include <utility>
 #include <vector>
 
+namespace voluta::base {
+class JsonNode;
+}
+
 namespace voluta::robot {
 
 enum class Mount { World, Flange };
@@ -40,6 +44,9 @@ public:
   // platform's mesh is no body of the cell: it is the first of the growing part.
   static Cell read(const std::filesystem::path& file, const process::Process& process,
                    platform::PlatformSolid platform);
+  // The same from the text of a file, which `name` stands for in errors and whose robot is given.
+  static Cell read(std::string_view text, const std::filesystem::path& name, RobotModel robot,
+                   const process::Process& process, platform::PlatformSolid platform);
 
   const std::string& id() const { return id_; }
   const std::string& label() const { return label_; }
@@ -83,6 +90,13 @@ public:
   void inverse(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
                std::vector<JointVector>& solutions) const;
 
+  // As robot::nextBranch.
+  std::optional<JointVector> next(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
+                                  double mostRad) const;
+  // 1 or -1 where the nozzle stands on the axis of the arm's last joint: turning the tool about its
+  // z by an angle is turning that joint by it, or back. 0: it stands elsewhere.
+  int lastJointTurnsNozzle() const { return lastJointTurnsNozzle_; }
+
   const std::vector<JointLimits>& limits() const { return limits_; } // dof() of them
   const JointVector& home() const { return home_; }
   // Can it bring the nozzle to other directions than one? By its arm, or by what its axes turn.
@@ -106,6 +120,8 @@ public:
 
 private:
   Cell() = default;
+  static Cell read(const base::JsonNode& top, const std::filesystem::path& file, RobotModel robot,
+                   const process::Process& process, platform::PlatformSolid solid);
   std::string id_, label_, note_, extruder_ = "outputs";
   RobotModel robot_;
   Mount nozzleMount_ = Mount::World;
@@ -119,6 +135,7 @@ private:
   std::vector<std::string> plates_;
   JointVector home_;
   double travelAcceleration_ = 0.0;
+  int lastJointTurnsNozzle_ = 0;
   std::vector<Body> bodies_;
   std::vector<std::pair<int, int>> checkedPairs_;
   std::vector<int> bodiesAgainstPart_;

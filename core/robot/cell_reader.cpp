@@ -180,11 +180,41 @@ int rigidGroup(int frame, int dof, bool plateMoves, int axes) {
   return frame;
 }
 
+// Cell::lastJointTurnsNozzle; near enough, as descriptions round right angles.
+int turnOfNozzle(const RobotModel& robot, const JointVector& home,
+                 const Eigen::Isometry3d& flange_T_tool) {
+  constexpr double kTurn = 1.0, kNearMm = 0.05, kNear = 1e-4;
+  const int last = robot.dof() - 1;
+  if (robot.kinematics->kindOf(last) != JointKind::Turning)
+    return 0;
+  JointVector turned = home.head(robot.dof());
+  const Eigen::Isometry3d from = robot.kinematics->flange(turned) * flange_T_tool;
+  turned[last] += kTurn;
+  const Eigen::Isometry3d move = from.inverse() * robot.kinematics->flange(turned) * flange_T_tool;
+  for (const int sign : {1, -1})
+    if (move.translation().norm() < kNearMm &&
+        (move.linear() - Eigen::AngleAxisd(sign * kTurn, Eigen::Vector3d::UnitZ()).matrix())
+                .norm() < kNear)
+      return sign;
+  return 0;
+}
+
 } // namespace
 
 Cell Cell::read(const std::filesystem::path& file, const process::Process& process,
                 platform::PlatformSolid solid) {
   const base::JsonNode top = base::JsonNode::readFile(file);
+  return read(top, file, readRobotOf(top.at("robot")), process, std::move(solid));
+}
+
+Cell Cell::read(std::string_view text, const std::filesystem::path& name, RobotModel robot,
+                const process::Process& process, platform::PlatformSolid solid) {
+  return read(base::JsonNode::parse(text, name.string()), name, std::move(robot), process,
+              std::move(solid));
+}
+
+Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, RobotModel robot,
+                const process::Process& process, platform::PlatformSolid solid) {
   top.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
                  "travelAccelerationDegPerS2", "neverMeet", "externalAxes", "externalUnit",
                  "extruder"});
@@ -198,7 +228,7 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
     cell.note_ = top.at("note").text();
   if (top.has("extruder"))
     cell.extruder_ = top.at("extruder").text();
-  cell.robot_ = readRobotOf(top.at("robot"));
+  cell.robot_ = std::move(robot);
   cell.limits_ = cell.robot_.limits;
   std::vector<Body> onAxes;
   for (const base::JsonNode& node : top.at("externalAxes").items()) {
@@ -301,6 +331,9 @@ Cell Cell::read(const std::filesystem::path& file, const process::Process& proce
       home[i].fail("is outside the joint's limits"_text);
     cell.home_[static_cast<Eigen::Index>(i)] = q;
   }
+
+  if (!plateMoves)
+    cell.lastJointTurnsNozzle_ = turnOfNozzle(cell.robot_, cell.home_, cell.flange_T_moved_);
 
   double most = INFINITY;
   for (const JointLimits& limit : cell.robot_.limits)

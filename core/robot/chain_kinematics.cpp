@@ -6,6 +6,11 @@
 
 namespace voluta::robot {
 
+namespace {
+constexpr double kSameMm = 1e-6, kSameRad = 1e-9;
+constexpr int kSteps = 8;
+} // namespace
+
 ChainKinematics::ChainKinematics(SerialChain chain)
     : chain_(std::move(chain)), arm_(recognisedArm(chain_)) {}
 
@@ -21,8 +26,7 @@ Eigen::Isometry3d ChainKinematics::flange(const JointVector& q) const {
 void ChainKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
                               std::vector<JointVector>& solutions) const {
   // Descriptions round right angles; what a solver takes as exact is made good on the chain.
-  constexpr double kExactMm = 1e-9, kExactRad = 1e-12, kSameMm = 1e-6, kSameRad = 1e-9;
-  constexpr int kSteps = 8;
+  constexpr double kExactMm = 1e-9, kExactRad = 1e-12;
   const std::size_t before = solutions.size();
   arm_.inverse(base_T_flange, solutions);
   const auto missed = [&](JointVector& q) {
@@ -37,6 +41,15 @@ void ChainKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
   solutions.erase(std::remove_if(solutions.begin() + static_cast<std::ptrdiff_t>(before),
                                  solutions.end(), missed),
                   solutions.end());
+}
+
+bool ChainKinematics::goOn(const Eigen::Isometry3d& base_T_flange, JointVector& q) const {
+  JointVector next = q;
+  const PoseError error = settle(chain_, base_T_flange, kSteps, next);
+  if (error.mm > kSameMm || error.rad > kSameRad)
+    return false;
+  q = next;
+  return true;
 }
 
 } // namespace voluta::robot

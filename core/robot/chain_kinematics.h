@@ -20,6 +20,8 @@ public:
   // pose within 1e-6 mm and 1e-9 rad.
   void inverse(const Eigen::Isometry3d& base_T_flange,
                std::vector<JointVector>& solutions) const override;
+  bool isFast() const override { return arm_.kind != ArmKind::Other; }
+  bool goOn(const Eigen::Isometry3d& base_T_flange, JointVector& q) const override;
 
 private:
   SerialChain chain_;

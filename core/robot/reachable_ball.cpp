@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "geometry/directions.h"
 #include "geometry/least_turn.h"
+#include "robot/nozzle_turns.h"
 
 #include <cmath>
 
@@ -63,15 +64,14 @@ public:
 
 private:
   bool reached(const Eigen::Vector3d& tip, const Eigen::Matrix3d& work_R_tool) {
+    Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
+    work_T_tool.translation() = tip;
+    work_T_tool.linear() = work_R_tool;
+    const NozzleTurns turns(cell_, work_T_tool, cell_.home());
     // What reached the last pose is likely to reach this one.
     for (int i = 0; i < kNozzleTurns; ++i) {
       const int turn = (lastTurn_ + i) % kNozzleTurns;
-      Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
-      work_T_tool.translation() = tip;
-      work_T_tool.linear() =
-          work_R_tool * Eigen::AngleAxisd(2.0 * kPi * turn / kNozzleTurns, Eigen::Vector3d::UnitZ())
-                            .toRotationMatrix();
-      cell_.inverse(work_T_tool, cell_.home(), solutions_);
+      turns.at(2.0 * kPi * turn / kNozzleTurns, solutions_);
       if (!solutions_.empty()) {
         lastTurn_ = turn;
         return true;

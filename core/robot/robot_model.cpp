@@ -41,14 +41,38 @@ double largestTurn(const JointVector& step, const std::vector<JointLimits>& limi
   return largest;
 }
 
+namespace {
+constexpr double kSlack = 1e-9; // a joint at its limit must not be lost to rounding
+}
+
 void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange,
                  const JointVector& near, std::vector<JointVector>& solutions) {
-  // A joint at its limit must not be lost to rounding.
-  constexpr double kSlack = 1e-9;
-  base::require(near.size() >= robot.dof(), "inverseNear: fewer joints than the robot has");
-
   solutions.clear();
   robot.kinematics->inverse(base_T_flange, solutions);
+  keepWithinLimits(robot, near, solutions);
+}
+
+std::optional<JointVector> nextBranch(const RobotModel& robot,
+                                      const Eigen::Isometry3d& base_T_flange,
+                                      const JointVector& near, double mostRad) {
+  if (robot.kinematics->isFast())
+    return std::nullopt;
+  JointVector q = near.head(robot.dof());
+  if (!robot.kinematics->goOn(base_T_flange, q) ||
+      largestTurn(q - near.head(robot.dof()), robot.limits) > mostRad)
+    return std::nullopt;
+  for (int i = 0; i < robot.dof(); ++i) {
+    const JointLimits& limit = robot.limits[static_cast<std::size_t>(i)];
+    if (q[i] < limit.min - kSlack || q[i] > limit.max + kSlack)
+      return std::nullopt;
+    q[i] = std::clamp(q[i], limit.min, limit.max);
+  }
+  return q;
+}
+
+void keepWithinLimits(const RobotModel& robot, const JointVector& near,
+                      std::vector<JointVector>& solutions) {
+  base::require(near.size() >= robot.dof(), "inverseNear: fewer joints than the robot has");
   const auto outside = [&](JointVector& q) {
     for (int i = 0; i < robot.dof(); ++i) {
       const JointLimits& limit = robot.limits[static_cast<std::size_t>(i)];

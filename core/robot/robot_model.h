@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +53,14 @@ public:
   // free joint is taken as zero.
   virtual void inverse(const Eigen::Isometry3d& base_T_flange,
                        std::vector<JointVector>& solutions) const = 0;
+  // Does inverse() take microseconds? Else one that takes a thousand times as long.
+  virtual bool isFast() const { return true; }
+  // Newton's steps from q to where the flange is as wanted: the branch that goes on from q, which
+  // costs as little as a fast inverse. False, and q is as it was: they do not come there, or this
+  // arm has no need of them. Joints may have left (-pi, pi].
+  virtual bool goOn(const Eigen::Isometry3d& /*base_T_flange*/, JointVector& /*q*/) const {
+    return false;
+  }
 };
 
 struct RobotModel {
@@ -82,5 +91,17 @@ RobotModel loadRobot(const std::string& id);
 // slides stays where it is.
 void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange,
                  const JointVector& near, std::vector<JointVector>& solutions);
+
+// The second half of inverseNear: branches in (-pi, pi] become representatives near `near`, those
+// outside the limits are dropped.
+void keepWithinLimits(const RobotModel& robot, const JointVector& near,
+                      std::vector<JointVector>& solutions);
+
+// Where the arm's inverse is not fast: the branch that goes on from `near` (at least the robot's
+// joints; only they are read), none of its joints turning further than `mostRad` and all within
+// their limits. Nothing where there is none, or where inverseNear is as good: ask that.
+std::optional<JointVector> nextBranch(const RobotModel& robot,
+                                      const Eigen::Isometry3d& base_T_flange,
+                                      const JointVector& near, double mostRad);
 
 } // namespace voluta::robot

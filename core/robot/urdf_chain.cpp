@@ -88,6 +88,13 @@ public:
     return found;
   }
 
+  std::vector<std::string> tips() const {
+    std::vector<std::string> names;
+    for (const std::size_t l : allTips())
+      names.push_back(link(l).name);
+    return names;
+  }
+
 private:
   const UrdfLink& link(std::size_t l) const { return tree_.links[l]; }
   std::size_t childOf(std::size_t joint) const { return byName_.at(tree_.joints[joint].child); }
@@ -162,11 +169,16 @@ private:
     return std::nullopt;
   }
 
-  std::size_t onlyTip() const {
+  std::vector<std::size_t> allTips() const {
     std::vector<std::size_t> tips;
     for (std::size_t l = 0; l < under_.size(); ++l)
       if (under_[l].empty() && mover(l))
         tips.push_back(l);
+    return tips;
+  }
+
+  std::size_t onlyTip() const {
+    const std::vector<std::size_t> tips = allTips();
     if (tips.empty())
       fail("has no tip: no joint moves"_text);
     if (tips.size() == 1)
@@ -176,11 +188,9 @@ private:
     for (const std::size_t l : tips)
       if (together && link(l).name == "tool0")
         return l;
-    std::vector<std::string> names;
-    for (const std::size_t l : tips)
-      names.push_back(link(l).name);
-    fail(message("has several tips: {names}"_text, fmt::format("{}", fmt::join(names, ", "))),
-         "name one: --tip"_text);
+    fail(
+        message("has several tips: {names}"_text, fmt::format("{}", fmt::join(this->tips(), ", "))),
+        "name one: --tip"_text);
   }
 
   std::size_t usualBase() const {
@@ -232,6 +242,10 @@ private:
 UrdfChain urdfChain(const UrdfTree& tree, const std::string& tip, const std::string& base,
                     const std::string& where) {
   return Tree(tree, where).chain(tip, base);
+}
+
+std::vector<std::string> urdfTips(const UrdfTree& tree, const std::string& where) {
+  return Tree(tree, where).tips();
 }
 
 } // namespace voluta::robot

@@ -28,4 +28,8 @@ struct UrdfChain {
 UrdfChain urdfChain(const UrdfTree& tree, const std::string& tip, const std::string& base,
                     const std::string& where);
 
+// The links that may be the flange: those that moving joints lead to and none leaves. Throws as
+// above where the tree is none.
+std::vector<std::string> urdfTips(const UrdfTree& tree, const std::string& where);
+
 } // namespace voluta::robot

@@ -3,11 +3,11 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "robot/chain_kinematics.h"
-#include "robot/overlaps.h"
 #include "robot/urdf_chain.h"
 #include "robot/urdf_shapes.h"
 
 #include <cctype>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace voluta::robot {
@@ -33,7 +33,13 @@ JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
   const auto radians = [](double degrees) { return base::degreesToRadians(degrees); };
   JointLimits limits{-radians(kTurnDeg), radians(kTurnDeg), radians(kVelocityDegPerS),
                      radians(kAccelerationDegPerS2)};
-  const UrdfLimit given = joint.limit.value_or(UrdfLimit{});
+  // More than some turns, or than any joint turns in a second, says nothing of the arm.
+  constexpr double kMostRad = 100.0, kMostRadPerS = 100.0;
+  UrdfLimit given = joint.limit.value_or(UrdfLimit{});
+  if (!(std::abs(given.lower) < kMostRad && std::abs(given.upper) < kMostRad))
+    given.lower = given.upper = 0.0;
+  if (!(given.velocity < kMostRadPerS))
+    given.velocity = 0.0;
   const bool none = given.lower == 0.0 && given.upper == 0.0;
   if (joint.type == "revolute" && !none) {
     if (!(given.lower < given.upper))
@@ -46,7 +52,7 @@ JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
     limits.max = given.upper;
   } else if (joint.type == "revolute") {
     assumed.push_back(fmt::format("joint '{}' turns +-{} deg: the description has {} limits",
-                                  joint.name, kTurnDeg, joint.limit ? "zero" : "no"));
+                                  joint.name, kTurnDeg, joint.limit ? "zero or endless" : "no"));
   } else {
     assumed.push_back(fmt::format("joint '{}', which turns without end, is kept within +-{} deg",
                                   joint.name, kTurnDeg));
@@ -54,8 +60,9 @@ JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
   if (given.velocity > 0.0)
     limits.velocity = given.velocity;
   else
-    assumed.push_back(fmt::format("joint '{}' turns at {} deg/s: the description has no velocity",
-                                  joint.name, kVelocityDegPerS));
+    assumed.push_back(
+        fmt::format("joint '{}' turns at {} deg/s: the description has no usable velocity",
+                    joint.name, kVelocityDegPerS));
   return limits;
 }
 
@@ -83,11 +90,9 @@ UrdfRobot readUrdf(const std::filesystem::path& file, const UrdfOptions& options
     assumed.push_back(fmt::format("what joint '{}' moves beside the arm is left out", joint));
   model.links = urdfBodies(tree, found, file, assumed);
   model.kinematics = std::make_shared<ChainKinematics>(found.chain);
-  model.neverMeet = mostlyOverlapping(model);
-  if (!model.neverMeet.empty())
-    assumed.push_back("pairs of links whose solids overlap at most poses are not checked against "
-                      "each other (neverMeet)");
   assumed.push_back("nominal lengths: a real arm has its own calibration");
+  robot.base = found.base;
+  robot.tip = found.tip;
   robot.chain = std::move(found.chain);
   robot.source = "imported from " + where;
   return robot;

@@ -23,9 +23,10 @@ struct UrdfOptions {
 };
 
 struct UrdfRobot {
-  RobotModel model; // its neverMeet: pairs whose solids overlap at most poses that limits allow
+  RobotModel model; // its neverMeet is empty: setup/arm_import.h finds what it takes
   SerialChain chain;
-  std::string source; // what it was read from, for the robot's file
+  std::string base, tip; // names of the links that were taken
+  std::string source;    // what it was read from, for the robot's file
 };
 
 // What the description does not say is assumed, and told in model.assumed. Meshes are STL, OBJ and

@@ -1,6 +1,7 @@
 #include "robot/urdf_shapes.h"
 
 #include "base/error.h"
+#include "geometry/formats/foreign_reader.h"
 #include "geometry/formats/mesh_reader.h"
 #include "robot/capsule_fit.h"
 
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 constexpr double kMmInMetre = 1000.0;
 // Of the arm's length along its joints: how thick a link is that nothing is known of.
 constexpr double kThickness = 0.06;
+constexpr int kCapsules = 3; // a mesh at most
 
 std::optional<std::string_view> after(std::string_view text, std::string_view prefix) {
   if (!text.starts_with(prefix))
@@ -57,11 +59,23 @@ private:
     const fs::path path = meshPath(mesh.file, file);
     if (path.empty())
       return leaveOut("is not there");
+    if (mesh.scale.cwiseAbs().minCoeff() == 0.0)
+      return leaveOut("is scaled to nothing");
     try {
-      std::vector<Vector3d> points = geometry::readMesh(path).mesh.vertices;
-      for (Vector3d& p : points)
-        p = pose * Vector3d(kMmInMetre * mesh.scale.cwiseProduct(p));
-      body.shapes.push_back(enclosingCapsule(points, toNext));
+      const geometry::TriangleMesh read =
+          geometry::isForeign(path)
+              ? geometry::readForeign(path, geometry::ForeignFrame::AsWritten).mesh
+              : geometry::readMesh(path).mesh;
+      std::vector<Corners> triangles;
+      for (const std::array<int, 3>& triangle : read.triangles) {
+        Corners& corners = triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
+          corners[k] = pose * Vector3d(kMmInMetre *
+                                       mesh.scale.cwiseProduct(
+                                           read.vertices[static_cast<std::size_t>(triangle[k])]));
+      }
+      for (const Capsule& capsule : enclosingCapsules(triangles, toNext, kCapsules))
+        body.shapes.push_back(capsule);
     } catch (const base::Error&) {
       leaveOut("cannot be read");
     }

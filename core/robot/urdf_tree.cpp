@@ -17,6 +17,7 @@ using Eigen::Vector3d;
 using geometry::XmlAttributes;
 
 constexpr double kMmInMetre = 1000.0;
+constexpr double kLargest = 1e6; // m, rad, or of a scale
 
 Vector3d vectorOf(const XmlAttributes& attributes, std::string_view word,
                   const Vector3d& otherwise) {
@@ -31,6 +32,10 @@ Vector3d vectorOf(const XmlAttributes& attributes, std::string_view word,
     if (!number || !std::isfinite(*number))
       throw Error(ErrorCode::UnreadableFile,
                   base::message("'{attribute}' is no three numbers: '{text}'"_text, word,
+                                attributes.text(word)));
+    if (std::abs(*number) > kLargest)
+      throw Error(ErrorCode::UnreadableFile,
+                  base::message("'{attribute}' is beyond all measure: '{text}'"_text, word,
                                 attributes.text(word)));
     vector[static_cast<Eigen::Index>(i)] = *number;
   }

@@ -31,6 +31,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"placement", {"geometry", "voxel", "process", "layers", "plan", "curved"}},
     {"robot", {"geometry", "platform", "process"}},
     {"collision", {"geometry", "platform", "process", "voxel", "robot", "plan"}},
+    {"setup", {"geometry", "process", "robot", "collision"}},
     {"toolpath",
      {"geometry", "platform", "process", "voxel", "robot", "plan", "collision", "layers"}},
     {"motion",
@@ -45,9 +46,9 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"geometry", "platform", "process", "voxel", "plan", "layers", "curved", "planar", "substrate",
       "support", "robot", "project"}},
     {"pipeline",
-     {"geometry", "platform", "process", "voxel", "plan", "build3mf", "layers", "curved", "planar",
-      "substrate", "support", "placement", "robot", "collision", "toolpath", "motion", "program",
-      "replay", "project", "modes"}},
+     {"geometry", "platform", "process",   "voxel",   "plan",      "build3mf", "layers",
+      "curved",   "planar",   "substrate", "support", "placement", "robot",    "collision",
+      "setup",    "toolpath", "motion",    "program", "replay",    "project",  "modes"}},
 };
 
 struct Include {

@@ -1,6 +1,7 @@
 // Robots from URDF: the arm that comes of it, what is said of what is missing, and what is refused.
 #include "joints_in_degrees.h"
 #include "resource_fixture.h"
+#include "urdf_arms.h"
 #include "urdf_text.h"
 
 #include "base/error.h"
@@ -9,6 +10,7 @@
 #include "robot/capsule_fit.h"
 #include "robot/chain_kinematics.h"
 #include "robot/robot_file_writer.h"
+#include "robot/urdf_chain.h"
 #include "robot/urdf_reader.h"
 #include "robot/urdf_shapes.h"
 
@@ -89,6 +91,50 @@ TEST_F(Urdf, IsTheArmThatItDescribes) {
   EXPECT_THAT(robot.model.assumed, Contains(HasSubstr("frame of link 'base'")));
 }
 
+TEST_F(Urdf, IsTheIrb1200ThatComesAlong) {
+  const UrdfRobot robot = read(test::urdfOf(test::irb1200()));
+  const RobotModel known = loadRobot("irb1200");
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
+  for (int n = 0; n < 500; ++n) {
+    JointVector q(6);
+    for (int i = 0; i < 6; ++i)
+      q[i] = angle(random);
+    const PoseError error =
+        poseError(robot.model.kinematics->flange(q), known.kinematics->flange(q));
+    ASSERT_LT(error.mm, 1e-6);
+    ASSERT_LT(error.rad, 1e-9);
+  }
+}
+
+// The branch that goes on from a pose is one that the whole inverse has.
+TEST_F(Urdf, GoesOnFromPoseToPoseWhereItsInverseIsSlow) {
+  const UrdfRobot robot = read(test::urdfOf(test::oddArm()));
+  const RobotModel& model = robot.model;
+  ASSERT_FALSE(model.kinematics->isFast());
+  EXPECT_TRUE(read(test::ur5Urdf()).model.kinematics->isFast());
+  const JointVector from = test::joints({10, 30, -20, 15, 60, -40});
+  for (const double step : {0.2, 1.0, 5.0}) {
+    JointVector to = from;
+    for (int i = 0; i < 6; ++i)
+      to[i] += (i % 2 ? -1.0 : 1.0) * step * kPi / 180.0;
+    const auto next = nextBranch(model, model.kinematics->flange(to), from, 0.3);
+    ASSERT_TRUE(next) << step;
+    EXPECT_LT((*next - to).norm(), 1e-6) << step;
+  }
+  JointVector far = from;
+  far[0] += 0.5;
+  EXPECT_FALSE(nextBranch(model, model.kinematics->flange(far), from, 0.3)); // further than asked
+  Eigen::Isometry3d out = model.kinematics->flange(from);
+  out.translation().x() += 5000.0;
+  EXPECT_FALSE(nextBranch(model, out, from, 7.0));
+  JointVector end = from;
+  end[2] = model.limits[2].max + 1e-3;
+  JointVector near = end;
+  near[2] = model.limits[2].max - 1e-3;
+  EXPECT_FALSE(nextBranch(model, model.kinematics->flange(end), near, 0.3)); // beyond a limit
+}
+
 TEST_F(Urdf, HasTheSolidsOfItsLinks) {
   const UrdfRobot robot = read(test::ur5Urdf());
   const std::vector<Body>& links = robot.model.links;
@@ -138,8 +184,9 @@ TEST_F(Urdf, SaysWhatIsAssumedOfLimits) {
     return robot.model.assumed;
   };
   const auto zero = assumedWith(R"(<limit lower="0" upper="0" velocity="0"/>)");
-  EXPECT_THAT(zero, Contains(HasSubstr("'wrist_3_joint' turns +-360 deg: the description has zero "
-                                       "limits")));
+  EXPECT_THAT(zero,
+              Contains(HasSubstr("'wrist_3_joint' turns +-360 deg: the description has zero or "
+                                 "endless limits")));
   EXPECT_THAT(zero, Contains(HasSubstr("'wrist_3_joint' turns at 180 deg/s")));
   EXPECT_THAT(assumedWith(""), Contains(HasSubstr("has no limits")));
   EXPECT_THAT(complaint(test::ur5Urdf("", R"(<limit lower="1" upper="-1" velocity="1"/>)")),
@@ -221,13 +268,17 @@ TEST_F(Urdf, EnclosesMeshesAndReplacesThoseThatAreNotThere) {
       with(with(test::ur5Urdf(), box, R"(<mesh filename="package://my_arm/meshes/bar.stl"/>)"),
            R"(<sphere radius="0.04"/>)", R"(<mesh filename="../meshes/none.stl"/>)");
   const UrdfRobot robot = read(urdf);
-  const auto& capsule = std::get<Capsule>(robot.model.links[3].shapes.at(0));
-  EXPECT_LT(capsule.radius, 25.0);
   for (const Vector3d& v : bar.vertices) {
     const Vector3d p = 1000.0 * v + Vector3d(-196, 0, 27);
-    const Vector3d along = capsule.p1 - capsule.p0;
-    const double t = std::clamp((p - capsule.p0).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    EXPECT_LE((p - capsule.p0 - t * along).norm(), capsule.radius + 1e-3);
+    double nearest = 1e9;
+    for (const Shape& shape : robot.model.links[3].shapes) {
+      const auto& capsule = std::get<Capsule>(shape);
+      EXPECT_LT(capsule.radius, 25.0);
+      const Vector3d along = capsule.p1 - capsule.p0;
+      const double t = std::clamp((p - capsule.p0).dot(along) / along.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (p - capsule.p0 - t * along).norm() - capsule.radius);
+    }
+    EXPECT_LE(nearest, 1e-3);
   }
   EXPECT_THAT(robot.model.assumed,
               Contains(HasSubstr("link 'wrist_2' is a capsule along it: its mesh "
@@ -236,7 +287,84 @@ TEST_F(Urdf, EnclosesMeshesAndReplacesThoseThatAreNotThere) {
             1e-9);
   const UrdfRobot dae = read(
       with(test::ur5Urdf(), box, R"(<mesh filename="file://../meshes/bar.stl" scale="2 2 2"/>)"));
-  EXPECT_GT(std::get<Capsule>(dae.model.links[3].shapes.at(0)).radius, 30.0);
+  EXPECT_GT(std::get<Capsule>(dae.model.links[3].shapes.at(0)).radius,
+            1.9 * std::get<Capsule>(robot.model.links[3].shapes.at(0)).radius);
+}
+
+// An L of two bars: one capsule about it would be four times as large.
+TEST_F(Urdf, SeveralCapsulesHoldAMeshTightly) {
+  std::vector<Corners> triangles;
+  const auto addBox = [&](const Vector3d& low, const Vector3d& high) {
+    std::array<Vector3d, 8> p;
+    for (std::size_t i = 0; i < 8; ++i)
+      p[i] = {i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(), i & 4 ? high.z() : low.z()};
+    for (const auto& f : {std::array{0, 2, 3, 1},
+                          {4, 5, 7, 6},
+                          {0, 1, 5, 4},
+                          {2, 6, 7, 3},
+                          {0, 4, 6, 2},
+                          {1, 3, 7, 5}})
+      for (std::size_t k = 2; k < 4; ++k)
+        triangles.push_back({p[static_cast<std::size_t>(f[0])],
+                             p[static_cast<std::size_t>(f[k - 1])],
+                             p[static_cast<std::size_t>(f[k])]});
+  };
+  addBox({0, -30, -30}, {400, 30, 30});
+  addBox({-30, -30, -30}, {30, 30, 300});
+  const auto volume = [](const std::vector<Capsule>& capsules) {
+    double sum = 0.0;
+    for (const Capsule& c : capsules)
+      sum += kPi * c.radius * c.radius * ((c.p1 - c.p0).norm() + 4.0 / 3.0 * c.radius);
+    return sum;
+  };
+  const auto one = enclosingCapsules(triangles, Vector3d::UnitX(), 1);
+  const auto three = enclosingCapsules(triangles, Vector3d::UnitX(), 3);
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_LE(three.size(), 3u);
+  EXPECT_LT(volume(three), 0.4 * volume(one));
+  // Every point of every triangle is in one of them, not the corners alone.
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (const Corners& t : triangles)
+    for (int n = 0; n < 200; ++n) {
+      double u = share(random), v = share(random);
+      if (u + v > 1.0) {
+        u = 1.0 - u;
+        v = 1.0 - v;
+      }
+      const Vector3d p = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
+      const bool held = std::any_of(three.begin(), three.end(), [&](const Capsule& c) {
+        const Vector3d along = c.p1 - c.p0;
+        const double square = along.squaredNorm();
+        const double at = square > 0.0 ? std::clamp((p - c.p0).dot(along) / square, 0.0, 1.0) : 0.0;
+        return (p - c.p0 - at * along).norm() <= c.radius + 1e-9;
+      });
+      ASSERT_TRUE(held) << p.transpose();
+    }
+}
+
+TEST_F(Urdf, NumbersBeyondMeasureAreSaidOrPassedOver) {
+  const std::string ur5 = test::ur5Urdf();
+  EXPECT_THAT(complaint(with(ur5, R"(xyz="-0.425 0 0")", R"(xyz="-4e9 0 0")")),
+              HasSubstr("'xyz' is beyond all measure"));
+  EXPECT_THAT(complaint(with(ur5, R"(xyz="-0.425 0 0")", R"(xyz="nan 0 0")")),
+              HasSubstr("no three numbers"));
+  EXPECT_THAT(complaint(with(ur5, R"(<axis xyz="0 0 1"/>)", R"(<axis xyz="0 0 0"/>)")),
+              HasSubstr("axis of no length"));
+  const UrdfRobot endless =
+      read(test::ur5Urdf("", R"(<limit lower="-1e9" upper="1e9" velocity="1e12"/>)"));
+  EXPECT_NEAR(endless.model.limits[5].max, 2 * kPi, 1e-12);
+  EXPECT_THAT(endless.model.assumed, Contains(HasSubstr("no usable velocity")));
+  // Cut off in the middle.
+  EXPECT_THAT(complaint(ur5.substr(0, ur5.size() / 2)), HasSubstr("arm.urdf"));
+  EXPECT_THAT(complaint(""), HasSubstr("arm.urdf"));
+}
+
+TEST_F(Urdf, SaysWhichLinksMayBeTheFlange) {
+  const auto file = written(test::ur5Urdf(R"(<link name="finger"/><joint name="grip"
+      type="prismatic"><parent link="wrist_3"/><child link="finger"/></joint>)"));
+  EXPECT_EQ(urdfTips(readUrdfTree(file), "arm.urdf"),
+            (std::vector<std::string>{"tool0", "finger"}));
 }
 
 TEST_F(Urdf, CapsulesHoldEveryPoint) {

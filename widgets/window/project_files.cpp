@@ -1,8 +1,10 @@
 #include "window/project_files.h"
 
+#include "base/data_files.h"
 #include "document/document.h"
 #include "document/planning.h"
 #include "document/recovery.h"
+#include "window/arm_import_dialog.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -93,6 +95,13 @@ std::vector<Command> ProjectFiles::commands() {
        QT_TRANSLATE_NOOP("Commands", "A fluted vase, 60 mm high"),
        {},
        [this] { open("sample:vase"); }},
+      {"importArm",
+       "fileMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "Import robot &arm…"),
+       QT_TRANSLATE_NOOP("Commands", "A robot of your own, from its URDF, with a cell for it"),
+       {},
+       [this] { chooseArm(); }},
       {"save",
        "fileMenu",
        1,
@@ -135,6 +144,10 @@ void ProjectFiles::showRecent() {
 }
 
 void ProjectFiles::open(const QString& path) {
+  if (path.endsWith(".urdf", Qt::CaseInsensitive)) {
+    importArm(path);
+    return;
+  }
   const auto start = [this, path] {
     planning_.cancel();
     opening_.open(path);
@@ -150,12 +163,37 @@ void ProjectFiles::open(const QString& path) {
 void ProjectFiles::choose() {
   const QString file =
       QFileDialog::getOpenFileName(&window_, tr("Open"), QSettings().value(kOpenFolder).toString(),
-                                   tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.txt "
-                                      "*.voxels *.voluta);;All files (*)"));
+                                   tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.dae "
+                                      "*.gltf *.glb *.txt *.voxels *.voluta);;All files (*)"));
   if (file.isEmpty())
     return;
   QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());
   open(file);
+}
+
+void ProjectFiles::chooseArm() {
+  const QString file = QFileDialog::getOpenFileName(
+      &window_, tr("Import a robot arm"), QSettings().value(kOpenFolder).toString(),
+      tr("Robot descriptions (*.urdf *.xml);;All files (*)"));
+  if (file.isEmpty())
+    return;
+  QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());
+  importArm(file);
+}
+
+void ProjectFiles::importArm(const QString& urdf) {
+  const std::filesystem::path folder = base::userDataFolder();
+  if (folder.empty()) {
+    emit told(tr("Import a robot arm"), tr("There is no folder for robots of your own: set HOME."));
+    return;
+  }
+  ArmImportDialog dialog(urdf, QString::fromStdString(folder.string()), &window_);
+  if (dialog.exec() != QDialog::Accepted)
+    return;
+  project::Choices choices = document_.choices();
+  choices.cell = dialog.cell().toStdString();
+  document_.setChoices(choices, tr("cell"));
+  emit said(tr("Imported: cell %1").arg(dialog.cell()));
 }
 
 void ProjectFiles::resume(std::size_t point) {

@@ -39,6 +39,8 @@ public:
   // A part, a project or "sample:NAME".
   void open(const QString& path);
   void choose();
+  // A robot arm from a URDF: asks what it needs, and takes the cell that comes of it.
+  void importArm(const QString& urdf);
   // The rest of the print, from a point of the trajectory on, once the user has said so.
   void resume(std::size_t point);
   // Offers what a crash left, if anything is there.
@@ -58,6 +60,7 @@ private:
   void listen();
   void noteOpened(const QString& path, bool project);
   void newProject();
+  void chooseArm();
   void save();
   void saveAs();
   void showRecent();

@@ -37,4 +37,7 @@ void addPolygon(const std::vector<Eigen::Vector3d>& polygon, std::vector<Facet>&
 // One vertex for all corners of equal coordinates (-0 is 0), in order of first use.
 TriangleMesh shareVertices(const std::vector<Facet>& facets);
 
+// The mesh of a file's facets, bad ones left out; throws what readMesh does of them.
+MeshFile meshOf(FacetSoup soup, const std::string& name);
+
 } // namespace voluta::geometry

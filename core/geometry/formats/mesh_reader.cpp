@@ -106,6 +106,17 @@ TriangleMesh shareVertices(const std::vector<Facet>& facets) {
   return mesh;
 }
 
+MeshFile meshOf(FacetSoup soup, const std::string& name) {
+  if (soup.facets.empty())
+    throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle"_text,
+                name);
+  dropBadFacets(soup, name);
+  if (soup.facets.empty())
+    throw Error(ErrorCode::UnusableInput, "the mesh is empty: no facet has usable coordinates"_text,
+                name);
+  return {shareVertices(soup.facets), std::move(soup.format), std::move(soup.repairs)};
+}
+
 MeshFile readMesh(const std::filesystem::path& path) {
   return readMesh(base::readFile(path), path.string());
 }
@@ -117,20 +128,13 @@ MeshFile readMesh(std::string_view bytes, const std::string& name) {
     throw Error(ErrorCode::UnreadableFile, "the file is empty"_text, name);
   if (format.empty())
     throw Error(ErrorCode::UnreadableFile, "not a mesh file"_text, name,
-                "STL, OBJ, PLY, OFF and 3MF can be read"_text);
+                "STL, OBJ, PLY, OFF, 3MF, COLLADA and glTF can be read"_text);
   FacetSoup soup = format == "stl"   ? readStl(bytes, name)
                    : format == "obj" ? readObj(bytes, name)
                    : format == "off" ? readOff(bytes, name)
                    : format == "ply" ? readPly(bytes, name)
                                      : read3mf(bytes, name);
-  if (soup.facets.empty())
-    throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle"_text,
-                name);
-  dropBadFacets(soup, name);
-  if (soup.facets.empty())
-    throw Error(ErrorCode::UnusableInput, "the mesh is empty: no facet has usable coordinates"_text,
-                name);
-  return {shareVertices(soup.facets), std::move(soup.format), std::move(soup.repairs)};
+  return meshOf(std::move(soup), name);
 }
 
 } // namespace voluta::geometry

@@ -1,4 +1,4 @@
-// Files that hold a mesh: STL, OBJ, PLY, OFF, 3MF.
+// Files that hold a mesh: STL, OBJ, PLY, OFF, 3MF. Others: geometry/formats/foreign_reader.h.
 #pragma once
 
 #include "base/text.h"

@@ -1,0 +1,80 @@
+#include "geometry/formats/foreign_reader.h"
+
+#include "base/child_process.h"
+#include "base/error.h"
+#include "geometry/formats/facet_soup.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+
+namespace voluta::geometry {
+
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+using End = base::ChildResult::End;
+
+std::string extensionOf(const std::filesystem::path& file) {
+  std::string e = file.extension().string();
+  std::transform(e.begin(), e.end(), e.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return e;
+}
+
+struct Format {
+  const char *extension, *name;
+};
+constexpr Format kFormats[] = {
+    {".dae", "COLLADA"}, {".gltf", "glTF"}, {".glb", "glTF"}, {".fbx", "FBX"}, {".3ds", "3DS"}};
+
+} // namespace
+
+bool isForeign(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  return std::any_of(std::begin(kFormats), std::end(kFormats),
+                     [&](const Format& format) { return extension == format.extension; });
+}
+
+MeshFile readForeign(const std::filesystem::path& file, ForeignFrame frame,
+                     std::chrono::milliseconds limit) {
+  const auto fail = [&](const base::Message& what, const base::Message& remedy = {}) {
+    return Error(ErrorCode::UnreadableFile, what, file.string(), remedy);
+  };
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none))
+    throw fail("no such file"_text);
+  const base::ChildResult read = base::runChild(
+      base::programBeside("voluta-mesh-reader"),
+      {frame == ForeignFrame::Upright ? "upright" : "as-written", file.string()}, {.time = limit});
+  switch (read.end) {
+  case End::NotStarted:
+    throw fail("cannot be read: voluta-mesh-reader is missing beside this program"_text);
+  case End::TimedOut:
+    throw fail("takes too long to read"_text);
+  case End::Crashed:
+  case End::TooMuchOutput:
+    throw fail("is damaged: reading it ended badly"_text);
+  case End::Exited:
+    break;
+  }
+  if (read.code != 0)
+    throw fail("cannot be read: not a mesh, or damaged"_text);
+  // Nine doubles a facet.
+  FacetSoup soup;
+  constexpr std::size_t kFacetBytes = 9 * sizeof(double);
+  if (read.output.size() % kFacetBytes != 0)
+    throw fail("is damaged: reading it ended badly"_text);
+  soup.facets.resize(read.output.size() / kFacetBytes);
+  for (std::size_t f = 0; f < soup.facets.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      std::memcpy(soup.facets[f][k].data(), read.output.data() + (3 * f + k) * 3 * sizeof(double),
+                  3 * sizeof(double));
+  for (const Format& format : kFormats)
+    if (extensionOf(file) == format.extension)
+      soup.format = format.name;
+  return meshOf(std::move(soup), file.string());
+}
+
+} // namespace voluta::geometry
