@@ -86,6 +86,14 @@ struct ImportRobotOptions {
 // Writes a robot's file from a URDF, and says what the robot is and what of it is assumed.
 ExitCode importRobotCommand(const ImportRobotOptions& options);
 
+// A table of points or poses that were measured (robot/measured_json.h).
+struct MeasuredOptions {
+  std::filesystem::path table;
+  std::string robot; // poses as its joints; empty: as poses
+};
+ExitCode cellFrameCommand(const MeasuredOptions& options);
+ExitCode cellTipCommand(const MeasuredOptions& options);
+
 struct ListOptions {
   std::string what;
   bool json = false;

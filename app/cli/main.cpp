@@ -307,6 +307,27 @@ void addRobot(CLI::App& app, Parsed& parsed) {
   });
 }
 
+void addCell(CLI::App& app, Parsed& parsed) {
+  CLI::App* cell = app.add_subcommand("cell", "to set up a cell of one's own");
+  cell->require_subcommand(1);
+  auto measured = std::make_shared<MeasuredOptions>();
+  CLI::App* frame = cell->add_subcommand("frame", "the frame that points were touched in, as JSON");
+  frame
+      ->add_option("TABLE", measured->table,
+                   "three rows x,y,z: origin, on x, beside it; or three or more rows of six: "
+                   "the point in the frame, and where it was touched")
+      ->required();
+  frame->callback(
+      [measured, &parsed] { parsed.run = [measured] { return cellFrameCommand(*measured); }; });
+  CLI::App* tip = cell->add_subcommand("tool-tip", "the tip that touched one point, as JSON");
+  tip->add_option("TABLE", measured->table,
+                  "four or more rows x,y,z,qw,qx,qy,qz of the flange, or the robot's joints")
+      ->required();
+  tip->add_option("--robot", measured->robot, "robot whose joints the rows hold");
+  tip->callback(
+      [measured, &parsed] { parsed.run = [measured] { return cellTipCommand(*measured); }; });
+}
+
 void addList(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* list = app.add_subcommand("list", "what there is to choose from");
@@ -362,6 +383,7 @@ int run(int argc, char** argv) {
   addInspect(app, parsed);
   addOrient(app, parsed, threads);
   addRobot(app, parsed);
+  addCell(app, parsed);
   addList(app, parsed);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());

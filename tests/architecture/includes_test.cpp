@@ -31,6 +31,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"placement", {"geometry", "voxel", "process", "layers", "plan", "curved"}},
     {"robot", {"geometry", "platform", "process"}},
     {"collision", {"geometry", "platform", "process", "voxel", "robot", "plan"}},
+    {"reach", {"geometry", "platform", "process", "voxel", "robot", "plan", "collision"}},
     {"toolpath",
      {"geometry", "platform", "process", "voxel", "robot", "plan", "collision", "layers"}},
     {"motion",
@@ -46,8 +47,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
       "support", "robot", "project"}},
     {"pipeline",
      {"geometry", "platform", "process", "voxel", "plan", "build3mf", "layers", "curved", "planar",
-      "substrate", "support", "placement", "robot", "collision", "toolpath", "motion", "program",
-      "replay", "project", "modes"}},
+      "substrate", "support", "placement", "robot", "collision", "reach", "toolpath", "motion",
+      "program", "replay", "project", "modes"}},
 };
 
 struct Include {
