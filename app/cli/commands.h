@@ -94,6 +94,16 @@ struct MeasuredOptions {
 ExitCode cellFrameCommand(const MeasuredOptions& options);
 ExitCode cellTipCommand(const MeasuredOptions& options);
 
+struct ReachOptions {
+  project::Choices choices; // cell, process, platform and parameters count
+  double heightMm = 150.0;
+  bool json = false;
+  int threads = 1;
+};
+// Where the head of a cell reaches, and where its nozzle, if it stands still, stood best.
+ExitCode cellReachCommand(const ReachOptions& options);
+ExitCode cellNozzleCommand(const ReachOptions& options);
+
 struct ListOptions {
   std::string what;
   bool json = false;

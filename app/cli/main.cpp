@@ -307,7 +307,30 @@ void addRobot(CLI::App& app, Parsed& parsed) {
   });
 }
 
-void addCell(CLI::App& app, Parsed& parsed) {
+void addReach(CLI::App& cell, Parsed& parsed, int threads) {
+  auto options = std::make_shared<ReachOptions>();
+  options->threads = threads;
+  const auto addOptions = [&](CLI::App& command) {
+    command.add_option("--cell", options->choices.cell, "robot cell");
+    command.add_option("--process", options->choices.process, "nozzle, material, speeds");
+    command.add_flag("--json", options->json, "as JSON");
+  };
+  CLI::App* reach = cell.add_subcommand("reach", "where over its plate the head reaches");
+  addOptions(*reach);
+  addChoice(*reach, "--platform", options->choices.platform,
+            "plate to map; the largest of the cell's, unless given");
+  reach->add_option("--height", options->heightMm, "mm above the plate, up to which")
+      ->check(CLI::Range(1.0, 5000.0));
+  addThreads(*reach, options->threads);
+  reach->callback(
+      [options, &parsed] { parsed.run = [options] { return cellReachCommand(*options); }; });
+  CLI::App* nozzle = cell.add_subcommand("nozzle", "where a nozzle that stands still stood best");
+  addOptions(*nozzle);
+  nozzle->callback(
+      [options, &parsed] { parsed.run = [options] { return cellNozzleCommand(*options); }; });
+}
+
+void addCell(CLI::App& app, Parsed& parsed, int threads) {
   CLI::App* cell = app.add_subcommand("cell", "to set up a cell of one's own");
   cell->require_subcommand(1);
   auto measured = std::make_shared<MeasuredOptions>();
@@ -326,6 +349,7 @@ void addCell(CLI::App& app, Parsed& parsed) {
   tip->add_option("--robot", measured->robot, "robot whose joints the rows hold");
   tip->callback(
       [measured, &parsed] { parsed.run = [measured] { return cellTipCommand(*measured); }; });
+  addReach(*cell, parsed, threads);
 }
 
 void addList(CLI::App& app, Parsed& parsed) {
@@ -383,7 +407,7 @@ int run(int argc, char** argv) {
   addInspect(app, parsed);
   addOrient(app, parsed, threads);
   addRobot(app, parsed);
-  addCell(app, parsed);
+  addCell(app, parsed, threads);
   addList(app, parsed);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());

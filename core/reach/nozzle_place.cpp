@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <random>
@@ -28,6 +29,14 @@ std::vector<Vector3d> reachableFrames(const robot::RobotModel& robot, const Nozz
       frames.push_back(work.translation());
   }
   return frames;
+}
+
+std::size_t framesInBox(const std::vector<Vector3d>& frames, const Vector3d& at,
+                        const Vector3d& sizeMm) {
+  const Vector3d low = at - 0.5 * sizeMm, high = at + 0.5 * sizeMm;
+  return static_cast<std::size_t>(std::ranges::count_if(frames, [&](const Vector3d& p) {
+    return (p.array() >= low.array()).all() && (p.array() < high.array()).all();
+  }));
 }
 
 namespace {

@@ -26,6 +26,10 @@ struct NozzleSearch {
 std::vector<Eigen::Vector3d> reachableFrames(const robot::RobotModel& robot,
                                              const NozzleSearch& search);
 
+// Of them, how many lie in the box of that size about a place, [at - size / 2, at + size / 2).
+std::size_t framesInBox(const std::vector<Eigen::Vector3d>& frames, const Eigen::Vector3d& at,
+                        const Eigen::Vector3d& sizeMm);
+
 struct NozzlePlace {
   Eigen::Vector3d at = Eigen::Vector3d::Zero(); // of the tip, in the base, mm
   std::size_t frames = 0;                       // in the box about it

@@ -105,8 +105,8 @@ private:
 } // namespace
 
 ReachGrid usualGrid(const robot::Cell& cell, const process::Process& process, double heightMm) {
-  constexpr double kAcross = 16.0, kRoundMm = 5.0;
-  constexpr int kHeights = 4;
+  constexpr double kAcross = 24.0, kRoundMm = 5.0;
+  constexpr int kHeights = 5;
   base::require(heightMm > 0.0, "a height to map");
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& corner : plateOrThrow(cell).polygon)

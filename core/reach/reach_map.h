@@ -22,13 +22,13 @@ struct ReachGrid {
   double spacingMm = 20.0;       // of points on the plate, one of them at the work frame's origin
   std::vector<double> heightsMm; // of the tip over the plate, ascending, > 0
   std::vector<double> tiltsRad;  // of the build direction from upright, ascending from 0, < pi
-  int azimuths = 8;              // to so many sides, the first towards x
-  int turns = 12;                // about the nozzle
+  int azimuths = 12;             // to so many sides, the first towards x
+  int turns = 16;                // about the nozzle
   int axisPlaces = 8;            // of each external axis, its rest besides (axisPlaces())
 };
 
 // Heights from the process's first layer up to `heightMm`, tilts up to 60 degrees; as many points
-// across the plate as are seen well: 16 over its longer side, rounded to 5 mm.
+// across the plate as are seen well: 24 over its longer side, rounded to 5 mm.
 // Preconditions: the cell has a plate; heightMm > 0.
 ReachGrid usualGrid(const robot::Cell& cell, const process::Process& process, double heightMm);
 
