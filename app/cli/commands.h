@@ -104,6 +104,14 @@ struct ReachOptions {
 ExitCode cellReachCommand(const ReachOptions& options);
 ExitCode cellNozzleCommand(const ReachOptions& options);
 
+struct CheckCellOptions {
+  std::string cell; // id, or a file
+  std::string process = "fdm-1.0";
+  double partKg = 0.0;
+};
+// A line for each thing that the cell cannot do.
+ExitCode cellCheckCommand(const CheckCellOptions& options);
+
 struct ListOptions {
   std::string what;
   bool json = false;

@@ -349,6 +349,14 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
   tip->add_option("--robot", measured->robot, "robot whose joints the rows hold");
   tip->callback(
       [measured, &parsed] { parsed.run = [measured] { return cellTipCommand(*measured); }; });
+  auto checked = std::make_shared<CheckCellOptions>();
+  CLI::App* check = cell->add_subcommand("check", "what a cell cannot do, a line each");
+  check->add_option("CELL", checked->cell, "cell (see: list cells), or FILE.json")->required();
+  check->add_option("--process", checked->process, "nozzle, material, speeds");
+  check->add_option("--part-kg", checked->partKg, "mass of the part, kg")
+      ->check(CLI::Range(0.0, 1000.0));
+  check->callback(
+      [checked, &parsed] { parsed.run = [checked] { return cellCheckCommand(*checked); }; });
   addReach(*cell, parsed, threads);
 }
 

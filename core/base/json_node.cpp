@@ -17,7 +17,10 @@ JsonNode::JsonNode(std::shared_ptr<const json> root, const json* value, std::str
     : root_(std::move(root)), value_(value), file_(std::move(file)), key_(std::move(key)) {}
 
 JsonNode JsonNode::readFile(const std::filesystem::path& file) {
-  const std::string bytes = base::readFile(file);
+  return readText(base::readFile(file), file);
+}
+
+JsonNode JsonNode::readText(const std::string& bytes, const std::filesystem::path& file) {
   auto root = std::make_shared<json>();
   try {
     *root = json::parse(bytes);

@@ -18,6 +18,8 @@ public:
   // Reads and parses a file whose top is an object. Throws Error{UnreadableFile}: not there, not
   // readable or not JSON; Error{UnusableInput}: no object.
   static JsonNode readFile(const std::filesystem::path& file);
+  // The same of what such a file would hold.
+  static JsonNode readText(const std::string& bytes, const std::filesystem::path& file);
 
   // All below throw Error{UnusableInput} with the file as context and the key's path in the
   // message.

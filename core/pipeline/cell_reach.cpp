@@ -15,14 +15,12 @@ namespace voluta::pipeline {
 
 namespace {
 
-constexpr double kPlateMm = 200.0; // of a cell that comes without
-
 std::vector<Eigen::Vector2d> plateToMap(const project::Choices& choices, const robot::Cell& cell) {
   const project::Platform& platform = choices.platform;
   if (platform.isFor(project::PlatformUse::Plate) && !platform.isOfCell() && !platform.marginMm() &&
       !platform.isBody())
     return platform.plateAround({});
-  return cell.plates().empty() ? curved::platformDisc(kPlateMm)
+  return cell.plates().empty() ? curved::platformDisc(kPlateOfNoneMm)
                                : project::Platform(cell.plates().back()).plateAround({});
 }
 

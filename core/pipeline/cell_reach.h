@@ -12,6 +12,7 @@
 
 namespace voluta::pipeline {
 
+inline constexpr double kPlateOfNoneMm = 200.0; // disc, in a cell that comes without plates
 // Build directions that are asked for where nothing says which a part needs.
 inline constexpr double kMappedTiltRad = 1.0471975511965976; // 60 degrees
 

@@ -40,6 +40,9 @@ public:
   // platform's mesh is no body of the cell: it is the first of the growing part.
   static Cell read(const std::filesystem::path& file, const process::Process& process,
                    platform::PlatformSolid platform);
+  // The same of what such a file would hold. Throws Error{UnreadableFile} where it is no JSON.
+  static Cell readText(const std::string& text, const std::filesystem::path& file,
+                       const process::Process& process, platform::PlatformSolid platform);
 
   const std::string& id() const { return id_; }
   const std::string& label() const { return label_; }
@@ -47,6 +50,10 @@ public:
   // Id of what turns the filament (program/extruder.h).
   const std::string& extruder() const { return extruder_; }
   const RobotModel& robot() const { return robot_; }
+  // What the flange carries before anything is printed: the plate and its stem, or head and
+  // extruder. kg; assumed where the file does not say.
+  double carriedKg() const { return carriedKg_; }
+  bool carriedIsAssumed() const { return carriedIsAssumed_; }
   int dof() const { return static_cast<int>(limits_.size()); } // the robot's and external axes
   int armDof() const { return robot_.dof(); }
   // In a joint vector they follow the robot's own; from the base to the platform.
@@ -118,7 +125,8 @@ private:
   std::optional<CellRod> rod_;
   std::vector<std::string> plates_;
   JointVector home_;
-  double travelAcceleration_ = 0.0;
+  double travelAcceleration_ = 0.0, carriedKg_ = 0.0;
+  bool carriedIsAssumed_ = true;
   std::vector<Body> bodies_;
   std::vector<std::pair<int, int>> checkedPairs_;
   std::vector<int> bodiesAgainstPart_;
