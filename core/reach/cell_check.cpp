@@ -83,7 +83,8 @@ ReachGrid coarseGrid(const robot::Prism& plate, const process::Process& process)
   return grid;
 }
 
-// What meets most often where the arm gets to. None: it gets nowhere.
+// What meets most often where the arm gets to, of the ways to each place the one that turns the
+// joints least from rest. None: it gets nowhere.
 std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& collision,
                                 const ReachMap& map, const base::RunContext& ctx) {
   std::map<std::pair<int, int>, int> times;
@@ -91,6 +92,8 @@ std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& co
   Frames frames;
   for (const Eigen::Vector2d& at : map.points()) {
     ctx.checkpoint();
+    double least = INFINITY;
+    robot::JointVector nearest;
     for (const robot::JointVector& axes : axisPlaces(cell, map.grid().axisPlaces))
       for (int turn = 0; turn < map.grid().turns; ++turn) {
         robot::JointVector near = cell.home();
@@ -98,12 +101,18 @@ std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& co
         cell.inverse(upright({at.x(), at.y(), map.grid().heightsMm.front()},
                              base::kTurn * turn / map.grid().turns),
                      near, solutions);
-        for (const robot::JointVector& q : solutions) {
-          cell.framePoses(q, frames);
-          if (const auto contact = collision.bodies(frames, {}))
-            ++times[{contact->first, contact->second}];
-        }
+        for (const robot::JointVector& q : solutions)
+          if (const double turned = robot::asTurns(q - cell.home(), cell.limits()).norm();
+              turned < least) {
+            least = turned;
+            nearest = q;
+          }
       }
+    if (nearest.size() == 0)
+      continue;
+    cell.framePoses(nearest, frames);
+    if (const auto contact = collision.bodies(frames, {}))
+      ++times[{contact->first, contact->second}];
   }
   if (times.empty())
     return std::nullopt;

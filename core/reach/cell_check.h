@@ -20,7 +20,8 @@ struct CellFault {
 // - the nozzle's tip, or the middle of its head, lies in a link or an obstacle at rest;
 // - at rest two bodies meet that are to keep apart;
 // - nowhere over the plate does the arm bring the nozzle upright to the first layer (25 places, 12
-//   turns), or it does, and bodies are always in the way: the pair that is most often;
+//   turns), or it does, and bodies are always in the way: the pair that is most often, on
+//   the ways nearest to rest;
 // - what the flange carries, with partKg >= 0 on a plate that the arm holds, is beyond what the
 //   robot's maker rates it for.
 // A cell that holds a rod is not asked about its plate. Deterministic. Throws Cancelled.

@@ -35,7 +35,7 @@ struct TouchedPoint {
   Eigen::Vector3d inFrame, inBase; // mm: as drawn, and as touched
 };
 // The frame that brings points of known place in it to where they were touched, by least squares;
-// no mirror image. Source: Kabsch 1976 and 1978, with the sign of Umeyama 1991, eq. 40.
+// no mirror image. Source: Kabsch 1976, with the sign of Umeyama 1991, eq. 40.
 // Throws Error{UnusableInput}: fewer than three, all on a line (the second extent below 1/500 of
 // the first), in either list, or a number that is not finite.
 MeasuredFrame frameFromPoints(const std::vector<TouchedPoint>& points);

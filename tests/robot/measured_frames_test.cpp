@@ -141,7 +141,7 @@ TEST(MeasuredFrames, noFrameNearbyFitsBetter) {
   }
 }
 
-// 0.1 mm on every coordinate, eight marks round the plate: within 0.1 mm and 0.1 degrees.
+// 0.1 mm on every coordinate, sixteen marks round the plate: within 0.1 mm and 0.1 degrees.
 TEST(MeasuredFrames, noiseOfATenthIsMeasuredAway) {
   int within = 0;
   double noise = 0.0, place = 0.0, turn = 0.0;
