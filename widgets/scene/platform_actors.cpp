@@ -1,6 +1,7 @@
 #include "scene/platform_actors.h"
 
 #include <algorithm>
+#include <vtkMapper.h>
 #include <vtkProperty.h>
 
 namespace voluta::scene {
@@ -17,6 +18,7 @@ PlatformActors::PlatformActors(vtkRenderer* renderer)
       grid_(addLines(renderer)), outline_(addLines(renderer)), reach_(addSolid(renderer)) {
   reach_->GetProperty()->SetOpacity(kReachOpacity);
   reach_->GetProperty()->LightingOff();
+  reach_->GetMapper()->ScalarVisibilityOn();
 }
 
 void PlatformActors::setDrawing(const PlatformDrawing* drawing) {

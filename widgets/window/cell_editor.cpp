@@ -128,6 +128,9 @@ void CellEditor::build() {
   save_->setObjectName("cellSave");
   connect(save_, &QPushButton::clicked, this, &CellEditor::save);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  // Enter commits a number, and ends nothing.
+  for (QAbstractButton* button : buttons->buttons())
+    static_cast<QPushButton*>(button)->setAutoDefault(false);
   auto* row = new QHBoxLayout;
   row->addWidget(viewport_, 1);
   row->addWidget(buildSide());
@@ -222,9 +225,8 @@ QWidget* CellEditor::buildBodies() {
   row->addStretch(1);
   for (QPushButton* button : {add, remove_, rest_})
     row->addWidget(button);
-  // Enter commits a number and must press none of these.
   for (QPushButton* button : {add, remove_, rest_})
-    button->setAutoDefault(false);
+    button->setAutoDefault(false); // as the dialog's own
   auto* column = new QVBoxLayout(bodies);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(tree_, 1);
