@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/json_node.h"
+#include "base/units.h"
 #include "robot/json_pose.h"
 #include "robot/json_writing.h"
 #include "robot/shape_reader.h"
@@ -115,8 +116,9 @@ CellDraft::CellDraft(std::string text) : text_(std::move(text)) {
   }
   if (top.has("extruder"))
     top.at("extruder").text();
-  if (top.has("carriedKg"))
-    top.at("carriedKg").number();
+  for (const char* key : {"carriedKg", "travelAccelerationDegPerS2"})
+    if (top.has(key))
+      top.at(key).number();
   for (const base::JsonNode& joint : top.at("homeDeg").items())
     joint.number();
   if (top.has("neverMeet"))
@@ -198,6 +200,13 @@ CellDraft CellDraft::withRobot(const RobotModel& robot) const {
   keepPairs(cell, [&](const std::string& name) {
     return links.contains(name) || !oldLinks.contains(name);
   });
+  // What the other arm was given may be more than this one has.
+  constexpr const char* kTravel = "travelAccelerationDegPerS2";
+  for (const JointLimits& limit : robot.limits)
+    if (cell.contains(kTravel) &&
+        cell.at(kTravel).get<double>() >
+            base::radiansToDegrees(asTurn(limit.kind, limit.acceleration)))
+      cell.erase(kTravel);
   cell["robot"] = robot.id;
   cell["homeDeg"] = std::move(home);
   return CellDraft(textOf(cell));

@@ -47,7 +47,8 @@ public:
 
   CellDraft named(const std::string& id, const std::string& label) const;
   // Another arm at the same place: its joints at rest as near as its limits allow (0 for those that
-  // the other one has not), pairs of bodies that need no check without those it has not.
+  // the other one has not), pairs of bodies that need no check without those it has not, the
+  // acceleration of travels only where it has as much.
   CellDraft withRobot(const RobotModel& robot) const;
   CellDraft withExtruder(const std::string& id) const;
   CellDraft withCarriedKg(double kg) const;

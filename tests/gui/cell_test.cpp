@@ -28,7 +28,7 @@ double colouredShare(const QImage& picture) {
   int coloured = 0;
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x)
-      coloured += picture.pixelColor(x, y).hsvSaturation() > 90;
+      coloured += picture.pixelColor(x, y).hsvSaturation() > 65;
   return static_cast<double>(coloured) / (picture.width() * picture.height());
 }
 
