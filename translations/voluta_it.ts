@@ -419,6 +419,30 @@
         <source>The rest of a print that was stopped at this moment, as a project of its own</source>
         <translation>Il resto di una stampa interrotta in questo momento, come progetto a sé</translation>
     </message>
+    <message>
+        <source>&amp;Verify a program…</source>
+        <translation>&amp;Verifica un programma…</translation>
+    </message>
+    <message>
+        <source>Replay a program from disk against the plan on show</source>
+        <translation>Esegui di prova un programma da disco e confrontalo con il piano mostrato</translation>
+    </message>
+    <message>
+        <source>Edit &amp;cell…</source>
+        <translation>Modifica &amp;cella…</translation>
+    </message>
+    <message>
+        <source>Where nozzle, plate and obstacles stand, and which robot</source>
+        <translation>Dove stanno ugello, piatto e ostacoli, e quale robot</translation>
+    </message>
+    <message>
+        <source>Import robot &amp;arm…</source>
+        <translation>Importa &amp;braccio robotico…</translation>
+    </message>
+    <message>
+        <source>A robot of your own, from its URDF, with a cell for it</source>
+        <translation>Un robot proprio, dal suo URDF, con una cella</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -791,10 +815,6 @@ mm²</translation>
     <message>
         <source>Rod</source>
         <translation>Barra</translation>
-    </message>
-    <message>
-        <source>STL, OBJ, PLY, OFF and 3MF can be read</source>
-        <translation>si possono leggere STL, OBJ, PLY, OFF e 3MF</translation>
     </message>
     <message>
         <source>Scheme greedy: how many thicknesses the part&apos;s branches are told apart by. 0: as many as stand apart.</source>
@@ -5641,6 +5661,246 @@ mm³</translation>
         <source>the cell&apos;s</source>
         <translation>della cella</translation>
     </message>
+    <message>
+        <source>&apos;{attribute}&apos; is beyond all measure: &apos;{text}&apos;</source>
+        <translation>&apos;{attribute}&apos; è fuori misura: &apos;{text}&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;{id}&apos; is a cell of the program&apos;s own</source>
+        <translation>&apos;{id}&apos; è una cella del programma</translation>
+    </message>
+    <message>
+        <source>&apos;{id}&apos; is no name of a cell</source>
+        <translation>&apos;{id}&apos; non è un nome di cella</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; is no number</source>
+        <translation>&apos;{word}&apos; non è un numero</translation>
+    </message>
+    <message>
+        <source>How turns about the nozzle are made smooth: quickly, or by a search for the least jerk of the joints, which takes as long again as the rest of the motion.</source>
+        <translation>Come si rendono regolari le rotazioni attorno all&apos;ugello: in fretta, o cercando il minimo strappo dei giunti, che richiede altrettanto tempo del resto del moto.</translation>
+    </message>
+    <message>
+        <source>Poses reached</source>
+        <translation>Pose raggiunte</translation>
+    </message>
+    <message>
+        <source>STL, OBJ, PLY, OFF, 3MF, COLLADA and glTF can be read</source>
+        <translation>si leggono STL, OBJ, PLY, OFF, 3MF, COLLADA e glTF</translation>
+    </message>
+    <message>
+        <source>a frame takes three points or more</source>
+        <translation>un riferimento richiede almeno tre punti</translation>
+    </message>
+    <message>
+        <source>a measured number is not finite</source>
+        <translation>un numero misurato non è finito</translation>
+    </message>
+    <message>
+        <source>a quaternion&apos;s length is {length:.4g}, not 1</source>
+        <translation>la lunghezza di un quaternione è {length:.4g}, non 1</translation>
+    </message>
+    <message>
+        <source>a robot named &apos;{id}&apos; comes along with the program</source>
+        <translation>un robot di nome &apos;{id}&apos; è già nel programma</translation>
+    </message>
+    <message>
+        <source>a row holds the robot&apos;s joints</source>
+        <translation>una riga contiene i giunti del robot</translation>
+    </message>
+    <message>
+        <source>a row holds x,y,z,qw,qx,qy,qz; for joints name the robot</source>
+        <translation>una riga contiene x,y,z,qw,qx,qy,qz; per i giunti indica il robot</translation>
+    </message>
+    <message>
+        <source>a tool tip takes four poses or more</source>
+        <translation>la punta di un utensile richiede almeno quattro pose</translation>
+    </message>
+    <message>
+        <source>at rest {first} meets {second}</source>
+        <translation>a riposo {first} tocca {second}</translation>
+    </message>
+    <message>
+        <source>bring plate and nozzle nearer to the arm</source>
+        <translation>avvicina piatto e ugello al braccio</translation>
+    </message>
+    <message>
+        <source>cannot be read: not a mesh, or damaged</source>
+        <translation>illeggibile: non è una mesh, o è danneggiata</translation>
+    </message>
+    <message>
+        <source>cannot be read: voluta-mesh-reader is missing beside this program</source>
+        <translation>illeggibile: accanto a questo programma manca voluta-mesh-reader</translation>
+    </message>
+    <message>
+        <source>cell {cell} has no plate to map</source>
+        <translation>la cella {cell} non ha un piatto</translation>
+    </message>
+    <message>
+        <source>evened out</source>
+        <translation>livellate</translation>
+    </message>
+    <message>
+        <source>give the arm another name: --id</source>
+        <translation>dai un altro nome al braccio: --id</translation>
+    </message>
+    <message>
+        <source>give three rows x,y,z (origin, on x, beside it), or three or more rows of six: a point in the frame, and where it was touched</source>
+        <translation>dai tre righe x,y,z (origine, su x, di lato), o almeno tre righe di sei: un punto nel riferimento e dove è stato toccato</translation>
+    </message>
+    <message>
+        <source>is damaged: reading it ended badly</source>
+        <translation>è danneggiato: la lettura è finita male</translation>
+    </message>
+    <message>
+        <source>least jerk of whole paths</source>
+        <translation>minimo strappo di percorsi interi</translation>
+    </message>
+    <message>
+        <source>leave out the row, or measure it again</source>
+        <translation>togli la riga o rimisurala</translation>
+    </message>
+    <message>
+        <source>lengths in a URDF are metres</source>
+        <translation>in un URDF le lunghezze sono in metri</translation>
+    </message>
+    <message>
+        <source>look through its limits and solids in the description, or name its links: --base, --tip</source>
+        <translation>controlla limiti e solidi nella descrizione, o indica i link: --base, --tip</translation>
+    </message>
+    <message>
+        <source>make it lighter, or take a stronger robot</source>
+        <translation>alleggeriscilo, o prendi un robot più forte</translation>
+    </message>
+    <message>
+        <source>measure another point</source>
+        <translation>misura un altro punto</translation>
+    </message>
+    <message>
+        <source>measure another pose</source>
+        <translation>misura un&apos;altra posa</translation>
+    </message>
+    <message>
+        <source>measure three points</source>
+        <translation>misura tre punti</translation>
+    </message>
+    <message>
+        <source>move one of them, or let the arm rest otherwise</source>
+        <translation>sposta uno dei due, o cambia la posa di riposo</translation>
+    </message>
+    <message>
+        <source>move one of them, or make the stem or the nozzle longer</source>
+        <translation>sposta uno dei due, o allunga lo stelo o l&apos;ugello</translation>
+    </message>
+    <message>
+        <source>move the nozzle&apos;s frame</source>
+        <translation>sposta il riferimento dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>no folder for cells of one&apos;s own</source>
+        <translation>nessuna cartella per le celle proprie</translation>
+    </message>
+    <message>
+        <source>no table of points</source>
+        <translation>non è una tabella di punti</translation>
+    </message>
+    <message>
+        <source>places for the plate</source>
+        <translation>posti per il piatto</translation>
+    </message>
+    <message>
+        <source>poses {first} and {second} are the same</source>
+        <translation>le pose {first} e {second} sono uguali</translation>
+    </message>
+    <message>
+        <source>set HOME, or VOLUTA_DATA to a folder</source>
+        <translation>imposta HOME, o VOLUTA_DATA su una cartella</translation>
+    </message>
+    <message>
+        <source>smooth turns</source>
+        <translation>rotazioni regolari</translation>
+    </message>
+    <message>
+        <source>take a cell with a plate</source>
+        <translation>prendi una cella con un piatto</translation>
+    </message>
+    <message>
+        <source>take a point well beside the line through the others</source>
+        <translation>prendi un punto ben fuori dalla retta per gli altri</translation>
+    </message>
+    <message>
+        <source>take another name</source>
+        <translation>scegli un altro nome</translation>
+    </message>
+    <message>
+        <source>takes too long to read</source>
+        <translation>la lettura dura troppo</translation>
+    </message>
+    <message>
+        <source>the arm reaches above a plate nowhere, clear of itself and the table (reach {reach} mm)</source>
+        <translation>il braccio non arriva da nessuna parte sopra un piatto senza toccare sé stesso o il tavolo (sbraccio {reach} mm)</translation>
+    </message>
+    <message>
+        <source>the arm reaches {reach} mm, which no arm does</source>
+        <translation>il braccio arriverebbe a {reach} mm, come nessun braccio</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s description</source>
+        <translation>la descrizione del braccio</translation>
+    </message>
+    <message>
+        <source>the flange carries {carried:.3g} kg, the robot {most:.3g} kg</source>
+        <translation>la flangia porta {carried:.3g} kg, il robot {most:.3g} kg</translation>
+    </message>
+    <message>
+        <source>the nozzle is inside {body}</source>
+        <translation>l&apos;ugello è dentro {body}</translation>
+    </message>
+    <message>
+        <source>the plate is out of the arm&apos;s reach</source>
+        <translation>il piatto è fuori dalla portata del braccio</translation>
+    </message>
+    <message>
+        <source>the points lie on a line: the frame could turn about it</source>
+        <translation>i punti stanno su una retta: il riferimento potrebbe ruotarle attorno</translation>
+    </message>
+    <message>
+        <source>the poses turn the flange about one axis only, or hardly</source>
+        <translation>le pose ruotano la flangia attorno a un solo asse, o quasi per nulla</translation>
+    </message>
+    <message>
+        <source>tilt it by 30 degrees or more about two axes</source>
+        <translation>inclinala di almeno 30 gradi attorno a due assi</translation>
+    </message>
+    <message>
+        <source>turn the flange between one pose and the next</source>
+        <translation>ruota la flangia tra una posa e la successiva</translation>
+    </message>
+    <message>
+        <source>two of the three points are the same</source>
+        <translation>due dei tre punti sono uguali</translation>
+    </message>
+    <message>
+        <source>use letters, digits, dashes and dots</source>
+        <translation>usa lettere, cifre, trattini e punti</translation>
+    </message>
+    <message>
+        <source>where the head reaches</source>
+        <translation>dove arriva la testa</translation>
+    </message>
+    <message>
+        <source>wherever the nozzle gets to the plate, {first} meets {second}</source>
+        <translation>ovunque l&apos;ugello arrivi al piatto, {first} tocca {second}</translation>
+    </message>
+    <message>
+        <source>{found} numbers in a row, not {wanted}</source>
+        <translation>{found} numeri in una riga, non {wanted}</translation>
+    </message>
+    <message>
+        <source>{found} numbers in a row, {wanted} in the first</source>
+        <translation>{found} numeri in una riga, {wanted} nella prima</translation>
+    </message>
 </context>
 <context>
     <name>Duration</name>
@@ -6190,6 +6450,25 @@ Fai clic per sceglierne un altro</translation>
     </message>
 </context>
 <context>
+    <name>voluta::panels::FrameForm</name>
+    <message>
+        <source>Place</source>
+        <translation>Posizione</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotazione</translation>
+    </message>
+    <message>
+        <source>About the fixed X, then Y, then Z axis</source>
+        <translation>Attorno agli assi fissi X, poi Y, poi Z</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Lati</translation>
+    </message>
+</context>
+<context>
     <name>voluta::panels::LayerInfo</name>
     <message>
         <source>Layer</source>
@@ -6540,6 +6819,53 @@ Fai clic per sceglierne un altro</translation>
     </message>
 </context>
 <context>
+    <name>voluta::panels::ReachPanel</name>
+    <message>
+        <source>being looked for…</source>
+        <translation>ricerca in corso…</translation>
+    </message>
+    <message>
+        <source>No part on a plate.</source>
+        <translation>Nessun pezzo su un piatto.</translation>
+    </message>
+    <message>
+        <source>It stands beyond the cell&apos;s plate.</source>
+        <translation>Sta oltre il piatto della cella.</translation>
+    </message>
+    <message>
+        <source>All of it is reached upright.</source>
+        <translation>Raggiunto tutto in verticale.</translation>
+    </message>
+    <message>
+        <source>%1 % of it is reached upright.</source>
+        <translation>Raggiunto in verticale: %1 %.</translation>
+    </message>
+    <message>
+        <source>Tilted up to %1°: %2 %.</source>
+        <translation>Inclinato fino a %1°: %2 %.</translation>
+    </message>
+    <message>
+        <source>There %1 % is reached upright, %2 % tilted</source>
+        <translation>Lì si raggiunge il %1 % in verticale, il %2 % inclinato</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Portata</translation>
+    </message>
+    <message>
+        <source>Where the head gets, over the whole height of the part; what is printed may still be in its way</source>
+        <translation>Dove arriva la testa, su tutta l&apos;altezza del pezzo; ciò che è stampato può ancora ostacolarla</translation>
+    </message>
+    <message>
+        <source>Show it on the plate</source>
+        <translation>Mostra sul piatto</translation>
+    </message>
+    <message>
+        <source>Move to best place</source>
+        <translation>Sposta al posto migliore</translation>
+    </message>
+</context>
+<context>
     <name>voluta::panels::ResumeBar</name>
     <message>
         <source>Resume from here…</source>
@@ -6862,6 +7188,216 @@ circa %6 in base a volume e altezza, senza supporti</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::ArmImportDialog</name>
+    <message>
+        <source>Six axes with a spherical wrist, solved in closed form</source>
+        <translation>Sei assi con polso sferico, risolti in forma chiusa</translation>
+    </message>
+    <message>
+        <source>Six axes, 2 to 4 parallel, solved in closed form</source>
+        <translation>Sei assi, da 2 a 4 paralleli, risolti in forma chiusa</translation>
+    </message>
+    <message>
+        <source>Six axes with a bent wrist, solved by a search</source>
+        <translation>Sei assi con polso piegato, risolti con una ricerca</translation>
+    </message>
+    <message>
+        <source>Six axes, solved numerically: plans take longer</source>
+        <translation>Sei assi, risolti numericamente: i piani durano di più</translation>
+    </message>
+    <message>
+        <source>Import a robot arm</source>
+        <translation>Importa un braccio robotico</translation>
+    </message>
+    <message>
+        <source>Nozzle on the arm, plate on a table</source>
+        <translation>Ugello sul braccio, piatto su un tavolo</translation>
+    </message>
+    <message>
+        <source>Plate on the arm, nozzle fixed</source>
+        <translation>Piatto sul braccio, ugello fisso</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>Flangia</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Cella</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programmi</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importa</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Lettura…</translation>
+    </message>
+    <message>
+        <source>Assumed:</source>
+        <translation>Supposto:</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::CellEditor</name>
+    <message>
+        <source>Nozzle</source>
+        <translation>Ugello</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Piatto</translation>
+    </message>
+    <message>
+        <source>in the flange</source>
+        <translation>nella flangia</translation>
+    </message>
+    <message>
+        <source>on the last axis</source>
+        <translation>sull&apos;ultimo asse</translation>
+    </message>
+    <message>
+        <source>on the axis before it</source>
+        <translation>sull&apos;asse precedente</translation>
+    </message>
+    <message>
+        <source>in the robot&apos;s base</source>
+        <translation>nella base del robot</translation>
+    </message>
+    <message>
+        <source>Edit cell</source>
+        <translation>Modifica cella</translation>
+    </message>
+    <message>
+        <source>Save as own cell</source>
+        <translation>Salva come cella propria</translation>
+    </message>
+    <message>
+        <source>What the flange carries before anything is printed: the plate and its stem, or head and extruder</source>
+        <translation>Ciò che la flangia porta prima della stampa: il piatto col suo stelo, o testa ed estrusore</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Extruder</source>
+        <translation>Estrusore</translation>
+    </message>
+    <message>
+        <source>Carried</source>
+        <translation>Carico</translation>
+    </message>
+    <message>
+        <source>Add box</source>
+        <translation>Aggiungi scatola</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Togli</translation>
+    </message>
+    <message>
+        <source>Find rest</source>
+        <translation>Trova riposo</translation>
+    </message>
+    <message>
+        <source>Rest where the arm is clearest of everything, the nozzle over the plate</source>
+        <translation>Riposo dove il braccio è più lontano da tutto, con l&apos;ugello sopra il piatto</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Ripeti</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>extruder</source>
+        <translation>estrusore</translation>
+    </message>
+    <message>
+        <source>carried mass</source>
+        <translation>massa portata</translation>
+    </message>
+    <message>
+        <source>move %1</source>
+        <translation>sposta %1</translation>
+    </message>
+    <message>
+        <source>edges of %1</source>
+        <translation>lati di %1</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s base</source>
+        <translation>Base del robot</translation>
+    </message>
+    <message>
+        <source>Flange of %1</source>
+        <translation>Flangia di %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Choose a body to move it</source>
+        <translation>Scegli un corpo per spostarlo</translation>
+    </message>
+    <message>
+        <source>being looked at…</source>
+        <translation>controllo in corso…</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with it.</source>
+        <translation>Tutto a posto.</translation>
+    </message>
+    <message>
+        <source>add a box</source>
+        <translation>aggiungi una scatola</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>togli %1</translation>
+    </message>
+    <message>
+        <source>being looked for…</source>
+        <translation>ricerca in corso…</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>riposo</translation>
+    </message>
+    <message>
+        <source>Nowhere over the plate is the arm clear of everything.</source>
+        <translation>In nessun punto sopra il piatto il braccio è libero da tutto.</translation>
+    </message>
+    <message>
+        <source>Replace the cell %1?</source>
+        <translation>Sostituire la cella %1?</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::ChoicesEditor</name>
     <message>
         <source>growth</source>
@@ -7098,6 +7634,14 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>Line %1, %2</source>
         <translation>Riga %1, %2</translation>
     </message>
+    <message>
+        <source>Verify a program</source>
+        <translation>Verifica un programma</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tutti i file (*)</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::FlowBar</name>
@@ -7254,6 +7798,14 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>Part</source>
         <translation>Pezzo</translation>
     </message>
+    <message>
+        <source>cell</source>
+        <translation>cella</translation>
+    </message>
+    <message>
+        <source>Edit cell</source>
+        <translation>Modifica cella</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ProjectFiles</name>
@@ -7288,10 +7840,6 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Open</source>
         <translation>Apri</translation>
-    </message>
-    <message>
-        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;All files (*)</source>
-        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.txt *.voxels *.voluta);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Opened %1</source>
@@ -7344,6 +7892,37 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Resume</source>
         <translation>Riprendi</translation>
+    </message>
+    <message>
+        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.txt *.voxels *.voluta);;All files (*)</source>
+        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.txt *.voxels *.voluta);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Import a robot arm</source>
+        <translation>Importa un braccio robotico</translation>
+    </message>
+    <message>
+        <source>Robot descriptions (*.urdf *.xml);;All files (*)</source>
+        <translation>Descrizioni di robot (*.urdf *.xml);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>There is no folder for robots of your own: set HOME.</source>
+        <translation>Non c&apos;è una cartella per i robot propri: imposta HOME.</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>cella</translation>
+    </message>
+    <message>
+        <source>Imported: cell %1</source>
+        <translation>Importata: cella %1</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::ReachView</name>
+    <message>
+        <source>move to best place</source>
+        <translation>sposta al posto migliore</translation>
     </message>
 </context>
 <context>
@@ -7639,6 +8218,33 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Click a path to find it in the 3D view. Wheel zooms, drag moves, double click shows all.</source>
         <translation>Fai clic su un percorso per trovarlo nella vista 3D. La rotella ingrandisce, trascinare sposta, il doppio clic mostra tutto.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::VerifyDialog</name>
+    <message>
+        <source>What the replay found</source>
+        <translation>Che cosa ha trovato la verifica</translation>
+    </message>
+    <message>
+        <source>Verify %1</source>
+        <translation>Verifica %1</translation>
+    </message>
+    <message>
+        <source>The program is read and replayed against the plan on show…</source>
+        <translation>Il programma viene letto e confrontato con il piano mostrato…</translation>
+    </message>
+    <message>
+        <source>%1: passed. It prints what was planned.</source>
+        <translation>%1: accettato. Stampa ciò che era previsto.</translation>
+    </message>
+    <message>
+        <source>%1: refused. Don&apos;t run it on the robot.</source>
+        <translation>%1: rifiutato. Non eseguirlo sul robot.</translation>
+    </message>
+    <message>
+        <source>What the replay found, the first %1 of %2</source>
+        <translation>Che cosa ha trovato la verifica, i primi %1 di %2</translation>
     </message>
 </context>
 <context>

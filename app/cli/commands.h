@@ -89,6 +89,32 @@ struct ImportRobotOptions {
 // and how to plan with it.
 ExitCode importRobotCommand(const ImportRobotOptions& options);
 
+// A table of points or poses that were measured (robot/measured_json.h).
+struct MeasuredOptions {
+  std::filesystem::path table;
+  std::string robot; // poses as its joints; empty: as poses
+};
+ExitCode cellFrameCommand(const MeasuredOptions& options);
+ExitCode cellTipCommand(const MeasuredOptions& options);
+
+struct ReachOptions {
+  project::Choices choices; // cell, process, platform and parameters count
+  double heightMm = 150.0;
+  bool json = false;
+  int threads = 1;
+};
+// Where the head of a cell reaches, and where its nozzle, if it stands still, stood best.
+ExitCode cellReachCommand(const ReachOptions& options);
+ExitCode cellNozzleCommand(const ReachOptions& options);
+
+struct CheckCellOptions {
+  std::string cell; // id, or a file
+  std::string process = "fdm-1.0";
+  double partKg = 0.0;
+};
+// A line for each thing that the cell cannot do.
+ExitCode cellCheckCommand(const CheckCellOptions& options);
+
 struct ListOptions {
   std::string what;
   bool json = false;

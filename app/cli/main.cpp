@@ -315,6 +315,59 @@ void addRobot(CLI::App& app, Parsed& parsed, int threads) {
   });
 }
 
+void addReach(CLI::App& cell, Parsed& parsed, int threads) {
+  auto options = std::make_shared<ReachOptions>();
+  options->threads = threads;
+  const auto addOptions = [&](CLI::App& command) {
+    command.add_option("--cell", options->choices.cell, "robot cell");
+    command.add_option("--process", options->choices.process, "nozzle, material, speeds");
+    command.add_flag("--json", options->json, "as JSON");
+  };
+  CLI::App* reach = cell.add_subcommand("reach", "where over its plate the head reaches");
+  addOptions(*reach);
+  addChoice(*reach, "--platform", options->choices.platform,
+            "plate to map; the largest of the cell's, unless given");
+  reach->add_option("--height", options->heightMm, "mm above the plate, up to which")
+      ->check(CLI::Range(1.0, 5000.0));
+  addThreads(*reach, options->threads);
+  reach->callback(
+      [options, &parsed] { parsed.run = [options] { return cellReachCommand(*options); }; });
+  CLI::App* nozzle = cell.add_subcommand("nozzle", "where a nozzle that stands still stood best");
+  addOptions(*nozzle);
+  nozzle->callback(
+      [options, &parsed] { parsed.run = [options] { return cellNozzleCommand(*options); }; });
+}
+
+void addCell(CLI::App& app, Parsed& parsed, int threads) {
+  CLI::App* cell = app.add_subcommand("cell", "to set up a cell of one's own");
+  cell->require_subcommand(1);
+  auto measured = std::make_shared<MeasuredOptions>();
+  CLI::App* frame = cell->add_subcommand("frame", "the frame that points were touched in, as JSON");
+  frame
+      ->add_option("TABLE", measured->table,
+                   "three rows x,y,z: origin, on x, beside it; or three or more rows of six: "
+                   "the point in the frame, and where it was touched")
+      ->required();
+  frame->callback(
+      [measured, &parsed] { parsed.run = [measured] { return cellFrameCommand(*measured); }; });
+  CLI::App* tip = cell->add_subcommand("tool-tip", "the tip that touched one point, as JSON");
+  tip->add_option("TABLE", measured->table,
+                  "four or more rows x,y,z,qw,qx,qy,qz of the flange, or the robot's joints")
+      ->required();
+  tip->add_option("--robot", measured->robot, "robot whose joints the rows hold");
+  tip->callback(
+      [measured, &parsed] { parsed.run = [measured] { return cellTipCommand(*measured); }; });
+  auto checked = std::make_shared<CheckCellOptions>();
+  CLI::App* check = cell->add_subcommand("check", "what a cell cannot do, a line each");
+  check->add_option("CELL", checked->cell, "cell (see: list cells), or FILE.json")->required();
+  check->add_option("--process", checked->process, "nozzle, material, speeds");
+  check->add_option("--part-kg", checked->partKg, "mass of the part, kg")
+      ->check(CLI::Range(0.0, 1000.0));
+  check->callback(
+      [checked, &parsed] { parsed.run = [checked] { return cellCheckCommand(*checked); }; });
+  addReach(*cell, parsed, threads);
+}
+
 void addList(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* list = app.add_subcommand("list", "what there is to choose from");
@@ -370,6 +423,7 @@ int run(int argc, char** argv) {
   addInspect(app, parsed);
   addOrient(app, parsed, threads);
   addRobot(app, parsed, threads);
+  addCell(app, parsed, threads);
   addList(app, parsed);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());

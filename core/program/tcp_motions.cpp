@@ -16,18 +16,20 @@ constexpr double kLeastSpeedMmPerS = 0.2;
 // blendRadiusMm takes the nozzle's path on the part as straight near the corner; a plate that turns
 // while it moves bends it, in hard random motions by up to 5 % of the tolerance.
 constexpr double kFirstOrderShare = 0.85;
-constexpr double kPlateKg = 0.5, kHeadKg = 1.0;
 } // namespace
 
 double assumedLoadKg(const ProgramInput& input) {
   if (input.cell.nozzleMount() != robot::Mount::World)
-    return kHeadKg;
-  return kPlateKg + input.trajectory.extrudedMm3.back() * 1e-6 * input.process.densityGPerCm3;
+    return input.cell.carriedKg();
+  return input.cell.carriedKg() +
+         input.trajectory.extrudedMm3.back() * 1e-6 * input.process.densityGPerCm3;
 }
 
 std::string_view assumedLoadText(const ProgramInput& input) {
-  return input.cell.nozzleMount() == robot::Mount::World ? "0.5 kg of plate, and the part"
-                                                         : "1 kg of head";
+  const bool plate = input.cell.nozzleMount() == robot::Mount::World;
+  if (!input.cell.carriedIsAssumed())
+    return plate ? "the plate as the cell has it, and the part" : "the head as the cell has it";
+  return plate ? "0.5 kg of plate, and the part" : "1 kg of head";
 }
 
 TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets,

@@ -47,6 +47,9 @@ public:
   // The same from the text of a file, which `name` stands for in errors and whose robot is given.
   static Cell read(std::string_view text, const std::filesystem::path& name, RobotModel robot,
                    const process::Process& process, platform::PlatformSolid platform);
+  // The same of what such a file would hold. Throws Error{UnreadableFile} where it is no JSON.
+  static Cell readText(const std::string& text, const std::filesystem::path& file,
+                       const process::Process& process, platform::PlatformSolid platform);
 
   const std::string& id() const { return id_; }
   const std::string& label() const { return label_; }
@@ -54,6 +57,10 @@ public:
   // Id of what turns the filament (program/extruder.h).
   const std::string& extruder() const { return extruder_; }
   const RobotModel& robot() const { return robot_; }
+  // What the flange carries before anything is printed: the plate and its stem, or head and
+  // extruder. kg; assumed where the file does not say.
+  double carriedKg() const { return carriedKg_; }
+  bool carriedIsAssumed() const { return carriedIsAssumed_; }
   int dof() const { return static_cast<int>(limits_.size()); } // the robot's and external axes
   int armDof() const { return robot_.dof(); }
   // In a joint vector they follow the robot's own; from the base to the platform.
@@ -134,7 +141,8 @@ private:
   std::optional<CellRod> rod_;
   std::vector<std::string> plates_;
   JointVector home_;
-  double travelAcceleration_ = 0.0;
+  double travelAcceleration_ = 0.0, carriedKg_ = 0.0;
+  bool carriedIsAssumed_ = true;
   int lastJointTurnsNozzle_ = 0;
   std::vector<Body> bodies_;
   std::vector<std::pair<int, int>> checkedPairs_;

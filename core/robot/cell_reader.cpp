@@ -19,6 +19,8 @@
 //                         pose, rod}: rod is {diameterMm, lengthMm, printableRadiusMm}, along x of
 //                         the work frame, lengthMm free between its bearings, which are obstacles
 //   obstacles             list of {name, shapes}, in the robot's base frame; may be empty
+//   carriedKg             optional: what the flange carries before anything is printed, kg; half a
+//                         kilogram of plate or one of head where it is not given
 //   homeDeg               list: the robot's joints at rest (sliding ones in mm), with the plate
 //   clear
 //                         of the nozzle; external axes rest at 0
@@ -42,6 +44,7 @@
 //                         are; else the last one's name
 #include "robot/cell.h"
 
+#include "base/files.h"
 #include "base/json_node.h"
 #include "robot/json_pose.h"
 #include "robot/plate.h"
@@ -58,6 +61,7 @@ namespace voluta::robot {
 
 namespace {
 constexpr double kTravelDegPerS2 = 80.0;
+constexpr double kPlateKg = 0.5, kHeadKg = 1.0; // assumed
 
 constexpr double kStepMm = 1e-9; // head sections closer than this are a step, not a frustum
 
@@ -203,7 +207,12 @@ int turnOfNozzle(const RobotModel& robot, const JointVector& home,
 
 Cell Cell::read(const std::filesystem::path& file, const process::Process& process,
                 platform::PlatformSolid solid) {
-  const base::JsonNode top = base::JsonNode::readFile(file);
+  return readText(base::readFile(file), file, process, std::move(solid));
+}
+
+Cell Cell::readText(const std::string& text, const std::filesystem::path& file,
+                    const process::Process& process, platform::PlatformSolid solid) {
+  const base::JsonNode top = base::JsonNode::parse(text, file.string());
   return read(top, file, readRobotOf(top.at("robot")), process, std::move(solid));
 }
 
@@ -217,7 +226,7 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
                 const process::Process& process, platform::PlatformSolid solid) {
   top.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
                  "travelAccelerationDegPerS2", "neverMeet", "externalAxes", "externalUnit",
-                 "extruder"});
+                 "extruder", "carriedKg"});
   Cell cell;
   cell.id_ = top.at("id").text();
   if (cell.id_ != file.stem().string())
@@ -267,6 +276,10 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
     platform.at("mount").fail(
         "must not be the nozzle's: one of them moves, the other is fixed"_text);
   const bool plateMoves = cell.nozzleMount_ == Mount::World;
+  cell.carriedIsAssumed_ = !top.has("carriedKg");
+  cell.carriedKg_ = top.has("carriedKg") ? top.at("carriedKg").notNegative()
+                    : plateMoves         ? kPlateKg
+                                         : kHeadKg;
   if (plateMoves && cell.rod_)
     platform.at("mount").fail("must be world: a rod is held at both ends"_text);
   if (plateMoves && !cell.externalAxes_.empty())

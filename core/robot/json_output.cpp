@@ -10,9 +10,7 @@ namespace voluta::robot {
 
 using Json = nlohmann::ordered_json;
 
-namespace {
-
-double degrees(double rad) {
+Json degreesJson(double rad) {
   return tidy(base::radiansToDegrees(rad));
 }
 
@@ -34,8 +32,6 @@ Json shapeJson(const Shape& shape) {
             {"r1Mm", tidy(frustum->r1)}}}};
 }
 
-} // namespace
-
 double tidy(double value) {
   const double rounded = std::round(value * 1e9) / 1e9;
   return std::abs(value - rounded) < 1e-13 * std::max(1.0, std::abs(value)) ? rounded + 0.0 : value;
@@ -54,7 +50,7 @@ Json poseJson(const Eigen::Isometry3d& pose) {
   const double pitch = std::atan2(-r(2, 0), c * r(0, 0) + s * r(1, 0));
   const double roll = std::atan2(s * r(0, 2) - c * r(1, 2), c * r(1, 1) - s * r(0, 1));
   return {{"xyzMm", vectorJson(pose.translation())},
-          {"rpyDeg", {degrees(roll), degrees(pitch), degrees(yaw)}}};
+          {"rpyDeg", {degreesJson(roll), degreesJson(pitch), degreesJson(yaw)}}};
 }
 
 Json shapesJson(const std::vector<Shape>& shapes) {

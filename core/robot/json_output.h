@@ -12,7 +12,10 @@ namespace voluta::robot {
 double tidy(double value);
 
 nlohmann::ordered_json vectorJson(const Eigen::Vector3d& v);
+nlohmann::ordered_json degreesJson(double rad);
 nlohmann::ordered_json poseJson(const Eigen::Isometry3d& pose);
+// Precondition: no prism, which files cannot hold.
+nlohmann::ordered_json shapeJson(const Shape& shape);
 nlohmann::ordered_json shapesJson(const std::vector<Shape>& shapes);
 
 } // namespace voluta::robot

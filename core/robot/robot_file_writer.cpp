@@ -1,6 +1,5 @@
 #include "robot/robot_file_writer.h"
 
-#include "base/units.h"
 #include "robot/json_output.h"
 
 #include <nlohmann/json.hpp>
@@ -10,11 +9,6 @@ namespace voluta::robot {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json degreesJson(double rad) {
-  return tidy(base::radiansToDegrees(rad));
-}
-
 } // namespace
 
 std::string robotFileJson(const RobotModel& robot, const SerialChain& chain,

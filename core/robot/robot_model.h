@@ -72,6 +72,7 @@ struct RobotModel {
   // joints keep them apart, or only their enclosing shapes overlap. Each has its reason in the
   // file.
   std::vector<std::pair<int, int>> neverMeet;
+  std::optional<double> payloadKg; // at the flange, as the maker rates it
   std::vector<std::string> assumed; // what is not from a published source, said where shown
 
   int dof() const { return kinematics->dof(); }

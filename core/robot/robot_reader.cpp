@@ -21,6 +21,7 @@
 //   links                 a list of bodies {name, frame, shapes}; frame 0 is the base, n link n, in
 //                         the frames of Kinematics::linkPoses; shapes as in robot/shape_reader.h
 //   neverMeet             optional list of {pair: [name, name], why}: links that need no check
+//   payloadKg             optional: what it may carry at its flange
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
 #include "base/json_node.h"
@@ -191,7 +192,7 @@ std::vector<std::string> readTexts(const base::JsonNode& list) {
 RobotModel readRobot(const std::filesystem::path& file) {
   const base::JsonNode top = base::JsonNode::readFile(file);
   top.allowOnly({"id", "label", "maker", "controller", "family", "geometryMm", "reading", "limits",
-                 "links", "neverMeet", "sources", "assumed"});
+                 "links", "neverMeet", "payloadKg", "sources", "assumed"});
   RobotModel robot;
   robot.id = top.at("id").text();
   if (robot.id != file.stem().string())
@@ -204,6 +205,8 @@ RobotModel readRobot(const std::filesystem::path& file) {
   robot.limits = readLimits(top.at("limits"), *robot.kinematics);
   robot.links = readLinks(top.at("links"), robot.dof());
   robot.assumed = readTexts(top.at("assumed"));
+  if (top.has("payloadKg"))
+    robot.payloadKg = top.at("payloadKg").positive();
   if (top.has("sources"))
     readTexts(top.at("sources"));
   if (top.has("neverMeet"))

@@ -32,6 +32,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"robot", {"geometry", "platform", "process"}},
     {"collision", {"geometry", "platform", "process", "voxel", "robot", "plan"}},
     {"setup", {"geometry", "process", "robot", "collision"}},
+    {"reach", {"geometry", "platform", "process", "voxel", "robot", "plan", "collision"}},
     {"toolpath",
      {"geometry", "platform", "process", "voxel", "robot", "plan", "collision", "layers"}},
     {"motion",
@@ -46,9 +47,9 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"geometry", "platform", "process", "voxel", "plan", "layers", "curved", "planar", "substrate",
       "support", "robot", "project"}},
     {"pipeline",
-     {"geometry", "platform", "process",   "voxel",   "plan",      "build3mf", "layers",
-      "curved",   "planar",   "substrate", "support", "placement", "robot",    "collision",
-      "setup",    "toolpath", "motion",    "program", "replay",    "project",  "modes"}},
+     {"geometry", "platform",  "process", "voxel",     "plan",    "build3mf",  "layers", "curved",
+      "planar",   "substrate", "support", "placement", "robot",   "collision", "reach",  "setup",
+      "toolpath", "motion",    "program", "replay",    "project", "modes"}},
 };
 
 struct Include {

@@ -344,4 +344,40 @@ TEST_F(CommandLine, AComparisonThatCannotBeginLeavesNothing) {
   EXPECT_EQ(entries(), std::set<std::string>{"box.stl"});
 }
 
+TEST_F(CommandLine, CellsAreMeasuredMappedAndChecked) {
+  const auto table = [&](const char* name, const std::string& rows) {
+    const fs::path file = folder_ / name;
+    base::writeFile(file, rows);
+    return file.string();
+  };
+  const std::string points = table("points.csv", "500,10,30\n600,10,30\n500,90,30\n");
+  const Ended frame = run({"cell", "frame", points});
+  EXPECT_EQ(frame.code, 0);
+  const auto pose = nlohmann::json::parse(frame.out)["pose"];
+  EXPECT_EQ(pose["xyzMm"], nlohmann::json({500.0, 10.0, 30.0}));
+  EXPECT_EQ(pose["rpyDeg"], nlohmann::json({0.0, 0.0, 0.0}));
+  expectOneLine(run({"cell", "frame", table("line.csv", "1 2 3\n2 4 6\n3 6 9\n")}), 3, {"line"});
+  expectOneLine(run({"cell", "frame", table("word.csv", "1 2 3\n2 x 6\n")}), 3, {"line 2", "'x'"});
+  expectOneLine(run({"cell", "frame", (folder_ / "none.csv").string()}), 3, {"none.csv"});
+  // Four times the same pose.
+  const std::string still = table("still.csv", "0,-90,90,-90,-90,0\n0,-90,90,-90,-90,0\n"
+                                               "0,-90,90,-90,-90,0\n0,-90,90,-90,-90,0\n");
+  expectOneLine(run({"cell", "tool-tip", still, "--robot", "ur5"}), 3, {"the same"});
+  expectOneLine(run({"cell", "tool-tip", still}), 3, {"7"});
+
+  const Ended reach = run({"cell", "reach", "--cell", "t3", "--json"});
+  EXPECT_EQ(reach.code, 0);
+  EXPECT_EQ(nlohmann::json::parse(reach.out)["tilts"].size(), 1u);
+  expectOneLine(run({"cell", "reach", "--cell", "lathe"}), 2, {"no plate"});
+  expectOneLine(run({"cell", "nozzle", "--cell", "ur5-moving"}), 2, {"stands still"});
+
+  EXPECT_EQ(run({"cell", "check", "ur5-fixed"}).code, 0);
+  const Ended heavy = run({"cell", "check", "ur5-fixed", "--part-kg", "9"});
+  EXPECT_EQ(heavy.code, 4);
+  EXPECT_NE(heavy.out.find("9.5 kg"), std::string::npos) << heavy.out;
+  const Ended broken = run({"cell", "check", table("bad.json", "{\"id\": \"bad\"}")});
+  EXPECT_EQ(broken.code, 3);
+  EXPECT_NE(broken.out.find("'label' is missing"), std::string::npos) << broken.out;
+}
+
 } // namespace

@@ -100,6 +100,29 @@ TEST_F(Cells, toolPointsDownAndThePlateIsBelowItWhenUpright) {
   }
 }
 
+// Eq. 2.3 by hand: T_E^B T_P^E T_O^P = T_N^B, numbers of ur5-fixed's file. The nozzle stands at
+// (500, 0, 500) and points down, the plate's top 100 mm above the flange, the waypoint 30, 40, 25
+// on it with the build direction tilted to y by the angle of 3-4-5. The last is solved for T_E^B.
+TEST_F(Cells, flangeOfTheFixedNozzleByHand) {
+  const Cell cell = load("ur5-fixed");
+  Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
+  work_T_tool.linear() << 1, 0, 0, 0, -0.8, -0.6, 0, 0.6, -0.8; // its z is -(0, 0.6, 0.8)
+  work_T_tool.translation() << 30, 40, 25;
+  // base_R_flange = base_R_tool (work_R_tool)^T; its origin: tip - base_R_flange (30, 40, 125).
+  Eigen::Matrix4d expected;
+  expected << 1, 0, 0, 500 - 30,                 //
+      0, 0.8, -0.6, 0 - (0.8 * 40 - 0.6 * 125),  //
+      0, 0.6, 0.8, 500 - (0.6 * 40 + 0.8 * 125), //
+      0, 0, 0, 1;
+  const Eigen::Isometry3d flange = cell.base_T_flange(work_T_tool, cell.home());
+  EXPECT_LT((flange.matrix() - expected).cwiseAbs().maxCoeff(), 1e-9);
+  std::vector<JointVector> solutions;
+  cell.inverse(work_T_tool, cell.home(), solutions);
+  ASSERT_FALSE(solutions.empty());
+  for (const JointVector& q : solutions)
+    EXPECT_LT((cell.robot().kinematics->flange(q).matrix() - expected).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 TEST_F(Cells, bodiesOfTheFixedNozzle) {
   const Cell cell = load("ur5-fixed");
   std::set<std::string> against;

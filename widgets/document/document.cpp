@@ -145,6 +145,14 @@ void Document::setChoices(const project::Choices& choices, const QString& editNa
   push(choices, source_, editName);
 }
 
+void Document::filesChanged() {
+  ++revision_;
+  refreshKeys();
+  emit choicesChanged();
+  emit stateChanged();
+  emit edited();
+}
+
 void Document::setParameter(const QString& key, const QString& text) {
   const base::ParameterTable table = parametersFor(choices_);
   base::ParameterValues values(table);

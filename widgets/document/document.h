@@ -74,6 +74,8 @@ public:
   // ---- edits; `editName` is what the Edit menu shows after "Undo". One that changes nothing is
   // not an edit.
   void setChoices(const project::Choices& choices, const QString& editName);
+  // A file that the choices name was written: what was made from it before is out of date.
+  void filesChanged();
   // A text of base::ParameterTable. The default's text takes the parameter back to unchanged.
   // Throws Error{Usage} for an unknown key or a wrong value; then nothing changes.
   void setParameter(const QString& key, const QString& text);

@@ -49,6 +49,11 @@ struct FrontDrawing {
   vtkSmartPointer<vtkPolyData> surface, edges;
 };
 
+struct ReachDrawing {
+  vtkSmartPointer<vtkPolyData> surface; // a colour a point
+};
+Legend reachLegend();
+
 // Values behind the colourings, one an item.
 struct ColourValues {
   std::vector<std::int32_t> layer, group, kind; // empty: no such colouring

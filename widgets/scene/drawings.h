@@ -29,6 +29,7 @@ struct PathsDrawing;
 struct PiecesDrawing;
 struct CellDrawing;
 struct FrontDrawing;
+struct ReachDrawing;
 
 // The part as a solid: shaded smoothly up to a feature angle of 45 degrees, edges sharper than
 // that and open boundaries as lines.
@@ -98,6 +99,17 @@ Eigen::Matrix3d baseAxes(const Eigen::Vector3d& normal);
 std::vector<Eigen::Vector3d> pieceOffsets(const PiecesDrawing& drawing, double explodeMm);
 // And its base plane, which stays on the piece that is cut.
 Eigen::Vector3d basePlaneOffset(const PiecesDrawing& drawing, std::size_t piece, double explodeMm);
+
+// How much of what was asked for is reached over a point of the plate: share in [0, 1].
+struct ReachPoint {
+  Eigen::Vector2d at;
+  double share;
+};
+// A map on the plate: squares of `spacingMm` about points of a lattice, cut off at its edge.
+// `plate`: convex, counter-clockwise.
+std::shared_ptr<const ReachDrawing> drawReach(const std::vector<ReachPoint>& points,
+                                              double spacingMm,
+                                              const std::vector<Eigen::Vector2d>& plate);
 
 // Robot, holders, head, platform and obstacles as solids.
 std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell);

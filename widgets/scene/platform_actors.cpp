@@ -1,6 +1,7 @@
 #include "scene/platform_actors.h"
 
 #include <algorithm>
+#include <vtkMapper.h>
 #include <vtkProperty.h>
 
 namespace voluta::scene {
@@ -9,11 +10,16 @@ namespace {
 constexpr auto kPlatformRole = static_cast<std::size_t>(robot::BodyRole::Platform);
 constexpr double kRodBesideShare = 0.25; // of what is on it, that is looked at on either side
 constexpr double kPlateFromBelow = 0.25;
+constexpr double kReachOpacity = 0.6;
 } // namespace
 
 PlatformActors::PlatformActors(vtkRenderer* renderer)
     : plate_(addSolid(renderer)), rod_(addSolid(renderer)), base_(addSolid(renderer)),
-      grid_(addLines(renderer)), outline_(addLines(renderer)) {}
+      grid_(addLines(renderer)), outline_(addLines(renderer)), reach_(addSolid(renderer)) {
+  reach_->GetProperty()->SetOpacity(kReachOpacity);
+  reach_->GetProperty()->LightingOff();
+  reach_->GetMapper()->ScalarVisibilityOn();
+}
 
 void PlatformActors::setDrawing(const PlatformDrawing* drawing) {
   setData(plate_, drawing ? drawing->plate.Get() : nullptr);
@@ -24,6 +30,11 @@ void PlatformActors::setDrawing(const PlatformDrawing* drawing) {
   drawing_ = drawing;
 }
 
+void PlatformActors::setReach(const ReachDrawing* reach) {
+  setData(reach_, reach ? reach->surface.Get() : nullptr);
+  reachDrawing_ = reach;
+}
+
 void PlatformActors::setTheme(const Theme& theme) {
   for (vtkActor* actor : {plate_.Get(), rod_.Get(), base_.Get()})
     setColour(actor, theme.platform);
@@ -32,7 +43,8 @@ void PlatformActors::setTheme(const Theme& theme) {
 }
 
 void PlatformActors::pose(const Eigen::Isometry3d& world_T_work) {
-  for (vtkActor* actor : {plate_.Get(), rod_.Get(), base_.Get(), outline_.Get(), grid_.Get()})
+  for (vtkActor* actor :
+       {plate_.Get(), rod_.Get(), base_.Get(), outline_.Get(), grid_.Get(), reach_.Get()})
     setPose(actor, world_T_work);
 }
 
@@ -43,6 +55,7 @@ void PlatformActors::show(const ViewState& view, bool byCell) {
   base_->SetVisibility(on);
   outline_->SetVisibility(on && (!drawing_->rod || showsRod()));
   grid_->SetVisibility(on && !byCell);
+  reach_->SetVisibility(view.reach && reachDrawing_);
 }
 
 void PlatformActors::lookFrom(const Eigen::Vector3d& eye) {

@@ -16,6 +16,7 @@ public:
 
   // Null: none. The drawing outlives its being shown.
   void setDrawing(const PlatformDrawing* drawing);
+  void setReach(const ReachDrawing* reach);
   void setTheme(const Theme& theme);
   void pose(const Eigen::Isometry3d& world_T_work);
   // `byCell`: the plate is there as a body of the cell.
@@ -31,7 +32,8 @@ public:
 
 private:
   const PlatformDrawing* drawing_ = nullptr;
-  vtkSmartPointer<vtkActor> plate_, rod_, base_, grid_, outline_;
+  const ReachDrawing* reachDrawing_ = nullptr;
+  vtkSmartPointer<vtkActor> plate_, rod_, base_, grid_, outline_, reach_;
 };
 
 } // namespace voluta::scene

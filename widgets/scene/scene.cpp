@@ -92,6 +92,7 @@ struct Scene::Impl {
   std::shared_ptr<const LayersDrawing> layers;
   std::shared_ptr<const PathsDrawing> paths;
   std::shared_ptr<const PiecesDrawing> pieces;
+  std::shared_ptr<const ReachDrawing> reach;
   std::shared_ptr<const CellDrawing> cell;
 
   vtkSmartPointer<vtkActor> partSurface, partEdges, chosenPath, frontSurface, frontEdges;
@@ -226,6 +227,7 @@ struct Scene::Impl {
     const bool on = shows(view.part, part.get()) && view.partOpacity > 0.0;
     partSurface->SetVisibility(on);
     partEdges->SetVisibility(on && view.partOpacity >= 0.5);
+    setColour(partSurface, view.partBeyond ? theme.partBeyond : theme.part);
     partSurface->GetProperty()->SetOpacity(view.partOpacity);
     // Translucent walls are sorted by showing only those that face the eye.
     partSurface->GetProperty()->SetBackfaceCulling(view.partOpacity < 1.0);
@@ -370,6 +372,8 @@ struct Scene::Impl {
       return legendOf(layers->values, shownColouring(layers->values, view.colourBy));
     if (shows(view.paths, paths.get()) && !view.materialColour)
       return legendOf(paths->values, shownColouring(paths->values, view.colourBy));
+    if (shows(view.reach, reach.get()))
+      return reachLegend();
     return {};
   }
 
@@ -492,6 +496,12 @@ void Scene::setPaths(std::shared_ptr<const PathsDrawing> paths) {
   impl_->travels.setData(paths ? paths->travels.Get() : nullptr);
   impl_->beadColours = {};
   impl_->paths = std::move(paths);
+  impl_->applyView();
+}
+
+void Scene::setReach(std::shared_ptr<const ReachDrawing> reach) {
+  impl_->platformActors->setReach(reach.get());
+  impl_->reach = std::move(reach);
   impl_->applyView();
 }
 

@@ -56,6 +56,7 @@ public:
   void setLayers(std::shared_ptr<const LayersDrawing> layers);
   void setPieces(std::shared_ptr<const PiecesDrawing> pieces);
   void setPaths(std::shared_ptr<const PathsDrawing> paths);
+  void setReach(std::shared_ptr<const ReachDrawing> reach);
   void setCell(std::shared_ptr<const CellDrawing> cell);
 
   // Cheap; draws nothing by itself.

@@ -12,6 +12,7 @@ struct Theme {
   Colour backgroundTop, backgroundBottom;
   Colour text, axisX, axisY, axisZ;
   Colour part, partEdges, partInside; // inside: what a section lays open
+  Colour partBeyond;                  // where not all of it is in reach
   Colour platform, platformEdges, grid;
   Colour robotLight, robotDark, head, obstacle; // links alternate between light and dark
   Colour material;                              // laid beads without a colouring

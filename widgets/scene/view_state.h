@@ -25,6 +25,8 @@ struct ViewState {
   bool travels = false; // of the paths shown
   bool axes = true;     // triad in the lower left corner
   double partOpacity = 1.0;
+  bool reach = false;      // the map of what is reached, on the plate
+  bool partBeyond = false; // the part in the colour of what is out of reach
   std::array<bool, robot::kBodyRoleCount> roles{true, true, true, true, true}; // of the cell's
                                                                                // bodies, if `cell`
 

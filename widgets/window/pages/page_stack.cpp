@@ -39,7 +39,8 @@ std::optional<Stage> stageOf(const scene::ViewState& view) {
 }
 
 bool isColoured(const scene::ViewState& view) {
-  return !view.materialColour && (view.voxels || view.pieces || view.layers || view.paths);
+  return !view.materialColour &&
+         (view.voxels || view.pieces || view.layers || view.paths || view.reach);
 }
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "document/document.h"
 #include "document/opening.h"
 #include "forms/parameter_form.h"
+#include "geometry/measures.h"
 #include "language/words.h"
 #include "modes/file_parameters.h"
 #include "modes/mode_table.h"
@@ -12,13 +13,17 @@
 #include "pipeline/choices.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
+#include "robot/cell_draft.h"
+#include "window/cell_editor.h"
 #include "window/mesh_summary.h"
+#include "window/pages/reach_view.h"
 #include "window/pages/stand_chooser.h"
 #include "window/presenter.h"
 
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <cmath>
 #include <set>
 
 namespace voluta::window {
@@ -37,6 +42,7 @@ std::string problemText(const base::Error& error) {
 PreparePage::PreparePage(const Workspace& workspace)
     : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
       handles_(workspace, *this), stands_(new StandChooser(work(), handles_, this)),
+      reach_(new ReachView(work(), handles_, this)),
       choices_(new ChoicesEditor(workspace.document, this)) {
   build();
   listen();
@@ -59,6 +65,7 @@ void PreparePage::build() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(placement_);
   column->addWidget(stands_->list());
+  column->addWidget(reach_->panel());
   column->addWidget(mesh_);
   column->addStretch(1);
   tabs_ = new QTabWidget;
@@ -102,6 +109,10 @@ QWidget* PreparePage::side() {
   return tabs_;
 }
 
+std::vector<ViewportInput*> PreparePage::inputs() {
+  return {&handles_, reach_};
+}
+
 std::vector<Command> PreparePage::commands() {
   std::vector<Command> commands = handles_.commands();
   commands.push_back({"resetParameters",
@@ -114,7 +125,40 @@ std::vector<Command> PreparePage::commands() {
                       {},
                       {},
                       "reset"});
+  commands.push_back(
+      {"editCell",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "Edit &cell…"),
+       QT_TRANSLATE_NOOP("Commands", "Where nozzle, plate and obstacles stand, and which robot"),
+       {},
+       [this] { editCell(); }});
   return commands;
+}
+
+void PreparePage::editCell() {
+  document::Document& document = work().document;
+  try {
+    const project::Choices& choices = document.choices();
+    const process::Process process = process::loadProcess(choices.process);
+    const auto placed = document.result(Stage::Load);
+    const double partKg = placed && placed->job.part
+                              ? 1e-6 * process.densityGPerCm3 * geometry::volume(*placed->job.part)
+                              : 0.0;
+    CellEditor editor(robot::draftOfCell(choices.cell), process, std::abs(partKg),
+                      work().viewport.window());
+    if (editor.exec() != QDialog::Accepted)
+      return;
+    choices_->retranslate(); // there is another cell to choose
+    project::Choices with = choices;
+    with.cell = editor.savedId().toStdString();
+    if (with.cell == choices.cell)
+      document.filesChanged();
+    else
+      document.setChoices(with, tr("cell"));
+  } catch (const base::Error& error) {
+    work().shell.tell(tr("Edit cell"), language::words(error.whole()));
+  }
 }
 
 PageState PreparePage::state() const {
@@ -140,6 +184,7 @@ void PreparePage::draw(scene::ViewState& view) {
   view.voxels = made && work().presenter.hasVoxels();
   view.pieces = made && work().presenter.hasPieces();
   view.part = part && !view.voxels && !view.pieces;
+  reach_->draw(view);
 }
 
 int PreparePage::interest(const plan::Finding& finding) const {

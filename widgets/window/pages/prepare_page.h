@@ -17,6 +17,7 @@ class PlacementPanel;
 
 namespace voluta::window {
 
+class ReachView;
 class StandChooser;
 
 class PreparePage : public Page {
@@ -27,7 +28,7 @@ public:
 
   QWidget* side() override;
   std::vector<Command> commands() override;
-  std::vector<ViewportInput*> inputs() override { return {&handles_}; }
+  std::vector<ViewportInput*> inputs() override;
   std::vector<project::Stage> stages() const override { return {project::Stage::Load}; }
   PageState state() const override;
   void retranslate() override;
@@ -41,6 +42,7 @@ protected:
 private:
   void build();
   void listen();
+  void editCell();
   void setParameter(const QString& key, const QString& text);
   void showChoices();
   void showProblems();
@@ -48,6 +50,7 @@ private:
 
   PartHandles handles_;
   StandChooser* stands_;
+  ReachView* reach_;
   ChoicesEditor* choices_;
   panels::PlacementPanel* placement_;
   panels::MeshPanel* mesh_;

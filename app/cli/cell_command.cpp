@@ -1,0 +1,54 @@
+#include "base/data_files.h"
+#include "base/files.h"
+#include "base/number_list.h"
+#include "cli/commands.h"
+#include "pipeline/cell_check.h"
+#include "robot/measured_json.h"
+
+#include <fmt/format.h>
+#include <optional>
+
+namespace voluta::cli {
+
+namespace {
+robot::NumberRows rowsOf(const std::filesystem::path& file) {
+  return base::readRows(base::readFile(file), file.string());
+}
+} // namespace
+
+ExitCode cellFrameCommand(const MeasuredOptions& options) {
+  const robot::NumberRows rows = rowsOf(options.table);
+  fmt::print("{}\n", robot::frameJson(robot::frameOfRows(rows), rows.size()));
+  return kDone;
+}
+
+ExitCode cellTipCommand(const MeasuredOptions& options) {
+  const robot::NumberRows rows = rowsOf(options.table);
+  std::optional<robot::RobotModel> robot;
+  if (!options.robot.empty())
+    robot = robot::loadRobot(options.robot);
+  fmt::print("{}\n",
+             robot::tipJson(robot::tipOfRows(rows, robot ? &*robot : nullptr), rows.size()));
+  return kDone;
+}
+
+ExitCode cellCheckCommand(const CheckCellOptions& options) {
+  const bool isFile = std::filesystem::path(options.cell).extension() == ".json";
+  const std::filesystem::path file =
+      isFile ? std::filesystem::path(options.cell)
+             : base::dataFile("cells", options.cell, "unknown cell '{id}'"_text);
+  const pipeline::CheckedCell checked =
+      pipeline::checkedCell(base::readFile(file), file.stem().string(),
+                            process::loadProcess(options.process), options.partKg, {});
+  for (const reach::CellFault& fault : checked.faults)
+    fmt::print("{}\n", fault.remedy.empty() ? base::english(fault.what)
+                                            : fmt::format("{} ({})", base::english(fault.what),
+                                                          base::english(fault.remedy)));
+  if (!checked.cell)
+    return kUnusableInput;
+  if (checked.faults.empty())
+    fmt::print("nothing is wrong with it\n");
+  return checked.faults.empty() ? kDone : kNotAll;
+}
+
+} // namespace voluta::cli

@@ -1,0 +1,29 @@
+#include "pipeline/cell_check.h"
+
+#include "base/error.h"
+#include "curved/platform.h"
+#include "pipeline/cell_reach.h"
+#include "project/platform.h"
+
+namespace voluta::pipeline {
+
+CheckedCell checkedCell(const std::string& text, const std::string& id,
+                        const process::Process& process, double partKg,
+                        const base::RunContext& ctx) {
+  CheckedCell checked;
+  try {
+    const std::string file = id + ".json";
+    robot::Cell cell =
+        robot::Cell::readText(text, file, process, curved::platformDisc(kPlateOfNoneMm));
+    if (!cell.plates().empty())
+      cell = robot::Cell::readText(text, file, process,
+                                   project::Platform(cell.plates().back()).plateAround({}));
+    checked.cell = std::make_shared<const robot::Cell>(std::move(cell));
+    checked.faults = reach::cellFaults(*checked.cell, process, partKg, ctx);
+  } catch (const base::Error& error) {
+    checked.faults.push_back({error.message(), error.remedy()});
+  }
+  return checked;
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,83 @@
+#include "pipeline/cell_reach.h"
+
+#include "base/data_files.h"
+#include "base/files.h"
+#include "base/key_text.h"
+#include "curved/platform.h"
+#include "geometry/measures.h"
+#include "modes/cell_choice.h"
+#include "pipeline/choices.h"
+#include "project/content_hash.h"
+
+#include <algorithm>
+
+namespace voluta::pipeline {
+
+namespace {
+
+std::vector<Eigen::Vector2d> plateToMap(const project::Choices& choices, const robot::Cell& cell) {
+  const project::Platform& platform = choices.platform;
+  if (platform.isFor(project::PlatformUse::Plate) && !platform.isOfCell() && !platform.marginMm() &&
+      !platform.isBody())
+    return platform.plateAround({});
+  return cell.plates().empty() ? curved::platformDisc(kPlateOfNoneMm)
+                               : project::Platform(cell.plates().back()).plateAround({});
+}
+
+} // namespace
+
+robot::Cell cellToMap(const project::Choices& choices, const process::Process& process) {
+  const robot::Cell any = modes::cellOnAnyPlatform(choices, process);
+  if (any.rod())
+    return any;
+  return robot::loadCell(choices.cell, process, plateToMap(choices, any));
+}
+
+reach::ReachMap cellReach(const project::Choices& choices, double heightMm,
+                          const base::RunContext& ctx) {
+  const base::ParameterValues values = parameterValues(choices);
+  const process::Process process = chosenProcess(choices, values);
+  const robot::Cell cell = cellToMap(choices, process);
+  return reach::reachMap(cell, process, reach::usualGrid(cell, process, heightMm),
+                         motionOptionsOf(values, choices.seed).printing, ctx);
+}
+
+std::string cellReachKey(const project::Choices& choices, double heightMm) {
+  const base::ParameterValues values = parameterValues(choices);
+  const process::Process process = chosenProcess(choices, values);
+  const robot::Cell cell = modes::cellOnAnyPlatform(choices, process);
+  const auto fileHash = [](const char* folder, const std::string& id) {
+    return project::contentHash(
+        base::readFile(base::dataFile(folder, id, "unknown cell '{id}'"_text)));
+  };
+  const collision::Margins margins = motionOptionsOf(values, choices.seed).printing;
+  std::vector<double> plate, head;
+  if (!cell.rod())
+    for (const Eigen::Vector2d& corner : plateToMap(choices, cell))
+      plate.insert(plate.end(), {corner.x(), corner.y()});
+  for (const process::HeadSection& section : process.head.sections)
+    head.insert(head.end(), {section.zMm, section.radiusMm});
+  return base::keyText(fileHash("cells", cell.id()), fileHash("robots", cell.robot().id), plate,
+                       head, process.layerHeightMm, process.contactToleranceMm, margins.bodiesMm,
+                       margins.partMm, margins.headMm, heightMm);
+}
+
+Eigen::Vector2d middleOf(const geometry::TriangleMesh& part) {
+  return geometry::bounds(part).center().head<2>();
+}
+
+reach::Standing standingOf(const geometry::TriangleMesh& part) {
+  const Eigen::Vector2d middle = middleOf(part);
+  reach::Standing standing;
+  for (const Eigen::Vector3d& v : part.vertices) {
+    standing.radiusMm = std::max(standing.radiusMm, (v.head<2>() - middle).norm());
+    standing.heightMm = std::max(standing.heightMm, v.z());
+  }
+  constexpr double kLeastMm = 1e-3; // a point has a size too
+  standing.radiusMm = std::max(standing.radiusMm, kLeastMm);
+  standing.heightMm = std::max(standing.heightMm, kLeastMm);
+  standing.tiltRad = kMappedTiltRad;
+  return standing;
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,187 @@
+// The cell: where its head reaches, and a cell of the user's own, edited and planned in.
+#include "base/data_files.h"
+#include "gui/window_fixture.h"
+#include "helpers/shapes.h"
+#include "panels/reach_panel.h"
+#include "robot/cell_draft.h"
+#include "window/cell_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QTest>
+#include <QTimer>
+#include <QTreeWidget>
+
+namespace voluta::test {
+namespace {
+
+using project::Stage;
+
+// Of pixels that are of a colour, and neither grey nor the part's pale blue.
+double colouredShare(const QImage& picture) {
+  int coloured = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x)
+      coloured += picture.pixelColor(x, y).hsvSaturation() > 65;
+  return static_cast<double>(coloured) / (picture.width() * picture.height());
+}
+
+class CellTest : public WindowTest {
+protected:
+  void SetUp() override {
+    qputenv("VOLUTA_DATA", folder_.path().toUtf8());
+    WindowTest::SetUp();
+  }
+  void TearDown() override {
+    WindowTest::TearDown();
+    qunsetenv("VOLUTA_DATA");
+  }
+  panels::ReachPanel* reach() { return find<panels::ReachPanel>("reach"); }
+  QPushButton* moveButton() { return reach()->findChild<QPushButton*>("reachMove"); }
+  bool reachKnown() {
+    return waitFor([&] {
+      return document().upToDate(Stage::Load) && !window().planning().running() &&
+             !window().presenter().busy() && !reach()->isLooking();
+    });
+  }
+  QString reachText() { return reach()->findChild<QLabel*>("reachState")->text(); }
+  void click(QAbstractButton* button) {
+    for (QWidget* up = button; up; up = up->parentWidget())
+      if (auto* area = qobject_cast<QScrollArea*>(up))
+        area->ensureWidgetVisible(button);
+    QTest::mouseClick(button, Qt::LeftButton, {}, QPoint(10, button->height() / 2));
+  }
+  // Works the editor once it is up, then goes on.
+  void inEditor(const std::function<void(window::CellEditor&)>& work) {
+    QTimer::singleShot(0, &window(), [this, work] {
+      window::CellEditor* editor = nullptr;
+      ASSERT_TRUE(waitFor([&] {
+        editor = qobject_cast<window::CellEditor*>(QApplication::activeModalWidget());
+        return editor && editor->settled();
+      }));
+      work(*editor);
+    });
+    clickMenu("editMenu", "editCell");
+  }
+  static bool settled(window::CellEditor& editor) {
+    return waitFor([&] { return editor.settled(); });
+  }
+  static void type(window::CellEditor& editor, const char* box, double value) {
+    auto* field = editor.findChild<QDoubleSpinBox*>(box);
+    ASSERT_NE(field, nullptr) << box;
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, field->locale().toString(value, 'g', 8));
+    QTest::keyClick(field, Qt::Key_Return);
+  }
+  static void choose(window::CellEditor& editor, const QString& body) {
+    auto* tree = editor.findChild<QTreeWidget*>("cellBodies");
+    const auto items = tree->findItems(body, Qt::MatchExactly | Qt::MatchRecursive);
+    ASSERT_EQ(items.size(), 1) << body.toStdString();
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                      tree->visualItemRect(items.front()).center());
+  }
+  static QString faults(window::CellEditor& editor) {
+    return editor.findChild<QLabel*>("cellFaults")->text();
+  }
+};
+
+TEST_F(CellTest, ThePartTurnsAmberBeyondThePlateAndGoesBackByOneClick) {
+  openPart(writePart("block.stl", box({0, 0, 0}, {40.0, 40.0, 40.0})));
+  find<QTabWidget>("prepareTabs")->setCurrentIndex(1);
+  ASSERT_TRUE(reachKnown());
+  EXPECT_TRUE(reachText().startsWith("All of it is reached upright")) << reachText().toStdString();
+  EXPECT_FALSE(window().viewport().view().partBeyond);
+  EXPECT_FALSE(window().viewport().view().reach);
+  const QImage before = picture();
+  click(reach()->findChild<QCheckBox*>("reachMap"));
+  EXPECT_TRUE(window().viewport().view().reach);
+  EXPECT_GT(colouredShare(picture()), colouredShare(before) + 0.02);
+
+  geometry::Placement aside;
+  aside.centreMm = {400.0, 0.0};
+  document().place(aside, "move");
+  ASSERT_TRUE(reachKnown());
+  EXPECT_TRUE(window().viewport().view().partBeyond);
+  EXPECT_TRUE(reachText().startsWith("It stands beyond")) << reachText().toStdString();
+  ASSERT_TRUE(moveButton()->isEnabled());
+  click(moveButton());
+  ASSERT_TRUE(reachKnown());
+  EXPECT_FALSE(window().viewport().view().partBeyond);
+  EXPECT_LT(document().choices().placement.centreMm.norm(), 125.0);
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(reachKnown());
+  EXPECT_TRUE(window().viewport().view().partBeyond);
+}
+
+// A post beside the plate, of the user's own: saved, taken, and a body of what is planned.
+TEST_F(CellTest, AnOwnCellWithAnObstacleIsPlannedIn) {
+  openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
+  ASSERT_TRUE(reachKnown());
+  inEditor([&](window::CellEditor& editor) {
+    EXPECT_TRUE(faults(editor).startsWith("Nothing is wrong")) << faults(editor).toStdString();
+    QTest::mouseClick(editor.findChild<QPushButton*>("cellAddBox"), Qt::LeftButton);
+    ASSERT_TRUE(settled(editor));
+    choose(editor, "box");
+    type(editor, "edgeX", 30.0);
+    type(editor, "placeX", 480.0);
+    type(editor, "placeY", 260.0);
+    ASSERT_TRUE(settled(editor));
+    // Undone and done again by the keys.
+    QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_NE(editor.draft().bodies().back().pose.translation().y(), 260.0);
+    QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(editor.draft().bodies().back().pose.translation().y(), 260.0);
+    EXPECT_EQ(editor.draft().bodies().back().sizeMm->x(), 30.0);
+    auto* name = editor.findChild<QLineEdit*>("cellName");
+    name->selectAll();
+    QTest::keyClicks(name, "my cell");
+    ASSERT_TRUE(settled(editor));
+    EXPECT_FALSE(editor.findChild<QPushButton*>("cellSave")->isEnabled()) << "a blank in the name";
+    name->selectAll();
+    QTest::keyClicks(name, "my-cell");
+    ASSERT_TRUE(editor.findChild<QPushButton*>("cellSave")->isEnabled());
+    QTest::mouseClick(editor.findChild<QPushButton*>("cellSave"), Qt::LeftButton);
+  });
+  EXPECT_EQ(document().choices().cell, "my-cell");
+  EXPECT_GE(find<QComboBox>("cell")->findData("my-cell"), 0);
+  EXPECT_TRUE(std::filesystem::exists(base::userDataFolder() / "cells" / "my-cell.json"));
+  ASSERT_TRUE(reachKnown());
+  clickMenu("runMenu", "plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  const auto result = document().result(Stage::Motion);
+  ASSERT_TRUE(result->cell);
+  EXPECT_EQ(result->cell->id(), "my-cell");
+  EXPECT_TRUE(std::ranges::any_of(result->cell->bodies(),
+                                  [](const robot::Body& body) { return body.name == "box"; }));
+  EXPECT_EQ(result->job.report.motion.collisions, 0u);
+}
+
+TEST_F(CellTest, WhatACellCannotDoIsSaidAtOnce) {
+  inEditor([&](window::CellEditor& editor) {
+    choose(editor, "Nozzle");
+    type(editor, "placeX", 0.0);
+    type(editor, "placeZ", 20.0);
+    ASSERT_TRUE(settled(editor));
+    EXPECT_TRUE(faults(editor).contains("the nozzle is inside")) << faults(editor).toStdString();
+    QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(settled(editor));
+    EXPECT_TRUE(faults(editor).startsWith("Nothing is wrong")) << faults(editor).toStdString();
+    type(editor, "cellCarried", 7.0);
+    ASSERT_TRUE(settled(editor));
+    EXPECT_TRUE(faults(editor).contains("7 kg")) << faults(editor).toStdString();
+    EXPECT_TRUE(editor.findChild<QPushButton*>("cellSave")->isEnabled()) << "told, not forbidden";
+    editor.reject();
+  });
+  EXPECT_EQ(document().choices().cell, "ur5-fixed");
+}
+
+} // namespace
+} // namespace voluta::test

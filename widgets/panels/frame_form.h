@@ -1,0 +1,46 @@
+// A frame in numbers: where it is, how it is turned, and the edges of a box in it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+class QLabel;
+
+namespace voluta::forms {
+class NumberBox;
+}
+
+namespace voluta::panels {
+
+class FrameForm : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit FrameForm(QWidget* parent = nullptr);
+
+  // Neither emits. Turns about the fixed X, then Y, then Z, as cells' files have them.
+  void setFrame(const Eigen::Isometry3d& frame);
+  // mm; nullopt: what is there is no box, and its numbers are not shown.
+  void setSizeMm(const std::optional<Eigen::Vector3d>& sizeMm);
+
+signals:
+  void frameChanged(const Eigen::Isometry3d& frame);
+  void sizeChanged(const Eigen::Vector3d& sizeMm);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  using Boxes = std::array<forms::NumberBox*, 3>;
+  Boxes addColumn(int column, const QString& name, const QString& unit, double least, double most);
+  void changed();
+  void retranslate();
+
+  Eigen::Vector3d angles_ = Eigen::Vector3d::Zero(); // rad, as shown
+  Boxes place_{}, turn_{}, size_{};
+  QLabel *placeLabel_ = nullptr, *turnLabel_ = nullptr, *sizeLabel_ = nullptr;
+};
+
+} // namespace voluta::panels

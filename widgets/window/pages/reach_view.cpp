@@ -1,0 +1,174 @@
+#include "window/pages/reach_view.h"
+
+#include "base/units.h"
+#include "document/document.h"
+#include "modes/mode_table.h"
+#include "window/background.h"
+#include "window/pages/part_handles.h"
+#include "window/presenter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::window {
+
+using project::Stage;
+
+namespace {
+
+// Parts of about a height share a map.
+double mappedHeight(double heightMm) {
+  constexpr double kStepMm = 25.0;
+  return kStepMm * std::max(1.0, std::ceil(heightMm / kStepMm));
+}
+
+} // namespace
+
+struct ReachView::Found {
+  std::shared_ptr<const reach::ReachMap> map; // null: the cell cannot be mapped
+  std::shared_ptr<const scene::ReachDrawing> drawing;
+};
+
+ReachView::ReachView(const Workspace& workspace, const PartHandles& handles, QObject* parent)
+    : QObject(parent), work_(workspace), handles_(handles), panel_(new panels::ReachPanel) {
+  panel_->setObjectName(QStringLiteral("reach"));
+  connect(panel_, &panels::ReachPanel::mapToggled, this, [this](bool shown) {
+    mapShown_ = shown;
+    work_.shell.showView();
+  });
+  connect(panel_, &panels::ReachPanel::moveRequested, this, &ReachView::move);
+  using document::Document;
+  connect(&work_.document, &Document::choicesChanged, this, &ReachView::refresh);
+  connect(&work_.document, &Document::sourceChanged, this, &ReachView::refresh);
+  connect(&work_.document, &Document::resultChanged, this, &ReachView::refresh);
+  refresh();
+}
+
+void ReachView::refresh() {
+  const document::Document& document = work_.document;
+  const bool onPlate = document.source() && !document.unusable() &&
+                       !modes::findMode(document.choices().mode).aroundRod;
+  panel_->setVisible(onPlate);
+  if (!onPlate) {
+    runner_.cancel();
+    key_.clear();
+    map_.reset();
+    standing_.reset();
+    panel_->setLooking(false);
+    showReach();
+    return;
+  }
+  const auto placed = document.result(Stage::Load);
+  if (!placed || !placed->job.part || placed->job.part->empty() || !document.upToDate(Stage::Load))
+    return;
+  standing_ = pipeline::standingOf(*placed->job.part);
+  middle_ = pipeline::middleOf(*placed->job.part);
+  const double height = mappedHeight(standing_->heightMm);
+  std::string key;
+  try {
+    key = pipeline::cellReachKey(document.choices(), height);
+  } catch (const base::Error&) {
+    // The plan says what is wrong with the cell.
+  }
+  if (key == key_ && (map_ || runner_.running()))
+    showReach();
+  else
+    look(key, height);
+}
+
+void ReachView::look(const std::string& key, double heightMm) {
+  key_ = key;
+  map_.reset();
+  best_.reset();
+  work_.viewport.scene().setReach(nullptr);
+  if (key.empty()) {
+    runner_.cancel();
+    panel_->setLooking(false);
+    showReach();
+    return;
+  }
+  panel_->setLooking(true);
+  inBackground(
+      runner_,
+      [choices = work_.document.choices(), heightMm](const base::RunContext& ctx) {
+        Found found;
+        try {
+          found.map =
+              std::make_shared<const reach::ReachMap>(pipeline::cellReach(choices, heightMm, ctx));
+        } catch (const base::Error&) {
+          return found;
+        }
+        std::vector<scene::ReachPoint> points;
+        for (std::size_t n = 0; n < found.map->points().size(); ++n)
+          points.push_back(
+              {found.map->points()[n], found.map->share(n, heightMm, pipeline::kMappedTiltRad)});
+        found.drawing = scene::drawReach(points, found.map->grid().spacingMm, found.map->plate());
+        return found;
+      },
+      [this](Found&& found) { take(std::move(found)); });
+}
+
+void ReachView::take(Found&& found) {
+  map_ = std::move(found.map);
+  work_.viewport.scene().setReach(found.drawing);
+  panel_->setLooking(false);
+  showReach();
+  work_.viewport.requestFrame();
+}
+
+std::optional<reach::Place> ReachView::placeNow() const {
+  if (!map_ || !standing_ || map_->points().empty())
+    return std::nullopt;
+  return reach::placeAt(*map_, *standing_, middle_);
+}
+
+void ReachView::showReach() {
+  const std::optional<reach::Place> now = placeNow();
+  best_ = now ? std::optional(reach::bestPlace(*map_, *standing_)) : std::nullopt;
+  setBeyond(now && !now->good());
+  if (!now) {
+    panel_->setReach(std::nullopt);
+    return;
+  }
+  constexpr double kMore = 1e-6;
+  panels::ShownReach shown;
+  shown.upright = now->uprightShare;
+  shown.tilted = now->share;
+  shown.tiltDeg = base::radiansToDegrees(map_->grid().tiltsRad.back());
+  shown.onPlate = now->onPlate;
+  shown.better =
+      best_->onPlate &&
+      (!now->onPlate || best_->uprightShare > now->uprightShare + kMore ||
+       (best_->uprightShare > now->uprightShare - kMore && best_->share > now->share + kMore));
+  shown.betterUpright = best_->uprightShare;
+  shown.betterTilted = best_->share;
+  panel_->setReach(shown);
+}
+
+void ReachView::setBeyond(bool beyond) {
+  if (beyond == beyond_)
+    return;
+  beyond_ = beyond;
+  work_.shell.showView();
+}
+
+void ReachView::draw(scene::ViewState& view) const {
+  view.reach = mapShown_ && map_;
+  view.partBeyond = beyond_;
+}
+
+void ReachView::gizmoDragged(const viewer::GizmoChange& change, bool finished) {
+  if (!map_ || !standing_ || finished)
+    return;
+  setBeyond(!reach::placeAt(*map_, *standing_, middle_ + change.moveMm.head<2>()).good());
+}
+
+void ReachView::move() {
+  if (!best_)
+    return;
+  geometry::Placement placement = handles_.placed();
+  placement.centreMm = best_->at;
+  work_.document.place(placement, tr("move to best place"));
+}
+
+} // namespace voluta::window
