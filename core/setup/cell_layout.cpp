@@ -25,10 +25,14 @@ using robot::Mount;
 constexpr std::size_t kDrawn = 300;    // poses for what is mostly near
 constexpr double kTableBelowMm = 30.0; // the arm's underside: capsules reach over it
 constexpr double kNozzleMm = 200.0;    // tip from the flange; the head is 110 mm high
-constexpr double kStemMm = 100.0;      // of a plate on the flange
-constexpr double kGantryMm = 600.0;    // above the tip of a nozzle that stands
-constexpr double kSame = 0.01;         // shares that are nearly equal
-constexpr double kMostly = 0.5;        // of the poses within limits
+// A nozzle that is bent against the flange: straight on it turning about the nozzle moves the last
+// joint alone, and where it leans the wrist comes near to straight.
+constexpr double kBendRad = base::degreesToRadians(45.0);
+constexpr double kBeforeBendMm = 60.0, kBehindBendMm = 150.0;
+constexpr double kStemMm = 100.0;   // of a plate on the flange
+constexpr double kGantryMm = 600.0; // above the tip of a nozzle that stands
+constexpr double kSame = 0.01;      // shares that are nearly equal
+constexpr double kMostly = 0.5;     // of the poses within limits
 // Makers set limits so that a link does not run into the next but one: where solids meet at a
 // seventh of all poses, it is the solids that are too fat.
 constexpr double kOftenNextButOne = 0.15;
@@ -49,20 +53,24 @@ PosePattern patternFor(double reachMm) {
 struct Place {
   double out, up;   // mm, from joint 1's axis and from the arm's underside
   double offCentre; // of the grid, in steps
+  bool bent;        // is the nozzle
 };
-std::vector<Place> placesFor(const ArmFacts& facts, Mount nozzle) {
+// `bends`: nozzles on the flange are tried straight and bent.
+std::vector<Place> placesFor(const ArmFacts& facts, Mount nozzle, bool bends) {
   const std::vector<double> outs{0.4, 0.5, 0.6, 0.7};
   // A flange that looks up asks for more height than one that looks down.
   const std::vector<double> ups = nozzle == Mount::Flange
                                       ? std::vector<double>{0.05, 0.15, 0.3, 0.45}
                                       : std::vector<double>{0.4, 0.55, 0.7, 0.85, 1.0};
   std::vector<Place> places;
-  for (std::size_t i = 0; i < outs.size(); ++i)
-    for (std::size_t k = 0; k < ups.size(); ++k)
-      places.push_back(
-          {toTens(outs[i] * facts.reachMm), toTens(ups[k] * facts.reachMm),
-           std::abs(static_cast<double>(i) - 0.5 * static_cast<double>(outs.size() - 1)) +
-               std::abs(static_cast<double>(k) - 0.5 * static_cast<double>(ups.size() - 1))});
+  for (int bent = 0; bent <= (bends && nozzle == Mount::Flange ? 1 : 0); ++bent)
+    for (std::size_t i = 0; i < outs.size(); ++i)
+      for (std::size_t k = 0; k < ups.size(); ++k)
+        places.push_back(
+            {toTens(outs[i] * facts.reachMm), toTens(ups[k] * facts.reachMm),
+             std::abs(static_cast<double>(i) - 0.5 * static_cast<double>(outs.size() - 1)) +
+                 std::abs(static_cast<double>(k) - 0.5 * static_cast<double>(ups.size() - 1)),
+             bent == 1});
   return places;
 }
 
@@ -99,8 +107,16 @@ robot::CellDescription describe(const robot::RobotModel& robot, const ArmFacts& 
     cell.plates = {"disc:60", "disc:90", "disc:120", "disc:160", "disc:200", "disc:250"};
     cell.stem = {upright(-kStemMm, -kStemMm + 8.0, 32.0), upright(-kStemMm + 8.0, -5.0, 14.0)};
   } else {
-    cell.nozzlePose = onFlange(kNozzleMm);
-    cell.holder = {upright(-110.0, -kNozzleMm + 25.0, 20.0)};
+    if (place.bent) {
+      const Eigen::AngleAxisd bend(-kBendRad, Vector3d::UnitY());
+      cell.nozzlePose = onFlange(kBeforeBendMm) * bend * Eigen::Translation3d(0, 0, kBehindBendMm);
+      const Vector3d flange = cell.nozzlePose.inverse(Eigen::Isometry) * Vector3d::Zero();
+      cell.holder = {upright(-110.0, -kBehindBendMm, 20.0),
+                     robot::Frustum{Vector3d(0, 0, -kBehindBendMm), flange, 20.0, 20.0}};
+    } else {
+      cell.nozzlePose = onFlange(kNozzleMm);
+      cell.holder = {upright(-110.0, -kNozzleMm + 25.0, 20.0)};
+    }
     cell.platePose = ahead;
     cell.platePose.translation() = at;
     cell.plateThicknessMm = 10.0;
@@ -242,7 +258,8 @@ CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const process::P
                       base::message("the arm reaches {reach} mm, which no arm does"_text,
                                     base::number(std::round(facts.reachMm))),
                       robot.id, "lengths in a URDF are metres"_text);
-  const std::vector<Place> places = placesFor(facts, nozzle);
+  // Of a slow inverse a turn about a bent nozzle takes one each.
+  const std::vector<Place> places = placesFor(facts, nozzle, robot.kinematics->isFast());
   const PosePattern pattern = patternFor(facts.reachMm);
   std::vector<std::pair<int, int>> meetAtRest;
   for (int round = 0; round < kRounds; ++round) {

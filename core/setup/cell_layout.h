@@ -29,7 +29,8 @@ struct CellLayout {
 };
 
 // `robot`'s neverMeet holds what neverNear finds. `nozzle`: Flange for a nozzle
-// on the arm over a plate on the table, World for a plate on the arm below a nozzle that stands.
+// on the arm over a plate on the table, straight or bent by 45 degrees (an arm that is solved
+// numerically: straight), World for a plate on the arm below a nozzle that stands.
 // Of the places on a grid of shares of the reach the best by CellScore::meanOfTilts, of nearly
 // equal ones the nearest to the middle of the grid.
 // The cell's id is the robot's with -moving or -fixed.

@@ -377,7 +377,7 @@ TEST_F(CommandLine, CellsAreMeasuredMappedAndChecked) {
   EXPECT_NE(heavy.out.find("9.5 kg"), std::string::npos) << heavy.out;
   const Ended broken = run({"cell", "check", table("bad.json", "{\"id\": \"bad\"}")});
   EXPECT_EQ(broken.code, 3);
-  EXPECT_NE(broken.out.find("'label' is missing"), std::string::npos) << broken.out;
+  EXPECT_NE(broken.out.find("'robot' is missing"), std::string::npos) << broken.out;
 }
 
 } // namespace
