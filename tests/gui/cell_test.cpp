@@ -4,13 +4,16 @@
 #include "helpers/shapes.h"
 #include "panels/reach_panel.h"
 #include "robot/cell_draft.h"
+#include "robot/urdf_arms.h"
 #include "window/cell_editor.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTabWidget>
@@ -181,6 +184,37 @@ TEST_F(CellTest, WhatACellCannotDoIsSaidAtOnce) {
     editor.reject();
   });
   EXPECT_EQ(document().choices().cell, "ur5-fixed");
+}
+
+TEST_F(CellTest, AnArmFromAUrdfIsImportedAndItsCellTaken) {
+  openPart(writePart("block.stl", box({0, 0, 0}, {20.0, 20.0, 6.0})));
+  QFile urdf(path("arm.urdf"));
+  ASSERT_TRUE(urdf.open(QIODevice::WriteOnly));
+  urdf.write(QByteArray::fromStdString(urdfOf(irb1200())));
+  urdf.close();
+  answerFileDialog(path("arm.urdf"));
+  bool imported = false;
+  auto* timer = new QTimer(&window());
+  QObject::connect(timer, &QTimer::timeout, timer, [&] {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+      auto* button = widget->objectName() == "armImportDialog" && widget->isVisible()
+                         ? widget->findChild<QPushButton*>("armImport")
+                         : nullptr;
+      if (!button || !button->isEnabled() || imported)
+        continue;
+      imported = true;
+      EXPECT_FALSE(widget->findChild<QPlainTextEdit*>("armFound")->toPlainText().isEmpty());
+      widget->findChild<QLineEdit*>("armName")->setText("mine");
+      QTest::mouseClick(button, Qt::LeftButton);
+    }
+  });
+  timer->start(50);
+  clickMenu("fileMenu", "importArm");
+  ASSERT_TRUE(waitFor([&] { return document().choices().cell == "mine-moving"; }, 30000));
+  EXPECT_TRUE(imported);
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  EXPECT_TRUE(document().result(Stage::Replay)->job.report.replay.passed);
 }
 
 } // namespace

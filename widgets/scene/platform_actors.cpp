@@ -10,7 +10,7 @@ namespace {
 constexpr auto kPlatformRole = static_cast<std::size_t>(robot::BodyRole::Platform);
 constexpr double kRodBesideShare = 0.25; // of what is on it, that is looked at on either side
 constexpr double kPlateFromBelow = 0.25;
-constexpr double kReachOpacity = 0.6;
+constexpr double kReachOpacity = 0.5;
 } // namespace
 
 PlatformActors::PlatformActors(vtkRenderer* renderer)

@@ -113,7 +113,8 @@ void ReachView::take(Found&& found) {
   work_.viewport.scene().setReach(found.drawing);
   panel_->setLooking(false);
   showReach();
-  work_.viewport.requestFrame();
+  // Whether there is a map to be seen is the picture's to know anew.
+  work_.shell.showView();
 }
 
 std::optional<reach::Place> ReachView::placeNow() const {
