@@ -45,31 +45,28 @@ ExitCode importRobotCommand(const ImportRobotOptions& asked) {
   const std::filesystem::path folder = folderOf(asked);
   const robot::Mount nozzle = asked.cell == "fixed" ? robot::Mount::World : robot::Mount::Flange;
   const process::Process process = process::loadProcess(project::Choices().process);
-  auto outcome = runInterruptibly(
+  const auto import = endedWith(runInterruptibly(
       [&](const base::RunContext& ctx) {
         return setup::importArm(asked.urdf, asked.options, nozzle, process, ctx);
       },
-      asked.threads, {}, [] {});
-  if (std::holds_alternative<base::Cancelled>(outcome)) {
+      asked.threads, {}, [] {}));
+  if (!import) {
     fmt::print(stderr, "cancelled; nothing was written\n");
     return kCancelled;
   }
-  if (const auto* error = std::get_if<base::Error>(&outcome))
-    throw *error;
-  const auto& import = std::get<setup::ArmImport>(outcome);
-  const setup::ImportedFiles files = setup::writeImport(import, folder);
-  const robot::RobotModel& robot = import.arm.model;
+  const setup::ImportedFiles files = setup::writeImport(*import, folder);
+  const robot::RobotModel& robot = import->arm.model;
   fmt::print("robot {} {}\n", robot.id, files.robot.string());
-  fmt::print("cell {} {}\n", import.layout.cell.id, files.cell.string());
-  fmt::print("arm: {}\n", solverOf(import.kind));
-  fmt::print("cell: {}\n", import.layout.cell.note);
+  fmt::print("cell {} {}\n", import->layout.cell.id, files.cell.string());
+  fmt::print("arm: {}\n", solverOf(import->kind));
+  fmt::print("cell: {}\n", import->layout.cell.note);
   for (const std::string& assumed : robot.assumed)
     fmt::print("assumed: {}\n", assumed);
   fmt::print("next: {}voluta-cli plan PART -o DIR --cell {} --scale fit\n",
              asked.folder.empty()
                  ? ""
                  : fmt::format("VOLUTA_DATA={} ", std::filesystem::absolute(folder).string()),
-             import.layout.cell.id);
+             import->layout.cell.id);
   return kDone;
 }
 

@@ -85,20 +85,17 @@ void say(const Found& found) {
 } // namespace
 
 ExitCode orientCommand(const OrientOptions& options) {
-  auto outcome = runInterruptibly(
+  const auto found = endedWith(runInterruptibly(
       [request = options.request](const base::RunContext& ctx) { return waysOf(request, ctx); },
-      options.threads, {}, [] {});
-  if (std::holds_alternative<base::Cancelled>(outcome))
+      options.threads, {}, [] {}));
+  if (!found)
     return kCancelled;
-  if (const auto* error = std::get_if<base::Error>(&outcome))
-    throw *error;
-  const Found& found = std::get<Found>(outcome);
   if (options.json)
     fmt::print(
         "{}\n",
-        jsonOf(found, options.request.part).dump(2, ' ', false, Json::error_handler_t::replace));
+        jsonOf(*found, options.request.part).dump(2, ' ', false, Json::error_handler_t::replace));
   else
-    say(found);
+    say(*found);
   return kDone;
 }
 

@@ -16,14 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <typename T> std::optional<T> endedWith(base::Outcome<T> outcome) {
-  if (const auto* error = std::get_if<base::Error>(&outcome))
-    throw *error;
-  if (T* value = std::get_if<T>(&outcome))
-    return std::move(*value);
-  return std::nullopt;
-}
-
 Json jsonOf(const reach::ReachMap& map, const std::string& cell) {
   Json tilts = Json::array(), points = Json::array();
   const double highest = map.grid().heightsMm.back();

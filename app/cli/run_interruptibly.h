@@ -53,19 +53,26 @@ auto runInterruptibly(F work, int threads, base::ProgressSink sink,
   return outcome;
 }
 
+// What a run came to; nothing where it was cancelled. Throws Error with which it ended.
+template <typename T> std::optional<T> endedWith(base::Outcome<T> outcome) {
+  if (const auto* error = std::get_if<base::Error>(&outcome))
+    throw *error;
+  if (T* value = std::get_if<T>(&outcome))
+    return std::move(*value);
+  return std::nullopt;
+}
+
 // What a run that fills a folder came to: the folder is there now. Nothing where the run was
 // cancelled: one line says so. Throws Error with which the run ended.
 template <typename T>
 std::optional<T> settled(base::Outcome<T> outcome, base::StagedFolder& staged,
                          const std::filesystem::path& folder) {
-  if (std::holds_alternative<base::Cancelled>(outcome)) {
+  std::optional<T> ended = endedWith(std::move(outcome));
+  if (ended)
+    staged.commit();
+  else
     fmt::print(stderr, "cancelled; {} is as it was\n", folder.string());
-    return std::nullopt;
-  }
-  if (const auto* error = std::get_if<base::Error>(&outcome))
-    throw *error;
-  staged.commit();
-  return std::get<T>(std::move(outcome));
+  return ended;
 }
 
 } // namespace voluta::cli

@@ -13,11 +13,10 @@ ExitCode verifyCommand(const VerifyOptions& options) {
       },
       options.threads, progressSink(options.progress), [] {});
   endProgress(options.progress);
-  if (std::holds_alternative<base::Cancelled>(outcome))
+  const auto ended = endedWith(std::move(outcome));
+  if (!ended)
     return kCancelled;
-  if (const auto* error = std::get_if<base::Error>(&outcome))
-    throw *error;
-  const auto& result = std::get<pipeline::VerifyResult>(outcome);
+  const pipeline::VerifyResult& result = *ended;
   fmt::print("{}: {} ({}): covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, {} "
              "collisions, {} limit violations, deviation {:.4f} mm\n",
              options.program.string(), result.replay.passed ? "passed" : "refused", result.format,

@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/units.h"
 #include "geometry/convex_polygon.h"
+#include "robot/leaning_tool.h"
 #include "robot/plate.h"
 
 #include <algorithm>
@@ -16,18 +17,6 @@ using base::kPi;
 using robot::JointVector;
 
 namespace {
-
-Eigen::Isometry3d toolPose(const Eigen::Vector3d& tip, const Direction& direction, double tiltRad,
-                           double azimuthRad, double turn) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = tip;
-  pose.linear() = (Eigen::AngleAxisd(azimuthRad, Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(kPi + tiltRad, Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()))
-                      .toRotationMatrix();
-  base::require(pose.linear().col(2).dot(direction.build) < -0.999, "a tool against its direction");
-  return pose;
-}
 
 const robot::Prism& plateOrThrow(const robot::Cell& cell) {
   const robot::Prism* plate = robot::plateOf(cell);
@@ -77,9 +66,12 @@ public:
 
 private:
   Eigen::Isometry3d poseOf(const Eigen::Vector3d& tip, const Direction& direction, int turn) const {
-    return toolPose(tip, direction, grid_.tiltsRad[direction.tilt],
-                    base::kTurn * direction.azimuth / grid_.azimuths,
-                    base::kTurn * turn / grid_.turns);
+    const Eigen::Isometry3d pose = robot::leaningTool(
+        tip, grid_.tiltsRad[direction.tilt], base::kTurn * direction.azimuth / grid_.azimuths,
+        base::kTurn * turn / grid_.turns);
+    base::require(pose.linear().col(2).dot(direction.build) < -0.999,
+                  "a tool against its direction");
+    return pose;
   }
 
   bool clear(const Eigen::Isometry3d& work_T_tool, const JointVector& axes) {

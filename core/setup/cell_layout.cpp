@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "collision/cell_collision.h"
+#include "robot/leaning_tool.h"
 #include "robot/nozzle_turns.h"
 #include "setup/near_pairs.h"
 
@@ -166,7 +167,7 @@ std::optional<std::pair<int, int>> blockingLinks(const robot::Cell& cell,
   std::vector<JointVector> solutions;
   Frames frames;
   std::map<std::pair<int, int>, int> blocking;
-  const robot::NozzleTurns turns(cell, toolPose({0, 0, 100.0}, 0.0, 0.0), cell.home());
+  const robot::NozzleTurns turns(cell, robot::leaningTool({0, 0, 100.0}, 0.0, 0.0), cell.home());
   for (int turn = 0; turn < kTurns; ++turn) {
     turns.at(base::kTurn * turn / kTurns, solutions);
     for (const JointVector& q : solutions) {

@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "collision/cell_collision.h"
 #include "geometry/directions.h"
+#include "robot/leaning_tool.h"
 #include "robot/nozzle_turns.h"
 
 #include <cmath>
@@ -97,15 +98,6 @@ std::vector<Eigen::Vector2d> smallPlate() {
   return disc;
 }
 
-Eigen::Isometry3d toolPose(const Vector3d& tip, double tilt, double azimuth) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = tip;
-  pose.linear() = (Eigen::AngleAxisd(azimuth, Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(kPi + tilt, Vector3d::UnitY()))
-                      .toRotationMatrix();
-  return pose;
-}
-
 CellScore scoreOf(const robot::Cell& cell, const process::Process& process,
                   const PosePattern& pattern, const base::RunContext& ctx) {
   const collision::CellCollision bodies(cell, process);
@@ -123,7 +115,8 @@ CellScore scoreOf(const robot::Cell& cell, const process::Process& process,
             const double lean = base::degreesToRadians(pattern.tiltDeg[tilt]);
             for (int side = 0; side < (lean == 0.0 ? 1 : pattern.sides); ++side) {
               const robot::NozzleTurns turns(
-                  cell, toolPose(points[p], lean, 2.0 * kPi * side / pattern.sides), cell.home());
+                  cell, robot::leaningTool(points[p], lean, 2.0 * kPi * side / pattern.sides),
+                  cell.home());
               bool reached = false, isClear = false;
               for (int i = 0; i < pattern.turns && !isClear; ++i) {
                 const int turn = (lastTurn + i) % pattern.turns;

@@ -36,7 +36,4 @@ CellScore scoreOf(const robot::Cell& cell, const process::Process& process,
 // The corners of the disc of 40 mm that stands for the plate.
 std::vector<Eigen::Vector2d> smallPlate();
 
-// Upright above the work frame where tilt is 0, turned about its z by `azimuth` where it is not.
-Eigen::Isometry3d toolPose(const Eigen::Vector3d& tip, double tilt, double azimuth);
-
 } // namespace voluta::setup

@@ -2,6 +2,7 @@
 
 #include "base/units.h"
 #include "collision/cell_collision.h"
+#include "robot/leaning_tool.h"
 #include "robot/nozzle_turns.h"
 #include "setup/cell_score.h"
 
@@ -73,7 +74,7 @@ std::optional<RestPose> restPose(const robot::Cell& cell, const process::Process
   std::optional<RestPose> best;
   double bestWorth = -1.0, bestTurns = 0.0;
   for (double height = kHeightMm; height > 0.0 && bestWorth <= 0.0; height -= kStepMm) {
-    const robot::NozzleTurns turns(cell, toolPose({0, 0, height}, 0.0, 0.0), zero);
+    const robot::NozzleTurns turns(cell, robot::leaningTool({0, 0, height}, 0.0, 0.0), zero);
     for (int turn = 0; turn < kTurns; ++turn) {
       turns.at(base::kTurn * turn / kTurns, solutions);
       for (const JointVector& exact : solutions) {

@@ -162,6 +162,15 @@ Joints shortestPath(const robot::Cell& cell, const plan::ToolPlan& plan, const p
   return q;
 }
 
+std::vector<motion::RunPoint> runOf(const robot::Cell& cell, const Joints& q) {
+  std::vector<motion::RunPoint> points(q.size());
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const Eigen::Isometry3d pose = cell.work_T_tool(q[i]);
+    points[i].at = {pose.translation(), Eigen::Quaterniond(pose.linear()), q[i], {}};
+  }
+  return points;
+}
+
 // Algorithm 6 with d = 5, at most 20, 100 rounds a path; each window by the whole-path smoother
 // with all other points held, in place of quadratic programmes.
 Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, const Joints& q,
@@ -169,11 +178,7 @@ Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, cons
   constexpr std::size_t kFirst = 5, kMost = 20;
   constexpr int kRounds = 100;
   constexpr double kAllowed = 1.0; // rad/s3
-  std::vector<motion::RunPoint> points(q.size());
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    const Eigen::Isometry3d pose = cell.work_T_tool(q[i]);
-    points[i].at = {pose.translation(), Eigen::Quaterniond(pose.linear()), q[i], {}};
-  }
+  const std::vector<motion::RunPoint> points = runOf(cell, q);
   const motion::TurnSmoother smoother(cell, twists, points, times);
   std::vector<motion::TurnedPoint> at = smoother.start(ctx);
   std::vector<char> locked(q.size(), 0);
@@ -214,14 +219,10 @@ Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, cons
 // The whole path at once, over given times, nothing looked at for collisions.
 Joints wholePath(const robot::Cell& cell, const robot::ArmTwists& twists, const Joints& q,
                  const std::vector<double>& times, const base::RunContext& ctx) {
-  std::vector<motion::RunPoint> points(q.size());
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    const Eigen::Isometry3d pose = cell.work_T_tool(q[i]);
-    points[i].at = {pose.translation(), Eigen::Quaterniond(pose.linear()), q[i], {}};
-  }
+  const std::vector<motion::RunPoint> points = runOf(cell, q);
   const motion::TurnSmoother smoother(cell, twists, points, times);
   std::vector<motion::TurnedPoint> at = smoother.start(ctx);
-  motion::TurnMethod much;
+  motion::TurnSmoothing much;
   much.rounds = 60;
   much.enough = 1e-5;
   smoother.smooth(at, std::vector<motion::TurnHold>(q.size()), much, ctx);
