@@ -27,12 +27,15 @@ constexpr std::uint32_t kFromTheStart = 0;
 constexpr double kMostGroundCells = 1 << 24;
 constexpr double kRodChordMm = 0.01;
 
-// First waypoint of every segment (not the gaps between paths).
+// First waypoint of every segment that stays where it is laid (not the gaps between paths).
 std::vector<std::uint32_t> segmentsOf(const plan::ToolPlan& plan) {
   std::vector<std::uint32_t> segments;
   segments.reserve(plan.waypointCount());
+  const bool falls = plan.primeFalls();
   for (const plan::ToolPath& path : plan.paths) {
     base::require(path.first + path.count <= plan.waypointCount(), "paths inside the plan");
+    if (falls && &path == &plan.paths.front())
+      continue;
     for (std::size_t i = path.first; i + 1 < path.first + path.count; ++i)
       segments.push_back(static_cast<std::uint32_t>(i));
   }

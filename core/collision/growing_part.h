@@ -36,8 +36,8 @@ std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& plat
 class GrowingPart {
 public:
   // Deposits every segment of every path: section of process/bead_model.h below the tip, along the
-  // waypoints' directions. A cell counts as filled when its centre is inside a bead. The ground is
-  // there before the first. Work frame. Throws Cancelled.
+  // waypoints' directions, but for a prime that falls. A cell counts as filled when its centre is
+  // inside a bead. The ground is there before the first. Work frame. Throws Cancelled.
   GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base::RunContext& ctx,
               std::shared_ptr<const FillTimes> ground = nullptr);
 

@@ -287,6 +287,12 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "a larger nozzle, or slower tool-paths"_text},
     {PatchWithoutBead, "patchWithoutBead", "patchWithoutBead", Toolpath, Depends,
      "pieces of layers are narrower than half a bead and stay empty"_text, kFiner},
+    {RimSupports, "rimSupports", "rimSupports", Toolpath, Tells,
+     "beads of support ({volume}) are laid on the plate under {paths} low rim that would hang just "
+     "over it|"
+     "beads of support ({volume}) are laid on the plate under {paths} low rims that would hang "
+     "just over it"_plural,
+     kBreakOff},
     {Gouge, "gouge", "gouge", Toolpath, Depends,
      "the print head would cut into material printed before, whatever way it leans"_text,
      "use a slimmer head, turn the part, or print it larger"_text},

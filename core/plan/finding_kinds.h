@@ -72,6 +72,7 @@ enum class FindingKind : std::uint8_t {
   GivenWithoutSection,
   GivenTooFast,
   PatchWithoutBead,
+  RimSupports,
   Gouge,
   // motion
   NothingToPrint,

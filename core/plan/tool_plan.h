@@ -30,6 +30,13 @@ struct ToolPlan {
   std::size_t waypointCount() const { return position.size(); }
   // Does a bead that is waste fill the nozzle before the part begins?
   bool primes() const { return !paths.empty() && paths.front().kind == PathKind::Skirt; }
+  // Is that bead laid in the air over the plate? Nothing is there yet that could hold it: it falls,
+  // and is no part of what grows.
+  bool primeFalls() const {
+    constexpr double kOnMm = 0.01;
+    return primes() && position[paths.front().first].z() >
+                           static_cast<double>(heightMm[paths.front().first]) + kOnMm;
+  }
 };
 
 } // namespace voluta::plan

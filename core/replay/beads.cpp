@@ -147,6 +147,24 @@ std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const Ex
   return pieces;
 }
 
+void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground) {
+  constexpr double kBeneath = 1.25; // heights below the tip, as of all beads
+  std::uint32_t firstRun = 0;
+  bool held = false;
+  std::size_t count = 0;
+  for (const BeadPiece& piece : pieces) {
+    firstRun = count == 0 ? piece.run : firstRun;
+    if (!piece.waste || piece.run != firstRun)
+      break;
+    const Eigen::Vector3d tip = 0.5 * (piece.from + piece.to);
+    const double height = 0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
+    held = held || ground.holds(tip - kBeneath * height * piece.fromDirection, 0.0);
+    ++count;
+  }
+  if (!held)
+    pieces.erase(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
 std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pieces,
                                                std::size_t motions) {
   std::vector<std::uint32_t> first(motions + 1);

@@ -45,6 +45,9 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
 std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const ExecutedPath& path,
                                   const std::vector<BeadKnowledge>& knowledge);
 
+// Waste that is laid over nothing before anything else is, falls: takes it out of the pieces.
+void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground);
+
 // The index of the first piece of motion m or of a later one; motions + 1 entries.
 std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pieces,
                                                std::size_t motions);

@@ -94,6 +94,7 @@ private:
     auto laid = std::make_shared<LaidBeads>();
     std::vector<BeadPiece>& pieces = laid->pieces;
     pieces = beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge);
+    dropFallen(pieces, GroundProbe(in_.platform));
     // The grid spans the part and what lies near it; a waypoint far astray must not blow it up.
     Vector3d low = in_.part.vertices.front(), high = low;
     const auto take = [&](const Vector3d& p) {

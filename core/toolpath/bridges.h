@@ -17,7 +17,8 @@ namespace voluta::toolpath {
 // Per waypoint, 1: neither the platform nor what is laid before lies right beneath the bead, at any
 // of eight places across its width, a layer's height and a quarter more (a cell of `part` at least)
 // below the tip. Stretches of a path shorter than a bead's width do not count, neither do such
-// breaks of longer ones. `part`: the plan's beads with its ground. Throws Cancelled.
+// breaks of longer ones, nor what is waste. `part`: the plan's beads with its ground. Throws
+// Cancelled.
 std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::GrowingPart& part,
                                    const platform::PlatformSolid& platform,
                                    const base::RunContext& ctx);

@@ -12,10 +12,12 @@
 #include "toolpath/bridges.h"
 #include "toolpath/carried_walls.h"
 #include "toolpath/directions.h"
+#include "toolpath/underlay.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -142,7 +144,25 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
     ctx.report(0.6 * static_cast<double>(from + count) / static_cast<double>(covers.size()),
                "tool-paths"_text);
   }
-  const Assembled assembled = assemble(stack, covers, process);
+  Assembled assembled = assemble(stack, covers, process);
+  std::optional<plan::Finding> told;
+  if (options.underlay) {
+    UnderlaidPlan under = underlay(std::move(assembled.plan), std::move(assembled.clearDirection),
+                                   options.platform, process, silent);
+    assembled.plan = std::move(under.plan);
+    assembled.clearDirection = std::move(under.clearDirection);
+    r.statistics.underlayMm3 = under.volumeMm3;
+    if (under.underlaid > 0)
+      told = plan::makeFinding(
+          plan::FindingKind::RimSupports,
+          {{"volume", base::mm3(under.volumeMm3)}, {"paths", under.underlaid}},
+          under.where, under.underlaid);
+  }
+  // The head's ways know of the prime, as they do of every bead.
+  addPrimePath(assembled.plan, cell, process, options);
+  if (assembled.plan.primes())
+    assembled.clearDirection.insert(assembled.clearDirection.begin(),
+                                    assembled.plan.paths.front().count, Vector3d::UnitZ());
   r.seconds.toolpath = watch.seconds();
 
   watch = base::Stopwatch();
@@ -151,8 +171,9 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   r.seconds.orient = watch.seconds();
   r.plan = std::move(oriented.plan);
   slowBridges(r.plan, oriented.hanging, process);
-  addPrimePath(r.plan, cell, process, options);
   r.findings = std::move(oriented.findings);
+  if (told)
+    r.findings.push_back(std::move(*told));
 
   ToolpathStatistics& s = r.statistics;
   s.paths = s.starts = r.plan.paths.size();

@@ -78,6 +78,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"tableZMm", {"5", kStageCount}},
     {"tableSense", {"tool", kStageCount}},
     {"retractMm", {"1", 5}},
+    {"underlay", {"none", 3}},
     {"prime", {"skirt", 3}},
     {"primeLengthMm", {"60", 3}},
     {"extruder", {"e-stream", 5}},

@@ -3,6 +3,7 @@
 // for travels comes to the same print.
 #include "program/dialect.h"
 #include "program/extruder.h"
+#include "replay/beads.h"
 #include "replay/beside_motion.h"
 #include "replay/scene.h"
 #include "replay/told.h"
@@ -63,6 +64,36 @@ TEST(Waste, IsNotThePartAndRestsOnWhatItLikes) {
     EXPECT_NEAR(v.supportMm3, waste, 0.01 * waste);
     EXPECT_EQ(v.unsupportedFraction, 0.0);
   }
+}
+
+// It falls beside the plate: the head may go where it was laid, and nothing rests on it.
+TEST(Waste, IsNotThereWhereItFalls) {
+  const test::Scene s = primedScene();
+  std::vector<BeadPiece> pieces(3);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    BeadPiece& piece = pieces[p];
+    piece.from = {static_cast<double>(p), -24, 10};
+    piece.to = piece.from + Eigen::Vector3d::UnitX();
+    piece.fromDirection = piece.toDirection = Eigen::Vector3d::UnitZ();
+    piece.fromHeightMm = piece.toHeightMm = 0.8f;
+    piece.run = p < 2 ? 0 : 1;
+    piece.waste = p < 2;
+  }
+  const GroundProbe ground(s.platform);
+  std::vector<BeadPiece> left = pieces;
+  dropFallen(left, ground);
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left.front().run, 1u);
+  // On the plate it stays, and so does what is no waste.
+  left = pieces;
+  for (BeadPiece& piece : left)
+    piece.from.y() = piece.to.y() = 0.0, piece.from.z() = piece.to.z() = 0.8;
+  dropFallen(left, ground);
+  EXPECT_EQ(left.size(), 3u);
+  left = pieces;
+  left.front().waste = left[1].waste = false;
+  dropFallen(left, ground);
+  EXPECT_EQ(left.size(), 3u);
 }
 
 // The same bead as a part of the print hangs in the air.

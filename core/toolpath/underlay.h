@@ -1,0 +1,37 @@
+// Beads of support under beads that would hang just over the plate.
+#pragma once
+
+#include "plan/tool_plan.h"
+#include "platform/platform_solid.h"
+#include "process/process.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::toolpath {
+
+// A plan before directions are sought, with what assemble() knows of each waypoint.
+struct UnderlaidPlan {
+  plan::ToolPlan plan;
+  std::vector<Eigen::Vector3d> clearDirection;     // per waypoint
+  std::size_t underlaid = 0;                       // paths that got beads beneath
+  double volumeMm3 = 0.0;                          // of these beads
+  Eigen::Vector3d where = Eigen::Vector3d::Zero(); // of the first; meaningless where there is none
+};
+
+// The rims of round feet widen by more than a bead within a layer: what is laid there hangs less
+// than a few layers over the plate. Where a stretch that nothing carries (bridges.h) is longer than
+// half of what the process bridges, and the plate is within three of the thickest layers beneath
+// it, beads of support as thick as layers may be are laid on the plate under it, along its own
+// curve, before the first path of its patch; they end a seventh of its height under it, so that
+// they come off. Nothing is laid in what is printed before. Paths keep their order.
+// Precondition: one clear direction a waypoint. Over bodies and rods: as it was. Throws Cancelled.
+UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Eigen::Vector3d> clearDirection,
+                       const platform::PlatformSolid& platform, const process::Process& process,
+                       const base::RunContext& ctx);
+
+} // namespace voluta::toolpath

@@ -1,0 +1,165 @@
+// Beads of support under rims that would hang just over the plate.
+#include "toolpath/underlay.h"
+
+#include "base/run_context.h"
+#include "collision/growing_part.h"
+#include "layers/layer_stack.h"
+#include "process/bead_model.h"
+#include "toolpath/bridges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using Eigen::Vector3d;
+
+namespace {
+
+const process::Process kProcess = process::loadProcess("fdm-1.0");
+const platform::PlatformSolid kPlate{Eigen::Vector2d(-20, -20), {20, -20}, {20, 20}, {-20, 20}};
+
+void addPath(plan::ToolPlan& plan, double fromX, double toX, double y, double z, int patch,
+             float height = 0.8f) {
+  plan::ToolPath path;
+  path.first = plan.waypointCount();
+  path.patch = path.layer = patch;
+  const int steps = static_cast<int>(std::ceil(std::abs(toX - fromX)));
+  for (int k = 0; k <= steps; ++k) {
+    plan.position.emplace_back(fromX + (toX - fromX) * k / steps, y, z);
+    plan.direction.emplace_back(Vector3d::UnitZ());
+    plan.widthMm.push_back(1.2f);
+    plan.heightMm.push_back(height);
+    plan.speedMmPerS.push_back(20.0f);
+  }
+  path.count = plan.waypointCount() - path.first;
+  plan.paths.push_back(path);
+}
+
+toolpath::UnderlaidPlan underlaid(const plan::ToolPlan& plan,
+                                  const platform::PlatformSolid& platform = kPlate) {
+  std::vector<Vector3d> clear(plan.waypointCount(), Vector3d::UnitZ());
+  return toolpath::underlay(plan, clear, platform, kProcess, {});
+}
+
+std::vector<char> hangingOf(const plan::ToolPlan& plan) {
+  const collision::GrowingPart part(plan, collision::growingPitch(plan, kProcess), {});
+  return toolpath::hangingWaypoints(plan, part, kPlate, {});
+}
+
+// A foot of one bead, and over it a layer that goes 3 beads beyond it on one side.
+plan::ToolPlan roundFoot() {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8, 0);
+  addPath(plan, -15, 15, 2.4, 1.6, 1);
+  addPath(plan, -15, 15, 0, 1.6, 1);
+  return plan;
+}
+
+} // namespace
+
+TEST(Underlay, LiesOnThePlateUnderALowRimAndBeforeItsPatch) {
+  const plan::ToolPlan plan = roundFoot();
+  const toolpath::UnderlaidPlan out = underlaid(plan);
+  ASSERT_EQ(out.plan.paths.size(), 4u);
+  EXPECT_EQ(out.underlaid, 1u);
+  const plan::ToolPath& under = out.plan.paths[1];
+  EXPECT_EQ(under.kind, plan::PathKind::Support);
+  EXPECT_EQ(under.group, layers::kSupportGroup);
+  EXPECT_EQ(under.count, 31u);
+  double volume = 0.0;
+  for (std::size_t i = under.first; i < under.first + under.count; ++i) {
+    const auto height = static_cast<double>(out.plan.heightMm[i]);
+    EXPECT_DOUBLE_EQ(out.plan.position[i].y(), 2.4);
+    // From the plate to a seventh of a bead's height under the rim's bead.
+    EXPECT_NEAR(out.plan.position[i].z() - height, 0.0, 1e-6);
+    EXPECT_NEAR(out.plan.position[i].z(), 0.8 - 0.8 / 7.0, 1e-6);
+    if (i > under.first)
+      volume += process::beadArea(kProcess.beadWidthMinMm, height);
+  }
+  EXPECT_NEAR(out.volumeMm3, volume, 1e-3);
+  EXPECT_EQ(out.clearDirection.size(), out.plan.waypointCount());
+  // What was there is there, in its order.
+  std::vector<Vector3d> part;
+  for (const plan::ToolPath& path : out.plan.paths)
+    if (path.kind != plan::PathKind::Support)
+      part.insert(part.end(), out.plan.position.begin() + static_cast<std::ptrdiff_t>(path.first),
+                  out.plan.position.begin() + static_cast<std::ptrdiff_t>(path.first + path.count));
+  EXPECT_EQ(part, plan.position);
+  EXPECT_TRUE(std::ranges::count(hangingOf(plan), 1) > 20);
+  EXPECT_EQ(std::ranges::count(hangingOf(out.plan), 1), 0);
+}
+
+TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
+  plan::ToolPlan shortRim;
+  addPath(shortRim, -1.2, 1.2, 0, 1.6, 0); // less than half of what it bridges
+  EXPECT_EQ(underlaid(shortRim).underlaid, 0u);
+
+  plan::ToolPlan high;
+  addPath(high, -15, 15, 0, 0.8 + 3.0 * kProcess.layerHeightMaxMm + 0.1, 0);
+  EXPECT_EQ(underlaid(high).underlaid, 0u);
+
+  plan::ToolPlan aside;
+  addPath(aside, -15, 15, 21, 1.6, 0);
+  EXPECT_EQ(underlaid(aside).underlaid, 0u);
+  EXPECT_EQ(underlaid(aside).plan.position, aside.position);
+
+  platform::PlatformSolid rod;
+  rod.rod.emplace();
+  EXPECT_EQ(underlaid(roundFoot(), rod).underlaid, 0u);
+}
+
+TEST(Underlay, SeveralCoursesWhereOneWouldBeThickerThanALayer) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 2.9, 0);
+  const toolpath::UnderlaidPlan out = underlaid(plan);
+  ASSERT_EQ(out.plan.paths.size(), 3u);
+  double top = 0.0;
+  for (int c = 0; c < 2; ++c) {
+    const std::size_t i = out.plan.paths[static_cast<std::size_t>(c)].first;
+    const auto height = static_cast<double>(out.plan.heightMm[i]);
+    EXPECT_LE(height, kProcess.layerHeightMaxMm);
+    EXPECT_NEAR(out.plan.position[i].z() - height, top, 1e-6);
+    top = out.plan.position[i].z();
+  }
+  EXPECT_NEAR(top, 2.1 - 0.8 / 7.0, 1e-6);
+}
+
+// By the hundred: of what is laid, nothing is in what was laid before it, and nothing hangs.
+TEST(Underlay, RandomFeet) {
+  std::size_t laid = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](double from, double to) {
+      return std::uniform_real_distribution<>(from, to)(random);
+    };
+    plan::ToolPlan plan;
+    for (int row = 0; row < 3; ++row) {
+      const double from = number(-18, -2), y = -12.0 + 10.0 * row;
+      addPath(plan, from, from + number(4, 18), y, 0.8, 0);
+    }
+    for (int row = 0; row < 6; ++row) {
+      const double from = number(-18, -2), y = -12.0 + 5.0 * row + number(-0.3, 0.3);
+      addPath(plan, from, from + number(4, 18), y, number(1.2, 2.8), 1 + row);
+    }
+    const toolpath::UnderlaidPlan out = underlaid(plan);
+    const double pitch = collision::growingPitch(out.plan, kProcess);
+    const collision::GrowingPart part(out.plan, pitch, {});
+    const std::vector<char> hanging = hangingOf(out.plan);
+    for (const plan::ToolPath& path : out.plan.paths) {
+      if (path.kind != plan::PathKind::Support)
+        continue;
+      ++laid;
+      for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+        EXPECT_EQ(hanging[i], 0);
+        EXPECT_GE(out.plan.position[i].z() - static_cast<double>(out.plan.heightMm[i]), -1e-5);
+        const Vector3d middle =
+            out.plan.position[i] -
+            0.5 * static_cast<double>(out.plan.heightMm[i]) * out.plan.direction[i];
+        EXPECT_FALSE(part.holds(middle, path.first)) << seed << ": " << middle.transpose();
+      }
+    }
+  }
+  EXPECT_GT(laid, 100u);
+}
