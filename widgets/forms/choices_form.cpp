@@ -54,6 +54,8 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   platformLabel_ = new QLabel(this);
   platform_ = new PlatformEditor(this);
   platform_->setObjectName(QStringLiteral("platform"));
+  // Beside the first line of its editor, which may have more of them.
+  platformLabel_->setMinimumHeight(mode_.combo->sizeHint().height());
   grid->addWidget(platformLabel_, 2, 0, Qt::AlignTop);
   grid->addWidget(platform_, 2, 1);
   connect(platform_, &PlatformEditor::changed, this,
