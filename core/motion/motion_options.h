@@ -31,9 +31,11 @@ struct MotionOptions {
   std::uint64_t seed = 1;    // of the sampling planner
   int treeIterations = 4000; // of the sampling planner, a transfer
   TurnMethod smoothing = TurnMethod::Evened;
+  double leanRad = 0.0; // how far directions may lean where whole paths are smoothed
 };
 
-// Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples, turnSmoothing.
+// Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples, turnSmoothing,
+// directionConeDeg.
 base::ParameterTable motionParameters();
 // Throws nothing when `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);

@@ -9,8 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace voluta::motion {
+
+using Eigen::Quaterniond;
 
 namespace {
 
@@ -19,7 +23,9 @@ constexpr std::size_t kCheckChunk = 16;
 // each time more.
 constexpr int kPulls = 6;
 constexpr double kFirstStay = 1e-5, kMoreStay = 100.0, kFirstTogether = 1e-3, kMoreTogether = 30.0;
-constexpr std::size_t kMeetingWindow = 24, kFarWindow = 3; // points to both sides
+constexpr std::size_t kMeetingWindow = 24, kHeadWindow = 12, kFarWindow = 3; // points to both sides
+// As far as directions were chosen to be from what is printed already.
+constexpr double kHeadMm = 0.05;
 // Of the deviation: the run's own steps end just inside. In the last rounds a little more will do.
 constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
 constexpr int kStrictPulls = 3;
@@ -29,8 +35,8 @@ std::vector<RunPoint> turnedBy(const std::vector<RunPoint>& points,
                                const std::vector<TurnedPoint>& at) {
   std::vector<RunPoint> turnedPoints = points;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (at[i].turn != 0.0) {
-      turnedPoints[i].at.tool = turned(points[i].at.tool, at[i].turn);
+    if (at[i].turn != 0.0 || !at[i].lean.isZero(0.0)) {
+      turnedPoints[i].at.tool = at[i].tool(points[i].at.tool);
       turnedPoints[i].at.q = at[i].q;
     }
   return turnedPoints;
@@ -53,7 +59,7 @@ std::vector<double> nozzleTimes(const RunSmoothing& by, const std::vector<RunPoi
 std::vector<char> longSteps(const MotionScene& scene, const std::vector<RunPoint>& points,
                             const std::vector<TurnedPoint>& at, double slack) {
   std::vector<char> marks(points.size(), 0);
-  const auto tool = [&](std::size_t i) { return turned(points[i].at.tool, at[i].turn); };
+  const auto tool = [&](std::size_t i) { return at[i].tool(points[i].at.tool); };
   for (std::size_t i = 1; i < points.size(); ++i) {
     const RobotState &from = points[i - 1].at, &to = points[i].at;
     const double angle = angleBetween(tool(i - 1), tool(i));
@@ -72,58 +78,114 @@ void about(std::size_t i, std::size_t window, std::size_t count, const Body& bod
     body(k);
 }
 
-} // namespace
+// How a run goes on being smoothed where it must not be as it came out.
+struct Marks {
+  std::vector<char> met, head, far; // a point: what meets, of that the head alone; longSteps()
+  bool any() const {
+    const auto marked = [](const std::vector<char>& m) {
+      return std::find(m.begin(), m.end(), 1) != m.end();
+    };
+    return marked(met) || marked(head) || marked(far);
+  }
+};
 
-SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& points,
-                      const Meets& meets, const base::RunContext& ctx) {
-  const base::Stopwatch watch;
+std::vector<TurnHold> heldWhere(const Marks& marks, const std::vector<TurnHold>& holds) {
+  const std::size_t n = holds.size();
+  const auto more = [](double hold, double first, double by) { return std::max(first, by * hold); };
+  std::vector<TurnHold> held = holds;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (marks.met[i])
+      about(i, kMeetingWindow, n, [&](std::size_t m) {
+        held[m].stay = more(holds[m].stay, kFirstStay, kMoreStay);
+      });
+    if (marks.head[i])
+      about(i, kHeadWindow, n, [&](std::size_t m) {
+        held[m].upright = more(holds[m].upright, kFirstStay, kMoreStay);
+      });
+    if (marks.far[i])
+      about(i, kFarWindow, n, [&](std::size_t m) {
+        held[m].together = more(holds[m].together, kFirstTogether, kMoreTogether);
+      });
+  }
+  return held;
+}
+
+// Does the head, leaning so, keep from plate and part what directions keep where they can?
+bool headMeets(const MotionScene& scene, const RunPoint& point, const Quaterniond& tool) {
+  const Eigen::Isometry3d work_T_tool = toolPose(point.at.tip, tool);
+  return scene.collision.headTouchesPart(work_T_tool, scene.part, point.next, kHeadMm) ||
+         scene.collision.headTouchesPlatform(work_T_tool, kHeadMm);
+}
+
+// The run smoothed with directions that lean up to leanRad; none where it does not come clear of
+// everything or is no smoother.
+std::optional<std::vector<RunPoint>> smoothedWithin(double leanRad, const RunSmoothing& by,
+                                                    const std::vector<RunPoint>& points,
+                                                    const std::vector<double>& times,
+                                                    const Meets& meets, double& checkS,
+                                                    const base::RunContext& ctx) {
   const std::size_t n = points.size();
-  SmoothedRun result{points};
-  const auto meeting = [&](const std::vector<TurnedPoint>& at) {
+  // Whether something meets, and of what leans whether the head does.
+  const auto look = [&](const std::vector<TurnedPoint>* at, std::vector<char>& met,
+                        std::vector<char>& head) {
     const base::Stopwatch checking;
-    std::vector<char> found(n, 0);
+    met.assign(n, 0);
+    head.assign(n, 0);
     base::parallelChunks(ctx, n, kCheckChunk, [&](std::size_t b, std::size_t e) {
-      for (std::size_t i = b; i < e; ++i)
-        found[i] = meets(at[i].q, points[i].next);
+      for (std::size_t i = b; i < e; ++i) {
+        if (at)
+          met[i] = meets((*at)[i].q, points[i].next);
+        if (at ? !(*at)[i].lean.isZero(0.0) : leanRad > 0.0)
+          head[i] = headMeets(by.scene, points[i],
+                              at ? (*at)[i].tool(points[i].at.tool) : points[i].at.tool);
+      }
     });
-    result.checkS += checking.seconds();
-    return found;
+    checkS += checking.seconds();
   };
-  const auto any = [](const std::vector<char>& marks) {
-    return std::find(marks.begin(), marks.end(), 1) != marks.end();
-  };
-  const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points));
+  const TurnSmoother smoother(by.scene.cell, by.twists, points, times, leanRad);
   const std::vector<TurnedPoint> start = smoother.start(ctx);
   const std::vector<TurnHold> free(n);
   std::vector<TurnedPoint> at = start;
   std::vector<TurnHold> holds = free;
+  Marks marks;
+  look(nullptr, marks.met, marks.head);
+  for (std::size_t i = 0; i < n; ++i)
+    if (marks.head[i])
+      holds[i].upright = kHeld;
   // The ladder laid ends where the next path's start is near, and whence the nozzle can be lifted.
   holds.front().stay = holds.back().stay = kHeld;
   smoother.smooth(at, holds, {}, ctx);
   for (int k = 0; k <= kPulls; ++k) {
     if (k > 0)
       smoother.smooth(at, holds, kAfterPull, ctx);
-    const std::vector<char> met = meeting(at),
-                            far = longSteps(by.scene, points, at,
-                                            k < kStrictPulls ? kBendSlack : kLastBendSlack);
-    if (!any(met) && !any(far)) {
+    look(&at, marks.met, marks.head);
+    marks.far = longSteps(by.scene, points, at, k < kStrictPulls ? kBendSlack : kLastBendSlack);
+    if (!marks.any()) {
       if (smoother.cost(at, free) <= smoother.cost(start, free))
-        result.points = turnedBy(points, at);
+        return turnedBy(points, at);
       break;
     }
-    std::vector<TurnHold> more = holds;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (met[i])
-        about(i, kMeetingWindow, n, [&](std::size_t m) {
-          more[m].stay = std::max(kFirstStay, kMoreStay * holds[m].stay);
-        });
-      if (far[i])
-        about(i, kFarWindow, n, [&](std::size_t m) {
-          more[m].together = std::max(kFirstTogether, kMoreTogether * holds[m].together);
-        });
-    }
-    holds = std::move(more);
+    holds = heldWhere(marks, holds);
   }
+  return std::nullopt;
+}
+
+} // namespace
+
+SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& points,
+                      const Meets& meets, const base::RunContext& ctx) {
+  const base::Stopwatch watch;
+  SmoothedRun result{points};
+  const std::vector<double> times = nozzleTimes(by, points);
+  const robot::Cell& cell = by.scene.cell;
+  const double leanRad = cell.tilts() && !cell.rod() ? by.scene.options.leanRad : 0.0;
+  std::optional<std::vector<RunPoint>> smoothed;
+  if (leanRad > 0.0)
+    smoothed = smoothedWithin(leanRad, by, points, times, meets, result.checkS, ctx);
+  if (!smoothed)
+    smoothed = smoothedWithin(0.0, by, points, times, meets, result.checkS, ctx);
+  if (smoothed)
+    result.points = std::move(*smoothed);
   result.smoothS = watch.seconds() - result.checkS;
   return result;
 }

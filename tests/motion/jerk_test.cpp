@@ -95,7 +95,7 @@ TEST(BandedSolver, SolvesItsEquations) {
       for (int m = 0; m <= 3 && i >= m; ++m)
         factor(i, i - m) = m == 0 ? 1.5 + value(random) : value(random);
     const Eigen::MatrixXd a = factor * factor.transpose();
-    motion::BandedRows rows(static_cast<std::size_t>(n));
+    motion::BandedRows<4> rows(static_cast<std::size_t>(n));
     std::vector<double> b, x;
     for (int i = 0; i < n; ++i) {
       for (int m = 0; m <= 3; ++m)
@@ -109,5 +109,5 @@ TEST(BandedSolver, SolvesItsEquations) {
     EXPECT_LT(rest.norm(), 1e-7 * (1.0 + Eigen::Map<const Eigen::VectorXd>(x.data(), n).norm()));
   }
   std::vector<double> x;
-  EXPECT_FALSE(motion::solveBanded({{1.0, 2.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}, {1.0, 1.0}, x));
+  EXPECT_FALSE(motion::solveBanded<4>({{1.0, 2.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}, {1.0, 1.0}, x));
 }
