@@ -8,8 +8,7 @@
 namespace voluta::motion {
 
 // Row i: the diagonal, then what it shares with unknowns i + 1, i + 2, ... (0 beyond the last).
-template <std::size_t kWidth>
-using BandedRows = std::vector<std::array<double, kWidth>>;
+template <std::size_t kWidth> using BandedRows = std::vector<std::array<double, kWidth>>;
 
 // x with A x = b by Cholesky's factors L D L'. False where A is not positive definite, to rounding;
 // x is of no use then. Precondition: as many rows as b. There for rows of 4 (jerks of one unknown a

@@ -115,9 +115,9 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
       // The head at waypoints was looked at before: it is round, the arm changes nothing in that,
       // unless directions lean.
       std::optional<collision::Contact> contact;
-      const bool between = trajectory.waypoint[i] == plan::kNoWaypoint;
-      if (between || scene.options.leanRad > 0.0)
-        contact = headInPart(frames, i, printing || !between);
+      const bool divides = trajectory.waypoint[i] == plan::kNoWaypoint;
+      if (divides || scene.options.leanRad > 0.0)
+        contact = headInPart(frames, i, printing || !divides);
       const double bodies = scene.collision.clearance(frames, clearance);
       const double all = scene.collision.clearanceToPart(frames, scene.part, next[i], bodies);
       const bool roomy = bodies > margins.bodiesMm && all > margins.partMm &&

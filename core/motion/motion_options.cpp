@@ -50,8 +50,8 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.liftMm = values.number("liftMm");
   o.hopLiftMm = std::min(o.hopLiftMm, o.liftMm);
   o.samples = static_cast<int>(values.integer("redundancySamples"));
-  o.smoothing = values.text(kTurnSmoothing) == kWholePath ? TurnMethod::WholePath
-                                                            : TurnMethod::Evened;
+  o.smoothing =
+      values.text(kTurnSmoothing) == kWholePath ? TurnMethod::WholePath : TurnMethod::Evened;
   o.leanRad = base::degreesToRadians(values.number("directionConeDeg"));
   return o;
 }

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "motion/divided_step.h"
 #include "motion/even_turns.h"
 #include "motion/external_axes.h"
 #include "motion/joint_costs.h"
@@ -96,24 +97,12 @@ bool Stretch::fill(const Course& course, const JointVector& start, std::vector<R
     const int n = scene_.divisions(a, b, angleBetween(from, to));
     const double volume =
         process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
-                            process::beadArea(plan.widthMm[i], plan.heightMm[i]), (b - a).norm()) /
-        n;
-    for (int k = 1; k <= n; ++k) {
-      const double t = static_cast<double>(k) / n;
-      const Vector3d tip = k == n ? b : Vector3d(a + t * (b - a));
-      const Quaterniond tool = k == n ? to : from.slerp(t, to);
-      const JointVector axes =
-          k == n ? axesTo(i) : JointVector(axesTo(i - 1) + t * (axesTo(i) - axesTo(i - 1)));
-      const JointVector last = withAxes(scene_.cell, q, axes);
-      if (!solveNear(scene_.cell, tip, tool, last, scene_.options.maxStepRad, scratch, q)) {
-        failedAt = i;
-        return false;
-      }
-      points.push_back({{tip, tool, q, axes},
-                        k == n ? i : plan::kNoWaypoint,
-                        i,
-                        volume,
-                        static_cast<double>(plan.speedMmPerS[i])});
+                            process::beadArea(plan.widthMm[i], plan.heightMm[i]), (b - a).norm());
+    const RunPoint next{
+        {b, to, {}, axesTo(i)}, i, i, volume, static_cast<double>(plan.speedMmPerS[i])};
+    if (!appendDivided(scene_, next, n, points)) {
+      failedAt = i;
+      return false;
     }
   }
   return true;
@@ -194,8 +183,12 @@ void Stretch::smooth() {
   SmoothedRun smoothed = smoothRun(
       smoothing_, run_.ladder,
       [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
+      [&](const RobotState& state, bool last) {
+        return !wantsLift_ || ladder_.liftable(state, first_ + (last ? count_ : 0));
+      },
       ctx_);
   run_.points = std::move(smoothed.points);
+  run_.ladder = std::move(smoothed.before);
   times_.jerk += smoothed.smoothS;
   times_.collision += smoothed.checkS;
 }

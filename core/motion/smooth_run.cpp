@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "motion/divided_step.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smooth_turns.h"
 
@@ -22,6 +23,7 @@ constexpr std::size_t kCheckChunk = 16;
 // How hard points are held about one that meets something, and together where steps turn too far:
 // each time more.
 constexpr int kPulls = 6;
+constexpr int kDivisions = 3; // of steps that turn far, where directions lean
 constexpr double kFirstStay = 1e-5, kMoreStay = 100.0, kFirstTogether = 1e-3, kMoreTogether = 30.0;
 constexpr std::size_t kMeetingWindow = 24, kHeadWindow = 12, kFarWindow = 3; // points to both sides
 // As far as directions were chosen to be from what is printed already.
@@ -31,14 +33,19 @@ constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
 constexpr int kStrictPulls = 3;
 constexpr TurnSmoothing kAfterPull{3, 1e-2, 0.3};
 
+RunPoint turnedBy(RunPoint point, const TurnedPoint& at) {
+  if (at.turn != 0.0 || !at.lean.isZero(0.0)) {
+    point.at.tool = at.tool(point.at.tool);
+    point.at.q = at.q;
+  }
+  return point;
+}
+
 std::vector<RunPoint> turnedBy(const std::vector<RunPoint>& points,
                                const std::vector<TurnedPoint>& at) {
-  std::vector<RunPoint> turnedPoints = points;
+  std::vector<RunPoint> turnedPoints;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (at[i].turn != 0.0 || !at[i].lean.isZero(0.0)) {
-      turnedPoints[i].at.tool = at[i].tool(points[i].at.tool);
-      turnedPoints[i].at.q = at[i].q;
-    }
+    turnedPoints.push_back(turnedBy(points[i], at[i]));
   return turnedPoints;
 }
 
@@ -97,6 +104,7 @@ std::vector<TurnHold> heldWhere(const Marks& marks, const std::vector<TurnHold>&
     if (marks.met[i])
       about(i, kMeetingWindow, n, [&](std::size_t m) {
         held[m].stay = more(holds[m].stay, kFirstStay, kMoreStay);
+        held[m].upright = more(holds[m].upright, kFirstStay, kMoreStay);
       });
     if (marks.head[i])
       about(i, kHeadWindow, n, [&](std::size_t m) {
@@ -117,76 +125,106 @@ bool headMeets(const MotionScene& scene, const RunPoint& point, const Quaternion
          scene.collision.headTouchesPlatform(work_T_tool, kHeadMm);
 }
 
-// The run smoothed with directions that lean up to leanRad; none where it does not come clear of
-// everything or is no smoother.
-std::optional<std::vector<RunPoint>> smoothedWithin(double leanRad, const RunSmoothing& by,
-                                                    const std::vector<RunPoint>& points,
-                                                    const std::vector<double>& times,
-                                                    const Meets& meets, double& checkS,
-                                                    const base::RunContext& ctx) {
-  const std::size_t n = points.size();
+// The run with the marked steps divided as finely as those turn that `at` has in their place. Where
+// joints cannot follow, as it was.
+std::vector<RunPoint> dividedWhere(const MotionScene& scene, const std::vector<char>& marks,
+                                   const std::vector<RunPoint>& points,
+                                   const std::vector<TurnedPoint>& at) {
+  std::vector<RunPoint> divided{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const RobotState &from = points[i - 1].at, &to = points[i].at;
+    if (!marks[i]) {
+      divided.push_back(points[i]);
+      continue;
+    }
+    const double angle = angleBetween(at[i - 1].tool(from.tool), at[i].tool(to.tool));
+    if (!appendDivided(scene, points[i], std::max(2, scene.divisions(from.tip, to.tip, angle)),
+                       divided))
+      return points;
+    divided.back().at.q = to.q;
+  }
+  return divided;
+}
+
+// The run smoothed with directions that lean up to leanRad, and as it was before with what had to
+// be divided; none where it does not come clear of everything or is no smoother.
+std::optional<SmoothedRun> smoothedWithin(double leanRad, const RunSmoothing& by,
+                                          std::vector<RunPoint> points, const Meets& meets,
+                                          const Lifts& lifts, double& checkS,
+                                          const base::RunContext& ctx) {
   // Whether something meets, and of what leans whether the head does.
-  const auto look = [&](const std::vector<TurnedPoint>* at, std::vector<char>& met,
-                        std::vector<char>& head) {
+  const auto look = [&](const std::vector<TurnedPoint>& at, bool startOnly, Marks& marks) {
     const base::Stopwatch checking;
-    met.assign(n, 0);
-    head.assign(n, 0);
-    base::parallelChunks(ctx, n, kCheckChunk, [&](std::size_t b, std::size_t e) {
+    marks.met.assign(at.size(), 0);
+    marks.head.assign(at.size(), 0);
+    base::parallelChunks(ctx, at.size(), kCheckChunk, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i) {
-        if (at)
-          met[i] = meets((*at)[i].q, points[i].next);
-        if (at ? !(*at)[i].lean.isZero(0.0) : leanRad > 0.0)
-          head[i] = headMeets(by.scene, points[i],
-                              at ? (*at)[i].tool(points[i].at.tool) : points[i].at.tool);
+        const bool end = i == 0 || i + 1 == at.size();
+        marks.met[i] =
+            !startOnly && (meets(at[i].q, points[i].next) ||
+                           (end && leanRad > 0.0 && !lifts(turnedBy(points[i], at[i]).at, i > 0)));
+        if (startOnly ? leanRad > 0.0 : !at[i].lean.isZero(0.0))
+          marks.head[i] = headMeets(by.scene, points[i], at[i].tool(points[i].at.tool));
       }
     });
     checkS += checking.seconds();
   };
-  const TurnSmoother smoother(by.scene.cell, by.twists, points, times, leanRad);
-  const std::vector<TurnedPoint> start = smoother.start(ctx);
-  const std::vector<TurnHold> free(n);
-  std::vector<TurnedPoint> at = start;
-  std::vector<TurnHold> holds = free;
-  Marks marks;
-  look(nullptr, marks.met, marks.head);
-  for (std::size_t i = 0; i < n; ++i)
-    if (marks.head[i])
-      holds[i].upright = kHeld;
-  // The ladder laid ends where the next path's start is near, and whence the nozzle can be lifted.
-  holds.front().stay = holds.back().stay = kHeld;
-  smoother.smooth(at, holds, {}, ctx);
-  for (int k = 0; k <= kPulls; ++k) {
-    if (k > 0)
-      smoother.smooth(at, holds, kAfterPull, ctx);
-    look(&at, marks.met, marks.head);
-    marks.far = longSteps(by.scene, points, at, k < kStrictPulls ? kBendSlack : kLastBendSlack);
-    if (!marks.any()) {
-      if (smoother.cost(at, free) <= smoother.cost(start, free))
-        return turnedBy(points, at);
-      break;
+  for (int division = 0;; ++division) {
+    const std::size_t n = points.size();
+    const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad);
+    const std::vector<TurnedPoint> start = smoother.start(ctx);
+    const std::vector<TurnHold> free(n);
+    std::vector<TurnedPoint> at = start;
+    std::vector<TurnHold> holds = free;
+    Marks marks;
+    look(start, true, marks);
+    for (std::size_t i = 0; i < n; ++i)
+      if (marks.head[i])
+        holds[i].upright = kHeld;
+    // The ladder laid ends where the next path's start is near, and whence the nozzle can be
+    // lifted. To lean changes little in that.
+    holds.front().stay = holds.back().stay = kHeld;
+    smoother.smooth(at, holds, {}, ctx);
+    if (leanRad > 0.0 && division < kDivisions) {
+      const std::vector<char> far = longSteps(by.scene, points, at, kBendSlack);
+      std::vector<RunPoint> divided = dividedWhere(by.scene, far, points, at);
+      if (divided.size() > n) {
+        points = std::move(divided);
+        continue;
+      }
     }
-    holds = heldWhere(marks, holds);
+    for (int k = 0; k <= kPulls; ++k) {
+      if (k > 0)
+        smoother.smooth(at, holds, kAfterPull, ctx);
+      look(at, false, marks);
+      marks.far = longSteps(by.scene, points, at, k < kStrictPulls ? kBendSlack : kLastBendSlack);
+      if (!marks.any()) {
+        if (smoother.cost(at, free) > smoother.cost(start, free))
+          return std::nullopt;
+        return SmoothedRun{turnedBy(points, at), std::move(points)};
+      }
+      holds = heldWhere(marks, holds);
+    }
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
 } // namespace
 
 SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& points,
-                      const Meets& meets, const base::RunContext& ctx) {
+                      const Meets& meets, const Lifts& lifts, const base::RunContext& ctx) {
   const base::Stopwatch watch;
-  SmoothedRun result{points};
-  const std::vector<double> times = nozzleTimes(by, points);
   const robot::Cell& cell = by.scene.cell;
   const double leanRad = cell.tilts() && !cell.rod() ? by.scene.options.leanRad : 0.0;
-  std::optional<std::vector<RunPoint>> smoothed;
+  double checkS = 0.0;
+  std::optional<SmoothedRun> smoothed;
   if (leanRad > 0.0)
-    smoothed = smoothedWithin(leanRad, by, points, times, meets, result.checkS, ctx);
+    smoothed = smoothedWithin(leanRad, by, points, meets, lifts, checkS, ctx);
   if (!smoothed)
-    smoothed = smoothedWithin(0.0, by, points, times, meets, result.checkS, ctx);
-  if (smoothed)
-    result.points = std::move(*smoothed);
-  result.smoothS = watch.seconds() - result.checkS;
+    smoothed = smoothedWithin(0.0, by, points, meets, lifts, checkS, ctx);
+  SmoothedRun result = smoothed ? std::move(*smoothed) : SmoothedRun{points, points};
+  result.checkS = checkS;
+  result.smoothS = watch.seconds() - checkS;
   return result;
 }
 

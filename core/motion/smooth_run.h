@@ -26,8 +26,12 @@ struct RunSmoothing {
 // Does something meet at those joints, on the way to that waypoint?
 using Meets = std::function<bool(const robot::JointVector& q, std::size_t waypoint)>;
 
+// Can the nozzle be lifted from a run's first state, or its last?
+using Lifts = std::function<bool(const RobotState& state, bool last)>;
+
 struct SmoothedRun {
   std::vector<RunPoint> points;
+  std::vector<RunPoint> before;       // what was given, divided as they are
   double smoothS = 0.0, checkS = 0.0; // wall seconds
 };
 
@@ -40,6 +44,6 @@ struct SmoothedRun {
 // path's. Precondition: nothing meets as `points` are. The same for any number of threads. Throws
 // Cancelled.
 SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& points,
-                      const Meets& meets, const base::RunContext& ctx);
+                      const Meets& meets, const Lifts& lifts, const base::RunContext& ctx);
 
 } // namespace voluta::motion

@@ -33,9 +33,11 @@ Vector3d placeOf(const TurnedPoint& at) {
   return {at.turn, at.lean.x(), at.lean.y()};
 }
 
+// What is held fast does not change, and costs nothing.
 Vector3d weightOf(const TurnHold& hold, const Vector3d& stiffness) {
-  const double lean = hold.stay + (hold.upright == kHeld ? 0.0 : hold.upright);
-  return stiffness.cwiseProduct(Vector3d(hold.stay, lean, lean));
+  const double turn = hold.stay == kHeld ? 0.0 : hold.stay;
+  const double lean = hold.upright == kHeld ? 0.0 : hold.upright;
+  return stiffness.cwiseProduct(Vector3d(turn, lean, lean));
 }
 
 } // namespace
@@ -121,18 +123,18 @@ double TurnSmoother::cost(const std::vector<TurnedPoint>& at,
   double sum = jerksOf([&](std::size_t i) -> const JointVector& { return at[i].q; }, jerks);
   for (std::size_t i = 0; i < at.size(); ++i) {
     sum += limitCost(at[i].q, nullptr);
-    if (holds[i].stay != kHeld)
-      sum += weightOf(holds[i], stiffness_[i]).dot(placeOf(at[i]).cwiseAbs2());
+    sum += weightOf(holds[i], stiffness_[i]).dot(placeOf(at[i]).cwiseAbs2());
     if (i > 0 && holds[i].together > 0.0)
-      sum += holds[i].together * stiffness_[i].dot((placeOf(at[i]) - placeOf(at[i - 1])).cwiseAbs2());
+      sum +=
+          holds[i].together * stiffness_[i].dot((placeOf(at[i]) - placeOf(at[i - 1])).cwiseAbs2());
   }
   return sum;
 }
 
 // Twists of the flange as the tool turns about its axis and leans: with it where the nozzle moves,
 // the other way about where the plate does.
-JointRates TurnSmoother::ratesOf(const robot::ArmJacobian& jacobian, const Isometry3d& base_T_flange,
-                                 const TurnedPoint& at) const {
+JointRates TurnSmoother::ratesOf(const robot::ArmJacobian& jacobian,
+                                 const Isometry3d& base_T_flange, const TurnedPoint& at) const {
   Isometry3d base_T_tool = cell_.base_T_fixed();
   double way = -1.0;
   if (cell_.nozzleMount() == robot::Mount::Flange) {
@@ -154,8 +156,7 @@ JointRates TurnSmoother::ratesOf(const robot::ArmJacobian& jacobian, const Isome
 bool TurnSmoother::follow(std::size_t i, const TurnedPoint& from, TurnedPoint& to,
                           std::vector<Isometry3d>& links) const {
   const RobotState& state = points_[i].at;
-  const Isometry3d wanted =
-      cell_.base_T_flange(toolPose(state.tip, to.tool(state.tool)), state.q);
+  const Isometry3d wanted = cell_.base_T_flange(toolPose(state.tip, to.tool(state.tool)), state.q);
   const Eigen::Index dof = cell_.armDof();
   to.q = from.q;
   to.q.head(dof) += from.rate * (placeOf(to) - placeOf(from)).head(from.rate.cols());
@@ -195,15 +196,15 @@ bool TurnSmoother::stepOf(const std::vector<TurnedPoint>& at, const std::vector<
   const auto dof = static_cast<Eigen::Index>(scale_.size());
   std::vector<JointVector> jerks;
   jerksOf([&](std::size_t i) -> const JointVector& { return at[i].q; }, jerks);
-  // Of turn and lean, and of the joints, by the unknowns; nothing goes with those that are held.
+  // Of turn and lean, and of the joints, by the unknowns; nothing goes with what is held fast.
   std::vector<Block> slopes(n, Block::Identity());
   std::vector<Eigen::Matrix<double, Eigen::Dynamic, kFree, Eigen::ColMajor, 8, kFree>> rates(n);
   for (std::size_t i = 0; i < n; ++i) {
     if constexpr (kFree == 3)
       slopes[i].template bottomRightCorner<2, 2>() = cone_.slope(cone_.freeOf(at[i].lean));
     if (holds[i].stay == kHeld)
-      slopes[i].setZero();
-    else if (kFree > 1 && holds[i].upright == kHeld)
+      slopes[i](0, 0) = 0.0;
+    if (kFree > 1 && holds[i].upright == kHeld)
       slopes[i].rightCols(kFree - 1).setZero();
     rates[i] = scaled(at[i].rate) * slopes[i];
   }
@@ -246,8 +247,7 @@ bool TurnSmoother::stepOf(const std::vector<TurnedPoint>& at, const std::vector<
       right[*b] += slopes[*b].transpose() * pull;
       blocks[*b][1] -= slopes[*b].transpose() * weight.asDiagonal() * slopes[a];
     };
-    if (holds[i].stay != kHeld)
-      hold(weightOf(holds[i], stiffness_[i]).template head<kFree>(), i, nullptr);
+    hold(weightOf(holds[i], stiffness_[i]).template head<kFree>(), i, nullptr);
     if (i > 0 && holds[i].together > 0.0) {
       const std::size_t before = i - 1;
       hold(holds[i].together * stiffness_[i].template head<kFree>(), i, &before);
@@ -312,7 +312,7 @@ void TurnSmoother::smooth(std::vector<TurnedPoint>& at, const std::vector<TurnHo
       for (std::size_t i = b; i < e; ++i) {
         lost[i] = 0;
         next[i] = at[i];
-        if (holds[i].stay == kHeld || step[i].isZero(0.0))
+        if (step[i].isZero(0.0))
           continue;
         next[i].turn += step[i][0];
         if (cone_.rad > 0.0 && holds[i].upright != kHeld)
@@ -323,7 +323,7 @@ void TurnSmoother::smooth(std::vector<TurnedPoint>& at, const std::vector<TurnHo
     bool followed = true;
     for (std::size_t i = 0; i < n; ++i)
       if (lost[i]) {
-        holds[i].stay = kHeld;
+        holds[i].stay = holds[i].upright = kHeld;
         followed = false;
       }
     if (!followed) {

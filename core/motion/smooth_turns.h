@@ -24,9 +24,9 @@ namespace voluta::motion {
 // How an arm stands where its tool leans by `lean` from the point's own, and was turned by `turn`
 // then.
 struct TurnedPoint {
-  double turn = 0.0;                               // rad
-  Eigen::Vector2d lean = Eigen::Vector2d::Zero();  // rad: leaning.h
-  robot::JointVector q;                            // of the cell
+  double turn = 0.0;                              // rad
+  Eigen::Vector2d lean = Eigen::Vector2d::Zero(); // rad: leaning.h
+  robot::JointVector q;                           // of the cell
   robot::JointRates rate; // of the arm's joints: with the turn and, where they may lean, the lean
 
   Eigen::Quaterniond tool(const Eigen::Quaterniond& own) const;
@@ -34,9 +34,10 @@ struct TurnedPoint {
 
 // What holds a point, times what turning or leaning that point alone costs in jerk.
 struct TurnHold {
-  double stay = 0.0;     // of the square of its turn; kHeld: it keeps its turn, and does not lean
-  double together = 0.0; // of the square of its turn's difference from the point's before
-  double upright = 0.0;  // as stay, of its lean alone
+  double stay = 0.0; // of the square of its turn; kHeld: it keeps its turn
+  double together =
+      0.0;              // of the square of its turn's and lean's difference from the point's before
+  double upright = 0.0; // of the square of its lean; kHeld: it keeps that
 };
 inline constexpr double kHeld = std::numeric_limits<double>::infinity();
 
@@ -90,7 +91,7 @@ private:
   const std::vector<RunPoint>& points_;
   LeanCone cone_;
   std::vector<JerkStencil> stencils_;
-  BandedRows<4> bands_;      // what points share by the times alone
+  BandedRows<4> bands_;       // what points share by the times alone
   std::vector<double> scale_; // of the arm's joints: robot::asTurn
   // What moving a point alone costs, by the square of its turn, and of its lean.
   std::vector<Eigen::Vector3d> stiffness_;

@@ -1,16 +1,17 @@
 // One layer's tool-paths by several ways (Dai 2020, table 4.2):
 // jerk_table [--cell ID] [--layer N] [--noise DEG] [--even-directions] [--even-times] [--no-dense]
-// [--slow FACTOR] [--ladder] JOB. The shortest path through a graph of 30 and of 360 turns about
-// the nozzle at every waypoint (eqs. 4.4-4.6), the first of them through the source's local filter
-// (algorithm 6) and smoothed whole, and the motion as it is planned here, collisions looked at; and
-// that smoothed whole, with nothing looked at. Greatest five-point jerk of each joint, beside that
-// of the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are
-// the same for all: those of the nozzle alone, with corners and ramps, as if joints had no limits.
-// Without --layer it takes the one whose number of waypoints is nearest to 3,600. --noise turns
-// each direction by a random angle up to DEG to a random side (4.5.4). --even-directions and
+// [--slow FACTOR] [--lean DEG] [--ladder] JOB. The shortest path through a graph of 30 and of 360
+// turns about the nozzle at every waypoint (eqs. 4.4-4.6), the first of them through the source's
+// local filter (algorithm 6) and smoothed whole, and the motion as it is planned here, collisions
+// looked at; and that smoothed whole, with nothing looked at. Greatest five-point jerk of each
+// joint, beside that of the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints,
+// over times that are the same for all: those of the nozzle alone, with corners and ramps, as if
+// joints had no limits. Without --layer it takes the one whose number of waypoints is nearest to
+// 3,600. --noise turns each direction by a random angle up to DEG to a random side (4.5.4).
+// --even-directions and
 // --even-times tell how much of the jerk the directions' and the times' unevenness makes, which no
 // turn takes away. --slow: times are so many times as long, for graphs that joints' speeds would
-// else leave without a way.
+// else leave without a way. --lean: how far directions may lean where whole paths are smoothed.
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"

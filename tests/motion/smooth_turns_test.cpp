@@ -3,6 +3,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
+#include "motion/divided_step.h"
 #include "motion/motion_scene.h"
 #include "motion/nozzle_frame.h"
 #include "motion/sample_plans.h"
@@ -175,7 +176,8 @@ TEST(TurnSmoother, HoldsBringTurnsBack) {
   EXPECT_GT(away, 0.05);
 }
 
-// Joints of points near which the rates are asked: the tool leans and turns a little, the tip stays.
+// Joints of points near which the rates are asked: the tool leans and turns a little, the tip
+// stays.
 TEST(TurnSmoother, RatesOfLeansAreTheDerivativesOfTheInverse) {
   const Wall wall(2);
   ASSERT_EQ(wall.points.size(), wall.plan.waypointCount());
@@ -221,8 +223,8 @@ std::vector<RunPoint> kinked(const robot::Cell& cell, std::size_t count, double 
     const double t = static_cast<double>(i) / static_cast<double>(count - 1);
     RunPoint p;
     p.at = home;
-    p.at.tool = motion::leant(home.tool, rad * (1.0 - std::abs(2.0 * t - 1.0)) *
-                                             Eigen::Vector2d(0.6, -0.8));
+    p.at.tool = motion::leant(home.tool,
+                              rad * (1.0 - std::abs(2.0 * t - 1.0)) * Eigen::Vector2d(0.6, -0.8));
     if (!motion::solveNear(cell, home.tip, p.at.tool, home.q, 0.5, scratch, p.at.q))
       return {};
     points.push_back(p);
@@ -242,7 +244,7 @@ TEST(TurnSmoother, AKinkWithinTheConeGoes) {
   const std::vector<RunPoint> points = kinked(cell, kPoints, kKink);
   ASSERT_EQ(points.size(), kPoints);
   std::vector<TurnHold> holds(kPoints);
-  holds.front().stay = holds.back().stay = motion::kHeld;
+  holds.front() = holds.back() = {motion::kHeld, 0.0, motion::kHeld};
   const auto smoothed = [&](double coneRad) {
     const motion::TurnSmoother smoother(cell, twists, points, evenTimes(kPoints, 0.05), coneRad);
     auto at = smoother.start(onThreads(1));
@@ -272,7 +274,7 @@ TEST(TurnSmoother, OneDirectionOnTheSpotIsKept) {
   const motion::TurnSmoother smoother(cell, twists, points, evenTimes(30, 0.05), 0.05);
   auto at = smoother.start(onThreads(1));
   std::vector<TurnHold> holds(points.size());
-  holds.front().stay = holds.back().stay = motion::kHeld;
+  holds.front() = holds.back() = {motion::kHeld, 0.0, motion::kHeld};
   smoother.smooth(at, holds, {}, onThreads(1));
   for (const TurnedPoint& p : at) {
     EXPECT_LT(p.lean.norm(), 1e-8);
@@ -289,14 +291,13 @@ TEST(TurnSmoother, LeansStayInTheirConeAndTipsWhereTheyAre) {
     std::vector<JointVector> scratch;
     for (RunPoint& p : wall.points) { // directions by chance, some beyond the cone
       p.at.tool = motion::leant(p.at.tool, {chance(random), chance(random)});
-      ASSERT_TRUE(
-          motion::solveNear(wall.cell, p.at.tip, p.at.tool, p.at.q, 0.5, scratch, p.at.q));
+      ASSERT_TRUE(motion::solveNear(wall.cell, p.at.tip, p.at.tool, p.at.q, 0.5, scratch, p.at.q));
     }
     const double cone = seed % 2 == 0 ? 0.01 : 0.05;
     const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times, cone);
     const motion::TurnSmoother turnsOnly(wall.cell, wall.twists, wall.points, wall.times);
     std::vector<TurnHold> holds(wall.points.size());
-    holds[5].stay = motion::kHeld;
+    holds[5].stay = holds[5].upright = motion::kHeld;
     holds[9].upright = motion::kHeld;
     const auto start = smoother.start(onThreads(2));
     auto at = start, turns = turnsOnly.start(onThreads(2));
@@ -338,10 +339,10 @@ TEST(LeanCone, ItsNumbersAndDerivativesAgree) {
     const Eigen::Quaterniond own = Eigen::Quaterniond(0.3, -0.2, 0.9, 0.1).normalized();
     for (Eigen::Index k = 0; k < 2; ++k) {
       const Eigen::Vector2d by = kStep * Eigen::Vector2d::Unit(k);
-      EXPECT_LT(((cone.at(free + by) - cone.at(free - by)) / (2.0 * kStep) -
-                 cone.slope(free).col(k))
-                    .norm(),
-                1e-8);
+      EXPECT_LT(
+          ((cone.at(free + by) - cone.at(free - by)) / (2.0 * kStep) - cone.slope(free).col(k))
+              .norm(),
+          1e-8);
       const Eigen::Quaterniond turn =
           motion::leant(own, lean - by).conjugate() * motion::leant(own, lean + by);
       EXPECT_LT((turn.vec() / kStep - motion::leanRates(lean).col(k)).norm(), 1e-8);
@@ -366,7 +367,9 @@ struct SmoothScene {
         limits(motion::timingLimits(wall.cell, wall.process)) {}
 
   motion::SmoothedRun smoothed(const motion::Meets& meets) const {
-    return motion::smoothRun({scene, wall.twists, limits}, wall.points, meets, onThreads(2));
+    return motion::smoothRun(
+        {scene, wall.twists, limits}, wall.points, meets,
+        [](const motion::RobotState&, bool) { return true; }, onThreads(2));
   }
 };
 
@@ -410,4 +413,67 @@ TEST(SmoothRun, StaysAsItWasWhereNothingElseIsClear) {
       [&](const JointVector& q, std::size_t w) { return (q - points[w].at.q).norm() > 1e-12; });
   for (std::size_t i = 0; i < run.points.size(); ++i)
     EXPECT_EQ(run.points[i].at.q, points[i].at.q);
+}
+
+// Directions by chance: leaning takes their jerk away, within its cone and nowhere else.
+TEST(SmoothRun, LeansWithinTheConeAndNoFurther) {
+  std::mt19937 random(77);
+  std::uniform_real_distribution<double> chance(-0.02, 0.02);
+  for (int seed = 1; seed <= 4; ++seed) {
+    SmoothScene s(seed);
+    s.options.leanRad = 0.04;
+    std::vector<JointVector> scratch;
+    for (RunPoint& p : s.wall.points) {
+      p.at.tool = motion::leant(p.at.tool, {chance(random), chance(random)});
+      ASSERT_TRUE(
+          motion::solveNear(s.wall.cell, p.at.tip, p.at.tool, p.at.q, 0.5, scratch, p.at.q));
+    }
+    const auto run = s.smoothed([](const JointVector&, std::size_t) { return false; });
+    ASSERT_EQ(run.points.size(), run.before.size());
+    double most = 0.0, volume = 0.0, volumeBefore = 0.0;
+    std::size_t waypoints = 0;
+    for (std::size_t i = 0; i < run.points.size(); ++i) {
+      const RunPoint &p = run.points[i], &before = run.before[i];
+      const Eigen::Isometry3d pose = s.wall.cell.work_T_tool(p.at.q);
+      EXPECT_LT((pose.translation() - before.at.tip).norm(), 1e-6);
+      EXPECT_LT((-pose.linear().col(2) - p.at.direction()).norm(), 1e-6);
+      most = std::max(most, motion::angleBetween(motion::carried(before.at.tool, p.at.direction()),
+                                                 before.at.tool));
+      volume += p.volumeMm3;
+      waypoints += p.waypoint != plan::kNoWaypoint;
+    }
+    for (const RunPoint& p : s.wall.points)
+      volumeBefore += p.volumeMm3;
+    EXPECT_LE(most, s.options.leanRad + 1e-9);
+    EXPECT_GT(most, 0.005);
+    EXPECT_EQ(waypoints, s.wall.points.size());
+    EXPECT_NEAR(volume, volumeBefore, 1e-9);
+    const auto jerk = [&](const std::vector<RunPoint>& points) {
+      const auto timed = motion::timedPoints(s.wall.cell, points);
+      return motion::jerkOf(timed, evenTimes(points.size(), 0.04)).sumSquared;
+    };
+    EXPECT_LT(jerk(run.points), jerk(run.before)) << seed;
+  }
+}
+
+// A step that is divided: evenly, with its volume shared, where its ends were.
+TEST(DividedStep, SharesWayTurnAndVolume) {
+  const SmoothScene s(1);
+  const RunPoint& from = s.wall.points[3];
+  RunPoint to = s.wall.points[4];
+  to.volumeMm3 = 0.6;
+  std::vector<RunPoint> points{from};
+  ASSERT_TRUE(motion::appendDivided(s.scene, to, 4, points));
+  ASSERT_EQ(points.size(), 5u);
+  const double angle = motion::angleBetween(from.at.tool, to.at.tool);
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const RunPoint &a = points[k - 1], &b = points[k];
+    EXPECT_NEAR((b.at.tip - a.at.tip).norm(), 0.25 * (to.at.tip - from.at.tip).norm(), 1e-9);
+    EXPECT_NEAR(motion::angleBetween(a.at.tool, b.at.tool), 0.25 * angle, 1e-9);
+    EXPECT_DOUBLE_EQ(b.volumeMm3, 0.15);
+    EXPECT_EQ(b.waypoint, k == 4 ? to.waypoint : plan::kNoWaypoint);
+    EXPECT_EQ(b.next, to.next);
+    EXPECT_LT((s.wall.cell.work_T_tool(b.at.q).translation() - b.at.tip).norm(), 1e-6);
+  }
+  EXPECT_LT((points.back().at.q - to.at.q).norm(), 1e-6);
 }
