@@ -28,6 +28,7 @@ constexpr double kFirstStay = 1e-5, kMoreStay = 100.0, kFirstTogether = 1e-3, kM
 constexpr std::size_t kMeetingWindow = 24, kHeadWindow = 12, kFarWindow = 3; // points to both sides
 // As far as directions were chosen to be from what is printed already.
 constexpr double kHeadMm = 0.05;
+constexpr double kSameDirection = 1e-6; // rad
 // Of the deviation: the run's own steps end just inside. In the last rounds a little more will do.
 constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
 constexpr int kStrictPulls = 3;
@@ -116,6 +117,14 @@ std::vector<TurnHold> heldWhere(const Marks& marks, const std::vector<TurnHold>&
       });
   }
   return held;
+}
+
+// One direction all along makes no jerk, and stays: flat layers are printed upright.
+bool directionsChange(const std::vector<RunPoint>& points) {
+  const Eigen::Vector3d first = points.front().at.direction();
+  return std::any_of(points.begin(), points.end(), [&](const RunPoint& p) {
+    return (p.at.direction() - first).norm() > kSameDirection;
+  });
 }
 
 // Does the head, leaning so, keep from plate and part what directions keep where they can?
@@ -215,7 +224,8 @@ SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& point
                       const Meets& meets, const Lifts& lifts, const base::RunContext& ctx) {
   const base::Stopwatch watch;
   const robot::Cell& cell = by.scene.cell;
-  const double leanRad = cell.tilts() && !cell.rod() ? by.scene.options.leanRad : 0.0;
+  const bool leans = cell.tilts() && !cell.rod() && directionsChange(points);
+  const double leanRad = leans ? by.scene.options.leanRad : 0.0;
   double checkS = 0.0;
   std::optional<SmoothedRun> smoothed;
   if (leanRad > 0.0)
