@@ -116,7 +116,7 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
       // unless directions lean.
       std::optional<collision::Contact> contact;
       const bool divides = trajectory.waypoint[i] == plan::kNoWaypoint;
-      if (divides || scene.options.leanRad > 0.0)
+      if (divides || scene.options.leans() > 0.0)
         contact = headInPart(frames, i, printing || !divides);
       const double bodies = scene.collision.clearance(frames, clearance);
       const double all = scene.collision.clearanceToPart(frames, scene.part, next[i], bodies);

@@ -1,7 +1,5 @@
 #include "motion/motion_options.h"
 
-#include "base/units.h"
-
 #include <algorithm>
 
 namespace voluta::motion {

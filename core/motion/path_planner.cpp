@@ -49,6 +49,8 @@ private:
   std::vector<std::size_t> follow(const LadderWay& way);
   // Of a run that meets nothing; its ends stay.
   void smooth();
+  // Has the head, lifted from there as little as for the shortest travel, room to travel?
+  bool headTravels(const RobotState& state, std::size_t before) const;
   // Can both ends be left? Where not, their nodes are blocked: false asks for another way.
   bool endsLift();
   // Settles for what comes before the first failure. False: that is nothing.
@@ -184,13 +186,25 @@ void Stretch::smooth() {
       smoothing_, run_.ladder,
       [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
       [&](const RobotState& state, bool last) {
-        return !wantsLift_ || ladder_.liftable(state, first_ + (last ? count_ : 0));
+        const std::size_t before = first_ + (last ? count_ : 0);
+        return ladder_.liftable(state, before) && headTravels(state, before);
       },
       ctx_);
   run_.points = std::move(smoothed.points);
   run_.ladder = std::move(smoothed.before);
   times_.jerk += smoothed.smoothS;
   times_.collision += smoothed.checkS;
+}
+
+bool Stretch::headTravels(const RobotState& state, std::size_t before) const {
+  const MotionOptions& options = scene_.options;
+  for (const double height : {options.hopLiftMm, options.liftMm}) {
+    const Eigen::Isometry3d lifted = toolPose(state.tip + height * state.direction(), state.tool);
+    if (scene_.collision.headTouchesPart(lifted, scene_.part, before, options.travelling.headMm) ||
+        scene_.collision.headTouchesPlatform(lifted, options.travelling.headMm))
+      return false;
+  }
+  return true;
 }
 
 bool Stretch::endsLift() {

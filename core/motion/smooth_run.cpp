@@ -168,17 +168,15 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, const RunSmoothing& by
     marks.head.assign(at.size(), 0);
     base::parallelChunks(ctx, at.size(), kCheckChunk, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i) {
-        const bool end = i == 0 || i + 1 == at.size();
-        marks.met[i] =
-            !startOnly && (meets(at[i].q, points[i].next) ||
-                           (end && leanRad > 0.0 && !lifts(turnedBy(points[i], at[i]).at, i > 0)));
+        marks.met[i] = !startOnly && meets(at[i].q, points[i].next);
         if (startOnly ? leanRad > 0.0 : !at[i].lean.isZero(0.0))
           marks.head[i] = headMeets(by.scene, points[i], at[i].tool(points[i].at.tool));
       }
     });
     checkS += checking.seconds();
   };
-  for (int division = 0;; ++division) {
+  bool firstLeans = leanRad > 0.0, lastLeans = firstLeans;
+  for (int division = 0;;) {
     const std::size_t n = points.size();
     const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad);
     const std::vector<TurnedPoint> start = smoother.start(ctx);
@@ -191,14 +189,31 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, const RunSmoothing& by
       if (marks.head[i])
         holds[i].upright = kHeld;
     // The ladder laid ends where the next path's start is near, and whence the nozzle can be
-    // lifted. To lean changes little in that.
+    // lifted. They lean where that stays so.
     holds.front().stay = holds.back().stay = kHeld;
+    if (!firstLeans)
+      holds.front().upright = kHeld;
+    if (!lastLeans)
+      holds.back().upright = kHeld;
     smoother.smooth(at, holds, {}, ctx);
+    const auto firstLifts = [&] {
+      return !firstLeans || lifts(turnedBy(points.front(), at.front()).at, false);
+    };
+    const auto lastLifts = [&] {
+      return !lastLeans || lifts(turnedBy(points.back(), at.back()).at, true);
+    };
+    const bool firstStays = !firstLifts(), lastStays = !lastLifts();
+    if (firstStays || lastStays) {
+      firstLeans = firstLeans && !firstStays;
+      lastLeans = lastLeans && !lastStays;
+      continue;
+    }
     if (leanRad > 0.0 && division < kDivisions) {
       const std::vector<char> far = longSteps(by.scene, points, at, kBendSlack);
       std::vector<RunPoint> divided = dividedWhere(by.scene, far, points, at);
       if (divided.size() > n) {
         points = std::move(divided);
+        ++division;
         continue;
       }
     }
@@ -208,7 +223,8 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, const RunSmoothing& by
       look(at, false, marks);
       marks.far = longSteps(by.scene, points, at, k < kStrictPulls ? kBendSlack : kLastBendSlack);
       if (!marks.any()) {
-        if (smoother.cost(at, free) > smoother.cost(start, free))
+        if ((k > 0 && (!firstLifts() || !lastLifts())) ||
+            smoother.cost(at, free) > smoother.cost(start, free))
           return std::nullopt;
         return SmoothedRun{turnedBy(points, at), std::move(points)};
       }

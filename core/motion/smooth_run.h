@@ -27,7 +27,7 @@ struct RunSmoothing {
 // Does something meet at those joints, on the way to that waypoint?
 using Meets = std::function<bool(const robot::JointVector& q, std::size_t waypoint)>;
 
-// Can the nozzle be lifted from a run's first state, or its last?
+// Can the nozzle be lifted and travel from a run's first state, or its last?
 using Lifts = std::function<bool(const RobotState& state, bool last)>;
 
 struct SmoothedRun {
