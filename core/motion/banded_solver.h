@@ -7,11 +7,18 @@
 
 namespace voluta::motion {
 
-// Row i: the diagonal, then what it shares with unknowns i + 1, i + 2, i + 3 (0 beyond the last).
-using BandedRows = std::vector<std::array<double, 4>>;
+// Row i: the diagonal, then what it shares with unknowns i + 1, i + 2, ... (0 beyond the last).
+template <std::size_t kWidth> using BandedRows = std::vector<std::array<double, kWidth>>;
 
 // x with A x = b by Cholesky's factors L D L'. False where A is not positive definite, to rounding;
-// x is of no use then. Precondition: as many rows as b.
-bool solveBanded(const BandedRows& a, const std::vector<double>& b, std::vector<double>& x);
+// x is of no use then. Precondition: as many rows as b. There for rows of 4 (jerks of one unknown a
+// point) and 12 (of three).
+template <std::size_t kWidth>
+bool solveBanded(const BandedRows<kWidth>& a, const std::vector<double>& b, std::vector<double>& x);
+
+extern template bool solveBanded(const BandedRows<4>&, const std::vector<double>&,
+                                 std::vector<double>&);
+extern template bool solveBanded(const BandedRows<12>&, const std::vector<double>&,
+                                 std::vector<double>&);
 
 } // namespace voluta::motion

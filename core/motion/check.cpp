@@ -112,10 +112,12 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
       const bool printing = trajectory.move[i] == plan::MoveKind::Print;
       const JointVector q = jointsAt(i);
       scene.cell.framePoses(q, frames);
-      // The head at waypoints was looked at before: it is round, the arm changes nothing in that.
+      // The head at waypoints was looked at before: it is round, the arm changes nothing in that,
+      // unless directions lean.
       std::optional<collision::Contact> contact;
-      if (trajectory.waypoint[i] == plan::kNoWaypoint)
-        contact = headInPart(frames, i, printing);
+      const bool divides = trajectory.waypoint[i] == plan::kNoWaypoint;
+      if (divides || scene.options.leans() > 0.0)
+        contact = headInPart(frames, i, printing || !divides);
       const double bodies = scene.collision.clearance(frames, clearance);
       const double all = scene.collision.clearanceToPart(frames, scene.part, next[i], bodies);
       const bool roomy = bodies > margins.bodiesMm && all > margins.partMm &&

@@ -31,7 +31,12 @@ base::ParameterTable motionParameters() {
            {{"evened", "evened out"_text}, {kWholePath, "least jerk of whole paths"_text}},
            "Motion"_text, "smooth turns"_text,
            "How turns about the nozzle are made smooth: quickly, or by a search for the least jerk "
-           "of the joints, which takes as long again as the rest of the motion."_text)});
+           "of the joints, which takes as long again as the rest of the motion."_text),
+       base::numberParameter("directionConeDeg", "deg", base::radiansToDegrees(d.leanRad), 0.0,
+                             10.0, "Motion"_text, "directions may lean"_text,
+                             "How far the nozzle may lean from its planned direction where that "
+                             "makes the joints' motion smoother. With least jerk of whole paths "
+                             "only."_text)});
 }
 
 MotionOptions motionOptions(const base::ParameterValues& values) {
@@ -43,8 +48,9 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.liftMm = values.number("liftMm");
   o.hopLiftMm = std::min(o.hopLiftMm, o.liftMm);
   o.samples = static_cast<int>(values.integer("redundancySamples"));
-  o.smoothing = values.text(kTurnSmoothing) == kWholePath ? TurnMethod::WholePath
-                                                            : TurnMethod::Evened;
+  o.smoothing =
+      values.text(kTurnSmoothing) == kWholePath ? TurnMethod::WholePath : TurnMethod::Evened;
+  o.leanRad = base::degreesToRadians(values.number("directionConeDeg"));
   return o;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/parameters.h"
+#include "base/units.h"
 #include "collision/cell_collision.h"
 
 #include <cstdint>
@@ -31,9 +32,15 @@ struct MotionOptions {
   std::uint64_t seed = 1;    // of the sampling planner
   int treeIterations = 4000; // of the sampling planner, a transfer
   TurnMethod smoothing = TurnMethod::Evened;
+  // How far directions may lean where whole paths are smoothed. At 5 degrees jerk is less still,
+  // but some travels were found to lose their straight way.
+  double leanRad = base::degreesToRadians(3.0);
+
+  double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };
 
-// Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples, turnSmoothing.
+// Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples, turnSmoothing,
+// directionConeDeg.
 base::ParameterTable motionParameters();
 // Throws nothing when `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "motion/divided_step.h"
 #include "motion/even_turns.h"
 #include "motion/external_axes.h"
 #include "motion/joint_costs.h"
@@ -48,6 +49,8 @@ private:
   std::vector<std::size_t> follow(const LadderWay& way);
   // Of a run that meets nothing; its ends stay.
   void smooth();
+  // Has the head, lifted from there as little as for the shortest travel, room to travel?
+  bool headTravels(const RobotState& state, std::size_t before) const;
   // Can both ends be left? Where not, their nodes are blocked: false asks for another way.
   bool endsLift();
   // Settles for what comes before the first failure. False: that is nothing.
@@ -96,24 +99,12 @@ bool Stretch::fill(const Course& course, const JointVector& start, std::vector<R
     const int n = scene_.divisions(a, b, angleBetween(from, to));
     const double volume =
         process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
-                            process::beadArea(plan.widthMm[i], plan.heightMm[i]), (b - a).norm()) /
-        n;
-    for (int k = 1; k <= n; ++k) {
-      const double t = static_cast<double>(k) / n;
-      const Vector3d tip = k == n ? b : Vector3d(a + t * (b - a));
-      const Quaterniond tool = k == n ? to : from.slerp(t, to);
-      const JointVector axes =
-          k == n ? axesTo(i) : JointVector(axesTo(i - 1) + t * (axesTo(i) - axesTo(i - 1)));
-      const JointVector last = withAxes(scene_.cell, q, axes);
-      if (!solveNear(scene_.cell, tip, tool, last, scene_.options.maxStepRad, scratch, q)) {
-        failedAt = i;
-        return false;
-      }
-      points.push_back({{tip, tool, q, axes},
-                        k == n ? i : plan::kNoWaypoint,
-                        i,
-                        volume,
-                        static_cast<double>(plan.speedMmPerS[i])});
+                            process::beadArea(plan.widthMm[i], plan.heightMm[i]), (b - a).norm());
+    const RunPoint next{
+        {b, to, {}, axesTo(i)}, i, i, volume, static_cast<double>(plan.speedMmPerS[i])};
+    if (!appendDivided(scene_, next, n, points)) {
+      failedAt = i;
+      return false;
     }
   }
   return true;
@@ -194,10 +185,26 @@ void Stretch::smooth() {
   SmoothedRun smoothed = smoothRun(
       smoothing_, run_.ladder,
       [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
+      [&](const RobotState& state, bool last) {
+        const std::size_t before = first_ + (last ? count_ : 0);
+        return ladder_.liftable(state, before) && headTravels(state, before);
+      },
       ctx_);
   run_.points = std::move(smoothed.points);
+  run_.ladder = std::move(smoothed.before);
   times_.jerk += smoothed.smoothS;
   times_.collision += smoothed.checkS;
+}
+
+bool Stretch::headTravels(const RobotState& state, std::size_t before) const {
+  const MotionOptions& options = scene_.options;
+  for (const double height : {options.hopLiftMm, options.liftMm}) {
+    const Eigen::Isometry3d lifted = toolPose(state.tip + height * state.direction(), state.tool);
+    if (scene_.collision.headTouchesPart(lifted, scene_.part, before, options.travelling.headMm) ||
+        scene_.collision.headTouchesPlatform(lifted, options.travelling.headMm))
+      return false;
+  }
+  return true;
 }
 
 bool Stretch::endsLift() {

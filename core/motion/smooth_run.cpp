@@ -3,14 +3,19 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "motion/divided_step.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smooth_turns.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace voluta::motion {
+
+using Eigen::Quaterniond;
 
 namespace {
 
@@ -18,21 +23,30 @@ constexpr std::size_t kCheckChunk = 16;
 // How hard points are held about one that meets something, and together where steps turn too far:
 // each time more.
 constexpr int kPulls = 6;
+constexpr int kDivisions = 3; // of steps that turn far, where directions lean
 constexpr double kFirstStay = 1e-5, kMoreStay = 100.0, kFirstTogether = 1e-3, kMoreTogether = 30.0;
-constexpr std::size_t kMeetingWindow = 24, kFarWindow = 3; // points to both sides
+constexpr std::size_t kMeetingWindow = 24, kHeadWindow = 12, kFarWindow = 3; // points to both sides
+// As far as directions were chosen to be from what is printed already.
+constexpr double kHeadMm = 0.05;
+constexpr double kSameDirection = 1e-6; // rad
 // Of the deviation: the run's own steps end just inside. In the last rounds a little more will do.
 constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
 constexpr int kStrictPulls = 3;
 constexpr TurnSmoothing kAfterPull{3, 1e-2, 0.3};
 
+RunPoint turnedBy(RunPoint point, const TurnedPoint& at) {
+  if (at.turn != 0.0 || !at.lean.isZero(0.0)) {
+    point.at.tool = at.tool(point.at.tool);
+    point.at.q = at.q;
+  }
+  return point;
+}
+
 std::vector<RunPoint> turnedBy(const std::vector<RunPoint>& points,
                                const std::vector<TurnedPoint>& at) {
-  std::vector<RunPoint> turnedPoints = points;
+  std::vector<RunPoint> turnedPoints;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (at[i].turn != 0.0) {
-      turnedPoints[i].at.tool = turned(points[i].at.tool, at[i].turn);
-      turnedPoints[i].at.q = at[i].q;
-    }
+    turnedPoints.push_back(turnedBy(points[i], at[i]));
   return turnedPoints;
 }
 
@@ -53,7 +67,7 @@ std::vector<double> nozzleTimes(const RunSmoothing& by, const std::vector<RunPoi
 std::vector<char> longSteps(const MotionScene& scene, const std::vector<RunPoint>& points,
                             const std::vector<TurnedPoint>& at, double slack) {
   std::vector<char> marks(points.size(), 0);
-  const auto tool = [&](std::size_t i) { return turned(points[i].at.tool, at[i].turn); };
+  const auto tool = [&](std::size_t i) { return at[i].tool(points[i].at.tool); };
   for (std::size_t i = 1; i < points.size(); ++i) {
     const RobotState &from = points[i - 1].at, &to = points[i].at;
     const double angle = angleBetween(tool(i - 1), tool(i));
@@ -72,59 +86,171 @@ void about(std::size_t i, std::size_t window, std::size_t count, const Body& bod
     body(k);
 }
 
+// How a run goes on being smoothed where it must not be as it came out.
+struct Marks {
+  std::vector<char> met, head, far; // a point: what meets, of that the head alone; longSteps()
+  bool any() const {
+    const auto marked = [](const std::vector<char>& m) {
+      return std::find(m.begin(), m.end(), 1) != m.end();
+    };
+    return marked(met) || marked(head) || marked(far);
+  }
+};
+
+std::vector<TurnHold> heldWhere(const Marks& marks, const std::vector<TurnHold>& holds) {
+  const std::size_t n = holds.size();
+  const auto more = [](double hold, double first, double by) { return std::max(first, by * hold); };
+  std::vector<TurnHold> held = holds;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (marks.met[i])
+      about(i, kMeetingWindow, n, [&](std::size_t m) {
+        held[m].stay = more(holds[m].stay, kFirstStay, kMoreStay);
+        held[m].upright = more(holds[m].upright, kFirstStay, kMoreStay);
+      });
+    if (marks.head[i])
+      about(i, kHeadWindow, n, [&](std::size_t m) {
+        held[m].upright = more(holds[m].upright, kFirstStay, kMoreStay);
+      });
+    if (marks.far[i])
+      about(i, kFarWindow, n, [&](std::size_t m) {
+        held[m].together = more(holds[m].together, kFirstTogether, kMoreTogether);
+      });
+  }
+  return held;
+}
+
+// One direction all along makes no jerk, and stays: flat layers are printed upright.
+bool directionsChange(const std::vector<RunPoint>& points) {
+  const Eigen::Vector3d first = points.front().at.direction();
+  return std::any_of(points.begin(), points.end(), [&](const RunPoint& p) {
+    return (p.at.direction() - first).norm() > kSameDirection;
+  });
+}
+
+// Does the head, leaning so, keep from plate and part what directions keep where they can?
+bool headMeets(const MotionScene& scene, const RunPoint& point, const Quaterniond& tool) {
+  const Eigen::Isometry3d work_T_tool = toolPose(point.at.tip, tool);
+  return scene.collision.headTouchesPart(work_T_tool, scene.part, point.next, kHeadMm) ||
+         scene.collision.headTouchesPlatform(work_T_tool, kHeadMm);
+}
+
+// The run with the marked steps divided as finely as those turn that `at` has in their place. Where
+// joints cannot follow, as it was.
+std::vector<RunPoint> dividedWhere(const MotionScene& scene, const std::vector<char>& marks,
+                                   const std::vector<RunPoint>& points,
+                                   const std::vector<TurnedPoint>& at) {
+  std::vector<RunPoint> divided{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const RobotState &from = points[i - 1].at, &to = points[i].at;
+    if (!marks[i]) {
+      divided.push_back(points[i]);
+      continue;
+    }
+    const double angle = angleBetween(at[i - 1].tool(from.tool), at[i].tool(to.tool));
+    if (!appendDivided(scene, points[i], std::max(2, scene.divisions(from.tip, to.tip, angle)),
+                       divided))
+      return points;
+    divided.back().at.q = to.q;
+  }
+  return divided;
+}
+
+// The run smoothed with directions that lean up to leanRad, and as it was before with what had to
+// be divided; none where it does not come clear of everything or is no smoother.
+std::optional<SmoothedRun> smoothedWithin(double leanRad, const RunSmoothing& by,
+                                          std::vector<RunPoint> points, const Meets& meets,
+                                          const Lifts& lifts, double& checkS,
+                                          const base::RunContext& ctx) {
+  // Whether something meets, and of what leans whether the head does.
+  const auto look = [&](const std::vector<TurnedPoint>& at, bool startOnly, Marks& marks) {
+    const base::Stopwatch checking;
+    marks.met.assign(at.size(), 0);
+    marks.head.assign(at.size(), 0);
+    base::parallelChunks(ctx, at.size(), kCheckChunk, [&](std::size_t b, std::size_t e) {
+      for (std::size_t i = b; i < e; ++i) {
+        marks.met[i] = !startOnly && meets(at[i].q, points[i].next);
+        if (startOnly ? leanRad > 0.0 : !at[i].lean.isZero(0.0))
+          marks.head[i] = headMeets(by.scene, points[i], at[i].tool(points[i].at.tool));
+      }
+    });
+    checkS += checking.seconds();
+  };
+  bool firstLeans = leanRad > 0.0, lastLeans = firstLeans;
+  for (int division = 0;;) {
+    const std::size_t n = points.size();
+    const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad);
+    const std::vector<TurnedPoint> start = smoother.start(ctx);
+    const std::vector<TurnHold> free(n);
+    std::vector<TurnedPoint> at = start;
+    std::vector<TurnHold> holds = free;
+    Marks marks;
+    look(start, true, marks);
+    for (std::size_t i = 0; i < n; ++i)
+      if (marks.head[i])
+        holds[i].upright = kHeld;
+    // The ladder laid ends where the next path's start is near, and whence the nozzle can be
+    // lifted. They lean where that stays so.
+    holds.front().stay = holds.back().stay = kHeld;
+    if (!firstLeans)
+      holds.front().upright = kHeld;
+    if (!lastLeans)
+      holds.back().upright = kHeld;
+    smoother.smooth(at, holds, {}, ctx);
+    const auto firstLifts = [&] {
+      return !firstLeans || lifts(turnedBy(points.front(), at.front()).at, false);
+    };
+    const auto lastLifts = [&] {
+      return !lastLeans || lifts(turnedBy(points.back(), at.back()).at, true);
+    };
+    const bool firstStays = !firstLifts(), lastStays = !lastLifts();
+    if (firstStays || lastStays) {
+      firstLeans = firstLeans && !firstStays;
+      lastLeans = lastLeans && !lastStays;
+      continue;
+    }
+    if (leanRad > 0.0 && division < kDivisions) {
+      const std::vector<char> far = longSteps(by.scene, points, at, kBendSlack);
+      std::vector<RunPoint> divided = dividedWhere(by.scene, far, points, at);
+      if (divided.size() > n) {
+        points = std::move(divided);
+        ++division;
+        continue;
+      }
+    }
+    for (int k = 0; k <= kPulls; ++k) {
+      if (k > 0)
+        smoother.smooth(at, holds, kAfterPull, ctx);
+      look(at, false, marks);
+      marks.far = longSteps(by.scene, points, at, k < kStrictPulls ? kBendSlack : kLastBendSlack);
+      if (!marks.any()) {
+        if ((k > 0 && (!firstLifts() || !lastLifts())) ||
+            smoother.cost(at, free) > smoother.cost(start, free))
+          return std::nullopt;
+        return SmoothedRun{turnedBy(points, at), std::move(points)};
+      }
+      holds = heldWhere(marks, holds);
+    }
+    return std::nullopt;
+  }
+}
+
 } // namespace
 
 SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& points,
-                      const Meets& meets, const base::RunContext& ctx) {
+                      const Meets& meets, const Lifts& lifts, const base::RunContext& ctx) {
   const base::Stopwatch watch;
-  const std::size_t n = points.size();
-  SmoothedRun result{points};
-  const auto meeting = [&](const std::vector<TurnedPoint>& at) {
-    const base::Stopwatch checking;
-    std::vector<char> found(n, 0);
-    base::parallelChunks(ctx, n, kCheckChunk, [&](std::size_t b, std::size_t e) {
-      for (std::size_t i = b; i < e; ++i)
-        found[i] = meets(at[i].q, points[i].next);
-    });
-    result.checkS += checking.seconds();
-    return found;
-  };
-  const auto any = [](const std::vector<char>& marks) {
-    return std::find(marks.begin(), marks.end(), 1) != marks.end();
-  };
-  const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points));
-  const std::vector<TurnedPoint> start = smoother.start(ctx);
-  const std::vector<TurnHold> free(n);
-  std::vector<TurnedPoint> at = start;
-  std::vector<TurnHold> holds = free;
-  // The ladder laid ends where the next path's start is near, and whence the nozzle can be lifted.
-  holds.front().stay = holds.back().stay = kHeld;
-  smoother.smooth(at, holds, {}, ctx);
-  for (int k = 0; k <= kPulls; ++k) {
-    if (k > 0)
-      smoother.smooth(at, holds, kAfterPull, ctx);
-    const std::vector<char> met = meeting(at),
-                            far = longSteps(by.scene, points, at,
-                                            k < kStrictPulls ? kBendSlack : kLastBendSlack);
-    if (!any(met) && !any(far)) {
-      if (smoother.cost(at, free) <= smoother.cost(start, free))
-        result.points = turnedBy(points, at);
-      break;
-    }
-    std::vector<TurnHold> more = holds;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (met[i])
-        about(i, kMeetingWindow, n, [&](std::size_t m) {
-          more[m].stay = std::max(kFirstStay, kMoreStay * holds[m].stay);
-        });
-      if (far[i])
-        about(i, kFarWindow, n, [&](std::size_t m) {
-          more[m].together = std::max(kFirstTogether, kMoreTogether * holds[m].together);
-        });
-    }
-    holds = std::move(more);
-  }
-  result.smoothS = watch.seconds() - result.checkS;
+  const robot::Cell& cell = by.scene.cell;
+  const bool leans = cell.tilts() && !cell.rod() && directionsChange(points);
+  const double leanRad = leans ? by.scene.options.leanRad : 0.0;
+  double checkS = 0.0;
+  std::optional<SmoothedRun> smoothed;
+  if (leanRad > 0.0)
+    smoothed = smoothedWithin(leanRad, by, points, meets, lifts, checkS, ctx);
+  if (!smoothed)
+    smoothed = smoothedWithin(0.0, by, points, meets, lifts, checkS, ctx);
+  SmoothedRun result = smoothed ? std::move(*smoothed) : SmoothedRun{points, points};
+  result.checkS = checkS;
+  result.smoothS = watch.seconds() - checkS;
   return result;
 }
 

@@ -97,24 +97,33 @@ bool ArmTwists::follow(const Isometry3d& wanted, double longestStep, JointVector
 
 namespace {
 
-template <int kDof>
-JointVector solved(const ArmJacobian& jacobian, Vector6d twist, double lengthMm) {
+template <int kDof, typename Joints, typename Twists>
+Joints solved(const ArmJacobian& jacobian, Twists twists, double lengthMm) {
   Eigen::Matrix<double, 6, kDof, Eigen::ColMajor, 6, kDof == Eigen::Dynamic ? 8 : kDof> scaled =
       jacobian;
   scaled.template topRows<3>() /= lengthMm;
-  twist.head<3>() /= lengthMm;
+  twists.template topRows<3>() /= lengthMm;
   Eigen::Matrix<double, kDof, kDof, Eigen::ColMajor, kDof == Eigen::Dynamic ? 8 : kDof,
                 kDof == Eigen::Dynamic ? 8 : kDof>
       normal = scaled.transpose().lazyProduct(scaled);
   normal.diagonal().array() += kSingular;
-  return normal.llt().solve(scaled.transpose().lazyProduct(twist));
+  return normal.llt().solve(scaled.transpose().lazyProduct(twists));
+}
+
+template <typename Joints, typename Twists>
+Joints solvedFor(const ArmJacobian& jacobian, const Twists& twists, double lengthMm) {
+  return jacobian.cols() == 6 ? solved<6, Joints>(jacobian, twists, lengthMm)
+                              : solved<Eigen::Dynamic, Joints>(jacobian, twists, lengthMm);
 }
 
 } // namespace
 
 JointVector jointsFor(const ArmJacobian& jacobian, const Vector6d& twist, double lengthMm) {
-  return jacobian.cols() == 6 ? solved<6>(jacobian, twist, lengthMm)
-                              : solved<Eigen::Dynamic>(jacobian, twist, lengthMm);
+  return solvedFor<JointVector>(jacobian, twist, lengthMm);
+}
+
+JointRates jointsFor(const ArmJacobian& jacobian, const ArmTwistSet& twists, double lengthMm) {
+  return solvedFor<JointRates>(jacobian, twists, lengthMm);
 }
 
 } // namespace voluta::robot

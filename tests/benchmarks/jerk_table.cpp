@@ -1,16 +1,17 @@
 // One layer's tool-paths by several ways (Dai 2020, table 4.2):
 // jerk_table [--cell ID] [--layer N] [--noise DEG] [--even-directions] [--even-times] [--no-dense]
-// [--slow FACTOR] [--ladder] JOB. The shortest path through a graph of 30 and of 360 turns about
-// the nozzle at every waypoint (eqs. 4.4-4.6), the first of them through the source's local filter
-// (algorithm 6) and smoothed whole, and the motion as it is planned here, collisions looked at; and
-// that smoothed whole, with nothing looked at. Greatest five-point jerk of each joint, beside that
-// of the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are
-// the same for all: those of the nozzle alone, with corners and ramps, as if joints had no limits.
-// Without --layer it takes the one whose number of waypoints is nearest to 3,600. --noise turns
-// each direction by a random angle up to DEG to a random side (4.5.4). --even-directions and
+// [--slow FACTOR] [--lean DEG] [--ladder] JOB. The shortest path through a graph of 30 and of 360
+// turns about the nozzle at every waypoint (eqs. 4.4-4.6), the first of them through the source's
+// local filter (algorithm 6) and smoothed whole, and the motion as it is planned here, collisions
+// looked at; and that smoothed whole, with nothing looked at. Greatest five-point jerk of each
+// joint, beside that of the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints,
+// over times that are the same for all: those of the nozzle alone, with corners and ramps, as if
+// joints had no limits. Without --layer it takes the one whose number of waypoints is nearest to
+// 3,600. --noise turns each direction by a random angle up to DEG to a random side (4.5.4).
+// --even-directions and
 // --even-times tell how much of the jerk the directions' and the times' unevenness makes, which no
 // turn takes away. --slow: times are so many times as long, for graphs that joints' speeds would
-// else leave without a way.
+// else leave without a way. --lean: how far directions may lean where whole paths are smoothed.
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
@@ -218,9 +219,9 @@ Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, cons
 
 // The whole path at once, over given times, nothing looked at for collisions.
 Joints wholePath(const robot::Cell& cell, const robot::ArmTwists& twists, const Joints& q,
-                 const std::vector<double>& times, const base::RunContext& ctx) {
+                 const std::vector<double>& times, double leanRad, const base::RunContext& ctx) {
   const std::vector<motion::RunPoint> points = runOf(cell, q);
-  const motion::TurnSmoother smoother(cell, twists, points, times);
+  const motion::TurnSmoother smoother(cell, twists, points, times, leanRad);
   std::vector<motion::TurnedPoint> at = smoother.start(ctx);
   motion::TurnSmoothing much;
   much.rounds = 60;
@@ -304,7 +305,7 @@ void row(const char* name, const Measure& m, const Measure& p30) {
 int main(int argc, char** argv) {
   std::string cellId, file;
   int wanted = -1;
-  double noise = 0.0, slow = 1.0;
+  double noise = 0.0, slow = 1.0, leanRad = 0.0;
   bool ladder = false, dense = true, evenTimes = false, evenDirections = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -316,6 +317,8 @@ int main(int argc, char** argv) {
       noise = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--slow" && i + 1 < argc)
       slow = std::stod(argv[++i]);
+    else if (word == "--lean" && i + 1 < argc)
+      leanRad = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--ladder")
       ladder = true;
     else if (word == "--no-dense")
@@ -338,6 +341,7 @@ int main(int argc, char** argv) {
   const collision::GrowingPart part(plan, collision::growingPitch(plan, process), ctx);
   motion::MotionOptions options;
   options.smoothing = ladder ? motion::TurnMethod::None : motion::TurnMethod::WholePath;
+  options.leanRad = leanRad;
 
   base::Stopwatch watch;
   motion::MotionPlanner planner(plan, cell, process, part, options);
@@ -373,10 +377,10 @@ int main(int argc, char** argv) {
     const Joints local = localFilter(cell, twists, sparse, times, ctx);
     filtered.seconds += watch.seconds();
     watch = base::Stopwatch();
-    const Joints optimal = wholePath(cell, twists, sparse, times, ctx);
+    const Joints optimal = wholePath(cell, twists, sparse, times, leanRad, ctx);
     whole.seconds += watch.seconds();
     measure(optimal, times, whole);
-    measure(wholePath(cell, twists, q, times, ctx), times, whole2);
+    measure(wholePath(cell, twists, q, times, leanRad, ctx), times, whole2);
     watch = base::Stopwatch();
     const Joints fine = dense ? shortestPath(cell, plan, path, times, 360, 0.35) : sparse;
     graph360.seconds += watch.seconds();

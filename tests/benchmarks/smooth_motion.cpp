@@ -1,12 +1,13 @@
-// What smoothing does to the motion of planned jobs: smooth_motion [--ladder] [--threads N]
-// [--paths N] JOB... The motion of each job's tool-paths, planned anew: seconds (wall and of the
-// processor), jerk before and after, and how clear of everything the arm stays while it prints.
-// With --ladder the turns about the nozzle stay as the ladder graph gives them; with --paths only
-// the first N are taken.
+// What smoothing does to the motion of planned jobs: smooth_motion [--ladder] [--lean DEG]
+// [--threads N] [--paths N] JOB... The motion of each job's tool-paths, planned anew: seconds (wall
+// and of the processor), jerk before and after, and how clear of everything the arm stays while it
+// prints. With --lean directions may lean so far (else 3 degrees); with --ladder the turns about
+// the nozzle stay as the ladder graph gives them; with --paths only the first N are taken.
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "base/units.h"
 #include "collision/cell_collision.h"
 #include "collision/growing_part.h"
 #include "motion/motion.h"
@@ -88,6 +89,8 @@ int main(int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--ladder")
       options.smoothing = motion::TurnMethod::None;
+    else if (word == "--lean" && i + 1 < argc)
+      options.leanRad = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--threads" && i + 1 < argc)
       threads = std::stoi(argv[++i]);
     else if (word == "--paths" && i + 1 < argc)
@@ -128,6 +131,12 @@ int main(int argc, char** argv) {
                 100.0 * s.sumSquaredJerk / s.sumSquaredJerkBefore);
     for (const double j : s.maxJerk)
       std::printf(" %.0f", j);
+    double printingS = 0.0;
+    for (std::size_t i = 1; i < result.trajectory.pointCount(); ++i)
+      if (result.trajectory.move[i] == plan::MoveKind::Print)
+        printingS += result.trajectory.timeS[i] - result.trajectory.timeS[i - 1];
+    std::printf("\n  transfers %zu: arcs %zu, joint %zu, tree %zu; %.0f s printing", s.transfers,
+                s.arcTransfers, s.jointTransfers, s.treeTransfers, printingS);
     std::printf("\n  duration %.0f s, clearance mean %.2f mm, under %.0f mm %.2f %% of the time, "
                 "least %.2f mm\n",
                 s.durationS, c.meanMm, kNearMm, 100.0 * c.nearShare, c.leastMm);

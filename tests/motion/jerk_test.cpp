@@ -86,19 +86,22 @@ TEST(Jerk, StencilsSeeNoParabolaAndAllOfACubic) {
   }
 }
 
-TEST(BandedSolver, SolvesItsEquations) {
+namespace {
+
+template <std::size_t kWidth> void solvesRandomEquations() {
+  constexpr int kBeside = static_cast<int>(kWidth) - 1;
   std::mt19937 random(9);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   for (int n = 1; n < 40; n += 3) {
     Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(n, n);
     for (int i = 0; i < n; ++i)
-      for (int m = 0; m <= 3 && i >= m; ++m)
-        factor(i, i - m) = m == 0 ? 1.5 + value(random) : value(random);
+      for (int m = 0; m <= kBeside && i >= m; ++m)
+        factor(i, i - m) = m == 0 ? 1.5 + value(random) : value(random) / (kBeside - 2);
     const Eigen::MatrixXd a = factor * factor.transpose();
-    motion::BandedRows rows(static_cast<std::size_t>(n));
+    motion::BandedRows<kWidth> rows(static_cast<std::size_t>(n));
     std::vector<double> b, x;
     for (int i = 0; i < n; ++i) {
-      for (int m = 0; m <= 3; ++m)
+      for (int m = 0; m <= kBeside; ++m)
         rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(m)] =
             i + m < n ? a(i, i + m) : 0;
       b.push_back(value(random));
@@ -108,6 +111,13 @@ TEST(BandedSolver, SolvesItsEquations) {
                                  Eigen::Map<const Eigen::VectorXd>(b.data(), n);
     EXPECT_LT(rest.norm(), 1e-7 * (1.0 + Eigen::Map<const Eigen::VectorXd>(x.data(), n).norm()));
   }
+}
+
+} // namespace
+
+TEST(BandedSolver, SolvesItsEquations) {
+  solvesRandomEquations<4>();
+  solvesRandomEquations<12>();
   std::vector<double> x;
-  EXPECT_FALSE(motion::solveBanded({{1.0, 2.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}, {1.0, 1.0}, x));
+  EXPECT_FALSE(motion::solveBanded<4>({{1.0, 2.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}, {1.0, 1.0}, x));
 }

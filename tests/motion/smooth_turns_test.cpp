@@ -3,6 +3,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
+#include "motion/divided_step.h"
 #include "motion/motion_scene.h"
 #include "motion/nozzle_frame.h"
 #include "motion/sample_plans.h"
@@ -175,6 +176,181 @@ TEST(TurnSmoother, HoldsBringTurnsBack) {
   EXPECT_GT(away, 0.05);
 }
 
+// Joints of points near which the rates are asked: the tool leans and turns a little, the tip
+// stays.
+TEST(TurnSmoother, RatesOfLeansAreTheDerivativesOfTheInverse) {
+  const Wall wall(2);
+  ASSERT_EQ(wall.points.size(), wall.plan.waypointCount());
+  const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times, 0.06);
+  const auto start = smoother.start(onThreads(1));
+  auto at = start;
+  smoother.smooth(at, std::vector<TurnHold>(at.size()), {}, onThreads(1));
+  constexpr double kStep = 1e-5;
+  std::vector<JointVector> scratch;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    longest = std::max(longest, at[i].lean.norm());
+    ASSERT_EQ(at[i].rate.cols(), 3);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const auto& state = wall.points[i].at;
+      const auto moved = [&](double by, JointVector& q) {
+        TurnedPoint p = at[i];
+        if (k == 0)
+          p.turn += by;
+        else
+          p.lean[k - 1] += by;
+        return motion::solveNear(wall.cell, state.tip, p.tool(state.tool), at[i].q, 0.1, scratch,
+                                 q);
+      };
+      JointVector more, less;
+      ASSERT_TRUE(moved(kStep, more) && moved(-kStep, less));
+      EXPECT_LT(((more - less) / (2.0 * kStep) - at[i].rate.col(k)).norm(),
+                1e-5 * (1.0 + at[i].rate.col(k).norm()))
+          << i << " " << k;
+    }
+  }
+  EXPECT_GT(longest, 0.01); // it leans indeed
+}
+
+namespace {
+
+// The nozzle on the spot, its direction with one kink of `rad` in the middle, both ends alike.
+std::vector<RunPoint> kinked(const robot::Cell& cell, std::size_t count, double rad) {
+  std::vector<RunPoint> points;
+  const motion::RobotState home = motion::stateAt(cell, cell.home());
+  std::vector<JointVector> scratch;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(count - 1);
+    RunPoint p;
+    p.at = home;
+    p.at.tool = motion::leant(home.tool,
+                              rad * (1.0 - std::abs(2.0 * t - 1.0)) * Eigen::Vector2d(0.6, -0.8));
+    if (!motion::solveNear(cell, home.tip, p.at.tool, home.q, 0.5, scratch, p.at.q))
+      return {};
+    points.push_back(p);
+  }
+  return points;
+}
+
+} // namespace
+
+// Standing still is without jerk: where the cone has room, directions with a kink come to that.
+TEST(TurnSmoother, AKinkWithinTheConeGoes) {
+  const process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20.0));
+  const robot::ArmTwists twists(*cell.robot().kinematics);
+  constexpr std::size_t kPoints = 41;
+  constexpr double kKink = 0.02;
+  const std::vector<RunPoint> points = kinked(cell, kPoints, kKink);
+  ASSERT_EQ(points.size(), kPoints);
+  std::vector<TurnHold> holds(kPoints);
+  holds.front() = holds.back() = {motion::kHeld, 0.0, motion::kHeld};
+  const auto smoothed = [&](double coneRad) {
+    const motion::TurnSmoother smoother(cell, twists, points, evenTimes(kPoints, 0.05), coneRad);
+    auto at = smoother.start(onThreads(1));
+    smoother.smooth(at, holds, {200, 0.0, 0.3}, onThreads(1));
+    return at;
+  };
+  const auto wide = smoothed(2.0 * kKink);
+  for (std::size_t i = 0; i < kPoints; ++i)
+    EXPECT_LT((wide[i].q - cell.home()).norm(), 1e-4) << i;
+  const auto narrow = smoothed(0.5 * kKink); // takes what there is
+  const auto angle = [&](std::size_t i) {
+    return motion::angleBetween(narrow[i].tool(points[i].at.tool), points[0].at.tool);
+  };
+  for (const TurnedPoint& p : narrow)
+    EXPECT_LT(p.lean.norm(), 0.5 * kKink);
+  EXPECT_GT(narrow[kPoints / 2].lean.norm(), 0.45 * kKink);
+  EXPECT_LT(angle(kPoints / 2), 0.6 * kKink);
+}
+
+// What already is as smooth as can be stays.
+TEST(TurnSmoother, OneDirectionOnTheSpotIsKept) {
+  const process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20.0));
+  const robot::ArmTwists twists(*cell.robot().kinematics);
+  const std::vector<RunPoint> points = kinked(cell, 30, 0.0);
+  ASSERT_EQ(points.size(), 30u);
+  const motion::TurnSmoother smoother(cell, twists, points, evenTimes(30, 0.05), 0.05);
+  auto at = smoother.start(onThreads(1));
+  std::vector<TurnHold> holds(points.size());
+  holds.front() = holds.back() = {motion::kHeld, 0.0, motion::kHeld};
+  smoother.smooth(at, holds, {}, onThreads(1));
+  for (const TurnedPoint& p : at) {
+    EXPECT_LT(p.lean.norm(), 1e-8);
+    EXPECT_LT((p.q - cell.home()).norm(), 1e-8);
+  }
+}
+
+TEST(TurnSmoother, LeansStayInTheirConeAndTipsWhereTheyAre) {
+  std::mt19937 random(31);
+  std::uniform_real_distribution<double> chance(-0.03, 0.03);
+  for (int seed = 1; seed <= 10; ++seed) {
+    Wall wall(seed);
+    ASSERT_EQ(wall.points.size(), wall.plan.waypointCount()) << seed;
+    std::vector<JointVector> scratch;
+    for (RunPoint& p : wall.points) { // directions by chance, some beyond the cone
+      p.at.tool = motion::leant(p.at.tool, {chance(random), chance(random)});
+      ASSERT_TRUE(motion::solveNear(wall.cell, p.at.tip, p.at.tool, p.at.q, 0.5, scratch, p.at.q));
+    }
+    const double cone = seed % 2 == 0 ? 0.01 : 0.05;
+    const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times, cone);
+    const motion::TurnSmoother turnsOnly(wall.cell, wall.twists, wall.points, wall.times);
+    std::vector<TurnHold> holds(wall.points.size());
+    holds[5].stay = holds[5].upright = motion::kHeld;
+    holds[9].upright = motion::kHeld;
+    const auto start = smoother.start(onThreads(2));
+    auto at = start, turns = turnsOnly.start(onThreads(2));
+    smoother.smooth(at, holds, {}, onThreads(2));
+    turnsOnly.smooth(turns, holds, {}, onThreads(2));
+    EXPECT_LT(smoother.cost(at, holds), turnsOnly.cost(turns, holds)) << seed;
+    EXPECT_EQ(at[5].q, start[5].q);
+    EXPECT_TRUE(at[9].lean.isZero(0.0));
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const RunPoint& p = wall.points[i];
+      const Eigen::Isometry3d pose = wall.cell.work_T_tool(at[i].q);
+      EXPECT_LT((pose.translation() - p.at.tip).norm(), 1e-6);
+      const double leans = std::atan2((-pose.linear().col(2)).cross(p.at.direction()).norm(),
+                                      -pose.linear().col(2).dot(p.at.direction()));
+      EXPECT_LE(leans, cone + 1e-9) << seed;
+      EXPECT_NEAR(leans, at[i].lean.norm(), 1e-8);
+      for (Eigen::Index j = 0; j < at[i].q.size(); ++j) {
+        const auto& limit = wall.cell.limits()[static_cast<std::size_t>(j)];
+        EXPECT_GE(at[i].q[j], limit.min);
+        EXPECT_LE(at[i].q[j], limit.max);
+      }
+    }
+    auto alone = start;
+    smoother.smooth(alone, holds, {}, onThreads(1));
+    for (std::size_t i = 0; i < at.size(); ++i)
+      ASSERT_EQ(at[i].q, alone[i].q) << "threads";
+  }
+}
+
+TEST(LeanCone, ItsNumbersAndDerivativesAgree) {
+  const motion::LeanCone cone{0.07};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> chance(-3.0, 3.0);
+  for (int n = 0; n < 50; ++n) {
+    const Eigen::Vector2d free(chance(random), chance(random)), lean = cone.at(free);
+    EXPECT_LT(lean.norm(), cone.rad);
+    EXPECT_LT((cone.freeOf(lean) - free).norm(), 1e-9 * (1.0 + free.norm()));
+    constexpr double kStep = 1e-6;
+    const Eigen::Quaterniond own = Eigen::Quaterniond(0.3, -0.2, 0.9, 0.1).normalized();
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      const Eigen::Vector2d by = kStep * Eigen::Vector2d::Unit(k);
+      EXPECT_LT(
+          ((cone.at(free + by) - cone.at(free - by)) / (2.0 * kStep) - cone.slope(free).col(k))
+              .norm(),
+          1e-8);
+      const Eigen::Quaterniond turn =
+          motion::leant(own, lean - by).conjugate() * motion::leant(own, lean + by);
+      EXPECT_LT((turn.vec() / kStep - motion::leanRates(lean).col(k)).norm(), 1e-8);
+    }
+    EXPECT_NEAR(motion::angleBetween(own, motion::leant(own, lean)), lean.norm(), 1e-12);
+  }
+}
+
 namespace {
 
 struct SmoothScene {
@@ -191,7 +367,9 @@ struct SmoothScene {
         limits(motion::timingLimits(wall.cell, wall.process)) {}
 
   motion::SmoothedRun smoothed(const motion::Meets& meets) const {
-    return motion::smoothRun({scene, wall.twists, limits}, wall.points, meets, onThreads(2));
+    return motion::smoothRun(
+        {scene, wall.twists, limits}, wall.points, meets,
+        [](const motion::RobotState&, bool) { return true; }, onThreads(2));
   }
 };
 
@@ -235,4 +413,67 @@ TEST(SmoothRun, StaysAsItWasWhereNothingElseIsClear) {
       [&](const JointVector& q, std::size_t w) { return (q - points[w].at.q).norm() > 1e-12; });
   for (std::size_t i = 0; i < run.points.size(); ++i)
     EXPECT_EQ(run.points[i].at.q, points[i].at.q);
+}
+
+// Directions by chance: leaning takes their jerk away, within its cone and nowhere else.
+TEST(SmoothRun, LeansWithinTheConeAndNoFurther) {
+  std::mt19937 random(77);
+  std::uniform_real_distribution<double> chance(-0.02, 0.02);
+  for (int seed = 1; seed <= 4; ++seed) {
+    SmoothScene s(seed);
+    s.options.leanRad = 0.04;
+    std::vector<JointVector> scratch;
+    for (RunPoint& p : s.wall.points) {
+      p.at.tool = motion::leant(p.at.tool, {chance(random), chance(random)});
+      ASSERT_TRUE(
+          motion::solveNear(s.wall.cell, p.at.tip, p.at.tool, p.at.q, 0.5, scratch, p.at.q));
+    }
+    const auto run = s.smoothed([](const JointVector&, std::size_t) { return false; });
+    ASSERT_EQ(run.points.size(), run.before.size());
+    double most = 0.0, volume = 0.0, volumeBefore = 0.0;
+    std::size_t waypoints = 0;
+    for (std::size_t i = 0; i < run.points.size(); ++i) {
+      const RunPoint &p = run.points[i], &before = run.before[i];
+      const Eigen::Isometry3d pose = s.wall.cell.work_T_tool(p.at.q);
+      EXPECT_LT((pose.translation() - before.at.tip).norm(), 1e-6);
+      EXPECT_LT((-pose.linear().col(2) - p.at.direction()).norm(), 1e-6);
+      most = std::max(most, motion::angleBetween(motion::carried(before.at.tool, p.at.direction()),
+                                                 before.at.tool));
+      volume += p.volumeMm3;
+      waypoints += p.waypoint != plan::kNoWaypoint;
+    }
+    for (const RunPoint& p : s.wall.points)
+      volumeBefore += p.volumeMm3;
+    EXPECT_LE(most, s.options.leanRad + 1e-9);
+    EXPECT_GT(most, 0.005);
+    EXPECT_EQ(waypoints, s.wall.points.size());
+    EXPECT_NEAR(volume, volumeBefore, 1e-9);
+    const auto jerk = [&](const std::vector<RunPoint>& points) {
+      const auto timed = motion::timedPoints(s.wall.cell, points);
+      return motion::jerkOf(timed, evenTimes(points.size(), 0.04)).sumSquared;
+    };
+    EXPECT_LT(jerk(run.points), jerk(run.before)) << seed;
+  }
+}
+
+// A step that is divided: evenly, with its volume shared, where its ends were.
+TEST(DividedStep, SharesWayTurnAndVolume) {
+  const SmoothScene s(1);
+  const RunPoint& from = s.wall.points[3];
+  RunPoint to = s.wall.points[4];
+  to.volumeMm3 = 0.6;
+  std::vector<RunPoint> points{from};
+  ASSERT_TRUE(motion::appendDivided(s.scene, to, 4, points));
+  ASSERT_EQ(points.size(), 5u);
+  const double angle = motion::angleBetween(from.at.tool, to.at.tool);
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const RunPoint &a = points[k - 1], &b = points[k];
+    EXPECT_NEAR((b.at.tip - a.at.tip).norm(), 0.25 * (to.at.tip - from.at.tip).norm(), 1e-9);
+    EXPECT_NEAR(motion::angleBetween(a.at.tool, b.at.tool), 0.25 * angle, 1e-9);
+    EXPECT_DOUBLE_EQ(b.volumeMm3, 0.15);
+    EXPECT_EQ(b.waypoint, k == 4 ? to.waypoint : plan::kNoWaypoint);
+    EXPECT_EQ(b.next, to.next);
+    EXPECT_LT((s.wall.cell.work_T_tool(b.at.q).translation() - b.at.tip).norm(), 1e-6);
+  }
+  EXPECT_LT((points.back().at.q - to.at.q).norm(), 1e-6);
 }

@@ -70,6 +70,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"liftMm", {"3", 4}},
     {"redundancySamples", {"12", 4}},
     {"turnSmoothing", {"wholePath", 4}},
+    {"directionConeDeg", {"2.5", 4}},
     {"motionsPerFile", {"2000", 5}},
     {"urscriptForm", {"port", 5}},
     {"rapidModules", {"modx", kStageCount}}, // no program here is RAPID
