@@ -15,6 +15,14 @@ enum class TurnMethod {
   WholePath // the least jerk over each whole run (smooth_run.h): twice the motion's time
 };
 
+// How the nozzle stands about its own axis (tool_frames.h).
+enum class NozzleTurn {
+  Free, // as the arm goes best: all turns are tried
+  Tangent,
+  WorkAxis,
+  Rodrigues
+};
+
 struct MotionOptions {
   int samples = 24;          // turns about the nozzle that are tried
   double rungMm = 5.0;       // distance of rungs of the ladder graph along a path
@@ -30,10 +38,11 @@ struct MotionOptions {
   double hopLiftMm = 1.0;
   std::uint64_t seed = 1;    // of the sampling planner
   int treeIterations = 4000; // of the sampling planner, a transfer
-  TurnMethod smoothing = TurnMethod::Evened;
+  NozzleTurn turn = NozzleTurn::Free;
+  TurnMethod smoothing = TurnMethod::Evened; // of free turns
 };
 
-// Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples, turnSmoothing.
+// Keys: bodyClearanceMm, partClearanceMm, liftMm, nozzleTurn, redundancySamples, turnSmoothing.
 base::ParameterTable motionParameters();
 // Throws nothing when `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);
