@@ -23,13 +23,15 @@ const test::Scene& slid() {
     test::Scene s = test::boxScene(2, "kr10-r1100-slide");
     plan::Trajectory& t = s.trajectory;
     std::vector<robot::JointVector> solutions;
-    robot::JointVector near = Eigen::Map<const Eigen::VectorXd>(t.at(0), t.dof);
+    // Half a turn about the nozzle keeps the wrist from stretching.
+    const Eigen::AngleAxisd about(base::kPi, Eigen::Vector3d::UnitZ());
+    robot::JointVector near = s.cell.home();
     const std::size_t n = t.pointCount();
     for (std::size_t i = 0; i < n; ++i) {
       const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof);
       robot::JointVector there = near;
       there[6] = kFarMm * std::sin(base::kPi * static_cast<double>(i) / static_cast<double>(n - 1));
-      s.cell.inverse(s.cell.work_T_tool(q), there, solutions);
+      s.cell.inverse(s.cell.work_T_tool(q) * about, there, solutions);
       base::require(!solutions.empty(), "scene: in reach");
       near =
           *std::min_element(solutions.begin(), solutions.end(), [&](const auto& a, const auto& b) {
