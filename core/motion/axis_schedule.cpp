@@ -25,6 +25,7 @@ constexpr double kStep = base::degreesToRadians(15.0);
 constexpr double kFreeLean = base::degreesToRadians(20.0);
 // Of a rung: a little for any lean, more where it goes beyond what is free.
 constexpr double kLeanScale = base::degreesToRadians(30.0), kAnyLean = 0.001, kMuchLean = 0.2;
+constexpr double kFreeAsideMm = 100.0, kAsideScaleMm = 100.0; // likewise, of what slides
 constexpr double kStartTravel = 0.3; // a radian, with the nozzle lifted; while printing it is 1
 constexpr double kBlocked = 20.0;    // of a position in which the arm does not get there
 constexpr int kSearches = 6;
@@ -39,18 +40,19 @@ public:
     const Vector3d up =
         cell.externalAxes().front().before_T_axis.linear().transpose() * Vector3d::UnitZ();
     for (const robot::ExternalAxis& axis : cell.externalAxes()) {
-      const bool stays = axis.limits.kind == robot::JointKind::Sliding;
       // One that runs on needs no more than a turn either way.
       const double low = axis.runsOn ? -base::kTurn : axis.limits.min;
       const double high = axis.runsOn ? base::kTurn : axis.limits.max;
-      first_.push_back(stays ? 0 : static_cast<int>(std::ceil(low / kStep - 1e-9)));
-      counts_.push_back(
-          stays ? 1 : static_cast<int>(std::floor(high / kStep + 1e-9)) - first_.back() + 1);
+      steps_.push_back(robot::fromTurn(axis.limits.kind, kStep));
+      first_.push_back(static_cast<int>(std::ceil(low / steps_.back() - 1e-9)));
+      counts_.push_back(static_cast<int>(std::floor(high / steps_.back() + 1e-9)) - first_.back() +
+                        1);
       strides_.push_back(nodes_);
       nodes_ *= counts_.back();
     }
     for (int n = 0; n < nodes_; ++n)
       up_.push_back(axesTurn(cell, at(n)).conjugate() * up);
+    findSlides();
     addMoves(0, 0, 0.0, {});
   }
 
@@ -58,8 +60,17 @@ public:
   JointVector at(int node) const {
     JointVector axes(static_cast<Eigen::Index>(counts_.size()));
     for (std::size_t k = 0; k < counts_.size(); ++k)
-      axes[static_cast<Eigen::Index>(k)] = kStep * (first_[k] + place(node, k));
+      axes[static_cast<Eigen::Index>(k)] = steps_[k] * (first_[k] + place(node, k));
     return axes;
+  }
+  // How far slides have a point of the work frame from before the arm at home, mm along each.
+  double asideMm(int node, const Vector3d& point) const {
+    double aside = 0.0;
+    for (const Slide& slide : slides_) {
+      const auto n = static_cast<std::size_t>(node);
+      aside = std::max(aside, std::abs(slide.along[n].dot(point) + slide.offsetMm[n]));
+    }
+    return aside;
   }
   // The work frame's direction that is up there.
   const Vector3d& upAt(int node) const { return up_[static_cast<std::size_t>(node)]; }
@@ -80,7 +91,36 @@ public:
   }
 
 private:
+  // Where a point of the work frame is along a slide, from the tip at home: along . point + offset.
+  struct Slide {
+    std::vector<Vector3d> along; // of each node
+    std::vector<double> offsetMm;
+  };
+
   int place(int node, std::size_t axis) const { return node / strides_[axis] % counts_[axis]; }
+  void findSlides() {
+    const JointVector home = cell_.home();
+    const auto inBase = [&](const JointVector& axes) {
+      return cell_.base_T_work(withAxes(cell_, home, axes));
+    };
+    const Vector3d tip = cell_.base_T_work(home) * cell_.work_T_tool(home).translation();
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      if (cell_.externalAxes()[k].limits.kind != robot::JointKind::Sliding)
+        continue;
+      Slide slide;
+      for (int n = 0; n < nodes_; ++n) {
+        const Eigen::Isometry3d pose = inBase(at(n));
+        const int other = place(n, k) > 0 ? n - strides_[k] : n + strides_[k];
+        if (counts_[k] < 2)
+          break;
+        const Vector3d way = (inBase(at(other)).translation() - pose.translation()).normalized();
+        slide.along.push_back(pose.linear().transpose() * way);
+        slide.offsetMm.push_back(way.dot(pose.translation() - tip));
+      }
+      if (!slide.along.empty())
+        slides_.push_back(std::move(slide));
+    }
+  }
   void addMoves(std::size_t axis, int by, double cost, std::vector<int> steps) {
     if (axis == counts_.size()) {
       moves_.push_back({by, cost, std::move(steps)});
@@ -94,14 +134,22 @@ private:
   }
 
   const robot::Cell& cell_;
+  std::vector<double> steps_; // of each axis, rad or mm
   std::vector<int> first_, counts_, strides_;
   int nodes_ = 1;
+  std::vector<Slide> slides_;
   std::vector<Vector3d> up_;
   std::vector<Move> moves_; // to stay is the first
 };
 
 double leanOf(const Vector3d& direction, const Vector3d& up) {
   return std::acos(std::clamp(direction.dot(up), -1.0, 1.0));
+}
+
+// A part that a slide holds beside the arm is out of its reach sooner or later.
+double asideCost(double mm) {
+  const double all = mm / kAsideScaleMm, much = std::max(0.0, mm - kFreeAsideMm) / kAsideScaleMm;
+  return kAnyLean * all * all + kMuchLean * much * much;
 }
 
 double leanCost(double lean) {
@@ -176,6 +224,17 @@ private:
     return false;
   }
 
+  // Rad, of what slides by robot::asTurn.
+  double travelTo(const JointVector& axes) const {
+    double travel = 0.0;
+    for (std::size_t k = 0; k < scene_.cell.externalAxes().size(); ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      travel += std::abs(
+          robot::asTurn(scene_.cell.externalAxes()[k].limits.kind, axes[axis] - from_.axes[axis]));
+    }
+    return travel;
+  }
+
   // One node a rung.
   std::vector<int> cheapest(const Grid& grid) const {
     const auto nodes = static_cast<std::size_t>(grid.size());
@@ -188,7 +247,7 @@ private:
         const int node = static_cast<int>(n);
         double best = kInfinity;
         if (r == 0)
-          best = kStartTravel * (grid.at(node) - from_.axes).cwiseAbs().sum();
+          best = kStartTravel * travelTo(grid.at(node));
         else
           for (std::size_t m = 0; m < grid.moves().size(); ++m) {
             // Every move has its opposite among them.
@@ -201,7 +260,8 @@ private:
               came[r][n] = static_cast<std::uint8_t>(m);
             }
           }
-        cost[n] = best + leanCost(leanOf(direction, grid.upAt(node)));
+        cost[n] = best + leanCost(leanOf(direction, grid.upAt(node))) +
+                  asideCost(grid.asideMm(node, scene_.plan.position[rungs_[r]]));
         if (const auto known = reached_.find({r, node}); known != reached_.end() && !known->second)
           cost[n] += kBlocked;
       }

@@ -64,7 +64,7 @@ public:
       : joints_(joints), first_(static_cast<std::size_t>(samples) + 1, 0) {}
 
   struct Node {
-    int index, aside;
+    int index, aside, side;
     double cost;
   };
 
@@ -84,7 +84,7 @@ public:
     for (std::size_t n = 0; n < rung.size(); ++n)
       if (cost[n] < kInfinity) {
         const std::size_t at = fill_[slot(n)]++;
-        nodes_[at] = {static_cast<int>(n), rung[n].aside, cost[n]};
+        nodes_[at] = {static_cast<int>(n), rung[n].aside, rung[n].side, cost[n]};
         std::copy_n(q[n].data(), joints_, q_.begin() + static_cast<std::ptrdiff_t>(at * joints_));
       }
   }
@@ -139,7 +139,8 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
           for (std::size_t m = reached.begin(sample); m < reached.end(sample); ++m) {
             const Reached::Node& from = reached.node(m);
             const double soFar = from.cost + rung[n].cost;
-            if (soFar >= least || std::abs(from.aside - rung[n].aside) > options.asideWindow)
+            if (soFar >= least || std::abs(from.aside - rung[n].aside) > options.asideWindow ||
+                from.side * rung[n].side < 0)
               continue;
             const double total = soFar + step(reached.joints(m), rung[n].q, limits,
                                               options.maxStepRad[r], least - soFar);

@@ -14,6 +14,7 @@ struct LadderNode {
   int aside = 0;        // how far the last external axis is from where it stands by itself, steps
   double cost = 0.0;    // of being here, added to the way's length
   bool blocked = false; // not to be used
+  int side = 0;         // of the arm's singular poses, -1 or 1; 0: either will do
 };
 using Rung = std::vector<LadderNode>;
 
@@ -34,6 +35,7 @@ struct LadderWay {
 // Dijkstra on a layered graph is a sweep over its layers: the least sum of L1 joint steps from the
 // first rung to the last, starting costs (one a node of the first rung) and node costs included;
 // sliding joints count as robot::asTurn has them.
+// Nodes on different sides of the arm's singular poses are not joined.
 // Joints are taken by whole turns nearest to the predecessor's, as long as limits allow it. Where
 // no node of a rung can be reached the way ends before it, at the cheapest node. Ties go to the
 // node at the nearest sample.

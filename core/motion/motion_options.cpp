@@ -1,12 +1,22 @@
 #include "motion/motion_options.h"
 
 #include <algorithm>
+#include <string>
 
 namespace voluta::motion {
 
 namespace {
 constexpr const char *kTurnSmoothing = "turnSmoothing", *kWholePath = "wholePath";
+constexpr const char *kNozzleTurn = "nozzleTurn", *kTangent = "tangent", *kWorkAxis = "workAxis",
+                     *kRodrigues = "rodrigues";
+
+NozzleTurn nozzleTurn(const std::string& name) {
+  return name == kTangent     ? NozzleTurn::Tangent
+         : name == kWorkAxis  ? NozzleTurn::WorkAxis
+         : name == kRodrigues ? NozzleTurn::Rodrigues
+                              : NozzleTurn::Free;
 }
+} // namespace
 
 base::ParameterTable motionParameters() {
   const MotionOptions d;
@@ -22,6 +32,15 @@ base::ParameterTable motionParameters() {
        base::numberParameter(
            "liftMm", "mm", d.liftMm, 0.5, 100.0, "Motion"_text, "lift"_text,
            "How far the nozzle leaves the part, at least, before it travels."_text),
+       base::choiceParameter(
+           kNozzleTurn, "free",
+           {{"free", "as the arm goes best"_text},
+            {kTangent, "along the path"_text},
+            {kWorkAxis, "along the plate"_text},
+            {kRodrigues, "least turn from upright"_text}},
+           "Motion"_text, "turn of the nozzle"_text,
+           "How the nozzle stands about its own axis: as it suits the arm, or by a rule, where "
+           "what it carries has a front. By a rule fewer places are reached."_text),
        base::integerParameter("redundancySamples", d.samples, 8, 72, "Motion"_text,
                               "turns about the nozzle"_text,
                               "How many turns of the part about the nozzle's axis are tried at "
@@ -48,6 +67,7 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.liftMm = values.number("liftMm");
   o.hopLiftMm = std::min(o.hopLiftMm, o.liftMm);
   o.samples = static_cast<int>(values.integer("redundancySamples"));
+  o.turn = nozzleTurn(values.text(kNozzleTurn));
   o.smoothing =
       values.text(kTurnSmoothing) == kWholePath ? TurnMethod::WholePath : TurnMethod::Evened;
   o.leanRad = base::degreesToRadians(values.number("directionConeDeg"));

@@ -16,6 +16,14 @@ enum class TurnMethod {
   WholePath // the least jerk over each whole run (smooth_run.h): twice the motion's time
 };
 
+// How the nozzle stands about its own axis (tool_frames.h).
+enum class NozzleTurn {
+  Free, // as the arm goes best: all turns are tried
+  Tangent,
+  WorkAxis,
+  Rodrigues
+};
+
 struct MotionOptions {
   int samples = 24;          // turns about the nozzle that are tried
   double rungMm = 5.0;       // distance of rungs of the ladder graph along a path
@@ -31,7 +39,8 @@ struct MotionOptions {
   double hopLiftMm = 1.0;
   std::uint64_t seed = 1;    // of the sampling planner
   int treeIterations = 4000; // of the sampling planner, a transfer
-  TurnMethod smoothing = TurnMethod::Evened;
+  NozzleTurn turn = NozzleTurn::Free;
+  TurnMethod smoothing = TurnMethod::Evened; // of free turns
   // How far directions may lean where whole paths are smoothed. At 5 degrees jerk is less still,
   // but some travels were found to lose their straight way.
   double leanRad = base::degreesToRadians(3.0);
@@ -39,8 +48,8 @@ struct MotionOptions {
   double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };
 
-// Keys: bodyClearanceMm, partClearanceMm, liftMm, redundancySamples, turnSmoothing,
-// directionConeDeg.
+// Keys: bodyClearanceMm, partClearanceMm, liftMm, nozzleTurn, redundancySamples,
+// turnSmoothing, directionConeDeg.
 base::ParameterTable motionParameters();
 // Throws nothing when `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);

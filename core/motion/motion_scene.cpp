@@ -40,6 +40,33 @@ double MotionScene::span(const JointVector& a, const JointVector& b) const {
   return std::max(arm, axes);
 }
 
+int MotionScene::sideOf(const JointVector& q) const {
+  std::vector<Eigen::Isometry3d> links;
+  return twists.singularSide(q, links);
+}
+
+bool MotionScene::goesStraight(const RobotState& from, const RobotState& to) const {
+  if (sideOf(from.q) * sideOf(to.q) >= 0)
+    return true;
+  constexpr int kSteps = 16;
+  constexpr double kThere = 1e-4; // rad
+  std::vector<JointVector> scratch;
+  JointVector q = from.q;
+  double travelled = 0.0; // of the joint that goes furthest in each step
+  for (int k = 1; k <= kSteps; ++k) {
+    const double t = static_cast<double>(k) / kSteps;
+    JointVector last = q;
+    const Eigen::Index axes = q.size() - cell.armDof();
+    last.tail(axes) = from.q.tail(axes) + t * (to.q.tail(axes) - from.q.tail(axes));
+    if (!solveNear(cell, from.tip + t * (to.tip - from.tip), from.tool.slerp(t, to.tool), last,
+                   options.maxStepRad, scratch, q))
+      return false;
+    travelled += robot::largestTurn(q - last, cell.robot().limits);
+  }
+  return travelled <= options.maxStepRad &&
+         robot::largestTurn(q - to.q, cell.robot().limits) <= kThere;
+}
+
 bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& tool,
                const JointVector& near, double maxStep, std::vector<JointVector>& scratch,
                JointVector& q) {

@@ -4,7 +4,9 @@
 #include "collision/cell_collision.h"
 #include "collision/growing_part.h"
 #include "motion/motion_options.h"
+#include "motion/run.h"
 #include "plan/tool_plan.h"
+#include "robot/arm_twists.h"
 #include "robot/cell.h"
 
 #include <vector>
@@ -35,7 +37,17 @@ struct MotionScene {
   // (sliding ones by robot::asTurn), or what external axes take the part, where that is further
   // than a joint would at an arm's lever.
   double span(const robot::JointVector& a, const robot::JointVector& b) const;
+
+  // ArmTwists::singularSide.
+  int sideOf(const robot::JointVector& q) const;
+  // Does a controller that takes the nozzle straight from one state to the other, in small steps
+  // and each time to the joints next to those before, come to those of the other without a detour?
+  // Not where it passes beside a singular pose and the two are on different sides of that: a joint
+  // would race, or all end elsewhere.
+  bool goesStraight(const RobotState& from, const RobotState& to) const;
+
   std::vector<double> leversMm = {}; // of the external axes: leversOf
+  robot::ArmTwists twists = robot::ArmTwists(*cell.robot().kinematics);
 };
 
 // The joints that bring the nozzle there, nearest to `near` (largest step of the arm's, rad,

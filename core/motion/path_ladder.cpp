@@ -8,6 +8,7 @@
 #include "motion/external_axes.h"
 #include "motion/joint_costs.h"
 #include "motion/nozzle_frame.h"
+#include "motion/tool_frames.h"
 #include "robot/nozzle_turns.h"
 
 #include <algorithm>
@@ -41,31 +42,18 @@ PathLadder::PathLadder(const MotionScene& scene, std::size_t first, std::size_t 
 }
 
 std::size_t PathLadder::carryTools(std::size_t count, const base::RunContext& ctx) {
-  tools_.resize(count);
-  Quaterniond tool = from_.tool;
   const robot::Cell& cell = scene_.cell;
-  if (cell.externalAxes().empty()) {
-    for (std::size_t i = 0; i < count; ++i) {
-      tool = carried(tool, scene_.plan.direction[first_ + i]);
-      tools_[i] = tool;
-    }
-    return count;
-  }
   if (cell.rod()) {
     for (const double angle : uprightAngles(scene_.plan, cell, first_, count, from_.axes[0]))
       axes_.push_back(JointVector::Constant(1, angle));
-  } else {
+  } else if (!cell.externalAxes().empty()) {
     const base::Stopwatch watch;
     axes_ = axisSchedule(scene_, first_, count, from_, ctx);
     times_.graph += watch.seconds();
   }
-  // As it stands in the base: round a cone it comes back to itself there, in the work frame not.
-  tool = axesTurn(cell, from_.axes) * tool;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    tool = carried(tool, turnedByAxes(cell, scene_.plan.direction[first_ + i], axes_[i]));
-    tools_[i] = axesTurn(cell, axes_[i]).conjugate() * tool;
-  }
-  return axes_.size();
+  tools_ = toolFrames(scene_.options.turn, scene_.plan, cell, first_, count, axes_, from_.tool,
+                      from_.axes);
+  return tools_.size();
 }
 
 JointVector PathLadder::axesAt(std::size_t waypoint, double aside) const {
@@ -137,7 +125,7 @@ void PathLadder::setPlaces(const std::vector<std::size_t>& waypoints, const base
       ++old;
     } else {
       fresh.push_back(places.size());
-      places.push_back({w, false, false, false, {}, {}});
+      places.push_back({w});
       rungs.emplace_back();
     }
   }
@@ -177,6 +165,7 @@ bool PathLadder::refine(std::size_t rung, const base::RunContext& ctx) {
 
 void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>& asides) const {
   const int samples = scene_.options.samples;
+  const int turnsTried = scene_.options.turn == NozzleTurn::Free ? samples : 1; // as they stand
   std::vector<JointVector> solutions;
   for (const int aside : asides) {
     const JointVector near =
@@ -187,7 +176,7 @@ void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>
       continue;
     const robot::NozzleTurns turns(
         scene_.cell, toolPose(scene_.plan.position[place.waypoint], toolAt(place.waypoint)), near);
-    for (int k = 0; k < samples; ++k) {
+    for (int k = 0; k < turnsTried; ++k) {
       turns.at(base::kTurn * k / static_cast<double>(samples), solutions);
       for (const JointVector& q : solutions)
         rung.push_back({q, k, aside,
@@ -212,10 +201,9 @@ bool PathLadder::widen(std::size_t rung, const base::RunContext& ctx) {
       const std::size_t before = nodes.size();
       addNodes(place, nodes, {-2, -1, 1, 2});
       for (std::size_t n = before; n < nodes.size(); ++n)
-        if (const auto contact = contactAt(nodes[n].q, place.waypoint)) {
-          nodes[n].blocked = true;
-          place.contacts.push_back(*contact);
-        }
+        look(nodes[n], place);
+      if (place.sided)
+        tellSides(todo[t]);
       place.widened = true;
       place.lifted = false;
     }
@@ -233,6 +221,25 @@ std::optional<collision::Contact> PathLadder::contactAt(const JointVector& q,
   return scene_.collision.bodiesAndPart(frames, scene_.part, waypoint, scene_.options.printing);
 }
 
+void PathLadder::look(LadderNode& node, Place& place) const {
+  if (const auto contact = contactAt(node.q, place.waypoint)) {
+    node.blocked = true;
+    place.contacts.push_back(*contact);
+  }
+}
+
+void PathLadder::tellSides(std::size_t rung) {
+  places_[rung].sided = true;
+  for (LadderNode& node : rungs_[rung])
+    node.side = scene_.sideOf(node.q);
+}
+
+void PathLadder::keepSides(std::size_t rung) {
+  tellSides(rung);
+  if (rung > 0)
+    tellSides(rung - 1);
+}
+
 void PathLadder::judge(const std::vector<std::size_t>& rungs, const base::RunContext& ctx) {
   const base::Stopwatch watch;
   std::vector<std::size_t> todo;
@@ -245,10 +252,7 @@ void PathLadder::judge(const std::vector<std::size_t>& rungs, const base::RunCon
     for (std::size_t t = b; t < e; ++t) {
       Place& place = places_[todo[t]];
       for (LadderNode& node : rungs_[todo[t]])
-        if (const auto contact = contactAt(node.q, place.waypoint)) {
-          node.blocked = true;
-          place.contacts.push_back(*contact);
-        }
+        look(node, place);
     }
   });
   times_.collision += watch.seconds();
@@ -373,13 +377,14 @@ Course PathLadder::courseOf(const LadderWay& way) const {
 
 bool PathLadder::liftable(const RobotState& state, std::size_t before) const {
   std::vector<JointVector> scratch;
-  JointVector q = state.q;
+  RobotState at = state;
   for (double height = kLiftStepMm; height <= kLiftFactor * scene_.options.liftMm;
        height += kLiftStepMm) {
-    const JointVector last = q;
-    if (!solveNear(scene_.cell, state.tip + height * state.direction(), state.tool, last,
-                   scene_.options.maxStepRad, scratch, q) ||
-        contactAt(q, before))
+    const RobotState last = at;
+    at.tip = state.tip + height * state.direction();
+    if (!solveNear(scene_.cell, at.tip, at.tool, last.q, scene_.options.maxStepRad, scratch,
+                   at.q) ||
+        !scene_.goesStraight(last, at) || contactAt(at.q, before))
       return false;
   }
   return true;

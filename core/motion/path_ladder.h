@@ -66,6 +66,10 @@ public:
   // Blocks nodes in which something collides, each rung once.
   void judge(const std::vector<std::size_t>& rungs, const base::RunContext& ctx);
 
+  // Joins no nodes of this rung and the one before that are on different sides of the arm's
+  // singular poses.
+  void keepSides(std::size_t rung);
+
   // Of two ways to begin, by whole turns: near where the arm is, which may wind it up against its
   // limits, and near home. The one that gets further, then the cheaper one.
   LadderWay bestWay();
@@ -94,9 +98,10 @@ private:
     std::size_t waypoint;
     bool judged = false;  // all nodes were checked for collisions
     bool widened = false; // has nodes with the last external axis aside too
+    bool sided = false;   // nodes know their side of singular poses
     bool lifted = false;  // nodes from which the arm cannot lift the nozzle were blocked
-    std::vector<std::size_t> unliftable;      // those nodes
-    std::vector<collision::Contact> contacts; // why nodes are blocked, where by collision
+    std::vector<std::size_t> unliftable = {};      // those nodes
+    std::vector<collision::Contact> contacts = {}; // why nodes are blocked, where by collision
   };
 
   std::size_t carryTools(std::size_t count, const base::RunContext& ctx);
@@ -106,6 +111,8 @@ private:
   bool canStandAside() const;
   std::vector<std::size_t> rungWaypoints(std::size_t count) const;
   void setPlaces(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx);
+  void look(LadderNode& node, Place& place) const;
+  void tellSides(std::size_t rung);
   void addNodes(const Place& place, Rung& rung, const std::vector<int>& asides) const;
 
   const MotionScene& scene_;

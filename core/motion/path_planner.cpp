@@ -27,6 +27,12 @@ constexpr int kTriesBeforeJudgingAll = 6;
 constexpr double kEvening = 200.0; // waves under about 24 waypoints go
 constexpr std::size_t kCheckChunk = 16;
 
+// A waypoint that a run fails at, or on the way to.
+struct Failed {
+  std::size_t waypoint;
+  bool passes; // a singular pose, and else nothing
+};
+
 // What is left to plan of a path: as much of it as can be joined becomes a run.
 class Stretch {
 public:
@@ -45,8 +51,8 @@ private:
   // none, and nothing more to try.
   bool goFurther(const LadderWay& way);
   std::size_t refuseStart(const LadderWay& way, std::vector<Refused>& refused);
-  // Fills run_ along a way over all rungs. Returns the waypoints that fail; none: it is good.
-  std::vector<std::size_t> follow(const LadderWay& way);
+  // Fills run_ along a way over all rungs. Returns what fails; none: it is good.
+  std::vector<Failed> follow(const LadderWay& way);
   // Of a run that meets nothing; its ends stay.
   void smooth();
   // Has the head, lifted from there as little as for the shortest travel, room to travel?
@@ -56,13 +62,13 @@ private:
   // Settles for what comes before the first failure. False: that is nothing.
   bool settle(std::size_t failed);
   // Judges the rungs about each failure; where the way's own nodes stay clear, looks closer.
-  void lookCloser(const LadderWay& way, const std::vector<std::size_t>& failed, bool judgeAll);
+  void lookCloser(const LadderWay& way, const std::vector<Failed>& failed, bool judgeAll);
 
   // The points of waypoints [first, first + course.turn.size()), divided where the nozzle would
   // bend off its way. False: at waypoint failedAt the joints cannot follow.
   bool fill(const Course& course, const JointVector& start, std::vector<RunPoint>& points,
             std::size_t& failedAt) const;
-  std::vector<std::size_t> failures(const std::vector<RunPoint>& points) const;
+  std::vector<Failed> failures(const std::vector<RunPoint>& points) const;
 
   const RunSmoothing& smoothing_;
   const MotionScene& scene_;
@@ -110,17 +116,24 @@ bool Stretch::fill(const Course& course, const JointVector& start, std::vector<R
   return true;
 }
 
-std::vector<std::size_t> Stretch::failures(const std::vector<RunPoint>& points) const {
-  std::vector<char> bad(points.size(), 0);
+std::vector<Failed> Stretch::failures(const std::vector<RunPoint>& points) const {
+  enum : char { kSound, kPasses, kMeets };
+  std::vector<char> bad(points.size(), kSound);
   base::parallelChunks(ctx_, points.size(), kCheckChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e; ++p)
-      bad[p] = ladder_.contactAt(points[p].at.q, points[p].next).has_value();
+      if (ladder_.contactAt(points[p].at.q, points[p].next))
+        bad[p] = kMeets;
+      else if (p > 0 && !scene_.goesStraight(points[p - 1].at, points[p].at))
+        bad[p] = kPasses;
   });
-  std::vector<std::size_t> waypoints;
+  std::vector<Failed> failed;
   for (std::size_t p = 0; p < points.size(); ++p)
-    if (bad[p] && (waypoints.empty() || waypoints.back() != points[p].next))
-      waypoints.push_back(points[p].next);
-  return waypoints;
+    if (bad[p] != kSound) {
+      if (failed.empty() || failed.back().waypoint != points[p].next)
+        failed.push_back({points[p].next, true});
+      failed.back().passes = failed.back().passes && bad[p] == kPasses;
+    }
+  return failed;
 }
 
 bool Stretch::goFurther(const LadderWay& way) {
@@ -153,7 +166,7 @@ std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& ref
   return 1;
 }
 
-std::vector<std::size_t> Stretch::follow(const LadderWay& way) {
+std::vector<Failed> Stretch::follow(const LadderWay& way) {
   std::size_t failedAt = 0;
   base::Stopwatch watch;
   Course course = ladder_.courseOf(way);
@@ -168,9 +181,9 @@ std::vector<std::size_t> Stretch::follow(const LadderWay& way) {
   const bool even = evens && fill(course, way.q.front(), run_.points, failedAt);
   times_.ik += watch.seconds();
   if (!followed)
-    return {failedAt};
+    return {{failedAt, false}};
   watch = base::Stopwatch();
-  std::vector<std::size_t> failed;
+  std::vector<Failed> failed;
   if (!even || !failures(run_.points).empty()) {
     run_.points = run_.ladder;
     failed = failures(run_.points);
@@ -180,7 +193,7 @@ std::vector<std::size_t> Stretch::follow(const LadderWay& way) {
 }
 
 void Stretch::smooth() {
-  if (scene_.options.smoothing != TurnMethod::WholePath)
+  if (scene_.options.smoothing != TurnMethod::WholePath || scene_.options.turn != NozzleTurn::Free)
     return;
   SmoothedRun smoothed = smoothRun(
       smoothing_, run_.ladder,
@@ -190,8 +203,14 @@ void Stretch::smooth() {
         return ladder_.liftable(state, before) && headTravels(state, before);
       },
       ctx_);
-  run_.points = std::move(smoothed.points);
-  run_.ladder = std::move(smoothed.before);
+  // Turns that take the arm past a singular pose are no smoother.
+  bool straight = true;
+  for (std::size_t p = 1; p < smoothed.points.size() && straight; ++p)
+    straight = scene_.goesStraight(smoothed.points[p - 1].at, smoothed.points[p].at);
+  if (straight) {
+    run_.points = std::move(smoothed.points);
+    run_.ladder = std::move(smoothed.before);
+  }
   times_.jerk += smoothed.smoothS;
   times_.collision += smoothed.checkS;
 }
@@ -227,25 +246,33 @@ bool Stretch::settle(std::size_t failed) {
   return true;
 }
 
-void Stretch::lookCloser(const LadderWay& way, const std::vector<std::size_t>& failed,
-                         bool judgeAll) {
+void Stretch::lookCloser(const LadderWay& way, const std::vector<Failed>& failed, bool judgeAll) {
   std::vector<std::size_t> about;
   if (judgeAll) {
     for (std::size_t r = 0; r < ladder_.size(); ++r)
       about.push_back(r);
   } else {
-    for (const std::size_t w : failed) {
-      const std::size_t r = ladder_.rungAt(w);
+    for (const Failed& f : failed) {
+      const std::size_t r = ladder_.rungAt(f.waypoint);
+      if (f.passes)
+        continue; // that shows between rungs, at none
       for (std::size_t k = r < 2 ? 0 : r - 2; k < std::min(r + 2, ladder_.size()); ++k)
         about.push_back(k);
     }
   }
   ladder_.judge(about, ctx_);
   std::vector<std::size_t> between;
-  for (const std::size_t w : failed) {
+  for (const auto& [w, passes] : failed) {
     const std::size_t r = ladder_.rungAt(w);
+    if (passes)
+      ladder_.keepSides(r);
     LadderNode& here = ladder_.node(r, way.node[r]);
-    if (here.blocked || (r > 0 && ladder_.node(r - 1, way.node[r - 1]).blocked))
+    if (r > 0) {
+      const LadderNode& last = ladder_.node(r - 1, way.node[r - 1]);
+      if (last.blocked || last.side * here.side < 0)
+        continue;
+    }
+    if (here.blocked)
       continue;
     if (r > 0 && ladder_.waypointOf(r) - ladder_.waypointOf(r - 1) > 1)
       between.push_back(w);
@@ -277,7 +304,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
       refused.push_back(ladder_.refusalOf(0));
       return 1;
     }
-    const std::vector<std::size_t> failed = follow(way);
+    const std::vector<Failed> failed = follow(way);
     if (failed.empty()) {
       if (wantsLift_ && !endsLift())
         continue;
@@ -289,7 +316,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
       lookCloser(way, failed, tries >= kTriesBeforeJudgingAll);
       continue;
     }
-    if (!settle(failed.front())) {
+    if (!settle(failed.front().waypoint)) {
       refused.push_back({first_, Refusal::NoConnection, {}});
       return 1;
     }
@@ -303,7 +330,7 @@ void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
                        const RobotState& from, const base::RunContext& ctx, std::vector<Run>& runs,
                        std::vector<Refused>& refused) {
   RobotState last = from;
-  const RunSmoothing smoothing{scene_, twists_, limits_};
+  const RunSmoothing smoothing{scene_, scene_.twists, limits_};
   std::size_t done = 0;
   while (done < count) {
     ctx.checkpoint();

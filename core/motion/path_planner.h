@@ -7,7 +7,6 @@
 #include "motion/refusal.h"
 #include "motion/run.h"
 #include "motion/timing.h"
-#include "robot/arm_twists.h"
 
 #include <cstddef>
 #include <utility>
@@ -22,7 +21,7 @@ namespace voluta::motion {
 class PathPlanner {
 public:
   PathPlanner(const MotionScene& scene, TimingLimits limits)
-      : scene_(scene), twists_(*scene.cell.robot().kinematics), limits_(std::move(limits)) {}
+      : scene_(scene), limits_(std::move(limits)) {}
 
   // Plans waypoints [first, first + count) of path `path`, none of which the head refuses, to
   // follow on `from`. Appends the runs that are printed (usually one) and the waypoints that are
@@ -36,7 +35,6 @@ public:
 
 private:
   const MotionScene& scene_;
-  robot::ArmTwists twists_;
   TimingLimits limits_;
   PathTimes times_;
 };

@@ -90,6 +90,8 @@ bool TransferPlanner::linear(const RobotState& from, const Vector3d& tip, const 
       1, static_cast<int>(std::ceil(std::max(length / kStepMm, angle / kStepRad) / written)));
   std::vector<JointVector> scratch;
   JointVector q = from.q, most = JointVector::Zero(q.size());
+  Vector3d lastTip = from.tip;
+  Quaterniond lastTool = from.tool;
   const int steps = written * checks;
   for (int k = 1; k <= steps; ++k) {
     const double t = static_cast<double>(k) / steps;
@@ -97,8 +99,10 @@ bool TransferPlanner::linear(const RobotState& from, const Vector3d& tip, const 
     const Quaterniond r = k == steps ? tool : from.tool.slerp(t, tool);
     const JointVector last = q;
     if (!solveNear(scene_.cell, p, r, last, kLinearJointStep, scratch, q) ||
-        !free(q, before, margins))
+        !scene_.goesStraight({lastTip, lastTool, last}, {p, r, q}) || !free(q, before, margins))
       return false;
+    lastTip = p;
+    lastTool = r;
     most = most.cwiseMax((q - last).cwiseAbs());
     if (k % checks == 0) {
       points.push_back({{p, r, q, axesOf(scene_.cell, q)}, MoveKind::Linear, checks * most});

@@ -47,7 +47,7 @@ struct ProgramMotion {
   bool jointInterpolated = false; // between targets: joints linear, else straight
   std::vector<double> joints;     // Joints
   Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose: of Base; WorkPose
-  std::vector<double> externals;                                 // WorkPose, UnitPose, radians
+  std::vector<double> externals; // WorkPose, UnitPose: radians; a slide's mm are taken for degrees
   // FlangePose, WorkPose: which way a SCARA's second joint is to stand, by its sign; 0: not given.
   int elbow = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   // ToolPoint, mm

@@ -264,12 +264,6 @@ bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
 }
 
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
-  for (const robot::ExternalAxis& axis : cell.externalAxes())
-    if (axis.limits.kind == robot::JointKind::Sliding && dialect.saysJointMotions)
-      throw base::Error(
-          base::ErrorCode::Usage,
-          base::message("format {format} does not say where {axis} of cell {cell} slides"_text,
-                        dialect.id, axis.name, cell.id()));
   if (dialect.turnsRods || cell.externalAxes().empty())
     return;
   std::string others;

@@ -276,7 +276,10 @@ private:
   void external(std::size_t i) {
     for (int k = in_.cell.armDof(); k < in_.cell.dof(); ++k) {
       out_ += joined({",E", std::to_string(k - in_.cell.armDof() + 1), " "});
-      number(base::radiansToDegrees(in_.trajectory.at(i)[k]), kDegreeDecimals);
+      // Degrees, or mm of one that slides.
+      number(robot::shownValue(in_.cell.limits()[static_cast<std::size_t>(k)].kind,
+                               in_.trajectory.at(i)[k]),
+             kDegreeDecimals);
     }
   }
 

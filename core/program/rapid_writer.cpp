@@ -71,9 +71,11 @@ private:
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
   bool movesPart() const { return !in_.cell.externalAxes().empty(); }
   std::string unit() const { return rapidName(in_.cell.externalUnit()); }
-  // Of one of the external axes, radians.
+  // Of one of the external axes, degrees, or mm of one that slides.
   double axisAt(std::size_t i, std::size_t axis) const {
-    return in_.trajectory.at(i)[static_cast<std::size_t>(in_.cell.armDof()) + axis];
+    return robot::shownValue(
+        in_.cell.externalAxes()[axis].limits.kind,
+        in_.trajectory.at(i)[static_cast<std::size_t>(in_.cell.armDof()) + axis]);
   }
   std::size_t axes() const { return in_.cell.externalAxes().size(); }
 
@@ -331,7 +333,7 @@ private:
     for (std::size_t k = 0; k < kExternals; ++k) {
       out_ += k > 0 ? ',' : '[';
       if (k < axes())
-        number(base::radiansToDegrees(axisAt(i, k)), kExternalDecimals);
+        number(axisAt(i, k), kExternalDecimals);
       else
         out_ += "9E9";
     }
@@ -374,7 +376,8 @@ private:
       };
       degPerS = never(degPerS, turnRad);
       for (std::size_t k = 0; k < axes(); ++k)
-        axisDegPerS = never(axisDegPerS, std::abs(axisAt(i, k) - axisAt(i - 1, k)));
+        axisDegPerS =
+            never(axisDegPerS, base::degreesToRadians(std::abs(axisAt(i, k) - axisAt(i - 1, k))));
     }
     out_ += ",[";
     number(mmPerS, kSpeedDecimals);

@@ -125,7 +125,21 @@ private:
   JointVector jointTarget(const plan::ProgramMotion& motion) const {
     if (!isOfThisCell(motion))
       return cell_->home();
-    return Eigen::Map<const Eigen::VectorXd>(motion.joints.data(), cell_->dof());
+    JointVector q = Eigen::Map<const Eigen::VectorXd>(motion.joints.data(), cell_->dof());
+    if (!motion.externals.empty())
+      for (int k = 0; k < externals_; ++k)
+        q[cell_->armDof() + k] = externalOf(k, q[cell_->armDof() + k]);
+    return q;
+  }
+  // Texts give one number, degrees or mm as the axis is.
+  double externalOf(int axis, double told) const {
+    const bool slides = cell_->externalAxes()[static_cast<std::size_t>(axis)].limits.kind ==
+                        robot::JointKind::Sliding;
+    return slides ? base::radiansToDegrees(told) : told;
+  }
+
+  std::vector<double> externalsOf(const JointVector& q) const {
+    return {q.data() + cell_->armDof(), q.data() + cell_->dof()};
   }
 
   void findExternals() {
@@ -138,9 +152,11 @@ private:
       if (!isOfThisCell(motion))
         std::fill(now.begin(), now.end(), 0.0);
       else if (motion.target == plan::TargetKind::Joints)
-        now.assign(motion.joints.begin() + cell_->armDof(), motion.joints.begin() + cell_->dof());
+        now = externalsOf(jointTarget(motion));
       else if (isInWork(motion))
-        now.assign(motion.externals.begin(), motion.externals.begin() + externals_);
+        for (int k = 0; k < externals_; ++k)
+          now[static_cast<std::size_t>(k)] =
+              externalOf(k, motion.externals[static_cast<std::size_t>(k)]);
       externalsAt_.insert(externalsAt_.end(), now.begin(), now.end());
     }
   }
@@ -355,7 +371,7 @@ private:
     if (externals_ > 0) {
       const JointVector from = withExternals(m, 0.0, cell_->home()),
                         to = withExternals(m, 1.0, cell_->home());
-      external = (to - from).cwiseAbs().maxCoeff();
+      external = robot::largestTurn(to - from, cell_->limits());
       turn = Quaterniond(flangeOf(a, from).linear())
                  .angularDistance(Quaterniond(flangeOf(b, to).linear()));
     }

@@ -1,6 +1,7 @@
 #include "robot/arm_twists.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +20,7 @@ constexpr double kLastStep = 3e-6; // rad; what it leaves is of its square
 constexpr int kSteps = 8;
 constexpr double kSingular = 1e-14; // in place of what a singular arm lacks
 constexpr double kReachMm = 300.0;  // what a rad counts beside mm in a step
+constexpr double kNoSide = 1e-9;    // of a determinant, lengths by that: an angle about as small
 
 // The sine of the turn from `is` to `wanted` along its axis; of a small one the turn itself.
 Vector3d smallTurn(const Matrix3d& wanted, const Matrix3d& is) {
@@ -93,6 +95,16 @@ bool ArmTwists::follow(const Isometry3d& wanted, double longestStep, JointVector
       return (wanted.linear() - is.linear()).norm() < 1e-3;
   }
   return false;
+}
+
+int ArmTwists::singularSide(const JointVector& q, std::vector<Isometry3d>& links) const {
+  if (kinematics_.dof() != 6)
+    return 0;
+  Isometry3d flange;
+  Eigen::Matrix<double, 6, 6> square = jacobian(q, flange, links);
+  square.topRows<3>() /= kReachMm;
+  const double determinant = square.determinant();
+  return (determinant > kNoSide) - (determinant < -kNoSide);
 }
 
 namespace {

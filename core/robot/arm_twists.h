@@ -33,6 +33,12 @@ public:
   bool follow(const Eigen::Isometry3d& base_T_flange, double longestStep, JointVector& q,
               ArmJacobian& jacobian, std::vector<Eigen::Isometry3d>& links) const;
 
+  // Which side of the arm's singular poses q is on: the sign of the Jacobian's determinant (Lynch
+  // and Park, Modern Robotics, 5.3). Joints that go steadily from one side to the other pass
+  // through a singular pose; a nozzle that passes beside it takes them elsewhere. 0: as good as
+  // singular itself, or the arm has not six joints, of which this tells nothing. `links` as above.
+  int singularSide(const JointVector& q, std::vector<Eigen::Isometry3d>& links) const;
+
 private:
   struct Twist { // of a link by a joint, in the link's frame
     std::size_t link;

@@ -42,6 +42,7 @@ Case randomCase(std::mt19937& engine, bool blocks, bool rod = false) {
       node.sample = n;
       node.cost = number(0, 0.3);
       node.blocked = blocks && number(0, 1) < 0.4;
+      node.side = static_cast<int>(number(-2, 2));
       rung.push_back(node);
     }
   for (int n = 0; n < 6; ++n)
@@ -73,7 +74,7 @@ std::pair<std::size_t, double> exhaustive(const Case& c) {
         const LadderNode& last = c.rungs[chosen.size() - 1][chosen.back()];
         const int apart = std::abs(last.sample - rung[n].sample);
         const Eigen::VectorXd d = (rung[n].q - last.q).head(2).cwiseAbs();
-        if (std::abs(last.aside - rung[n].aside) > 1)
+        if (std::abs(last.aside - rung[n].aside) > 1 || last.side * rung[n].side < 0)
           continue;
         if ((apart != 0 && apart != 1 && apart != 5) || d.maxCoeff() > 0.9)
           continue;

@@ -4,6 +4,7 @@
 
 #include "robot/arm_twists.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -75,6 +76,59 @@ TEST_F(EveryArm, FollowsToPosesNearBy) {
       EXPECT_LT((is.linear() - wanted.linear()).norm(), 1e-9) << id;
     }
     EXPECT_GE(there, 90) << id;
+  }
+}
+
+// A pose's two ways to hold a wrist are on either side of the straight one, which is on neither.
+TEST_F(EveryArm, AWristThatTurnsOverChangesSides) {
+  std::mt19937 random(5);
+  std::vector<Eigen::Isometry3d> links;
+  for (const char* id :
+       {"ur3e", "ur5", "ur10", "tm5-700", "irb1200", "irb2400", "kr6-r900", "rv2f"}) {
+    const RobotModel robot = loadRobot(id);
+    const ArmTwists twists(*robot.kinematics);
+    for (int n = 0; n < 50; ++n) {
+      JointVector q = randomJoints(robot, random);
+      const int side = twists.singularSide(q, links);
+      EXPECT_NE(side, 0) << id;
+      q[4] = -q[4];
+      EXPECT_EQ(twists.singularSide(q, links), -side) << id;
+      q[4] = 0.0;
+      EXPECT_EQ(twists.singularSide(q, links), 0) << id;
+    }
+  }
+}
+
+// Along a straight way of the joints the side changes where the determinant of differences of the
+// forward kinematics does; a SCARA has none.
+TEST_F(EveryArm, SidesAreThoseOfTheDeterminant) {
+  std::mt19937 random(6);
+  std::vector<Eigen::Isometry3d> links;
+  for (const std::string& id : robotIds()) {
+    const RobotModel robot = loadRobot(id);
+    const ArmTwists twists(*robot.kinematics);
+    for (int n = 0; n < 50; ++n) {
+      const JointVector q = randomJoints(robot, random);
+      if (robot.dof() != 6) {
+        EXPECT_EQ(twists.singularSide(q, links), 0) << id;
+        continue;
+      }
+      Eigen::Matrix<double, 6, 6> change;
+      for (Eigen::Index j = 0; j < 6; ++j) {
+        constexpr double kStep = 1e-5;
+        JointVector more = q, less = q;
+        more[j] += kStep;
+        less[j] -= kStep;
+        const Eigen::Isometry3d a = robot.kinematics->flange(less),
+                                b = robot.kinematics->flange(more);
+        const Eigen::AngleAxisd turn(b.linear() * a.linear().transpose());
+        change.col(j) << (b.translation() - a.translation()) / 1000.0, turn.angle() * turn.axis();
+      }
+      const double determinant = (change / 2e-5).determinant();
+      if (std::abs(determinant) > 1e-4) {
+        EXPECT_EQ(twists.singularSide(q, links), determinant > 0.0 ? 1 : -1) << id;
+      }
+    }
   }
 }
 

@@ -1,0 +1,77 @@
+#include "motion/tool_frames.h"
+
+#include "geometry/least_turn.h"
+#include "motion/external_axes.h"
+#include "motion/nozzle_frame.h"
+
+#include <algorithm>
+
+namespace voluta::motion {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using robot::JointVector;
+
+namespace {
+
+constexpr double kOpen = 1e-6; // of a hint's part across the direction, that says nothing
+
+// z against the direction, x as near to `hint` as can be; `last` carried where that is open.
+Quaterniond towards(const Vector3d& hint, const Vector3d& direction, const Quaterniond& last) {
+  const Vector3d z = -direction.normalized();
+  const Vector3d x = hint - hint.dot(z) * z;
+  if (!(x.norm() > kOpen * hint.norm()) || !(hint.norm() > 0.0))
+    return carried(last, direction);
+  Eigen::Matrix3d frame;
+  frame.col(0) = x.normalized();
+  frame.col(2) = z;
+  frame.col(1) = z.cross(frame.col(0));
+  return Quaterniond(frame);
+}
+
+} // namespace
+
+std::vector<Quaterniond> toolFrames(NozzleTurn rule, const plan::ToolPlan& plan,
+                                    const robot::Cell& cell, std::size_t first, std::size_t count,
+                                    const std::vector<JointVector>& axes, const Quaterniond& from,
+                                    const JointVector& fromAxes) {
+  const bool moves = !cell.externalAxes().empty();
+  if (moves)
+    count = std::min(count, axes.size());
+  const auto turnAt = [&](std::size_t i) {
+    return moves ? axesTurn(cell, axes[i]) : Quaterniond::Identity();
+  };
+  const auto rest = [&] {
+    return moves ? axesTurn(cell, JointVector::Zero(fromAxes.size())) : Quaterniond::Identity();
+  };
+  const auto pointAt = [&](std::size_t i) -> Vector3d {
+    return moves ? movedByAxes(cell, plan.position[first + i], axes[i]) : plan.position[first + i];
+  };
+  const Vector3d workX = rest() * Vector3d::UnitX();
+  const Quaterniond upright = rest() * uprightTool();
+  Quaterniond tool = moves ? axesTurn(cell, fromAxes) * from : from;
+  std::vector<Quaterniond> tools(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Quaterniond turn = turnAt(i);
+    const Vector3d direction = turn * plan.direction[first + i];
+    switch (rule) {
+    case NozzleTurn::Free:
+      tool = carried(tool, direction);
+      break;
+    case NozzleTurn::Tangent:
+      tool = towards(pointAt(std::min(i + 1, count - 1)) - pointAt(i > 0 ? i - 1 : 0), direction,
+                     tool);
+      break;
+    case NozzleTurn::WorkAxis:
+      tool = towards(workX, direction, tool);
+      break;
+    case NozzleTurn::Rodrigues:
+      tool = carried(upright, direction);
+      break;
+    }
+    tools[i] = turn.conjugate() * tool;
+  }
+  return tools;
+}
+
+} // namespace voluta::motion

@@ -1,0 +1,98 @@
+// Programs for a plate that slides under the nozzle.
+#include "base/run_context.h"
+#include "base/units.h"
+#include "plan/finding_kinds.h"
+#include "program/dialect.h"
+#include "replay/executed_path.h"
+#include "replay/scene.h"
+#include "replay/told.h"
+#include "replay/verification.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <string>
+
+namespace voluta::replay {
+namespace {
+
+constexpr double kFarMm = 120.0;
+
+// The box, printed while the plate slides to 120 mm and back.
+const test::Scene& slid() {
+  static const test::Scene made = [] {
+    test::Scene s = test::boxScene(2, "kr10-r1100-slide");
+    plan::Trajectory& t = s.trajectory;
+    std::vector<robot::JointVector> solutions;
+    // Half a turn about the nozzle keeps the wrist from stretching.
+    const Eigen::AngleAxisd about(base::kPi, Eigen::Vector3d::UnitZ());
+    robot::JointVector near = s.cell.home();
+    const std::size_t n = t.pointCount();
+    for (std::size_t i = 0; i < n; ++i) {
+      const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof);
+      robot::JointVector there = near;
+      there[6] = kFarMm * std::sin(base::kPi * static_cast<double>(i) / static_cast<double>(n - 1));
+      s.cell.inverse(s.cell.work_T_tool(q) * about, there, solutions);
+      base::require(!solutions.empty(), "scene: in reach");
+      near =
+          *std::min_element(solutions.begin(), solutions.end(), [&](const auto& a, const auto& b) {
+            return (a - there).squaredNorm() < (b - there).squaredNorm();
+          });
+      std::copy(near.data(), near.data() + near.size(),
+                t.joints.begin() + static_cast<std::ptrdiff_t>(i) * t.dof);
+    }
+    return s;
+  }();
+  return made;
+}
+
+Verification replayed(const plan::ReadProgram& program) {
+  const test::Scene& s = slid();
+  return replayProgram({program, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+                       ReplayThresholds{}, base::RunContext());
+}
+
+plan::ReadProgram programOf(const std::string& format) {
+  const test::Scene& s = slid();
+  const plan::Program written =
+      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"});
+  return program::readProgram(format, written.files, s.process);
+}
+
+} // namespace
+
+TEST(Slide, ABoxPrintedOnASlidingPlatePasses) {
+  for (const char* format : {"krl", "rapid", "csv"}) {
+    const Verification v = replayed(programOf(format));
+    EXPECT_TRUE(v.passed) << format << told(v);
+    EXPECT_TRUE(v.armChecked) << format;
+    EXPECT_LE(v.maxDeviationMm, 0.02) << format;
+    EXPECT_EQ(v.collisions, 0u) << format;
+  }
+}
+
+// Where the slide is said to be in mm it is: as far as the plan has it.
+TEST(Slide, StandsWhereTheTextSaysInMm) {
+  for (const char* format : {"krl", "rapid", "csv"}) {
+    const ExecutedPath path = executeProgram(programOf(format), slid().cell, base::RunContext());
+    EXPECT_TRUE(path.violations.empty()) << format;
+    double most = 0.0;
+    for (std::size_t m = 0; m < path.motionCount(); ++m)
+      most = std::max(most, path.jointsAt(m)[6]);
+    EXPECT_NEAR(most, kFarMm, 0.5) << format;
+  }
+}
+
+TEST(Slide, APlateAMillimetreAsideIsFound) {
+  for (const char* format : {"krl", "rapid"}) {
+    plan::ReadProgram program = programOf(format);
+    program.motions.at(60).externals.at(0) += base::degreesToRadians(1.0); // as texts have mm
+    const Verification v = replayed(program);
+    EXPECT_FALSE(v.passed) << format;
+    EXPECT_TRUE(std::any_of(
+        v.findings.begin(), v.findings.end(),
+        [](const plan::Finding& f) { return plan::kindWord(f) == "externalAxisMoved"; }))
+        << format << told(v);
+  }
+}
+
+} // namespace voluta::replay
