@@ -259,7 +259,8 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
       report.atMotion(ExtruderOffPrint, m);
       continue;
     }
-    if (m > 0 && print && path.arm && program.motions[m].jointInterpolated)
+    if (m > 0 && print && path.arm && program.motions[m].jointInterpolated &&
+        !program.beadsByJoints)
       report.atMotion(BeadByJoints, m);
     const std::size_t before = whole.first - 1; // the motion to where it begins
     if (whole.first == 0 || j == 0 || !inPlace(before) || pointOf[before] + 1 != j)
