@@ -62,7 +62,9 @@ const std::vector<Dialect>& dialects() {
        .turnsRods = false,
        // Every row says its time.
        .time = {},
-       .extruders = {kOutputsExtruder, kStreamExtruder},
+       // Every row says its flow. A stream of filament counts motions, of which a row may be a
+       // piece.
+       .extruders = {},
        .write = writeUrscriptStream,
        .read = readUrscriptStream,
        .looksLike = looksLikeUrscriptStream,
@@ -203,7 +205,9 @@ const std::vector<Dialect>& dialects() {
        .turnsRods = false,
        // Every row says its time.
        .time = {},
-       .extruders = {kOutputsExtruder, kStreamExtruder},
+       // Every row says its flow. A stream of filament counts motions, of which a row may be a
+       // piece.
+       .extruders = {},
        .options = melfaStreamOptions,
        .write = writeMelfaStream,
        .read = readMelfaStream,

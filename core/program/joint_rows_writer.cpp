@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "program/motion_targets.h"
+#include "program/straight_pieces.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
 #include "program/walk.h"
@@ -49,14 +50,25 @@ private:
   void extruder(bool on) override { row_.on = on; }
   void wait(double seconds) override { put(RowKind::Wait, seconds); }
   void jointMotion(std::size_t i) override { go(i); }
-  void straightMotion(std::size_t i, bool) override { go(i); }
+  void straightMotion(std::size_t i, bool) override {
+    const std::vector<robot::JointVector> pieces = straightPieces(in_, i, kBlendToleranceMm);
+    const double parts = static_cast<double>(pieces.size() + 1);
+    for (const robot::JointVector& q : pieces)
+      move(q.data(), motions_.seconds(i) / parts);
+    move(in_.trajectory.at(i), motions_.seconds(i) / parts);
+  }
 
   void go(std::size_t i) {
+    if (i > 0) {
+      move(in_.trajectory.at(i), motions_.seconds(i));
+      return;
+    }
     std::copy_n(in_.trajectory.at(i), kRowJoints, row_.joints.begin());
-    if (i == 0)
-      put(RowKind::Start, 0.0);
-    else
-      put(RowKind::Move, std::max(kLeastS, motions_.seconds(i)));
+    put(RowKind::Start, 0.0);
+  }
+  void move(const double* joints, double seconds) {
+    std::copy_n(joints, kRowJoints, row_.joints.begin());
+    put(RowKind::Move, std::max(kLeastS, seconds));
   }
   void put(RowKind kind, double seconds) {
     row_.kind = kind;

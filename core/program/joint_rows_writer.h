@@ -17,6 +17,8 @@ struct WrittenRows {
   std::vector<JointRow> rows; // as they are written
 };
 
+// A straight motion comes in pieces where the joints would lead the nozzle off its way by more than
+// kBlendToleranceMm (program/straight_pieces.h).
 // `head`: remarks above the rows. `written`: a share of the full flow as the outputs say it.
 // Precondition: an arm of kRowJoints joints (Error{Internal}). Throws Cancelled.
 WrittenRows writeRows(const ProgramInput& input, std::string_view format,

@@ -174,6 +174,8 @@ Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& pat
   JointArcs arcs(trajectory, cell, program.tellsDirections);
   const auto isVia = [&](std::size_t m, std::size_t point) {
     const plan::ProgramMotion& motion = program.motions[m];
+    if (program.beadsByJoints)
+      return goesStraightBy(planned, trajectory, point, path.targetTip[m], path.targetDirection[m]);
     if (motion.target != plan::TargetKind::ToolPoint)
       return false;
     return (!motion.extruding && arcs.passes(point, path.targetTip[m], path.targetDirection[m])) ||
