@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kSecondDecimals = 6, kJointDecimals = 7, kFlowDigits = 4;
 constexpr double kMostSeconds = 1e6, kMostRad = 1e3;
+constexpr double kSameRad = 1e-5; // as near as a dialect's targets are held to be
 
 class RowsReader {
 public:
@@ -84,7 +85,8 @@ private:
   }
 
   void stays(const JointRow& row) {
-    if (row.joints != at_)
+    if (!std::ranges::equal(row.joints, at_,
+                            [](double a, double b) { return std::abs(a - b) <= kSameRad; }))
       defect("the arm waits elsewhere than where it stands"_text);
   }
 
