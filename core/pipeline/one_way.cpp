@@ -181,6 +181,7 @@ private:
     result_.cell = std::make_shared<robot::Cell>(
         robot::loadCell(choices_.cell, *process_, decomposed_->platform));
     for (const std::string& format : chosenFormats(choices_, *result_.cell)) {
+      program::requireOwnRobot(program::findDialect(format), *result_.cell);
       program::requireRodTurns(program::findDialect(format), *result_.cell);
       program::requireExtruder(format, program::findDialect(format).extruders, *result_.cell,
                                program::programOptions(values_));

@@ -102,6 +102,7 @@ struct ReadProgram {
   std::vector<ProgramPause> pauses; // in order
   bool tellsPauses = false;         // the language has words for them, so a prime is to be found
   bool tellsDirections = true;      // the language has words for the nozzle's direction
+  bool beadsByJoints = false;       // between points of a bead, too, the joints go at steady speeds
   std::optional<ProgramLoad> load;
   TimeModel time;        // of the dialect
   bool complete = false; // its end sequence was found

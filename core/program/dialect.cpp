@@ -9,17 +9,21 @@
 #include "program/gcode_bc.h"
 #include "program/gcode_extended.h"
 #include "program/gcode_plain.h"
+#include "program/joint_rows.h"
 #include "program/joint_table.h"
 #include "program/krl.h"
 #include "program/language_words.h"
 #include "program/melfa.h"
+#include "program/melfa_stream.h"
 #include "program/motion_targets.h"
+#include "program/mxt_packets.h"
 #include "program/rapid.h"
 #include "program/spelplus.h"
 #include "program/text.h"
 #include "program/text_files.h"
 #include "program/tmscript.h"
 #include "program/urscript.h"
+#include "program/urscript_stream.h"
 
 #include <algorithm>
 
@@ -49,6 +53,24 @@ const std::vector<Dialect>& dialects() {
        .isWord = isUrscriptWord,
        .remark = "#",
        .mayBeMissing = mayBeMissingInUrscript},
+      {.id = "urscript-stream",
+       .label = "Joint stream (Universal Robots, with receiver and sender)"_text,
+       .extension = "joints",
+       .controller = "urscript",
+       .needsJoints = true,
+       .beadsByJoints = true,
+       .turnsRods = false,
+       // Every row says its time.
+       .time = {},
+       // Every row says its flow. A stream of filament counts motions, of which a row may be a
+       // piece.
+       .extruders = {},
+       .write = writeUrscriptStream,
+       .read = readUrscriptStream,
+       .looksLike = looksLikeUrscriptStream,
+       .goesOnIn = filesOfUrscriptStream,
+       .remark = "#",
+       .mayBeMissing = isWaitingRow},
       {.id = "gcode-extended",
        .label = "Extended G-code (nozzle direction as nX nY nZ)"_text,
        .extension = "gcode",
@@ -174,6 +196,26 @@ const std::vector<Dialect>& dialects() {
        .goesOnIn = filesOfMelfa,
        .remark = "'",
        .mayBeMissing = mayBeMissingInMelfa},
+      {.id = "melfa-stream",
+       .label = "Joint stream (MELFA Mxt, with packets and sender)"_text,
+       .extension = "rows",
+       .controller = "melfa",
+       .needsJoints = true,
+       .beadsByJoints = true,
+       .turnsRods = false,
+       // Every row says its time.
+       .time = {},
+       // Every row says its flow. A stream of filament counts motions, of which a row may be a
+       // piece.
+       .extruders = {},
+       .options = melfaStreamOptions,
+       .write = writeMelfaStream,
+       .read = readMelfaStream,
+       .looksLike = looksLikeMelfaStream,
+       .goesOnIn = filesOfMelfaStream,
+       .isNoText = isMxtPackets,
+       .remark = "#",
+       .mayBeMissing = isWaitingRow},
       {.id = "tmscript",
        .label = "TMscript (Techman)"_text,
        .extension = "tmscript",
@@ -278,6 +320,16 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
       {}, others.empty() ? base::Message() : base::message("take {formats}"_text, others));
 }
 
+void requireOwnRobot(const Dialect& dialect, const robot::Cell& cell) {
+  if (!dialect.needsJoints || !isForeign(dialect, cell))
+    return;
+  throw base::Error(base::ErrorCode::Usage,
+                    base::message("format {format} tells joints of another maker's arm than the "
+                                  "{robot} of cell {cell}"_text,
+                                  dialect.id, cell.robot().id, cell.id()),
+                    {}, base::message("take {formats}"_text, cell.robot().controller));
+}
+
 void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> directions) {
   if (dialect.tiltsNozzle)
     return;
@@ -314,6 +366,7 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,
                            const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
+  requireOwnRobot(dialect, input.cell);
   requireRodTurns(dialect, input.cell);
   requireExtruder(dialect.id, dialect.extruders, input.cell, input.options);
   ProgramInput own = input;
@@ -380,16 +433,17 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
   const Dialect& dialect = findDialect(id);
   plan::ReadProgram program;
   program.format = dialect.id;
-  if (!tellNoTexts(files, program.defects)) {
+  if (!tellNoTexts(files, program.defects, dialect.isNoText)) {
     program = readWithStream(dialect, files, process, ctx);
     if (program.defects.empty())
-      tellMixedLineEnds(files, program.defects);
+      tellMixedLineEnds(files, program.defects, dialect.isNoText);
     if (program.defects.empty())
       tellLongLines(files, {dialect.longestLine, dialect.longestText, dialect.remark},
                     program.defects);
   }
   program.time = dialect.time;
   program.tellsDirections = dialect.tiltsNozzle;
+  program.beadsByJoints = dialect.beadsByJoints;
   return program;
 }
 

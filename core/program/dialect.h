@@ -31,6 +31,8 @@ struct Dialect {
   std::string_view extension;   // without the dot
   std::string_view controller;  // RobotModel::controller it is native to; empty: any robot's
   bool needsJoints = false;     // its targets are joint values, so it is bound to the cell's robot
+  // It goes straight nowhere: beads are joints at a steady speed between points, too.
+  bool beadsByJoints = false;
   bool saysJointMotions = true; // else they come in straight pieces (joint_pieces.h)
   bool turnsRods = true;        // can it say where an external axis is, or what is on the part
   bool tiltsNozzle = true;      // can it say another direction than the plate's normal
@@ -55,6 +57,8 @@ struct Dialect {
   // Names of the files, next to it, that a file of a program goes on in; nullptr: a dialect whose
   // files stand alone.
   std::vector<std::string> (*goesOnIn)(std::string_view text) = nullptr;
+  // Is a file of a program no text, but what the dialect's reader knows? nullptr: all are texts.
+  bool (*isNoText)(std::string_view bytes) = nullptr;
   // Is this a word of the language, which nothing in a program may be called by? nullptr: programs
   // of this dialect name nothing.
   bool (*isWord)(std::string_view name) = nullptr;
@@ -92,6 +96,9 @@ bool isForeign(const Dialect& dialect, const robot::Cell& cell);
 bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
                    const robot::Cell& cell);
 
+// Throws Error{Usage}: the dialect tells joints, and the cell has another maker's arm.
+void requireOwnRobot(const Dialect& dialect, const robot::Cell& cell);
+
 // Throws Error{Usage}: the cell has external axes and the dialect knows none, or none that slides.
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell);
 
@@ -106,7 +113,7 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx = {});
 
 // findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing throws as
-// requireRodTurns too, and as requireUpright where the nozzle does not go by joints; it heeds the
+// requireOwnRobot and requireRodTurns too, and as requireUpright where the nozzle does not go by joints; it heeds the
 // dialect's own options only.
 // Example:
 //   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};

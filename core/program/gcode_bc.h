@@ -32,13 +32,17 @@ inline constexpr std::string_view kReversedNote = "B and C count the tool's turn
 base::ParameterSpec tableXMm();
 base::ParameterSpec tableZMm();
 base::ParameterSpec tableSense();
+// Beyond so many turns C's count is set back by whole turns in a travel, G92 C: no motion, for
+// tables that turn without end. 0: it counts on.
+base::ParameterSpec tableTurns();
 std::vector<base::ParameterSpec> tableGcodeOptions();
 
 plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext& ctx);
 
 // Targets become points and directions on the part, with the way between them. Under G94 F is the
 // speed along X Y Z, or degrees a minute where none of them moves; G0 needs G94. In a program with
-// our head (kTableNote) every motion wants G93. The table must not
+// our head (kTableNote) every motion wants G93. G92 C may set its count to another number of whole
+// turns. The table must not
 // turn before Z is known, nor X or Y be sent before B and C are.
 plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
                                  const process::Process& process, const base::RunContext& ctx);

@@ -13,6 +13,8 @@ namespace voluta::program {
 
 namespace {
 
+constexpr double kSameTurn = 1e-6; // of a turn, as C is rounded
+
 class TableReader : public GcodeReader {
 public:
   using GcodeReader::GcodeReader;
@@ -20,6 +22,17 @@ public:
 private:
   bool isTargetWord(char letter) const override { return letter == 'B' || letter == 'C'; }
   bool movesBeside(GcodeWords& w) const override { return w.any("BC"); }
+
+  // C counts on from another number of whole turns.
+  bool setsCount(GcodeWords& w) override {
+    if (w['A'] || w['B'] || !w['C'] || !turn_)
+      return false;
+    const double back = (base::radiansToDegrees(sense_ * *turn_) - countedDeg_ - *w['C']) / 360.0;
+    if (std::abs(back - std::round(back)) > kSameTurn || !(std::abs(back) < 1e6))
+      return false;
+    countedDeg_ += 360.0 * std::round(back);
+    return true;
+  }
 
   bool command(double g) override {
     if (g != 93.0 && g != 94.0)
@@ -64,9 +77,10 @@ private:
       defect("the nozzle goes over the plate before the table stands: B and C are not known"_text);
       return false;
     }
-    for (const auto& [letter, angle] : {std::pair{'B', &tilt_}, {'C', &turn_}})
-      if (w[letter])
-        *angle = sense_ * base::degreesToRadians(*w[letter]);
+    if (w['B'])
+      tilt_ = sense_ * base::degreesToRadians(*w['B']);
+    if (w['C'])
+      turn_ = sense_ * base::degreesToRadians(*w['C'] + countedDeg_);
     if (inverseTime_ && g == 0.0)
       defect("a G0 under G93: nobody knows how long it takes"_text);
     else if (inverseTime_ && !w['F'])
@@ -105,6 +119,7 @@ private:
   TableFrame frame_;
   TablePose pose_;
   double sense_ = 1.0;
+  double countedDeg_ = 0.0; // C's whole turns that were taken from its count
   std::optional<double> tilt_, turn_;
   bool inverseTime_ = false, placed_ = false;
   bool ours_ = false; // Voluta's head stands above: every motion has its time

@@ -26,7 +26,8 @@ public:
       : in_(input), ctx_(ctx),
         targets_(motionTargets(input, ctx)), frame_{numberOf(tableXMm(), input.options),
                                                     numberOf(tableZMm(), input.options)},
-        sense_(chosenOf(tableSense(), input.options) == "tool" ? -1.0 : 1.0) {
+        sense_(chosenOf(tableSense(), input.options) == "tool" ? -1.0 : 1.0),
+        mostTurns_(numberOf(tableTurns(), input.options)) {
     program_.format = "gcode-bc";
     program_.foreign = input.foreign;
     findStations();
@@ -104,6 +105,10 @@ private:
     std::vector<std::string> all = {std::move(table)};
     if (sense_ < 0.0)
       all.emplace_back(kReversedNote);
+    if (mostTurns_ > 0.0)
+      all.push_back(joined({"C's count is set back by whole turns (G92 C) in travels beyond ",
+                            fixedText(mostTurns_, 0),
+                            ": the table does not move then, and has to turn without end"}));
     all.push_back(joined({"B goes from ", degrees(sense_ * least), " to ", degrees(sense_ * most),
                           ", C from ", degrees(sense_ * lowest), " to ", degrees(sense_ * highest),
                           " degrees, C at most at ", degrees(fastest),
@@ -151,6 +156,8 @@ private:
   void straightMotion(std::size_t i, bool) override { motion(i); }
 
   void motion(std::size_t i) {
+    if (i > 0 && !isPrint(in_.trajectory, i))
+      setCountBack();
     const std::optional<double> filamentMm = GcodeText::filamentMm(in_.trajectory, i);
     const double before =
         i > 0 && filamentMm ? in_.trajectory.extrudedMm3[i - 1] / filamentArea() : 0.0;
@@ -168,13 +175,24 @@ private:
     }
   }
 
+  void setCountBack() {
+    const double degrees = sense_ * base::radiansToDegrees(last_.angles.turn) - countedDeg_;
+    const double turns = std::round(degrees / 360.0);
+    if (!(mostTurns_ > 0.0) || std::abs(degrees) <= 360.0 * mostTurns_ || turns == 0.0)
+      return;
+    countedDeg_ += 360.0 * turns;
+    text_.word("G92 C", degrees - 360.0 * turns, kAngleDecimals);
+    text_.out += '\n';
+  }
+
   // In `s` seconds from the last one; 0: untimed.
   void line(const TablePose& pose, double s, std::optional<double> filamentMm) {
     text_.word("G1 X", pose.axesMm.x(), kPositionDecimals);
     text_.word(" Y", pose.axesMm.y(), kPositionDecimals);
     text_.word(" Z", pose.axesMm.z(), kPositionDecimals);
     text_.word(" B", sense_ * base::radiansToDegrees(pose.angles.tilt), kAngleDecimals);
-    text_.word(" C", sense_ * base::radiansToDegrees(pose.angles.turn), kAngleDecimals);
+    text_.word(" C", sense_ * base::radiansToDegrees(pose.angles.turn) - countedDeg_,
+               kAngleDecimals);
     if (filamentMm)
       text_.amount(*filamentMm);
     if (!(s > 0.0))
@@ -189,7 +207,8 @@ private:
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
   TableFrame frame_;
-  double sense_;
+  double sense_, mostTurns_;
+  double countedDeg_ = 0.0; // C's whole turns that were taken from its count
   std::vector<Station> stations_;
   std::vector<TableAngles> angles_;  // a station
   std::vector<std::size_t> firstOf_; // a point: its first station
@@ -222,8 +241,15 @@ base::ParameterSpec tableSense() {
       "of the tool about a part that stands."_text);
 }
 
+base::ParameterSpec tableTurns() {
+  return base::numberParameter(
+      "tableTurns", "", 0.0, 0.0, 1000.0, "Programs"_text, "turns until C's count is set back"_text,
+      "G-code with B and C: beyond so many turns C's count goes back by whole turns in a travel "
+      "(G92 C), and the table stays where it is; 0: it counts on."_text);
+}
+
 std::vector<base::ParameterSpec> tableGcodeOptions() {
-  return {tableXMm(), tableZMm(), tableSense()};
+  return {tableXMm(), tableZMm(), tableSense(), tableTurns()};
 }
 
 plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext& ctx) {

@@ -146,7 +146,8 @@ void GcodeReader::heat(double m, GcodeWords& w) {
 
 void GcodeReader::setPosition(GcodeWords& w) {
   const auto isTarget = [&](char c) { return w[c] && isTargetWord(c); };
-  if (w.any("XYZ") || isTarget('A') || isTarget('B') || isTarget('C'))
+  const bool turns = isTarget('A') || isTarget('B') || isTarget('C');
+  if (w.any("XYZ") || (turns && !setsCount(w)))
     defect("a shifted origin is not understood"_text);
   if (w['E']) {
     farthestE_ += *w['E'] - e_; // what is drawn back stays so

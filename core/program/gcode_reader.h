@@ -38,6 +38,8 @@ protected:
   // Takes over the words of a motion's target, and how fast it is reached. false: there is no
   // motion, or a defect was told. `g`: 0 or 1.
   virtual bool target(GcodeWords& words, double g, bool extruding, plan::ProgramMotion& motion) = 0;
+  // G92 of the axes that isTargetWord() names. false: their origin would be another.
+  virtual bool setsCount(GcodeWords&) { return false; }
   // G commands of this kind's own. false: it is none.
   virtual bool command(double /*g*/) { return false; }
   // Filament that is pushed or drawn on the spot.

@@ -22,11 +22,13 @@ namespace {
 constexpr double kUnused = 9e9; // an external axis that is none
 constexpr double kMostMm = kMostRapidMm, kMostDegrees = 6000.0, kMostSeconds = 1e5;
 constexpr double kMostExternalDegrees = 1e7;
+// Of a flow in proportion to the speed, shares per mm/s; and what rounding may make of the whole.
+constexpr double kMostPerMm = 1e3, kShareSlack = 1e-3;
 
 class RapidReader : private RapidValues {
 public:
   RapidReader(const process::Process& process, const base::RunContext& ctx)
-      : ctx_(ctx), out_("rapid", process) {}
+      : ctx_(ctx), out_("rapid", process), fullFlowMm3PerS_(process.maxFlowMm3PerS) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     bool complete = true;
@@ -219,6 +221,8 @@ private:
     }
     if (word == "triggequip")
       return triggEquip();
+    if (word == "triggspeed")
+      return triggSpeed();
     if (word == "movel" || word == "movej" || word == "moveabsj" || word == "triggl")
       return motion(word);
     if (word == "setdo")
@@ -254,6 +258,8 @@ private:
       return false;
     if (!(seconds >= 0.0))
       return fail("WaitTime needs its seconds"_text);
+    if (perMm_ > 0.0)
+      out_.flow(0.0);
     out_.pauseByOutputs(seconds);
     return true;
   }
@@ -285,13 +291,15 @@ private:
   bool digital(double value) {
     if (value != 0.0 && value != 1.0)
       return fail("a digital output is 0 or 1"_text);
-    out_.turn(value == 1.0);
+    extruderOn_ = value == 1.0;
+    out_.turn(extruderOn_);
     return true;
   }
   bool analogue(double value) {
     if (!(value >= 0.0 && value <= 1.0))
       return fail("an analogue output outside 0..1"_text);
     out_.flow(value);
+    perMm_ = 0.0;
     return true;
   }
 
@@ -305,15 +313,48 @@ private:
         !takeWord("aop") || !takeAssign() || !takeName(signal) || !takeMark(',') ||
         !takeNumberToken(share) || !takeEnd())
       return false;
-    const auto known = declared_.find(name);
-    if (known == declared_.end() || known->second.type != "triggdata")
-      return fail(base::message("'{name}' is not declared as {type}"_text, at.substr(0, 40),
-                                "triggdata"_name));
-    if (mm != 0.0 || lag != 0.0 || signal != "aoflow")
-      return fail("only the flow at a motion's beginning is read"_text);
     if (!(share >= 0.0 && share <= 1.0))
       return fail("an analogue output outside 0..1"_text);
-    known->second.data.numbers = {share};
+    return defineTrigg(name, at, mm == 0.0 && lag == 0.0 && signal == "aoflow", {share});
+  }
+  bool defineTrigg(const std::string& name, std::string_view asWritten, bool read,
+                   std::vector<double> numbers) {
+    const auto known = declared_.find(name);
+    if (known == declared_.end() || known->second.type != "triggdata")
+      return fail(base::message("'{name}' is not declared as {type}"_text, asWritten.substr(0, 40),
+                                "triggdata"_name));
+    if (!read)
+      return fail("only the flow at a motion's beginning is read"_text);
+    known->second.data.numbers = std::move(numbers);
+    return true;
+  }
+
+  // TriggSpeed name,0\Start,0,aoFlow,scale: aoFlow is scale times the TCP's speed in mm/s, from
+  // where a TriggL begins until it is set again.
+  bool triggSpeed() {
+    std::string name, signal;
+    double mm = 0.0, lag = 0.0, scale = 0.0;
+    const std::string_view at = token_.text;
+    if (!takeName(name) || !takeMark(',') || !takeNumberToken(mm) || !takeMark('\\') ||
+        !takeWord("start") || !takeMark(',') || !takeNumberToken(lag) || !takeMark(',') ||
+        !takeName(signal) || !takeMark(',') || !takeNumberToken(scale) || !takeEnd())
+      return false;
+    if (!(scale > 0.0 && scale <= kMostPerMm))
+      return fail("a flow in proportion to the speed is no sensible number"_text);
+    return defineTrigg(name, at, mm == 0.0 && lag == 0.0 && signal == "aoflow", {0.0, scale});
+  }
+  // The flow while it goes by the speed: an amount for the way, however fast.
+  bool flowBySpeed(plan::ProgramMotion& m) {
+    if (!extruderOn_ || perMm_ == 0.0)
+      return true;
+    if (!last_ || lastKind_ != m.target || m.jointInterpolated)
+      return fail("the flow goes by the speed of a motion whose way is not known"_text);
+    const double way = (m.frame_T_tcp.translation() - last_->translation()).norm();
+    const double fastest = m.durationS > 0.0 ? way / m.durationS : m.speedMmPerS;
+    if (perMm_ * fastest > 1.0 + kShareSlack)
+      return fail("an analogue output outside 0..1"_text);
+    out_.flow(std::min(1.0, perMm_ * fastest));
+    m.volumeMm3 = perMm_ * way * fullFlowMm3PerS_;
     return true;
   }
 
@@ -394,13 +435,17 @@ private:
         !targetOf(m, target.numbers, tool.numbers, object) || !zoneOf(m, zone.numbers) ||
         !speedOf(m, speed.numbers, timed))
       return false;
+    if (!trigg.numbers.empty()) {
+      out_.flow(trigg.numbers[0]);
+      perMm_ = trigg.numbers.size() > 1 ? trigg.numbers[1] : 0.0;
+    }
+    if (!flowBySpeed(m))
+      return false;
     if (!absolute && !(m.jointInterpolated ? jointOff_ : linearOff_))
       defect("the arm's configuration is supervised: ConfL\\Off, ConfJ\\Off"_text);
     last_ = absolute ? std::nullopt : std::optional(m.frame_T_tcp);
     lastKind_ = m.target;
     lastExternal_ = m.externals;
-    if (!trigg.numbers.empty())
-      out_.flow(trigg.numbers[0]);
     out_.motionByOutputs(std::move(m));
     return true;
   }
@@ -528,6 +573,9 @@ private:
   std::optional<Eigen::Isometry3d> last_; // frame_T_tcp
   plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;
   std::vector<double> lastExternal_;
+  double perMm_ = 0.0; // of the full flow, while it goes by the speed
+  bool extruderOn_ = false;
+  const double fullFlowMm3PerS_;
 };
 
 } // namespace

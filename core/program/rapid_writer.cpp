@@ -1,5 +1,6 @@
 #include "base/units.h"
 #include "program/arm_branch.h"
+#include "program/extruder.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
@@ -20,6 +21,9 @@ constexpr std::string_view kNewLine = "\r\n", kTool = "tNozzle";
 // 1e-8 of a quaternion moves a point of the part 300 mm off by 0.000006 mm.
 constexpr int kPositionDecimals = 4, kTurnDecimals = 8, kFrameDecimals = 6, kFrameTurnDecimals = 9;
 constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZoneDecimals = 3;
+// Volume is held to 0.1 %.
+constexpr int kPerMmDigits = 5;
+constexpr double kSamePerMm = 5e-4;
 constexpr double kStartMmPerS = 50.0, kStartDegPerS = 20.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
@@ -45,7 +49,8 @@ public:
         name_(identifierOf(input.name)), object_(in_.cell.rod() ? "wRod"
                                                  : movesPart()  ? "wTable"
                                                  : heldPlate()  ? "wPlate"
-                                                                : "wPrint") {
+                                                                : "wPrint"),
+        bySpeed_(chosenOf(rapidFlow(), input.options) == "speed") {
     program_.format = "rapid";
     program_.foreign = input.foreign;
   }
@@ -201,6 +206,8 @@ private:
     out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
     number(in_.process.maxFlowMm3PerS, 3);
     line(" mm3/s");
+    if (bySpeed_)
+      line("  ! in beads aoFlow is the TCP's real speed in mm/s times TriggSpeed's last number");
     line(joined({"  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: ", name_,
                  "_EIO.cfg"}));
     if (movesPart())
@@ -271,29 +278,68 @@ private:
   void outputsOff() {
     line("    SetDO doExtruder,0;");
     line("    SetAO aoFlow,0;");
+    share_.clear();
+    perMm_ = 0.0;
   }
   void ask() override { line(joined({"    UIMsgBox \"", kStartQuestion, "\";"})); }
   void remark(std::string_view text) override { line(joined({"    ! ", text})); }
   // Between motions that do not stop, an assignment would run ahead of the arm: the flow is then an
   // event at the point where the next motion begins.
   void flow(std::string_view share) override {
+    if (bySpeed_)
+      standingShare_ = share; // each bead's motion says its own
+    else
+      sayFlow(share);
+  }
+  void sayFlow(std::string_view share) {
     if (stands_)
       line(joined({"    SetAO aoFlow,", share, ";"}));
     else
       line(joined({"    TriggEquip tFlow,0\\Start,0\\AOp:=aoFlow,", share, ";"}));
     atStart_ = !stands_;
   }
+  // In proportion to the TCP's real speed, from where motion i begins. What hardly has a way has no
+  // speed to go by.
+  void flowBySpeed(std::size_t i) {
+    constexpr double kLeastWayMm = 0.01;
+    const double full = in_.process.maxFlowMm3PerS;
+    const double way = i > 0 ? motions_.tcpMm(i) : 0.0;
+    if (i == 0 || in_.trajectory.move[i - 1] == plan::MoveKind::Joint || way < kLeastWayMm) {
+      if (const std::string share = shareText(motions_.flowMm3PerS(i) / full);
+          share != std::exchange(share_, share))
+        sayFlow(share);
+      perMm_ = 0.0;
+      return;
+    }
+    const double perMm = motionVolumeMm3(in_.trajectory, i) / way / full;
+    if (std::abs(perMm - perMm_) <= kSamePerMm * perMm_)
+      return;
+    line(joined({"    TriggSpeed tFlow,0\\Start,0,aoFlow,",
+                 fixedText(perMm, decimalsFor(perMm, kPerMmDigits)), ";"}));
+    perMm_ = perMm;
+    share_.clear();
+    atStart_ = true;
+  }
   void extruder(bool on) override {
     line(on ? "    SetDO doExtruder,1;" : "    SetDO doExtruder,0;");
   }
   void wait(double seconds) override {
+    if (bySpeed_ && !standingShare_.empty())
+      line(joined({"    SetAO aoFlow,", standingShare_, ";"}));
     out_ += "    WaitTime ";
     number(seconds, 3);
     line(";");
+    if (bySpeed_ && !standingShare_.empty())
+      line("    SetAO aoFlow,0;");
+    standingShare_.clear();
+    share_.clear();
+    perMm_ = 0.0;
   }
 
   void jointMotion(std::size_t i) override { motion(i, true, 0.0); }
   void straightMotion(std::size_t i, bool stops) override {
+    if (bySpeed_ && isPrint(in_.trajectory, i) && !extruderOf(in_).streams)
+      flowBySpeed(i);
     motion(i, false, stops ? 0.0 : motions_.blendMm(i));
   }
 
@@ -414,6 +460,11 @@ private:
   plan::Program program_;
   std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of module k
   std::string name_, object_, out_;
+  const bool bySpeed_;
+  // As last written: the flow as a share, or a mm of way; and what it is to be while the arm
+  // stands.
+  std::string share_, standingShare_;
+  double perMm_ = 0.0;
 };
 
 } // namespace
@@ -424,8 +475,17 @@ base::ParameterSpec rapidModules() {
       "Programs"_text, "RAPID modules"_text, "Which modules the controller loads."_text);
 }
 
+base::ParameterSpec rapidFlow() {
+  return base::choiceParameter(
+      "rapidFlow", "events",
+      {{"events", "events at points"_text}, {"speed", "the TCP's speed"_text}}, "Programs"_text,
+      "RAPID: the flow goes by"_text,
+      "Events set the analogue output where a motion begins (TriggEquip); by speed it follows the "
+      "real speed of the TCP, so that slow corners get no more (TriggSpeed)."_text);
+}
+
 std::vector<base::ParameterSpec> rapidOptions() {
-  return {motionsPerFileOption(), rapidModules()};
+  return {motionsPerFileOption(), rapidModules(), rapidFlow()};
 }
 
 plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx) {

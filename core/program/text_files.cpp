@@ -36,9 +36,11 @@ std::size_t longestTextOf(std::string_view line, std::string_view remark) {
 } // namespace
 
 bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
-                 std::vector<plan::ProgramDefect>& defects) {
+                 std::vector<plan::ProgramDefect>& defects, IsNoText mayBe) {
   for (std::size_t f = 0; f < files.size(); ++f) {
     const std::string_view text = files[f].text;
+    if (mayBe != nullptr && mayBe(text))
+      continue;
     const auto odd = std::find_if(text.begin(), text.end(), isNoText);
     if (hasMark(text))
       defects.push_back(
@@ -51,9 +53,11 @@ bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
 }
 
 void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
-                       std::vector<plan::ProgramDefect>& defects) {
+                       std::vector<plan::ProgramDefect>& defects, IsNoText mayBe) {
   for (std::size_t f = 0; f < files.size(); ++f) {
     const std::string_view text = files[f].text;
+    if (mayBe != nullptr && mayBe(text))
+      continue;
     bool pairs = false, known = false;
     for (std::size_t i = text.find_first_of("\r\n"); i != std::string_view::npos;
          i = text.find_first_of("\r\n", i + 1)) {

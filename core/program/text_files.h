@@ -11,15 +11,18 @@ namespace voluta::program {
 
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
+// A file that is no text and need not be one; nullptr: all have to be.
+using IsNoText = bool (*)(std::string_view bytes);
+
 // One defect a file that begins with a byte-order mark or holds what no text holds. true: there is
 // one; such files are not to be read.
 bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
-                 std::vector<plan::ProgramDefect>& defects);
+                 std::vector<plan::ProgramDefect>& defects, IsNoText mayBe = nullptr);
 
 // One defect a file whose lines end now with LF, now with CR LF, or with CR alone: where that
 // begins.
 void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
-                       std::vector<plan::ProgramDefect>& defects);
+                       std::vector<plan::ProgramDefect>& defects, IsNoText mayBe = nullptr);
 
 // What a controller takes of one line: characters, and those of a text in double quotation marks
 // outside remarks, which begin with `remark`. 0: any number.

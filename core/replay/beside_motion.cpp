@@ -90,7 +90,9 @@ private:
     }
     if (std::abs(volume - planned) <= std::max(kLeastMm3, kPrimeTolerance * planned))
       return;
-    const std::size_t motion = std::min(beads_.first, program_.motions.size() - 1);
+    // Programs prime where the arm stands at its start.
+    const std::size_t motion =
+        std::min({program_.firstMotion + 1, beads_.first, program_.motions.size() - 1});
     add(PrimeChanged, most ? placeOfPause(*most) : placeOf(program_, motion),
         {{"volume", base::mm3(volume)}, {"planned", base::mm3(planned)}});
   }

@@ -174,6 +174,8 @@ Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& pat
   JointArcs arcs(trajectory, cell, program.tellsDirections);
   const auto isVia = [&](std::size_t m, std::size_t point) {
     const plan::ProgramMotion& motion = program.motions[m];
+    if (program.beadsByJoints)
+      return goesStraightBy(planned, trajectory, point, path.targetTip[m], path.targetDirection[m]);
     if (motion.target != plan::TargetKind::ToolPoint)
       return false;
     return (!motion.extruding && arcs.passes(point, path.targetTip[m], path.targetDirection[m])) ||
@@ -259,7 +261,8 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
       report.atMotion(ExtruderOffPrint, m);
       continue;
     }
-    if (m > 0 && print && path.arm && program.motions[m].jointInterpolated)
+    if (m > 0 && print && path.arm && program.motions[m].jointInterpolated &&
+        !program.beadsByJoints)
       report.atMotion(BeadByJoints, m);
     const std::size_t before = whole.first - 1; // the motion to where it begins
     if (whole.first == 0 || j == 0 || !inPlace(before) || pointOf[before] + 1 != j)

@@ -69,7 +69,8 @@ int main(int argc, char** argv) {
   }
   if (formats.empty())
     for (const program::Dialect& dialect : program::dialects())
-      formats.emplace_back(dialect.id);
+      if (!dialect.needsJoints || dialect.controller.empty() || dialect.controller == "urscript")
+        formats.emplace_back(dialect.id);
 
   test::usesSourceTreeResources();
   const process::Process process = process::loadProcess("fdm-1.0");

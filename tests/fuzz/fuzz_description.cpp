@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "process/process.h"
 #include "robot/cell.h"
+#include "robot/cell_draft.h"
 
 #include <filesystem>
 
@@ -51,6 +52,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                        cell.armDof() + 4 + static_cast<int>(cell.externalAxes().size()),
                    "every frame has a pose");
     });
+  fuzz::takenOrRefused([&] {
+    const robot::CellDraft draft(text);
+    fuzz::expect(robot::CellDraft(draft.text()) == draft, "a draft comes back from its text");
+    for (const robot::DraftBody& body : draft.bodies())
+      robot::CellDraft(draft.withPose(body, body.pose).text());
+  });
   read("fdm-1.0.json", text, [](const std::filesystem::path& file) {
     const process::Process process = process::readProcess(file);
     fuzz::expect(process.head.sections.size() >= 2, "a head has a shape");

@@ -10,6 +10,10 @@ using namespace voluta;
 
 namespace {
 
+const std::string kRows = "kind,seconds,j1_rad,j2_rad,j3_rad,j4_rad,j5_rad,j6_rad,extruder,flow\n"
+                          "1,0,0.1,0,0,0,0,0,0,0\n2,0.5,0.2,0,0,0,0,0,1,0.4\n"
+                          "0,0,0.2,0,0,0,0,0,0,0\n";
+
 // `external`: with an external axis behind the arm's.
 plan::Trajectory sampleTrajectory(bool external) {
   plan::Trajectory t;
@@ -37,8 +41,10 @@ plan::Trajectory sampleTrajectory(bool external) {
 std::vector<std::string> fuzz::seeds() {
   ::setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
   const process::Process process = process::loadProcess("fdm-1.0");
-  const robot::Cell cells[] = {robot::loadCell("ur5-fixed", process, {{-9, -9}, {9, -9}, {0, 9}}),
-                               robot::loadCell("lathe", process, {})};
+  const robot::Cell cells[] = {
+      robot::loadCell("ur5-fixed", process, {{-9, -9}, {9, -9}, {0, 9}}),
+      robot::loadCell("lathe", process, {}),
+      robot::loadCell("rv2f-moving", process, {{-9, -9}, {9, -9}, {0, 9}})};
   plan::ToolPlan toolPlan;
   toolPlan.position.assign(4, Eigen::Vector3d::Zero());
   toolPlan.direction.assign(4, Eigen::Vector3d::UnitZ());
@@ -47,7 +53,8 @@ std::vector<std::string> fuzz::seeds() {
   for (const robot::Cell& cell : cells) {
     const plan::Trajectory trajectory = sampleTrajectory(!cell.externalAxes().empty());
     for (const program::Dialect& dialect : program::dialects()) {
-      if (!dialect.turnsRods && !cell.externalAxes().empty())
+      if ((!dialect.turnsRods && !cell.externalAxes().empty()) ||
+          (dialect.needsJoints && program::isForeign(dialect, cell)))
         continue;
       plan::Trajectory said = trajectory;
       if (!dialect.tiltsNozzle) // it leans; by joints it may
@@ -64,6 +71,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text = fuzz::textOf(data, size);
   const process::Process process;
   program::detectDialect("input", text);
+  // What stands beside the rows of a stream.
+  for (const char* id : {"urscript-stream", "melfa-stream"})
+    program::readProgram(id, {{"rows", kRows}, {"beside", text}}, process);
   for (const program::Dialect& dialect : program::dialects()) {
     const plan::ReadProgram read = program::readProgram(dialect.id, {{"input", text}}, process);
     fuzz::expect(read.defects.size() <= program::kMaxDefects, "defects are not listed without end");

@@ -3,6 +3,7 @@
 #include "panels/options_form.h"
 #include "panels/text_preview.h"
 #include "panels/verdict_table.h"
+#include "program/dialect.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -172,6 +173,19 @@ TEST_F(ExportPanelTest, OptionsAndFactsAreOfTheFormatInSight) {
   list->setCurrentItem(list->topLevelItem(3)); // no options, nothing written
   EXPECT_FALSE(options->isVisible());
   EXPECT_FALSE(panel.findChild<QLabel*>("programSize")->isVisible());
+}
+
+// A format's row is all that its form needs.
+TEST(OptionsOfFormats, AreAFieldEach) {
+  panels::OptionsForm form;
+  for (const program::Dialect& dialect : program::dialects()) {
+    const std::vector<base::ParameterSpec> options = program::optionsOf(dialect);
+    form.setOptions(options);
+    EXPECT_EQ(form.isEmpty(), options.empty());
+    for (const base::ParameterSpec& option : options)
+      EXPECT_NE(form.findChild<QWidget*>(QString::fromStdString(option.key)), nullptr)
+          << dialect.id << " " << option.key;
+  }
 }
 
 TEST_F(ExportPanelTest, ResumeIsOfferedWhereThereIsAPlace) {

@@ -80,6 +80,31 @@ print_part_1()
 )");
 }
 
+TEST_F(Golden, urscriptStream) {
+  EXPECT_EQ(text("urscript-stream"), R"(# joint stream, URScript
+# received by part_1_receiver.script
+# sent by part_1_sender.py
+# part part 1, job 989d904e1002c6e8
+# cell bench, robot ur5, process fdm-1.0 (PLA)
+# 6 motions, 1.6 mm3, 0 g, 4.2 s
+# joints go, degrees: 0 to 0.7, 0 to 0, 0 to 0, 0 to 0, 0 to 0, 0 to 90
+# starts at joints, degrees: 0, 0, 0, 0, 0, 0; the first motion goes there slowly and straight from wherever the arm stands
+# extruder: digital output 0; flow: analogue output 0, 1 = 40 mm3/s
+kind,seconds,j1_rad,j2_rad,j3_rad,j4_rad,j5_rad,j6_rad,extruder,flow
+1,0,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0,0
+# prime
+3,0.2,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,1,0.4113
+# print
+2,2,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,1.5707963,0,0
+# layer 7, wall, path 0
+2,0.1,0.0100000,0.0000000,0.0000000,0.0000000,0.0000000,1.5707963,0,0
+2,0.05,0.0110000,0.0000000,0.0000000,0.0000000,0.0000000,1.5707963,1,0.4
+2,0.05,0.0120000,0.0000000,0.0000000,0.0000000,0.0000000,1.5707963,1,0.4
+2,2,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0,0
+0,0,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0,0
+)");
+}
+
 TEST_F(Golden, extendedGcode) {
   EXPECT_EQ(
       text("gcode-extended"),

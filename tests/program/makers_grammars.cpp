@@ -45,11 +45,12 @@ Instruction <- ('SetDO' / 'SetAO') S Name C Number
              / 'TPWrite' S String
              / 'TriggEquip' S Name C Number _ ('\\Start')? C Number _
                '\\' ('AOp' / 'DOp' / 'GOp') _ ':=' _ Name C Number
+             / 'TriggSpeed' S Name C Number _ ('\\' ('Start' / 'Next'))? C Number C Name C Number
              / 'Load' _ '\\Dynamic' C String _ '\\File' _ ':=' _ String
              / 'UnLoad' S String _ '\\File' _ ':=' _ String
 Call <- '%' _ String _ '%' / !Known Name
 Known <- ('MoveL' / 'MoveJ' / 'MoveAbsJ' / 'MoveC' / 'TriggL' / 'SetDO' / 'SetAO' / 'WaitTime'
-        / 'ConfL' / 'ConfJ' / 'ActUnit' / 'UIMsgBox' / 'TPWrite' / 'TriggEquip' / 'Load' / 'UnLoad')
+        / 'ConfL' / 'ConfJ' / 'ActUnit' / 'UIMsgBox' / 'TPWrite' / 'TriggEquip' / 'TriggSpeed' / 'Load' / 'UnLoad')
         !NameChar
 
 Value <- Number / String / Bool / '[' _ Value (C Value)* _ ']' / Name

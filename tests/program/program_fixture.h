@@ -54,6 +54,17 @@ protected:
                                     {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
   }
 
+  // An arm whose joints the dialect can tell; the bench's own where it can.
+  void useArmFor(const program::Dialect& dialect) {
+    std::string json = kCellJson;
+    if (dialect.needsJoints && dialect.controller == "melfa")
+      json.replace(json.find("\"ur5\""), 5, "\"rv2f\"");
+    const TemporaryFolder folder;
+    base::writeFile(folder / "bench.json", json);
+    cell_.emplace(robot::Cell::read(folder / "bench.json", process_,
+                                    {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
+  }
+
   void useRod() {
     const TemporaryFolder folder;
     base::writeFile(folder / "bench.json", kRodCellJson);
@@ -153,6 +164,7 @@ protected:
   void randomFor(const program::Dialect& dialect, unsigned seed, std::size_t points) {
     trajectory_ = {};
     plan_ = {};
+    useArmFor(dialect);
     if (dialect.tiltsNozzle) {
       appendRandom(seed, points);
       return;

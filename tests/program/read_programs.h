@@ -77,13 +77,23 @@ protected:
     double seconds = 0.0, volume = 0.0;
     for (const plan::ProgramMotion& m : program.motions) {
       const std::size_t point = whole.size();
-      const bool mayBePiece = m.target == plan::TargetKind::ToolPoint && point > 0 &&
-                              point < trajectory_.pointCount() &&
-                              (!m.way.empty() || trajectory_.move[point] == plan::MoveKind::Joint);
+      const bool byJoints = point > 0 && point < trajectory_.pointCount() &&
+                            trajectory_.move[point] == plan::MoveKind::Joint;
+      const bool mayBePiece = point > 0 && point < trajectory_.pointCount() &&
+                              (program.beadsByJoints ? !byJoints
+                                                     : m.target == plan::TargetKind::ToolPoint &&
+                                                           (!m.way.empty() || byJoints));
       if (mayBePiece) {
         const Eigen::Isometry3d end = cell_->work_T_tool(jointsAt(point));
-        if ((m.position - end.translation()).norm() > 1e-3 ||
-            (program.tellsDirections && (m.direction + end.linear().col(2)).norm() > 1e-4)) {
+        Eigen::Vector3d tip = m.position, direction = m.direction;
+        if (program.beadsByJoints) {
+          const Eigen::Isometry3d tool = cell_->work_T_tool(
+              Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof));
+          tip = tool.translation();
+          direction = -tool.linear().col(2);
+        }
+        if ((tip - end.translation()).norm() > 1e-3 ||
+            (program.tellsDirections && (direction + end.linear().col(2)).norm() > 1e-4)) {
           seconds += m.durationS;
           volume += m.extruding ? m.volumeMm3 : 0.0;
           continue;

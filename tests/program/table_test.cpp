@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <sstream>
 
 namespace voluta::program {
 namespace {
@@ -33,7 +34,8 @@ Vector3d leaning(double tiltDeg, double aroundDeg) {
   return {std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), std::cos(t)};
 }
 
-// The vector of docs/programs.md (G-code with B and C): B = -9.0950, C = -126.5073; and the point by its formulas.
+// The vector of docs/programs.md (G-code with B and C): B = -9.0950, C = -126.5073; and the point
+// by its formulas.
 TEST(Table, StandsAsTheThesisHasIt) {
   const TableAngles a = anglesOf({Vector3d(-0.094, 0.127, 0.987)}).front();
   EXPECT_NEAR(degrees(a.tilt), -9.0950, 5e-5);
@@ -202,6 +204,62 @@ TEST_F(TablePrograms, NeverLeaveTheLineOnThePart) {
   }
 }
 
+// C's count is set back where nothing is printed, the table stays where it is: read back, motion
+// for motion the same as without, to what C is rounded to.
+TEST_F(TablePrograms, CountIsSetBackInTravels) {
+  append(plan::MoveKind::Joint, {0.1, -1.9, 1.7, -1.2, -1.4, 0.0}, 1.0, 0.0);
+  for (int i = 1; i < 900; ++i)
+    append(i % 40 < 2 ? plan::MoveKind::Linear : plan::MoveKind::Print,
+           {0.1, -1.9, 1.7, -1.2, -1.4, 0.05 * i}, 0.1, i % 40 < 2 ? 0.0 : 0.3);
+  for (const char* sense : {"part", "tool"}) {
+    ProgramInput in = input();
+    in.options.own["tableSense"] = std::string(sense);
+    const plan::ReadProgram on =
+        readProgram("gcode-bc", writeProgram("gcode-bc", in).files, process_);
+    in.options.own["tableTurns"] = 1.0;
+    const plan::Program program = writeProgram("gcode-bc", in);
+    const plan::ReadProgram back = readProgram("gcode-bc", program.files, process_);
+    EXPECT_TRUE(back.complete && back.defects.empty());
+    ASSERT_EQ(back.motions.size(), on.motions.size());
+    for (std::size_t m = 0; m < on.motions.size(); ++m) {
+      EXPECT_LT((back.motions[m].position - on.motions[m].position).norm(), 2e-4);
+      EXPECT_LT((back.motions[m].direction - on.motions[m].direction).norm(), 1e-6);
+      EXPECT_EQ(back.motions[m].way.size(), on.motions[m].way.size());
+      EXPECT_EQ(back.motions[m].durationS, on.motions[m].durationS);
+    }
+    std::vector<std::string> lines;
+    std::istringstream text(program.files[0].text);
+    for (std::string line; std::getline(text, line);)
+      lines.push_back(line);
+    std::size_t counts = 0;
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      if (const std::size_t at = lines[l].find(" C"); lines[l].starts_with("G1 X")) {
+        // A turn, and what a bead of 38 points adds.
+        EXPECT_LT(std::abs(std::stod(lines[l].substr(at + 2))), 360.0 + 42.0 * 3.0);
+      }
+      if (!lines[l].starts_with("G92 C"))
+        continue;
+      ++counts;
+      EXPECT_LE(std::abs(std::stod(lines[l].substr(5))), 180.0 + 1e-9);
+      // Without it the table would turn back, and by another number it is another place.
+      for (const std::string& harm :
+           {std::string(), "G92 C" + std::to_string(std::stod(lines[l].substr(5)) + 1.0),
+            "G92 C0 ;" + lines[l]}) {
+        std::string damaged;
+        for (std::size_t k = 0; k < lines.size(); ++k)
+          damaged += (k == l ? harm : lines[k]) + "\n";
+        const plan::ReadProgram seen =
+            readProgram("gcode-bc", {{program.files[0].name, damaged}}, process_);
+        bool same = seen.defects.empty() && seen.motions.size() == back.motions.size();
+        for (std::size_t m = 0; same && m < back.motions.size(); ++m)
+          same = seen.motions[m].way.size() == back.motions[m].way.size();
+        EXPECT_FALSE(same) << lines[l] << " -> " << harm;
+      }
+    }
+    EXPECT_GE(counts, 5u);
+  }
+}
+
 plan::ReadProgram readTable(const std::string& text) {
   process::Process process;
   process.maxFlowMm3PerS = 40.0;
@@ -228,7 +286,7 @@ TEST(TableReader, NamesWhatItCannotTake) {
   const struct {
     const char *line, *part;
   } cases[] = {{"G1 X1\n", "without F"},      {"G0 X1 F60\n", "G0 under G93"},
-               {"G92 C0\n", "origin"},        {"G1 X1 A5 F60\n", "word A"},
+               {"G92 C10\n", "origin"},       {"G1 X1 A5 F60\n", "word A"},
                {"G43.4 H1\n", "not known"},   {"G95\n", "not known"},
                {"G94\nG1 X1\n", "any speed"}, {"; plate over the tilt axis, mm: X Z\n", "tilt"}};
   for (const auto& c : cases) {

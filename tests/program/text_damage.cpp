@@ -205,10 +205,14 @@ std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t moti
       return read(text, process).motions[travel].line;
     text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1), off);
   }
-  // or the travel's line tells an amount,
+  // or the travel's line tells an amount, or that it is on,
   std::string& own = text.lines.at(line - 1);
   if (changeNumber(
-          own, [](double x) { return std::vector{x + 2.0}; }, lays))
+          own,
+          [](double x) {
+            return std::vector{x + 2.0, x + 1.0};
+          },
+          lays))
     return line;
   // or is given the word for one from the line before.
   const std::string without = own;

@@ -3,6 +3,7 @@
 #include "program/dialect.h"
 #include "program/text_damage.h"
 #include "replay/beside_motion.h"
+#include "replay/dialects_for.h"
 #include "replay/scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
@@ -89,7 +90,7 @@ TEST(BesideMotion, WhatFlowsInAWaitIsCounted) {
 }
 
 TEST(BesideMotion, AMissingOrOtherPrimeIsFound) {
-  for (const program::Dialect& d : program::dialects()) {
+  for (const program::Dialect& d : test::dialectsFor("urscript")) {
     const test::ProgramText whole = textOf(std::string(d.id));
     const plan::ReadProgram read = test::read(whole, scene().process);
     if (!read.tellsPauses)

@@ -3,6 +3,7 @@
 #include "program/dialect.h"
 #include "program/text_damage.h"
 #include "replay/controller_time.h"
+#include "replay/dialects_for.h"
 #include "replay/scene.h"
 #include "replay/section_errors.h"
 #include "replay/told.h"
@@ -166,7 +167,7 @@ test::ProgramText bySpeeds(test::ProgramText text, const std::string& accelerati
 }
 
 TEST(ControllerTime, OurProgramsLayWhatWasPlannedUnderBothLaws) {
-  for (const program::Dialect& d : program::dialects()) {
+  for (const program::Dialect& d : test::dialectsFor("urscript")) {
     const Verification v = verify(textOf(std::string(d.id)));
     EXPECT_LE(v.flowErrorFraction, 0.01) << d.id;
     EXPECT_NEAR(v.massRatio, 1.0, 0.01) << d.id;

@@ -30,9 +30,9 @@ std::vector<Row> rows() {
   return all;
 }
 
-const test::Scene& scene() {
-  static const test::Scene s = test::boxScene(1);
-  return s;
+const test::Scene& sceneFor(const std::string& format) {
+  static const test::Scene usual = test::boxScene(1), other = test::boxScene(1, "rv2f-moving");
+  return test::cellFor(format) == usual.cell.id() ? usual : other;
 }
 
 using Lines = std::vector<std::string>;
@@ -177,6 +177,7 @@ std::vector<Kind> streamKinds() {
 
 class ExtruderRows : public ::testing::TestWithParam<Row> {
 protected:
+  const test::Scene& scene() const { return sceneFor(GetParam().dialect); }
   void SetUp() override {
     const test::Scene& s = scene();
     program::ProgramInput in{s.plan, s.trajectory, s.cell, s.process, "box"};

@@ -17,13 +17,14 @@ namespace {
 constexpr int kSeeds = 3, kHarmless = 300;
 constexpr std::size_t kLeastKinds = 40;
 
-const test::Scene& scene() {
-  static const test::Scene s = test::boxScene(1);
-  return s;
+const test::Scene& sceneFor(const std::string& format) {
+  static const test::Scene usual = test::boxScene(1), other = test::boxScene(1, "rv2f-moving");
+  return test::cellFor(format) == usual.cell.id() ? usual : other;
 }
 
 class Mutants : public ::testing::TestWithParam<std::string> {
 protected:
+  const test::Scene& scene() const { return sceneFor(GetParam()); }
   void SetUp() override {
     const test::Scene& s = scene();
     whole_ = test::textOf(

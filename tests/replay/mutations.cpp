@@ -374,6 +374,30 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("joints for a pose", "PVTEnter\\(1\\)", "PVTEnter(0)", true));
     all.push_back(insertedInHead("ChangeBase({0,0,10,0,0,0})"));
     all.push_back(insertedInHead("ChangeBase(\"table\")"));
+  } else if (format.ends_with("-stream")) {
+    const std::string row = "^(2(?:,[^,]*){7},[01],)";
+    all.push_back(replaced("time ten times", "^2,0\\.0?", "2,9."));
+    all.push_back(replaced("time is less", "^2,[0-9.]+", "2,0.001"));
+    all.push_back(replaced("no time", "^2,[0-9.]+", "2,0"));
+    all.push_back(replaced("time runs back", "^2,", "2,-"));
+    all.push_back(replaced("a motion becomes a wait", "^2,", "3,"));
+    all.push_back(replaced("a motion becomes the start", "^2,[0-9.]+", "1,0"));
+    all.push_back(replaced("a motion becomes the end", "^2,[0-9.]+", "0,0"));
+    all.push_back(replaced("a kind that there is not", "^2,", "4,"));
+    all.push_back(replaced("more flow", row + "[0-9.]+", "$10.999"));
+    all.push_back(replaced("no flow", row + "[0-9.]+", "$10"));
+    all.push_back(replaced("flow of more than all", row + "[0-9.]+", "$11.5"));
+    all.push_back(replaced("the extruder is off", ",1,([0-9.]+)$", ",0,$1"));
+    all.push_back(replaced("the extruder stays on", ",0,0$", ",1,0.4"));
+    all.push_back(replaced("half an extruder", ",1,([0-9.]+)$", ",0.5,$1"));
+    all.push_back(replaced("a column too many", ",", ",0,"));
+    all.push_back(replaced("a column is missing", ",[^,]*,", ","));
+    all.push_back(replaced("another header", "j1_rad", "j1_deg", true));
+    all.push_back(replaced("no header", "^kind", "# kind", true));
+    all.push_back(replaced("a row becomes a remark", "^2", "# 2"));
+    all.push_back(erased("the prime is missing", "^3,", true));
+    all.push_back(replaced("ten times the prime", "^3,0\\.2", "3,2", true));
+    all.push_back(erased("the start is missing", "^1,", true));
   } else {
     all.push_back(replaced("E is more", ",([0-9.]+),([0-9]+),print", ",9$1,$2,print"));
     all.push_back(replaced("E is less", ",[0-9.]+,([0-9]+),print", ",0,$1,print"));
@@ -402,9 +426,10 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
 
 std::vector<Mutation> harmlessMutations(const std::string& format) {
   static const std::map<std::string, std::string> kRemark = {
-      {"urscript", "# "},  {"rapid", "! "}, {"gcode-extended", "; "}, {"gcode-bc", "; "},
-      {"gcode", "; "},     {"krl", "; "},   {"spel", "' "},       {"melfa", "' "},
-      {"tmscript", "// "}, {"csv", "# "}};
+      {"urscript", "# "}, {"rapid", "! "},           {"gcode-extended", "; "},
+      {"gcode-bc", "; "}, {"gcode", "; "},           {"krl", "; "},
+      {"spel", "' "},     {"melfa", "' "},           {"tmscript", "// "},
+      {"csv", "# "},      {"urscript-stream", "# "}, {"melfa-stream", "# "}};
   const std::string remark = kRemark.at(format);
   const auto any = [](Subject& s, std::mt19937_64& random) {
     return s.read.motions.front().line + random() % (s.text.lines.size() - 40);

@@ -4,11 +4,13 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
+#include "replay/dialects_for.h"
 #include "replay/scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 #include <optional>
@@ -66,14 +68,27 @@ protected:
         << "line " << line << "\n"
         << told(v);
   }
+  // Streams of joints say some travels in pieces.
+  static std::size_t motionTo(std::size_t point, const plan::ReadProgram& program) {
+    const plan::Trajectory& t = scene().trajectory;
+    std::size_t m = point;
+    while (program.beadsByJoints && m + 1 < program.motions.size() &&
+           !std::equal(program.motions[m].joints.begin(), program.motions[m].joints.end(),
+                       t.at(point), [](double a, double b) { return std::abs(a - b) < 1e-6; }))
+      ++m;
+    return m;
+  }
   // Every finding about the text is at the line that `damage` gives or the next motion's.
-  using Damage = std::function<std::optional<std::size_t>(test::ProgramText&, std::size_t point)>;
+  using Damage = std::function<std::optional<std::size_t>(test::ProgramText&, std::size_t motion)>;
   void damageFivePlaces(const Damage& damage) {
     const test::ProgramText whole = textOf(GetParam());
-    ASSERT_EQ(motionLines(whole).size(), scene().trajectory.pointCount());
+    const plan::ReadProgram program = test::read(whole, scene().process);
+    if (!program.beadsByJoints) {
+      ASSERT_EQ(program.motions.size(), scene().trajectory.pointCount());
+    }
     for (const std::size_t point : places()) {
       test::ProgramText text = whole;
-      const std::optional<std::size_t> at = damage(text, point);
+      const std::optional<std::size_t> at = damage(text, motionTo(point, program));
       ASSERT_TRUE(at) << GetParam() << " point " << point;
       SCOPED_TRACE(GetParam() + " line " + std::to_string(*at) + ": " +
                    (*at <= text.lines.size() ? text.lines[*at - 1] : ""));
@@ -100,7 +115,7 @@ TEST_P(EachDialect, TheUndamagedProgramPasses) {
 TEST_P(EachDialect, WhatOtherProgramsLendChangesNoVerdict) {
   const test::Scene& s = scene();
   JudgedRuns judged;
-  for (const program::Dialect& other : program::dialects())
+  for (const program::Dialect& other : test::dialectsFor("urscript"))
     if (other.id != GetParam()) {
       const test::ProgramText text = textOf(std::string(other.id));
       replayProgram({test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part,
@@ -161,13 +176,13 @@ TEST_P(EachDialect, AWayRoundByJointsPassesAloneAndByWhatOthersLend) {
         test::textOf(program::writeProgram(format, {s.plan, trajectory, s.cell, s.process, "box"}));
     const plan::ReadProgram program = test::read(text, s.process);
     EXPECT_EQ(program.motions.size() > trajectory.pointCount(),
-              !program::findDialect(format).saysJointMotions);
+              !program::findDialect(format).saysJointMotions || program.beadsByJoints);
     return replayProgram({program, s.plan, trajectory, s.cell, s.process, s.part, s.platform}, {},
                          {}, judged);
   };
   const Verification alone = verdict(GetParam(), nullptr);
   EXPECT_TRUE(alone.passed) << told(alone);
-  for (const program::Dialect& other : program::dialects()) {
+  for (const program::Dialect& other : test::dialectsFor("urscript")) {
     JudgedRuns judged;
     verdict(std::string(other.id), &judged);
     const Verification borrowed = verdict(GetParam(), &judged);
@@ -243,16 +258,10 @@ TEST_P(EachDialect, ThreadsDoNotMatter) {
   EXPECT_EQ(a.maxDeviationMm, b.maxDeviationMm);
 }
 
-std::vector<std::string> dialectIds() {
-  std::vector<std::string> ids;
-  for (const program::Dialect& dialect : program::dialects())
-    ids.emplace_back(dialect.id);
-  return ids;
-}
-
-INSTANTIATE_TEST_SUITE_P(Replay, EachDialect, ::testing::ValuesIn(dialectIds()), [](const auto& i) {
-  return std::regex_replace(i.param, std::regex("-"), "_");
-});
+INSTANTIATE_TEST_SUITE_P(Replay, EachDialect, ::testing::ValuesIn(test::idsFor("urscript")),
+                         [](const auto& i) {
+                           return std::regex_replace(i.param, std::regex("-"), "_");
+                         });
 
 // ---- what a program can do wrong though its text is as planned
 

@@ -5,6 +5,7 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
+#include "replay/dialects_for.h"
 #include "replay/executed_path.h"
 #include "replay/scene.h"
 #include "replay/told.h"
@@ -50,13 +51,7 @@ TEST_P(ScaraProgram, Passes) {
   EXPECT_LT(v.maxDeviationMm, 0.03);
 }
 
-std::vector<std::string> formats() {
-  std::vector<std::string> ids;
-  for (const program::Dialect& d : program::dialects())
-    ids.emplace_back(d.id);
-  return ids;
-}
-INSTANTIATE_TEST_SUITE_P(Dialects, ScaraProgram, ::testing::ValuesIn(formats()),
+INSTANTIATE_TEST_SUITE_P(Dialects, ScaraProgram, ::testing::ValuesIn(test::idsFor("spel")),
                          [](const auto& dialect) {
                            return std::regex_replace(dialect.param, std::regex("-"), "_");
                          });

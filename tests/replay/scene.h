@@ -220,6 +220,12 @@ inline Scene rodScene(int layers = 2) {
           rod};
 }
 
+// The cell that a format's own robot stands in, where it tells joints of no other; else the
+// scenes'.
+inline std::string cellFor(const std::string& format) {
+  return format == "melfa-stream" ? "rv2f-moving" : "ur5-fixed";
+}
+
 // A solid box of 12 x 12 x (0.8 x layers) mm, printed.
 inline Scene boxScene(int layers = 4, const std::string& cellId = "ur5-fixed") {
   usesSourceTreeResources();

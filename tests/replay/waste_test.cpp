@@ -5,6 +5,7 @@
 #include "program/extruder.h"
 #include "replay/beads.h"
 #include "replay/beside_motion.h"
+#include "replay/dialects_for.h"
 #include "replay/scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
@@ -49,7 +50,7 @@ TEST(Waste, IsNotThePartAndRestsOnWhatItLikes) {
   const test::Scene s = primedScene();
   EXPECT_EQ(plannedPrimeMm3(s.plan, s.trajectory, s.process), 0.0);
   const double waste = 20.0 * process::beadArea(s.process.beadWidthMm, s.process.layerHeightMm);
-  for (const program::Dialect& d : program::dialects()) {
+  for (const program::Dialect& d : test::dialectsFor("urscript")) {
     SCOPED_TRACE(d.id);
     const plan::Program program =
         program::writeProgram(d.id, {s.plan, s.trajectory, s.cell, s.process, "box"});
@@ -110,7 +111,7 @@ TEST(Waste, WhatIsNoneIsUnsupported) {
 TEST(DrawnBack, ComesToTheSamePrint) {
   test::Scene s = test::boxScene(1);
   s.process.retractMm = 1.5;
-  for (const program::Dialect& d : program::dialects())
+  for (const program::Dialect& d : test::dialectsFor("urscript"))
     for (const char* extruder : {"outputs", "castelli-serial", "e-stream"}) {
       const bool own = d.extruders.empty();
       if (own ? extruder != std::string("outputs")

@@ -1,0 +1,31 @@
+#include "program/same_text.h"
+
+#include "program/text.h"
+
+namespace voluta::program {
+
+namespace {
+std::string_view withoutEnd(std::string_view line) {
+  while (!line.empty() && (line.back() == ' ' || line.back() == '\r' || line.back() == '\t'))
+    line.remove_suffix(1);
+  return line;
+}
+} // namespace
+
+void tellOtherText(std::string_view text, std::string_view expected, std::size_t line,
+                   ProgramBuilder& out) {
+  LineReader own(text), wanted(expected);
+  while (true) {
+    std::string_view a, b;
+    const bool more = own.next(a), wants = wanted.next(b);
+    out.line = line++;
+    if (!more && !wants)
+      return;
+    if (more == wants && withoutEnd(a) == withoutEnd(b))
+      continue;
+    out.defect("this line is not as Voluta writes it; it is the same for every job"_text);
+    return;
+  }
+}
+
+} // namespace voluta::program
