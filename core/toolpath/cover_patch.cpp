@@ -17,6 +17,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace voluta::toolpath {
@@ -36,6 +37,7 @@ constexpr int kArcPasses = 4;
 // centrelines move, for their sections, and for those of lines as even as a winding's, with which
 // coarser ones beat.
 constexpr double kMoveMm2 = 0.12, kSectionMm2 = 0.03, kWoundMm2 = 0.012;
+constexpr double kPlaneMm2 = 0.04; // on a plane, for all of these
 // Hatches: further in nothing hangs on the boundary's distance but straight lines.
 constexpr double kFineDepth = 5.5;
 constexpr double kCoarser = 2.0; // are edges there
@@ -248,8 +250,9 @@ PatchSurface refineAtRidges(const PatchSurface& s, const process::Process& proce
   constexpr double kFine = 0.2;    // mm
   constexpr double kFlatter = 0.8; // of the gradient's true length, 1
   constexpr double kDeepest = 5.0; // hatches: further in, infill lies over the ridge
-  const std::vector<double> d = distanceToSegments(s, boundarySegments(s), 1e9);
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  const std::vector<double> d =
+      distanceToSegments(s, boundarySegments(s), (kDeepest + 0.1) * hatch);
   std::vector<char> marks(s.position.size(), 0);
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const auto v = [&](std::size_t k) { return static_cast<std::size_t>(s.triangles[t][k]); };
@@ -362,6 +365,13 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const double beadScale = beadScaleOf(process);
   const bool solid = o.infillDensity >= 1.0;
+  const std::optional<PlaneSamples> plane =
+      kind.isWound ? std::nullopt : PlaneSamples::of(s, kPlaneMm2 * beadScale * beadScale);
+  const auto shared = [&](double sampleMm2, const std::vector<std::vector<double>>& extras) {
+    return plane ? shareOut(*plane, lines.curves, kReach * beadScale, extras)
+                 : shareOut(s, lines.curves, kReach * beadScale, sampleMm2 * beadScale * beadScale,
+                            extras);
+  };
   ResampleOptions dense;
   dense.stepMm = kPlanStep;
   dense.chordMm = INFINITY;
@@ -372,8 +382,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   for (int i = 0; solid && i < kRelaxations; ++i) {
     ctx.checkpoint();
-    const Cells cells = shareOut(s, lines.curves, kReach * beadScale,
-                                 kMoveMm2 * beadScale * beadScale, lines.extras(s));
+    const Cells cells = shared(kMoveMm2, lines.extras(s));
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.isWound || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
@@ -388,12 +397,12 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();
-  const double sectionMm2 = (kind.isWound ? kWoundMm2 : kSectionMm2) * beadScale * beadScale;
+  const double sectionMm2 = kind.isWound ? kWoundMm2 : kSectionMm2;
   std::vector<std::vector<double>> extras = lines.extras(s);
-  Cells cells = shareOut(s, lines.curves, kReach * beadScale, sectionMm2, extras);
+  Cells cells = shared(sectionMm2, extras);
   if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,
                    extras))
-    cells = shareOut(s, lines.curves, kReach * beadScale, sectionMm2, extras);
+    cells = shared(sectionMm2, extras);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)
@@ -414,7 +423,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
       break;
     correction = std::clamp(correction * target / cover.beadVolumeMm3, 0.97, 1.03);
   }
-  const Coverage c = measureCoverage(s, cover.beads);
+  const Coverage c = plane ? measureCoverage(*plane, cover.beads) : measureCoverage(s, cover.beads);
   cover.coveredMm2 = c.coveredMm2;
   cover.overlapMm2 = c.overlapMm2;
   return cover;

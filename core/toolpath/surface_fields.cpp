@@ -92,14 +92,24 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
                                        const std::vector<SourceSegment>& sources, double farMm) {
   std::vector<double> distance(s.position.size(), farMm);
   std::vector<int> nearest(s.position.size(), -1);
+  std::vector<double> inverse(sources.size()); // of squared lengths
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const double squared = (sources[i].b - sources[i].a).squaredNorm();
+    inverse[i] = squared > 0.0 ? 1.0 / squared : 0.0;
+  }
   FrontQueue queue;
   const auto offer = [&](int v, int source) {
     const SourceSegment& e = sources[at(source)];
     const Vector3d& p = s.position[at(v)];
-    const Vector3d q = closestOnSegment(p, e.a, e.b);
-    const double d =
-        arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)], distance[at(v)]);
-    if (d < distance[at(v)]) {
+    const Vector3d along = e.b - e.a;
+    const Vector3d q = e.a + std::clamp(along.dot(p - e.a) * inverse[at(source)], 0.0, 1.0) * along;
+    const double most = distance[at(v)];
+    double d = INFINITY;
+    if (!s.planeNormal)
+      d = arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)], most);
+    else if (const double squared = (p - q).squaredNorm(); squared < most * most)
+      d = std::sqrt(squared);
+    if (d < most) {
       distance[at(v)] = d;
       nearest[at(v)] = source;
       queue.push({d, v});
@@ -114,10 +124,17 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
     if (f.distance > distance[at(f.vertex)])
       continue;
     const int source = nearest[at(f.vertex)];
-    for (const int* t = s.ringBegin(f.vertex); t != s.ringEnd(f.vertex); ++t)
-      for (const int v : s.triangles[at(*t)])
-        if (v != f.vertex && nearest[at(v)] != source)
-          offer(v, source);
+    const bool open = s.isOnBoundary[at(f.vertex)] != 0;
+    for (const int* t = s.ringBegin(f.vertex); t != s.ringEnd(f.vertex); ++t) {
+      const auto& corners = s.triangles[at(*t)];
+      const std::size_t k = corners[0] == f.vertex ? 0 : corners[1] == f.vertex ? 1 : 2;
+      // Round a vertex inside, each neighbour is the next one of one triangle.
+      const int next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
+      if (nearest[at(next)] != source)
+        offer(next, source);
+      if (open && nearest[at(last)] != source)
+        offer(last, source);
+    }
   }
   return distance;
 }
