@@ -22,7 +22,7 @@ class Sharer {
 public:
   Sharer(const std::vector<SurfaceCurve>& curves, double reachMm,
          const std::vector<std::vector<double>>& extraMm)
-      : curves_(curves), reach_(reachMm) {
+      : reach_(reachMm) {
     cells_.share.resize(curves.size());
     for (std::size_t c = 0; c < curves.size(); ++c) {
       const auto& points = curves[c].points;
@@ -31,8 +31,13 @@ public:
       cells_.share[c].volumeMm3.assign(n, 0.0);
       cells_.share[c].lateralMm.assign(n, 0.0);
       for (std::size_t i = 0; i < n; ++i) {
-        segments_.push_back({points[i].position, points[(i + 1) % points.size()].position});
-        owner_.emplace_back(c, i);
+        const Eigen::Vector3d& a = points[i].position;
+        const Eigen::Vector3d& b = points[(i + 1) % points.size()].position;
+        segments_.push_back({a, b});
+        const double length = (b - a).norm();
+        places_.push_back({c, i, !curves[c].closed && i == 0,
+                           !curves[c].closed && i + 2 == points.size(),
+                           length > 1e-9 ? ((b - a) / length).eval() : Eigen::Vector3d::Zero()});
         if (!extraMm.empty()) {
           const std::vector<double>& extra = extraMm[c];
           extra_.push_back(extra.empty() ? std::array{0.0, 0.0}
@@ -54,7 +59,7 @@ public:
         continue;
       const SurfaceSample sample = samples.sample(cell);
       if (nearest[cell] >= 0)
-        give(sample, samples.normal(), hitOf(nearest[cell], sample.position));
+        give(sample, samples.normal(), nearest[cell]);
       else
         add(sample, samples.normal());
     }
@@ -69,46 +74,32 @@ public:
   }
 
 private:
-  void give(const SurfaceSample& sample, const Eigen::Vector3d& normal,
-            const SegmentGrid::Hit& hit) {
-    const Eigen::Vector3d& p = sample.position;
+  void give(const SurfaceSample& sample, const Eigen::Vector3d& normal, int segment) {
     const double area = sample.areaMm2;
-    if (hit.segment < 0) {
+    if (segment < 0) {
       cells_.orphanMm2 += area;
       return;
     }
-    const auto [c, i] = owner_[static_cast<std::size_t>(hit.segment)];
-    CellShare& share = cells_.share[c];
-    share.areaMm2[i] += area;
-    share.volumeMm3[i] += area * sample.thicknessMm;
-    const auto& points = curves_[c].points;
-    if (!curves_[c].closed && i == 0 && hit.t <= 0)
+    const Place& place = places_[static_cast<std::size_t>(segment)];
+    const auto& [a, b] = segments_[static_cast<std::size_t>(segment)];
+    const Eigen::Vector3d off = sample.position - a;
+    CellShare& share = cells_.share[place.curve];
+    share.areaMm2[place.segment] += area;
+    share.volumeMm3[place.segment] += area * sample.thicknessMm;
+    share.lateralMm[place.segment] += area * normal.cross(place.along).dot(off);
+    if (place.isFirst && place.along.dot(off) <= 0.0)
       share.beyondMm2[0] += area;
-    else if (!curves_[c].closed && i + 2 == points.size() && hit.t >= 1)
+    else if (place.isLast && place.along.dot(sample.position - b) >= 0.0)
       share.beyondMm2[1] += area;
-    const Eigen::Vector3d along = points[(i + 1) % points.size()].position - points[i].position;
-    const double length = along.norm();
-    if (length > 1e-9)
-      share.lateralMm[i] += area * normal.cross(along / length).dot(p - hit.point);
   }
 
-  SegmentGrid::Hit nearest(const Eigen::Vector3d& p) {
+  // -1: none in reach.
+  int nearest(const Eigen::Vector3d& p) {
     if (!grid_)
       grid_.emplace(segments_, reach_);
     const SegmentGrid::Hit hit = grid_->nearest(p, last_);
     last_ = hit.segment;
-    return hit.segment >= 0 && mostExtra_ > 0.0 ? nearestOfWide(p, hit) : hit;
-  }
-
-  SegmentGrid::Hit hitOf(int segment, const Eigen::Vector3d& p) const {
-    const auto& [a, b] = segments_[static_cast<std::size_t>(segment)];
-    const double squared = (b - a).squaredNorm();
-    SegmentGrid::Hit hit;
-    hit.segment = segment;
-    hit.t = squared > 0.0 ? std::clamp((b - a).dot(p - a) / squared, 0.0, 1.0) : 0.0;
-    hit.point = (1.0 - hit.t) * a + hit.t * b;
-    hit.distanceMm = (p - hit.point).norm();
-    return hit;
+    return hit.segment >= 0 && mostExtra_ > 0.0 ? nearestOfWide(p, hit) : hit.segment;
   }
 
   // Per cell, what nearest() finds, where that is so near that no other segment can be nearer than
@@ -146,34 +137,32 @@ private:
   }
 
   // The segment whose bead's rim is nearest, among those that a wide one may take from `nearest`.
-  SegmentGrid::Hit nearestOfWide(const Eigen::Vector3d& p, const SegmentGrid::Hit& nearest) const {
-    SegmentGrid::Hit best = nearest;
+  int nearestOfWide(const Eigen::Vector3d& p, const SegmentGrid::Hit& nearest) const {
+    int best = nearest.segment;
     double least = nearest.distanceMm - extraAt(nearest.segment, nearest.t);
     grid_->forEachWithin(p, std::min(reach_, least + mostExtra_),
                          [&](int segment, double t, double distance) {
                            const double rim = distance - extraAt(segment, t);
-                           if (rim < least || (rim == least && segment < best.segment)) {
+                           if (rim < least || (rim == least && segment < best)) {
                              least = rim;
-                             best.segment = segment;
-                             best.t = t;
-                             best.distanceMm = distance;
+                             best = segment;
                            }
                          });
-    const auto [c, i] = owner_[static_cast<std::size_t>(best.segment)];
-    const auto& points = curves_[c].points;
-    best.point =
-        (1.0 - best.t) * points[i].position + best.t * points[(i + 1) % points.size()].position;
     return best;
   }
 
-  const std::vector<SurfaceCurve>& curves_;
+  struct Place { // of a segment
+    std::size_t curve, segment;
+    bool isFirst, isLast;  // of an open curve
+    Eigen::Vector3d along; // unit; zero: of no length
+  };
   double reach_;
   std::vector<std::array<double, 2>> extra_; // of a segment's ends; empty: none anywhere
   double mostExtra_ = 0.0;
   Cells cells_;
   std::vector<SegmentGrid::Segment> segments_;
-  std::vector<std::pair<std::size_t, std::size_t>> owner_; // of a segment: curve, its place there
-  std::optional<SegmentGrid> grid_;                        // once it is asked
+  std::vector<Place> places_;
+  std::optional<SegmentGrid> grid_; // once it is asked
   int last_ = -1;
 };
 

@@ -37,7 +37,10 @@ constexpr int kArcPasses = 4;
 // centrelines move, for their sections, and for those of lines as even as a winding's, with which
 // coarser ones beat.
 constexpr double kMoveMm2 = 0.12, kSectionMm2 = 0.03, kWoundMm2 = 0.012;
-constexpr double kPlaneMm2 = 0.04; // on a plane, for all of these
+// On a plane, the same: while centrelines move, and for sections; finer on a patch that takes
+// fewer.
+constexpr double kPlaneMoveMm2 = 0.08, kPlaneSectionMm2 = 0.02, kPlaneFinestMm2 = 0.008;
+constexpr double kPlaneEnough = 16000.0;
 // Hatches: further in nothing hangs on the boundary's distance but straight lines.
 constexpr double kFineDepth = 5.5;
 constexpr double kCoarser = 2.0; // are edges there
@@ -365,13 +368,20 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const double beadScale = beadScaleOf(process);
   const bool solid = o.infillDensity >= 1.0;
-  const std::optional<PlaneSamples> plane =
-      kind.isWound ? std::nullopt : PlaneSamples::of(s, kPlaneMm2 * beadScale * beadScale);
-  const auto shared = [&](double sampleMm2, const std::vector<std::vector<double>>& extras) {
+  const auto planeSamples = [&](double mostMm2) {
+    const double fine = kPlaneFinestMm2 * beadScale * beadScale;
+    return kind.isWound ? std::nullopt
+                        : PlaneSamples::of(s, std::clamp(s.areaMm2 / kPlaneEnough, fine,
+                                                         mostMm2 * beadScale * beadScale));
+  };
+  const auto shared = [&](const std::optional<PlaneSamples>& plane, double sampleMm2,
+                          const std::vector<std::vector<double>>& extras) {
     return plane ? shareOut(*plane, lines.curves, kReach * beadScale, extras)
                  : shareOut(s, lines.curves, kReach * beadScale, sampleMm2 * beadScale * beadScale,
                             extras);
   };
+  const std::optional<PlaneSamples> coarsePlane = planeSamples(kPlaneMoveMm2),
+                                    finePlane = planeSamples(kPlaneSectionMm2);
   ResampleOptions dense;
   dense.stepMm = kPlanStep;
   dense.chordMm = INFINITY;
@@ -382,7 +392,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   for (int i = 0; solid && i < kRelaxations; ++i) {
     ctx.checkpoint();
-    const Cells cells = shared(kMoveMm2, lines.extras(s));
+    const Cells cells = shared(coarsePlane, kMoveMm2, lines.extras(s));
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.isWound || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
@@ -399,10 +409,10 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   ctx.checkpoint();
   const double sectionMm2 = kind.isWound ? kWoundMm2 : kSectionMm2;
   std::vector<std::vector<double>> extras = lines.extras(s);
-  Cells cells = shared(sectionMm2, extras);
+  Cells cells = shared(finePlane, sectionMm2, extras);
   if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,
                    extras))
-    cells = shared(sectionMm2, extras);
+    cells = shared(finePlane, sectionMm2, extras);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)
@@ -423,7 +433,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
       break;
     correction = std::clamp(correction * target / cover.beadVolumeMm3, 0.97, 1.03);
   }
-  const Coverage c = plane ? measureCoverage(*plane, cover.beads) : measureCoverage(s, cover.beads);
+  const Coverage c =
+      coarsePlane ? measureCoverage(*coarsePlane, cover.beads) : measureCoverage(s, cover.beads);
   cover.coveredMm2 = c.coveredMm2;
   cover.overlapMm2 = c.overlapMm2;
   return cover;

@@ -97,7 +97,6 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
     const double squared = (sources[i].b - sources[i].a).squaredNorm();
     inverse[i] = squared > 0.0 ? 1.0 / squared : 0.0;
   }
-  FrontQueue queue;
   const auto offer = [&](int v, int source) {
     const SourceSegment& e = sources[at(source)];
     const Vector3d& p = s.position[at(v)];
@@ -109,15 +108,20 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
       d = arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)], most);
     else if (const double squared = (p - q).squaredNorm(); squared < most * most)
       d = std::sqrt(squared);
-    if (d < most) {
-      distance[at(v)] = d;
-      nearest[at(v)] = source;
-      queue.push({d, v});
-    }
+    if (!(d < most))
+      return false;
+    distance[at(v)] = d;
+    nearest[at(v)] = source;
+    return true;
   };
   for (std::size_t i = 0; i < sources.size(); ++i)
     for (const int v : s.triangles[at(sources[i].triangle)])
       offer(v, static_cast<int>(i));
+  std::vector<Front> fronts;
+  for (std::size_t v = 0; v < distance.size(); ++v)
+    if (nearest[v] >= 0)
+      fronts.push_back({distance[v], static_cast<int>(v)});
+  FrontQueue queue(std::greater<>(), std::move(fronts));
   while (!queue.empty()) {
     const Front f = queue.top();
     queue.pop();
@@ -130,10 +134,10 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
       const std::size_t k = corners[0] == f.vertex ? 0 : corners[1] == f.vertex ? 1 : 2;
       // Round a vertex inside, each neighbour is the next one of one triangle.
       const int next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
-      if (nearest[at(next)] != source)
-        offer(next, source);
-      if (open && nearest[at(last)] != source)
-        offer(last, source);
+      if (nearest[at(next)] != source && offer(next, source))
+        queue.push({distance[at(next)], next});
+      if (open && nearest[at(last)] != source && offer(last, source))
+        queue.push({distance[at(last)], last});
     }
   }
   return distance;

