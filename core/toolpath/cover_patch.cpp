@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "process/bead_model.h"
 #include "toolpath/bead_scale.h"
+#include "toolpath/bead_tip.h"
 #include "toolpath/cells.h"
 #include "toolpath/coverage.h"
 #include "toolpath/curve_tools.h"
@@ -39,7 +40,7 @@ constexpr int kArcPasses = 4;
 constexpr double kMoveMm2 = 0.12, kSectionMm2 = 0.03, kWoundMm2 = 0.012;
 // On a plane, the same: while centrelines move, and for sections; finer on a patch that takes
 // fewer.
-constexpr double kPlaneMoveMm2 = 0.08, kPlaneSectionMm2 = 0.02, kPlaneFinestMm2 = 0.008;
+constexpr double kPlaneMoveMm2 = 0.05, kPlaneSectionMm2 = 0.016, kPlaneFinestMm2 = 0.008;
 constexpr double kPlaneEnough = 16000.0;
 // Hatches: further in nothing hangs on the boundary's distance but straight lines.
 constexpr double kFineDepth = 5.5;
@@ -189,40 +190,42 @@ public:
   Sections(const PatchSurface& s, const process::Process& p, double mostHatchMm)
       : s_(s), p_(p), mostHatch_(mostHatchMm) {}
 
-  Bead bead(const SurfaceCurve& c, const CellShare& share, PathKind kind, int ring) const {
-    const std::size_t n = c.points.size(), segments = share.volumeMm3.size();
-    std::vector<double> volume = share.volumeMm3, length(segments);
-    // Material is laid by the way of the tip, longer than the middle's on a convex layer.
-    std::vector<Vector3d> tip(n);
-    for (std::size_t i = 0; i < n; ++i)
-      tip[i] = c.points[i].position + 0.5 * s_.interpolate(s_.thicknessMm, c.points[i]) *
-                                          s_.interpolate(s_.direction, c.points[i]);
-    for (std::size_t i = 0; i < segments; ++i)
-      length[i] = (tip[(i + 1) % n] - tip[i]).norm();
-    smoothValues(volume, c.closed, 2);
-    smoothValues(length, c.closed, 2);
+  // The bead of a curve but for its widths.
+  Bead along(const SurfaceCurve& c, PathKind kind, int ring) const {
     Bead b;
     b.kind = kind;
     b.ring = ring;
     b.closed = c.closed;
+    for (const SurfacePoint& p : c.points)
+      b.points.push_back({p.position, s_.interpolate(s_.direction, p),
+                          s_.interpolate(s_.clearDirection, p), 0.0,
+                          s_.interpolate(s_.thicknessMm, p)});
+    if (c.closed)
+      b.points.push_back(b.points.front());
+    return b;
+  }
+
+  // Gives it the widths that lay `volume`, one a segment.
+  void widen(Bead& b, std::vector<double> volume) const {
+    const std::size_t segments = volume.size(), n = segments + (b.closed ? 0 : 1);
+    // Material is laid by the way of the tip, longer than the middle's on a convex layer.
+    std::vector<double> length(segments);
+    for (std::size_t i = 0; i < segments; ++i)
+      length[i] = (tipOf(b.points[i + 1]) - tipOf(b.points[i])).norm();
+    smoothValues(volume, b.closed, 2);
+    smoothValues(length, b.closed, 2);
     for (std::size_t i = 0; i < n; ++i) {
-      const bool first = !c.closed && i == 0, last = !c.closed && i + 1 == n;
+      const bool first = !b.closed && i == 0, last = !b.closed && i + 1 == n;
       const std::size_t before = first ? 0 : (i + segments - 1) % segments;
       const std::size_t after = last ? segments - 1 : i % segments;
-      BeadPoint q;
-      q.middle = c.points[i].position;
-      q.direction = s_.interpolate(s_.direction, c.points[i]);
-      q.clearDirection = s_.interpolate(s_.clearDirection, c.points[i]);
-      q.heightMm = s_.interpolate(s_.thicknessMm, c.points[i]);
+      BeadPoint& q = b.points[i];
       const double l = length[before] + length[after];
       const double section = l > 0 ? (volume[before] + volume[after]) / l : 0.0;
       q.widthMm = within(
           process::widthOfArea(std::min(section, mostHatch_ * q.heightMm), q.heightMm), q.heightMm);
-      b.points.push_back(q);
     }
-    if (c.closed)
-      b.points.push_back(b.points.front());
-    return b;
+    if (b.closed)
+      b.points.back().widthMm = b.points.front().widthMm;
   }
   double within(double width, double height) const {
     return std::max(std::clamp(width, p_.beadWidthMinMm, p_.beadWidthMaxMm), height);
@@ -239,10 +242,9 @@ double volumeOf(const std::vector<Bead>& beads) {
   for (const Bead& b : beads)
     for (std::size_t i = 1; i < b.points.size(); ++i) {
       const BeadPoint &p = b.points[i - 1], &q = b.points[i];
-      const Vector3d from = p.middle + 0.5 * p.heightMm * p.direction;
-      const Vector3d to = q.middle + 0.5 * q.heightMm * q.direction;
       v += process::beadVolume(process::beadArea(p.widthMm, p.heightMm),
-                               process::beadArea(q.widthMm, q.heightMm), (to - from).norm());
+                               process::beadArea(q.widthMm, q.heightMm),
+                               (tipOf(q) - tipOf(p)).norm());
     }
   return v;
 }
@@ -418,15 +420,16 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   for (CellShare& share : cells.share)
     for (const double v : share.volumeMm3)
       target += v;
+  for (std::size_t k = 0; k < lines.curves.size(); ++k)
+    cover.beads.push_back(sections.along(lines.curves[k], lines.kind[k], lines.ring[k]));
   // Sections are set at points and laid between them: what that changes is put right over all.
   double correction = 1.0;
   for (int round = 0; round < 3; ++round) {
-    cover.beads.clear();
     for (std::size_t k = 0; k < lines.curves.size(); ++k) {
-      CellShare share = cells.share[k];
-      for (double& v : share.volumeMm3)
+      std::vector<double> volume = cells.share[k].volumeMm3;
+      for (double& v : volume)
         v *= correction;
-      cover.beads.push_back(sections.bead(lines.curves[k], share, lines.kind[k], lines.ring[k]));
+      sections.widen(cover.beads[k], std::move(volume));
     }
     cover.beadVolumeMm3 = volumeOf(cover.beads);
     if (!solid || cover.beadVolumeMm3 <= 0)

@@ -15,15 +15,24 @@ using Eigen::Vector3d;
 
 constexpr double kMostCells = 1 << 24;
 
-// Two numbers in [0, 1) that a cell always has: Steele, Lea & Flood 2014, the mixing function of
-// SplitMix64.
-Eigen::Vector2f placeInCell(std::uint64_t x, std::uint64_t y) {
-  std::uint64_t z = (x << 32U | y) + 0x9e3779b97f4a7c15U;
+// Two numbers in [0, 1) that a number always gives: Steele, Lea & Flood 2014, the mixing function
+// of SplitMix64.
+Eigen::Vector2f placeInCell(std::uint64_t number) {
+  std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15U;
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
   z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
   z ^= z >> 31U;
   constexpr float kUnit = 1.0F / (1 << 24);
   return {kUnit * static_cast<float>(z >> 40U), kUnit * static_cast<float>(z & 0xffffffU)};
+}
+
+constexpr std::size_t kTile = 64; // cells after which places come again
+
+std::vector<Eigen::Vector2f> placesInTile(float pitch) {
+  std::vector<Eigen::Vector2f> places(kTile * kTile);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = pitch * placeInCell(i);
+  return places;
 }
 
 // Twice the area to the left of a b, as far as p.
@@ -68,11 +77,14 @@ void PlaneSamples::paint(const PatchSurface& s) {
   triangle_.assign(n, -1);
   thicknessMm_.assign(n, 0.0F);
   const auto pitch = static_cast<float>(pitch_);
-  for (int y = 0; y < size_.y(); ++y)
+  const std::vector<Eigen::Vector2f> tile = placesInTile(pitch);
+  for (int y = 0; y < size_.y(); ++y) {
+    const Eigen::Vector2f* places = &tile[at(y) % kTile * kTile];
+    Eigen::Vector2f* row = &point_[at(y) * at(size_.x())];
     for (int x = 0; x < size_.x(); ++x)
-      point_[at(y) * at(size_.x()) + at(x)] =
-          pitch * (Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y)) +
-                   placeInCell(at(x), at(y)));
+      row[x] = pitch * Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y)) +
+               places[at(x) % kTile];
+  }
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const auto& corners = s.triangles[t];
     const Vector2d a = flat(s.position[at(corners[0])]), b = flat(s.position[at(corners[1])]),
