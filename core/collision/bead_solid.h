@@ -43,15 +43,20 @@ public:
   }
 
   // Corners of a box that holds the bead.
-  Eigen::Vector3d low() const {
-    return centre0_.cwiseMin(centre0_ + along_) - Eigen::Vector3d::Constant(reach());
-  }
-  Eigen::Vector3d high() const {
-    return centre0_.cwiseMax(centre0_ + along_) + Eigen::Vector3d::Constant(reach());
-  }
+  Eigen::Vector3d low() const { return centre0_.cwiseMin(centre0_ + along_) - extent(); }
+  Eigen::Vector3d high() const { return centre0_.cwiseMax(centre0_ + along_) + extent(); }
 
 private:
   double reach() const { return 0.5 * std::max({width0_, width1_, height0_, height1_}); }
+  // How far it goes from its middle line along each axis.
+  Eigen::Vector3d extent() const {
+    if (!turn_.isZero(0.0))
+      return Eigen::Vector3d::Constant(reach());
+    const Eigen::Array3d up = direction0_.normalized().array().abs();
+    const Eigen::Array3d aside = (1.0 - up.square()).max(0.0).sqrt();
+    const double height = std::max(height0_, height1_);
+    return 0.5 * (height * up + std::max({width0_, width1_, height}) * aside).matrix();
+  }
 
   Eigen::Vector3d centre0_, along_, direction0_, turn_;
   double inverseSquared_, width0_, width1_, height0_, height1_;

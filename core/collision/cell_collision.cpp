@@ -42,25 +42,6 @@ struct CellCollision::Assembly {
 
 namespace {
 
-// How far the shape reaches along a unit direction of its own frame.
-double support(const robot::Shape& shape, const Vector3d& d) {
-  if (const auto* c = std::get_if<robot::Capsule>(&shape))
-    return std::max(c->p0.dot(d), c->p1.dot(d)) + c->radius;
-  if (const auto* b = std::get_if<robot::Box>(&shape))
-    return b->frame_T_box.translation().dot(d) +
-           (b->frame_T_box.linear().transpose() * d).cwiseAbs().dot(b->half);
-  if (const auto* f = std::get_if<robot::Frustum>(&shape)) {
-    const Vector3d u = (f->p1 - f->p0).normalized();
-    const double across = std::sqrt(std::max(0.0, 1.0 - std::pow(u.dot(d), 2)));
-    return std::max(f->p0.dot(d) + f->r0 * across, f->p1.dot(d) + f->r1 * across);
-  }
-  const auto& p = std::get<robot::Prism>(shape);
-  double flat = -std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector2d& corner : p.polygon)
-    flat = std::max(flat, corner.dot(d.head<2>()));
-  return flat + std::max(p.zMin * d.z(), p.zMax * d.z());
-}
-
 // A direction in which solids of this kind are often apart: their axis.
 Vector3d axisOf(const robot::Shape& shape) {
   if (const auto* f = std::get_if<robot::Frustum>(&shape))

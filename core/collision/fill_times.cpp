@@ -24,6 +24,17 @@ FillTimes::FillTimes(const voxel::VoxelGrid& grid, std::vector<std::uint32_t> fi
   base::require(filledAt_.size() == grid_.cellCount(), "a time for each cell");
   if (filledAt_.empty())
     return;
+  const auto rows = static_cast<std::size_t>(grid_.size.z());
+  fromUp_.resize(rows);
+  base::parallelChunks(ctx, rows, 1, [&](std::size_t b, std::size_t e) {
+    const std::size_t cells = filledAt_.size() / rows;
+    for (std::size_t z = b; z < e; ++z) {
+      const auto first = filledAt_.begin() + static_cast<std::ptrdiff_t>(z * cells);
+      fromUp_[z] = *std::min_element(first, first + static_cast<std::ptrdiff_t>(cells));
+    }
+  });
+  for (std::size_t z = rows - 1; z-- > 0;)
+    fromUp_[z] = std::min(fromUp_[z], fromUp_[z + 1]);
   const std::vector<std::uint32_t>* below = &filledAt_;
   Vector3i belowSize = grid_.size;
   while (belowSize.maxCoeff() > 1) {
@@ -153,6 +164,13 @@ bool FillTimes::holds(const Eigen::Vector3d& point, std::uint32_t before) const 
          filledAt_[grid_.index(c.x(), c.y(), c.z())] < before;
 }
 
+double FillTimes::topBefore(std::uint32_t before) const {
+  // Moments grow upwards.
+  const auto end = std::ranges::partition_point(
+      fromUp_, [before](std::uint32_t least) { return least < before; });
+  return grid_.centre(0, 0, static_cast<int>(end - fromUp_.begin()) - 1).z();
+}
+
 bool FillTimes::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                         double marginMm, std::uint32_t before) const {
   if (filledAt_.empty())
@@ -160,6 +178,12 @@ bool FillTimes::touches(const robot::Shape& shape, const Eigen::Isometry3d& work
   const auto leastFilled = [this](int level, const Vector3i& b) { return leastAt(level, b); };
   const int top = static_cast<int>(pyramid_.size());
   if (leastAt(top, Vector3i::Zero()) >= before)
+    return false;
+  // What is not at least as high as the shape's lowest point, grown, is not in it.
+  constexpr double kRounding = 1e-6;
+  const double lowest = work_T_shape.translation().z() -
+                        support(shape, work_T_shape.linear().transpose() * -Vector3d::UnitZ());
+  if (topBefore(before) < lowest - marginMm - kRounding)
     return false;
   const PlacedShape placed = place(shape, work_T_shape);
   return std::visit(

@@ -32,7 +32,8 @@ public:
 
   // Does the shape, placed by work_T_shape and grown by `marginMm` (negative shrinks), hold the
   // centre of a cell filled at a moment < `before`? Exact for cell centres; the pyramid of least
-  // moments only prunes.
+  // moments only prunes, and so does the highest row filled in time: a shape above it meets
+  // nothing.
   bool touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape, double marginMm,
                std::uint32_t before) const;
 
@@ -44,9 +45,12 @@ public:
 private:
   // Least moment in a block of the pyramid (level 0: a cell); kNever outside the grid.
   std::uint32_t leastAt(int level, const Eigen::Vector3i& block) const;
+  // Height of the highest centre of a cell filled before `before`; below the grid: there is none.
+  double topBefore(std::uint32_t before) const;
 
   voxel::VoxelGrid grid_;
   std::vector<std::uint32_t> filledAt_;
+  std::vector<std::uint32_t> fromUp_; // of each z: least moment there or higher
   struct Level {
     Eigen::Vector3i size;
     std::vector<std::uint32_t> least; // of a block of 2^level cells

@@ -91,6 +91,10 @@ struct Ball {
 };
 Ball boundingBall(const PlacedShape& shape);
 
+// How far the shape reaches along a unit direction of its own frame, mm: no point of it lies
+// further.
+double support(const robot::Shape& shape, const Eigen::Vector3d& direction);
+
 // Distance of two segments p0 p1 and q0 q1 (either may be a point). mm.
 // Source: Ericson, Real-Time Collision Detection, 5.1.9.
 double segmentDistance(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,

@@ -14,13 +14,14 @@
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
 #include "plan/finding_kinds.h"
-#include "robot/cell.h"
+#include "robot/reachable_ball.h"
 #include "support/supports.h"
 #include "voxel/solid_voxels.h"
 #include "voxel/voxel_object.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace voluta::pipeline {
 
@@ -31,15 +32,19 @@ namespace {
 // what leans further than the arm gets is told when it is moved.
 constexpr double kReachTiltRad = 1.75;
 
-// Largest scale at which the ball about the part's box, standing on the plate, is in reach.
+// Largest scale at which the ball about the part's box, standing on the plate, is in reach;
+// `enough` where it is no smaller than that.
 double reachingScale(const geometry::TriangleMesh& mesh, double unit,
-                     const geometry::Placement& placement, const robot::Cell& cell) {
+                     const geometry::Placement& placement, const robot::Cell& cell,
+                     std::optional<double> enough = std::nullopt) {
   geometry::Placement turned;
   turned.rotation = placement.rotation;
   const Eigen::AlignedBox3d box = geometry::bounds(geometry::place(mesh, unit, turned));
   const double radius = 0.5 * box.diagonal().norm();
   const bool tilts = cell.nozzleMount() == robot::Mount::World && cell.tilts();
   const double tilt = tilts ? kReachTiltRad : 0.0;
+  if (enough && robot::reachesBall(cell, tilt, *enough * radius))
+    return *enough;
   return robot::reachableBallRadius(cell, tilt) / radius;
 }
 
@@ -125,7 +130,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
     return wanted > 0.0        ? wanted
            : mode.fittingScale ? mode.fittingScale(in, *loaded.mesh, unit)
                                : std::min(1.0, reachingScale(*loaded.mesh, unit, how,
-                                                             fittingCell(choices, process)));
+                                                             fittingCell(choices, process), 1.0));
   };
   const auto place = [&](const geometry::Placement& how) {
     stage->placement = how;

@@ -1,8 +1,9 @@
 // Pattern: 64 points of a Fibonacci sphere at the ball's surface and again at half its radius, and
 // its centre; the nozzle upright, and tilted by a third, two thirds and all of the tilt to 12
-// sides; 24 turns about the nozzle's axis, of which one has to be in reach. Radii are tried in
-// steps of 5 mm, the first that fails is narrowed down to 0.25 mm.
-#include "robot/cell.h"
+// sides; 24 turns about the nozzle's axis, of which one has to be in reach. Halved down to 0.25 mm:
+// a ball that stands on the plate holds every smaller one that stands there, and what fails, fails
+// at once.
+#include "robot/reachable_ball.h"
 
 #include "base/error.h"
 #include "base/units.h"
@@ -91,19 +92,19 @@ private:
 
 double reachableBallRadius(const Cell& cell, double tiltRad) {
   base::require(tiltRad >= 0.0 && tiltRad <= kPi, "tilt in 0..pi");
-  constexpr double kStepMm = 5.0, kLargestMm = 2000.0, kToleranceMm = 0.25;
+  constexpr double kLargestMm = 2560.0, kToleranceMm = 0.25;
   Pattern pattern(cell, tiltRad);
-  double good = 0.0;
-  while (good < kLargestMm && pattern.reached(good + kStepMm))
-    good += kStepMm;
-  if (good >= kLargestMm)
-    return good;
-  double bad = good + kStepMm;
+  double good = 0.0, bad = kLargestMm;
   while (bad - good > kToleranceMm) {
     const double middle = 0.5 * (good + bad);
     (pattern.reached(middle) ? good : bad) = middle;
   }
   return good;
+}
+
+bool reachesBall(const Cell& cell, double tiltRad, double radiusMm) {
+  base::require(tiltRad >= 0.0 && tiltRad <= kPi, "tilt in 0..pi");
+  return Pattern(cell, tiltRad).reached(radiusMm);
 }
 
 } // namespace voluta::robot

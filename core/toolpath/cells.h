@@ -3,6 +3,7 @@
 #pragma once
 
 #include "toolpath/patch_surface.h"
+#include "toolpath/plane_samples.h"
 
 #include <vector>
 
@@ -25,5 +26,8 @@ struct Cells {
 // others; empty for a curve, or for all: 0.
 Cells shareOut(const PatchSurface& surface, const std::vector<SurfaceCurve>& curves, double reachMm,
                double sampleMm2, const std::vector<std::vector<double>>& extraMm = {});
+// The same of a plane surface.
+Cells shareOut(const PlaneSamples& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
+               const std::vector<std::vector<double>>& extraMm = {});
 
 } // namespace voluta::toolpath

@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "process/bead_model.h"
 #include "toolpath/bead_scale.h"
+#include "toolpath/bead_tip.h"
 #include "toolpath/cells.h"
 #include "toolpath/coverage.h"
 #include "toolpath/curve_tools.h"
@@ -17,6 +18,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace voluta::toolpath {
@@ -36,6 +38,10 @@ constexpr int kArcPasses = 4;
 // centrelines move, for their sections, and for those of lines as even as a winding's, with which
 // coarser ones beat.
 constexpr double kMoveMm2 = 0.12, kSectionMm2 = 0.03, kWoundMm2 = 0.012;
+// On a plane, the same: while centrelines move, and for sections; finer on a patch that takes
+// fewer.
+constexpr double kPlaneMoveMm2 = 0.05, kPlaneSectionMm2 = 0.016, kPlaneFinestMm2 = 0.008;
+constexpr double kPlaneEnough = 16000.0;
 // Hatches: further in nothing hangs on the boundary's distance but straight lines.
 constexpr double kFineDepth = 5.5;
 constexpr double kCoarser = 2.0; // are edges there
@@ -184,40 +190,42 @@ public:
   Sections(const PatchSurface& s, const process::Process& p, double mostHatchMm)
       : s_(s), p_(p), mostHatch_(mostHatchMm) {}
 
-  Bead bead(const SurfaceCurve& c, const CellShare& share, PathKind kind, int ring) const {
-    const std::size_t n = c.points.size(), segments = share.volumeMm3.size();
-    std::vector<double> volume = share.volumeMm3, length(segments);
-    // Material is laid by the way of the tip, longer than the middle's on a convex layer.
-    std::vector<Vector3d> tip(n);
-    for (std::size_t i = 0; i < n; ++i)
-      tip[i] = c.points[i].position + 0.5 * s_.interpolate(s_.thicknessMm, c.points[i]) *
-                                          s_.interpolate(s_.direction, c.points[i]);
-    for (std::size_t i = 0; i < segments; ++i)
-      length[i] = (tip[(i + 1) % n] - tip[i]).norm();
-    smoothValues(volume, c.closed, 2);
-    smoothValues(length, c.closed, 2);
+  // The bead of a curve but for its widths.
+  Bead along(const SurfaceCurve& c, PathKind kind, int ring) const {
     Bead b;
     b.kind = kind;
     b.ring = ring;
     b.closed = c.closed;
+    for (const SurfacePoint& p : c.points)
+      b.points.push_back({p.position, s_.interpolate(s_.direction, p),
+                          s_.interpolate(s_.clearDirection, p), 0.0,
+                          s_.interpolate(s_.thicknessMm, p)});
+    if (c.closed)
+      b.points.push_back(b.points.front());
+    return b;
+  }
+
+  // Gives it the widths that lay `volume`, one a segment.
+  void widen(Bead& b, std::vector<double> volume) const {
+    const std::size_t segments = volume.size(), n = segments + (b.closed ? 0 : 1);
+    // Material is laid by the way of the tip, longer than the middle's on a convex layer.
+    std::vector<double> length(segments);
+    for (std::size_t i = 0; i < segments; ++i)
+      length[i] = (tipOf(b.points[i + 1]) - tipOf(b.points[i])).norm();
+    smoothValues(volume, b.closed, 2);
+    smoothValues(length, b.closed, 2);
     for (std::size_t i = 0; i < n; ++i) {
-      const bool first = !c.closed && i == 0, last = !c.closed && i + 1 == n;
+      const bool first = !b.closed && i == 0, last = !b.closed && i + 1 == n;
       const std::size_t before = first ? 0 : (i + segments - 1) % segments;
       const std::size_t after = last ? segments - 1 : i % segments;
-      BeadPoint q;
-      q.middle = c.points[i].position;
-      q.direction = s_.interpolate(s_.direction, c.points[i]);
-      q.clearDirection = s_.interpolate(s_.clearDirection, c.points[i]);
-      q.heightMm = s_.interpolate(s_.thicknessMm, c.points[i]);
+      BeadPoint& q = b.points[i];
       const double l = length[before] + length[after];
       const double section = l > 0 ? (volume[before] + volume[after]) / l : 0.0;
       q.widthMm = within(
           process::widthOfArea(std::min(section, mostHatch_ * q.heightMm), q.heightMm), q.heightMm);
-      b.points.push_back(q);
     }
-    if (c.closed)
-      b.points.push_back(b.points.front());
-    return b;
+    if (b.closed)
+      b.points.back().widthMm = b.points.front().widthMm;
   }
   double within(double width, double height) const {
     return std::max(std::clamp(width, p_.beadWidthMinMm, p_.beadWidthMaxMm), height);
@@ -234,10 +242,9 @@ double volumeOf(const std::vector<Bead>& beads) {
   for (const Bead& b : beads)
     for (std::size_t i = 1; i < b.points.size(); ++i) {
       const BeadPoint &p = b.points[i - 1], &q = b.points[i];
-      const Vector3d from = p.middle + 0.5 * p.heightMm * p.direction;
-      const Vector3d to = q.middle + 0.5 * q.heightMm * q.direction;
       v += process::beadVolume(process::beadArea(p.widthMm, p.heightMm),
-                               process::beadArea(q.widthMm, q.heightMm), (to - from).norm());
+                               process::beadArea(q.widthMm, q.heightMm),
+                               (tipOf(q) - tipOf(p)).norm());
     }
   return v;
 }
@@ -248,8 +255,9 @@ PatchSurface refineAtRidges(const PatchSurface& s, const process::Process& proce
   constexpr double kFine = 0.2;    // mm
   constexpr double kFlatter = 0.8; // of the gradient's true length, 1
   constexpr double kDeepest = 5.0; // hatches: further in, infill lies over the ridge
-  const std::vector<double> d = distanceToSegments(s, boundarySegments(s), 1e9);
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  const std::vector<double> d =
+      distanceToSegments(s, boundarySegments(s), (kDeepest + 0.1) * hatch);
   std::vector<char> marks(s.position.size(), 0);
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const auto v = [&](std::size_t k) { return static_cast<std::size_t>(s.triangles[t][k]); };
@@ -362,6 +370,20 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const double beadScale = beadScaleOf(process);
   const bool solid = o.infillDensity >= 1.0;
+  const auto planeSamples = [&](double mostMm2) {
+    const double fine = kPlaneFinestMm2 * beadScale * beadScale;
+    return kind.isWound ? std::nullopt
+                        : PlaneSamples::of(s, std::clamp(s.areaMm2 / kPlaneEnough, fine,
+                                                         mostMm2 * beadScale * beadScale));
+  };
+  const auto shared = [&](const std::optional<PlaneSamples>& plane, double sampleMm2,
+                          const std::vector<std::vector<double>>& extras) {
+    return plane ? shareOut(*plane, lines.curves, kReach * beadScale, extras)
+                 : shareOut(s, lines.curves, kReach * beadScale, sampleMm2 * beadScale * beadScale,
+                            extras);
+  };
+  const std::optional<PlaneSamples> coarsePlane = planeSamples(kPlaneMoveMm2),
+                                    finePlane = planeSamples(kPlaneSectionMm2);
   ResampleOptions dense;
   dense.stepMm = kPlanStep;
   dense.chordMm = INFINITY;
@@ -372,8 +394,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   for (int i = 0; solid && i < kRelaxations; ++i) {
     ctx.checkpoint();
-    const Cells cells = shareOut(s, lines.curves, kReach * beadScale,
-                                 kMoveMm2 * beadScale * beadScale, lines.extras(s));
+    const Cells cells = shared(coarsePlane, kMoveMm2, lines.extras(s));
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.isWound || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
@@ -388,33 +409,35 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();
-  const double sectionMm2 = (kind.isWound ? kWoundMm2 : kSectionMm2) * beadScale * beadScale;
+  const double sectionMm2 = kind.isWound ? kWoundMm2 : kSectionMm2;
   std::vector<std::vector<double>> extras = lines.extras(s);
-  Cells cells = shareOut(s, lines.curves, kReach * beadScale, sectionMm2, extras);
+  Cells cells = shared(finePlane, sectionMm2, extras);
   if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,
                    extras))
-    cells = shareOut(s, lines.curves, kReach * beadScale, sectionMm2, extras);
+    cells = shared(finePlane, sectionMm2, extras);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)
     for (const double v : share.volumeMm3)
       target += v;
+  for (std::size_t k = 0; k < lines.curves.size(); ++k)
+    cover.beads.push_back(sections.along(lines.curves[k], lines.kind[k], lines.ring[k]));
   // Sections are set at points and laid between them: what that changes is put right over all.
   double correction = 1.0;
   for (int round = 0; round < 3; ++round) {
-    cover.beads.clear();
     for (std::size_t k = 0; k < lines.curves.size(); ++k) {
-      CellShare share = cells.share[k];
-      for (double& v : share.volumeMm3)
+      std::vector<double> volume = cells.share[k].volumeMm3;
+      for (double& v : volume)
         v *= correction;
-      cover.beads.push_back(sections.bead(lines.curves[k], share, lines.kind[k], lines.ring[k]));
+      sections.widen(cover.beads[k], std::move(volume));
     }
     cover.beadVolumeMm3 = volumeOf(cover.beads);
     if (!solid || cover.beadVolumeMm3 <= 0)
       break;
     correction = std::clamp(correction * target / cover.beadVolumeMm3, 0.97, 1.03);
   }
-  const Coverage c = measureCoverage(s, cover.beads);
+  const Coverage c =
+      coarsePlane ? measureCoverage(*coarsePlane, cover.beads) : measureCoverage(s, cover.beads);
   cover.coveredMm2 = c.coveredMm2;
   cover.overlapMm2 = c.overlapMm2;
   return cover;

@@ -13,63 +13,110 @@ namespace {
 // Of the square of half the widest bead: about two dozen samples across and along a width; on a
 // patch of which so many tell its share to a few thousandths, coarser ones.
 constexpr double kSampleOfReach = 0.15, kCoarseOfReach = 0.3, kEnough = 16000.0;
-} // namespace
 
-Coverage measureCoverage(const PatchSurface& s, const std::vector<Bead>& beads) {
+// What of all beads lies over one sample.
+struct Footprint {
+  int firstBead = -1; // of those within half a hatch
+  float firstAlong = 0.0F;
+  bool covered = false, twice = false;
+};
+
+// Beads as segments that tell what of them lies over a sample.
+class Painter {
+public:
+  explicit Painter(const std::vector<Bead>& beads) : beads_(beads), beadLength_(beads.size(), 0.0) {
+    for (std::size_t b = 0; b < beads.size(); ++b)
+      for (std::size_t i = 1; i < beads[b].points.size(); ++i) {
+        const BeadPoint &p = beads[b].points[i - 1], &q = beads[b].points[i];
+        const double length = (q.middle - p.middle).norm();
+        segments_.push_back({p.middle, q.middle});
+        pieces_.push_back(
+            {b, beadLength_[b], length, {p.widthMm, q.widthMm}, {p.heightMm, q.heightMm}});
+        beadLength_[b] += length;
+        widest_ = std::max({widest_, p.widthMm, q.widthMm});
+      }
+  }
+
+  const std::vector<SegmentGrid::Segment>& segments() const { return segments_; }
+  double widestMm() const { return widest_; }
+  double widthMm(std::size_t segment) const {
+    return std::max(pieces_[segment].width[0], pieces_[segment].width[1]);
+  }
+
+  // A sample is `squared` off a segment at `t` of it.
+  void paint(std::size_t segment, double t, double squared, Footprint& under) const {
+    const Piece& piece = pieces_[segment];
+    const double w = (1 - t) * piece.width[0] + t * piece.width[1];
+    const double h = (1 - t) * piece.height[0] + t * piece.height[1];
+    under.covered = under.covered || squared <= 0.25 * w * w;
+    const double hatch = process::hatchOf(w, h);
+    if (under.twice || squared > 0.25 * hatch * hatch)
+      return;
+    const double along = piece.along + t * piece.length;
+    if (under.firstBead < 0) {
+      under.firstBead = static_cast<int>(piece.bead);
+      under.firstAlong = static_cast<float>(along);
+      return;
+    }
+    // Stretches of one bead nearer than this along it are one and the same.
+    const double apart = 1.2 * widest_;
+    const double between = std::abs(along - static_cast<double>(under.firstAlong));
+    const double round =
+        beads_[piece.bead].closed ? std::min(between, beadLength_[piece.bead] - between) : between;
+    under.twice = static_cast<int>(piece.bead) != under.firstBead || round > apart;
+  }
+
+private:
   struct Piece {
     std::size_t bead;
     double along; // mm from the bead's start to the segment's
     double length, width[2], height[2];
   };
-  std::vector<SegmentGrid::Segment> segments;
-  std::vector<Piece> pieces;
-  std::vector<double> beadLength(beads.size(), 0.0);
-  double widest = 0.0;
-  for (std::size_t b = 0; b < beads.size(); ++b)
-    for (std::size_t i = 1; i < beads[b].points.size(); ++i) {
-      const BeadPoint &p = beads[b].points[i - 1], &q = beads[b].points[i];
-      const double length = (q.middle - p.middle).norm();
-      segments.push_back({p.middle, q.middle});
-      pieces.push_back(
-          {b, beadLength[b], length, {p.widthMm, q.widthMm}, {p.heightMm, q.heightMm}});
-      beadLength[b] += length;
-      widest = std::max({widest, p.widthMm, q.widthMm});
-    }
-  Coverage result;
-  const double reach = 0.5 * widest;
-  const SegmentGrid grid(segments, std::max(reach, 0.1));
-  struct Hit {
-    std::size_t bead;
-    double along;
-  };
-  std::vector<Hit> hits;
+  const std::vector<Bead>& beads_;
+  std::vector<SegmentGrid::Segment> segments_;
+  std::vector<Piece> pieces_;
+  std::vector<double> beadLength_;
+  double widest_ = 0.0;
+};
+
+void count(const Footprint& under, double areaMm2, Coverage& coverage) {
+  coverage.areaMm2 += areaMm2;
+  coverage.coveredMm2 += under.covered ? areaMm2 : 0.0;
+  coverage.overlapMm2 += under.twice ? areaMm2 : 0.0;
+}
+} // namespace
+
+Coverage measureCoverage(const PatchSurface& s, const std::vector<Bead>& beads) {
+  const Painter painter(beads);
+  const double reach = 0.5 * painter.widestMm();
+  const SegmentGrid grid(painter.segments(), std::max(reach, 0.1));
   const double sampleMm2 = std::clamp(s.areaMm2 / kEnough, kSampleOfReach * reach * reach,
                                       kCoarseOfReach * reach * reach);
+  Coverage result;
   forEachSample(s, std::max(sampleMm2, 1e-6), [&](const SurfaceSample& sample) {
-    const Eigen::Vector3d& p = sample.position;
-    bool covered = false;
-    hits.clear();
-    grid.forEachWithin(p, reach, [&](int segment, double u, double distance) {
-      const Piece& piece = pieces[static_cast<std::size_t>(segment)];
-      const double w = (1 - u) * piece.width[0] + u * piece.width[1];
-      const double h = (1 - u) * piece.height[0] + u * piece.height[1];
-      covered = covered || distance <= 0.5 * w;
-      if (distance <= 0.5 * process::hatchOf(w, h))
-        hits.push_back({piece.bead, piece.along + u * piece.length});
+    Footprint under;
+    grid.forEachWithin(sample.position, reach, [&](int segment, double t, double distance) {
+      painter.paint(static_cast<std::size_t>(segment), t, distance * distance, under);
     });
-    // Stretches of one bead nearer than this along it are one and the same.
-    const double apart = 1.2 * widest;
-    bool twice = false;
-    for (std::size_t i = 1; i < hits.size() && !twice; ++i) {
-      const double along = std::abs(hits[i].along - hits[0].along);
-      const bool closed = beads[hits[0].bead].closed;
-      const double round = closed ? std::min(along, beadLength[hits[0].bead] - along) : along;
-      twice = hits[i].bead != hits[0].bead || round > apart;
-    }
-    result.areaMm2 += sample.areaMm2;
-    result.coveredMm2 += covered ? sample.areaMm2 : 0.0;
-    result.overlapMm2 += twice ? sample.areaMm2 : 0.0;
+    count(under, sample.areaMm2, result);
   });
+  return result;
+}
+
+Coverage measureCoverage(const PlaneSamples& samples, const std::vector<Bead>& beads) {
+  const Painter painter(beads);
+  std::vector<Footprint> under(samples.count());
+  for (std::size_t i = 0; i < painter.segments().size(); ++i) {
+    const auto& [a, b] = painter.segments()[i];
+    samples.forEachNear(
+        a, b, 0.5 * painter.widthMm(i), [&](std::size_t cell, float squared, float t) {
+          painter.paint(i, static_cast<double>(t), static_cast<double>(squared), under[cell]);
+        });
+  }
+  Coverage result;
+  for (std::size_t cell = 0; cell < samples.count(); ++cell)
+    if (samples.isInside(cell))
+      count(under[cell], samples.areaMm2(), result);
   return result;
 }
 

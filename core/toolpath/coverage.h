@@ -4,6 +4,7 @@
 
 #include "toolpath/cover_patch.h"
 #include "toolpath/patch_surface.h"
+#include "toolpath/plane_samples.h"
 
 #include <vector>
 
@@ -15,5 +16,7 @@ struct Coverage {
   double overlapMm2 = 0.0; // within half a hatch of two beads, or of two stretches of one
 };
 Coverage measureCoverage(const PatchSurface& surface, const std::vector<Bead>& beads);
+// The same of a plane surface.
+Coverage measureCoverage(const PlaneSamples& samples, const std::vector<Bead>& beads);
 
 } // namespace voluta::toolpath

@@ -78,6 +78,8 @@ std::vector<double> findCorners(const ByLength& c, bool closed, const ResampleOp
 }
 
 bool chordsHold(const ByLength& c, double s0, double s1, int n, double tolerance) {
+  if (tolerance == INFINITY)
+    return true;
   const auto& knots = c.knots();
   auto it = std::upper_bound(knots.begin(), knots.end(), s0);
   for (int i = 0; i < n; ++i) {

@@ -51,19 +51,23 @@ public:
   }
 
   OrientResult run() {
-    {
-      const double pitch = collision::growingPitch(plan_, process_);
-      ground_ = collision::groundCells(o_.platform, pitch, ctx_);
-      const collision::GrowingPart part(plan_, pitch, ctx_, ground_);
-      ctx_.report(0.2, "directions"_text);
-      choose(part);
-      ctx_.report(0.5, "directions"_text);
-      smooth(part);
-    }
+    const double pitch = collision::growingPitch(plan_, process_);
+    ground_ = collision::groundCells(o_.platform, pitch, ctx_);
+    std::optional<collision::GrowingPart> part(std::in_place, plan_, pitch, ctx_, ground_);
+    ctx_.report(0.2, "directions"_text);
+    choose(*part);
+    ctx_.report(0.5, "directions"_text);
+    smooth(*part);
     ctx_.report(0.6, "directions"_text);
     OrientResult r;
     r.plan = subdivided();
-    judge(r);
+    if (direction_ == plan_.direction && r.plan.waypointCount() == plan_.waypointCount()) {
+      r.plan = plan_; // which grows as it was
+    } else {
+      part.reset(); // two at a time would be much memory
+      part.emplace(r.plan, collision::growingPitch(r.plan, process_), ctx_, ground_);
+    }
+    judge(r, *part);
     return r;
   }
   // Per waypoint of the result of run().
@@ -229,13 +233,12 @@ private:
   }
 
   // The result by itself: its own beads, its own waypoints.
-  void judge(OrientResult& r) const {
+  void judge(OrientResult& r, const collision::GrowingPart& part) const {
     const ToolPlan& p = r.plan;
     for (const plan::ToolPath& path : p.paths)
       for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
         r.maxTurnDeg = std::max(
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
-    const collision::GrowingPart part(p, collision::growingPitch(p, process_), ctx_, ground_);
     ctx_.report(0.8, "directions"_text);
     r.hanging = hangingWaypoints(p, part, o_.platform, ctx_);
     std::vector<char> gouge(p.waypointCount(), 0);

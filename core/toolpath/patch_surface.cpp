@@ -110,6 +110,24 @@ private:
   std::vector<char> marks_;
   std::unordered_map<std::uint64_t, int> middle_;
 };
+
+constexpr double kPlaneMm = 1e-6; // off a plane
+constexpr double kFacesOneWay = 1 - 1e-9;
+
+// The normal of the plane that the triangles lie in, facing one way.
+std::optional<Vector3d> commonPlane(const PatchSurface& s) {
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
+    sum += s.triangleArea[t] * s.triangleNormal[t];
+  if (!(s.areaMm2 > 0.0) || sum.norm() < kFacesOneWay * s.areaMm2)
+    return std::nullopt;
+  const Vector3d normal = sum.normalized();
+  const double offset = normal.dot(s.position.front());
+  for (const Vector3d& p : s.position)
+    if (std::abs(normal.dot(p) - offset) > kPlaneMm)
+      return std::nullopt;
+  return normal;
+}
 } // namespace
 
 PatchSurface PatchSurface::refine(const layers::Patch& patch, double edgeMm) {
@@ -193,6 +211,10 @@ void PatchSurface::link() {
       if (!shared)
         boundary.push_back({a, b, static_cast<int>(i)});
     }
+  isOnBoundary.assign(n, 0);
+  for (const auto& e : boundary)
+    isOnBoundary[at(e[0])] = isOnBoundary[at(e[1])] = 1;
+  planeNormal = commonPlane(*this);
 }
 
 Vector3d PatchSurface::barycentric(const SurfacePoint& p) const {
@@ -249,7 +271,41 @@ bool PatchSurface::isFootInside(int triangle, const Vector3d& point, const Vecto
   return true;
 }
 
+// The triangle over the edge that most parts a triangle of a plane from a point: itself where none
+// does, -1 where nothing is there.
+int PatchSurface::crossedTowards(const Vector3d& point, int triangle) const {
+  const auto& t = triangles[at(triangle)];
+  double most = 0.0;
+  std::size_t over = 3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3d& a = position[at(t[k])];
+    const double outside = (position[at(t[(k + 1) % 3])] - a).cross(point - a).dot(*planeNormal);
+    if (outside < most) {
+      most = outside;
+      over = k;
+    }
+  }
+  if (over == 3)
+    return triangle;
+  const int a = t[over], b = t[(over + 1) % 3];
+  for (const int* i = ringBegin(a); i != ringEnd(a); ++i)
+    if (*i != triangle && std::ranges::find(triangles[at(*i)], b) != triangles[at(*i)].end())
+      return *i;
+  return -1;
+}
+
 SurfacePoint PatchSurface::project(const Vector3d& point, int start) const {
+  constexpr int kMostCrossed = 100;
+  for (int step = 0; planeNormal && step < kMostCrossed; ++step) {
+    const int next = crossedTowards(point, start);
+    if (next == start)
+      return {point -
+                  planeNormal->dot(point - position[at(triangles[at(start)][0])]) * *planeNormal,
+              start};
+    if (next < 0)
+      break;
+    start = next;
+  }
   SurfacePoint best{position[at(triangles[at(start)][0])], start};
   double least = (best.position - point).squaredNorm();
   const auto tryTriangle = [&](int i) {

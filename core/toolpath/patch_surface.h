@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -33,6 +34,9 @@ struct PatchSurface {
   std::vector<double> triangleArea;            // mm2
   std::vector<Eigen::Vector3d> triangleNormal; // unit, zero where degenerate
   std::vector<std::array<int, 3>> boundary;    // vertex, next vertex, triangle
+  std::vector<std::uint8_t> isOnBoundary;      // per vertex
+  // Unit, where all triangles lie in one plane and face one way.
+  std::optional<Eigen::Vector3d> planeNormal;
   // Does boundary edge i end the patch inside the part, where another takes over?
   bool isSeam(std::size_t i) const {
     return !seam.empty() && seam[static_cast<std::size_t>(boundary[i][0])] != 0 &&
@@ -56,7 +60,8 @@ struct PatchSurface {
   Eigen::Vector3d interpolate(const std::vector<Eigen::Vector3d>& values,
                               const SurfacePoint& p) const;
   // The surface's point nearest to `point`, found by walking downhill from `start`: right where
-  // `point` is nearer to the surface than its radius of curvature and not many triangles away.
+  // `point` is nearer to the surface than its radius of curvature and not many triangles away. On a
+  // plane, from triangle to triangle across the edges that part them from it.
   SurfacePoint project(const Eigen::Vector3d& point, int start) const;
 
   // Refines the patch by splitting edges until none is longer than `edgeMm`.
@@ -68,6 +73,7 @@ struct PatchSurface {
 
 private:
   void link();
+  int crossedTowards(const Eigen::Vector3d& point, int triangle) const;
   bool isFootInside(int triangle, const Eigen::Vector3d& point, const Eigen::Vector3d& q) const;
   std::vector<int> ringStart_, ring_;
 };

@@ -9,6 +9,7 @@
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
+#include "toolpath/bead_tip.h"
 #include "toolpath/bridges.h"
 #include "toolpath/carried_walls.h"
 #include "toolpath/directions.h"
@@ -25,10 +26,6 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 using plan::PathKind;
-
-Vector3d tipOf(const BeadPoint& p) {
-  return p.middle + 0.5 * p.heightMm * p.direction;
-}
 
 int turnOf(const Bead& b) {
   switch (b.kind) {

@@ -92,32 +92,53 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
                                        const std::vector<SourceSegment>& sources, double farMm) {
   std::vector<double> distance(s.position.size(), farMm);
   std::vector<int> nearest(s.position.size(), -1);
-  FrontQueue queue;
+  std::vector<double> inverse(sources.size()); // of squared lengths
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const double squared = (sources[i].b - sources[i].a).squaredNorm();
+    inverse[i] = squared > 0.0 ? 1.0 / squared : 0.0;
+  }
   const auto offer = [&](int v, int source) {
     const SourceSegment& e = sources[at(source)];
     const Vector3d& p = s.position[at(v)];
-    const Vector3d q = closestOnSegment(p, e.a, e.b);
-    const double d =
-        arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)], distance[at(v)]);
-    if (d < distance[at(v)]) {
-      distance[at(v)] = d;
-      nearest[at(v)] = source;
-      queue.push({d, v});
-    }
+    const Vector3d along = e.b - e.a;
+    const Vector3d q = e.a + std::clamp(along.dot(p - e.a) * inverse[at(source)], 0.0, 1.0) * along;
+    const double most = distance[at(v)];
+    double d = INFINITY;
+    if (!s.planeNormal)
+      d = arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)], most);
+    else if (const double squared = (p - q).squaredNorm(); squared < most * most)
+      d = std::sqrt(squared);
+    if (!(d < most))
+      return false;
+    distance[at(v)] = d;
+    nearest[at(v)] = source;
+    return true;
   };
   for (std::size_t i = 0; i < sources.size(); ++i)
     for (const int v : s.triangles[at(sources[i].triangle)])
       offer(v, static_cast<int>(i));
+  std::vector<Front> fronts;
+  for (std::size_t v = 0; v < distance.size(); ++v)
+    if (nearest[v] >= 0)
+      fronts.push_back({distance[v], static_cast<int>(v)});
+  FrontQueue queue(std::greater<>(), std::move(fronts));
   while (!queue.empty()) {
     const Front f = queue.top();
     queue.pop();
     if (f.distance > distance[at(f.vertex)])
       continue;
     const int source = nearest[at(f.vertex)];
-    for (const int* t = s.ringBegin(f.vertex); t != s.ringEnd(f.vertex); ++t)
-      for (const int v : s.triangles[at(*t)])
-        if (v != f.vertex && nearest[at(v)] != source)
-          offer(v, source);
+    const bool open = s.isOnBoundary[at(f.vertex)] != 0;
+    for (const int* t = s.ringBegin(f.vertex); t != s.ringEnd(f.vertex); ++t) {
+      const auto& corners = s.triangles[at(*t)];
+      const std::size_t k = corners[0] == f.vertex ? 0 : corners[1] == f.vertex ? 1 : 2;
+      // Round a vertex inside, each neighbour is the next one of one triangle.
+      const int next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
+      if (nearest[at(next)] != source && offer(next, source))
+        queue.push({distance[at(next)], next});
+      if (open && nearest[at(last)] != source && offer(last, source))
+        queue.push({distance[at(last)], last});
+    }
   }
   return distance;
 }

@@ -179,6 +179,38 @@ TEST(GrowingPart, TouchesAndDistanceAgainstBruteForce) {
   EXPECT_GT(touching, 50);
 }
 
+// Above all that is filled in time there is nothing to meet, at the very edge of it too.
+TEST(GrowingPart, ShapesJustAboveAndJustInWhatIsFilled) {
+  const plan::ToolPlan plan = randomBeads(12, 20);
+  const GrowingPart part(plan, 0.4, {});
+  const auto cells = filledCells(part);
+  test::RandomShapes random(13);
+  int touching = 0, clear = 0;
+  for (int n = 0; n < 400; ++n) {
+    const robot::Shape shape = random.shape(n, random.number(0.3, 4.0));
+    Isometry3d pose = random.pose(4.0);
+    const double margin = random.number(-0.2, 1.0);
+    const auto before = static_cast<std::size_t>(random.number(1.0, 125.0));
+    double top = -std::numeric_limits<double>::infinity();
+    for (const auto& [centre, time] : cells)
+      if (time < before)
+        top = std::max(top, centre.z());
+    const double lowest = pose.translation().z() -
+                          collision::support(shape, pose.linear().transpose() * -Vector3d::UnitZ());
+    pose.translation().z() += top - lowest + margin + random.number(-2.0, 0.1);
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [centre, time] : cells)
+      if (time < before)
+        least = std::min(least, collision::signedDistance(shape, pose.inverse() * centre));
+    if (std::abs(least - margin) < 1e-9)
+      continue;
+    EXPECT_EQ(part.touches(shape, pose, margin, before), least <= margin) << n;
+    (least <= margin ? touching : clear) += 1;
+  }
+  EXPECT_GT(touching, 5);
+  EXPECT_GT(clear, 100);
+}
+
 TEST(GrowingPart, SameForAnyNumberOfThreads) {
   const plan::ToolPlan plan = randomBeads(10, 900);
   const GrowingPart one(plan, 0.3, {});

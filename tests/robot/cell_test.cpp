@@ -8,6 +8,7 @@
 #include "helpers/temporary_folder.h"
 #include "process/process.h"
 #include "robot/cell.h"
+#include "robot/reachable_ball.h"
 
 #include <algorithm>
 #include <fstream>
@@ -352,6 +353,11 @@ TEST_F(Cells, ballThatFitsIsReachedAndSmallerWithMoreTilt) {
   EXPECT_GE(tilted, 65.0);
   EXPECT_GE(upright, tilted);
   EXPECT_EQ(tilted, reachableBallRadius(cell, base::degreesToRadians(100)));
+  // Halving may take one for the largest only because all smaller ones are in reach too.
+  for (double radius = 5.0; radius < tilted; radius += 10.0)
+    EXPECT_TRUE(reachesBall(cell, base::degreesToRadians(100), radius)) << radius;
+  EXPECT_TRUE(reachesBall(cell, base::degreesToRadians(100), tilted));
+  EXPECT_FALSE(reachesBall(cell, base::degreesToRadians(100), tilted + 0.25));
   RecordProperty("upright", std::to_string(upright));
   RecordProperty("tilted", std::to_string(tilted));
 }

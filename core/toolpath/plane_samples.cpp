@@ -1,0 +1,124 @@
+#include "toolpath/plane_samples.h"
+
+#include "base/error.h"
+#include "base/index.h"
+
+#include <Eigen/Geometry>
+#include <cstdint>
+
+namespace voluta::toolpath {
+
+namespace {
+using base::at;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kMostCells = 1 << 24;
+
+// Two numbers in [0, 1) that a number always gives: Steele, Lea & Flood 2014, the mixing function
+// of SplitMix64.
+Eigen::Vector2f placeInCell(std::uint64_t number) {
+  std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  z ^= z >> 31U;
+  constexpr float kUnit = 1.0F / (1 << 24);
+  return {kUnit * static_cast<float>(z >> 40U), kUnit * static_cast<float>(z & 0xffffffU)};
+}
+
+constexpr std::size_t kTile = 64; // cells after which places come again
+
+std::vector<Eigen::Vector2f> placesInTile(float pitch) {
+  std::vector<Eigen::Vector2f> places(kTile * kTile);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = pitch * placeInCell(i);
+  return places;
+}
+
+// Twice the area to the left of a b, as far as p.
+double side(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
+  return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+}
+} // namespace
+
+std::optional<PlaneSamples> PlaneSamples::of(const PatchSurface& s, double sampleMm2) {
+  base::require(sampleMm2 > 0, "samples stand for an area");
+  if (!s.planeNormal)
+    return std::nullopt;
+  PlaneSamples p;
+  p.normal_ = *s.planeNormal;
+  p.across_ = p.normal_.unitOrthogonal();
+  p.up_ = p.normal_.cross(p.across_);
+  p.offsetMm_ = p.normal_.dot(s.position.front());
+  p.pitch_ = std::sqrt(sampleMm2);
+  Vector2d high = Vector2d::Constant(-INFINITY);
+  p.low_ = -high;
+  for (const Vector3d& v : s.position) {
+    const Vector2d q(p.across_.dot(v), p.up_.dot(v));
+    p.low_ = p.low_.cwiseMin(q);
+    high = high.cwiseMax(q);
+  }
+  const Vector2d cells = ((high - p.low_) / p.pitch_).array().floor() + 1.0;
+  if (!(cells.prod() <= kMostCells))
+    return std::nullopt;
+  p.size_ = cells.cast<int>();
+  p.paint(s);
+  const auto inside =
+      std::ranges::count_if(p.triangle_, [](int triangle) { return triangle >= 0; });
+  if (inside == 0)
+    return std::nullopt;
+  p.areaMm2_ = s.areaMm2 / static_cast<double>(inside);
+  return p;
+}
+
+void PlaneSamples::paint(const PatchSurface& s) {
+  const std::size_t n = at(size_.x()) * at(size_.y());
+  point_.resize(n);
+  triangle_.assign(n, -1);
+  thicknessMm_.assign(n, 0.0F);
+  const auto pitch = static_cast<float>(pitch_);
+  const std::vector<Eigen::Vector2f> tile = placesInTile(pitch);
+  for (int y = 0; y < size_.y(); ++y) {
+    const Eigen::Vector2f* places = &tile[at(y) % kTile * kTile];
+    Eigen::Vector2f* row = &point_[at(y) * at(size_.x())];
+    for (int x = 0; x < size_.x(); ++x)
+      row[x] = pitch * Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y)) +
+               places[at(x) % kTile];
+  }
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const auto& corners = s.triangles[t];
+    const Vector2d a = flat(s.position[at(corners[0])]), b = flat(s.position[at(corners[1])]),
+                   c = flat(s.position[at(corners[2])]);
+    const double twice = side(a, b, c);
+    if (!(twice > 0.0))
+      continue;
+    const auto least = [&](int k) {
+      return std::max(0, static_cast<int>(std::min({a[k], b[k], c[k]}) / pitch_));
+    };
+    const auto most = [&](int k) {
+      return std::min(size_[k] - 1, static_cast<int>(std::max({a[k], b[k], c[k]}) / pitch_));
+    };
+    for (int y = least(1); y <= most(1); ++y)
+      for (int x = least(0); x <= most(0); ++x) {
+        const std::size_t cell = at(y) * at(size_.x()) + at(x);
+        const Vector2d q = point_[cell].cast<double>();
+        const double u = side(b, c, q), v = side(c, a, q), w = twice - u - v;
+        if (triangle_[cell] >= 0 || u < 0.0 || v < 0.0 || w < 0.0)
+          continue;
+        triangle_[cell] = static_cast<int>(t);
+        thicknessMm_[cell] = static_cast<float>((u * s.thicknessMm[at(corners[0])] +
+                                                 v * s.thicknessMm[at(corners[1])] +
+                                                 w * s.thicknessMm[at(corners[2])]) /
+                                                twice);
+      }
+  }
+}
+
+SurfaceSample PlaneSamples::sample(std::size_t cell) const {
+  const Vector2d q = point_[cell].cast<double>() + low_;
+  return {q.x() * across_ + q.y() * up_ + offsetMm_ * normal_,
+          static_cast<double>(thicknessMm_[cell]), areaMm2_,
+          static_cast<std::size_t>(triangle_[cell])};
+}
+
+} // namespace voluta::toolpath

@@ -1,0 +1,80 @@
+// A plane surface as points that each stand for the same bit of its area.
+#pragma once
+
+#include "toolpath/patch_surface.h"
+#include "toolpath/surface_samples.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace voluta::toolpath {
+
+// One point in each cell of a square raster, anywhere in it, so that no lines run along with rows
+// of points: known by where they are, they are painted, where points of other surfaces have to be
+// looked for. Stratified sampling: of what a strip's two rims cross, a cell errs by no more than
+// itself.
+class PlaneSamples {
+public:
+  // Points stand for `sampleMm2` > 0 each. Nothing where the surface is not plane, or holds no
+  // point or more than memory does.
+  static std::optional<PlaneSamples> of(const PatchSurface& surface, double sampleMm2);
+
+  const Eigen::Vector3d& normal() const { return normal_; }
+  // Cells of the raster, some of them outside.
+  std::size_t count() const { return triangle_.size(); }
+  bool isInside(std::size_t cell) const { return triangle_[cell] >= 0; }
+  double areaMm2() const { return areaMm2_; } // that a point stands for
+  // Precondition: isInside(cell).
+  SurfaceSample sample(std::size_t cell) const;
+
+  // Calls f(cell, squared distance, where on it) for points up to `radiusMm` from the segment a b
+  // of the plane, those outside too, to the precision of a float.
+  template <typename F>
+  void forEachNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
+                   F&& f) const {
+    const Eigen::Vector2d low = flat(a), high = flat(b);
+    const Eigen::Vector2f from = low.cast<float>(), along = (high - low).cast<float>();
+    const float squared = along.squaredNorm(), inverse = squared > 0.0F ? 1.0F / squared : 0.0F;
+    const auto most = static_cast<float>(radiusMm * radiusMm);
+    const auto cells = [&](int k, int& first, int& last) {
+      const double least = std::min(low[k], high[k]) - radiusMm;
+      const double furthest = std::max(low[k], high[k]) + radiusMm;
+      first = std::max(0, static_cast<int>(std::floor(least / pitch_)));
+      last = std::min(size_[k] - 1, static_cast<int>(std::floor(furthest / pitch_)));
+    };
+    int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
+    cells(0, x0, x1);
+    cells(1, y0, y1);
+    for (int y = y0; y <= y1; ++y) {
+      const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x());
+      for (std::size_t c = row + static_cast<std::size_t>(x0);
+           c <= row + static_cast<std::size_t>(std::max(x0 - 1, x1)) && x0 <= x1; ++c) {
+        const Eigen::Vector2f off = point_[c] - from;
+        const float t = std::clamp(along.dot(off) * inverse, 0.0F, 1.0F);
+        const float distance = (off - t * along).squaredNorm();
+        if (distance <= most)
+          f(c, distance, t);
+      }
+    }
+  }
+
+private:
+  Eigen::Vector2d flat(const Eigen::Vector3d& p) const {
+    return {across_.dot(p) - low_.x(), up_.dot(p) - low_.y()};
+  }
+  void paint(const PatchSurface& surface);
+
+  Eigen::Vector3d normal_, across_, up_;                // unit, across each other
+  double offsetMm_ = 0.0, pitch_ = 0.0, areaMm2_ = 0.0; // areaMm2_: of a point
+  Eigen::Vector2d low_;
+  Eigen::Vector2i size_;
+  std::vector<Eigen::Vector2f> point_; // in the plane, from low_
+  std::vector<int> triangle_;          // -1: outside
+  std::vector<float> thicknessMm_;
+};
+
+} // namespace voluta::toolpath
