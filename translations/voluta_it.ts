@@ -5538,10 +5538,6 @@ mm³</translation>
         <translation>il filamento torna indietro</translation>
     </message>
     <message>
-        <source>format {format} does not say where {axis} of cell {cell} slides</source>
-        <translation>il formato {format} non dice dove scorre {axis} della cella {cell}</translation>
-    </message>
-    <message>
         <source>format {format} has no words for extruder {extruder} that keep step with the motion</source>
         <translation>il formato {format} non ha parole per l&apos;estrusore {extruder} al passo col movimento</translation>
     </message>
@@ -5900,6 +5896,165 @@ mm³</translation>
     <message>
         <source>{found} numbers in a row, {wanted} in the first</source>
         <translation>{found} numeri in una riga, {wanted} nella prima</translation>
+    </message>
+    <message>
+        <source>Beads on the plate under rims of round feet that would hang just over it. They come off.</source>
+        <translation>Cordoni sul piatto sotto i bordi di piedi tondi che penderebbero appena sopra. Si staccano.</translation>
+    </message>
+    <message>
+        <source>CR750 (7.11 ms)</source>
+        <translation>CR750 (7,11 ms)</translation>
+    </message>
+    <message>
+        <source>CR800 (3.5 ms)</source>
+        <translation>CR800 (3,5 ms)</translation>
+    </message>
+    <message>
+        <source>Events set the analogue output where a motion begins (TriggEquip); by speed it follows the real speed of the TCP, so that slow corners get no more (TriggSpeed).</source>
+        <translation>Gli eventi impostano l&apos;uscita analogica dove inizia un moto (TriggEquip); per velocità essa segue la velocità reale del TCP, così gli angoli lenti non ricevono di più (TriggSpeed).</translation>
+    </message>
+    <message>
+        <source>G-code with B and C: beyond so many turns C&apos;s count goes back by whole turns in a travel (G92 C), and the table stays where it is; 0: it counts on.</source>
+        <translation>G-code con B e C: oltre tanti giri il conto di C torna indietro di giri interi in uno spostamento (G92 C), e la tavola resta dov&apos;è; 0: continua a contare.</translation>
+    </message>
+    <message>
+        <source>How far the nozzle may lean from its planned direction where that makes the joints&apos; motion smoother. With least jerk of whole paths only.</source>
+        <translation>Di quanto l&apos;ugello può inclinarsi dalla direzione prevista dove ciò rende più regolare il moto dei giunti. Solo con minimo strappo di percorsi interi.</translation>
+    </message>
+    <message>
+        <source>How the nozzle stands about its own axis: as it suits the arm, or by a rule, where what it carries has a front. By a rule fewer places are reached.</source>
+        <translation>Come sta l&apos;ugello attorno al proprio asse: come conviene al braccio, o secondo una regola, se ciò che porta ha un davanti. Con una regola si raggiungono meno punti.</translation>
+    </message>
+    <message>
+        <source>Joint stream (MELFA Mxt, with packets and sender)</source>
+        <translation>Flusso di giunti (MELFA Mxt, con pacchetti e mittente)</translation>
+    </message>
+    <message>
+        <source>Joint stream (Universal Robots, with receiver and sender)</source>
+        <translation>Flusso di giunti (Universal Robots, con ricevente e mittente)</translation>
+    </message>
+    <message>
+        <source>MELFA stream: a packet is sent each cycle of the controller.</source>
+        <translation>Flusso MELFA: a ogni ciclo del controllore si invia un pacchetto.</translation>
+    </message>
+    <message>
+        <source>RAPID: the flow goes by</source>
+        <translation>RAPID: il flusso segue</translation>
+    </message>
+    <message>
+        <source>a flow in proportion to the speed is no sensible number</source>
+        <translation>un flusso in proporzione alla velocità non è un numero sensato</translation>
+    </message>
+    <message>
+        <source>a second stream</source>
+        <translation>un secondo flusso</translation>
+    </message>
+    <message>
+        <source>a stream begins with one way to the start, and has no other</source>
+        <translation>un flusso comincia con un solo percorso verso l&apos;inizio, e non ne ha altri</translation>
+    </message>
+    <message>
+        <source>a stream of {count} packets is longer than a file should be</source>
+        <translation>un flusso di {count} pacchetti è più lungo di quanto un file debba essere</translation>
+    </message>
+    <message>
+        <source>along the path</source>
+        <translation>lungo il percorso</translation>
+    </message>
+    <message>
+        <source>along the plate</source>
+        <translation>lungo il piatto</translation>
+    </message>
+    <message>
+        <source>as the arm goes best</source>
+        <translation>come conviene al braccio</translation>
+    </message>
+    <message numerus="yes">
+        <source>beads of support ({volume}) are laid on the plate under {paths} low rims that would hang just over it</source>
+        <translation>
+            <numerusform>cordoni di supporto ({volume}) sono deposti sul piatto sotto {paths} bordo basso che penderebbe appena sopra</numerusform>
+            <numerusform>cordoni di supporto ({volume}) sono deposti sul piatto sotto {paths} bordi bassi che penderebbero appena sopra</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>controller of the stream</source>
+        <translation>controllore del flusso</translation>
+    </message>
+    <message>
+        <source>directions may lean</source>
+        <translation>le direzioni possono inclinarsi</translation>
+    </message>
+    <message>
+        <source>events at points</source>
+        <translation>eventi nei punti</translation>
+    </message>
+    <message>
+        <source>format {format} tells joints of another maker&apos;s arm than the {robot} of cell {cell}</source>
+        <translation>il formato {format} indica i giunti del braccio di un altro costruttore, non del {robot} della cella {cell}</translation>
+    </message>
+    <message>
+        <source>least turn from upright</source>
+        <translation>minima rotazione dalla verticale</translation>
+    </message>
+    <message>
+        <source>not the header of a joint stream</source>
+        <translation>non è l&apos;intestazione di un flusso di giunti</translation>
+    </message>
+    <message>
+        <source>not what takes this stream: &apos;{code}&apos;</source>
+        <translation>non è ciò che riceve questo flusso: &apos;{code}&apos;</translation>
+    </message>
+    <message>
+        <source>packet {number} is not what the rows make</source>
+        <translation>il pacchetto {number} non corrisponde alle righe</translation>
+    </message>
+    <message>
+        <source>support under low rims</source>
+        <translation>supporto sotto i bordi bassi</translation>
+    </message>
+    <message>
+        <source>take melfa</source>
+        <translation>usa melfa</translation>
+    </message>
+    <message>
+        <source>the TCP&apos;s speed</source>
+        <translation>la velocità del TCP</translation>
+    </message>
+    <message>
+        <source>the arm waits elsewhere than where it stands</source>
+        <translation>il braccio attende in un punto diverso da dove si trova</translation>
+    </message>
+    <message>
+        <source>the extruder&apos;s outputs are not off at the end</source>
+        <translation>alla fine le uscite dell&apos;estrusore non sono spente</translation>
+    </message>
+    <message>
+        <source>the flow goes by the speed of a motion whose way is not known</source>
+        <translation>il flusso segue la velocità di un moto di cui non si conosce il percorso</translation>
+    </message>
+    <message>
+        <source>the program that takes the stream was cut short</source>
+        <translation>il programma che riceve il flusso è troncato</translation>
+    </message>
+    <message>
+        <source>the row that ends the stream is missing: the file was cut short</source>
+        <translation>manca la riga che chiude il flusso: il file è troncato</translation>
+    </message>
+    <message>
+        <source>this is not the program that receives a stream</source>
+        <translation>non è il programma che riceve un flusso</translation>
+    </message>
+    <message>
+        <source>this line is not as Voluta writes it; it is the same for every job</source>
+        <translation>questa riga non è come la scrive Voluta; è uguale per ogni lavoro</translation>
+    </message>
+    <message>
+        <source>turn of the nozzle</source>
+        <translation>rotazione dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>turns until C&apos;s count is set back</source>
+        <translation>giri prima che il conto di C torni indietro</translation>
     </message>
 </context>
 <context>
