@@ -366,10 +366,10 @@ struct SmoothScene {
         part(wall.plan, 0.45, {}), scene{wall.plan, wall.cell, collision, part, options, {}},
         limits(motion::timingLimits(wall.cell, wall.process)) {}
 
-  motion::SmoothedRun smoothed(const motion::Meets& meets) const {
+  motion::SmoothedRun smoothed(const motion::Meets& meets, bool endsLift = true) const {
     return motion::smoothRun(
         {scene, wall.twists, limits}, wall.points, meets,
-        [](const motion::RobotState&, bool) { return true; }, onThreads(2));
+        [endsLift](const motion::RobotState&, bool) { return endsLift; }, onThreads(2));
   }
 };
 
@@ -393,7 +393,8 @@ TEST(SmoothRun, GoesBackWhereSomethingMeets) {
     const motion::Meets meets = [&](const JointVector& q, std::size_t w) {
       return w == furthest && (q - points[w].at.q).norm() > 0.5 * most;
     };
-    const auto kept = s.smoothed(meets);
+    // Ends whose lift is not clear stay as the ladder laid them.
+    const auto kept = s.smoothed(meets, false);
     const double off = (kept.points[furthest].at.q - points[furthest].at.q).norm();
     EXPECT_LE(off, 0.5 * most);
     // And is not simply what it was.

@@ -75,7 +75,7 @@ TEST_F(Drafts, boxesComeAndGoWithWhatIsSaidOfThem) {
   const CellDraft two = one.withBox("post", someTurn(), {10, 20, 30});
   ASSERT_EQ(read(two).bodies().size(), before + 2);
   EXPECT_EQ(read(two).bodies().back().name, "post 2");
-  const Box& box = std::get<Box>(read(one).bodies().back().shapes.front());
+  const Box box = std::get<Box>(read(one).bodies().back().shapes.front());
   EXPECT_EQ(2.0 * box.half, Eigen::Vector3d(10, 20, 30));
   EXPECT_TRUE(box.frame_T_box.isApprox(someTurn(), 1e-9));
   const DraftBody post = one.bodies().back();
