@@ -1,5 +1,7 @@
 #include "plan/waypoints.h"
 
+#include "base/error.h"
+
 #include <algorithm>
 
 namespace voluta::plan {
@@ -8,6 +10,37 @@ const ToolPath* pathOf(const ToolPlan& plan, std::size_t waypoint) {
   const auto after = std::upper_bound(plan.paths.begin(), plan.paths.end(), waypoint,
                                       [](std::size_t w, const ToolPath& p) { return w < p.first; });
   return after == plan.paths.begin() || waypoint >= plan.waypointCount() ? nullptr : &*(after - 1);
+}
+
+RestOfPlan without(const ToolPlan& plan, const std::vector<char>& marked) {
+  base::require(marked.size() == plan.waypointCount(), "one mark per waypoint");
+  RestOfPlan rest;
+  for (const ToolPath& path : plan.paths) {
+    const std::size_t end = path.first + path.count;
+    for (std::size_t b = path.first; b < end;) {
+      std::size_t e = b;
+      while (e < end && !marked[e])
+        ++e;
+      if (e - b >= 2) {
+        ToolPath piece = path;
+        piece.first = rest.waypoint.size();
+        piece.count = e - b;
+        piece.closed = path.closed && piece.count == path.count;
+        rest.plan.paths.push_back(piece);
+        for (std::size_t i = b; i < e; ++i)
+          rest.waypoint.push_back(i);
+      }
+      b = e + 1;
+    }
+  }
+  for (const std::size_t i : rest.waypoint) {
+    rest.plan.position.push_back(plan.position[i]);
+    rest.plan.direction.push_back(plan.direction[i]);
+    rest.plan.widthMm.push_back(plan.widthMm[i]);
+    rest.plan.heightMm.push_back(plan.heightMm[i]);
+    rest.plan.speedMmPerS.push_back(plan.speedMmPerS[i]);
+  }
+  return rest;
 }
 
 std::size_t waypointAhead(const Trajectory& trajectory, std::size_t point) {

@@ -5,11 +5,21 @@
 #include "plan/trajectory.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace voluta::plan {
 
 // The path that the waypoint is of; null: the plan has no such waypoint.
 const ToolPath* pathOf(const ToolPlan& plan, std::size_t waypoint);
+
+struct RestOfPlan {
+  ToolPlan plan;
+  std::vector<std::size_t> waypoint; // of the plan before, per waypoint of this one
+};
+
+// The plan without the marked waypoints: their path ends before them and goes on after them as one
+// of its own, and pieces of a single waypoint go too. Precondition: one mark a waypoint.
+RestOfPlan without(const ToolPlan& plan, const std::vector<char>& marked);
 
 // The waypoint that a point is, or is on the way to; kNoWaypoint: it follows the last one.
 std::size_t waypointAhead(const Trajectory& trajectory, std::size_t point);

@@ -8,6 +8,7 @@
 #include "geometry/directions.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
 #include "toolpath/bridges.h"
 #include "toolpath/head_clearance.h"
 
@@ -241,7 +242,8 @@ private:
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
     ctx_.report(0.8, "directions"_text);
     r.hanging = hangingWaypoints(p, part, o_.platform, ctx_);
-    std::vector<char> gouge(p.waypointCount(), 0);
+    std::vector<char>& gouge = r.gouging;
+    gouge.assign(p.waypointCount(), 0);
     base::parallelChunks(ctx_, gouge.size(), kGrain, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i) {
         if (i % 64 == 0 && ctx_.cancelled())
@@ -281,7 +283,8 @@ private:
 
 OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>& clearDirection,
                               const robot::Cell& cell, const process::Process& process,
-                              const ToolpathOptions& options, const base::RunContext& ctx) {
+                              const ToolpathOptions& options, const base::RunContext& ctx,
+                              const MayMiss& mayMiss) {
   base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
   if (plan.waypointCount() == 0)
     return {};
@@ -301,8 +304,18 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
     best = std::move(result);
     if (best.gouges == 0)
       break;
-    clear = orienter.subdividedClear();
-    current = best.plan;
+    const std::vector<Vector3d>& ways = orienter.subdividedClear();
+    std::vector<char> missed(best.gouging.size(), 0);
+    if (mayMiss)
+      for (const plan::ToolPath& path : best.plan.paths)
+        if (mayMiss(path))
+          std::copy_n(best.gouging.begin() + static_cast<std::ptrdiff_t>(path.first), path.count,
+                      missed.begin() + static_cast<std::ptrdiff_t>(path.first));
+    plan::RestOfPlan rest = plan::without(best.plan, missed);
+    clear.clear();
+    for (const std::size_t i : rest.waypoint)
+      clear.push_back(ways[i]);
+    current = std::move(rest.plan);
   }
   return best;
 }

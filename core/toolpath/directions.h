@@ -8,6 +8,7 @@
 #include "toolpath/options.h"
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 namespace voluta::base {
@@ -16,10 +17,14 @@ class RunContext;
 
 namespace voluta::toolpath {
 
+// Is a path not laid where no direction is clear, rather than told?
+using MayMiss = std::function<bool(const plan::ToolPath&)>;
+
 struct OrientResult {
   plan::ToolPlan plan;
   std::size_t gouges = 0;    // waypoints of the result at which the head isn't clear
   double maxTurnDeg = 0.0;   // between neighbouring waypoints of a path
+  std::vector<char> gouging; // per waypoint: the head isn't clear
   std::vector<char> hanging; // per waypoint: nothing carries its bead (bridges.h)
   plan::Findings findings;   // stage "toolpath", kind "gouge"
 };
@@ -31,10 +36,12 @@ struct OrientResult {
 // path where neighbours differ by more than smoothBeyondDeg (Dai 3.5.2) unless that gouges;
 // subdivides steps that turn more than turnLimitDeg. The middle of each bead stays where it is: tip
 // = middle + 1/2 height x direction. Gone over up to four times while less and less gouges.
+// Before it is gone over again, paths that mayMiss lose the waypoints that gouge.
 // clearDirection: per waypoint, unit. Preconditions: sizes match. Throws Cancelled.
 OrientResult orientDirections(const plan::ToolPlan& plan,
                               const std::vector<Eigen::Vector3d>& clearDirection,
                               const robot::Cell& cell, const process::Process& process,
-                              const ToolpathOptions& options, const base::RunContext& ctx);
+                              const ToolpathOptions& options, const base::RunContext& ctx,
+                              const MayMiss& mayMiss = {});
 
 } // namespace voluta::toolpath

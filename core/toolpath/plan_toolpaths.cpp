@@ -145,15 +145,14 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   std::optional<plan::Finding> told;
   if (options.underlay) {
     UnderlaidPlan under = underlay(std::move(assembled.plan), std::move(assembled.clearDirection),
-                                   options.platform, process, silent);
+                                   options.platform, cell, process, silent);
     assembled.plan = std::move(under.plan);
     assembled.clearDirection = std::move(under.clearDirection);
     r.statistics.underlayMm3 = under.volumeMm3;
     if (under.underlaid > 0)
-      told = plan::makeFinding(
-          plan::FindingKind::RimSupports,
-          {{"volume", base::mm3(under.volumeMm3)}, {"paths", under.underlaid}},
-          under.where, under.underlaid);
+      told = plan::makeFinding(plan::FindingKind::RimSupports,
+                               {{"volume", base::mm3(under.volumeMm3)}, {"paths", under.underlaid}},
+                               under.where, under.underlaid);
   }
   // The head's ways know of the prime, as they do of every bead.
   addPrimePath(assembled.plan, cell, process, options);
@@ -163,8 +162,13 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   r.seconds.toolpath = watch.seconds();
 
   watch = base::Stopwatch();
+  // A rim that nothing can be laid under hangs, as it would without.
+  const auto liesUnderRim = [&](const plan::ToolPath& path) {
+    return path.kind == PathKind::Support &&
+           stack.patches[static_cast<std::size_t>(path.patch)].group != layers::kSupportGroup;
+  };
   OrientResult oriented = orientDirections(assembled.plan, assembled.clearDirection, cell, process,
-                                           options, ctx.sub(0.6, 1.0));
+                                           options, ctx.sub(0.6, 1.0), liesUnderRim);
   r.seconds.orient = watch.seconds();
   r.plan = std::move(oriented.plan);
   slowBridges(r.plan, oriented.hanging, process);

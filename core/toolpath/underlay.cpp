@@ -7,6 +7,7 @@
 #include "layers/layer_stack.h"
 #include "process/bead_model.h"
 #include "toolpath/bridges.h"
+#include "toolpath/head_clearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,7 @@ void appendSame(plan::ToolPlan& plan, const plan::ToolPlan& from, std::size_t i)
 struct Low {
   plan::ToolPlan plan;
   std::vector<std::size_t> waypoint, path; // of the whole plan
+  std::vector<std::size_t> patchFirst;     // a path: the first waypoint here of its patch
 };
 
 // The paths that come near the plate, in order: what is higher carries none of them.
@@ -57,25 +59,34 @@ Low lowPaths(const plan::ToolPlan& plan, double belowMm) {
       low.waypoint.push_back(i);
     }
     path.first = first;
+    const bool goesOn = !low.path.empty() && low.plan.paths.back().patch == path.patch;
+    low.patchFirst.push_back(goesOn ? low.patchFirst.back() : first);
     low.plan.paths.push_back(path);
     low.path.push_back(p);
   }
   return low;
 }
 
-// One bead beneath another: a waypoint each.
+// One bead beneath another, laid upright: a waypoint each.
 struct Course {
   std::vector<Vector3d> tip;
   std::vector<std::size_t> above; // waypoint of the bead that it is for
   std::vector<float> heightMm;
+
+  double meanHeight() const { // over the plate
+    double sum = 0.0;
+    for (const Vector3d& t : tip)
+      sum += t.z();
+    return sum / static_cast<double>(tip.size());
+  }
 };
 
 class Underlayer {
 public:
-  Underlayer(const plan::ToolPlan& plan, const platform::PlatformSolid& platform,
-             const process::Process& process, const base::RunContext& ctx)
-      : platform_(platform), process_(process),
-        low_(lowPaths(plan, (kReachLayers + 1.0) * process.layerHeightMaxMm)),
+  Underlayer(const plan::ToolPlan& all, const platform::PlatformSolid& platform,
+             const robot::Cell& cell, const process::Process& process, const base::RunContext& ctx)
+      : platform_(platform), process_(process), head_(cell, process),
+        low_(lowPaths(all, (kReachLayers + 1.0) * process.layerHeightMaxMm)),
         part_(low_.plan, collision::growingPitch(low_.plan, process), ctx),
         hanging_(hangingWaypoints(low_.plan, part_, platform, ctx)) {}
 
@@ -94,7 +105,7 @@ public:
           continue;
         }
         if (lengthOf(b, e) > 0.5 * process_.bridgeMm)
-          addCourses(b, e, result[low_.path[k]]);
+          addCourses(b, e, low_.patchFirst[k], result[low_.path[k]]);
         b = e;
       }
     }
@@ -110,8 +121,9 @@ private:
     return length;
   }
 
-  // How thick the beads under a waypoint may be together, along its direction; 0: none can be laid.
-  double roomBeneath(std::size_t i) const {
+  // How thick the beads under a waypoint may be together, along its direction, laid before another
+  // waypoint; 0: none can be laid.
+  double roomBeneath(std::size_t i, std::size_t before) const {
     const Vector3d& d = low_.plan.direction[i];
     if (d.z() < 0.5)
       return 0.0;
@@ -128,13 +140,18 @@ private:
         return 0.0;
     const double least = kLeastShare * process_.layerHeightMinMm;
     const double apart = gap - kBreakShare * height;
-    return apart >= least ? apart : gap >= least ? gap : 0.0;
+    const double room = apart >= least ? apart : gap;
+    const Vector3d top(0.0, 0.0, 0.5 * room * d.z());
+    return room >= least &&
+                   head_.clears(part_, foot + 0.5 * room * d + top, Vector3d::UnitZ(), before)
+               ? room
+               : 0.0;
   }
 
-  void addCourses(std::size_t b, std::size_t e, std::vector<Course>& to) const {
+  void addCourses(std::size_t b, std::size_t e, std::size_t before, std::vector<Course>& to) const {
     std::vector<double> room(e - b);
     for (std::size_t i = b; i < e; ++i)
-      room[i - b] = roomBeneath(i);
+      room[i - b] = roomBeneath(i, before);
     for (std::size_t s = b; s < e;) {
       if (room[s - b] <= 0.0) {
         ++s;
@@ -162,8 +179,9 @@ private:
             low_.plan.position[i] - static_cast<double>(low_.plan.heightMm[i]) * d;
         const Vector3d foot = bottom - bottom.z() / d.z() * d;
         const double height = room[i - s] / count;
-        course.tip.push_back(foot + (c + 1) * height * d);
-        course.heightMm.push_back(static_cast<float>(height));
+        const double upright = height * d.z();
+        course.tip.push_back(foot + (c + 0.5) * height * d + 0.5 * upright * Vector3d::UnitZ());
+        course.heightMm.push_back(static_cast<float>(upright));
         course.above.push_back(low_.waypoint[i]);
       }
       to.push_back(std::move(course));
@@ -172,6 +190,7 @@ private:
 
   const platform::PlatformSolid& platform_;
   const process::Process& process_;
+  HeadClearance head_;
   Low low_;
   collision::GrowingPart part_;
   std::vector<char> hanging_;
@@ -180,13 +199,13 @@ private:
 } // namespace
 
 UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection,
-                       const platform::PlatformSolid& platform, const process::Process& process,
-                       const base::RunContext& ctx) {
+                       const platform::PlatformSolid& platform, const robot::Cell& cell,
+                       const process::Process& process, const base::RunContext& ctx) {
   base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
   UnderlaidPlan out{std::move(plan), std::move(clearDirection)};
   if (platform.polygon.size() < 3 || platform.mesh || platform.rod || out.plan.paths.empty())
     return out;
-  const auto courses = Underlayer(out.plan, platform, process, ctx).courses();
+  const auto courses = Underlayer(out.plan, platform, cell, process, ctx).courses();
   if (courses.empty())
     return out;
 
@@ -204,7 +223,7 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     for (std::size_t i = 0; i < course.tip.size(); ++i) {
       const std::size_t above = course.above[i];
       const double section = sectionOf(course.heightMm[i]);
-      append(out.plan, course.tip[i], was.plan.direction[above], width, course.heightMm[i],
+      append(out.plan, course.tip[i], Vector3d::UnitZ(), width, course.heightMm[i],
              static_cast<float>(std::min(process.speedMmPerS, process.maxFlowMm3PerS / section)));
       out.clearDirection.push_back(was.clearDirection[above]);
       if (i > 0)
@@ -215,8 +234,10 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
   };
   for (std::size_t p = 0; p < was.plan.paths.size(); ++p) {
     const plan::ToolPath& path = was.plan.paths[p];
-    // Before the first path of the patch come the beads under all its paths.
-    if (p == 0 || was.plan.paths[p - 1].patch != path.patch)
+    // Before the first path of the patch come the beads under all its paths, low ones first: the
+    // head cuts into none that is higher.
+    if (p == 0 || was.plan.paths[p - 1].patch != path.patch) {
+      std::vector<std::pair<const Course*, const plan::ToolPath*>> beneath;
       for (std::size_t q = p; q < was.plan.paths.size() && was.plan.paths[q].patch == path.patch;
            ++q) {
         const auto found = courses.find(q);
@@ -225,8 +246,12 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
         if (out.underlaid++ == 0)
           out.where = found->second.front().tip.front();
         for (const Course& course : found->second)
-          addCourse(course, was.plan.paths[q]);
+          beneath.emplace_back(&course, &was.plan.paths[q]);
       }
+      std::ranges::stable_sort(beneath, {}, [](const auto& b) { return b.first->meanHeight(); });
+      for (const auto& [course, under] : beneath)
+        addCourse(*course, *under);
+    }
     plan::ToolPath same = path;
     same.first = out.plan.waypointCount();
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {

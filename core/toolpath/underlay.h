@@ -4,6 +4,7 @@
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
 #include "process/process.h"
+#include "robot/cell.h"
 
 #include <Eigen/Core>
 #include <vector>
@@ -28,10 +29,11 @@ struct UnderlaidPlan {
 // half of what the process bridges, and the plate is within three of the thickest layers beneath
 // it, beads of support as thick as layers may be are laid on the plate under it, along its own
 // curve, before the first path of its patch; they end a seventh of its height under it, so that
-// they come off. Nothing is laid in what is printed before. Paths keep their order.
-// Precondition: one clear direction a waypoint. Over bodies and rods: as it was. Throws Cancelled.
+// they come off. The nozzle lays them upright. Nothing is laid in what is printed before, nor where
+// the head would cut into what is as low as that. Paths keep their order. Precondition: one clear
+// direction a waypoint. Over bodies and rods: as it was. Throws Cancelled.
 UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Eigen::Vector3d> clearDirection,
-                       const platform::PlatformSolid& platform, const process::Process& process,
-                       const base::RunContext& ctx);
+                       const platform::PlatformSolid& platform, const robot::Cell& cell,
+                       const process::Process& process, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

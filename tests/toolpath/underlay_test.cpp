@@ -40,7 +40,8 @@ void addPath(plan::ToolPlan& plan, double fromX, double toX, double y, double z,
 toolpath::UnderlaidPlan underlaid(const plan::ToolPlan& plan,
                                   const platform::PlatformSolid& platform = kPlate) {
   std::vector<Vector3d> clear(plan.waypointCount(), Vector3d::UnitZ());
-  return toolpath::underlay(plan, clear, platform, kProcess, {});
+  const robot::Cell cell = robot::loadCell("ur5-fixed", kProcess, kPlate.polygon);
+  return toolpath::underlay(plan, clear, platform, cell, kProcess, {});
 }
 
 std::vector<char> hangingOf(const plan::ToolPlan& plan) {
@@ -108,6 +109,23 @@ TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
   platform::PlatformSolid rod;
   rod.rod.emplace();
   EXPECT_EQ(underlaid(roundFoot(), rod).underlaid, 0u);
+}
+
+// Between walls that stand already the head would cut in: there a rim hangs rather.
+TEST(Underlay, NothingWhereTheHeadDoesNotGetIn) {
+  plan::ToolPlan plan;
+  for (int layer = 0; layer < 3; ++layer)
+    for (const double y : {1.5, 3.5})
+      addPath(plan, -5, 15, y, 0.8 * (layer + 1), layer);
+  addPath(plan, -15, 15, 2.5, 1.6, 3);
+  const toolpath::UnderlaidPlan out = underlaid(plan);
+  ASSERT_EQ(out.underlaid, 1u);
+  for (const plan::ToolPath& path : out.plan.paths) {
+    if (path.kind != plan::PathKind::Support)
+      continue;
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      EXPECT_LT(out.plan.position[i].x(), -5.0);
+  }
 }
 
 TEST(Underlay, SeveralCoursesWhereOneWouldBeThickerThanALayer) {
