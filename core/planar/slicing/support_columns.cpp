@@ -16,10 +16,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kArcMm = 0.05;       // of round corners
-constexpr double kNarrowest = 0.25;   // of a bead: what reaches out by less hangs on by itself
-constexpr double kFooting = 0.5;      // share of a column's section that stands on something
-constexpr double kNarrowColumn = 0.9; // of a bead
+constexpr double kArcMm = 0.05;         // of round corners
+constexpr double kNarrowest = 0.25;     // of a bead: what reaches out by less hangs on by itself
+constexpr double kFooting = 0.5;        // share of a column's section that stands on something
+constexpr double kNarrowColumn = 0.9;   // of a bead
+constexpr double kNarrowFooting = 0.45; // of a bead: its middle is carried
 constexpr double kTaper = 0.5;      // of what a layer may reach out: a bead's middle stays carried
 constexpr double kTrunk = 4.0;      // beads: columns don't get thinner than that downwards
 constexpr double kUnderBase = 0.25; // of the first layer: how deep under a base it is asked for
@@ -225,18 +226,20 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
         out.unheldMm2 += area;
       }
     }
-    // Where most of a column stands on something, all of it; else what does, and so much beside it
-    // that half a bead beyond the gap reaches out, from which it grows.
+    // What of a column stands on something, and so much more that half a bead reaches out, from
+    // which it grows. On a steep slope half a bead stands on each step of it, up to the wall.
     Paths kept;
     for (const Paths& column : components(columns[k])) {
+      const Paths upToWall = without(grown(column, options.gapMm), standing[k]);
       const Paths stands = shared(column, below);
-      const bool all = areaMm2(stands) >= kFooting * areaMm2(column);
-      if (all || !wideEnough(stands, kNarrowColumn * half).empty())
-        kept = united(kept, all ? column : shared(column, grown(below, half)));
+      if (!wideEnough(stands, kNarrowColumn * half).empty())
+        kept = united(kept, shared(column, grown(below, half)));
+      else if (!wideEnough(shared(upToWall, below), kNarrowFooting * half).empty())
+        kept = united(kept, shared(upToWall, grown(below, half)));
     }
     columns[k] = wideEnough(kept, kNarrowColumn * half);
     out.sections[k] = sectionOf(columns[k], levels.plane(k), levels.frame());
-    below = united(grown(columns[k], options.gapMm), grown(standing[k], options.gapMm));
+    below = united(columns[k], standing[k]);
   }
   return out;
 }
