@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <malloc.h>
 #include <string>
 #include <sys/resource.h>
 
@@ -48,6 +49,12 @@ std::uint64_t availableMemory() {
   const std::uint64_t remaining =
       limit == kUnknown || used == kUnknown ? kUnknown : limit - std::min(limit, used);
   return std::min(free == 0 ? kUnknown : free, remaining);
+}
+
+void returnFreedMemory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
 }
 
 double peakResidentMb() {

@@ -13,6 +13,10 @@ std::uint64_t availableMemory();
 // The most that this process has held at once, in MiB.
 double peakResidentMb();
 
+// Gives back to the system what was freed and is kept for the next time: stages and their steps hold
+// much while they last, and another one's blocks don't fit into theirs.
+void returnFreedMemory();
+
 // The number after `key` in text like that of /proc/meminfo, times 1024; 0: not there.
 std::uint64_t kibibytesOf(std::string_view text, std::string_view key);
 

@@ -65,19 +65,19 @@ std::array<double, 5> fivePointJerk(const std::vector<double>& times, std::size_
   return weights;
 }
 
-JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times,
+JerkMeasure jerkOf(const std::vector<robot::JointVector>& q, const std::vector<double>& times,
                    const std::vector<robot::JointLimits>& limits) {
   JerkMeasure measure;
-  if (points.empty())
+  if (q.empty())
     return measure;
-  const auto dof = static_cast<std::size_t>(points.front().q.size());
+  const auto dof = static_cast<std::size_t>(q.front().size());
   measure.maxAbs.assign(dof, 0.0);
   for (const JerkStencil& s : jerkStencils(times))
     for (std::size_t j = 0; j < dof; ++j) {
       double jerk = 0.0;
       for (std::size_t k = 0; k < 4; ++k)
-        if (s.last + k >= 3 && s.last + k - 3 < points.size())
-          jerk += s.weight[k] * points[s.last + k - 3].q[static_cast<Eigen::Index>(j)];
+        if (s.last + k >= 3 && s.last + k - 3 < q.size())
+          jerk += s.weight[k] * q[s.last + k - 3][static_cast<Eigen::Index>(j)];
       measure.maxAbs[j] = std::max(measure.maxAbs[j], std::abs(jerk));
       const double turn = j < limits.size() ? robot::asTurn(limits[j].kind, jerk) : jerk;
       measure.sumSquared += turn * turn;

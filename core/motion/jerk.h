@@ -1,7 +1,7 @@
 // Jerk of joints over times that need not be even: third differences, linear in the joints.
 #pragma once
 
-#include "motion/timing.h"
+#include "robot/robot_model.h"
 
 #include <array>
 #include <cstddef>
@@ -31,8 +31,8 @@ struct JerkMeasure {
   std::vector<double> maxAbs; // a joint, rad/s3; mm/s3 of a sliding one
   double sumSquared = 0.0;    // over all points and joints, (rad/s3)2; sliding ones by asTurn()
 };
-// Joints without limits here turn.
-JerkMeasure jerkOf(const std::vector<TimedPoint>& points, const std::vector<double>& times,
+// `q`: joints a time. Joints without limits here turn.
+JerkMeasure jerkOf(const std::vector<robot::JointVector>& q, const std::vector<double>& times,
                    const std::vector<robot::JointLimits>& limits = {});
 
 } // namespace voluta::motion

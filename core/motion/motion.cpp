@@ -209,11 +209,10 @@ private:
     base::parallelChunks(ctx, std::max(runs, ways), 4, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i) {
         if (i < runs) {
-          const auto points = timedPoints(cell_, sequence.runs[i].points);
-          runTimes[i] = timesOf(points, limits);
-          jerks[i] = jerkOf(points, runTimes[i], limits.joints);
-          const auto before = timedPoints(cell_, sequence.runs[i].ladder);
-          jerksBefore[i] = jerkOf(before, runTimes[i], limits.joints);
+          const Run& run = sequence.runs[i];
+          runTimes[i] = timesOf(timedPoints(cell_, run.points), limits);
+          jerks[i] = jerkOf(jointsOf(run.points), runTimes[i], limits.joints);
+          jerksBefore[i] = jerkOf(run.ladder, runTimes[i], limits.joints);
         }
         if (i < ways) {
           const RobotState& from = i == 0 ? home_ : sequence.runs[i - 1].points.back().at;

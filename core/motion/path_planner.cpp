@@ -9,6 +9,7 @@
 #include "motion/joint_costs.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smooth_run.h"
+#include "motion/timed_points.h"
 #include "process/bead_model.h"
 
 #include <algorithm>
@@ -78,7 +79,8 @@ private:
   PathLadder ladder_;
   std::size_t count_;
   Run run_;
-  bool wantsLift_ = true; // from both ends
+  std::vector<RunPoint> laid_; // run_ with the turns that the ladder gave
+  bool wantsLift_ = true;      // from both ends
 };
 
 bool Stretch::fill(const Course& course, const JointVector& start, std::vector<RunPoint>& points,
@@ -170,7 +172,7 @@ std::vector<Failed> Stretch::follow(const LadderWay& way) {
   std::size_t failedAt = 0;
   base::Stopwatch watch;
   Course course = ladder_.courseOf(way);
-  const bool followed = fill(course, way.q.front(), run_.ladder, failedAt);
+  const bool followed = fill(course, way.q.front(), laid_, failedAt);
   // On a rod it often need not turn at all.
   const bool uneven =
       !ladder_.movesPart() || std::any_of(course.turn.begin(), course.turn.end(),
@@ -185,7 +187,7 @@ std::vector<Failed> Stretch::follow(const LadderWay& way) {
   watch = base::Stopwatch();
   std::vector<Failed> failed;
   if (!even || !failures(run_.points).empty()) {
-    run_.points = run_.ladder;
+    run_.points = laid_;
     failed = failures(run_.points);
   }
   times_.collision += watch.seconds();
@@ -196,7 +198,7 @@ void Stretch::smooth() {
   if (scene_.options.smoothing != TurnMethod::WholePath || scene_.options.turn != NozzleTurn::Free)
     return;
   SmoothedRun smoothed = smoothRun(
-      smoothing_, run_.ladder,
+      smoothing_, laid_,
       [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
       [&](const RobotState& state, bool last) {
         const std::size_t before = first_ + (last ? count_ : 0);
@@ -209,7 +211,7 @@ void Stretch::smooth() {
     straight = scene_.goesStraight(smoothed.points[p - 1].at, smoothed.points[p].at);
   if (straight) {
     run_.points = std::move(smoothed.points);
-    run_.ladder = std::move(smoothed.before);
+    laid_ = std::move(smoothed.before);
   }
   times_.jerk += smoothed.smoothS;
   times_.collision += smoothed.checkS;
@@ -309,6 +311,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
       if (wantsLift_ && !endsLift())
         continue;
       smooth();
+      run_.ladder = jointsOf(laid_);
       runs.push_back(std::move(run_));
       return count_;
     }

@@ -31,7 +31,8 @@ struct RunPoint {
 struct Run {
   std::size_t path = 0;         // index in ToolPlan::paths
   std::vector<RunPoint> points; // the first is arrived at without printing
-  std::vector<RunPoint> ladder; // the same with the turns that the ladder gave; for the statistics
+  // The joints of each with the turns that the ladder gave, for the statistics.
+  std::vector<robot::JointVector> ladder;
 };
 
 } // namespace voluta::motion

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "motion/external_axes.h"
+#include "motion/timed_points.h"
 
 #include <algorithm>
 #include <optional>
@@ -168,7 +169,7 @@ private:
       return;
     lose(run, count, run.points.size(), true);
     run.points.resize(count);
-    run.ladder = run.points;
+    run.ladder = jointsOf(run.points);
   }
 
   // From where the arm rests to a point of the run.
@@ -237,7 +238,7 @@ private:
     if (first > 0) {
       lose(run, 0, first, false);
       run.points.erase(run.points.begin(), run.points.begin() + static_cast<std::ptrdiff_t>(first));
-      run.ladder = run.points;
+      run.ladder = jointsOf(run.points);
     }
     setOut(*way);
     return way;

@@ -48,6 +48,14 @@ TimingLimits timingLimits(const robot::Cell& cell, const process::Process& proce
   return limits;
 }
 
+std::vector<robot::JointVector> jointsOf(const std::vector<RunPoint>& points) {
+  std::vector<robot::JointVector> joints;
+  joints.reserve(points.size());
+  for (const RunPoint& p : points)
+    joints.push_back(withoutSteps(p.at));
+  return joints;
+}
+
 std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<RunPoint>& points) {
   constexpr double kCloserLook = 0.3; // of a joint's limit, from point to point
   const auto isFast = [&](const RunPoint& from, const RunPoint& to) {

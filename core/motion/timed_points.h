@@ -16,6 +16,9 @@ namespace voluta::motion {
 
 TimingLimits timingLimits(const robot::Cell& cell, const process::Process& process);
 
+// The joints of a run's points, external axes where they would be without steps.
+std::vector<robot::JointVector> jointsOf(const std::vector<RunPoint>& points);
+
 // Of a run's points, which are printed without a stop.
 std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<RunPoint>& points);
 // Of a way that begins at `from`: one more than it has points.

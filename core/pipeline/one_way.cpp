@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/key_text.h"
+#include "base/memory.h"
 #include "base/stopwatch.h"
 #include "geometry/measures.h"
 #include "modes/mode_table.h"
@@ -109,6 +110,7 @@ private:
     report().timings += timings;
     report().timings.total = whole_.seconds();
     job().reached = stage;
+    base::returnFreedMemory();
     if (onStage_)
       onStage_(stage, result_);
     ctx_.checkpoint();

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/units.h"
+#include "replay/arm_speeds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +22,7 @@ constexpr double kArmStepMm = 2.0, kArmStepRad = base::degreesToRadians(2.0);
 constexpr double kArmStepJointRad = 0.03, kArmStepExternalRad = 0.1;
 constexpr double kNextRad = 0.2;          // further from one step to the next is another branch
 constexpr double kMostArmSteps = 20000.0; // a number gone wrong must not take for ever
-constexpr double kSpeedSlack = 1.02;      // rounding of speeds in a program's text
-constexpr double kRangeSlackRad = 1e-4;   // likewise of joints
-// A joint that turns further than this within one arm step has changed its branch.
-constexpr double kJumpRad = 1.0;
+constexpr double kRangeSlackRad = 1e-4;   // rounding of joints in a program's text
 constexpr std::size_t kGrain = 1024;
 
 // A TCP pose in Base, the nozzle's in the work frame, or its tip and direction there.
@@ -81,7 +79,8 @@ public:
       solveJoints();
     findDurations();
     if (path_.arm)
-      checkSpeeds();
+      for (const LimitViolation& v : speedViolations(path_, *cell_))
+        path_.violations.push_back(v);
     sampleNozzle();
     std::stable_sort(
         path_.violations.begin(), path_.violations.end(),
@@ -310,36 +309,76 @@ private:
     return between(a, b, s);
   }
 
-  void pushArm(std::size_t m, double at, const JointVector& q) {
-    path_.armJoints.insert(path_.armJoints.end(), q.data(), q.data() + q.size());
-    path_.armMotion.push_back(static_cast<std::uint32_t>(m));
-    path_.armFraction.push_back(static_cast<float>(at));
+  // How the arm stands along some motions, one after the other.
+  struct ArmWalk {
+    std::size_t begin = 0, end = 0; // motions
+    std::vector<double> joints;     // as ExecutedPath::armJoints, and so on
+    std::vector<std::uint32_t> motion;
+    std::vector<float> fraction;
+    std::vector<LimitViolation> violations;
+    std::vector<JointVector> solutions; // scratch
+
+    void push(std::size_t m, double at, const JointVector& q) {
+      joints.insert(joints.end(), q.data(), q.data() + q.size());
+      motion.push_back(static_cast<std::uint32_t>(m));
+      fraction.push_back(static_cast<float>(at));
+    }
+  };
+
+  // A walk may begin wherever the motion before tells the joints: how they came there is no matter.
+  std::vector<ArmWalk> walks() const {
+    constexpr std::size_t kLeast = 500; // motions
+    std::vector<ArmWalk> walks(1);
+    for (std::size_t m = 1; m < motions_.size(); ++m)
+      if (motions_[m - 1].target == plan::TargetKind::Joints && m - walks.back().begin >= kLeast) {
+        walks.back().end = m;
+        walks.emplace_back().begin = m;
+      }
+    walks.back().end = motions_.size();
+    return walks;
   }
 
   void solveJoints() {
     path_.joints.assign(motions_.size() * static_cast<std::size_t>(path_.dof), 0.0);
-    JointVector q = cell_->home();
-    for (std::size_t m = 0; m < motions_.size(); ++m) {
-      if (m % 1024 == 0)
-        ctx_.checkpoint();
+    std::vector<ArmWalk> parts = walks();
+    base::parallelChunks(ctx_, parts.size(), 1, [&](std::size_t b, std::size_t e) {
+      for (std::size_t i = b; i < e && !ctx_.cancelled(); ++i)
+        solveJoints(parts[i]);
+    });
+    ctx_.checkpoint();
+    const auto append = [](auto& to, auto& from) {
+      to.insert(to.end(), from.begin(), from.end());
+      from = {};
+    };
+    for (ArmWalk& walk : parts) {
+      append(path_.armJoints, walk.joints);
+      append(path_.armMotion, walk.motion);
+      append(path_.armFraction, walk.fraction);
+      append(path_.violations, walk.violations);
+    }
+  }
+
+  void solveJoints(ArmWalk& walk) {
+    JointVector q = walk.begin == 0 ? cell_->home() : jointTarget(motions_[walk.begin - 1]);
+    for (std::size_t m = walk.begin; m < walk.end; ++m) {
       const plan::ProgramMotion& motion = motions_[m];
       bool reached = true;
       JointVector target = q;
       if (motion.target == plan::TargetKind::Joints)
         target = jointTarget(motion);
       if (!isOfThisCell(motion))
-        path_.violations.push_back({LimitKind::OutOfReach, m, -1, 0.0, 0.0});
+        walk.violations.push_back({LimitKind::OutOfReach, m, -1, 0.0, 0.0});
       if (m == 0 || motion.jointInterpolated) {
         if (motion.target != plan::TargetKind::Joints)
-          reached = follow(m, 1.0, target);
+          reached = follow(m, 1.0, target, walk.solutions);
         if (m == 0) {
-          pushArm(m, 1.0, target);
+          walk.push(m, 1.0, target);
         } else {
           const double turn = robot::largestTurn(target - q, cell_->limits());
           const int steps = stepsOf(turn / kArmStepJointRad);
           for (int k = 1; k <= steps; ++k) {
             const double u = static_cast<double>(k) / steps;
-            pushArm(m, u, q + u * (target - q));
+            walk.push(m, u, q + u * (target - q));
           }
         }
         q = target;
@@ -350,13 +389,13 @@ private:
           if (k == steps && motion.target == plan::TargetKind::Joints)
             q = jointTarget(motion);
           else
-            reached = follow(m, u, q) && reached;
-          pushArm(m, u, q);
+            reached = follow(m, u, q, walk.solutions) && reached;
+          walk.push(m, u, q);
         }
       }
       if (!reached)
-        path_.violations.push_back({LimitKind::OutOfReach, m, -1, 0.0, 0.0});
-      checkRange(m, q);
+        walk.violations.push_back({LimitKind::OutOfReach, m, -1, 0.0, 0.0});
+      checkRange(m, q, walk.violations);
       std::copy(q.data(), q.data() + q.size(),
                 path_.joints.data() + m * static_cast<std::size_t>(path_.dof));
     }
@@ -380,7 +419,7 @@ private:
   }
 
   // The joints that reach motion m at s, nearest to q; the arm's stay where there are none.
-  bool follow(std::size_t m, double s, JointVector& q) {
+  bool follow(std::size_t m, double s, JointVector& q, std::vector<JointVector>& scratch) const {
     const Target t = m == 0 || motions_[m].jointInterpolated || s >= 1.0
                          ? targets_[m]
                          : between(targets_[m - 1], targets_[m], s);
@@ -390,29 +429,30 @@ private:
       q.head(arm) = *next;
       return true;
     }
-    robot::inverseNear(cell_->robot(), flangeOf(t, q), q, solutions_);
+    robot::inverseNear(cell_->robot(), flangeOf(t, q), q, scratch);
     // A straight motion cannot pass the elbow's other side: a target there is a jump at its end.
     if (const int elbow = s >= 1.0 && !cell_->robot().kinematics->tilts() ? motions_[m].elbow : 0)
-      std::erase_if(solutions_, [&](const JointVector& candidate) {
+      std::erase_if(scratch, [&](const JointVector& candidate) {
         return elbow * candidate[1] < -kRangeSlackRad;
       });
-    if (solutions_.empty())
+    if (scratch.empty())
       return false;
     const auto away = [&](const JointVector& candidate) {
       return robot::asTurns(candidate - q.head(arm), cell_->limits()).squaredNorm();
     };
     q.head(arm) = *std::min_element(
-        solutions_.begin(), solutions_.end(),
+        scratch.begin(), scratch.end(),
         [&](const JointVector& a, const JointVector& b) { return away(a) < away(b); });
     return true;
   }
 
-  void checkRange(std::size_t m, const JointVector& q) {
+  void checkRange(std::size_t m, const JointVector& q,
+                  std::vector<LimitViolation>& violations) const {
     for (int k = 0; k < path_.dof; ++k) {
       const robot::JointLimits& limits = cell_->limits()[static_cast<std::size_t>(k)];
       const double slack = robot::fromTurn(limits.kind, kRangeSlackRad);
       if (q[k] < limits.min - slack || q[k] > limits.max + slack)
-        path_.violations.push_back(
+        violations.push_back(
             {LimitKind::JointRange, m, k, q[k], q[k] < limits.min ? limits.min : limits.max});
     }
   }
@@ -445,52 +485,6 @@ private:
       time =
           std::max(time, std::abs(step[k]) / cell_->limits()[static_cast<std::size_t>(k)].velocity);
     return time;
-  }
-
-  double stepOf(std::size_t axis) const {
-    const auto arm = static_cast<std::size_t>(cell_->armDof());
-    return axis < arm ? 0.0 : cell_->externalAxes()[axis - arm].step;
-  }
-
-  void checkSpeeds() {
-    const std::size_t dof = static_cast<std::size_t>(path_.dof);
-    for (std::size_t a = 1; a < path_.armMotion.size(); ++a) {
-      const std::size_t m = path_.armMotion[a];
-      if (m == 0)
-        continue;
-      const double from = path_.armMotion[a - 1] == m ? path_.armFraction[a - 1] : 0.0;
-      const double time = (path_.armFraction[a] - from) * path_.durationS[m];
-      const double* q0 = path_.armJoints.data() + (a - 1) * dof;
-      const double* q1 = path_.armJoints.data() + a * dof;
-      // One line a motion is enough: its worst joint.
-      LimitViolation worst{LimitKind::JointSpeed, m, -1, 0.0, 0.0};
-      double excess = kSpeedSlack;
-      for (std::size_t k = 0; k < dof; ++k) {
-        const double limit = cell_->limits()[k].velocity;
-        double turn = std::abs(q1[k] - q0[k]);
-        const double jump = robot::fromTurn(path_.kinds[k], kJumpRad);
-        if (turn > jump) {
-          worst = {LimitKind::BranchJump, m, static_cast<int>(k), turn, jump};
-          break;
-        }
-        turn -= (path_.armFraction[a] - from) * stepOf(k);
-        if (turn < 1e-6)
-          continue;
-        if (time <= 0.0) {
-          // No time is given for this motion: nothing to hold against the limit.
-          continue;
-        }
-        if (turn / time > excess * limit) {
-          excess = turn / time / limit;
-          worst.joint = static_cast<int>(k);
-          worst.value = turn / time;
-          worst.limit = limit;
-        }
-      }
-      if (worst.joint >= 0 && (path_.violations.empty() || path_.violations.back().motion != m ||
-                               path_.violations.back().kind != worst.kind))
-        path_.violations.push_back(worst);
-    }
   }
 
   void sampleNozzle() {
@@ -571,7 +565,6 @@ private:
   int externals_ = 0;   // axes
   std::vector<double> externalsAt_; // at each motion's end
   std::vector<Target> targets_;
-  std::vector<JointVector> solutions_;
   ExecutedPath path_;
 };
 

@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/run_context.h"
 #include "base/units.h"
 #include "plan/finding_kinds.h"
@@ -44,8 +45,10 @@ public:
     for (std::size_t m = 0; m < path_->motionCount(); ++m)
       run.volumeMm3.push_back(motionVolume(in_.program, *path_, m));
     compare(run);
+    base::returnFreedMemory();
     judged.push_back(std::make_shared<const JudgedRun>(
         judgeRun(std::move(run), in_, limits_, judged, ctx_.sub(0.1, 1.0))));
+    base::returnFreedMemory();
     path_ = &judged.back()->run.path;
     tellBeads(*judged.back());
     tellTimes(*judged.back());

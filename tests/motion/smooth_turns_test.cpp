@@ -450,8 +450,7 @@ TEST(SmoothRun, LeansWithinTheConeAndNoFurther) {
     EXPECT_EQ(waypoints, s.wall.points.size());
     EXPECT_NEAR(volume, volumeBefore, 1e-9);
     const auto jerk = [&](const std::vector<RunPoint>& points) {
-      const auto timed = motion::timedPoints(s.wall.cell, points);
-      return motion::jerkOf(timed, evenTimes(points.size(), 0.04)).sumSquared;
+      return motion::jerkOf(motion::jointsOf(points), evenTimes(points.size(), 0.04)).sumSquared;
     };
     EXPECT_LT(jerk(run.points), jerk(run.before)) << seed;
   }

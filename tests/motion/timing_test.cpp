@@ -157,14 +157,11 @@ TEST(Timing, KeepsEveryLimit) {
 
 // A joint that follows t^3 has the jerk 6 everywhere but where it starts and stops.
 TEST(Timing, JerkOfACubic) {
-  std::vector<TimedPoint> points;
+  std::vector<robot::JointVector> points;
   std::vector<double> times;
   for (int i = 0; i <= 20; ++i) {
-    TimedPoint p;
-    p.q.resize(1);
     const double t = 0.1 * i;
-    p.q << t * t * t;
-    points.push_back(p);
+    points.emplace_back(robot::JointVector::Constant(1, t * t * t));
     times.push_back(t);
   }
   points.resize(20); // the stop at the end has a jerk of its own
