@@ -6,8 +6,11 @@
 #include "indicator/joint_circle.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <random>
+#include <set>
+#include <tuple>
 #include <utility>
 
 namespace voluta::indicator {
@@ -42,8 +45,8 @@ public:
       add(f);
   }
 
-  // One round over all pairs that are further apart than `least`, of those that `ofBorder` asks
-  // for. False: nothing was added.
+  // One round over pairs that are further apart than `least` and were not halved yet; `ofBorder`:
+  // of those of which one collides. False: there are none, or no room.
   bool round(double least, bool ofBorder, std::size_t most) {
     if (samples_.size() >= most)
       return false;
@@ -68,16 +71,17 @@ public:
             fresh[i].q = *q;
         }
     });
-    const std::size_t before = samples_.size();
     std::vector<Fresh> kept;
-    for (const Fresh& f : fresh)
-      if (kept.size() < room && isApart(f.q, kept, 0.5 * least))
-        kept.push_back(f);
+    for (std::size_t i = 0; i < fresh.size() && kept.size() < room; ++i) {
+      halved_[ofBorder].emplace(pairs[i].a, pairs[i].b);
+      if (isApart(fresh[i].q, kept, 0.5 * least))
+        kept.push_back(fresh[i]);
+    }
     judge(kept);
     for (const Fresh& f : kept)
       add(f);
     ctx_.checkpoint();
-    return samples_.size() > before;
+    return !pairs.empty();
   }
 
   std::size_t size() const { return samples_.size(); }
@@ -135,7 +139,8 @@ private:
         for (std::size_t n = 0; n < k; ++n) {
           const auto& [squared, o] = near[n];
           const bool wanted = !ofBorder || samples_[i].collides != samples_[o].collides;
-          if (wanted && squared > least * least)
+          if (wanted && squared > least * least &&
+              !halved_[ofBorder].contains({std::min(i, o), std::max(i, o)}))
             found[i].push_back({std::sqrt(squared), std::min(i, o), std::max(i, o)});
         }
       }
@@ -160,6 +165,7 @@ private:
   Eigen::MatrixXd points_; // a column a sample
   std::vector<JudgedJoints> samples_;
   std::vector<char> onContact_;
+  std::array<std::set<std::pair<std::size_t, std::size_t>>, 2> halved_; // of the border or not
 };
 
 } // namespace

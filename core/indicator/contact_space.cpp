@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 using robot::JointVector;
 
 namespace {
-constexpr double kThereMm = 0.01;
-constexpr int kSteps = 10;
+constexpr double kThereMm = 0.05;
+constexpr int kSteps = 20;
 constexpr std::size_t kTriesASample = 50;
 } // namespace
 
@@ -54,7 +54,7 @@ Vector3d ContactSpace::missing(const Vector3d& tip) const {
   const Vector3d& n = plan_.direction[nearest];
   const Vector3d from = tip - plan_.position[nearest];
   const Vector3d along = from - from.dot(n) * n;
-  const double length = along.norm(), reach = 0.5 * static_cast<double>(plan_.widthMm[nearest]);
+  const double length = along.norm(), reach = static_cast<double>(plan_.widthMm[nearest]);
   return (length > reach ? reach / length : 1.0) * along - from;
 }
 

@@ -15,7 +15,7 @@ namespace voluta::indicator {
 
 class ContactSpace {
 public:
-  // Waypoints [first, first + count) of the plan; the surface is what lies within half a bead of
+  // Waypoints [first, first + count) of the plan; the surface is what lies within a bead of
   // one, on the plane across its direction. Cell and plan outlive this. Preconditions: count > 0,
   // inside the plan; the cell has no external axes.
   ContactSpace(const robot::Cell& cell, const plan::ToolPlan& plan, std::size_t first,
@@ -28,9 +28,9 @@ public:
 
   // Of the tip from the surface, mm.
   double distanceMm(const robot::JointVector& q) const;
-  // Near to the nearest joints (by their turns, rad) at which the tip is within 0.01 mm of the
+  // Near to the nearest joints (by their turns, rad) at which the tip is within 0.05 mm of the
   // surface, wherever the nozzle points: Newton's steps on the distance, each the least that does.
-  // Nothing where ten steps do not come there. Joints may leave their limits.
+  // Nothing where twenty steps do not come there. Joints may leave their limits.
   std::optional<robot::JointVector> project(const robot::JointVector& q) const;
 
 private:

@@ -69,8 +69,7 @@ LearnedIndicator::LearnedIndicator(const std::vector<JudgedJoints>& samples,
   svm_set_print_string_function([](const char*) {});
   const Model model(svm_train(&problem, &parameters));
 
-  // libsvm is positive for the kind that it met first.
-  const double sign = first ? 1.0 : -1.0;
+  const double sign = model->label[0] > 0 ? 1.0 : -1.0; // which side it has made positive
   const Eigen::Index n = model->l;
   towards_.resize(n, size);
   offsets_.resize(n);
@@ -115,6 +114,27 @@ JointVector LearnedIndicator::gradient(const JointVector& q) const {
     }
   }
   return gradient;
+}
+
+LearnedIndicator LearnedIndicator::withBias(double more) const {
+  LearnedIndicator other = *this;
+  other.constant_ += more;
+  return other;
+}
+
+double carefulBias(const LearnedIndicator& learned, const std::vector<JudgedJoints>& heldOut,
+                   double mostMissed) {
+  base::require(0.0 <= mostMissed && mostMissed < 1.0, "a share of samples");
+  std::vector<double> values;
+  for (const JudgedJoints& s : heldOut)
+    if (s.collides)
+      values.push_back(learned.value(s.q));
+  if (values.empty())
+    return 0.0;
+  // Below 0 is free: the first value that is not to be missed comes to lie at 0.
+  const auto missed = static_cast<std::ptrdiff_t>(mostMissed * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), values.begin() + missed, values.end());
+  return -values[static_cast<std::size_t>(missed)];
 }
 
 } // namespace voluta::indicator

@@ -17,9 +17,9 @@ struct JudgedJoints {
 };
 
 struct LearningOptions {
-  double gamma = 0.7;     // how narrow kernels are, 1 / rad^2
-  double penalty = 100.0; // of a sample on the wrong side: C of the support vector machine
-  double bias = 1.0;      // added to what was learned; at 1 samples within the margin are not free
+  double gamma = 0.7;   // how narrow kernels are, 1 / rad^2
+  double penalty = 1e4; // of a sample on the wrong side: C of the support vector machine
+  double bias = 1.0;    // added to what was learned; at 1 samples within the margin are not free
 };
 
 // Immutable; queries may run in parallel.
@@ -38,6 +38,9 @@ public:
   robot::JointVector gradient(const robot::JointVector& q) const;
   bool saysFree(const robot::JointVector& q) const { return value(q) < 0.0; }
 
+  // The same with so much more added: more careful where it is more than 0.
+  LearnedIndicator withBias(double more) const;
+
   std::size_t kernels() const { return static_cast<std::size_t>(weights_.size()); }
 
 private:
@@ -49,5 +52,11 @@ private:
   Eigen::ArrayXd offsets_;  // -gamma times its centre's squared length
   Eigen::VectorXd weights_;
 };
+
+// The bias to add so that of the samples that collide at most the share `mostMissed` is called
+// free. Samples that it has not learned from, as they will be asked for: on those that it has, it
+// is better than it is. 0 where none collides. Precondition: 0 <= mostMissed < 1.
+double carefulBias(const LearnedIndicator& learned, const std::vector<JudgedJoints>& heldOut,
+                   double mostMissed);
 
 } // namespace voluta::indicator

@@ -1,12 +1,12 @@
 // What a learned indicator is worth beside the true check (Dai 2020, 4.5.1 and table 4.1):
 // indicator_table [--cell ID] [--layers N] [--samples N] [--checks N] [--penalty C] [--gamma G]
-// [--bias B] JOB. For N layers spread over the job's it learns from samples about the layer's
-// contact space, against the bodies of the cell and the part as it is when the layer is done, and
-// from as many random ones. Verified on samples of contact and on such with each joint up to 0.1
-// rad beside them. Columns: TNR as eq. 4.16 has it (of what is free, how much is called free); of
-// what is called free, how much is (as the words beside it have it); of what collides, how much is
-// called free. Then processor time a question: true check, its distances, indicator, its gradient,
-// FCL's check and distances; and what all of the job's questions would cost.
+// [--bias B] [--sweep] JOB. For N layers spread over the job's it learns from samples about the
+// layer's contact space, against the bodies of the cell and the part as it is when the layer is
+// done, and from as many random ones. Verified on samples of contact and on such with each joint up
+// to 0.1 rad beside them. Columns: TNR as eq. 4.16 has it (of what is free, how much is called
+// free); of what is called free, how much is (as the words beside it have it); of what collides,
+// how much is called free. Then processor time a question: true check, its distances, indicator,
+// its gradient, FCL's check and distances; and after how many questions the learning has paid.
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
@@ -38,12 +38,14 @@ using robot::JointVector;
 
 constexpr double kBesideRad = 0.1;
 constexpr double kFclPitchMm = 1.0;
+constexpr double kMostMissed = 0.01;
 
 struct Settings {
   indicator::ContactSampling sampling;
   indicator::LearningOptions learning;
   std::size_t checks = 100000;
   int layers = 3;
+  bool sweep = false;
 };
 
 double processorSeconds() {
@@ -59,7 +61,7 @@ template <typename Ask> double secondsEach(const std::vector<JointVector>& all, 
   const double seconds = processorSeconds() - start;
   if (sum == -1.0)
     std::printf(" ");
-  return seconds / static_cast<double>(all.size());
+  return all.empty() ? 0.0 : seconds / static_cast<double>(all.size());
 }
 
 std::vector<JudgedJoints> judged(const std::vector<JointVector>& all,
@@ -83,8 +85,9 @@ std::vector<JointVector> beside(std::vector<JointVector> all, std::uint64_t seed
 }
 
 // `count` of them, half on contact and half beside.
-std::vector<JointVector> random(const indicator::ContactSpace& space, std::size_t count) {
-  std::vector<JointVector> all = space.random(count / 2, 11), more = beside(all, 12);
+std::vector<JointVector> random(const indicator::ContactSpace& space, std::size_t count,
+                                std::uint64_t seed) {
+  std::vector<JointVector> all = space.random(count / 2, seed), more = beside(all, seed + 1);
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -183,10 +186,33 @@ void measure(const Layer& layer, const robot::Cell& cell, const collision::CellC
   const LearnedIndicator learned(samples, cell.limits(), settings.learning);
   const double training = processorSeconds() - start;
   row("contact samples", samples.size(), learned, near, contact, ctx);
+  start = processorSeconds();
+  const std::vector<JudgedJoints> heldOut =
+      judged(random(space, 2 * settings.sampling.samples, 31), collides, ctx);
+  const double extra = carefulBias(learned, heldOut, kMostMissed);
+  const double calibrating = processorSeconds() - start;
+  row("bias found", samples.size(), learned.withBias(extra), near, contact, ctx);
+  std::printf("    bias %.2f, found in %.2f s\n", settings.learning.bias + extra, calibrating);
+  if (settings.sweep)
+    for (const double gamma : {0.7, 2.0, 6.0})
+      for (const double penalty : {1.0, 100.0, 10000.0}) {
+        indicator::LearningOptions learning = settings.learning;
+        learning.gamma = gamma;
+        learning.penalty = penalty;
+        const double begin = processorSeconds();
+        const LearnedIndicator other(samples, cell.limits(), learning);
+        std::printf("    gamma %g, penalty %g, %.2f s\n", gamma, penalty,
+                    processorSeconds() - begin);
+        row("as asked for", samples.size(), other, near, contact, ctx);
+        row("bias found", samples.size(), other.withBias(carefulBias(other, heldOut, kMostMissed)),
+            near, contact, ctx);
+      }
   for (const std::size_t count : {samples.size(), 2 * samples.size()}) {
-    const std::vector<JudgedJoints> many = judged(random(space, count), collides, ctx);
-    row("random samples", many.size(), {many, cell.limits(), settings.learning}, near, contact,
-        ctx);
+    const std::vector<JudgedJoints> many = judged(random(space, count, 11), collides, ctx);
+    const LearnedIndicator other(many, cell.limits(), settings.learning);
+    row("random samples", many.size(), other, near, contact, ctx);
+    row("bias found", many.size(), other.withBias(carefulBias(other, heldOut, kMostMissed)), near,
+        contact, ctx);
   }
 
   constexpr std::size_t kTimed = 20000;
@@ -194,10 +220,14 @@ void measure(const Layer& layer, const robot::Cell& cell, const collision::CellC
       on.begin(), on.begin() + static_cast<std::ptrdiff_t>(std::min(kTimed, on.size())));
   const std::vector<JointVector> few(
       asked.begin(),
-      asked.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(500, asked.size())));
+      asked.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(40, asked.size())));
   collision::CellCollision::Frames frames;
   test::FclCell fcl(cell, coarse, before);
-  const double check = secondsEach(asked, collides);
+  std::vector<JointVector> free;
+  for (std::size_t i = 0; i < contact.size() && free.size() < kTimed; ++i)
+    if (!contact[i].collides)
+      free.push_back(contact[i].q);
+  const double check = secondsEach(asked, collides), freeCheck = secondsEach(free, collides);
   const double frame = secondsEach(asked, [&](const JointVector& q) {
     cell.framePoses(q, frames);
     return frames.back().translation().x();
@@ -217,11 +247,12 @@ void measure(const Layer& layer, const robot::Cell& cell, const collision::CellC
     cell.framePoses(q, frames);
     return fcl.distance(frames);
   });
-  std::printf("  us a question: check %.2f (of which poses %.2f)  distances %.2f  indicator %.2f  "
+  std::printf("  us a question: check %.2f (of free ones %.2f, poses alone %.2f)  distances %.2f  "
+              "indicator %.2f  "
               "gradient %.2f  FCL %.1f  FCL distances %.1f (part of %zu triangles)\n",
-              1e6 * check, 1e6 * frame, 1e6 * distances, 1e6 * value, 1e6 * gradient,
-              1e6 * fclCheck, 1e6 * fclDistance, fcl.partTriangles());
-  const double saved = check - value;
+              1e6 * check, 1e6 * freeCheck, 1e6 * frame, 1e6 * distances, 1e6 * value,
+              1e6 * gradient, 1e6 * fclCheck, 1e6 * fclDistance, fcl.partTriangles());
+  const double saved = freeCheck - value;
   std::printf("  s: sampling %.2f, learning %.2f: as much as %.0f true checks", sampling, training,
               (sampling + training) / check);
   if (saved > 0.0)
@@ -251,6 +282,8 @@ int main(int argc, char** argv) {
       settings.learning.gamma = std::stod(argv[++i]);
     else if (word == "--bias" && more)
       settings.learning.bias = std::stod(argv[++i]);
+    else if (word == "--sweep")
+      settings.sweep = true;
     else
       file = word;
   }

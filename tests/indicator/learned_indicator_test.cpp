@@ -172,6 +172,7 @@ TEST(LearnedIndicator, MoreBiasIsMoreCareful) {
   const std::vector<JudgedJoints> samples = taught(arm, arm.onTheLine(500, 1));
   const std::vector<JointVector> line = arm.onTheLine(20000, 9);
   Rates last{1.0, 1.0};
+  std::vector<Rates> all;
   for (const double bias : {0.0, 0.5, 1.0, 2.0}) {
     indicator::LearningOptions options;
     options.bias = bias;
@@ -179,6 +180,27 @@ TEST(LearnedIndicator, MoreBiasIsMoreCareful) {
     EXPECT_LE(r.missed, last.missed);
     EXPECT_LE(r.freeFound, last.freeFound);
     last = r;
+    all.push_back(r);
   }
-  EXPECT_LT(last.freeFound, 0.9);
+  EXPECT_LT(all.back().missed, all.front().missed);
+  EXPECT_LT(all.back().freeFound, all.front().freeFound);
+}
+
+// Held to a share of what collides among samples that it has not seen, it keeps to it among others.
+TEST(LearnedIndicator, CarefulBiasKeepsItsShare) {
+  const test::PlanarArm arm;
+  const LearnedIndicator learned(taught(arm, arm.onTheLine(500, 1)), arm.limits(), {});
+  const std::vector<JudgedJoints> heldOut =
+      taught(arm, test::shaken(arm.onTheLine(20000, 5), 0.1, 6));
+  double last = 1e9;
+  for (const double share : {0.0, 0.01, 0.05, 0.2}) {
+    const double more = carefulBias(learned, heldOut, share);
+    EXPECT_LT(more, last);
+    last = more;
+    const LearnedIndicator careful = learned.withBias(more);
+    EXPECT_NEAR(careful.value(heldOut[0].q), learned.value(heldOut[0].q) + more, 1e-9);
+    const double others = rates(careful, arm, test::shaken(arm.onTheLine(20000, 7), 0.1, 8)).missed;
+    EXPECT_NEAR(others, share, 0.003 + 0.05 * share);
+  }
+  EXPECT_EQ(carefulBias(learned, {{heldOut[0].q, false}}, 0.01), 0.0);
 }
