@@ -180,12 +180,11 @@ std::vector<JudgedJoints> contactSamples(const std::vector<JointVector>& first,
                 "samples are denser at the border");
   Sampler sampler(limits, collides, project, options, ctx);
   sampler.begin(first);
-  // Half of them are left for the border, whatever the surface's size.
+  // Half of them are left for the border, whatever the surface's size. Where it needs fewer,
+  // samples get closer everywhere, and the border with them.
   const std::size_t even = (options.samples + sampler.size()) / 2;
-  std::size_t before = 0;
-  while (sampler.size() > before && sampler.size() < options.samples) {
-    before = sampler.size();
-    while (sampler.round(options.evenRad, false, even)) {
+  for (double apart = options.evenRad; apart > options.borderRad; apart *= 0.5) {
+    while (sampler.round(apart, false, even)) {
     }
     while (sampler.round(options.borderRad, true, options.samples)) {
     }

@@ -2,11 +2,13 @@
 // indicator_table [--cell ID] [--layers N] [--samples N] [--checks N] [--penalty C] [--gamma G]
 // [--bias B] [--sweep] JOB. For N layers spread over the job's it learns from samples about the
 // layer's contact space, against the bodies of the cell and the part as it is when the layer is
-// done, and from as many random ones. Verified on samples of contact and on such with each joint up
-// to 0.1 rad beside them. Columns: TNR as eq. 4.16 has it (of what is free, how much is called
-// free); of what is called free, how much is (as the words beside it have it); of what collides,
-// how much is called free. Then processor time a question: true check, its distances, indicator,
-// its gradient, FCL's check and distances; and after how many questions the learning has paid.
+// done, and from as many random ones. "bias found": the bias is such that of other samples beside
+// contact that collide one in a hundred is called free. --sweep: other gammas and penalties.
+// Verified on samples of contact and on such with each joint up to 0.1 rad beside them. Columns:
+// TNR as eq. 4.16 has it (of what is free, how much is called free); of what is called free, how
+// much is (as the words beside it have it); of what collides, how much is called free. Then
+// processor time a question: true check, its distances, indicator, its gradient, FCL's check and
+// distances; and after how many questions the learning has paid.
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
@@ -188,7 +190,7 @@ void measure(const Layer& layer, const robot::Cell& cell, const collision::CellC
   row("contact samples", samples.size(), learned, near, contact, ctx);
   start = processorSeconds();
   const std::vector<JudgedJoints> heldOut =
-      judged(random(space, 2 * settings.sampling.samples, 31), collides, ctx);
+      judged(beside(space.random(2 * settings.sampling.samples, 31), 32), collides, ctx);
   const double extra = carefulBias(learned, heldOut, kMostMissed);
   const double calibrating = processorSeconds() - start;
   row("bias found", samples.size(), learned.withBias(extra), near, contact, ctx);

@@ -84,6 +84,7 @@ TEST(ContactSamples, EndWhereThereIsNothingToTell) {
   arm.disc = {100.0, 0.0};
   indicator::ContactSampling sampling;
   sampling.samples = 100000;
+  sampling.borderRad = 0.3;
   const auto samples = sampled(arm, sampling, {});
   EXPECT_GT(samples.size(), kFirst - 1);
   EXPECT_LT(samples.size(), 5000u);
