@@ -20,8 +20,7 @@ namespace voluta::indicator {
 struct ContactSampling {
   std::size_t samples = 3020;  // at most so many
   std::size_t neighbours = 20; // of a sample that are looked at
-  double evenRad = 0.8; // neighbours further apart get one half way between them; halved while
-                        // there is room
+  double evenRad = 0.8;    // neighbours further apart get one between; halved while there is room
   double borderRad = 0.05; // and so do those of which one collides, if further apart than this
   std::uint64_t seed = 1;
 };
