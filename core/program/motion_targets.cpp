@@ -99,6 +99,10 @@ bool isPrint(const plan::Trajectory& trajectory, std::size_t point) {
   return point > 0 && trajectory.move[point] == plan::MoveKind::Print;
 }
 
+bool standsClear(const plan::Trajectory& trajectory, std::size_t point) {
+  return point > 0 && !isPrint(trajectory, point) && !isPrint(trajectory, point - 1);
+}
+
 double primeFlowMm3PerS(const process::Process& process) {
   return std::min(process.maxFlowMm3PerS,
                   process::beadArea(process.beadWidthMm, process.layerHeightMm) *

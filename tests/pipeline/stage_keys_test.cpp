@@ -82,6 +82,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"tableSense", {"tool", kStageCount}},
     {"tableTurns", {"2", kStageCount}},
     {"mxtController", {"cr800", kStageCount}},
+    {"extruderAxisMm", {"5000", kStageCount}}, // nor here
     {"retractMm", {"1", 5}},
     {"underlay", {"none", 3}},
     {"prime", {"skirt", 3}},
