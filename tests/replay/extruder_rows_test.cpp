@@ -283,16 +283,20 @@ protected:
       concerned =
           motion > 0 && motion <= whole_.motions.size() ? whole_.motions[motion - 1].line : 1;
     }
-    std::size_t following = 0;
+    // At the line or behind it; and, where that line is a motion of its own, the one behind that.
+    std::size_t following = 0, second = 0;
     if (!streams())
       for (const plan::ProgramMotion& m : whole_.motions)
-        if (following == 0 && m.line >= line)
+        if (m.line >= line && following == 0)
           following = m.line;
+        else if (m.line > line && second == 0)
+          second = m.line;
     return !v.passed && std::any_of(v.places.begin(), v.places.end(), [&](TextPlace p) {
       if (p.file == harmed() + 1 && near(p.line, line))
         return true;
       return streams() ? p.file != harmed() + 1 && near(p.line, concerned)
-                       : near(p.line, following);
+                       : near(p.line, following) ||
+                             (following == line && second > 0 && near(p.line, second));
     });
   }
 
