@@ -100,7 +100,8 @@ bool isPrint(const plan::Trajectory& trajectory, std::size_t point) {
 }
 
 bool standsClear(const plan::Trajectory& trajectory, std::size_t point) {
-  return point > 0 && !isPrint(trajectory, point) && !isPrint(trajectory, point - 1);
+  return point > 0 && !isPrint(trajectory, point) && !isPrint(trajectory, point - 1) &&
+         trajectory.move[point - 1] != plan::MoveKind::Wipe;
 }
 
 double primeFlowMm3PerS(const process::Process& process) {
