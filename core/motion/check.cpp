@@ -133,7 +133,9 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
           const double step =
               trajectory.move[i] == plan::MoveKind::Joint ? kJointStep : kStraightStep;
           const int pieces = static_cast<int>(std::ceil(scene.span(last, q) / step));
-          Between between(scene.cell, last, q, trajectory.move[i] == plan::MoveKind::Linear);
+          const bool straight = trajectory.move[i] == plan::MoveKind::Linear ||
+                                trajectory.move[i] == plan::MoveKind::Wipe;
+          Between between(scene.cell, last, q, straight);
           for (int k = 1; k < pieces && !contact; ++k) {
             scene.cell.framePoses(between.at(static_cast<double>(k) / pieces), frames);
             // Where printing stops or starts the head is at work too until it has left.

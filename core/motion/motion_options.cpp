@@ -32,6 +32,10 @@ base::ParameterTable motionParameters() {
        base::numberParameter(
            "liftMm", "mm", d.liftMm, 0.5, 100.0, "Motion"_text, "lift"_text,
            "How far the nozzle leaves the part, at least, before it travels."_text),
+       base::numberParameter(
+           "wipeMm", "mm", d.wipeMm, 0.0, 20.0, "Motion"_text, "wipe"_text,
+           "How far the nozzle goes back over its bead, or on along one that closes, with the "
+           "extruder off, before it lifts for the next. 0: it lifts where the bead ends."_text),
        base::choiceParameter(
            kNozzleTurn, "free",
            {{"free", "as the arm goes best"_text},
@@ -65,6 +69,7 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.travelling.bodiesMm = o.printing.bodiesMm;
   o.travelling.partMm = o.printing.partMm;
   o.liftMm = values.number("liftMm");
+  o.wipeMm = values.number("wipeMm");
   o.hopLiftMm = std::min(o.hopLiftMm, o.liftMm);
   o.samples = static_cast<int>(values.integer("redundancySamples"));
   o.turn = nozzleTurn(values.text(kNozzleTurn));

@@ -44,11 +44,12 @@ struct MotionOptions {
   // How far directions may lean where whole paths are smoothed. At 5 degrees jerk is less still,
   // but some travels were found to lose their straight way.
   double leanRad = base::degreesToRadians(3.0);
+  double wipeMm = 0.0; // along the bead before the lift, the extruder off
 
   double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };
 
-// Keys: bodyClearanceMm, partClearanceMm, liftMm, nozzleTurn, redundancySamples,
+// Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleTurn, redundancySamples,
 // turnSmoothing, directionConeDeg.
 base::ParameterTable motionParameters();
 // Throws nothing when `values` are over a table with motionParameters().

@@ -94,11 +94,20 @@ private:
     const plan::ToolPath &pathA = scene_.plan.paths[a.path], &pathB = scene_.plan.paths[b.path];
     const bool hop = pathA.layer == pathB.layer && pathA.patch == pathB.patch &&
                      (last.at.tip - first.at.tip).norm() <= scene_.options.hopMm;
-    return known_.of(Way::Between, last.at, first.at, last.next, first.next, surrounds_[b.path],
-                     [&] {
-                       return usual_.plan(last.at, first.at, hop, first.next, surrounds_[b.path],
-                                          scene_.options.seed + first.next, ctx_);
-                     });
+    const auto from = [&](const RobotState& state) {
+      return known_.of(Way::Between, state, first.at, last.next, first.next, surrounds_[b.path],
+                       [&] {
+                         return usual_.plan(state, first.at, hop, first.next, surrounds_[b.path],
+                                            scene_.options.seed + first.next, ctx_);
+                       });
+    };
+    const std::vector<TransferPoint> wipe = usual_.wipe(a, scene_.options.wipeMm, first.next);
+    if (!wipe.empty())
+      if (std::optional<Transfer> way = from(wipe.back().at)) {
+        way->points.insert(way->points.begin(), wipe.begin(), wipe.end());
+        return way;
+      }
+    return from(last.at);
   }
 
   RobotState rest() {

@@ -43,6 +43,7 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 // Finds the ways. Where none leads from a run to the next, the arm goes home and comes from there;
 // where that fails too, the run is planned again as it is come to from home, in another branch of
 // the arm, and those that follow it are planned again to follow on it.
+// A way to the next run begins with a wipe where options.wipeMm asks for one and it is free.
 // Where it would not get away from a run's end, that run ends where it does; where it cannot come
 // to a run's start, that run begins where it can. What is lost so is a piece of that run, at the
 // worst all of it, and never what follows. The last way, home, is always there where a run is.

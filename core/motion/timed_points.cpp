@@ -82,10 +82,12 @@ std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<R
 std::vector<TimedPoint> timedPoints(const RobotState& from, const Transfer& transfer,
                                     double speedMmPerS) {
   std::vector<TimedPoint> timed{{from.q, from.tip, speedMmPerS, false, true}};
+  plan::MoveKind last = plan::MoveKind::Linear;
   for (const TransferPoint& p : transfer.points) {
     const bool joint = p.move == plan::MoveKind::Joint;
-    if (timed.size() > 1 && timed.back().jointMove != joint)
+    if (timed.size() > 1 && p.move != last)
       timed.back().stop = true;
+    last = p.move;
     timed.push_back({p.at.q, p.at.tip, speedMmPerS, joint, false, p.most});
   }
   return timed;

@@ -42,6 +42,9 @@ std::string trajectoryCsv(const plan::Trajectory& trajectory,
     case plan::MoveKind::Joint:
       text += ",joint\n";
       break;
+    case plan::MoveKind::Wipe:
+      text += ",wipe\n";
+      break;
     }
   }
   return text;

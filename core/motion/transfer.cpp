@@ -193,6 +193,30 @@ void TransferPlanner::appendJointWay(const std::vector<JointVector>& way, const 
   points.back().at = to;
 }
 
+std::vector<TransferPoint> TransferPlanner::wipe(const Run& run, double lengthMm,
+                                                 std::size_t before) const {
+  constexpr double kSameMm = 1e-6, kSameToolRad = base::degreesToRadians(5.0);
+  const std::size_t n = run.points.size();
+  const RobotState &first = run.points.front().at, &end = run.points.back().at;
+  const bool goesOn =
+      (end.tip - first.tip).norm() < kSameMm && angleBetween(end.tool, first.tool) < kSameToolRad;
+  Points points;
+  RobotState last = end;
+  for (std::size_t k = 1; k < n && lengthMm > 0.0; ++k) {
+    const RobotState& to = run.points[goesOn ? k : n - 1 - k].at;
+    const double step = (to.tip - last.tip).norm();
+    const double share = step > lengthMm ? lengthMm / step : 1.0;
+    if (!linear(last, last.tip + share * (to.tip - last.tip), last.tool.slerp(share, to.tool),
+                before, scene_.options.printing, points))
+      break;
+    last = points.back().at;
+    lengthMm -= step;
+  }
+  for (TransferPoint& point : points)
+    point.move = MoveKind::Wipe;
+  return points;
+}
+
 std::optional<TransferKind> TransferPlanner::swing(const RobotState& from, const RobotState& to,
                                                    std::size_t before, std::uint64_t seed,
                                                    const base::RunContext& ctx,

@@ -49,6 +49,11 @@ public:
                                std::size_t before, const Surround& surround, std::uint64_t seed,
                                const base::RunContext& ctx) const;
 
+  // Along the run's own bead with the extruder off, for `lengthMm` at most: on where it closes and
+  // the tool stands as it did there, else back. As far as that is free with everything printed
+  // before waypoint `before` in place; checked as a straight way is.
+  std::vector<TransferPoint> wipe(const Run& run, double lengthMm, std::size_t before) const;
+
   // The same from or to a state that is not at the part (home): joint moves only.
   std::optional<Transfer> approach(const RobotState& home, const RobotState& start,
                                    std::size_t before, const Surround& surround, std::uint64_t seed,

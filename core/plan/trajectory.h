@@ -14,7 +14,8 @@ inline constexpr std::size_t kNoWaypoint = std::numeric_limits<std::size_t>::max
 enum class MoveKind : std::uint8_t {
   Print,  // straight in the work frame, extruding
   Linear, // straight in the work frame, not extruding (approach, lift, straight transfer)
-  Joint   // linear in joints, not extruding (transfer; also the first point, from rest)
+  Joint,  // linear in joints, not extruding (transfer; also the first point, from rest)
+  Wipe    // as Linear, but along a bead that was just printed, before the nozzle lifts
 };
 
 struct Trajectory {

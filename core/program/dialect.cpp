@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "geometry/directions.h"
 #include "program/extruder.h"
+#include "program/extruder_axis.h"
 #include "program/extruder_stream.h"
 #include "program/gcode_bc.h"
 #include "program/gcode_extended.h"
@@ -125,7 +126,7 @@ const std::vector<Dialect>& dialects() {
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
        .merge =
            {.leastS = 0.024, .leastMm = 0.5, .motionS = kRapidMotionS, .jointRad = kSameJointRad},
-       .extruders = {kOutputsExtruder, kStreamExtruder},
+       .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
        .options = rapidOptions,
        .longestText = 80, // of a string
        .write = writeRapid,
@@ -148,7 +149,7 @@ const std::vector<Dialect>& dialects() {
                 .lookAhead = 5},
        // Two cycles of its interpolation.
        .merge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad},
-       .extruders = {kOutputsExtruder, kStreamExtruder},
+       .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
        .options = krlOptions,
        .write = writeKrl,
        .read = readKrl,
@@ -277,15 +278,30 @@ std::vector<base::ParameterSpec> optionsOf(const Dialect& dialect) {
       dialect.options ? dialect.options() : std::vector<base::ParameterSpec>();
   if (dialect.extruders.size() > 1)
     options.push_back(extruderOption(dialect.extruders));
+  if (std::ranges::find(dialect.extruders, kAxisExtruder) != dialect.extruders.end())
+    options.push_back(extruderAxisMm());
   return options;
 }
+
+namespace {
+// Dialects offer what they have of a choice that they share.
+void addChoices(const base::ParameterSpec& from, base::ParameterSpec& to) {
+  for (const base::Choice& choice : from.choices)
+    if (std::ranges::find(to.choices, choice.id, &base::Choice::id) == to.choices.end())
+      to.choices.push_back(choice);
+}
+} // namespace
 
 base::ParameterTable programParameters() {
   std::vector<base::ParameterSpec> all;
   for (const Dialect& dialect : dialects())
-    for (base::ParameterSpec& option : optionsOf(dialect))
-      if (std::ranges::find(all, option.key, &base::ParameterSpec::key) == all.end())
+    for (base::ParameterSpec& option : optionsOf(dialect)) {
+      const auto known = std::ranges::find(all, option.key, &base::ParameterSpec::key);
+      if (known == all.end())
         all.push_back(std::move(option));
+      else
+        addChoices(option, *known);
+    }
   return base::ParameterTable(std::move(all));
 }
 

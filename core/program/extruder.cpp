@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "program/castelli_serial.h"
+#include "program/extruder_axis.h"
 #include "program/filament.h"
 #include "program/text.h"
 
@@ -37,6 +38,10 @@ const std::vector<Extruder>& extruders() {
        .streams = true,
        .filamentMm = kFilamentDiameterMm,
        .lagS = 0.01},
+      {.id = kAxisExtruder,
+       .label = "external axis"_text,
+       .byAxis = true,
+       .filamentMm = kFilamentDiameterMm},
   };
   return table;
 }
@@ -59,7 +64,7 @@ base::ParameterSpec extruderOption(std::span<const std::string_view> ids) {
   return base::choiceParameter(
       std::string(kExtruderOption), std::string(kAsCell), std::move(choices), "Programs"_text,
       "extruder"_text,
-      "How the program tells the extruder how much to give: outputs, one on and off, one for the flow; Castelli serial, texts over a socket; E stream, a file of amounts over time."_text);
+      "How the program tells the extruder how much to give: outputs, one on and off, one for the flow; Castelli serial, texts over a socket; E stream, a file of amounts over time; external axis, mm of filament in each motion."_text);
 }
 
 const Extruder& extruderOf(const ProgramInput& input) {

@@ -32,6 +32,7 @@ struct Extruder {
   // A file beside the program tells the flow, from each moment on at which the digital output goes
   // on (extruder_stream.h).
   bool streams = false;
+  bool byAxis = false;        // an external axis that each motion takes along (extruder_axis.h)
   double filamentMm = 0.0;    // its diameter, of one that can draw back; 0: it cannot
   double lagS = 0.0;          // assumed, from the word to the filament; told, not made up for
   std::string_view note = {}; // of its words, for the program's head

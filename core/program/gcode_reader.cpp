@@ -8,11 +8,6 @@
 
 namespace voluta::program {
 
-namespace {
-// Longer than any path from an extruder's gear to the melt that slicers draw back on (they use 0.5
-// to 10 mm).
-} // namespace
-
 GcodeReader::GcodeReader(std::string_view format, const process::Process& process,
                          const base::RunContext& ctx)
     : out_(format, process), process_(process), ctx_(ctx) {
@@ -149,10 +144,8 @@ void GcodeReader::setPosition(GcodeWords& w) {
   const bool turns = isTarget('A') || isTarget('B') || isTarget('C');
   if (w.any("XYZ") || (turns && !setsCount(w)))
     defect("a shifted origin is not understood"_text);
-  if (w['E']) {
-    farthestE_ += *w['E'] - e_; // what is drawn back stays so
-    e_ = *w['E'];
-  }
+  if (w['E'])
+    e_.set(*w['E']);
 }
 
 double GcodeReader::secondsOf(GcodeWords&, double filamentMm) {
@@ -175,14 +168,12 @@ void GcodeReader::motion(double g, GcodeWords& w) {
   }
   double pushedMm = 0.0, filamentMm = 0.0;
   if (w['E']) {
-    const double before = e_;
-    e_ = relativeE_ ? e_ + *w['E'] : *w['E'];
-    filamentMm = std::abs(e_ - before);
-    if (farthestE_ - e_ > kMostDrawnBackMm && e_ < before)
+    const double before = e_.mm();
+    pushedMm = e_.to(relativeE_ ? before + *w['E'] : *w['E']);
+    filamentMm = std::abs(e_.mm() - before);
+    if (e_.drawnBackMm() > kMostDrawnBackMm && e_.mm() < before)
       defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
-                           base::mm(farthestE_ - e_)));
-    pushedMm = std::max(0.0, e_ - farthestE_);
-    farthestE_ = std::max(farthestE_, e_);
+                           base::mm(e_.drawnBackMm())));
   }
   const bool moves = w.any("XYZ") || movesBeside(w);
   // Before the first target material is pushed out at home (prime); later it would be a blob.

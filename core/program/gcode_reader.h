@@ -75,7 +75,8 @@ private:
   const base::RunContext& ctx_;
   std::array<bool, 3> known_{};
   double filamentMm2_ = filamentArea();
-  double e_ = 0.0, farthestE_ = 0.0, celsius_ = 0.0;
+  FilamentCount e_;
+  double celsius_ = 0.0;
   bool relativeE_ = false, cold_ = false, motorsOff_ = false, ended_ = false;
 };
 

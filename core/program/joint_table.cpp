@@ -22,6 +22,8 @@ std::string_view nameOf(plan::MoveKind move) {
     return "print";
   case plan::MoveKind::Linear:
     return "linear";
+  case plan::MoveKind::Wipe:
+    return "wipe";
   case plan::MoveKind::Joint:
     break;
   }
@@ -119,7 +121,7 @@ private:
     }
     good = good && takeField(rest, extruded) && takeField(rest, waypoint);
     m.jointInterpolated = rest == "joint";
-    if (!good || !(rest == "print" || rest == "linear" || rest == "joint")) {
+    if (!good || !(rest == "print" || rest == "linear" || rest == "wipe" || rest == "joint")) {
       defect("not a row of the table"_text);
       return;
     }

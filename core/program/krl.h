@@ -22,6 +22,9 @@
 // TRIGGER at the next motion's beginning. A program of more than kKrlMotionsPerFile points gets
 // files of about that many, which the first one calls in turn; its head tells when all are more
 // than ProgramOptions::krlMemoryMb.
+// An extruder that is an external axis has the first E that moves no part, in every target;
+// EXTRUDER_AXIS says its number, a PTP of it alone feeds while the arm stands, and the module
+// ZERO_EXTRUDER, a file of its own, is where it is set to 0.
 #pragma once
 
 #include "base/run_context.h"
@@ -42,6 +45,11 @@ inline constexpr std::size_t kKrlMotionsPerFile = 2500;
 inline constexpr double kKrlPtpDegPerS = 180.0;
 // $ACC_MA.CP, assumed: who sets $ACC.CP no lower asks for nothing.
 inline constexpr double kKrlMostMmPerS2 = 10000.0;
+
+// Of an extruder that is an external axis (program/extruder_axis.h): the number of its E; the
+// module that who stands by sets it to 0 in; and its most, assumed, which $VEL_EXTAX is percent of.
+inline constexpr std::string_view kKrlExtruder = "EXTRUDER_AXIS", kKrlZero = "ZERO_EXTRUDER";
+inline constexpr double kKrlExtruderMmPerS = 20.0;
 
 // motionsPerFile; krlMemoryMb: what the controller has room for; the head of a longer program says
 // so.

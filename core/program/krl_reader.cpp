@@ -1,8 +1,11 @@
 #include "base/units.h"
 #include "program/krl.h"
+#include "program/krl_externals.h"
+#include "program/krl_speeds.h"
 #include "program/krl_values.h"
 #include "program/procedures.h"
 #include "program/program_builder.h"
+#include "program/rapid_tokens.h"
 #include "program/text.h"
 
 #include <Eigen/Geometry>
@@ -19,9 +22,7 @@ namespace voluta::program {
 namespace {
 
 constexpr std::string_view kExtruder = "$out[1]", kFlow = "$anout[1]";
-constexpr double kMostMm = 1e5, kMostDegrees = 6000.0, kMostExternalDegrees = 1e7,
-                 kMostSeconds = 1e5;
-constexpr double kTurnDegPerS = 400.0; // of a program that sets no limit: machine data mostly
+constexpr double kMostDegrees = 6000.0, kMostSeconds = 1e5;
 
 std::string rootOf(std::string_view path) {
   return std::string(path.substr(0, path.find_first_of(".[")));
@@ -57,9 +58,10 @@ public:
     }
     const Procedures::Statement run = wholly([this](LineCursor& line) { return statement(line); });
     complete = procedures_.run(run) && complete && !openData_;
-    if (!out_.outputsEnded())
+    const bool off = externals_.extruder() || out_.outputsEnded();
+    if (!off)
       out_.defect("the extruder is not set off behind the last motion"_text);
-    return out_.take(complete && !missing_ && out_.outputsEnded());
+    return out_.take(complete && !missing_ && off);
   }
 
 private:
@@ -134,16 +136,28 @@ private:
     if (procedures_.contains(word)) {
       if (!line.takeMark('(') || !line.takeMark(')') || !line.ended())
         return false;
-      return procedures_.call(word);
+      return word == inSmallLetters(kKrlZero) ? zeroExtruder() : procedures_.call(word);
     }
     if (line.isMark('(') && LineCursor(line.rest().substr(1), kKrlSyntax).isMark(')'))
       return missing_ = true, fail(base::message("the module with {procedure} is not here"_text,
                                                  word.substr(0, 40)));
+    if (word == "halt" && zeroing_)
+      return line.ended();
     if (!out_.word(krlWords(), word))
       return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
     if (word == "halt" && !line.ended())
       return false;
     return takeRest(line);
+  }
+
+  bool zeroExtruder() {
+    zeroing_ = true;
+    const bool known = procedures_.call(inSmallLetters(kKrlZero));
+    zeroing_ = false;
+    stopAdvance();
+    out_.zeroAxis();
+    externals_.zeroExtruder();
+    return known;
   }
 
   // DECL TYPE name [= value] {, name [= value]}
@@ -203,6 +217,11 @@ private:
       return fail("$IPO_MODE is #BASE or #TCP"_text);
     if (root == "$ori_type" && value.words[""] != "var")
       return fail("the tool does not turn evenly along its way"_text);
+    if (root == "$vel_extax") {
+      variables_.set(path, value);
+      if (externals_.extruder())
+        return true; // the reader follows it
+    }
     if (!declared_.contains(root) && !isState(root) && !out_.word(krlWords(), root))
       return fail(base::message("'{word}' is not known to the reader"_text, root.substr(0, 40)));
     if (root == "$advance")
@@ -317,7 +336,8 @@ private:
       return false;
     if (word == "vel_ptp" && number > 0.0 && number <= 100.0) {
       for (int axis = 1; axis <= 6; ++axis)
-        variables_.set("$vel_axis[" + std::to_string(axis) + "]", number);
+        for (const char* of : {"$vel_axis[", "$vel_extax["})
+          variables_.set(of + std::to_string(axis) + "]", number);
     } else if (word == "vel_cp" && given) {
       variables_.set("$vel.cp", number);
     } else if (word == "tool" || word == "base") {
@@ -383,36 +403,54 @@ private:
 
   bool finish(plan::ProgramMotion m, const KrlValue& target, bool rounds) {
     aheadOfArm_ = false;
-    if (!targetOf(m, target) || !speedOf(m) || (rounds && !blendOf(m)))
+    if (const auto mm = externals_.extruderAlone(target))
+      return m.jointInterpolated && !rounds && feed(*mm);
+    if (!targetOf(m, target))
       return false;
+    auto wrong = krlSpeed(variables_, lastKind_ == m.target ? last_ : std::nullopt, m);
+    if (!wrong && rounds)
+      wrong = krlBlend(variables_, m);
+    if (wrong)
+      return fail(std::move(*wrong));
     last_ = m.target == plan::TargetKind::Joints ? std::nullopt : std::optional(m.frame_T_tcp);
     lastKind_ = m.target;
     for (const auto& [path, value] : std::exchange(triggers_, {}))
       if (!setOutput(path, value))
         return false;
+    const bool byAxis = externals_.extruder().has_value();
+    if (byAxis && externals_.extruderIsSlowed())
+      return fail("the extruder's axis is slowed: the arm would wait for it"_text);
     moved_ = true;
-    out_.motionByOutputs(std::move(m));
+    if (byAxis)
+      out_.motionByAxis(std::move(m), externals_.extruderMm());
+    else
+      out_.motionByOutputs(std::move(m));
     return true;
   }
 
-  std::optional<double> part(const KrlValue& target, std::string_view name) const {
-    const auto found = target.numbers.find(name);
-    return found == target.numbers.end() ? std::nullopt : std::optional(found->second);
+  // The extruder's axis alone.
+  bool feed(double mm) {
+    const auto seconds = externals_.feed(mm);
+    if (!seconds)
+      return fail("a speed is no sensible number"_text);
+    stopAdvance();
+    out_.pauseByAxis(*seconds, mm);
+    return true;
   }
 
   bool targetOf(plan::ProgramMotion& m, const KrlValue& target) {
-    const bool axes = part(target, kKrlAxes[0]).has_value();
+    const bool axes = krlNumber(target, kKrlAxes[0]).has_value();
     if (!framesOf(m))
       return false;
-    if (!externalOf(m, target))
-      return false;
+    if (auto wrong = externals_.take(target, turnsWithAxis_, m))
+      return fail(std::move(*wrong));
     if (!axes)
       return poseOf(m, target);
     m.target = plan::TargetKind::Joints;
     if (!m.jointInterpolated)
       return fail("axes are no target of a straight motion"_text);
     for (const std::string_view name : kKrlAxes) {
-      const auto degrees = part(target, name);
+      const auto degrees = krlNumber(target, name);
       if (!degrees)
         return fail("not all axes are given"_text);
       if (!(std::abs(*degrees) <= kMostDegrees))
@@ -443,31 +481,10 @@ private:
     return true;
   }
 
-  // E1 and on, where they turn the base. Elsewhere they must stand where they stood.
-  bool externalOf(plan::ProgramMotion& m, const KrlValue& target) {
-    for (std::size_t k = 0; k < kKrlExternal.size(); ++k) {
-      const auto degrees = part(target, kKrlExternal[k]);
-      if (!degrees)
-        continue;
-      if (!(std::abs(*degrees) <= kMostExternalDegrees))
-        return fail("an external axis far outside any limit"_text);
-      if (!turnsWithAxis_ && externals_[k] && *externals_[k] != *degrees)
-        return fail("an external axis that moves no work object is not read"_text);
-      externals_[k] = degrees;
-    }
-    if (!turnsWithAxis_)
-      return true;
-    if (!externals_[0])
-      return fail("E1 is missing: an external axis moves the base"_text);
-    for (std::size_t k = 0; k < externals_.size() && externals_[k]; ++k)
-      m.externals.push_back(base::degreesToRadians(*externals_[k]));
-    return true;
-  }
-
   // A coordinate that is not given stays as it was.
   bool poseOf(plan::ProgramMotion& m, const KrlValue& target) {
     const bool whole = std::all_of(kKrlPose.begin(), kKrlPose.end(),
-                                   [&](std::string_view name) { return part(target, name); });
+                                   [&](std::string_view name) { return krlNumber(target, name); });
     KrlValue full = target;
     if (!whole) {
       if (!last_ || framesChanged_ || lastKind_ != m.target)
@@ -479,62 +496,9 @@ private:
     if (!pose)
       return fail("a position far outside any robot's reach"_text);
     for (std::size_t k = 0; k < kKrlPose.size(); ++k)
-      lastParts_[k] = *part(full, kKrlPose[k]);
+      lastParts_[k] = *krlNumber(full, kKrlPose[k]);
     framesChanged_ = false;
     m.frame_T_tcp = frame_T_base_ * *pose;
-    return true;
-  }
-
-  bool speedOf(plan::ProgramMotion& m) {
-    if (m.jointInterpolated) {
-      double percent = 0.0;
-      for (int axis = 1; axis <= 6; ++axis)
-        percent = std::max(
-            percent, variables_.number("$vel_axis[" + std::to_string(axis) + "]").value_or(0.0));
-      if (percent == 0.0)
-        percent = 100.0;
-      if (!(percent > 0.0 && percent <= 100.0))
-        return fail("a speed is no sensible number"_text);
-      m.jointSpeedRadPerS = base::degreesToRadians(kKrlPtpDegPerS) * percent / 100.0;
-      return true;
-    }
-    const auto speed = variables_.number("$vel.cp");
-    if (!speed)
-      return fail("$VEL.CP is not set before this motion"_text);
-    const double turning = std::min(variables_.number("$vel.ori1").value_or(kTurnDegPerS),
-                                    variables_.number("$vel.ori2").value_or(kTurnDegPerS));
-    const double acceleration = variables_.number("$acc.cp").value_or(0.0);
-    for (const double v : {*speed, turning})
-      if (!(v > 0.0 && v <= kMostMm))
-        return fail("a speed is no sensible number"_text);
-    if (!(acceleration >= 0.0 && acceleration <= kMostMm))
-      return fail("an acceleration is no sensible number"_text);
-    m.speedMmPerS = *speed * 1000.0;
-    m.accelerationMmPerS2 = acceleration * 1000.0 < kKrlMostMmPerS2 ? acceleration * 1000.0 : 0.0;
-    if (!last_ || lastKind_ != m.target)
-      return true;
-    const double way = (m.frame_T_tcp.translation() - last_->translation()).norm() / m.speedMmPerS;
-    const double turn =
-        base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
-                                   .angularDistance(Eigen::Quaterniond(last_->linear())));
-    if (turn / turning > way + 1e-9) {
-      m.durationS = turn / turning;
-      m.speedMmPerS = 0.0;
-    }
-    return true;
-  }
-
-  bool blendOf(plan::ProgramMotion& m) {
-    if (m.jointInterpolated)
-      return fail(base::message("how '{word}' rounds a corner is not known to the reader"_text,
-                                "PTP C_DIS"_name));
-    const auto mm = variables_.number("$apo.cdis");
-    if (!mm)
-      return fail("$APO.CDIS is not set before this motion"_text);
-    if (!(*mm >= 0.0 && *mm <= kMostMm))
-      return fail("a blend is no sensible number"_text);
-    if (variables_.number("$advance").value_or(3.0) >= 1.0)
-      m.blendMm = *mm;
     return true;
   }
 
@@ -549,10 +513,11 @@ private:
   std::size_t dataFile_ = 0;
   bool aheadOfArm_ = false; // behind CONTINUE
   bool moved_ = false;
+  bool zeroing_ = false;       // the extruder's axis is set to 0 by who stands by
   bool turnsWithAxis_ = false; // $BASE is an external axis' frame
   bool framesChanged_ = false; // since the last pose
   Eigen::Isometry3d frame_T_base_ = Eigen::Isometry3d::Identity();
-  std::array<std::optional<double>, 6> externals_;
+  KrlExternals externals_{variables_};
   std::array<double, 6> lastParts_{};
   std::optional<Eigen::Isometry3d> last_; // frame_T_tcp of the last motion, where it was a pose
   plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;

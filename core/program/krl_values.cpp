@@ -88,6 +88,11 @@ bool takeKrlPath(LineCursor& line, std::string& path) {
   }
 }
 
+std::optional<double> krlNumber(const KrlValue& value, std::string_view path) {
+  const auto found = value.numbers.find(path);
+  return found == value.numbers.end() ? std::nullopt : std::optional(found->second);
+}
+
 KrlVariables::KrlVariables() {
   for (const std::string_view part : kKrlPose)
     all_.numbers.emplace("$nullframe." + std::string(part), 0.0);

@@ -34,6 +34,9 @@ struct KrlValue {
   std::map<std::string, std::string, std::less<>> words; // #BASE: "base"
 };
 
+// One of them; nothing: the value has no such part.
+std::optional<double> krlNumber(const KrlValue& value, std::string_view path);
+
 inline constexpr std::array<std::string_view, 6> kKrlPose = {"x", "y", "z", "a", "b", "c"};
 inline constexpr std::array<std::string_view, 6> kKrlAxes = {"a1", "a2", "a3", "a4", "a5", "a6"};
 inline constexpr std::array<std::string_view, 6> kKrlExternal = {"e1", "e2", "e3",

@@ -1,5 +1,8 @@
 #include "base/units.h"
 #include "program/euler_angles.h"
+#include "program/extruder.h"
+#include "program/extruder_axis.h"
+#include "program/filament.h"
 #include "program/job_head.h"
 #include "program/krl.h"
 #include "program/krl_values.h"
@@ -34,7 +37,7 @@ public:
         cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
                                            ? input.options.motionsPerFile
                                            : kKrlMotionsPerFile)),
-        name_(krlName(input.name)) {
+        name_(krlName(input.name)), byAxis_(extruderOf(input).byAxis) {
     program_.format = "krl";
     program_.foreign = input.foreign;
   }
@@ -47,6 +50,8 @@ public:
     program_.files.push_back({name_ + ".dat", dataFile()});
     for (std::size_t part = 1; !oneFile() && part <= bodies_.size(); ++part)
       program_.files.push_back({partName(part) + ".src", partFile(part)});
+    if (byAxis_)
+      program_.files.push_back({joined({kKrlZero, ".src"}), zeroFile()});
     return std::move(program_);
   }
 
@@ -72,6 +77,8 @@ private:
       bytes += body.size();
     out_.clear();
     header(name_);
+    if (byAxis_)
+      line(joined({"DECL INT ", kKrlExtruder}));
     about(bytes);
     setUp();
     if (oneFile()) {
@@ -88,6 +95,14 @@ private:
     out_.clear();
     header(partName(part));
     out_ += bodies_[part - 1];
+    line("END");
+    return std::move(out_);
+  }
+  std::string zeroFile() {
+    out_.clear();
+    header(std::string(kKrlZero));
+    line(joined({"; ", kAxisQuestion}));
+    line("HALT");
     line("END");
     return std::move(out_);
   }
@@ -132,8 +147,13 @@ private:
       frame(in_.cell.base_T_fixed() * in_.cell.work_T_unit());
       line("");
     }
-    line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], 1 = ",
-                 fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s, 0 to 10 V"}));
+    if (byAxis_)
+      line(joined({"; ", axisNote(extruderAxis(), axisCount(in_)),
+                   "; 100 percent of its speed is taken as ", fixedText(kKrlExtruderMmPerS, 0),
+                   " mm/s"}));
+    else
+      line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], 1 = ",
+                   fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s, 0 to 10 V"}));
     if (turnLimit_ > kMostTurnDegPerS)
       line(joined({"; the tool turns by up to ", fixedText(turnLimit_, 0),
                    " degrees/s: machine data ($VEL_MA.ORI1) may hold it to less"}));
@@ -155,6 +175,8 @@ private:
     line("BAS (#INITMOV,0 )");
     line(";ENDFOLD (INI)");
     line("$ADVANCE=5");
+    if (byAxis_)
+      line(joined({kKrlExtruder, "=", std::to_string(in_.cell.externalAxes().size() + 1)}));
     line(heldPlate() ? "$IPO_MODE=#TCP" : "$IPO_MODE=#BASE");
     out_ += "$BASE=";
     if (movesPart()) {
@@ -219,6 +241,8 @@ private:
     bodies_.push_back(std::move(out_));
   }
   void outputsOff() {
+    if (byAxis_)
+      return;
     line("$OUT[1]=FALSE");
     line("$ANOUT[1]=0");
   }
@@ -232,6 +256,30 @@ private:
   }
   void extruder(bool on) override { line(on ? "$OUT[1]=TRUE" : "$OUT[1]=FALSE"); }
   void wait(double seconds) override { line(joined({"WAIT SEC ", fixedText(seconds, 3)})); }
+
+  std::string extruderAxis() const {
+    return joined({"E", std::to_string(in_.cell.externalAxes().size() + 1)});
+  }
+  void zeroAxis() override {
+    line(joined({kKrlZero, " ( )"}));
+    axisMm_ = 0.0;
+  }
+  void feed(double filamentMm, double seconds) override {
+    axisMm_ += filamentMm;
+    setFeedPercent(std::clamp(
+        std::round(100.0 * std::abs(filamentMm) / seconds / kKrlExtruderMmPerS), 1.0, 100.0));
+    out_ += joined({"PTP {", extruderAxis(), " "});
+    number(axisMm_, kFilamentDecimals);
+    line("}");
+    stands_ = true;
+  }
+  std::string feedSpeed() const {
+    return joined({"$VEL_EXTAX[", std::to_string(in_.cell.externalAxes().size() + 1), "]"});
+  }
+  void setFeedPercent(double percent) {
+    if (byAxis_)
+      set(feedSpeed(), fixedText(percent, 0));
+  }
 
   // Where it isn't said already.
   void set(std::string_view name, const std::string& value) {
@@ -251,9 +299,12 @@ private:
                            1.0, 100.0);
     }
     const std::string said = fixedText(percent, 0);
-    if (held_["BAS"] != said)
-      line(joined({"BAS (#VEL_PTP,", said, ")"}));
+    if (held_["BAS"] != said) {
+      line(joined({"BAS (#VEL_PTP,", said, ")"})); // of external axes too
+      held_.erase(feedSpeed());
+    }
     held_["BAS"] = said;
+    setFeedPercent(100.0);
     out_ += "PTP ";
     if (program_.foreign) {
       target(i);
@@ -281,6 +332,10 @@ private:
                                in_.trajectory.at(i)[k]),
              kDegreeDecimals);
     }
+    if (byAxis_) {
+      out_ += joined({",", extruderAxis(), " "});
+      number(axisMm_, kFilamentDecimals);
+    }
   }
 
   double turnDegPerS(std::size_t i) const {
@@ -303,6 +358,8 @@ private:
   }
 
   void straightMotion(std::size_t i, bool stops) override {
+    axisMm_ += motionVolumeMm3(in_.trajectory, i) / filamentArea();
+    setFeedPercent(100.0);
     const bool byTurn = goesByTurn(i);
     double mmPerS = motions_.speedMmPerS(i);
     if (byTurn || !(mmPerS > 0.0))
@@ -329,6 +386,8 @@ private:
   TcpMotions motions_;
   std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of file k
   std::string name_, out_;
+  const bool byAxis_; // the extruder is an external axis
+  double axisMm_ = 0.0;
   std::vector<std::string> bodies_; // of the files
   std::map<std::string, std::string> held_;
   bool stands_ = true; // the arm, behind the last motion

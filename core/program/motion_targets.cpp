@@ -99,6 +99,11 @@ bool isPrint(const plan::Trajectory& trajectory, std::size_t point) {
   return point > 0 && trajectory.move[point] == plan::MoveKind::Print;
 }
 
+bool standsClear(const plan::Trajectory& trajectory, std::size_t point) {
+  return point > 0 && !isPrint(trajectory, point) && !isPrint(trajectory, point - 1) &&
+         trajectory.move[point - 1] != plan::MoveKind::Wipe;
+}
+
 double primeFlowMm3PerS(const process::Process& process) {
   return std::min(process.maxFlowMm3PerS,
                   process::beadArea(process.beadWidthMm, process.layerHeightMm) *

@@ -42,6 +42,8 @@ double leadingJointRad(const ProgramInput& input, std::size_t point);
 // `radPerS2`; the greatest that it gets to, where it takes longer. rad/s.
 double rampedSpeed(double rad, double seconds, double radPerS2);
 bool isPrint(const plan::Trajectory& trajectory, std::size_t point);
+// Before the motion to `point` the arm has lifted off its last bead.
+bool standsClear(const plan::Trajectory& trajectory, std::size_t point);
 
 // Flow of the prime: a bead of the process's default section at its default speed, at most the
 // extruder's full flow.

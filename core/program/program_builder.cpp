@@ -95,10 +95,39 @@ void ProgramBuilder::pauseByOutputs(double seconds) {
   const double pushed = (outputs_.flowShare() * process_.maxFlowMm3PerS - drawsMm3PerS_) * seconds;
   double out = 0.0;
   std::tie(out, drawnMm3_) = pushedOut(pushed, drawnMm3_);
-  if (drawnMm3_ > kMostDrawnBackMm * filamentArea(kCastelliFilamentMm))
-    defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
-                         base::mm(drawnMm3_ / filamentArea(kCastelliFilamentMm))));
+  tellDrawn(drawnMm3_ / filamentArea(kCastelliFilamentMm));
   pause(seconds, out);
+}
+
+void ProgramBuilder::tellDrawn(double mm) {
+  if (mm > kMostDrawnBackMm)
+    defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
+                         base::mm(mm)));
+}
+
+void ProgramBuilder::zeroAxis() {
+  axis_.set(0.0);
+  axisZeroed_ = true;
+}
+
+void ProgramBuilder::motionByAxis(plan::ProgramMotion m, double mm) {
+  if (!std::exchange(axisZeroed_, true))
+    defect("the extruder's axis is not set to 0 before this motion"_text);
+  const double before = axis_.mm(), drawnMm = axis_.drawnBackMm();
+  const double outMm = axis_.to(mm);
+  if (mm < before)
+    defect("the extruder runs back while the nozzle moves"_text);
+  if (mm > before && drawnMm * filamentArea() > kDrawnBackLeftMm3)
+    defect("the filament that was drawn back is not back"_text);
+  m.volumeMm3 = outMm * filamentArea();
+  m.extruding = outMm > 0.0;
+  motion(std::move(m));
+}
+
+void ProgramBuilder::pauseByAxis(double seconds, double mm) {
+  const double outMm = axis_.to(mm);
+  tellDrawn(axis_.drawnBackMm());
+  pause(seconds, outMm * filamentArea());
 }
 
 void ProgramBuilder::pause(double seconds, double volumeMm3) {

@@ -5,6 +5,7 @@
 #include "plan/program.h"
 #include "process/process.h"
 #include "program/extruder_outputs.h"
+#include "program/filament.h"
 #include "program/known_words.h"
 #include "program/text.h"
 
@@ -39,6 +40,12 @@ public:
   void pauseByOutputs(double seconds);
   void pause(double seconds, double volumeMm3);
 
+  // The extruder as an axis that goes with the arm (program/extruder_axis.h): it is where it counts
+  // as 0; during a motion, or while the arm stands, it goes on to `mm` of filament.
+  void zeroAxis();
+  void motionByAxis(plan::ProgramMotion motion, double mm);
+  void pauseByAxis(double seconds, double mm);
+
   // A word of the table at a place where it may stand; else a defect. false: it isn't in the table.
   bool word(std::span<const KnownWord> table, std::string_view word);
   // One that the reader knows better.
@@ -56,6 +63,9 @@ public:
   plan::ReadProgram take(bool complete);
 
 private:
+  // A defect where more of the filament is drawn back than may be.
+  void tellDrawn(double mm);
+
   const process::Process& process_;
   plan::ReadProgram program_;
   Defects defects_;
@@ -64,6 +74,8 @@ private:
   bool toolSet_ = false;
   // The extruder runs back, mm3/s; so much of the filament is drawn back, mm3.
   double drawsMm3PerS_ = 0.0, drawnMm3_ = 0.0;
+  FilamentCount axis_;
+  bool axisZeroed_ = false;
   std::size_t onSince_ = 0; // motions and pauses when the extruder was turned on
 };
 

@@ -21,7 +21,10 @@
 // them elsewhere, are 9E9. A controller keeps a number to 24 bits: eax_a to 0.008 degrees beyond
 // 364 turns, half of that below. The extruder is on while the digital output doExtruder is, with a
 // flow of aoFlow (0..1) x process.maxFlowMm3PerS; more than the full flow slows the motion. Zones:
-// TcpMotions::blendMm in position, turn and external axes alike. Prime: as in URScript. A program
+// TcpMotions::blendMm in position, turn and external axes alike. Prime: as in URScript. An extruder
+// that is an external axis (program/extruder_axis.h) has the first eax that moves no part, of the
+// mechanical unit "extruder", in every target; MoveExtJ moves it while the arm stands, zeroExtruder
+// is where it is set to 0. A program
 // of more than kMotionsPerModule points gets modules of about that many, each cut where the
 // extruder is off (or, where it never is, at a stop); the first one then loads and runs them in
 // turn. The .pgf, the controller's list of what to load, is the last file.
@@ -56,7 +59,8 @@ plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx)
 
 // Understood: a module's declarations (tooldata, wobjdata, speeddata, zonedata, robtarget,
 // jointtarget and their parts as literals or by name, before their use; assignments), procedures
-// without arguments called in turn from main, Offs, MoveL, MoveJ, MoveAbsJ, SetDO, SetAO, WaitTime,
+// without arguments called in turn from main, Offs, MoveL, MoveJ, MoveAbsJ, MoveExtJ of the
+// extruder's axis, SetDO, SetAO, WaitTime,
 // ConfL\Off, ConfJ\Off, ActUnit, DeactUnit, rapidWords(), Load, UnLoad and the call of what was
 // loaded; statements over any lines, comments, letters of either case, v5..v7000, z0..z200.
 // Everything else is a defect, and so are line ends other than CR LF, external axes but those

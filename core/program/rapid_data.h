@@ -23,6 +23,15 @@ struct RapidData {
 // The shape of a type's literals; empty: a type that is not known. `type` in small letters.
 std::string_view rapidShape(std::string_view type);
 
+// Tool and work object say whether the robot holds them: one of the two.
+inline bool holdsObject(const RapidData& object) {
+  return object.numbers[0] == 1.0;
+}
+// Does a mechanical unit move the work object?
+inline bool isMoved(const RapidData& object) {
+  return object.numbers[1] == 0.0;
+}
+
 // What every controller declares by itself: v5..v7000, fine, z0..z200, tool0, wobj0. `type` and
 // `name` in small letters.
 std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_view name);

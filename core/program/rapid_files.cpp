@@ -12,6 +12,22 @@ bool isModuleList(std::string_view text) {
   return text.starts_with("<?xml");
 }
 
+std::string moduleListText(std::string_view module) {
+  return joined({"<?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>\r\n<Program>\r\n\t<Module>",
+                 module, "</Module>\r\n</Program>\r\n"});
+}
+
+std::string signalListText(std::string_view unit) {
+  std::string text = "EIO:CFG_1.0:6:1::\r\n"
+                     "# What the program expects; give each signal its -Device and -DeviceMap.\r\n";
+  if (!unit.empty())
+    text += joined({"# Its mechanical unit, ", unit, ", belongs into MOC.cfg.\r\n"});
+  return text + "#\r\nEIO_SIGNAL:\r\n\r\n"
+                "      -Name \"doExtruder\" -SignalType \"DO\"\r\n\r\n"
+                "      -Name \"aoFlow\" -SignalType \"AO\" -MaxLog 1 -MaxPhys 10 -MaxPhysLimit "
+                "10\r\n";
+}
+
 bool takeModule(std::string_view& line) {
   constexpr std::string_view kBegin = "<Module>", kEnd = "</Module>";
   if (!line.starts_with(kBegin) || !line.ends_with(kEnd))

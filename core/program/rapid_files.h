@@ -4,6 +4,7 @@
 #include "plan/program.h"
 #include "program/program_builder.h"
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,10 @@ std::string_view behindHeader(std::string_view text);
 bool isModuleList(std::string_view text);
 // Configuration of the controller's signals (EIO.cfg), which no program runs.
 bool isSignalList(std::string_view text);
+// Those two as they are written: the list names one module, which loads the others. `unit`: the
+// mechanical unit that the program expects; empty: none.
+std::string moduleListText(std::string_view module);
+std::string signalListText(std::string_view unit);
 // A trimmed line of a list that names a module becomes the name.
 bool takeModule(std::string_view& line);
 // Of a list: is every module that it names there? Defects go to `out`. false: it has no end.

@@ -3,25 +3,24 @@
 #include "program/rapid.h"
 #include "program/rapid_data.h"
 #include "program/rapid_files.h"
+#include "program/rapid_motions.h"
 #include "program/rapid_tokens.h"
 #include "program/rapid_values.h"
 #include "program/text.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace voluta::program {
 
 namespace {
-constexpr double kUnused = 9e9; // an external axis that is none
-constexpr double kMostMm = kMostRapidMm, kMostDegrees = 6000.0, kMostSeconds = 1e5;
-constexpr double kMostExternalDegrees = 1e7;
+constexpr double kMostSeconds = 1e5;
+// Sets the extruder's axis to 0, as the writer calls it.
+constexpr std::string_view kZero = "zeroextruder";
 // Of a flow in proportion to the speed, shares per mm/s; and what rounding may make of the whole.
 constexpr double kMostPerMm = 1e3, kShareSlack = 1e-3;
 
@@ -108,12 +107,13 @@ private:
     const std::size_t last = out_.line;
     const bool runs = runEntry(file.name);
     out_.line = last;
-    if (!out_.outputsEnded())
+    const bool off = motions_.hasExtruder() || out_.outputsEnded();
+    if (!off)
       defect("the extruder is not set off behind the last motion"_text);
     if (!loaded_.empty())
       defect(base::message("'{loaded}' is not unloaded"_text, loaded_));
     ++modules_;
-    return ended && procedureEnded && runs && out_.outputsEnded() && loaded_.empty();
+    return ended && procedureEnded && runs && off && loaded_.empty();
   }
 
   // Behind PROC. false: it has no end.
@@ -196,10 +196,6 @@ private:
     }
   }
 
-  bool poseOf(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose) {
-    return rapidPose(numbers, at, pose, reason_);
-  }
-
   // ---- statements
 
   bool statement() {
@@ -215,7 +211,10 @@ private:
     if (procedures_.contains(word)) {
       if (!takeEnd())
         return false;
+      zeroing_ = word == kZero;
       run(word);
+      if (std::exchange(zeroing_, false))
+        out_.zeroAxis();
       closed_ = true;
       return true;
     }
@@ -235,6 +234,10 @@ private:
       return unit(word == "actunit");
     if (word == "load" || word == "unload")
       return load(word == "load");
+    if (word == "moveextj")
+      return moveExtruder();
+    if (word == "uimsgbox" && zeroing_)
+      return skipStatement();
     double number = 0.0;
     if (word == "waittime")
       return wait();
@@ -347,14 +350,14 @@ private:
   bool flowBySpeed(plan::ProgramMotion& m) {
     if (!extruderOn_ || perMm_ == 0.0)
       return true;
-    if (!last_ || lastKind_ != m.target || m.jointInterpolated)
+    const std::optional<double> way = motions_.wayMm(m);
+    if (!way)
       return fail("the flow goes by the speed of a motion whose way is not known"_text);
-    const double way = (m.frame_T_tcp.translation() - last_->translation()).norm();
-    const double fastest = m.durationS > 0.0 ? way / m.durationS : m.speedMmPerS;
+    const double fastest = m.durationS > 0.0 ? *way / m.durationS : m.speedMmPerS;
     if (perMm_ * fastest > 1.0 + kShareSlack)
       return fail("an analogue output outside 0..1"_text);
     out_.flow(std::min(1.0, perMm_ * fastest));
-    m.volumeMm3 = perMm_ * way * fullFlowMm3PerS_;
+    m.volumeMm3 = perMm_ * *way * fullFlowMm3PerS_;
     return true;
   }
 
@@ -370,10 +373,7 @@ private:
     std::string name;
     if (!takeName(name) || !takeEnd())
       return false;
-    if (active)
-      activeUnits_.insert(std::move(name));
-    else
-      activeUnits_.erase(name);
+    motions_.unit(name, active);
     return true;
   }
 
@@ -405,35 +405,31 @@ private:
   }
 
   bool motion(const std::string& word) {
-    const bool absolute = word == "moveabsj";
+    RapidMotionData data;
+    data.absolute = word == "moveabsj";
+    data.object = *predeclaredRapid("wobjdata", "wobj0");
+    data.toolLine = toolLine_;
     plan::ProgramMotion m;
     m.jointInterpolated = word != "movel" && word != "triggl";
-    RapidData target, speed, trigg, zone, tool;
-    RapidData object = *predeclaredRapid("wobjdata", "wobj0");
-    if (!value(absolute ? "jointtarget" : "robtarget", target))
+    RapidData trigg;
+    if (!value(data.absolute ? "jointtarget" : "robtarget", data.target))
       return false;
-    if (absolute && takeMark('\\') && !takeWord("noeoffs"))
+    if (data.absolute && takeMark('\\') && !takeWord("noeoffs"))
       return false;
-    if (!takeMark(',') || !value("speeddata", speed))
-      return false;
-    const bool timed = takeMark('\\');
-    if (timed && (!takeWord("t") || !takeAssign() || !takeNumberToken(m.durationS)))
+    if (!takeMark(',') || !value("speeddata", data.speed) || !takeTime(data.timed, m.durationS))
       return false;
     if (word == "triggl" && (!takeMark(',') || !value("triggdata", trigg)))
       return false;
     if (word == "triggl" && trigg.numbers.empty())
       return fail("a TriggL before its TriggEquip"_text);
-    if (!takeMark(',') || !value("zonedata", zone) || !takeMark(',') || !value("tooldata", tool))
+    if (!takeMark(',') || !value("zonedata", data.zone) || !takeMark(',') ||
+        !value("tooldata", data.tool))
       return false;
     if (takeMark(',') && !isMark('\\')) // RoboDK has a comma there
       return false;
-    if (takeMark('\\') && (!takeWord("wobj") || !takeAssign() || !value("wobjdata", object)))
+    if (takeMark('\\') && (!takeWord("wobj") || !takeAssign() || !value("wobjdata", data.object)))
       return false;
-    if (!takeEnd())
-      return false;
-    if (!externalOf(m, target.numbers, object) ||
-        !targetOf(m, target.numbers, tool.numbers, object) || !zoneOf(m, zone.numbers) ||
-        !speedOf(m, speed.numbers, timed))
+    if (!takeEnd() || !motions_.fill(data, m, reason_))
       return false;
     if (!trigg.numbers.empty()) {
       out_.flow(trigg.numbers[0]);
@@ -441,120 +437,36 @@ private:
     }
     if (!flowBySpeed(m))
       return false;
-    if (!absolute && !(m.jointInterpolated ? jointOff_ : linearOff_))
+    if (!data.absolute && !(m.jointInterpolated ? jointOff_ : linearOff_))
       defect("the arm's configuration is supervised: ConfL\\Off, ConfJ\\Off"_text);
-    last_ = absolute ? std::nullopt : std::optional(m.frame_T_tcp);
-    lastKind_ = m.target;
-    lastExternal_ = m.externals;
-    out_.motionByOutputs(std::move(m));
+    motions_.done(m);
+    if (const auto mm = motions_.extruderMm())
+      out_.motionByAxis(std::move(m), *mm);
+    else
+      out_.motionByOutputs(std::move(m));
     return true;
   }
 
-  // eax_a and on, where the motion's work object is moved by them.
-  bool externalOf(plan::ProgramMotion& m, const std::vector<double>& target,
-                  const RapidData& object) {
-    if (holdsObject(object) && isMoved(object))
-      return fail("a work object that robot and external axis move is not read"_text);
-    const auto first = target.end() - 6;
-    const auto unused = std::find(first, target.end(), kUnused);
-    if (std::any_of(unused, target.end(), [](double external) { return external != kUnused; }))
-      return fail("an external axis behind one that is not used is not read"_text);
-    if (isMoved(object) != (unused != first))
-      return fail(isMoved(object) ? "eax_a is missing: an external axis moves the work object"_text
-                                  : "an external axis that moves no work object is not read"_text);
-    if (!isMoved(object))
-      return true;
-    if (std::any_of(first, unused,
-                    [](double degrees) { return !(std::abs(degrees) <= kMostExternalDegrees); }))
-      return fail("an external axis far outside any limit"_text);
-    if (!activeUnits_.contains(object.text))
-      defect(
-          base::message("the mechanical unit '{text}' is not active: ActUnit"_text, object.text));
-    for (auto degrees = first; degrees != unused; ++degrees)
-      m.externals.push_back(base::degreesToRadians(*degrees));
-    return true;
+  // \T:=seconds, or nothing.
+  bool takeTime(bool& timed, double& seconds) {
+    timed = takeMark('\\');
+    return !timed || (takeWord("t") && takeAssign() && takeNumberToken(seconds));
   }
 
-  bool targetOf(plan::ProgramMotion& m, const std::vector<double>& target,
-                const std::vector<double>& tool, const RapidData& object) {
-    Eigen::Isometry3d tcp, user, frame, pose;
-    if (!poseOf(tool, 1, tcp) || !poseOf(object.numbers, 3, user) ||
-        !poseOf(object.numbers, 10, frame))
+  // MoveExtJ jointtarget, speed\T:=seconds, zone: the extruder's axis alone.
+  bool moveExtruder() {
+    RapidData target, speed, zone;
+    bool timed = false;
+    double seconds = 0.0;
+    if (!value("jointtarget", target) || !takeMark(',') || !value("speeddata", speed) ||
+        !takeTime(timed, seconds) || !takeMark(',') || !value("zonedata", zone) || !takeEnd())
       return false;
-    const bool held = holdsObject(object);
-    if (held == (tool[0] == 1.0))
-      return fail("the robot holds the tool or the work object, one of them"_text);
-    if (target.size() == 12) {
-      m.target = plan::TargetKind::Joints;
-      for (std::size_t k = 0; k < 6; ++k) {
-        if (!(std::abs(target[k]) <= kMostDegrees))
-          return fail("a joint value far outside any limit"_text);
-        m.joints.push_back(base::degreesToRadians(target[k]));
-      }
-      m.joints.insert(m.joints.end(), m.externals.begin(), m.externals.end());
-    } else {
-      if (!poseOf(target, 0, pose))
-        return false;
-      for (std::size_t k = 7; k < 11; ++k)
-        if (!(std::abs(target[k]) <= 100.0 && target[k] == std::floor(target[k])))
-          return fail("a configuration is whole quarters of a turn"_text);
-      // The user frame of one that moves is the mechanical unit's own; of one that the flange holds
-      // it is the flange's.
-      m.target = held              ? plan::TargetKind::WorkPose
-                 : isMoved(object) ? plan::TargetKind::UnitPose
-                                   : plan::TargetKind::FlangePose;
-      m.frame_T_tcp = held              ? pose
-                      : isMoved(object) ? Eigen::Isometry3d(frame * pose)
-                                        : Eigen::Isometry3d(user * frame * pose);
-    }
-    const std::optional<Eigen::Isometry3d> nozzle = held ? std::optional(tcp) : std::nullopt;
-    const Eigen::Isometry3d carried = held ? Eigen::Isometry3d(user * frame) : tcp;
-    const bool first = !out_.toolSet();
-    if (!out_.tool(carried, nozzle))
-      return fail("a second, different tool"_text);
-    constexpr std::size_t kMass = 8; // tool0 has none
-    if (first && tool.size() > kMass) {
-      const std::size_t here = std::exchange(out_.line, toolLine_ > 0 ? toolLine_ : out_.line);
-      out_.load("tooldata", tool[kMass]);
-      out_.line = here;
-    }
-    return true;
-  }
-
-  bool zoneOf(plan::ProgramMotion& m, const std::vector<double>& zone) {
-    for (std::size_t k = 1; k < 7; ++k)
-      if (!(zone[k] >= 0.0 && zone[k] <= kMostMm))
-        return fail("a zone is no sensible number"_text);
-    if (zone[0] == 1.0)
-      return true;
-    if (zone[2] < zone[1] || zone[3] < zone[1])
-      return fail("a zone of the turn or the external axes inside the TCP's"_text);
-    m.blendMm = zone[1];
-    return true;
-  }
-
-  bool speedOf(plan::ProgramMotion& m, const std::vector<double>& speed, bool timed) {
-    for (const double v : speed)
-      if (!(v > 0.0 && v <= kMostMm))
-        return fail("a speed is no sensible number"_text);
-    if (timed)
-      return (m.durationS > 0.0 && m.durationS <= kMostSeconds) ||
-             fail("a time is no sensible number"_text);
-    m.speedMmPerS = speed[0];
-    if (m.jointInterpolated || !last_ || lastKind_ != m.target)
-      return true;
-    const double way = (m.frame_T_tcp.translation() - last_->translation()).norm() / speed[0];
-    const double turn =
-        base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
-                                   .angularDistance(Eigen::Quaterniond(last_->linear())));
-    double waits = turn / speed[1];
-    for (std::size_t k = 0; k < std::min(m.externals.size(), lastExternal_.size()); ++k)
-      waits = std::max(waits, base::radiansToDegrees(std::abs(m.externals[k] - lastExternal_[k])) /
-                                  speed[3]);
-    if (waits > way + 1e-9) {
-      m.durationS = waits;
-      m.speedMmPerS = 0.0;
-    }
+    const std::optional<double> mm = motions_.extruderAlone(target.numbers);
+    if (!mm || !timed)
+      return fail("external axes that move alone are read of the extruder, with a time"_text);
+    if (!(seconds > 0.0 && seconds <= kMostSeconds))
+      return fail("a time is no sensible number"_text);
+    out_.pauseByAxis(seconds, *mm);
     return true;
   }
 
@@ -568,12 +480,9 @@ private:
   std::map<std::string, Procedure, std::less<>> procedures_; // of the module
   std::vector<std::string> running_;
   bool linearOff_ = false, jointOff_ = false;
-  std::set<std::string, std::less<>> activeUnits_;
-  // Of the last motion, where its pose is known.
-  std::optional<Eigen::Isometry3d> last_; // frame_T_tcp
-  plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;
-  std::vector<double> lastExternal_;
-  double perMm_ = 0.0; // of the full flow, while it goes by the speed
+  RapidMotions motions_{out_};
+  bool zeroing_ = false; // the extruder's axis is set to 0 by who stands by
+  double perMm_ = 0.0;   // of the full flow, while it goes by the speed
   bool extruderOn_ = false;
   const double fullFlowMm3PerS_;
 };

@@ -35,11 +35,6 @@ protected:
   // Behind a declared name: := value;
   bool assignment(const std::string& name);
 
-  // Both data say whether the robot holds it: one of them, tool or work object.
-  static bool holdsObject(const RapidData& object) { return object.numbers[0] == 1.0; }
-  // Does a mechanical unit move the work object?
-  static bool isMoved(const RapidData& object) { return object.numbers[1] == 0.0; }
-
   base::Message reason_;
   bool closed_ = false; // the statement's semicolon was taken
   std::map<std::string, Declared, std::less<>> declared_;

@@ -1,10 +1,14 @@
 #include "base/units.h"
 #include "program/arm_branch.h"
 #include "program/extruder.h"
+#include "program/extruder_axis.h"
+#include "program/filament.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
 #include "program/rapid.h"
+#include "program/rapid_files.h"
+#include "program/rapid_motions.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
 #include "program/walk.h"
@@ -12,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace voluta::program {
@@ -27,7 +32,7 @@ constexpr double kSamePerMm = 5e-4;
 constexpr double kStartMmPerS = 50.0, kStartDegPerS = 20.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
-constexpr std::string_view kNoExternals = "[9E9,9E9,9E9,9E9,9E9,9E9]";
+constexpr std::string_view kNoAxes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 constexpr std::size_t kExternals = 6;
 constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
 constexpr double kAxisDegPerS = 1000.0;
@@ -50,7 +55,8 @@ public:
                                                  : movesPart()  ? "wTable"
                                                  : heldPlate()  ? "wPlate"
                                                                 : "wPrint"),
-        bySpeed_(chosenOf(rapidFlow(), input.options) == "speed") {
+        byAxis_(extruderOf(input).byAxis),
+        bySpeed_(!byAxis_ && chosenOf(rapidFlow(), input.options) == "speed") {
     program_.format = "rapid";
     program_.foreign = input.foreign;
   }
@@ -65,8 +71,10 @@ public:
       endModule(0);
     }
     walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
-    listOfSignals();
-    listOfModules();
+    if (!byAxis_)
+      program_.files.push_back(
+          {name_ + "_EIO.cfg", signalListText(movesPart() ? unit() : std::string())});
+    program_.files.push_back({name_ + ".pgf", moduleListText(fileName(0))});
     return std::move(program_);
   }
 
@@ -135,6 +143,8 @@ private:
     line("    ConfJ\\Off;");
     if (movesPart())
       line(joined({"    ActUnit ", unit(), ";"}));
+    if (byAxis_)
+      line(joined({"    ActUnit ", kRapidExtruderUnit, ";"}));
     outputsOff();
   }
   void beginFile(std::size_t file) override {
@@ -154,6 +164,11 @@ private:
   }
   void endModule(std::size_t part) {
     line("  ENDPROC");
+    if (std::exchange(zeroes_, false)) {
+      line("  LOCAL PROC zeroExtruder()");
+      line(joined({"    UIMsgBox \"", kAxisQuestion, "\";"}));
+      line("  ENDPROC");
+    }
     line("ENDMODULE");
     program_.files.push_back({fileName(part), std::move(out_)});
     out_.clear();
@@ -164,30 +179,6 @@ private:
     line(joined({"    %\"", procedureName(part), "\"%;"}));
     line(joined({"    UnLoad ", file}));
   }
-  void listOfModules() {
-    line("<?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>");
-    line("<Program>");
-    line(joined({"\t<Module>", fileName(0), "</Module>"}));
-    line("</Program>");
-    program_.files.push_back({name_ + ".pgf", std::move(out_)});
-  }
-
-  // A fragment of the controller's configuration: without these signals a module that names them is
-  // not loaded.
-  void listOfSignals() {
-    line("EIO:CFG_1.0:6:1::");
-    line("# What the program expects; give each signal its -Device and -DeviceMap.");
-    if (movesPart())
-      line(joined({"# Its mechanical unit, ", unit(), ", belongs into MOC.cfg."}));
-    line("#");
-    line("EIO_SIGNAL:");
-    line("");
-    line("      -Name \"doExtruder\" -SignalType \"DO\"");
-    line("");
-    line("      -Name \"aoFlow\" -SignalType \"AO\" -MaxLog 1 -MaxPhys 10 -MaxPhysLimit 10");
-    program_.files.push_back({name_ + "_EIO.cfg", std::move(out_)});
-  }
-
   void about() {
     line("  ! Robot program for printing, RAPID");
     if (program_.foreign)
@@ -203,6 +194,18 @@ private:
     else
       line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object, "
            "which stands in world, the base while the base frame is zero");
+    if (byAxis_)
+      aboutExtruderAxis();
+    else
+      aboutSignals();
+    if (movesPart())
+      line(joined({"  ! expects the mechanical unit ", unit()}));
+    aboutDensity();
+    if (cuts_.size() > 2)
+      line("  ! the modules that it loads are to be put into HOME:");
+  }
+
+  void aboutSignals() {
     out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
     number(in_.process.maxFlowMm3PerS, 3);
     line(" mm3/s");
@@ -210,11 +213,13 @@ private:
       line("  ! in beads aoFlow is the TCP's real speed in mm/s times TriggSpeed's last number");
     line(joined({"  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: ", name_,
                  "_EIO.cfg"}));
-    if (movesPart())
-      line(joined({"  ! expects the mechanical unit ", unit()}));
-    aboutDensity();
-    if (cuts_.size() > 2)
-      line("  ! the modules that it loads are to be put into HOME:");
+  }
+  std::string extruderAxis() const {
+    return joined({"eax_", std::string(1, static_cast<char>('a' + axes()))});
+  }
+  void aboutExtruderAxis() {
+    line(joined({"  ! ", axisNote(extruderAxis(), axisCount(in_))}));
+    line(joined({"  ! expects the mechanical unit ", kRapidExtruderUnit, " in MOC.cfg"}));
   }
 
   // Controllers tell of close positions (event 50078) and of corners that they could not plan in
@@ -276,6 +281,8 @@ private:
   }
 
   void outputsOff() {
+    if (byAxis_)
+      return;
     line("    SetDO doExtruder,0;");
     line("    SetAO aoFlow,0;");
     share_.clear();
@@ -336,8 +343,24 @@ private:
     perMm_ = 0.0;
   }
 
+  void zeroAxis() override {
+    line("    zeroExtruder;");
+    axisMm_ = 0.0;
+    zeroes_ = true;
+  }
+  void feed(double filamentMm, double seconds) override {
+    axisMm_ += filamentMm;
+    out_ += joined({"    MoveExtJ [", kNoAxes, ","});
+    externals(std::nullopt);
+    out_ += "],v100\\T:=";
+    number(seconds, kSecondDecimals);
+    line(",fine;");
+  }
+
   void jointMotion(std::size_t i) override { motion(i, true, 0.0); }
   void straightMotion(std::size_t i, bool stops) override {
+    if (byAxis_)
+      axisMm_ += motionVolumeMm3(in_.trajectory, i) / filamentArea();
     if (bySpeed_ && isPrint(in_.trajectory, i) && !extruderOf(in_).streams)
       flowBySpeed(i);
     motion(i, false, stops ? 0.0 : motions_.blendMm(i));
@@ -371,15 +394,14 @@ private:
     line(joined({",", kTool, "\\WObj:=", object_, ";"}));
   }
 
-  void externals(std::size_t i) {
-    if (!movesPart()) {
-      out_ += kNoExternals;
-      return;
-    }
+  // Those that move the part to point i, and the extruder's; without a point they stay.
+  void externals(std::optional<std::size_t> i) {
     for (std::size_t k = 0; k < kExternals; ++k) {
       out_ += k > 0 ? ',' : '[';
-      if (k < axes())
-        number(axisAt(i, k), kExternalDecimals);
+      if (i && k < axes())
+        number(axisAt(*i, k), kExternalDecimals);
+      else if (byAxis_ && k == axes())
+        number(axisMm_, kFilamentDecimals);
       else
         out_ += "9E9";
     }
@@ -460,6 +482,9 @@ private:
   plan::Program program_;
   std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of module k
   std::string name_, object_, out_;
+  const bool byAxis_; // the extruder is an external axis
+  double axisMm_ = 0.0;
+  bool zeroes_ = false; // in this module
   const bool bySpeed_;
   // As last written: the flow as a share, or a mm of way; and what it is to be while the arm
   // stands.

@@ -44,7 +44,9 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
       const double volume = motionVolumeMm3(in_.trajectory, i);
       s = std::max(s, volume / full);
       const double wanted = s > 0.0 ? volume / s : 0.0;
-      if (wanted > 0.0) {
+      if (extruder.byAxis) { // amounts need no step of a flow
+        flow_[i] = wanted;
+      } else if (wanted > 0.0) {
         if (std::abs(wanted - held) > kFlowBand * held)
           held = writtenBy(extruder, in_.process, wanted / full, written) * full;
         flow_[i] = held;

@@ -1,6 +1,7 @@
 #include "program/walk.h"
 
 #include "program/extruder.h"
+#include "program/extruder_axis.h"
 #include "program/extruder_outputs.h"
 #include "program/filament.h"
 #include "program/motion_targets.h"
@@ -16,6 +17,8 @@ public:
   Walker(const ProgramInput& input, const Walk& walk, Speller& speller, const base::RunContext& ctx)
       : in_(input), walk_(walk), speller_(speller), ctx_(ctx), paths_(input.toolPlan),
         extruder_(extruderOf(input)) {
+    if (byAxis())
+      zeros_ = axisCount(input).zeros;
     for (std::size_t i = 0; i < input.trajectory.pointCount(); ++i)
       lastPrint_ = isPrint(input.trajectory, i) ? i : lastPrint_;
   }
@@ -37,6 +40,9 @@ public:
   }
 
 private:
+  bool byAxis() const { return walk_.outputs != nullptr && extruder_.byAxis; }
+  bool zeroesAt(std::size_t i) const { return std::ranges::binary_search(zeros_, i); }
+
   void point(std::size_t i, bool last) {
     const plan::Trajectory& t = in_.trajectory;
     if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
@@ -51,23 +57,25 @@ private:
       draw(true);
     if (i == 0)
       speller_.ask();
+    if (zeroesAt(i))
+      speller_.zeroAxis();
     if (i == 0 || t.move[i] == plan::MoveKind::Joint)
       speller_.jointMotion(i);
     else
-      speller_.straightMotion(i, last);
+      speller_.straightMotion(i, last || zeroesAt(i + 1));
     if (i == 0)
       prime();
   }
 
   void flow(double mm3PerS) {
     flow_ = mm3PerS;
-    if (extruder_.text || extruder_.streams)
+    if (extruder_.text || extruder_.streams || extruder_.byAxis)
       return;
     if (const auto share = outputs_.flow(mm3PerS))
       speller_.flow(*share);
   }
   void extruder(bool on) {
-    if (walk_.outputs == nullptr)
+    if (walk_.outputs == nullptr || extruder_.byAxis)
       return;
     const bool turns = outputs_.turn(on);
     if (extruder_.text)
@@ -88,6 +96,8 @@ private:
     const double mm = in_.process.retractMm, seconds = mm / kDrawBackMmPerS;
     if (walk_.outputs == nullptr) {
       speller_.draw(back ? -mm : mm);
+    } else if (extruder_.byAxis) {
+      speller_.feed(back ? -mm : mm, seconds);
     } else if (extruder_.text) {
       const double mm3PerS = filamentArea(extruder_.filamentMm) * kDrawBackMmPerS;
       say(extruder_.text(back ? -mm3PerS : mm3PerS));
@@ -104,10 +114,15 @@ private:
     if (walk_.outputs == nullptr || !primesStanding(in_))
       return;
     speller_.remark("prime");
-    flow(primeFlowMm3PerS(in_.process));
-    extruder(true);
-    speller_.wait(in_.process.primeS);
-    extruder(false);
+    const double seconds = in_.process.primeS;
+    if (extruder_.byAxis) {
+      speller_.feed(primeFlowMm3PerS(in_.process) * seconds / filamentArea(), seconds);
+    } else {
+      flow(primeFlowMm3PerS(in_.process));
+      extruder(true);
+      speller_.wait(seconds);
+      extruder(false);
+    }
     speller_.remark("print");
   }
 
@@ -120,8 +135,9 @@ private:
   const Extruder& extruder_;
   double flow_ = 0.0; // wanted
   bool drawn_ = false;
-  std::size_t lastPrint_ = 0; // point
-  std::string said_;          // last
+  std::size_t lastPrint_ = 0;      // point
+  std::string said_;               // last
+  std::vector<std::size_t> zeros_; // points, of an extruder that is an axis
 };
 
 } // namespace
@@ -138,8 +154,7 @@ std::vector<std::size_t> cutsOf(const plan::Trajectory& trajectory, std::size_t 
     for (std::size_t i = 1; i < trajectory.pointCount(); ++i) {
       const std::size_t count = i - cuts.back();
       // Behind the first motion of a travel: what stands while the next file loads is clear.
-      const bool lifted = !isPrint(trajectory, i) && !isPrint(trajectory, i - 1);
-      if (count >= hard || (count >= most && lifted))
+      if (count >= hard || (count >= most && standsClear(trajectory, i)))
         cuts.push_back(i);
     }
   cuts.push_back(trajectory.pointCount());

@@ -30,9 +30,13 @@ public:
   // Filament goes forth, or back below zero, where the arm stands; of dialects whose motions tell
   // amounts.
   virtual void draw(double /*filamentMm*/) {}
+  // Of an extruder that is an axis (program/extruder_axis.h): it counts from 0 from here on, where
+  // the arm stands; and filament goes forth, or back, in that time while it stands.
+  virtual void zeroAxis() {}
+  virtual void feed(double /*filamentMm*/, double /*seconds*/) {}
   // The first point is always a joint motion.
   virtual void jointMotion(std::size_t point) = 0;
-  // `stops`: the last one of its file.
+  // `stops`: the arm stands behind it, the last one of its file or before zeroAxis.
   virtual void straightMotion(std::size_t point, bool stops) = 0;
 };
 

@@ -89,7 +89,7 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
       !allFinite(t.timeS))
     return false;
   return std::all_of(t.move.begin(), t.move.end(),
-                     [](plan::MoveKind kind) { return kind <= plan::MoveKind::Joint; }) &&
+                     [](plan::MoveKind kind) { return kind <= plan::MoveKind::Wipe; }) &&
          std::all_of(t.waypoint.begin(), t.waypoint.end(), [&](std::size_t w) {
            return w == plan::kNoWaypoint || (toolPlan && w < toolPlan->waypointCount());
          });

@@ -2,6 +2,7 @@
 #include "fuzz_target.h"
 
 #include "program/dialect.h"
+#include "program/extruder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,9 +60,15 @@ std::vector<std::string> fuzz::seeds() {
       plan::Trajectory said = trajectory;
       if (!dialect.tiltsNozzle) // it leans; by joints it may
         std::fill(said.move.begin(), said.move.end(), plan::MoveKind::Joint);
-      for (const plan::ProgramFile& file :
-           program::writeProgram(dialect.id, {toolPlan, said, cell, process, "part", 0}).files)
-        texts.push_back(file.text);
+      std::vector<std::string_view> extruders = dialect.extruders;
+      if (extruders.empty())
+        extruders = {program::kOutputsExtruder};
+      for (const std::string_view extruder : extruders) {
+        program::ProgramInput input{toolPlan, said, cell, process, "part"};
+        input.options.own[std::string(program::kExtruderOption)] = std::string(extruder);
+        for (const plan::ProgramFile& file : program::writeProgram(dialect.id, input).files)
+          texts.push_back(file.text);
+      }
     }
   }
   return texts;

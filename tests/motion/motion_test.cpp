@@ -4,8 +4,10 @@
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
+#include "geometry/triangle_queries.h"
 #include "motion/sample_plans.h"
 #include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -139,6 +141,52 @@ TEST(Motion, Slab) {
 }
 
 // A wall that leans out by 50 degrees.
+// Along the bead before the lift: back over one that ends, on along one that closes.
+TEST(Motion, WipesAlongItsBeadBeforeItLifts) {
+  for (const bool closed : {false, true}) {
+    SCOPED_TRACE(closed);
+    const plan::ToolPlan plan = closed ? test::cylinder(10.0, 3) : test::slab(12.0, 3);
+    const process::Process process = process::loadProcess("fdm-1.0");
+    const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20.0));
+    const collision::GrowingPart part(plan, 0.45, {});
+    motion::MotionOptions options;
+    options.wipeMm = 3.5;
+    const motion::MotionResult moved =
+        motion::MotionPlanner(plan, cell, process, part, options).plan({});
+    const plan::Trajectory& t = moved.trajectory;
+    EXPECT_TRUE(moved.skipped.empty());
+    EXPECT_EQ(moved.statistics.collisions, 0u);
+    EXPECT_NEAR(t.extrudedMm3.back(), plannedVolume(plan), 1e-6 * plannedVolume(plan));
+    const auto tipAt = [&](std::size_t i) {
+      return Vector3d(
+          cell.work_T_tool(Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof)).translation());
+    };
+    std::size_t wipes = 0, on = 0;
+    for (std::size_t i = 1; i < t.pointCount(); ++i) {
+      if (t.move[i] != plan::MoveKind::Wipe || t.move[i - 1] != plan::MoveKind::Print)
+        continue;
+      ++wipes;
+      const plan::ToolPath& path = *plan::pathOf(plan, t.waypoint[i - 1]);
+      double length = 0.0;
+      std::size_t last = i;
+      for (; t.move[last] == plan::MoveKind::Wipe; ++last) {
+        length += (tipAt(last) - tipAt(last - 1)).norm();
+        double away = 1e9;
+        for (std::size_t w = path.first + 1; w < path.first + path.count; ++w)
+          away = std::min(away, geometry::distanceToSegment(tipAt(last), plan.position[w - 1],
+                                                            plan.position[w]));
+        EXPECT_LT(away, 0.02);
+        EXPECT_EQ(t.extrudedMm3[last], t.extrudedMm3[i - 1]);
+      }
+      EXPECT_NEAR(length, 3.5, 1e-6);
+      on += (tipAt(last - 1) - plan.position[path.first + 3]).norm() < 1.0 ? 1 : 0;
+    }
+    // Between paths, and not where the print is at its end.
+    EXPECT_EQ(wipes, plan.paths.size() - 1);
+    EXPECT_EQ(on, closed ? wipes : 0u);
+  }
+}
+
 TEST(Motion, LeaningWall) {
   const double lean = 0.87;
   const Planned p(test::rings(

@@ -68,6 +68,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"bodyClearanceMm", {"3", 4}},
     {"partClearanceMm", {"3", 4}},
     {"liftMm", {"3", 4}},
+    {"wipeMm", {"3", 4}},
     {"nozzleTurn", {"workAxis", 4}},
     {"redundancySamples", {"12", 4}},
     {"turnSmoothing", {"wholePath", 4}},
@@ -82,6 +83,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"tableSense", {"tool", kStageCount}},
     {"tableTurns", {"2", kStageCount}},
     {"mxtController", {"cr800", kStageCount}},
+    {"extruderAxisMm", {"5000", kStageCount}}, // nor here
     {"retractMm", {"1", 5}},
     {"underlay", {"none", 3}},
     {"prime", {"skirt", 3}},

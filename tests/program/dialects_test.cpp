@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "program/dialect.h"
+#include "program/extruder_axis.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/tcp_motions.h"
@@ -296,15 +297,19 @@ TEST_F(Dialects, optionsAreOfTheirRowsAndReachNoOther) {
   for (const Dialect& d : dialects()) {
     randomFor(d, 3, 120);
     const std::string plain = writeProgram(d.id, input()).files[0].text;
+    const auto own = optionsOf(d);
     for (const base::ParameterSpec& option : all.specs()) {
+      if (option.key == extruderAxisMm().key) // of one extruder: extruder_test.cpp
+        continue;
+      const auto row = std::ranges::find(own, option.key, &base::ParameterSpec::key);
+      const bool has = row != own.end();
+      // A row may have fewer choices than the table of all.
+      const std::vector<base::Choice>& choices = has ? row->choices : option.choices;
       base::ParameterValues values(all);
-      values.set(option.key,
-                 option.type == base::ParameterType::Choice ? option.choices.back().id : "40");
+      values.set(option.key, option.type == base::ParameterType::Choice ? choices.back().id : "40");
       ProgramInput in = input();
       in.options = programOptions(values);
       const plan::Program program = writeProgram(d.id, in);
-      const auto own = optionsOf(d);
-      const bool has = std::ranges::find(own, option.key, &base::ParameterSpec::key) != own.end();
       const bool same = program.files[0].text == plain &&
                         program.files[0].name == writeProgram(d.id, input()).files[0].name;
       EXPECT_EQ(same, !has) << d.id << " " << option.key;

@@ -6,11 +6,14 @@
 #include "program/castelli_serial.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
+#include "program/extruder_axis.h"
 #include "program/extruder_stream.h"
+#include "program/filament.h"
 #include "program/motion_targets.h"
 #include "program/tcp_motions.h"
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 namespace voluta::program {
@@ -40,6 +43,19 @@ TEST(CastelliSerial, readsItsTextsAndNoOthers) {
   for (const char* bad : {"", "n", "Gn", "G1394", "G1394nn", "g1394n", "X1n", "M-5n", "G1 n",
                           "G1.5n", "G12345678901234567n", "G1394\n"})
     EXPECT_EQ(read(bad), "none") << bad;
+}
+
+TEST(FilamentCount, letsOutWhatWasNotDrawnBack) {
+  FilamentCount count;
+  EXPECT_EQ(count.to(5.0), 5.0);
+  EXPECT_EQ(count.to(3.0), 0.0);
+  EXPECT_EQ(count.drawnBackMm(), 2.0);
+  count.set(0.0); // counted anew, still drawn back
+  EXPECT_EQ(count.drawnBackMm(), 2.0);
+  EXPECT_EQ(count.to(1.5), 0.0);
+  EXPECT_EQ(count.to(3.0), 1.0);
+  EXPECT_EQ(count.mm(), 3.0);
+  EXPECT_EQ(count.drawnBackMm(), 0.0);
 }
 
 class Extruders : public test::ReadPrograms {
@@ -86,7 +102,9 @@ TEST_F(Extruders, giveEachMotionItsMaterial) {
         EXPECT_EQ(m.extruding, isPrint(trajectory_, i)) << i;
         const double plannedS =
             std::max(motionSeconds(trajectory_, i), volume / process_.maxFlowMm3PerS);
-        if (m.extruding && volume > 0.05) {
+        if (m.extruding && m.volumeMm3 >= 0.0) { // amounts
+          EXPECT_NEAR(m.volumeMm3, volume, 1e-4) << i;
+        } else if (m.extruding && volume > 0.05) {
           // Within the band, and half a microsecond of a step.
           EXPECT_NEAR(m.flowMm3PerS * plannedS, volume, (kFlowBand + 0.011) * volume) << i;
         }
@@ -195,6 +213,159 @@ TEST_F(Extruders, streamSaysTimesAndFilamentFromTheOutputOn) {
                                        "end\n");
   EXPECT_EQ(goesOnIn(findDialect("melfa"), program.files.front().text),
             std::vector<std::string>{"part_1_e.txt"});
+}
+
+// 0.5 mm3 of 1.75 mm filament are 0.20788 mm; the prime of 0.2 s at 0.8 mm2 and 20 mm/s is 1.36808.
+class AxisExtruder : public Extruders {
+protected:
+  void SetUp() override {
+    Extruders::SetUp();
+    append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
+    append(plan::MoveKind::Linear, {0.001, 0, 0, 0, 0, 0}, 0.1, 0);
+    for (int k = 2; k < 4; ++k)
+      append(plan::MoveKind::Print, {0.001 * k, 0, 0, 0, 0, 0}, 0.05, 0.5);
+    append(plan::MoveKind::Linear, {0.004, 0, 0, 0, 0, 0}, 0.1, 0);
+    append(plan::MoveKind::Linear, {0.005, 0, 0, 0, 0, 0}, 0.1, 0);
+    append(plan::MoveKind::Print, {0.006, 0, 0, 0, 0, 0}, 0.05, 0.5);
+    append(plan::MoveKind::Linear, {0.007, 0, 0, 0, 0, 0}, 0.1, 0);
+  }
+  std::string written(std::string_view dialect, std::size_t file = 0) const {
+    return writeProgram(dialect, inputFor(kAxisExtruder)).files[file].text;
+  }
+  // All that `pattern`'s brackets find, in order.
+  static std::vector<std::string> all(const std::string& text, const char* pattern) {
+    std::vector<std::string> found;
+    const std::regex words(pattern);
+    for (std::sregex_iterator at(text.begin(), text.end(), words), end; at != end; ++at)
+      found.push_back((*at)[1].str());
+    return found;
+  }
+};
+using Texts = std::vector<std::string>;
+
+TEST_F(AxisExtruder, standsInEachMotionAsMillimetresOfFilament) {
+  process_.retractMm = 1.5;
+  // Start, prime, way, two of the bead, back, lift, way, forth, bead, lift.
+  const Texts expected = {"0",       "1.36808", "1.36808", "1.57596", "1.78383", "0.28383",
+                          "0.28383", "0.28383", "1.78383", "1.99171", "1.99171"};
+  EXPECT_EQ(all(written("krl"), "[{,]E1 ([-0-9.]+)"), expected);
+  EXPECT_EQ(all(written("rapid"), ",.([-0-9.]+),9E9,9E9,9E9,9E9,9E9."), expected);
+  EXPECT_EQ(written("krl").find("$OUT"), std::string::npos);
+  EXPECT_EQ(written("rapid").find("SetDO"), std::string::npos);
+  EXPECT_NE(
+      written("rapid").find("    MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[1.36808,9E9,9E9,9E9,9E9,"
+                            "9E9]],v100\\T:=0.2,fine;\r\n"),
+      std::string::npos);
+  // 6.84 mm/s of 20, and all of it again for the motions.
+  EXPECT_NE(written("krl").find("$VEL_EXTAX[1]=34\r\nPTP {E1 1.36808}\r\n"), std::string::npos);
+  EXPECT_EQ(written("krl", 2), "&ACCESS RVP\r\n&REL 1\r\nDEF ZERO_EXTRUDER ( )\r\n"
+                               "; Set the extruder's axis to 0 mm where it stands, then go on.\r\n"
+                               "HALT\r\nEND\r\n");
+}
+
+TEST_F(AxisExtruder, isTheFirstAxisThatMovesNoPart) {
+  useRod();
+  trajectory_ = {};
+  appendRandomOnRod(5, 100);
+  EXPECT_NE(written("krl").find("EXTRUDER_AXIS=2\r\n"), std::string::npos);
+  for (const char* dialect : {"krl", "rapid"}) {
+    SCOPED_TRACE(dialect);
+    const plan::Program program = writeProgram(dialect, inputFor(kAxisExtruder));
+    const plan::ReadProgram back = readProgram(dialect, program.files, process_);
+    for (const plan::ProgramDefect& defect : back.defects)
+      ADD_FAILURE() << defect.line << ": " << base::english(defect.reason);
+    EXPECT_TRUE(back.complete);
+    ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+    for (std::size_t i = 1; i < back.motions.size(); ++i) {
+      ASSERT_EQ(back.motions[i].externals.size(), 1u);
+      EXPECT_NEAR(back.motions[i].externals[0], trajectory_.at(i)[6], 1e-5);
+      EXPECT_NEAR(back.motions[i].volumeMm3, motionVolumeMm3(trajectory_, i), 1e-4) << i;
+    }
+  }
+}
+
+// Where the range ends: lifted off, and all the same material.
+TEST_F(AxisExtruder, isSetToNothingAnewWhereItsRangeEnds) {
+  trajectory_ = {};
+  plan_ = {};
+  appendRandom(9, 900); // some 20 mm3, 8.6 mm of filament, a path
+  for (const char* dialect : {"krl", "rapid"}) {
+    SCOPED_TRACE(dialect);
+    ProgramInput in = inputFor(kAxisExtruder);
+    in.options.own["extruderAxisMm"] = 40.0;
+    in.options.motionsPerFile = 300;
+    process_.retractMm = 1.0;
+    const AxisCount count = axisCount(in);
+    EXPECT_GT(count.zeros.size(), 3u);
+    EXPECT_LE(count.mostMm, 40.0);
+    EXPECT_GT(count.mostMm, 30.0);
+    for (const std::size_t i : count.zeros)
+      EXPECT_TRUE(i == 0 || standsClear(trajectory_, i));
+    const plan::Program program = writeProgram(dialect, in);
+    double most = 0.0;
+    for (const plan::ProgramFile& file : program.files)
+      for (const std::string& mm :
+           all(file.text, dialect == std::string_view("krl") ? "[{,]E1 ([-0-9.]+)"
+                                                             : ",.([-0-9.]+),9E9,9E9,9E9,9E9,9E9."))
+        most = std::max(most, std::stod(mm));
+    EXPECT_LE(most, 40.0);
+    EXPECT_GT(most, 25.0);
+    const plan::ReadProgram back = readProgram(dialect, program.files, process_);
+    for (const plan::ProgramDefect& defect : back.defects)
+      ADD_FAILURE() << defect.file << ":" << defect.line << ": " << base::english(defect.reason);
+    EXPECT_TRUE(back.complete);
+    ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+    for (std::size_t i = 1; i < back.motions.size(); ++i)
+      EXPECT_NEAR(std::max(0.0, back.motions[i].volumeMm3), motionVolumeMm3(trajectory_, i), 1e-4)
+          << i;
+    for (const std::size_t i : count.zeros) // the arm stands there
+      EXPECT_TRUE(i == 0 || back.motions[i - 1].blendMm == 0.0) << i;
+  }
+  ProgramInput in = inputFor(kAxisExtruder);
+  for (double& mm3 : trajectory_.extrudedMm3)
+    mm3 *= 10.0;
+  in.options.own["extruderAxisMm"] = 40.0;
+  try {
+    writeProgram("krl", in);
+    FAIL();
+  } catch (const base::Error& e) {
+    EXPECT_EQ(e.code(), base::ErrorCode::Usage);
+    EXPECT_NE(std::string(e.what()).find("between two lifts"), std::string::npos);
+  }
+}
+
+// What makes no sense of the axis is named at its line.
+TEST_F(AxisExtruder, isRefusedWhereItRunsAsNoExtruderCan) {
+  struct Case {
+    const char *dialect, *what, *by, *reason;
+  };
+  for (const Case& c :
+       std::vector<Case>{{"krl", "ZERO_EXTRUDER \\( \\)\r\n", "", "is not set to 0"},
+                         {"krl", "EXTRUDER_AXIS=1", "EXTRUDER_AXIS=3", "axis is missing"},
+                         {"krl", "E1 1.57596", "E1 0.57596", "runs back while"},
+                         {"krl", "PTP \\{E1 0.28383\\}", "PTP {E1 -30}", "drawn back: out"},
+                         {"krl", "PTP \\{E1 1.78383\\}\r\n", "", "is not back"},
+                         {"krl", "EXTAX\\[1\\]=100", "EXTAX[1]=50", "is slowed"},
+                         {"rapid", "    zeroExtruder;", "", "is not set to 0"},
+                         {"rapid", "    ActUnit extruder;", "", "moves no work object"},
+                         {"rapid", ".1.57596,", "[9E9,", "axis is missing"},
+                         {"rapid", ".1.57596,", "[0.57596,", "runs back while"},
+                         {"rapid", ".9E9,9E9,9E9,9E9,9E9,9E9.,.0.28383", "[0,0,0,0,0,0],[0.28383",
+                          "read of the extruder"},
+                         {"rapid", "v100.T:=0.15", "v100", "read of the extruder"}}) {
+    SCOPED_TRACE(std::string(c.dialect) + ": " + c.what);
+    process_.retractMm = 1.5;
+    plan::Program program = writeProgram(c.dialect, inputFor(kAxisExtruder));
+    std::string& text = program.files.front().text;
+    const std::string whole = text;
+    text = std::regex_replace(text, std::regex(c.what), c.by);
+    ASSERT_NE(text, whole);
+    const plan::ReadProgram back = readProgram(c.dialect, program.files, process_);
+    std::string told;
+    for (const plan::ProgramDefect& defect : back.defects)
+      told += base::english(defect.reason) + "\n";
+    EXPECT_NE(told.find(c.reason), std::string::npos) << told;
+  }
 }
 
 } // namespace

@@ -26,11 +26,12 @@ WobjData <- 'wobjdata' S Name _ ':=' _ '[' _ Bool C Bool C String C Pose C Pose 
 OtherData <- !('tooldata' / 'wobjdata') Name S Name (_ ':=' _ Value)?
 Load <- '[' _ Number C Position C Turn C Number C Number C Number _ ']'
 
-Routine <- 'PROC' S Name _ '(' _ ')' _ Statement* 'ENDPROC' _
+Routine <- ('LOCAL' S)? 'PROC' S Name _ '(' _ ')' _ Statement* 'ENDPROC' _
 Statement <- !('ENDPROC' !NameChar) (Motion / Instruction / Call) End
 Motion <- (('MoveL' / 'MoveJ') S Robtarget C Speed C Zone
          / 'TriggL' S Robtarget C Speed C Name C Zone
          / 'MoveAbsJ' S Jointtarget _ ('\\NoEOffs')? C Speed C Zone) C Name _ ('\\WObj' _ ':=' _ Name)?
+        / 'MoveExtJ' S Jointtarget C Speed C Zone
 Robtarget <- '[' _ Position C Turn C Four C Six _ ']' / Name
 Jointtarget <- '[' _ Six C Six _ ']' / Name
 Speed <- (Four / Name) _ ('\\' ('T' / 'V') _ ':=' _ Number)?
@@ -49,7 +50,7 @@ Instruction <- ('SetDO' / 'SetAO') S Name C Number
              / 'Load' _ '\\Dynamic' C String _ '\\File' _ ':=' _ String
              / 'UnLoad' S String _ '\\File' _ ':=' _ String
 Call <- '%' _ String _ '%' / !Known Name
-Known <- ('MoveL' / 'MoveJ' / 'MoveAbsJ' / 'MoveC' / 'TriggL' / 'SetDO' / 'SetAO' / 'WaitTime'
+Known <- ('MoveL' / 'MoveJ' / 'MoveAbsJ' / 'MoveC' / 'MoveExtJ' / 'TriggL' / 'SetDO' / 'SetAO' / 'WaitTime'
         / 'ConfL' / 'ConfJ' / 'ActUnit' / 'UIMsgBox' / 'TPWrite' / 'TriggEquip' / 'TriggSpeed' / 'Load' / 'UnLoad')
         !NameChar
 

@@ -2,10 +2,13 @@
 #include "program_fixture.h"
 
 #include "program/dialect.h"
+#include "program/extruder.h"
+#include "program/extruder_axis.h"
 #include "program/makers_grammars.h"
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
 
 namespace voluta::program {
 namespace {
@@ -137,6 +140,24 @@ END
       for (const std::string& text : written("krl"))
         EXPECT_EQ(test::wrongKrlLine(text), 0u) << text.substr(0, 3000);
     }
+}
+
+TEST_F(MakersGrammars, anExtruderAsAnExternalAxis) {
+  randomFor(findDialect("rapid"), 3, 400);
+  process_.retractMm = 1.5;
+  ProgramInput in = input();
+  in.options.own[std::string(kExtruderOption)] = std::string(kAxisExtruder);
+  const Grammar rapid = test::wrongRapidLine, krl = test::wrongKrlLine;
+  for (const auto& [format, extension, wrongLine] :
+       {std::tuple("rapid", ".mod", rapid), std::tuple("krl", ".src", krl)}) {
+    std::size_t texts = 0;
+    for (const plan::ProgramFile& file : writeProgram(format, in).files)
+      if (file.name.ends_with(extension)) {
+        EXPECT_EQ(wrongLine(file.text), 0u) << file.name << "\n" << file.text.substr(0, 3000);
+        ++texts;
+      }
+    EXPECT_GT(texts, 0u);
+  }
 }
 
 } // namespace

@@ -175,6 +175,68 @@ std::vector<Kind> streamKinds() {
   return all;
 }
 
+// Of an axis that goes with each motion, mm of filament.
+std::vector<Kind> axisKinds(const std::string& dialect) {
+  const bool krl = dialect == "krl";
+  const std::string bead = krl ? "^LIN .*,E1 ([0-9.]+)\\}" : "^    MoveL .*,\\[([0-9.]+),9E9",
+                    number = krl ? "E1 ([0-9]+)\\.([0-9]+)\\}" : ",\\[([0-9]+)\\.([0-9]+),9E9",
+                    zero = krl ? "^ZERO_EXTRUDER" : "^    zeroExtruder",
+                    feed = krl ? "^PTP \\{E1 ([0-9.]+)" : "^    MoveExtJ .*,\\[([0-9.]+),";
+  const auto as = [&](const std::string& name, const std::string& value) {
+    return replaced(name, number, krl ? "E1 " + value + "}" : ",[" + value + ",9E9");
+  };
+  const auto fed = [&](const std::string& mm) {
+    return krl ? "PTP {E1 " + mm + "}\r"
+               : "    MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[" + mm +
+                     ",9E9,9E9,9E9,9E9,9E9]],v100\\T:=0.2,fine;\r";
+  };
+  std::vector<Kind> all = {scaled("all amounts are 80 % over 200 lines", bead, 0.8, 200, 5),
+                           scaled("all amounts are 5 % more from here on", bead, 1.05, 100000, 5),
+                           scaled("one amount is twice", bead, 2.0, 1, 5),
+                           scaled("one amount is a little less", bead, 0.97, 1, 5),
+                           scaled("the prime is ten times that", feed, 10.0, 1, 5),
+                           as("an amount lost its point", "$1$2"),
+                           as("an amount has a sign", "-$1.$2"),
+                           as("an amount is nothing", "0"),
+                           as("an amount has a digit more", "1$1.$2"),
+                           as("an amount is no number", "x"),
+                           as("the axis is missing", krl ? "$1.$2,E1 $1.$2" : "9E9"),
+                           erased("a line is missing", bead),
+                           later("a line comes late", bead),
+                           erased("the axis is never set to 0", zero, true),
+                           erased("the prime is missing", feed, true),
+                           erased("nobody knows which axis it is",
+                                  krl ? "^EXTRUDER_AXIS=" : "^    ActUnit extruder", true),
+                           {"the file ends early",
+                            [](Lines& lines, std::size_t at) {
+                              lines.resize(at);
+                              return std::optional(at - 1);
+                            }},
+                           {"two lines have changed places", [=](Lines& lines, std::size_t at) {
+                              const auto i = next(lines, at, bead);
+                              const auto other = i ? next(lines, *i + 1, bead) : std::nullopt;
+                              if (other)
+                                std::swap(lines[*i], lines[*other]);
+                              return i;
+                            }}};
+  // The prime stands before all beads.
+  for (Kind& kind : all)
+    if (kind.name.starts_with("the prime is ten"))
+      kind.harm = [harm = kind.harm](Lines& lines, std::size_t) { return harm(lines, 0); };
+  if (krl)
+    all.push_back(replaced("another axis", "E1 ([0-9.]+)\\}", "E2 $1}"));
+  else
+    all.push_back(replaced("another axis", ",\\[([0-9.]+),9E9", ",[9E9,$1"));
+  for (const std::string& line :
+       {fed("500"), fed("-30"), krl ? std::string("ZERO_EXTRUDER ( )\r") : "    zeroExtruder;\r",
+        krl ? std::string("HALT\r") : "    UIMsgBox \"wait\";\r",
+        krl ? std::string("EXTRUDER_AXIS=2\r") : "    DeactUnit extruder;\r",
+        krl ? std::string("$VEL_EXTAX[1]=1\r") : "    VelSet 50,5000;\r",
+        krl ? std::string("EXTRUDER_AXIS=0\r") : "    ActUnit other;    SetAO aoFlow,3;\r"})
+    all.push_back(inserted(line, bead, 3));
+  return all;
+}
+
 class ExtruderRows : public ::testing::TestWithParam<Row> {
 protected:
   const test::Scene& scene() const { return sceneFor(GetParam().dialect); }
@@ -221,16 +283,20 @@ protected:
       concerned =
           motion > 0 && motion <= whole_.motions.size() ? whole_.motions[motion - 1].line : 1;
     }
-    std::size_t following = 0;
+    // At the line or behind it; and, where that line is a motion of its own, the one behind that.
+    std::size_t following = 0, second = 0;
     if (!streams())
       for (const plan::ProgramMotion& m : whole_.motions)
-        if (following == 0 && m.line >= line)
+        if (m.line >= line && following == 0)
           following = m.line;
+        else if (m.line > line && second == 0)
+          second = m.line;
     return !v.passed && std::any_of(v.places.begin(), v.places.end(), [&](TextPlace p) {
       if (p.file == harmed() + 1 && near(p.line, line))
         return true;
       return streams() ? p.file != harmed() + 1 && near(p.line, concerned)
-                       : near(p.line, following);
+                       : near(p.line, following) ||
+                             (following == line && second > 0 && near(p.line, second));
     });
   }
 
@@ -247,7 +313,10 @@ TEST_P(ExtruderRows, TheUndamagedProgramPasses) {
 }
 
 TEST_P(ExtruderRows, HarmIsFoundAtItsLine) {
-  const std::vector<Kind> kinds = streams() ? streamKinds() : textKinds(GetParam().dialect);
+  const std::vector<Kind> kinds = streams() ? streamKinds()
+                                  : program::findExtruder(GetParam().extruder).byAxis
+                                      ? axisKinds(GetParam().dialect)
+                                      : textKinds(GetParam().dialect);
   std::size_t tried = 0, refused = 0, found = 0;
   std::string missed;
   for (const Kind& kind : kinds)

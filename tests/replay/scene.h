@@ -107,9 +107,10 @@ inline robot::JointVector turnedUp(const robot::Cell& cell, const Eigen::Vector3
 }
 
 // Walks the paths with a fixed turn about the nozzle, the one with most clearance at the start;
-// between them up, over and down, straight.
+// between them back over the bead for `wipeMm`, waypoint by waypoint, up, over and down, straight.
 inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell,
-                             const process::Process& process, double liftMm = 3.0) {
+                             const process::Process& process, double liftMm = 3.0,
+                             double wipeMm = 0.0) {
   plan::Trajectory t;
   t.dof = cell.dof();
   robot::JointVector q = cell.home();
@@ -169,8 +170,14 @@ inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell
                   process::beadArea(plan.widthMm[w], plan.heightMm[w]);
       put(plan::MoveKind::Print, plan.position[w], plan.direction[w], w, plan.speedMmPerS[w]);
     }
-    put(plan::MoveKind::Linear, plan.position[b] + liftMm * plan.direction[b], plan.direction[b],
-        plan::kNoWaypoint, process.travelSpeedMmPerS);
+    std::size_t end = b;
+    for (double left = wipeMm; end > a && left > 0.0 && b + 1 < plan.waypointCount(); --end) {
+      left -= (plan.position[end] - plan.position[end - 1]).norm();
+      put(plan::MoveKind::Wipe, plan.position[end - 1], plan.direction[end - 1], plan::kNoWaypoint,
+          process.travelSpeedMmPerS);
+    }
+    put(plan::MoveKind::Linear, plan.position[end] + liftMm * plan.direction[end],
+        plan.direction[end], plan::kNoWaypoint, process.travelSpeedMmPerS);
   }
   return t;
 }

@@ -112,7 +112,7 @@ TEST(DrawnBack, ComesToTheSamePrint) {
   test::Scene s = test::boxScene(1);
   s.process.retractMm = 1.5;
   for (const program::Dialect& d : test::dialectsFor("urscript"))
-    for (const char* extruder : {"outputs", "castelli-serial", "e-stream"}) {
+    for (const char* extruder : {"outputs", "castelli-serial", "e-stream", "external-axis"}) {
       const bool own = d.extruders.empty();
       if (own ? extruder != std::string("outputs")
               : std::ranges::find(d.extruders, extruder) == d.extruders.end())
@@ -141,6 +141,52 @@ TEST(DrawnBack, ComesToTheSamePrint) {
       text.erase(begin, text.find('\n', at) + 1 - begin);
       EXPECT_FALSE(verify(s, program::readProgram(d.id, files, s.process)).passed);
     }
+}
+
+// The nozzle goes back over its bead before it lifts, in every format: nothing more is laid, and a
+// wipe that is left out is found where it was.
+TEST(Wipe, IsAMotionThatLaysNothing) {
+  test::Scene s = test::boxScene(1);
+  s.trajectory = test::walk(s.plan, s.cell, s.process, 3.0, 3.0);
+  s.process.retractMm = 1.5;
+  const auto wipe = std::ranges::find(s.trajectory.move, plan::MoveKind::Wipe);
+  ASSERT_NE(wipe, s.trajectory.move.end());
+  const auto first = static_cast<std::size_t>(wipe - s.trajectory.move.begin());
+  EXPECT_EQ(s.trajectory.move[first - 1], plan::MoveKind::Print);
+  EXPECT_EQ(s.trajectory.move[first + 2], plan::MoveKind::Wipe);
+  EXPECT_EQ(s.trajectory.move[first + 3], plan::MoveKind::Linear);
+  for (const program::Dialect& d : test::dialectsFor("urscript")) {
+    SCOPED_TRACE(d.id);
+    const plan::Program program =
+        program::writeProgram(d.id, {s.plan, s.trajectory, s.cell, s.process, "box"});
+    const plan::ReadProgram read = program::readProgram(d.id, program.files, s.process);
+    const Verification v = verify(s, read);
+    EXPECT_TRUE(v.passed) << told(v);
+    EXPECT_NEAR(v.massRatio, 1.0, 0.01);
+    std::size_t motion = 0;
+    while (motion < v.pointOf.size() && v.pointOf[motion] != first + 1)
+      ++motion;
+    ASSERT_LT(motion, read.motions.size());
+    // Drawn back before it, where the format can.
+    const auto drawn = std::ranges::find_if(read.pauses, [](const plan::ProgramPause& p) {
+      return p.volumeMm3 == 0.0 && p.durationS > 0.0;
+    });
+    if (drawn != read.pauses.end()) {
+      EXPECT_EQ(v.pointOf[drawn->before], first);
+    }
+    auto files = program.files;
+    std::string& text = files[read.motions[motion].file].text;
+    const std::size_t line = read.motions[motion].line;
+    std::size_t begin = 0;
+    for (std::size_t l = 1; l < line; ++l)
+      begin = text.find('\n', begin) + 1;
+    text.erase(begin, text.find('\n', begin) + 1 - begin);
+    const Verification without = verify(s, program::readProgram(d.id, files, s.process));
+    EXPECT_FALSE(without.passed);
+    EXPECT_TRUE(std::ranges::any_of(without.places, [&](const TextPlace& p) {
+      return p.line + 1 >= line && p.line <= line + 1;
+    })) << told(without);
+  }
 }
 
 } // namespace
