@@ -11,13 +11,17 @@
 
 namespace voluta::pipeline {
 
+// `text`: what the file of a cell of that id would hold. With the largest of its plates, a disc of
+// 200 mm where it has none. Throws Error{UnreadableFile, UnusableInput} as robot::Cell::readText().
+robot::Cell cellOfText(const std::string& text, const std::string& id,
+                       const process::Process& process);
+
 struct CheckedCell {
   std::shared_ptr<const robot::Cell> cell; // null: it cannot be read
   std::vector<reach::CellFault> faults;    // why not, or what it cannot do
 };
 
-// `text`: what the file of a cell of that id would hold. With the largest of its plates, a disc of
-// 200 mm where it has none. `partKg` as reach::cellFaults(). Throws Cancelled.
+// The cell of that text, and its faults. `partKg` as reach::cellFaults(). Throws Cancelled.
 CheckedCell checkedCell(const std::string& text, const std::string& id,
                         const process::Process& process, double partKg,
                         const base::RunContext& ctx);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "robot/body.h"
+#include "robot/triangle_cut.h"
 
-#include <array>
 #include <vector>
 
 namespace voluta::robot {
@@ -19,7 +19,6 @@ Capsule enclosingCapsule(const std::vector<Eigen::Vector3d>& points,
 // where it saves most volume, as long as a cut saves a sixth of the whole. Each part's capsule as
 // enclosingCapsule has it. Where to cut is looked for on some thousand triangles.
 // Preconditions: triangles, most >= 1.
-using Corners = std::array<Eigen::Vector3d, 3>;
 std::vector<Capsule> enclosingCapsules(const std::vector<Corners>& triangles,
                                        const Eigen::Vector3d& alsoAlong, int most);
 

@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "robot/json_output.h"
 #include "robot/json_pose.h"
+#include "robot/shape_moves.h"
 #include "robot/shape_reader.h"
 
 #include <algorithm>
@@ -61,18 +62,6 @@ Eigen::Isometry3d placeOf(const Shape& shape) {
   return pose;
 }
 
-Shape moved(Shape shape, const Eigen::Isometry3d& by) {
-  if (auto* box = std::get_if<Box>(&shape))
-    box->frame_T_box = by * box->frame_T_box;
-  for (const auto p : {&Capsule::p0, &Capsule::p1})
-    if (auto* capsule = std::get_if<Capsule>(&shape))
-      capsule->*p = by * (capsule->*p);
-  for (const auto p : {&Frustum::p0, &Frustum::p1})
-    if (auto* frustum = std::get_if<Frustum>(&shape))
-      frustum->*p = by * (frustum->*p);
-  return shape;
-}
-
 std::vector<Shape> shapesOf(const std::string& text, std::size_t obstacle) {
   return readShapes(
       base::JsonNode::parse(text, kName).at("obstacles").items().at(obstacle).at("shapes"));
@@ -87,6 +76,30 @@ void keepPairs(Json& cell, const std::function<bool(const std::string&)>& isTher
     if (isThere(row.at("pair").at(0)) && isThere(row.at("pair").at(1)))
       kept.push_back(row);
   cell["neverMeet"] = std::move(kept);
+}
+
+// `how`: all of the obstacle but its name, which is one that is free.
+std::string withObstacle(const std::string& text, const std::string& name, const Json& how) {
+  Json cell = parsed(text);
+  std::set<std::string> taken{"holder", "head", "platform"};
+  for (const Json& obstacle : cell.at("obstacles"))
+    taken.insert(obstacle.at("name"));
+  for (const Json& axis : cell.at("externalAxes"))
+    for (const Json& body : axis.value("bodies", Json::array()))
+      taken.insert(body.at("name"));
+  try {
+    for (const Body& link : loadRobot(cell.at("robot")).links)
+      taken.insert(link.name);
+  } catch (const base::Error&) {
+    // Its names are not known, and the cell is not read.
+  }
+  std::string free = name;
+  for (int n = 2; taken.contains(free); ++n)
+    free = name + " " + std::to_string(n);
+  Json obstacle{{"name", free}};
+  obstacle.update(how);
+  cell.at("obstacles").push_back(std::move(obstacle));
+  return textOf(cell);
 }
 
 } // namespace
@@ -106,6 +119,8 @@ CellDraft::CellDraft(std::string text) : text_(std::move(text)) {
   for (const base::JsonNode& obstacle : top.at("obstacles").items()) {
     obstacle.at("name").text();
     readShapes(obstacle.at("shapes"));
+    if (obstacle.has("pose"))
+      readPose(obstacle.at("pose"));
   }
   if (top.has("extruder"))
     top.at("extruder").text();
@@ -155,8 +170,10 @@ std::vector<DraftBody> CellDraft::bodies() const {
   const std::vector<base::JsonNode> obstacles = top.at("obstacles").items();
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const std::vector<Shape> shapes = readShapes(obstacles[i].at("shapes"));
-    DraftBody body{Kind::Obstacle, i, obstacles[i].at("name").text(), placeOf(shapes.front())};
-    if (const auto* box = std::get_if<Box>(&shapes.front()); box && shapes.size() == 1)
+    const bool posed = obstacles[i].has("pose");
+    DraftBody body{Kind::Obstacle, i, obstacles[i].at("name").text(),
+                   posed ? readPose(obstacles[i].at("pose")) : placeOf(shapes.front())};
+    if (const auto* box = std::get_if<Box>(&shapes.front()); box && shapes.size() == 1 && !posed)
       body.sizeMm = 2.0 * box->half;
     bodies.push_back(std::move(body));
   }
@@ -229,7 +246,7 @@ CellDraft CellDraft::withHome(const JointVector& armJoints,
 
 CellDraft CellDraft::withPose(const DraftBody& body, const Eigen::Isometry3d& pose) const {
   Json cell = parsed(text_);
-  if (body.kind == Kind::Obstacle) {
+  if (body.kind == Kind::Obstacle && !entryOf(cell, body).contains("pose")) {
     std::vector<Shape> shapes = shapesOf(text_, body.index);
     const Eigen::Isometry3d by = pose * placeOf(shapes.front()).inverse(Eigen::Isometry);
     for (Shape& shape : shapes)
@@ -250,25 +267,14 @@ CellDraft CellDraft::withSize(const DraftBody& box, const Eigen::Vector3d& sizeM
 
 CellDraft CellDraft::withBox(const std::string& name, const Eigen::Isometry3d& pose,
                              const Eigen::Vector3d& sizeMm) const {
-  Json cell = parsed(text_);
-  std::set<std::string> taken{"holder", "head", "platform"};
-  for (const Json& obstacle : cell.at("obstacles"))
-    taken.insert(obstacle.at("name"));
-  for (const Json& axis : cell.at("externalAxes"))
-    for (const Json& body : axis.value("bodies", Json::array()))
-      taken.insert(body.at("name"));
-  try {
-    for (const Body& link : loadRobot(cell.at("robot")).links)
-      taken.insert(link.name);
-  } catch (const base::Error&) {
-    // Its names are not known, and the cell is not read.
-  }
-  std::string free = name;
-  for (int n = 2; taken.contains(free); ++n)
-    free = name + " " + std::to_string(n);
-  cell.at("obstacles")
-      .push_back({{"name", free}, {"shapes", shapesJson({Box{pose, 0.5 * sizeMm}})}});
-  return CellDraft(textOf(cell));
+  return CellDraft(withObstacle(text_, name, {{"shapes", shapesJson({Box{pose, 0.5 * sizeMm}})}}));
+}
+
+CellDraft CellDraft::withSolids(const std::string& name, const Eigen::Isometry3d& pose,
+                                const std::vector<Shape>& shapes) const {
+  base::require(!shapes.empty(), "an obstacle has a shape");
+  return CellDraft(
+      withObstacle(text_, name, {{"pose", poseJson(pose)}, {"shapes", shapesJson(shapes)}}));
 }
 
 CellDraft CellDraft::without(const DraftBody& obstacle) const {

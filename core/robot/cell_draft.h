@@ -21,7 +21,8 @@ struct DraftBody {
   std::size_t index = 0; // among the axes, or the obstacles
   std::string name;      // of an axis or obstacle
   // In the flange (what goes with the arm), the base (what stands), the axis before it or on the
-  // last axis (a platform that axes carry). An obstacle's is that of its first shape.
+  // last axis (a platform that axes carry). An obstacle's is its own, or else
+  // that of its first shape.
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   bool onFlange = false;
   // Of an obstacle that is one box: its edges, mm.
@@ -58,9 +59,12 @@ public:
   CellDraft withPose(const DraftBody& body, const Eigen::Isometry3d& pose) const;
   // Preconditions: an obstacle that is one box; edges > 0.
   CellDraft withSize(const DraftBody& box, const Eigen::Vector3d& sizeMm) const;
-  // A box in the base's frame with a name that is free: `name`, or with a number behind it.
+  // An obstacle in the base's frame with a name that is free: `name`, or with a number behind it.
   CellDraft withBox(const std::string& name, const Eigen::Isometry3d& pose,
                     const Eigen::Vector3d& sizeMm) const;
+  // The solids stand in a frame of the obstacle's own. Preconditions: some, none of them a prism.
+  CellDraft withSolids(const std::string& name, const Eigen::Isometry3d& pose,
+                       const std::vector<Shape>& shapes) const;
   // Precondition: an obstacle. Pairs with it need no check any more and are gone.
   CellDraft without(const DraftBody& obstacle) const;
 

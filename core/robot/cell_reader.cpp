@@ -18,7 +18,9 @@
 //                         platforms are written ("disc:120", "rect:200x150") Or {mount: "world",
 //                         pose, rod}: rod is {diameterMm, lengthMm, printableRadiusMm}, along x of
 //                         the work frame, lengthMm free between its bearings, which are obstacles
-//   obstacles             list of {name, shapes}, in the robot's base frame; may be empty
+//   obstacles             list of {name, pose, shapes}, in the robot's base frame; may be empty.
+//   pose,
+//                         optional, is where the frame of the shapes lies
 //   carriedKg             optional: what the flange carries before anything is printed, kg; half a
 //                         kilogram of plate or one of head where it is not given
 //   homeDeg               list: the robot's joints at rest (sliding ones in mm), with the plate
@@ -48,6 +50,7 @@
 #include "base/json_node.h"
 #include "robot/json_pose.h"
 #include "robot/plate.h"
+#include "robot/shape_moves.h"
 #include "robot/shape_reader.h"
 
 #include "base/error.h"
@@ -326,11 +329,15 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
     cell.bodies_.push_back(std::move(body));
   }
   for (const base::JsonNode& obstacle : top.at("obstacles").items()) {
-    obstacle.allowOnly({"name", "shapes"});
+    obstacle.allowOnly({"name", "pose", "shapes"});
     const std::string name = obstacle.at("name").text();
     if (isTaken(name))
       obstacle.at("name").fail(base::message("is taken already: '{name}'"_text, name));
-    cell.bodies_.push_back({name, BodyRole::Obstacle, 0, readShapes(obstacle.at("shapes"))});
+    Body body{name, BodyRole::Obstacle, 0, readShapes(obstacle.at("shapes"))};
+    if (obstacle.has("pose"))
+      for (Shape& shape : body.shapes)
+        shape = moved(std::move(shape), readPose(obstacle.at("pose")));
+    cell.bodies_.push_back(std::move(body));
   }
 
   const std::vector<base::JsonNode> home = top.at("homeDeg").items();

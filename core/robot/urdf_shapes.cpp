@@ -1,9 +1,8 @@
 #include "robot/urdf_shapes.h"
 
 #include "base/error.h"
-#include "geometry/formats/foreign_reader.h"
-#include "geometry/formats/mesh_reader.h"
 #include "robot/capsule_fit.h"
+#include "robot/urdf_mesh.h"
 
 #include <fmt/format.h>
 
@@ -15,16 +14,9 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 namespace fs = std::filesystem;
 
-constexpr double kMmInMetre = 1000.0;
 // Of the arm's length along its joints: how thick a link is that nothing is known of.
 constexpr double kThickness = 0.06;
 constexpr int kCapsules = 3; // a mesh at most
-
-std::optional<std::string_view> after(std::string_view text, std::string_view prefix) {
-  if (!text.starts_with(prefix))
-    return std::nullopt;
-  return text.substr(prefix.size());
-}
 
 struct Solids {
   const fs::path& file;
@@ -62,18 +54,10 @@ private:
     if (mesh.scale.cwiseAbs().minCoeff() == 0.0)
       return leaveOut("is scaled to nothing");
     try {
-      const geometry::TriangleMesh read =
-          geometry::isForeign(path)
-              ? geometry::readForeign(path, geometry::ForeignFrame::AsWritten).mesh
-              : geometry::readMesh(path).mesh;
+      const geometry::TriangleMesh read = readUrdfMesh(path, mesh, pose);
       std::vector<Corners> triangles;
-      for (const std::array<int, 3>& triangle : read.triangles) {
-        Corners& corners = triangles.emplace_back();
-        for (std::size_t k = 0; k < 3; ++k)
-          corners[k] = pose * Vector3d(kMmInMetre *
-                                       mesh.scale.cwiseProduct(
-                                           read.vertices[static_cast<std::size_t>(triangle[k])]));
-      }
+      for (std::size_t t = 0; t < read.triangles.size(); ++t)
+        triangles.push_back({read.corner(t, 0), read.corner(t, 1), read.corner(t, 2)});
       for (const Capsule& capsule : enclosingCapsules(triangles, toNext, kCapsules))
         body.shapes.push_back(capsule);
     } catch (const base::Error&) {
@@ -93,25 +77,6 @@ bool hasSize(const UrdfSolid& solid) {
 }
 
 } // namespace
-
-fs::path meshPath(const std::string& written, const fs::path& urdf) {
-  std::error_code none;
-  const fs::path folder = fs::absolute(urdf, none).parent_path();
-  if (const auto rest = after(written, "package://")) {
-    const fs::path named(*rest), package = *named.begin();
-    const fs::path inside = named.lexically_relative(package);
-    for (fs::path at = folder;; at = at.parent_path()) {
-      if (fs::is_regular_file(at / named, none))
-        return at / named;
-      if (at.filename() == package && fs::is_regular_file(at / inside, none))
-        return at / inside;
-      if (at == at.parent_path())
-        return {};
-    }
-  }
-  const fs::path plain = folder / fs::path(after(written, "file://").value_or(written));
-  return fs::is_regular_file(plain, none) ? plain : fs::path();
-}
 
 std::vector<Body> urdfBodies(const UrdfTree& tree, const UrdfChain& chain, const fs::path& file,
                              std::vector<std::string>& assumed) {

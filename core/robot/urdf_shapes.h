@@ -18,8 +18,4 @@ namespace voluta::robot {
 std::vector<Body> urdfBodies(const UrdfTree& tree, const UrdfChain& chain,
                              const std::filesystem::path& file, std::vector<std::string>& assumed);
 
-// Where a mesh's file is: relative to the URDF's folder; "package://NAME/REST" as NAME/REST in that
-// folder or one above it, or REST in one of them that is called NAME. Empty: it is not there.
-std::filesystem::path meshPath(const std::string& written, const std::filesystem::path& urdf);
-
 } // namespace voluta::robot

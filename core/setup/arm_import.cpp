@@ -58,6 +58,7 @@ ArmImport importArm(const fs::path& urdf, const robot::UrdfOptions& options, rob
   import.layout = layOut(robot, nozzle, process, ctx.sub(0.05, 1.0));
   addPairs(import.layout.meetAtRest, "at rest", robot);
   robot.assumed.insert(robot.assumed.end(), import.layout.notes.begin(), import.layout.notes.end());
+  import.linkMeshes = robot::urdfLinkMeshes(urdf, options);
   return import;
 }
 
@@ -74,6 +75,7 @@ ImportedFiles writeImport(const ArmImport& import, const fs::path& folder) {
                         file.parent_path().string());
   }
   base::writeFile(files.robot, robot::robotFileJson(robot, import.arm.chain, import.arm.source));
+  robot::writeLinkMeshes(files.robot, import.linkMeshes);
   base::writeFile(files.cell,
                   robot::cellFileJson(import.layout.cell, robot::kindsOf(robot.limits)));
   return files;

@@ -4,6 +4,7 @@
 
 #include "base/run_context.h"
 #include "robot/arm_recognition.h"
+#include "robot/link_meshes.h"
 #include "robot/urdf_reader.h"
 #include "setup/cell_layout.h"
 
@@ -17,6 +18,7 @@ struct ArmImport {
   robot::UrdfRobot arm; // with its neverMeet
   robot::ArmKind kind = robot::ArmKind::Other;
   CellLayout layout;
+  std::vector<robot::LinkMesh> linkMeshes = {}; // what it looks like
 };
 
 // `process`: whose head the nozzle is. Without an id in `options` an arm whose name is that of one
@@ -30,7 +32,8 @@ ArmImport importArm(const std::filesystem::path& urdf, const robot::UrdfOptions&
 struct ImportedFiles {
   std::filesystem::path robot, cell;
 };
-// Writes folder/robots/ID.json and folder/cells/CELL.json. Throws Error{CannotWrite}.
+// Writes folder/robots/ID.json, its link meshes beside it, and folder/cells/CELL.json. Throws
+// Error{CannotWrite}.
 ImportedFiles writeImport(const ArmImport& import, const std::filesystem::path& folder);
 
 } // namespace voluta::setup

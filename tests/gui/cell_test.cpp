@@ -1,15 +1,13 @@
 // The cell: where its head reaches, and a cell of the user's own, edited and planned in.
 #include "base/data_files.h"
-#include "gui/window_fixture.h"
+#include "gui/cell_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/reach_panel.h"
 #include "robot/cell_draft.h"
 #include "robot/urdf_arms.h"
-#include "window/cell_editor.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,7 +17,6 @@
 #include <QTabWidget>
 #include <QTest>
 #include <QTimer>
-#include <QTreeWidget>
 
 namespace voluta::test {
 namespace {
@@ -35,16 +32,8 @@ double colouredShare(const QImage& picture) {
   return static_cast<double>(coloured) / (picture.width() * picture.height());
 }
 
-class CellTest : public WindowTest {
+class CellTest : public CellWindowTest {
 protected:
-  void SetUp() override {
-    qputenv("VOLUTA_DATA", folder_.path().toUtf8());
-    WindowTest::SetUp();
-  }
-  void TearDown() override {
-    WindowTest::TearDown();
-    qunsetenv("VOLUTA_DATA");
-  }
   panels::ReachPanel* reach() { return find<panels::ReachPanel>("reach"); }
   QPushButton* moveButton() { return reach()->findChild<QPushButton*>("reachMove"); }
   bool reachKnown() {
@@ -59,39 +48,6 @@ protected:
       if (auto* area = qobject_cast<QScrollArea*>(up))
         area->ensureWidgetVisible(button);
     QTest::mouseClick(button, Qt::LeftButton, {}, QPoint(10, button->height() / 2));
-  }
-  // Works the editor once it is up, then goes on.
-  void inEditor(const std::function<void(window::CellEditor&)>& work) {
-    QTimer::singleShot(0, &window(), [this, work] {
-      window::CellEditor* editor = nullptr;
-      ASSERT_TRUE(waitFor([&] {
-        editor = qobject_cast<window::CellEditor*>(QApplication::activeModalWidget());
-        return editor && editor->settled();
-      }));
-      work(*editor);
-    });
-    clickMenu("editMenu", "editCell");
-  }
-  static bool settled(window::CellEditor& editor) {
-    return waitFor([&] { return editor.settled(); });
-  }
-  static void type(window::CellEditor& editor, const char* box, double value) {
-    auto* field = editor.findChild<QDoubleSpinBox*>(box);
-    ASSERT_NE(field, nullptr) << box;
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, field->locale().toString(value, 'g', 8));
-    QTest::keyClick(field, Qt::Key_Return);
-  }
-  static void choose(window::CellEditor& editor, const QString& body) {
-    auto* tree = editor.findChild<QTreeWidget*>("cellBodies");
-    const auto items = tree->findItems(body, Qt::MatchExactly | Qt::MatchRecursive);
-    ASSERT_EQ(items.size(), 1) << body.toStdString();
-    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
-                      tree->visualItemRect(items.front()).center());
-  }
-  static QString faults(window::CellEditor& editor) {
-    return editor.findChild<QLabel*>("cellFaults")->text();
   }
 };
 

@@ -88,6 +88,33 @@ TEST_F(Drafts, boxesComeAndGoWithWhatIsSaidOfThem) {
   EXPECT_EQ(draft.withBox("forearm", someTurn(), {1, 1, 1}).bodies().back().name, "forearm 2");
 }
 
+// Solids with a frame of their own: it moves, and they go with it.
+TEST_F(Drafts, solidsFromAFileStandInTheirFrame) {
+  const std::vector<Shape> solids{Frustum{{0, 0, 0}, {0, 0, 200}, 15, 15},
+                                  Capsule{{0, 0, 200}, {80, 0, 200}, 12},
+                                  Box{someTurn(), {5, 6, 7}}};
+  const Eigen::Isometry3d there = someTurn() * someTurn();
+  const CellDraft draft = draftOfCell("ur5-fixed").withSolids("stand", someTurn(), solids);
+  const DraftBody stand = draft.bodies().back();
+  EXPECT_EQ(stand.name, "stand");
+  EXPECT_TRUE(stand.pose.isApprox(someTurn(), 1e-9));
+  EXPECT_FALSE(stand.sizeMm);
+  for (const auto& [cell, pose] :
+       {std::pair(read(draft), someTurn()), std::pair(read(draft.withPose(stand, there)), there)}) {
+    const Body& body = cell.bodies().back();
+    ASSERT_EQ(body.shapes.size(), 3u);
+    EXPECT_TRUE(std::get<Frustum>(body.shapes[0]).p1.isApprox(pose * Eigen::Vector3d(0, 0, 200)));
+    EXPECT_EQ(std::get<Frustum>(body.shapes[0]).r1, 15.0);
+    EXPECT_TRUE(std::get<Capsule>(body.shapes[1]).p1.isApprox(pose * Eigen::Vector3d(80, 0, 200)));
+    EXPECT_TRUE(std::get<Box>(body.shapes[2]).frame_T_box.isApprox(pose * someTurn(), 1e-9));
+  }
+  // One box in such a frame has no edges of the obstacle's own, and moves all the same.
+  const CellDraft one = draft.withSolids("crate", someTurn(), {Box{someTurn(), {5, 6, 7}}});
+  const DraftBody crate = one.bodies().back();
+  EXPECT_FALSE(crate.sizeMm);
+  EXPECT_TRUE(one.withPose(crate, there).bodies().back().pose.isApprox(there, 1e-9));
+}
+
 TEST_F(Drafts, anotherRobotStandsInTheSameCell) {
   for (const char* id : {"ur5-fixed", "irb1200-irbp", "t3"})
     for (const std::string& robot : robotIds()) {

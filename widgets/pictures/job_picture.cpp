@@ -5,6 +5,7 @@
 #include "curved/peeling_field.h"
 #include "modes/planar_modes.h"
 #include "pipeline/choices.h"
+#include "robot/link_meshes.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -86,7 +87,8 @@ public:
   void showRobot() {
     const auto& trajectory = *need(job_.trajectory, "robot motion"_text);
     const auto& plan = *need(job_.toolPlan, "tool-paths"_text);
-    scene_.setCell(scene::drawCell(robot::loadCell(job_.choices.cell, process(), job_.platform)));
+    const robot::Cell cell = robot::loadCell(job_.choices.cell, process(), job_.platform);
+    scene_.setCell(scene::drawCell(cell, robot::linkMeshesOf(cell.robot().id)));
     const auto drawing = scene::drawPaths(plan, &trajectory);
     setLastLayer(scene::layerCount(*drawing));
     scene_.setPaths(drawing);

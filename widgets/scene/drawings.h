@@ -19,6 +19,10 @@
 #include <memory>
 #include <vector>
 
+namespace voluta::robot {
+struct LinkMesh;
+}
+
 namespace voluta::scene {
 
 struct PartDrawing;
@@ -111,7 +115,11 @@ std::shared_ptr<const ReachDrawing> drawReach(const std::vector<ReachPoint>& poi
                                               double spacingMm,
                                               const std::vector<Eigen::Vector2d>& plate);
 
-// Robot, holders, head, platform and obstacles as solids.
-std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell);
+// Robot, holders, head, platform and obstacles as the solids that are checked; links as those of
+// the meshes, where there is one of their frame.
+std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell,
+                                            const std::vector<robot::LinkMesh>& links);
+// The same of a cell with the same arm, whose links are taken from what was drawn before.
+std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell, const CellDrawing& before);
 
 } // namespace voluta::scene

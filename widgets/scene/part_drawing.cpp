@@ -1,10 +1,6 @@
 #include "scene/drawing_data.h"
 #include "scene/feature_edges.h"
-#include "scene/mesh_buffers.h"
-
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyDataNormals.h>
+#include "scene/surface.h"
 
 namespace voluta::scene {
 
@@ -15,25 +11,11 @@ constexpr double kFeatureAngleDeg = 45.0;
 std::shared_ptr<const PartDrawing> drawPart(const geometry::TriangleMesh& part) {
   auto drawing = std::make_shared<PartDrawing>();
   drawing->mesh = part;
-  MeshBuffers buffers;
-  for (const Eigen::Vector3d& v : part.vertices) {
-    buffers.addPoint(v);
+  for (const Eigen::Vector3d& v : part.vertices)
     drawing->box.extend(v);
-  }
-  for (const auto& t : part.triangles)
-    buffers.addTriangle(t[0], t[1], t[2]);
-  const auto raw = polyDataOf(buffers);
-
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(raw);
-  normals->SetFeatureAngle(kFeatureAngleDeg);
-  normals->SplittingOn();
-  normals->ConsistencyOff();
-  normals->Update();
-  drawing->surface = normals->GetOutput();
-  drawing->surface->ComputeBounds();
-
-  drawing->edges = featureEdges(raw, kFeatureAngleDeg, true);
+  const auto plain = plainSurface(part);
+  drawing->surface = shadedSurface(plain, kFeatureAngleDeg);
+  drawing->edges = featureEdges(plain, kFeatureAngleDeg, true);
   return drawing;
 }
 

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr double kLengthPixels = 90.0, kGrabPixels = 8.0;
 constexpr int kRingPoints = 64;
-constexpr int kAll = 3;
+constexpr int kAll = 3, kRing = 4;
 constexpr double kTiltShare = 0.72; // of an arrow's length: rings that tilt
 
 // Blue, bluish green and orange, which colour-blind people tell apart; the handles carry their
@@ -63,7 +63,7 @@ std::vector<Gizmo::Handle> Gizmo::handles(const Projection& project, double mmPe
   };
   const auto ring = [&](int k, double radius) {
     QPolygonF line;
-    const Vector3d a = axis((k + 1) % 3), b = axis((k + 2) % 3);
+    const Vector3d a = axisAfter(k, 1), b = axisAfter(k, 2);
     for (int i = 0; i <= kRingPoints; ++i) {
       const double angle = 2.0 * base::kPi * i / kRingPoints;
       line << project(centre_ + radius * (std::cos(angle) * a + std::sin(angle) * b));
@@ -93,6 +93,12 @@ std::vector<Gizmo::Handle> Gizmo::handles(const Projection& project, double mmPe
     ring(1, kTiltShare * length);
     arrow(2);
     break;
+  case Tool::Frame:
+    for (int k = 0; k < 3; ++k)
+      arrow(k);
+    for (int k = 0; k < 3; ++k)
+      ring(k + kRing, kTiltShare * length);
+    break;
   case Tool::None:
   case Tool::LayFlat:
   case Tool::PickPoint:
@@ -107,7 +113,7 @@ void Gizmo::paint(QPainter& painter, const Projection& project, double mmPerPixe
     const bool hot = handle.axis == grabbed_;
     if (dragging_ && !hot)
       continue;
-    const QColor colour = hot ? palette.highlight().color() : axisColour(handle.axis);
+    const QColor colour = hot ? palette.highlight().color() : axisColour(handle.axis % kRing);
     painter.setPen(QPen(palette.window().color(), hot ? 6.0 : 5.0, Qt::SolidLine, Qt::RoundCap));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(handle.line);
@@ -181,7 +187,7 @@ double Gizmo::angleOnRing(const Ray& ray, const QPointF& cursor) const {
   if (std::abs(about.dot(ray.direction)) > 0.1)
     if (const auto hit = onPlane(ray, about)) {
       const Vector3d d = *hit - centreAtBegin_;
-      return std::atan2(d.dot(axis((grabbed_ + 2) % 3)), d.dot(axis((grabbed_ + 1) % 3)));
+      return std::atan2(d.dot(axisAfter(grabbed_, 2)), d.dot(axisAfter(grabbed_, 1)));
     }
   // Seen from its edge, a ring turns by the cursor's way along it.
   const QPointF d = cursor - centreOnScreen_;

@@ -20,8 +20,9 @@ class QPalette;
 namespace voluta::viewer {
 
 // CutPlane: a plane moved along its normal and tilted about the two other axes of its frame.
+// Frame: moved along its axes and turned about them.
 // PickPoint: no handles, a click names a place.
-enum class Tool { None, Move, Turn, Scale, LayFlat, CutPlane, PickPoint };
+enum class Tool { None, Move, Turn, Scale, LayFlat, CutPlane, Frame, PickPoint };
 inline bool hasHandles(Tool tool) {
   return tool != Tool::None && tool != Tool::LayFlat && tool != Tool::PickPoint;
 }
@@ -62,15 +63,21 @@ public:
   void end() { dragging_ = false; }
 
 private:
-  // An axis (0-2), or 3: all of them (the plane z for Move, the middle for Scale).
+  // What is along or about an axis (0-2); 3: all of them (the plane z for Move, the middle for
+  // Scale); 4-6: a ring about an axis that has an arrow too.
   struct Handle {
     int axis;
     QPolygonF line;
     bool closed;
   };
-  Eigen::Vector3d axis(int k) const { return axes_.col(k); }
-  bool turns(int axis) const {
-    return tool_ == Tool::Turn || (tool_ == Tool::CutPlane && axis < 2);
+  static int axisOf(int handle) { return handle % 4; }
+  Eigen::Vector3d axis(int handle) const { return axes_.col(axisOf(handle)); }
+  // The axis that comes after a handle's by so many steps.
+  Eigen::Vector3d axisAfter(int handle, int steps) const {
+    return axes_.col((axisOf(handle) + steps) % 3);
+  }
+  bool turns(int handle) const {
+    return tool_ == Tool::Turn || (tool_ == Tool::CutPlane && handle < 2) || handle > 3;
   }
   std::vector<Handle> handles(const Projection& project, double mmPerPixel) const;
   double alongAxis(const Ray& ray) const; // mm along the axis grabbed

@@ -1,17 +1,24 @@
 #include "window/cell_editor.h"
 
 #include "base/error.h"
+#include "base/outcome.h"
 #include "forms/colours.h"
 #include "forms/icons.h"
 #include "forms/value_boxes.h"
 #include "language/words.h"
 #include "panels/frame_form.h"
 #include "program/extruder.h"
+#include "robot/link_meshes.h"
+#include "scene/drawing_data.h"
 #include "viewer/viewport.h"
 #include "window/background.h"
+#include "window/body_tree.h"
+#include "window/measure_dialog.h"
+#include "window/obstacle_import.h"
 #include "window/picture_area.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -23,11 +30,9 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QTreeWidget>
 #include <QUndoCommand>
 #include <QUndoStack>
 #include <QVBoxLayout>
-#include <map>
 
 namespace voluta::window {
 
@@ -39,52 +44,14 @@ namespace {
 constexpr int kSideWidth = 380, kTreeHeight = 150, kFaultsHeight = 96;
 constexpr double kMostKg = 1000.0;
 constexpr double kNewBoxMm = 100.0;
-constexpr int kBodyRole = Qt::UserRole;
 
 QString named(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-QString nameOf(const DraftBody& body) {
-  switch (body.kind) {
-  case DraftBody::Kind::Nozzle:
-    return CellEditor::tr("Nozzle");
-  case DraftBody::Kind::Platform:
-    return CellEditor::tr("Plate");
-  case DraftBody::Kind::Axis:
-  case DraftBody::Kind::Obstacle:
-    break;
-  }
-  return named(body.name);
-}
-
-QString parentOf(const DraftBody& body, bool axes) {
-  if (body.onFlange)
-    return CellEditor::tr("in the flange");
-  if (body.kind == DraftBody::Kind::Platform && axes)
-    return CellEditor::tr("on the last axis");
-  if (body.kind == DraftBody::Kind::Axis && body.index > 0)
-    return CellEditor::tr("on the axis before it");
-  return CellEditor::tr("in the robot's base");
-}
-
-// The origin of a body's frame at rest, in the base.
-Eigen::Vector3d placeOf(const DraftBody& body, const robot::Cell& cell) {
-  std::vector<Eigen::Isometry3d> frames;
-  cell.framePoses(cell.home(), frames);
-  const auto at = [&](int frame) { return frames[static_cast<std::size_t>(frame)].translation(); };
-  switch (body.kind) {
-  case DraftBody::Kind::Nozzle:
-    return at(cell.toolFrame());
-  case DraftBody::Kind::Platform:
-    return at(cell.workFrame());
-  case DraftBody::Kind::Axis:
-    return body.index < cell.externalAxes().size() ? at(cell.axisFrame(body.index))
-                                                   : Eigen::Vector3d::Zero().eval();
-  case DraftBody::Kind::Obstacle:
-    break;
-  }
-  return body.pose.translation();
+// Its links look the same then.
+bool sameArm(const scene::CellDrawing& drawn, const robot::Cell& cell) {
+  return drawn.cell.robot().id == cell.robot().id;
 }
 
 } // namespace
@@ -109,7 +76,7 @@ private:
 CellEditor::CellEditor(const CellDraft& draft, const process::Process& process, double partKg,
                        QWidget* parent)
     : QDialog(parent), draft_(draft), process_(process), partKg_(partKg),
-      undo_(new QUndoStack(this)),
+      importing_(new ObstacleImport(this)), undo_(new QUndoStack(this)),
       viewport_(new viewer::Viewport(
           sceneTheme(forms::isDark(palette()) ? Appearance::Dark : Appearance::Light), this)) {
   setObjectName("cellEditor");
@@ -121,6 +88,10 @@ CellEditor::CellEditor(const CellDraft& draft, const process::Process& process, 
 }
 
 CellEditor::~CellEditor() = default;
+
+bool CellEditor::settled() const {
+  return !runner_.running() && !importing_->running();
+}
 
 void CellEditor::build() {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
@@ -192,20 +163,28 @@ QWidget* CellEditor::buildSide() {
 
 QWidget* CellEditor::buildBodies() {
   auto* bodies = new QWidget(this);
-  tree_ = new QTreeWidget(bodies);
+  tree_ = new BodyTree(bodies);
   tree_->setObjectName("cellBodies");
-  tree_->setHeaderHidden(true);
   tree_->setMinimumHeight(kTreeHeight);
   frameOf_ = new QLabel(bodies);
   frame_ = new panels::FrameForm(bodies);
-  auto* add = new QPushButton(tr("Add box"), bodies);
-  add->setObjectName("cellAddBox");
+  auto* addBox = new QPushButton(tr("Add box"), bodies);
+  addBox->setObjectName("cellAddBox");
+  auto* addFile = new QPushButton(tr("Add from file…"), bodies);
+  addFile->setObjectName("cellAddFile");
+  addFile->setToolTip(tr("An obstacle that was drawn: a mesh, which becomes some boxes, cylinders "
+                         "and capsules about it"));
+  measure_ = new QPushButton(tr("Measure…"), bodies);
+  measure_->setObjectName("cellMeasure");
+  measure_->setToolTip(tr("Where the body is, from points touched at the real cell"));
   remove_ = new QPushButton(tr("Remove"), bodies);
   remove_->setObjectName("cellRemove");
   rest_ = new QPushButton(tr("Find rest"), bodies);
   rest_->setObjectName("cellRest");
   rest_->setToolTip(tr("Rest where the arm is clearest of everything, the nozzle over the plate"));
-  connect(add, &QPushButton::clicked, this, &CellEditor::addBox);
+  connect(addBox, &QPushButton::clicked, this, &CellEditor::addBox);
+  connect(addFile, &QPushButton::clicked, importing_, &ObstacleImport::choose);
+  connect(measure_, &QPushButton::clicked, this, &CellEditor::measure);
   connect(remove_, &QPushButton::clicked, this, &CellEditor::removeBody);
   connect(rest_, &QPushButton::clicked, this, &CellEditor::rest);
   auto* row = new QHBoxLayout;
@@ -222,16 +201,31 @@ QWidget* CellEditor::buildBodies() {
     });
     row->addWidget(button);
   }
+  solids_ = new QCheckBox(tr("Collision solids"), bodies);
+  solids_->setObjectName("cellSolids");
+  solids_->setToolTip(tr("The arm as the solids that are checked for collisions, where it has "
+                         "meshes of its own"));
+  connect(solids_, &QCheckBox::toggled, this, [this] {
+    drawing_.reset();
+    look();
+  });
   row->addStretch(1);
-  for (QPushButton* button : {add, remove_, rest_})
-    row->addWidget(button);
-  for (QPushButton* button : {add, remove_, rest_})
+  row->addWidget(solids_);
+  row->addWidget(rest_);
+  auto* below = new QHBoxLayout;
+  for (QPushButton* button : {addBox, addFile, remove_})
+    below->addWidget(button, 1);
+  auto* title = new QHBoxLayout;
+  title->addWidget(frameOf_, 1);
+  title->addWidget(measure_);
+  for (QPushButton* button : {addBox, addFile, measure_, remove_, rest_})
     button->setAutoDefault(false); // as the dialog's own
   auto* column = new QVBoxLayout(bodies);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(tree_, 1);
   column->addLayout(row);
-  column->addWidget(frameOf_);
+  column->addLayout(below);
+  column->addLayout(title);
   column->addWidget(frame_);
   return bodies;
 }
@@ -252,13 +246,27 @@ void CellEditor::listen() {
   connect(carried_, &QDoubleSpinBox::valueChanged, this,
           [this](double kg) { edit(draft_.withCarriedKg(kg), tr("carried mass")); });
   connect(tree_, &QTreeWidget::currentItemChanged, this, &CellEditor::showBody);
+  connect(viewport_, &viewer::Viewport::gizmoStarted, this, [this] { held_ = tree_->chosen(); });
+  connect(viewport_, &viewer::Viewport::gizmoDragged, this, &CellEditor::drag);
+  connect(viewport_, &viewer::Viewport::toolChanged, this, [this](viewer::Tool tool) {
+    // By Esc, which gives a drag up.
+    if (tool == viewer::Tool::None && std::exchange(held_, std::nullopt))
+      showDraft();
+  });
+  connect(importing_, &ObstacleImport::started, this,
+          [this](const QString& file) { tell(tr("%1 is being read…").arg(file)); });
+  connect(importing_, &ObstacleImport::imported, this, &CellEditor::addSolids);
+  connect(importing_, &ObstacleImport::failed, this, [this](const QString& why) {
+    showFaults();
+    tell(why, forms::Icon::Blocked);
+  });
   connect(frame_, &panels::FrameForm::frameChanged, this, [this](const Eigen::Isometry3d& pose) {
-    if (const auto body = chosen())
-      edit(draft_.withPose(*body, pose), tr("move %1").arg(nameOf(*body)));
+    if (const auto body = tree_->chosen())
+      edit(draft_.withPose(*body, pose), tr("move %1").arg(BodyTree::nameOf(*body)));
   });
   connect(frame_, &panels::FrameForm::sizeChanged, this, [this](const Eigen::Vector3d& size) {
-    if (const auto body = chosen(); body && body->sizeMm)
-      edit(draft_.withSize(*body, size), tr("edges of %1").arg(nameOf(*body)));
+    if (const auto body = tree_->chosen(); body && body->sizeMm)
+      edit(draft_.withSize(*body, size), tr("edges of %1").arg(BodyTree::nameOf(*body)));
   });
 }
 
@@ -285,57 +293,19 @@ void CellEditor::showDraft() {
   }
   choose(robot_, draft_.robot());
   choose(extruder_, draft_.extruder());
-  showBodies();
+  tree_->setDraft(draft_);
+  showBody();
   look();
 }
 
-void CellEditor::showBodies() {
-  const std::optional<DraftBody> before = chosen();
-  const QSignalBlocker quiet(tree_);
-  tree_->clear();
-  auto* base = new QTreeWidgetItem(tree_, {tr("Robot's base")});
-  auto* flange = new QTreeWidgetItem(base, {tr("Flange of %1").arg(named(draft_.robot()))});
-  const std::vector<DraftBody> bodies = draft_.bodies();
-  QTreeWidgetItem* now = nullptr;
-  QTreeWidgetItem* last = base; // what the next axis stands on
-  const auto add = [&](std::size_t n, QTreeWidgetItem* parent) {
-    auto* item = new QTreeWidgetItem(parent, {nameOf(bodies[n])});
-    item->setData(0, kBodyRole, static_cast<int>(n));
-    if (before && bodies[n].sameAs(*before))
-      now = item;
-    return item;
-  };
-  for (std::size_t n = 0; n < bodies.size(); ++n)
-    if (bodies[n].kind == DraftBody::Kind::Axis)
-      last = add(n, last);
-  for (std::size_t n = 0; n < bodies.size(); ++n)
-    if (bodies[n].kind != DraftBody::Kind::Axis)
-      add(n, bodies[n].onFlange                            ? flange
-             : bodies[n].kind == DraftBody::Kind::Platform ? last
-                                                           : base);
-  tree_->expandAll();
-  if (now)
-    tree_->setCurrentItem(now);
-  showBody();
-}
-
-std::optional<DraftBody> CellEditor::chosen() const {
-  const QTreeWidgetItem* item = tree_->currentItem();
-  const QVariant at = item ? item->data(0, kBodyRole) : QVariant();
-  const std::vector<DraftBody> bodies = draft_.bodies();
-  if (!at.isValid() || at.toInt() >= static_cast<int>(bodies.size()))
-    return std::nullopt;
-  return bodies[static_cast<std::size_t>(at.toInt())];
-}
-
 void CellEditor::showBody() {
-  const std::optional<DraftBody> body = chosen();
+  const std::optional<DraftBody> body = tree_->chosen();
   frame_->setEnabled(body.has_value());
+  measure_->setEnabled(body && checked_.cell);
   remove_->setEnabled(body && body->kind == DraftBody::Kind::Obstacle);
-  const bool axes = std::ranges::any_of(
-      draft_.bodies(), [](const DraftBody& other) { return other.kind == DraftBody::Kind::Axis; });
-  frameOf_->setText(body ? tr("%1, %2").arg(nameOf(*body), parentOf(*body, axes))
-                         : tr("Choose a body to move it"));
+  frameOf_->setText(
+      body ? tr("%1, %2").arg(BodyTree::nameOf(*body), BodyTree::parentOf(*body, draft_))
+           : tr("Choose a body to move it"));
   frame_->setSizeMm(body ? body->sizeMm : std::nullopt);
   if (body)
     frame_->setFrame(body->pose);
@@ -343,24 +313,29 @@ void CellEditor::showBody() {
   view.part = view.platform = false;
   view.cell = true;
   view.world = scene::World::Base;
-  if (body && checked_.cell) {
-    const Eigen::Isometry3d base_T_work = checked_.cell->base_T_work(checked_.cell->home());
-    view.marker = base_T_work.inverse() * placeOf(*body, *checked_.cell);
+  const bool shown = body && checked_.cell;
+  if (shown) {
+    const Eigen::Isometry3d frame = base_T_body(*body);
+    view.marker = checked_.cell->base_T_work(checked_.cell->home()).inverse() * frame.translation();
+    viewport_->setGizmoCentre(frame.translation(), frame.linear());
   }
+  viewport_->setTool(shown ? viewer::Tool::Frame : viewer::Tool::None);
   viewport_->setView(view);
 }
 
 void CellEditor::look() {
   save_->setEnabled(false);
-  faultIcon_->clear();
-  faults_->setText(tr("being looked at…"));
+  tell(tr("being looked at…"));
   inBackground(
       runner_,
-      [text = draft_.text(), id = draft_.id(), process = process_,
-       partKg = partKg_](const base::RunContext& ctx) {
+      [text = draft_.text(), id = draft_.id(), process = process_, partKg = partKg_,
+       solids = solids_->isChecked(), before = drawing_](const base::RunContext& ctx) {
         Looked looked{pipeline::checkedCell(text, id, process, partKg, ctx), nullptr};
-        if (looked.checked.cell)
-          looked.drawing = scene::drawCell(*looked.checked.cell);
+        if (const auto& cell = looked.checked.cell; cell && before && sameArm(*before, *cell))
+          looked.drawing = scene::drawCell(*cell, *before);
+        else if (cell)
+          looked.drawing = scene::drawCell(*cell, solids ? std::vector<robot::LinkMesh>()
+                                                         : robot::linkMeshesOf(cell->robot().id));
         return looked;
       },
       [this](Looked&& looked) { take(std::move(looked)); });
@@ -369,19 +344,76 @@ void CellEditor::look() {
 void CellEditor::take(Looked&& looked) {
   checked_ = std::move(looked.checked);
   if (checked_.cell) {
-    viewport_->scene().setCell(looked.drawing);
+    drawing_ = looked.drawing;
+    viewport_->scene().setCell(drawing_);
     const QSignalBlocker quiet(carried_);
     carried_->setValue(checked_.cell->carriedKg());
   }
-  showBody();
+  if (!held_)
+    showBody();
   if (checked_.cell && !std::exchange(framed_, true))
     viewport_->frameAll();
   viewport_->requestFrame();
   showFaults();
 }
 
+Eigen::Isometry3d CellEditor::base_T_body(const DraftBody& body) const {
+  return base_T_parent(body, *checked_.cell) * body.pose;
+}
+
+// The handles stand in the body's origin, and turn it about that.
+void CellEditor::drag(const viewer::GizmoChange& change, bool finished) {
+  if (!held_ || !checked_.cell)
+    return;
+  Eigen::Isometry3d there = base_T_body(*held_);
+  there.translation() += change.moveMm;
+  there.linear() = change.turn.toRotationMatrix() * there.linear();
+  heldAt_ = base_T_parent(*held_, *checked_.cell).inverse(Eigen::Isometry) * there;
+  if (!finished) {
+    frame_->setFrame(heldAt_);
+    preview();
+    return;
+  }
+  const DraftBody body = *std::exchange(held_, std::nullopt);
+  if (change.moveMm.isZero() && change.turn.angularDistance(Eigen::Quaterniond::Identity()) == 0.0)
+    showDraft();
+  else
+    edit(draft_.withPose(body, heldAt_), tr("move %1").arg(BodyTree::nameOf(body)));
+}
+
+// The cell as it would be if the handle were let go, as often as it can be drawn.
+void CellEditor::preview() {
+  if (previewing_.running() || !drawing_)
+    return;
+  inBackground(
+      previewing_,
+      [draft = draft_.withPose(*held_, heldAt_), process = process_, before = drawing_] {
+        return base::outcomeOf([&] {
+          return scene::drawCell(pipeline::cellOfText(draft.text(), draft.id(), process), *before);
+        });
+      },
+      [this, at = heldAt_](auto&& made) {
+        const auto* drawing = std::get_if<std::shared_ptr<const scene::CellDrawing>>(&made);
+        if (!held_ || !drawing)
+          return;
+        viewport_->scene().setCell(*drawing);
+        viewport_->requestFrame();
+        if (!heldAt_.isApprox(at))
+          preview();
+      });
+}
+
+void CellEditor::tell(const QString& text, std::optional<forms::Icon> icon) {
+  const int side = fontMetrics().height();
+  if (icon)
+    faultIcon_->setPixmap(forms::icon(*icon).pixmap(QSize(side, side), devicePixelRatioF()));
+  else
+    faultIcon_->clear();
+  faults_->setText(text);
+}
+
 void CellEditor::showFaults() {
-  if (runner_.running())
+  if (!settled())
     return;
   QStringList lines;
   for (const reach::CellFault& fault : checked_.faults) {
@@ -395,13 +427,10 @@ void CellEditor::showFaults() {
     nameGood = false;
     lines << language::words(error.message()) + ": " + language::words(error.remedy());
   }
-  const int side = fontMetrics().height();
-  const forms::Icon icon = !checked_.cell || !nameGood ? forms::Icon::Blocked
-                           : lines.isEmpty()           ? forms::Icon::Good
-                                                       : forms::Icon::Warning;
-  faultIcon_->setPixmap(forms::icon(icon).pixmap(QSize(side, side), devicePixelRatioF()));
-  faults_->setText(lines.isEmpty() ? tr("Nothing is wrong with it.")
-                                   : lines.join(QLatin1Char('\n')));
+  tell(lines.isEmpty() ? tr("Nothing is wrong with it.") : lines.join(QLatin1Char('\n')),
+       !checked_.cell || !nameGood ? forms::Icon::Blocked
+       : lines.isEmpty()           ? forms::Icon::Good
+                                   : forms::Icon::Warning);
   save_->setEnabled(checked_.cell && nameGood);
   rest_->setEnabled(checked_.cell != nullptr);
 }
@@ -414,18 +443,41 @@ void CellEditor::addBox() {
     pose.translation() = plate + Eigen::Vector3d(0.0, 3.0 * kNewBoxMm, 0.0);
   }
   edit(draft_.withBox("box", pose, Eigen::Vector3d::Constant(kNewBoxMm)), tr("add a box"));
-  // It is the last body there is.
-  const int added = static_cast<int>(draft_.bodies().size()) - 1;
-  const auto items =
-      tree_->findItems(nameOf(draft_.bodies().back()), Qt::MatchExactly | Qt::MatchRecursive);
-  for (QTreeWidgetItem* item : items)
-    if (item->data(0, kBodyRole).toInt() == added)
-      tree_->setCurrentItem(item);
+  tree_->choose(draft_.bodies().back());
+}
+
+// Where it was drawn: the file of a whole cell then lies right, and what was drawn elsewhere is
+// moved.
+void CellEditor::addSolids(const QString& name, const std::vector<robot::Shape>& solids) {
+  edit(draft_.withSolids(name.toStdString(), Eigen::Isometry3d::Identity(), solids),
+       tr("add %1").arg(name));
+  tree_->choose(draft_.bodies().back());
+}
+
+void CellEditor::measure() {
+  const auto body = tree_->chosen();
+  if (!body || !checked_.cell)
+    return;
+  const QString name = BodyTree::nameOf(*body);
+  const bool tip = body->onFlange && body->kind == DraftBody::Kind::Nozzle;
+  const std::unique_ptr<MeasureDialog> dialog(
+      tip ? MeasureDialog::ofTip(name, checked_.cell->robot(), this)
+          : MeasureDialog::ofFrame(
+                name, body->onFlange ? tr("in the flange") : tr("in the robot's base, axes at 0"),
+                this));
+  if (dialog->exec() != QDialog::Accepted || !dialog->frame())
+    return;
+  Eigen::Isometry3d pose = *dialog->frame();
+  if (tip)
+    pose.linear() = body->pose.linear(); // nothing is measured of it
+  else if (!body->onFlange)
+    pose = base_T_parent(*body, *checked_.cell).inverse(Eigen::Isometry) * pose;
+  edit(draft_.withPose(*body, pose), tr("measure %1").arg(name));
 }
 
 void CellEditor::removeBody() {
-  if (const auto body = chosen(); body && body->kind == DraftBody::Kind::Obstacle)
-    edit(draft_.without(*body), tr("remove %1").arg(nameOf(*body)));
+  if (const auto body = tree_->chosen(); body && body->kind == DraftBody::Kind::Obstacle)
+    edit(draft_.without(*body), tr("remove %1").arg(BodyTree::nameOf(*body)));
 }
 
 void CellEditor::rest() {

@@ -1,5 +1,6 @@
-// A cell edited: what stands where, which robot, what it carries. What the cell cannot do is said
-// as it is edited; it is saved as a cell of the user's own.
+// A cell edited: what stands where, by numbers, by handles in the picture or from measured points;
+// which robot, what it carries. What the cell cannot do is said as it is edited; it is saved as a
+// cell of the user's own.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -11,25 +12,34 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QTreeWidget;
 class QUndoStack;
 
 namespace voluta::forms {
+enum class Icon;
 class NumberBox;
-}
+} // namespace voluta::forms
 namespace voluta::panels {
 class FrameForm;
 }
-namespace voluta::viewer {
-class Viewport;
+namespace voluta::scene {
+struct CellDrawing;
 }
+namespace voluta::viewer {
+struct GizmoChange;
+class Viewport;
+} // namespace voluta::viewer
 
 namespace voluta::window {
+
+class BodyTree;
+class ObstacleImport;
 
 class CellEditor : public QDialog {
   Q_OBJECT
@@ -44,7 +54,7 @@ public:
   const QString& savedId() const { return savedId_; }
   const robot::CellDraft& draft() const { return draft_; }
   // The picture and what is said are those of the draft.
-  bool settled() const { return !runner_.running(); }
+  bool settled() const;
 
 private:
   struct Looked;
@@ -57,14 +67,18 @@ private:
   void edit(const robot::CellDraft& draft, const QString& name);
   void setDraft(const robot::CellDraft& draft);
   void showDraft();
-  void showBodies();
   void showBody();
   void look();
   void take(Looked&& looked);
   void showFaults();
-  std::optional<robot::DraftBody> chosen() const;
+  Eigen::Isometry3d base_T_body(const robot::DraftBody& body) const;
+  void drag(const viewer::GizmoChange& change, bool finished);
+  void preview();
   void addBox();
+  void addSolids(const QString& name, const std::vector<robot::Shape>& solids);
+  void measure();
   void removeBody();
+  void tell(const QString& text, std::optional<forms::Icon> icon = {});
   void rest();
   void save();
   QString idOfName() const;
@@ -74,17 +88,23 @@ private:
   double partKg_;
   QString savedId_;
   pipeline::CheckedCell checked_;
+  std::shared_ptr<const scene::CellDrawing> drawing_; // of the checked cell
   bool framed_ = false;
-  jobs::JobRunner runner_;
+  jobs::JobRunner runner_, previewing_;
+  // While a handle is dragged: the body as it was, and where it is now.
+  std::optional<robot::DraftBody> held_;
+  Eigen::Isometry3d heldAt_ = Eigen::Isometry3d::Identity();
+  ObstacleImport* importing_;
   QUndoStack* undo_;
   viewer::Viewport* viewport_;
   QLineEdit* name_;
   QComboBox *robot_, *extruder_;
   forms::NumberBox* carried_;
-  QTreeWidget* tree_;
+  BodyTree* tree_;
   panels::FrameForm* frame_;
+  QCheckBox* solids_;
   QLabel *frameOf_, *faultIcon_, *faults_;
-  QPushButton *remove_, *rest_, *save_;
+  QPushButton *measure_, *remove_, *rest_, *save_;
 };
 
 } // namespace voluta::window

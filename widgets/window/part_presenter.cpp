@@ -4,6 +4,7 @@
 #include "geometry/placement.h"
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"
+#include "robot/link_meshes.h"
 #include "window/background.h"
 
 namespace voluta::window {
@@ -130,7 +131,8 @@ void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
     return;
   drawnCell_ = cell;
   inBackground(
-      *drawingCell_, [cell] { return scene::drawCell(*cell); },
+      *drawingCell_,
+      [cell] { return scene::drawCell(*cell, robot::linkMeshesOf(cell->robot().id)); },
       [this](auto&& made) {
         viewport_.scene().setCell(made);
         viewport_.requestFrame();
