@@ -5646,10 +5646,6 @@ mm³</translation>
         <translation>flusso E</translation>
     </message>
     <message>
-        <source>How the program tells the extruder how much to give: outputs, one on and off, one for the flow; Castelli serial, texts over a socket; E stream, a file of amounts over time.</source>
-        <translation>Come il programma dice all&apos;estrusore quanto dare: uscite, una acceso e spento, una per il flusso; seriale Castelli, testi via socket; flusso E, un file di quantità nel tempo.</translation>
-    </message>
-    <message>
         <source>outputs</source>
         <translation>uscite</translation>
     </message>
@@ -6055,6 +6051,74 @@ mm³</translation>
     <message>
         <source>turns until C&apos;s count is set back</source>
         <translation>giri prima che il conto di C torni indietro</translation>
+    </message>
+    <message>
+        <source>Filament that the external axis feeds before it is set to 0 anew: as far as it may go.</source>
+        <translation>Filamento che l&apos;asse esterno spinge prima di essere riportato a 0: fin dove può andare.</translation>
+    </message>
+    <message>
+        <source>How far the nozzle goes back over its bead, or on along one that closes, with the extruder off, before it lifts for the next. 0: it lifts where the bead ends.</source>
+        <translation>Di quanto l&apos;ugello torna sul suo cordone, o prosegue lungo uno che si chiude, a estrusore spento, prima di sollevarsi per il prossimo. 0: si solleva dove il cordone finisce.</translation>
+    </message>
+    <message>
+        <source>How the program tells the extruder how much to give: outputs, one on and off, one for the flow; Castelli serial, texts over a socket; E stream, a file of amounts over time; external axis, mm of filament in each motion.</source>
+        <translation>Come il programma dice all&apos;estrusore quanto dare: uscite, una acceso e spento, una per il flusso; seriale di Castelli, testi su un socket; flusso E, un file di quantità nel tempo; asse esterno, mm di filamento in ogni moto.</translation>
+    </message>
+    <message>
+        <source>all of the mesh is one point</source>
+        <translation>tutta la mesh è un solo punto</translation>
+    </message>
+    <message>
+        <source>at {x:.3f#}, {y:.3f#}, {z:.3f}, turned by {rx:.3f#}, {ry:.3f#}, {rz:.3f}</source>
+        <translation>in {x:.3f#}, {y:.3f#}, {z:.3f}, ruotato di {rx:.3f#}, {ry:.3f#}, {rz:.3f}</translation>
+    </message>
+    <message>
+        <source>between two lifts more than {length:.0f} of filament are laid: more than the extruder&apos;s axis goes</source>
+        <translation>tra due sollevamenti si depongono più di {length:.0f} di filamento: più di quanto va l&apos;asse dell&apos;estrusore</translation>
+    </message>
+    <message>
+        <source>external axes that move alone are read of the extruder, with a time</source>
+        <translation>gli assi esterni che si muovono da soli si leggono come estrusore, con un tempo</translation>
+    </message>
+    <message>
+        <source>external axis</source>
+        <translation>asse esterno</translation>
+    </message>
+    <message>
+        <source>extruder axis: range</source>
+        <translation>asse dell&apos;estrusore: corsa</translation>
+    </message>
+    <message>
+        <source>just as many numbers as are needed: they always agree, and nothing tells how sure the result is</source>
+        <translation>tanti numeri quanti ne servono: concordano sempre, e nulla dice quanto sia sicuro il risultato</translation>
+    </message>
+    <message>
+        <source>take a greater {option}</source>
+        <translation>usa un valore maggiore di {option}</translation>
+    </message>
+    <message>
+        <source>the extruder&apos;s axis is missing</source>
+        <translation>manca l&apos;asse dell&apos;estrusore</translation>
+    </message>
+    <message>
+        <source>the extruder&apos;s axis is not set to 0 before this motion</source>
+        <translation>l&apos;asse dell&apos;estrusore non è portato a 0 prima di questo moto</translation>
+    </message>
+    <message>
+        <source>the extruder&apos;s axis is slowed: the arm would wait for it</source>
+        <translation>l&apos;asse dell&apos;estrusore è rallentato: il braccio lo aspetterebbe</translation>
+    </message>
+    <message>
+        <source>wipe</source>
+        <translation>pulizia</translation>
+    </message>
+    <message>
+        <source>{rows} rows, {rms:.3f} apart on average and {worst:.3f} at most: sure to {place:.3f}</source>
+        <translation>{rows} righe, scarto medio {rms:.3f} e massimo {worst:.3f}: sicuro entro {place:.3f}</translation>
+    </message>
+    <message>
+        <source>{rows} rows, {rms:.3f} apart on average and {worst:.3f} at most: sure to {place:.3f} and {turn:.3f}</source>
+        <translation>{rows} righe, scarto medio {rms:.3f} e massimo {worst:.3f}: sicuro entro {place:.3f} e {turn:.3f}</translation>
     </message>
 </context>
 <context>
@@ -7406,7 +7470,15 @@ circa %6 in base a volume e altezza, senza supporti</translation>
     </message>
 </context>
 <context>
-    <name>voluta::window::CellEditor</name>
+    <name>voluta::window::BodyTree</name>
+    <message>
+        <source>Robot&apos;s base</source>
+        <translation>Base del robot</translation>
+    </message>
+    <message>
+        <source>Flange of %1</source>
+        <translation>Flangia di %1</translation>
+    </message>
     <message>
         <source>Nozzle</source>
         <translation>Ugello</translation>
@@ -7430,6 +7502,13 @@ circa %6 in base a volume e altezza, senza supporti</translation>
     <message>
         <source>in the robot&apos;s base</source>
         <translation>nella base del robot</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::CellEditor</name>
+    <message>
+        <source>in the flange</source>
+        <translation>nella flangia</translation>
     </message>
     <message>
         <source>Edit cell</source>
@@ -7504,14 +7583,6 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>lati di %1</translation>
     </message>
     <message>
-        <source>Robot&apos;s base</source>
-        <translation>Base del robot</translation>
-    </message>
-    <message>
-        <source>Flange of %1</source>
-        <translation>Flangia di %1</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
@@ -7550,6 +7621,46 @@ circa %6 in base a volume e altezza, senza supporti</translation>
     <message>
         <source>Replace the cell %1?</source>
         <translation>Sostituire la cella %1?</translation>
+    </message>
+    <message>
+        <source>Add from file…</source>
+        <translation>Aggiungi da file…</translation>
+    </message>
+    <message>
+        <source>An obstacle that was drawn: a mesh, which becomes some boxes, cylinders and capsules about it</source>
+        <translation>Un ostacolo disegnato: una mesh, che diventa alcuni parallelepipedi, cilindri e capsule attorno a essa</translation>
+    </message>
+    <message>
+        <source>Measure…</source>
+        <translation>Misura…</translation>
+    </message>
+    <message>
+        <source>Where the body is, from points touched at the real cell</source>
+        <translation>Dove sta il corpo, da punti toccati nella cella reale</translation>
+    </message>
+    <message>
+        <source>Collision solids</source>
+        <translation>Solidi di collisione</translation>
+    </message>
+    <message>
+        <source>The arm as the solids that are checked for collisions, where it has meshes of its own</source>
+        <translation>Il braccio come i solidi di cui si verificano le collisioni, dove ha mesh proprie</translation>
+    </message>
+    <message>
+        <source>%1 is being read…</source>
+        <translation>Lettura di %1…</translation>
+    </message>
+    <message>
+        <source>add %1</source>
+        <translation>aggiungi %1</translation>
+    </message>
+    <message>
+        <source>in the robot&apos;s base, axes at 0</source>
+        <translation>nella base del robot, assi a 0</translation>
+    </message>
+    <message>
+        <source>measure %1</source>
+        <translation>misura %1</translation>
     </message>
 </context>
 <context>
@@ -7861,6 +7972,44 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Rod</source>
         <translation>Barra</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::MeasureDialog</name>
+    <message>
+        <source>Points in mm, %1, one a row. Three rows x, y, z: the origin, a point on X, and one beside it towards Y. Or three or more rows of six: where a point is in the frame, and where it was touched.</source>
+        <translation>Punti in mm, %1, uno per riga. Tre righe x, y, z: l&apos;origine, un punto su X e uno di lato verso Y. O tre o più righe di sei: dove sta un punto nel riferimento e dove è stato toccato.</translation>
+    </message>
+    <message>
+        <source>Four or more poses in which the tip touches one and the same point, tilted to different sides, one a row: the robot&apos;s joints, or x, y, z, qw, qx, qy, qz of the flange.</source>
+        <translation>Quattro o più pose in cui la punta tocca lo stesso punto, inclinata da parti diverse, una per riga: i giunti del robot, o x, y, z, qw, qx, qy, qz della flangia.</translation>
+    </message>
+    <message>
+        <source>Measure %1</source>
+        <translation>Misura %1</translation>
+    </message>
+    <message>
+        <source>Use this frame</source>
+        <translation>Usa questo riferimento</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Righe</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::ObstacleImport</name>
+    <message>
+        <source>Obstacle from a file</source>
+        <translation>Ostacolo da file</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb);;All files (*)</source>
+        <translation>Mesh (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm long. Was it drawn in metres?</source>
+        <translation>%1 è lungo %2 mm. È stato disegnato in metri?</translation>
     </message>
 </context>
 <context>
