@@ -12,6 +12,7 @@
 #include "planar/flat.h"
 #include "planar/slicing/region_mesh.h"
 #include "planar/slicing/user_planes.h"
+#include "sliced_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -23,34 +24,6 @@ namespace {
 
 using Eigen::Vector3d;
 using geometry::TriangleMesh;
-
-Piece pieceOf(const TriangleMesh& mesh) {
-  Piece piece;
-  piece.solid = tagged(mesh);
-  return piece;
-}
-
-// A prism over the polygon (x, z), counter-clockwise, from y = 0 to y = depth.
-TriangleMesh prism(const std::vector<Eigen::Vector2d>& profile, double depth) {
-  std::vector<std::array<int, 2>> edges;
-  const int n = static_cast<int>(profile.size());
-  for (int i = 0; i < n; ++i)
-    edges.push_back({i, (i + 1) % n});
-  const auto region = meshRegion(profile, edges, 1e6);
-  TriangleMesh m;
-  for (const double y : {0.0, depth})
-    for (const auto& p : profile)
-      m.vertices.emplace_back(p.x(), y, p.y());
-  for (const auto& t : region->triangles) {
-    m.triangles.push_back({t[0], t[1], t[2]});
-    m.triangles.push_back({t[0] + n, t[2] + n, t[1] + n});
-  }
-  for (const auto& e : edges) {
-    m.triangles.push_back({e[0], e[0] + n, e[1] + n});
-    m.triangles.push_back({e[0], e[1] + n, e[1]});
-  }
-  return m;
-}
 
 // A cone as a pyramid of n sides on z = 0.
 TriangleMesh cone(double radius, double height, int n) {
@@ -119,13 +92,6 @@ void expectWithin(const SliceResult& sliced, const std::vector<Piece>& pieces) {
       sliced.stack, geometry::MeshQuery(pieces.front().solid.mesh), 1e-6, {});
   for (const layers::BoundaryCheck& check : query0)
     EXPECT_TRUE(check.simple);
-}
-
-double volumeOf(const SliceResult& sliced) {
-  double sum = 0.0;
-  for (const double v : sliced.volumeOfPiece)
-    sum += v;
-  return sum;
 }
 
 TEST(Section, OfABoxIsItsRectangle) {
@@ -349,147 +315,6 @@ TEST(Slicing, ASectionThatCrossesItselfIsFilledByItsWinding) {
   test::append(nested, test::box({-9, -3, -1}, {11, 3, 9}));
   const SliceResult whole = slicePieces({pieceOf(nested)}, {}, {});
   EXPECT_GT(volumeOf(whole), 20.0 * 20.0 * 8.0);
-}
-
-// A gallows: a post of 10 x 10 x 16 with an arm of 10 x 10 x 4 more that hangs from x = 10 to 20.
-TriangleMesh gallows() {
-  return prism({{0, 0}, {10, 0}, {10, 16}, {20, 16}, {20, 20}, {0, 20}}, 10.0);
-}
-
-SliceOptions supported(double plateTo) {
-  SliceOptions options;
-  options.supports = true;
-  options.plate = {{-5, -5}, {plateTo, -5}, {plateTo, 15}, {-5, 15}};
-  return options;
-}
-
-std::vector<const layers::Patch*> supportsOf(const SliceResult& sliced) {
-  std::vector<const layers::Patch*> out;
-  for (const layers::Patch& patch : sliced.stack.patches)
-    if (patch.group == layers::kSupportGroup)
-      out.push_back(&patch);
-  return out;
-}
-
-TEST(Supports, ColumnsStandOnThePlateUnderAnArm) {
-  const std::vector<Piece> pieces{pieceOf(gallows())};
-  const SliceResult sliced = slicePieces(pieces, supported(25), {});
-  const auto supports = supportsOf(sliced);
-  EXPECT_EQ(supports.size(), 20u); // one a layer under the arm
-  // As wide as the arm beneath it, with a gap to the post; narrower downwards by half of what a
-  // layer may reach out, down to a trunk of four beads.
-  Eigen::AlignedBox3d above;
-  for (auto patch = supports.rbegin(); patch != supports.rend(); ++patch) {
-    const Eigen::AlignedBox3d box = geometry::bounds((*patch)->surface);
-    if (above.isEmpty()) {
-      EXPECT_NEAR(box.min().x(), 10.3, 0.02);
-      EXPECT_NEAR(box.max().x(), 20.0, 0.02);
-      EXPECT_NEAR(geometry::area((*patch)->surface), 97.0, 1.0); // round corners
-    } else {
-      EXPECT_GE(box.min().x(), above.min().x() - 0.02);
-      EXPECT_LE(box.min().x(), above.min().x() + 0.42);
-      EXPECT_LE(box.max().x(), above.max().x() + 0.02);
-    }
-    EXPECT_GE(box.max().x() - box.min().x(), 4 * 1.2);
-    above = box;
-  }
-  EXPECT_LT(above.max().x() - above.min().x(), 6.0);
-  EXPECT_LT(sliced.supportVolumeMm3, 0.5 * 16.0 * 97.0);
-  EXPECT_NEAR(volumeOf(sliced), 2400.0, 1e-6);
-  const auto held = layers::checkSupport(sliced.stack, 1.25, {});
-  for (const layers::SupportCheck& check : held)
-    EXPECT_GT(check.supportedFraction, 0.95);
-  EXPECT_TRUE(sliced.findings.empty());
-  EXPECT_TRUE(supportsOf(slicePieces(pieces, {}, {})).empty());
-}
-
-// A plate that ends under the column's inner third: it stands there, and grows out over the edge by
-// half a bead a layer.
-TEST(Supports, AColumnGrowsFromWhatOfItStands) {
-  const SliceResult sliced = slicePieces({pieceOf(gallows())}, supported(14), {});
-  const auto supports = supportsOf(sliced);
-  ASSERT_EQ(supports.size(), 20u);
-  double before = 14.0;
-  for (const layers::Patch* patch : supports) {
-    const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
-    const double edge = box.max().x();
-    EXPECT_LE(edge, before + 0.6 + 0.02);
-    before = edge;
-  }
-  EXPECT_LE(geometry::bounds(supports.front()->surface).max().x(), 14.62);
-  EXPECT_NEAR(before, 20.0, 0.02);
-}
-
-TEST(Supports, ATipThatHangsStandsOnAColumn) {
-  // An arm with a point under it, steeper than any overhang: its first sections are too narrow for
-  // a bead, and those that follow reach out over them by little.
-  const TriangleMesh fang = prism(
-      {{0, 0}, {10, 0}, {10, 16}, {18, 16}, {20, 8}, {22, 16}, {30, 16}, {30, 20}, {0, 20}}, 10.0);
-  const SliceResult sliced = slicePieces({pieceOf(fang)}, supported(35), {});
-  double lowest = 20.0;
-  for (const layers::Patch* patch : supportsOf(sliced)) {
-    const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
-    if (box.min().z() < 7.0) {
-      EXPECT_GT(box.sizes().x(), 1.2);
-      lowest = std::min(lowest, box.min().z());
-    }
-  }
-  EXPECT_LT(lowest, 0.5);
-  EXPECT_EQ(sliced.unsupportedPatches, 0u);
-  EXPECT_LT(sliced.sliverVolumeMm3, 10.0 * 0.8 * (0.2 + 0.6) + 0.1); // the point itself
-  for (const plan::Finding& f : sliced.findings)
-    EXPECT_FALSE(f.blocking) << voluta::plan::englishReason(f);
-}
-
-TEST(Supports, WithoutAFootingTheyAreToldAndLeftOut) {
-  const SliceResult sliced = slicePieces({pieceOf(gallows())}, supported(12), {});
-  EXPECT_TRUE(supportsOf(sliced).empty());
-  ASSERT_EQ(sliced.findings.size(), 1u);
-  EXPECT_EQ(plan::kindWord(sliced.findings.front()), "unheldOverhang");
-  EXPECT_NEAR(sliced.findings.front().where->z(), 16.4, 0.41);
-}
-
-TEST(Supports, AColumnStandsOnThePartItself) {
-  // The arm hangs over a step of the part, 4 high.
-  const TriangleMesh step =
-      prism({{0, 0}, {30, 0}, {30, 4}, {10, 4}, {10, 16}, {20, 16}, {20, 20}, {0, 20}}, 10.0);
-  const SliceResult sliced = slicePieces({pieceOf(step)}, supported(12), {});
-  EXPECT_EQ(supportsOf(sliced).size(), 15u);
-  EXPECT_TRUE(sliced.findings.empty());
-}
-
-// Where each step of a slope is hardly wider than half a bead, a column begins at the wall, and no
-// level of it reaches out over the one beneath by more than half a bead.
-TEST(Supports, AColumnStandsOnASteepSlope) {
-  const TriangleMesh crane =
-      prism({{0, 0}, {28, 0}, {10, 25}, {10, 36}, {30, 36}, {30, 40}, {0, 40}}, 10.0);
-  const SliceResult sliced = slicePieces({pieceOf(crane)}, supported(29), {});
-  const auto supports = supportsOf(sliced);
-  ASSERT_GT(supports.size(), 40u);
-  for (const plan::Finding& f : sliced.findings)
-    EXPECT_NE(plan::kindWord(f), "unheldOverhang");
-  const auto slopeAt = [](double z) { return z < 25.0 ? 28.0 - 18.0 * z / 25.0 : 10.0; };
-  for (const layers::Patch* patch : supports) {
-    const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
-    const double z = box.min().z(); // in the middle of its level
-    double beneath = z < 0.8 ? 29.0 : slopeAt(z - 0.8);
-    for (const layers::Patch* under : supports)
-      if (const Eigen::AlignedBox3d u = geometry::bounds(under->surface);
-          std::abs(u.min().z() + 0.8 - z) < 0.01)
-        beneath = std::max(beneath, u.max().x());
-    EXPECT_LE(box.max().x(), beneath + 0.6 + 0.02) << z;
-  }
-  EXPECT_NEAR(geometry::bounds(supports.back()->surface).max().x(), 30.0, 0.02);
-}
-
-TEST(Supports, TheyKeepOutOfWhatIsPrintedLater) {
-  // What is later fills the place under the arm: nothing can be carried there.
-  Piece later = pieceOf(test::box({10, 0, 0}, {20, 10, 16}));
-  later.base = {-Vector3d::UnitX(), -20.0};
-  later.baseTag = 0;
-  const SliceResult sliced = slicePieces({pieceOf(gallows()), later}, supported(25), {});
-  for (const layers::Patch* patch : supportsOf(sliced))
-    EXPECT_TRUE(patch->direction.front().isApprox(-Vector3d::UnitX()));
 }
 
 TEST(Slicing, RealPiecesStayWithinAndAddUp) {

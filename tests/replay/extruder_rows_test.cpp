@@ -285,12 +285,14 @@ protected:
     }
     // At the line or behind it; and, where that line is a motion of its own, the one behind that.
     std::size_t following = 0, second = 0;
-    if (!streams())
-      for (const plan::ProgramMotion& m : whole_.motions)
-        if (m.line >= line && following == 0)
-          following = m.line;
-        else if (m.line > line && second == 0)
-          second = m.line;
+    for (const plan::ProgramMotion& m : whole_.motions) {
+      if (streams())
+        break;
+      if (m.line >= line && following == 0)
+        following = m.line;
+      else if (m.line > line && second == 0)
+        second = m.line;
+    }
     return !v.passed && std::any_of(v.places.begin(), v.places.end(), [&](TextPlace p) {
       if (p.file == harmed() + 1 && near(p.line, line))
         return true;
