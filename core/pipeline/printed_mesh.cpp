@@ -26,26 +26,22 @@ const std::array<Vector3i, 6> kSides{Vector3i(1, 0, 0),  Vector3i(-1, 0, 0), Vec
 // it. Channels between beads, a cell or two wide, are no outside though they open to it.
 class Outside {
 public:
-  explicit Outside(const collision::GrowingPart& part) : part_(part) {
+  explicit Outside(const collision::GrowingPart& part) {
     grid_ = part.grid();
     grid_.origin -= grid_.pitch * kBorder * Vector3d::Ones();
     grid_.size += 2 * kBorder * Vector3i::Ones();
-    outside_.assign(grid_.cellCount(), 0);
-    std::vector<std::size_t> front{0};
-    outside_[0] = 1;
+    markWide(part);
+    std::vector<std::size_t> front{grid_.index(1, 1, 1)};
+    cells_[front.front()] = kOutside;
+    const auto steps = stepsOf();
     while (!front.empty()) {
-      const Vector3i cell = grid_.cell(front.back());
+      const std::size_t cell = front.back();
       front.pop_back();
-      for (const Vector3i& side : kSides) {
-        const Vector3i next = cell + side;
-        if (!grid_.contains(next.x(), next.y(), next.z()))
-          continue;
-        const std::size_t index = grid_.index(next.x(), next.y(), next.z());
-        if (outside_[index] || !isWide(next))
-          continue;
-        outside_[index] = 1;
-        front.push_back(index);
-      }
+      for (const std::ptrdiff_t step : steps)
+        if (char& next = cells_[moved(cell, step)]; next == kWide) {
+          next = kOutside;
+          front.push_back(moved(cell, step));
+        }
     }
   }
 
@@ -55,34 +51,49 @@ public:
     for (const Vector3i& side : kSides)
       for (int far = 1; far <= 2; ++far) {
         const Vector3i next = here + far * side;
-        if (outside_[grid_.index(next.x(), next.y(), next.z())])
+        if (cells_[grid_.index(next.x(), next.y(), next.z())] == kOutside)
           return true;
       }
     return false;
   }
 
 private:
+  enum : char { kFilled, kEmpty, kWide, kOutside };
   static constexpr int kBorder = 3;
 
-  bool isEmpty(const Vector3i& cell) const {
-    const Vector3i own = cell - kBorder * Vector3i::Ones();
-    const voxel::VoxelGrid& grid = part_.grid();
-    return !grid.contains(own.x(), own.y(), own.z()) ||
-           part_.filledAt(grid.index(own.x(), own.y(), own.z())) ==
-               collision::GrowingPart::kNeverFilled;
+  static std::size_t moved(std::size_t cell, std::ptrdiff_t by) {
+    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + by);
   }
-  bool isWide(const Vector3i& cell) const {
-    if (!isEmpty(cell))
-      return false;
-    for (const Vector3i& side : kSides)
-      if (!isEmpty(cell + side))
-        return false;
-    return true;
+  // To the cells beside one.
+  std::array<std::ptrdiff_t, 6> stepsOf() const {
+    const std::ptrdiff_t x = 1, y = grid_.size.x(), z = y * grid_.size.y();
+    return {x, -x, y, -y, z, -z};
   }
 
-  const collision::GrowingPart& part_;
+  // The outermost cells stay as they are: nothing spreads beyond them.
+  void markWide(const collision::GrowingPart& part) {
+    cells_.assign(grid_.cellCount(), kEmpty);
+    const voxel::VoxelGrid& own = part.grid();
+    std::size_t c = 0;
+    for (int k = 0; k < own.size.z(); ++k)
+      for (int j = 0; j < own.size.y(); ++j)
+        for (int i = 0; i < own.size.x(); ++i, ++c)
+          if (part.filledAt(c) != collision::GrowingPart::kNeverFilled)
+            cells_[grid_.index(i + kBorder, j + kBorder, k + kBorder)] = kFilled;
+    const auto steps = stepsOf();
+    for (int k = 1; k + 1 < grid_.size.z(); ++k)
+      for (int j = 1; j + 1 < grid_.size.y(); ++j)
+        for (int i = 1; i + 1 < grid_.size.x(); ++i) {
+          const std::size_t cell = grid_.index(i, j, k);
+          if (cells_[cell] != kFilled && std::ranges::none_of(steps, [&](auto by) {
+                return cells_[moved(cell, by)] == kFilled;
+              }))
+            cells_[cell] = kWide;
+        }
+  }
+
   voxel::VoxelGrid grid_; // the part's with a border
-  std::vector<char> outside_;
+  std::vector<char> cells_;
 };
 
 // Is the segment that ends at a waypoint seen from outside?
