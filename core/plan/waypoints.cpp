@@ -12,6 +12,14 @@ const ToolPath* pathOf(const ToolPlan& plan, std::size_t waypoint) {
   return after == plan.paths.begin() || waypoint >= plan.waypointCount() ? nullptr : &*(after - 1);
 }
 
+void appendWaypoint(ToolPlan& to, const ToolPlan& from, std::size_t waypoint) {
+  to.position.push_back(from.position[waypoint]);
+  to.direction.push_back(from.direction[waypoint]);
+  to.widthMm.push_back(from.widthMm[waypoint]);
+  to.heightMm.push_back(from.heightMm[waypoint]);
+  to.speedMmPerS.push_back(from.speedMmPerS[waypoint]);
+}
+
 RestOfPlan without(const ToolPlan& plan, const std::vector<char>& marked) {
   base::require(marked.size() == plan.waypointCount(), "one mark per waypoint");
   RestOfPlan rest;
@@ -33,13 +41,8 @@ RestOfPlan without(const ToolPlan& plan, const std::vector<char>& marked) {
       b = e + 1;
     }
   }
-  for (const std::size_t i : rest.waypoint) {
-    rest.plan.position.push_back(plan.position[i]);
-    rest.plan.direction.push_back(plan.direction[i]);
-    rest.plan.widthMm.push_back(plan.widthMm[i]);
-    rest.plan.heightMm.push_back(plan.heightMm[i]);
-    rest.plan.speedMmPerS.push_back(plan.speedMmPerS[i]);
-  }
+  for (const std::size_t i : rest.waypoint)
+    appendWaypoint(rest.plan, plan, i);
   return rest;
 }
 

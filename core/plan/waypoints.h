@@ -12,6 +12,9 @@ namespace voluta::plan {
 // The path that the waypoint is of; null: the plan has no such waypoint.
 const ToolPath* pathOf(const ToolPlan& plan, std::size_t waypoint);
 
+// Copies one waypoint behind those of another plan; paths stay as they are.
+void appendWaypoint(ToolPlan& to, const ToolPlan& from, std::size_t waypoint);
+
 struct RestOfPlan {
   ToolPlan plan;
   std::vector<std::size_t> waypoint; // of the plan before, per waypoint of this one

@@ -14,6 +14,7 @@ inline constexpr std::string_view kDiameterNote = "filament diameter ";
 
 // mm2; mm3 a mm of filament.
 double filamentArea(double diameterMm = kFilamentDiameterMm);
+
 // A length of filament that a program counts on: what was drawn back comes out of no nozzle before
 // it was returned.
 class FilamentCount {

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/principal_axes.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -206,16 +206,10 @@ std::vector<Capsule> enclosingCapsules(const std::vector<Corners>& triangles,
 
 Capsule enclosingCapsule(const std::vector<Vector3d>& points, const Vector3d& alsoAlong) {
   base::require(!points.empty(), "points to enclose");
-  Vector3d middle = Vector3d::Zero();
-  for (const Vector3d& p : points)
-    middle += p / static_cast<double>(points.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vector3d& p : points)
-    spread += (p - middle) * (p - middle).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(spread);
+  const Eigen::Matrix3d principal = geometry::principalAxes(points);
   std::vector<Vector3d> axes;
   for (int i = 0; i < 3; ++i)
-    axes.push_back(principal.eigenvectors().col(i).normalized());
+    axes.push_back(principal.col(i).normalized());
   if (alsoAlong.norm() > 0.0)
     axes.push_back(alsoAlong.normalized());
   Capsule best = around(points, axes.front());

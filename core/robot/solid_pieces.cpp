@@ -4,11 +4,11 @@
 #include "base/units.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
+#include "geometry/principal_axes.h"
 #include "robot/capsule_fit.h"
 #include "robot/shape_moves.h"
 #include "robot/triangle_cut.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -309,14 +309,9 @@ std::vector<Solid> solidsAlong(TriangleMesh mesh, const Eigen::Matrix3d& axes, i
   return solids;
 }
 
-Eigen::Matrix3d principalAxes(const Points& points) {
-  Vector3d middle = Vector3d::Zero();
-  for (const Vector3d& p : points)
-    middle += p / static_cast<double>(points.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vector3d& p : points)
-    spread += (p - middle) * (p - middle).transpose();
-  Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+// Right-handed.
+Eigen::Matrix3d ownAxes(const Points& points) {
+  Eigen::Matrix3d axes = geometry::principalAxes(points);
   axes.col(2) = axes.col(0).cross(axes.col(1));
   return axes;
 }
@@ -329,7 +324,7 @@ std::vector<Shape> solidPieces(const TriangleMesh& mesh, int most, const base::R
   std::vector<Solid> best;
   double least = std::numeric_limits<double>::infinity();
   for (const Eigen::Matrix3d& axes :
-       {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), principalAxes(mesh.vertices)}) {
+       {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), ownAxes(mesh.vertices)}) {
     std::vector<Solid> solids = solidsAlong(mesh, axes, most, ctx);
     double sum = 0.0;
     for (const Solid& solid : solids)

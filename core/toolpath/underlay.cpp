@@ -5,6 +5,7 @@
 #include "collision/growing_part.h"
 #include "geometry/convex_polygon.h"
 #include "layers/layer_stack.h"
+#include "plan/waypoints.h"
 #include "process/bead_model.h"
 #include "toolpath/bridges.h"
 #include "toolpath/head_clearance.h"
@@ -33,11 +34,6 @@ void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction
   plan.speedMmPerS.push_back(speedMmPerS);
 }
 
-void appendSame(plan::ToolPlan& plan, const plan::ToolPlan& from, std::size_t i) {
-  append(plan, from.position[i], from.direction[i], from.widthMm[i], from.heightMm[i],
-         from.speedMmPerS[i]);
-}
-
 struct Low {
   plan::ToolPlan plan;
   std::vector<std::size_t> waypoint, path; // of the whole plan
@@ -55,7 +51,7 @@ Low lowPaths(const plan::ToolPlan& plan, double belowMm) {
       continue;
     const std::size_t first = low.plan.waypointCount();
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-      appendSame(low.plan, plan, i);
+      plan::appendWaypoint(low.plan, plan, i);
       low.waypoint.push_back(i);
     }
     path.first = first;
@@ -255,7 +251,7 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     plan::ToolPath same = path;
     same.first = out.plan.waypointCount();
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-      appendSame(out.plan, was.plan, i);
+      plan::appendWaypoint(out.plan, was.plan, i);
       out.clearDirection.push_back(was.clearDirection[i]);
     }
     out.plan.paths.push_back(same);

@@ -7,6 +7,7 @@
 #include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
+#include <QWidget>
 #include <cmath>
 
 namespace voluta::forms {
@@ -165,6 +166,11 @@ void paintIcon(QPainter& painter, const QRectF& where, Icon which, const QPalett
 
 QIcon icon(Icon which) {
   return QIcon(new IconEngine(which));
+}
+
+QPixmap iconBeside(const QWidget& text, Icon which) {
+  const int side = text.fontMetrics().height();
+  return icon(which).pixmap(QSize(side, side), text.devicePixelRatioF());
 }
 
 } // namespace voluta::forms

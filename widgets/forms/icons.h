@@ -3,9 +3,11 @@
 
 #include <QIcon>
 #include <QPalette>
+#include <QPixmap>
 #include <QRectF>
 
 class QPainter;
+class QWidget;
 
 namespace voluta::forms {
 
@@ -25,5 +27,8 @@ void paintIcon(QPainter& painter, const QRectF& where, Icon which, const QPalett
 
 // Drawn anew with QGuiApplication::palette() each time it is shown, so it follows light and dark.
 QIcon icon(Icon which);
+
+// As high as a line of the widget's text, beside which it stands.
+QPixmap iconBeside(const QWidget& text, Icon which);
 
 } // namespace voluta::forms

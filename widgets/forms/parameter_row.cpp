@@ -219,8 +219,7 @@ void ParameterRow::showValue() {
 }
 
 void ParameterRow::setProblem(const QString& problem) {
-  const int side = fontMetrics().height();
-  problemIcon_->setPixmap(icon(Icon::Blocked).pixmap(QSize(side, side), devicePixelRatioF()));
+  problemIcon_->setPixmap(iconBeside(*this, Icon::Blocked));
   problemText_->setText(problem);
   problem_->setVisible(!problem.isEmpty());
   editor_->setAccessibleDescription(problem);

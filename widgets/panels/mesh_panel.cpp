@@ -73,9 +73,7 @@ void MeshPanel::retranslate() {
     return;
   }
   const bool sound = summary_->watertight && summary_->remains.empty();
-  const int side = fontMetrics().height();
-  stateIcon_->setPixmap(forms::icon(sound ? forms::Icon::Good : forms::Icon::Warning)
-                            .pixmap(QSize(side, side), devicePixelRatioF()));
+  stateIcon_->setPixmap(forms::iconBeside(*this, sound ? forms::Icon::Good : forms::Icon::Warning));
   state_->setText(!summary_->watertight ? tr("The mesh is not watertight.")
                   : sound               ? tr("The mesh is watertight.")
                                         : tr("The mesh is watertight, but not sound."));

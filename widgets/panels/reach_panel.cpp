@@ -75,9 +75,7 @@ void ReachPanel::showState() {
     return;
   }
   const bool good = reach_->onPlate && reach_->upright == 1.0;
-  const int side = fontMetrics().height();
-  icon_->setPixmap(forms::icon(good ? forms::Icon::Good : forms::Icon::Warning)
-                       .pixmap(QSize(side, side), devicePixelRatioF()));
+  icon_->setPixmap(forms::iconBeside(*this, good ? forms::Icon::Good : forms::Icon::Warning));
   QString text = !reach_->onPlate ? tr("It stands beyond the cell's plate.")
                  : good           ? tr("All of it is reached upright.")
                         : tr("%1 % of it is reached upright.").arg(percent(reach_->upright));

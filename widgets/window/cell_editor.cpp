@@ -404,9 +404,8 @@ void CellEditor::preview() {
 }
 
 void CellEditor::tell(const QString& text, std::optional<forms::Icon> icon) {
-  const int side = fontMetrics().height();
   if (icon)
-    faultIcon_->setPixmap(forms::icon(*icon).pixmap(QSize(side, side), devicePixelRatioF()));
+    faultIcon_->setPixmap(forms::iconBeside(*this, *icon));
   else
     faultIcon_->clear();
   faults_->setText(text);

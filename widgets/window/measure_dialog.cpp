@@ -87,10 +87,6 @@ void MeasureDialog::evaluate() {
   sign_->clear();
   told_->clear();
   const std::string text = rows_->toPlainText().toStdString();
-  const int side = fontMetrics().height();
-  const auto sign = [&](forms::Icon icon) {
-    sign_->setPixmap(forms::icon(icon).pixmap(QSize(side, side), devicePixelRatioF()));
-  };
   try {
     const robot::NumberRows rows = base::readRows(text, tr("Rows").toStdString());
     if (!rows.empty()) {
@@ -109,11 +105,11 @@ void MeasureDialog::evaluate() {
       frame_ = found;
       told_->setText(language::words(robot::placeOf(found)) + QLatin1Char('\n') +
                      language::words(robot::agreementOf(residual, rows.size())));
-      sign(forms::Icon::Good);
+      sign_->setPixmap(forms::iconBeside(*this, forms::Icon::Good));
     }
   } catch (const base::Error& error) {
     told_->setText(language::words(error.whole()));
-    sign(forms::Icon::Blocked);
+    sign_->setPixmap(forms::iconBeside(*this, forms::Icon::Blocked));
   }
   use_->setEnabled(frame_.has_value());
 }

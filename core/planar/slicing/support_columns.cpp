@@ -230,11 +230,12 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
     // which it grows. On a steep slope half a bead stands on each step of it, up to the wall.
     Paths kept;
     for (const Paths& column : components(columns[k])) {
-      const Paths upToWall = without(grown(column, options.gapMm), standing[k]);
-      const Paths stands = shared(column, below);
-      if (!wideEnough(stands, kNarrowColumn * half).empty())
+      if (!wideEnough(shared(column, below), kNarrowColumn * half).empty()) {
         kept = united(kept, shared(column, grown(below, half)));
-      else if (!wideEnough(shared(upToWall, below), kNarrowFooting * half).empty())
+        continue;
+      }
+      const Paths upToWall = without(grown(column, options.gapMm), standing[k]);
+      if (!wideEnough(shared(upToWall, below), kNarrowFooting * half).empty())
         kept = united(kept, shared(upToWall, grown(below, half)));
     }
     columns[k] = wideEnough(kept, kNarrowColumn * half);
