@@ -1,4 +1,4 @@
-// The one place where work is spread over threads (TBB behind it).
+// The one place where work is spread over threads (workers.h behind it).
 #pragma once
 
 #include "base/run_context.h"

@@ -1,6 +1,7 @@
 #include "base/run_context.h"
 
 #include "base/error.h"
+#include "base/workers.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,6 +11,8 @@ namespace voluta::base {
 RunContext::RunContext(CancelToken cancel, int threads, ProgressSink sink)
     : cancel_(std::move(cancel)), threads_(threads), sink_(std::move(sink)) {
   require(threads >= 1, "RunContext: threads >= 1");
+  if (threads > 1)
+    workers_ = std::make_shared<Workers>(threads);
 }
 
 void RunContext::checkpoint() const {
@@ -31,7 +34,11 @@ RunContext RunContext::sub(double lo, double hi) const {
 }
 
 RunContext RunContext::quiet() const {
-  return RunContext(cancel_, threads_);
+  RunContext silent = *this;
+  silent.lo_ = 0.0;
+  silent.hi_ = 1.0;
+  silent.sink_ = {};
+  return silent;
 }
 
 } // namespace voluta::base

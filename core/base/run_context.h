@@ -10,6 +10,8 @@
 
 namespace voluta::base {
 
+class Workers;
+
 // A sticky flag, made fresh for each run and shared with whoever may cancel it.
 class CancelToken {
 public:
@@ -25,7 +27,8 @@ private:
 // the thread that runs the stage, never from workers.
 using ProgressSink = std::function<void(double fraction, const Message& what)>;
 
-// A small value, passed to every stage as const&. Copies share the cancel token and the sink.
+// A small value, passed to every stage as const&. Copies share the cancel token, the
+// threads and the sink.
 class RunContext {
 public:
   // Silent, never cancelled, one thread: for tests and small calls.
@@ -34,6 +37,8 @@ public:
   RunContext(CancelToken cancel, int threads, ProgressSink sink = {});
 
   int threads() const { return threads_; }
+  // Precondition: threads() > 1.
+  Workers& workers() const { return *workers_; }
 
   // For inner loops: cheap, to be asked at least every 50 ms.
   bool cancelled() const noexcept { return cancel_.cancelled(); }
@@ -52,6 +57,7 @@ public:
 private:
   CancelToken cancel_;
   int threads_ = 1;
+  std::shared_ptr<Workers> workers_; // null: one thread
   double lo_ = 0.0, hi_ = 1.0;
   ProgressSink sink_;
 };

@@ -56,8 +56,8 @@ robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVect
   return to;
 }
 
-// The reached nodes of the rung before, those of one sample side by side: what the search through
-// them reads lies together.
+// The reached nodes of the rung before, those of one sample side by side, the cheapest first: what
+// the search through them reads lies together, and it ends where the rest costs too much already.
 class Reached {
 public:
   Reached(int samples, std::size_t joints)
@@ -83,10 +83,14 @@ public:
     fill_.assign(first_.begin(), first_.end() - 1);
     for (std::size_t n = 0; n < rung.size(); ++n)
       if (cost[n] < kInfinity) {
-        const std::size_t at = fill_[slot(n)]++;
+        std::size_t at = fill_[slot(n)]++;
+        for (; at > first_[slot(n)] && nodes_[at - 1].cost > cost[n]; --at)
+          nodes_[at] = nodes_[at - 1];
         nodes_[at] = {static_cast<int>(n), rung[n].aside, rung[n].side, cost[n]};
-        std::copy_n(q[n].data(), joints_, q_.begin() + static_cast<std::ptrdiff_t>(at * joints_));
       }
+    for (std::size_t at = 0; at < nodes_.size(); ++at)
+      std::copy_n(q[static_cast<std::size_t>(nodes_[at].index)].data(), joints_,
+                  q_.begin() + static_cast<std::ptrdiff_t>(at * joints_));
   }
   // Places of the nodes of a sample: from begin to end.
   std::size_t begin(int sample) const { return first_[static_cast<std::size_t>(sample)]; }
@@ -103,12 +107,12 @@ private:
 
 } // namespace
 
-LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>& startCost,
+LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
                       const std::vector<robot::JointLimits>& limits, const LadderOptions& options) {
   LadderWay way;
   if (rungs.empty())
     return way;
-  base::require(startCost.size() == rungs.front().size(), "a start cost for each first node");
+  base::require(starts.size() == rungs.front().size(), "a start for each first node");
   base::require(options.maxStepRad.size() == rungs.size(), "a largest step for each rung");
 
   std::vector<std::vector<double>> cost(rungs.size());
@@ -127,8 +131,8 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
       if (rung[n].blocked)
         continue;
       if (r == 0) {
-        cost[r][n] = startCost[n] + rung[n].cost;
-        here[n] = rung[n].q;
+        cost[r][n] = starts[n].cost + rung[n].cost;
+        here[n] = starts[n].q;
       } else {
         double least = kInfinity;
         // The nearest turns first: what they cost bounds the search through the others.
@@ -139,7 +143,9 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
           for (std::size_t m = reached.begin(sample); m < reached.end(sample); ++m) {
             const Reached::Node& from = reached.node(m);
             const double soFar = from.cost + rung[n].cost;
-            if (soFar >= least || std::abs(from.aside - rung[n].aside) > options.asideWindow ||
+            if (soFar >= least)
+              break;
+            if (std::abs(from.aside - rung[n].aside) > options.asideWindow ||
                 from.side * rung[n].side < 0)
               continue;
             const double total = soFar + step(reached.joints(m), rung[n].q, limits,
@@ -176,10 +182,10 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>&
     way.node[r] = n;
     n = parent[r][static_cast<std::size_t>(n)];
   }
-  for (std::size_t r = 0; r < way.reached; ++r) {
-    const robot::JointVector& q = rungs[r][static_cast<std::size_t>(way.node[r])].q;
-    way.q[r] = r == 0 ? q : nearestTurns(way.q[r - 1], q, limits, options.maxStepRad[r]);
-  }
+  way.q[0] = starts[static_cast<std::size_t>(way.node[0])].q;
+  for (std::size_t r = 1; r < way.reached; ++r)
+    way.q[r] = nearestTurns(way.q[r - 1], rungs[r][static_cast<std::size_t>(way.node[r])].q, limits,
+                            options.maxStepRad[r]);
   return way;
 }
 

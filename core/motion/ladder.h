@@ -18,6 +18,13 @@ struct LadderNode {
 };
 using Rung = std::vector<LadderNode>;
 
+// How the way may begin at a node of the first rung: its joints, by whole turns, and what it costs
+// to get there.
+struct LadderStart {
+  robot::JointVector q;
+  double cost = 0.0;
+};
+
 struct LadderOptions {
   int samples = 24;               // turns about the nozzle in a full circle
   int window = 2;                 // neighbours differ by at most so many samples
@@ -39,10 +46,10 @@ struct LadderWay {
 // Joints are taken by whole turns nearest to the predecessor's, as long as limits allow it. Where
 // no node of a rung can be reached the way ends before it, at the cheapest node. Ties go to the
 // node at the nearest sample.
-// Preconditions: startCost as long as rungs.front(), maxStepRad as rungs; all q of one length,
+// Preconditions: a start for each node of rungs.front(), maxStepRad as rungs; all q of one length,
 // limits no longer: joints behind those are where they have to be and cost nothing; samples in [0,
 // options.samples).
-LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<double>& startCost,
+LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
                       const std::vector<robot::JointLimits>& limits, const LadderOptions& options);
 
 } // namespace voluta::motion

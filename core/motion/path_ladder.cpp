@@ -12,6 +12,7 @@
 #include "robot/nozzle_turns.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 
@@ -301,41 +302,54 @@ std::size_t PathLadder::rungAt(std::size_t waypoint) const {
   return static_cast<std::size_t>(at - places_.begin());
 }
 
-LadderWay PathLadder::bestWay() {
-  const auto search = [&] {
-    std::vector<double> startCosts;
-    for (const LadderNode& node : rungs_.front())
-      startCosts.push_back(startCost(from_.q, node.q, scene_.cell.robot().limits));
-    return shortestWay(rungs_, startCosts, scene_.cell.robot().limits, options_);
+std::vector<LadderStart> PathLadder::startsNear(const JointVector& near,
+                                                std::vector<LadderStart> starts) const {
+  for (LadderStart& start : starts) {
+    for (Eigen::Index j = 0; j < scene_.cell.armDof(); ++j) {
+      const auto& limit = scene_.cell.limits()[static_cast<std::size_t>(j)];
+      if (limit.kind == robot::JointKind::Sliding)
+        continue;
+      const double q = start.q[j] + base::kTurn * std::round((near[j] - start.q[j]) / base::kTurn);
+      if (q >= limit.min && q <= limit.max)
+        start.q[j] = q;
+    }
+    start.cost = startCost(from_.q, start.q, scene_.cell.robot().limits);
+  }
+  return starts;
+}
+
+LadderWay PathLadder::bestWay(const base::RunContext& ctx) const {
+  std::vector<LadderStart> asFound;
+  for (const LadderNode& node : rungs_.front())
+    asFound.push_back({node.q});
+  const std::vector<LadderStart> near = startsNear(from_.q, std::move(asFound));
+  const std::vector<LadderStart> unwound = startsNear(scene_.cell.home(), near);
+  const auto search = [&](const std::vector<LadderStart>& starts) {
+    return shortestWay(rungs_, starts, scene_.cell.robot().limits, options_);
   };
-  const auto beginNear = [&](const JointVector& near) {
-    bool changed = false;
-    for (LadderNode& node : rungs_.front())
-      for (Eigen::Index j = 0; j < scene_.cell.armDof(); ++j) {
-        const auto& limit = scene_.cell.limits()[static_cast<std::size_t>(j)];
-        if (limit.kind == robot::JointKind::Sliding)
-          continue;
-        const double turns = std::round((near[j] - node.q[j]) / base::kTurn);
-        const double q = node.q[j] + base::kTurn * turns;
-        if (turns != 0.0 && q >= limit.min && q <= limit.max) {
-          node.q[j] = q;
-          changed = true;
-        }
-      }
-    return changed;
+  const auto same = [&](std::size_t n) { return near[n].q == unwound[n].q; };
+  bool changed = false;
+  for (std::size_t n = 0; n < near.size(); ++n)
+    changed = changed || !same(n);
+  if (!changed)
+    return search(near);
+
+  LadderWay nearWay, unwoundWay;
+  std::atomic<bool> unwinds = true; // false: the other need not be waited for
+  const auto nothingToUnwind = [&] {
+    return nearWay.reached == rungs_.size() && same(static_cast<std::size_t>(nearWay.node.front()));
   };
-  beginNear(from_.q);
-  LadderWay near = search();
-  const JointVector first = near.reached > 0 ? near.q.front() : from_.q;
-  const bool changed = beginNear(scene_.cell.home());
-  if (!changed || (near.reached == rungs_.size() &&
-                   first == rungs_.front()[static_cast<std::size_t>(near.node.front())].q))
-    return near;
-  LadderWay unwound = search();
-  if (unwound.reached > near.reached ||
-      (unwound.reached == near.reached && unwound.cost < near.cost))
-    return unwound;
-  return near;
+  base::parallelChunks(ctx, 2, 1, [&](std::size_t which, std::size_t) {
+    if (which == 0) {
+      nearWay = search(near);
+      unwinds = !nothingToUnwind();
+    } else if (unwinds) {
+      unwoundWay = search(unwound);
+    }
+  });
+  const bool further = unwoundWay.reached > nearWay.reached;
+  const bool cheaper = unwoundWay.reached == nearWay.reached && unwoundWay.cost < nearWay.cost;
+  return !nothingToUnwind() && (further || cheaper) ? unwoundWay : nearWay;
 }
 
 Course PathLadder::courseOf(const LadderWay& way) const {

@@ -72,7 +72,7 @@ public:
 
   // Of two ways to begin, by whole turns: near where the arm is, which may wind it up against its
   // limits, and near home. The one that gets further, then the cheaper one.
-  LadderWay bestWay();
+  LadderWay bestWay(const base::RunContext& ctx) const;
   // Linear in the way between rungs.
   Course courseOf(const LadderWay& way) const;
 
@@ -110,6 +110,9 @@ private:
   Eigen::Vector3d directionAt(std::size_t waypoint) const;
   bool canStandAside() const;
   std::vector<std::size_t> rungWaypoints(std::size_t count) const;
+  // The first rung's nodes by the whole turns nearest to such joints, where limits allow it.
+  std::vector<LadderStart> startsNear(const robot::JointVector& near,
+                                      std::vector<LadderStart> starts) const;
   void setPlaces(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx);
   void look(LadderNode& node, Place& place) const;
   void tellSides(std::size_t rung);

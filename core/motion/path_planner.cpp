@@ -169,18 +169,24 @@ std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& ref
 }
 
 std::vector<Failed> Stretch::follow(const LadderWay& way) {
-  std::size_t failedAt = 0;
   base::Stopwatch watch;
-  Course course = ladder_.courseOf(way);
-  const bool followed = fill(course, way.q.front(), laid_, failedAt);
+  const Course course = ladder_.courseOf(way);
   // On a rod it often need not turn at all.
   const bool uneven =
       !ladder_.movesPart() || std::any_of(course.turn.begin(), course.turn.end(),
                                           [&](double t) { return t != course.turn.front(); });
-  const bool evens = followed && uneven && scene_.options.smoothing == TurnMethod::Evened;
-  if (evens)
-    course.turn = evened(course.turn, kEvening);
-  const bool even = evens && fill(course, way.q.front(), run_.points, failedAt);
+  const bool evens = uneven && scene_.options.smoothing == TurnMethod::Evened;
+  bool followed = false, even = false;
+  std::size_t failedAt = 0;
+  base::parallelChunks(ctx_, evens ? 2 : 1, 1, [&](std::size_t which, std::size_t) {
+    if (which == 0) {
+      followed = fill(course, way.q.front(), laid_, failedAt);
+    } else {
+      std::size_t anywhere = 0;
+      even =
+          fill({evened(course.turn, kEvening), course.aside}, way.q.front(), run_.points, anywhere);
+    }
+  });
   times_.ik += watch.seconds();
   if (!followed)
     return {{failedAt, false}};
@@ -231,8 +237,13 @@ bool Stretch::headTravels(const RobotState& state, std::size_t before) const {
 bool Stretch::endsLift() {
   const std::size_t last = ladder_.size() - 1;
   const RunPoint &start = run_.points.front(), &end = run_.points.back();
-  const bool startHeld = !ladder_.wasLifted(0) && !ladder_.liftable(start.at, start.next);
-  const bool endHeld = !ladder_.wasLifted(last) && !ladder_.liftable(end.at, end.next + 1);
+  bool startHeld = false, endHeld = false;
+  base::parallelChunks(ctx_, 2, 1, [&](std::size_t which, std::size_t) {
+    if (which == 0)
+      startHeld = !ladder_.wasLifted(0) && !ladder_.liftable(start.at, start.next);
+    else
+      endHeld = !ladder_.wasLifted(last) && !ladder_.liftable(end.at, end.next + 1);
+  });
   if (startHeld)
     ladder_.blockUnliftable(0, first_, ctx_);
   if (endHeld)
@@ -294,7 +305,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
   for (int tries = 0;; ++tries) {
     ctx_.checkpoint();
     const base::Stopwatch watch;
-    const LadderWay way = ladder_.bestWay();
+    const LadderWay way = ladder_.bestWay(ctx_);
     times_.graph += watch.seconds();
 
     if (way.reached < ladder_.size()) {

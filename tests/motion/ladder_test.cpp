@@ -89,6 +89,15 @@ std::pair<std::size_t, double> exhaustive(const Case& c) {
   return {reached, best};
 }
 
+// As the nodes stand; costs: zero by default.
+std::vector<motion::LadderStart> startsOf(const std::vector<Rung>& rungs,
+                                          const std::vector<double>& cost = {}) {
+  std::vector<motion::LadderStart> starts;
+  for (std::size_t n = 0; n < rungs.front().size(); ++n)
+    starts.push_back({rungs.front()[n].q, cost.empty() ? 0.0 : cost[n]});
+  return starts;
+}
+
 } // namespace
 
 TEST(Ladder, AgainstExhaustiveSearch) {
@@ -97,7 +106,8 @@ TEST(Ladder, AgainstExhaustiveSearch) {
   for (int n = 0; n < 400; ++n) {
     const Case c = randomCase(engine, n % 2 == 1, n >= 200);
     const auto [reached, cost] = exhaustive(c);
-    const motion::LadderWay way = shortestWay(c.rungs, c.startCost, c.limits, c.options);
+    const motion::LadderWay way =
+        shortestWay(c.rungs, startsOf(c.rungs, c.startCost), c.limits, c.options);
     EXPECT_EQ(way.reached, reached);
     if (reached > 0) {
       EXPECT_NEAR(way.cost, cost, 1e-12);
@@ -120,7 +130,7 @@ TEST(Ladder, RodIsNoStepOfTheArms) {
   }
   motion::LadderOptions options;
   options.maxStepRad.assign(rungs.size(), 0.2);
-  const auto way = shortestWay(rungs, {0.0}, {{-1, 1, 1, 1}}, options);
+  const auto way = shortestWay(rungs, startsOf(rungs), {{-1, 1, 1, 1}}, options);
   ASSERT_EQ(way.reached, 5u);
   EXPECT_NEAR(way.cost, 0.4, 1e-12);
   EXPECT_EQ(way.q.back()[1], 160.0);
@@ -138,7 +148,7 @@ TEST(Ladder, WhatSlidesIsNotWrapped) {
     to.q << -20.0 + mm;
     motion::LadderOptions options;
     options.maxStepRad.assign(2, 0.05); // 5 mm
-    return shortestWay({{from}, {to}}, {0.0}, slide, options);
+    return shortestWay({{from}, {to}}, {{from.q, 0.0}}, slide, options);
   };
   EXPECT_EQ(wayTo(turn).reached, 1u);
   const auto way = wayTo(4.0);
@@ -160,9 +170,9 @@ TEST(Ladder, TurnsAreFollowedUpToTheLimit) {
   motion::LadderOptions options;
   options.maxStepRad.assign(rungs.size(), 0.6);
   const std::vector<robot::JointLimits> wide{{-20, 20, 1, 1}}, narrow{{-6, 6, 1, 1}};
-  const auto all = shortestWay(rungs, {0.0}, wide, options);
+  const auto all = shortestWay(rungs, startsOf(rungs), wide, options);
   ASSERT_EQ(all.reached, rungs.size());
   for (std::size_t r = 0; r < rungs.size(); ++r)
     EXPECT_NEAR(all.q[r][0], 0.5 * static_cast<double>(r), 1e-12);
-  EXPECT_EQ(shortestWay(rungs, {0.0}, narrow, options).reached, 13u); // 6 rad at the 13th
+  EXPECT_EQ(shortestWay(rungs, startsOf(rungs), narrow, options).reached, 13u); // 6 rad at the 13th
 }
