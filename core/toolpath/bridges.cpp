@@ -13,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kAcross = 8; // places across a bead, as programs are judged
 constexpr double kBelow = 0.25;
 
 Vector3d along(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i) {
@@ -25,24 +24,6 @@ Vector3d along(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size
 bool onPlate(const platform::PlatformSolid& platform, const Vector3d& point) {
   return point.z() <= 0.0 && platform.polygon.size() >= 3 &&
          geometry::inConvexPolygon(platform.polygon, point.head<2>());
-}
-
-bool carried(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i,
-             const collision::GrowingPart& part, const platform::PlatformSolid& platform) {
-  const Vector3d& d = plan.direction[i];
-  const auto height = static_cast<double>(plan.heightMm[i]);
-  Vector3d side = d.cross(along(plan, path, i));
-  side = side.squaredNorm() > 1e-12 ? side.normalized() : d.unitOrthogonal();
-  // Cells whose centre is in the bead itself reach below it by half their size.
-  const double depth = height + std::max(kBelow * height, part.grid().pitch);
-  const Vector3d beneath = plan.position[i] - depth * d;
-  for (int k = 0; k < kAcross; ++k) {
-    const double aside = ((k + 0.5) / kAcross - 0.5) * static_cast<double>(plan.widthMm[i]);
-    const Vector3d point = beneath + aside * side;
-    if (onPlate(platform, point) || part.holds(point, i))
-      return true;
-  }
-  return false;
 }
 
 // Turns stretches of `value` that are shorter than `leastMm` into the other one. What reaches an
@@ -68,6 +49,31 @@ void dropShort(const plan::ToolPlan& plan, const plan::ToolPath& path, char valu
 
 } // namespace
 
+Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint) {
+  const Vector3d& d = plan.direction[waypoint];
+  const Vector3d side = d.cross(along(plan, path, waypoint));
+  return side.squaredNorm() > 1e-12 ? side.normalized() : d.unitOrthogonal();
+}
+
+int carriedPlaces(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
+                  double asideMm, const collision::GrowingPart& part,
+                  const platform::PlatformSolid& platform) {
+  const auto height = static_cast<double>(plan.heightMm[waypoint]);
+  const Vector3d side = sideOf(plan, path, waypoint);
+  // Cells whose centre is in the bead itself reach below it by half their size.
+  const double depth = height + std::max(kBelow * height, part.grid().pitch);
+  const Vector3d beneath =
+      plan.position[waypoint] - depth * plan.direction[waypoint] + asideMm * side;
+  int places = 0;
+  for (int k = 0; k < kPlacesAcross; ++k) {
+    const double aside =
+        ((k + 0.5) / kPlacesAcross - 0.5) * static_cast<double>(plan.widthMm[waypoint]);
+    const Vector3d point = beneath + aside * side;
+    places += onPlate(platform, point) || part.holds(point, waypoint) ? 1 : 0;
+  }
+  return places;
+}
+
 std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::GrowingPart& part,
                                    const platform::PlatformSolid& platform,
                                    const base::RunContext& ctx) {
@@ -79,7 +85,7 @@ std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::
         continue;
       double width = 0.0;
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-        hanging[i] = !carried(plan, path, i, part, platform);
+        hanging[i] = carriedPlaces(plan, path, i, 0.0, part, platform) == 0;
         width = std::max(width, static_cast<double>(plan.widthMm[i]));
       }
       dropShort(plan, path, 0, width, hanging);

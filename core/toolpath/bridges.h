@@ -6,6 +6,8 @@
 #include "platform/platform_solid.h"
 #include "process/process.h"
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 namespace voluta::base {
@@ -22,6 +24,16 @@ namespace voluta::toolpath {
 std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::GrowingPart& part,
                                    const platform::PlatformSolid& platform,
                                    const base::RunContext& ctx);
+
+// How many of kPlacesAcross places across a bead are carried, as above, if it is laid `asideMm` to
+// the side of where it is planned: along direction x way.
+inline constexpr int kPlacesAcross = 8; // as programs are judged
+int carriedPlaces(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
+                  double asideMm, const collision::GrowingPart& part,
+                  const platform::PlatformSolid& platform);
+// That side, unit.
+Eigen::Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
+                       std::size_t waypoint);
 
 // Lays what hangs, and what leads to and from it, no faster than the process bridges; what comes
 // out stays in proportion, as planned speeds and sections say.

@@ -10,6 +10,7 @@
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "toolpath/bridges.h"
+#include "toolpath/drawn_in.h"
 #include "toolpath/head_clearance.h"
 
 #include <Eigen/Geometry>
@@ -51,10 +52,19 @@ public:
       middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];
   }
 
-  OrientResult run() {
+  // `drawsIn`: what would hang is laid aside first (drawn_in.h).
+  OrientResult run(bool drawsIn) {
     const double pitch = collision::growingPitch(plan_, process_);
     ground_ = collision::groundCells(o_.platform, pitch, ctx_);
     std::optional<collision::GrowingPart> part(std::in_place, plan_, pitch, ctx_, ground_);
+    bool drawn = false;
+    if (drawsIn) {
+      const std::vector<Vector3d> moves = drawnIn(plan_, *part, o_.platform, process_, ctx_);
+      for (std::size_t i = 0; i < moves.size(); ++i) {
+        middle_[i] += moves[i];
+        drawn = drawn || !moves[i].isZero();
+      }
+    }
     ctx_.report(0.2, "directions"_text);
     choose(*part);
     ctx_.report(0.5, "directions"_text);
@@ -62,7 +72,8 @@ public:
     ctx_.report(0.6, "directions"_text);
     OrientResult r;
     r.plan = subdivided();
-    if (direction_ == plan_.direction && r.plan.waypointCount() == plan_.waypointCount()) {
+    if (!drawn && direction_ == plan_.direction &&
+        r.plan.waypointCount() == plan_.waypointCount()) {
       r.plan = plan_; // which grows as it was
     } else {
       part.reset(); // two at a time would be much memory
@@ -298,7 +309,7 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   for (int round = 0; round < kRounds; ++round) {
     Orienter orienter(current, clear, head, process, options,
                       round == 0 ? ctx.sub(0.0, 0.7) : ctx.sub(0.7, 1.0));
-    OrientResult result = orienter.run();
+    OrientResult result = orienter.run(round == 0);
     if (round > 0 && result.gouges >= best.gouges)
       break;
     best = std::move(result);

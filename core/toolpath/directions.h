@@ -34,8 +34,9 @@ struct OrientResult {
 // carries it and what is printed before, and leans it towards its clear direction only as far as it
 // must, else towards whatever nearby clears, up to 75 degrees from its own; low-passes along the
 // path where neighbours differ by more than smoothBeyondDeg (Dai 3.5.2) unless that gouges;
-// subdivides steps that turn more than turnLimitDeg. The middle of each bead stays where it is: tip
-// = middle + 1/2 height x direction. Gone over up to four times while less and less gouges.
+// subdivides steps that turn more than turnLimitDeg. Walls that would hang are laid a little aside
+// (drawn_in.h); else the middle of each bead stays where it is: tip = middle + 1/2 height x
+// direction. Gone over up to four times while less and less gouges.
 // Before it is gone over again, paths that mayMiss lose the waypoints that gouge.
 // clearDirection: per waypoint, unit. Preconditions: sizes match. Throws Cancelled.
 OrientResult orientDirections(const plan::ToolPlan& plan,

@@ -3,10 +3,13 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 
+#include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <mutex>
 #include <numeric>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace voluta::base;
@@ -90,6 +93,32 @@ TEST(Parallel, TheFirstFailureLeaves) {
   } catch (const Error& e) {
     EXPECT_EQ(voluta::base::english(e.message()), "30");
   }
+}
+
+// A chunk that holds a lock and hands out work of its own gets no other chunk to do meanwhile,
+// which would want the lock.
+TEST(Parallel, WorkWithinWorkWaitsForItsOwnOnly) {
+  const RunContext ctx(CancelToken{}, 2);
+  std::vector<std::mutex> locks(4);
+  std::atomic<int> done = 0;
+  parallelChunks(ctx, 400, 1, [&](std::size_t b, std::size_t) {
+    const std::lock_guard held(locks[b % locks.size()]);
+    parallelChunks(ctx.quiet(), 20, 1, [&](std::size_t, std::size_t) { ++done; });
+  });
+  EXPECT_EQ(done, 400 * 20);
+}
+
+TEST(Parallel, TwoThreadsMayShareTheWorkersOfARun) {
+  const RunContext ctx(CancelToken{}, 2);
+  std::atomic<int> done = 0;
+  const auto work = [&] {
+    for (int k = 0; k < 200; ++k)
+      parallelChunks(ctx, 10, 1, [&](std::size_t, std::size_t) { ++done; });
+  };
+  std::thread other(work);
+  work();
+  other.join();
+  EXPECT_EQ(done, 2 * 200 * 10);
 }
 
 TEST(Outcome, EveryEndBecomesAValue) {

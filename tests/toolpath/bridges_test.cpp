@@ -2,33 +2,15 @@
 #include "toolpath/bridges.h"
 
 #include "base/run_context.h"
-#include "process/process.h"
+#include "straight_beads.h"
 
 #include <gtest/gtest.h>
 
 using namespace voluta;
+using namespace voluta::test;
 using Eigen::Vector3d;
 
 namespace {
-
-const process::Process kProcess = process::loadProcess("fdm-1.0");
-
-// A straight bead along x at y, tips at z, a waypoint a millimetre.
-void addPath(plan::ToolPlan& plan, double fromX, double toX, double y, double z, int layer) {
-  plan::ToolPath path;
-  path.first = plan.waypointCount();
-  path.layer = layer;
-  const int steps = static_cast<int>(std::round(std::abs(toX - fromX)));
-  for (int k = 0; k <= steps; ++k) {
-    plan.position.emplace_back(fromX + (toX - fromX) * k / steps, y, z);
-    plan.direction.emplace_back(Vector3d::UnitZ());
-    plan.widthMm.push_back(1.2f);
-    plan.heightMm.push_back(0.8f);
-    plan.speedMmPerS.push_back(20.0f);
-  }
-  path.count = plan.waypointCount() - path.first;
-  plan.paths.push_back(path);
-}
 
 std::vector<char> hangingOf(const plan::ToolPlan& plan, const platform::PlatformSolid& platform) {
   const double pitch = collision::growingPitch(plan, kProcess);
@@ -36,8 +18,6 @@ std::vector<char> hangingOf(const plan::ToolPlan& plan, const platform::Platform
   const collision::GrowingPart part(plan, pitch, ctx, collision::groundCells(platform, pitch, ctx));
   return toolpath::hangingWaypoints(plan, part, platform, ctx);
 }
-
-const platform::PlatformSolid kPlate{Eigen::Vector2d(-20, -20), {20, -20}, {20, 20}, {-20, 20}};
 
 } // namespace
 
