@@ -12,8 +12,10 @@ set(VOLUTA_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,unde
 
 find_program(VOLUTA_CCACHE ccache)
 if(VOLUTA_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${VOLUTA_CCACHE})
-  set(CMAKE_C_COMPILER_LAUNCHER ${VOLUTA_CCACHE})
+  # Without these it keeps nothing of what a precompiled header goes into.
+  set(VOLUTA_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${VOLUTA_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${VOLUTA_LAUNCHER})
+  set(CMAKE_C_COMPILER_LAUNCHER ${VOLUTA_LAUNCHER})
 endif()
 find_program(VOLUTA_MOLD mold)
 if(VOLUTA_MOLD)

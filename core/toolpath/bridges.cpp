@@ -76,7 +76,7 @@ int carriedPlaces(const plan::ToolPlan& plan, const plan::ToolPath& path, std::s
 
 std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::GrowingPart& part,
                                    const platform::PlatformSolid& platform,
-                                   const base::RunContext& ctx) {
+                                   const base::RunContext& ctx, int leastPlaces) {
   std::vector<char> hanging(plan.waypointCount(), 0);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p) {
@@ -85,7 +85,7 @@ std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::
         continue;
       double width = 0.0;
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-        hanging[i] = carriedPlaces(plan, path, i, 0.0, part, platform) == 0;
+        hanging[i] = carriedPlaces(plan, path, i, 0.0, part, platform) < leastPlaces;
         width = std::max(width, static_cast<double>(plan.widthMm[i]));
       }
       dropShort(plan, path, 0, width, hanging);

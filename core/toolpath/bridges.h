@@ -17,13 +17,13 @@ class RunContext;
 namespace voluta::toolpath {
 
 // Per waypoint, 1: neither the platform nor what is laid before lies right beneath the bead, at any
-// of eight places across its width, a layer's height and a quarter more (a cell of `part` at least)
-// below the tip. Stretches of a path shorter than a bead's width do not count, neither do such
-// breaks of longer ones, nor what is waste. `part`: the plan's beads with its ground. Throws
-// Cancelled.
+// of eight places across its width (at fewer than `leastPlaces`), a layer's height and a quarter
+// more (a cell of `part` at least) below the tip. Stretches of a path shorter than a bead's width
+// do not count, neither do such breaks of longer ones, nor what is waste. `part`: the plan's beads
+// with its ground. Throws Cancelled.
 std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::GrowingPart& part,
                                    const platform::PlatformSolid& platform,
-                                   const base::RunContext& ctx);
+                                   const base::RunContext& ctx, int leastPlaces = 1);
 
 // How many of kPlacesAcross places across a bead are carried, as above, if it is laid `asideMm` to
 // the side of where it is planned: along direction x way.

@@ -122,7 +122,7 @@ private:
 std::vector<Vector3d> drawnIn(const plan::ToolPlan& plan, const collision::GrowingPart& part,
                               const platform::PlatformSolid& platform,
                               const process::Process& process, const base::RunContext& ctx) {
-  const std::vector<char> hanging = hangingWaypoints(plan, part, platform, ctx);
+  const std::vector<char> hanging = hangingWaypoints(plan, part, platform, ctx, kCarried);
   std::vector<Vector3d> moves(plan.waypointCount(), Vector3d::Zero());
   const Drawer drawer(plan, part, platform, process);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {

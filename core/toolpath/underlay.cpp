@@ -21,7 +21,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kReachLayers = 3.0;      // of the thickest: higher walls one bead wide tip over
+constexpr double kSlender = 6.0;          // widths: higher walls one bead wide tip over
 constexpr double kBreakShare = 1.0 / 7.0; // of a bead's height, between it and what carries it
 constexpr double kLeastShare = 0.5;       // of the least layer height: thinner beads don't hold
 
@@ -82,7 +82,7 @@ public:
   Underlayer(const plan::ToolPlan& all, const platform::PlatformSolid& platform,
              const robot::Cell& cell, const process::Process& process, const base::RunContext& ctx)
       : platform_(platform), process_(process), head_(cell, process),
-        low_(lowPaths(all, (kReachLayers + 1.0) * process.layerHeightMaxMm)),
+        low_(lowPaths(all, kSlender * process.beadWidthMinMm + process.layerHeightMaxMm)),
         part_(low_.plan, collision::growingPitch(low_.plan, process), ctx),
         hanging_(hangingWaypoints(low_.plan, part_, platform, ctx)) {}
 
@@ -127,7 +127,7 @@ private:
     const Vector3d bottom = low_.plan.position[i] - height * d;
     const double gap = bottom.z() / d.z();
     const Vector3d foot = bottom - gap * d;
-    if (gap <= 0.0 || gap > kReachLayers * process_.layerHeightMaxMm ||
+    if (gap <= 0.0 || gap > kSlender * process_.beadWidthMinMm ||
         !geometry::inConvexPolygon(platform_.polygon, foot.head<2>()))
       return 0.0;
     const double step = part_.grid().pitch;

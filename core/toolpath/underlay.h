@@ -24,14 +24,15 @@ struct UnderlaidPlan {
   Eigen::Vector3d where = Eigen::Vector3d::Zero(); // of the first; meaningless where there is none
 };
 
-// The rims of round feet widen by more than a bead within a layer: what is laid there hangs less
-// than a few layers over the plate. Where a stretch that nothing carries (bridges.h) is longer than
-// half of what the process bridges, and the plate is within three of the thickest layers beneath
-// it, beads of support as thick as layers may be are laid on the plate under it, along its own
-// curve, before the first path of its patch; they end a seventh of its height under it, so that
-// they come off. The nozzle lays them upright. Nothing is laid in what is printed before, nor where
-// the head would cut into what is as low as that. Paths keep their order. Precondition: one clear
-// direction a waypoint. Over bodies and rods: as it was. Throws Cancelled.
+// The rims of round feet widen by more than a bead within a layer, and bellies close just over the
+// plate: what is laid there hangs a few layers over it. Where a stretch that nothing carries
+// (bridges.h) is longer than half of what the process bridges, and the plate is within six of the
+// narrowest bead's widths beneath it, beads of support as thick as layers may be are laid on the
+// plate under it, along its own curve, before the first path of its patch; they end a seventh of
+// its height under it, so that they come off. The nozzle lays them upright. Nothing is laid in what
+// is printed before, nor where the head would cut into what is as low as that. Paths keep their
+// order. Precondition: one clear direction a waypoint. Over bodies and rods: as it was. Throws
+// Cancelled.
 UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Eigen::Vector3d> clearDirection,
                        const platform::PlatformSolid& platform, const robot::Cell& cell,
                        const process::Process& process, const base::RunContext& ctx);

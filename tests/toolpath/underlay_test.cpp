@@ -98,7 +98,7 @@ TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
   EXPECT_EQ(underlaid(shortRim).underlaid, 0u);
 
   plan::ToolPlan high;
-  addPath(high, -15, 15, 0, 0.8 + 3.0 * kProcess.layerHeightMaxMm + 0.1, 0);
+  addPath(high, -15, 15, 0, 0.8 + 6.0 * kProcess.beadWidthMinMm + 0.1, 0);
   EXPECT_EQ(underlaid(high).underlaid, 0u);
 
   plan::ToolPlan aside;
