@@ -86,9 +86,11 @@ const std::vector<Dialect>& dialects() {
        // Marlin's own figures.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
+       .options = extendedGcodeOptions,
        .write = writeExtendedGcode,
        .read = readExtendedGcode,
        .looksLike = looksLikeExtendedGcode,
+       .goesOnIn = filesOfExtendedGcode,
        .remark = ";",
        .mayBeMissing = mayBeMissingInExtendedGcode},
       {.id = "gcode-bc",

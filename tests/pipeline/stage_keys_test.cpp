@@ -83,6 +83,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"tableSense", {"tool", kStageCount}},
     {"tableTurns", {"2", kStageCount}},
     {"tableUnwind", {"wind", kStageCount}},
+    {"gcodeRunner", {"rapid", 5}},
     {"mxtController", {"cr800", kStageCount}},
     {"extruderAxisMm", {"5000", kStageCount}}, // nor here
     {"retractMm", {"1", 5}},
