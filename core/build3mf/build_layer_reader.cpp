@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace voluta::build3mf {
@@ -217,9 +218,12 @@ public:
       addSupport(attributes);
     } else if (name.word == "point6d" || name.word == "point3d" || name.word == "point" ||
                name.word == "hatch") {
-      if (!profile_ || name.word != (frame_.sixAxes ? "point6d" : "point3d"))
+      if (!profile_ || name.word != pointWord())
         throw wrong(base::message("a {point} where none can be"_text, name.word));
-      addPoint(attributes);
+      if (name.word == "hatch")
+        addHatch(attributes);
+      else
+        addPoint(attributes);
     }
   }
   void end(XmlName name) {
@@ -233,10 +237,15 @@ public:
 
 private:
   void beginSegment(const XmlAttributes& attributes) {
-    const std::string_view type = attributes.text("type");
-    if (type != (frame_.sixAxes ? "polyline6d" : "polyline3d"))
+    type_ = attributes.text("type");
+    const bool flat = type_ == "polyline" || type_ == "loop" || type_ == "hatch";
+    if (frame_.axes == PathAxes::Planar ? !flat
+                                        : type_ != (sixAxes() ? "polyline6d" : "polyline3d"))
       throw wrong(base::message("a segment of type '{type}' among tool-paths of {axes} axes"_text,
-                                type, frame_.sixAxes ? 6 : 3));
+                                type_,
+                                frame_.axes == PathAxes::Planar ? 2
+                                : sixAxes()                     ? 6
+                                                                : 3));
     const long long profile = attributes.integer("profileid"), part = attributes.integer("partid");
     if (!profiles_.contains(profile))
       throw wrong(base::message("the profile {id} of a segment is not in its layer"_text, profile));
@@ -255,18 +264,45 @@ private:
     path_.patch = own("patch", 0);
     path_.group = own("group", 0);
     points_.clear();
+    hatches_ = 0;
+  }
+
+  bool sixAxes() const { return frame_.axes == PathAxes::Six; }
+  std::string_view pointWord() const {
+    if (frame_.axes == PathAxes::Planar)
+      return type_ == "hatch" ? "hatch" : "point";
+    return sixAxes() ? "point6d" : "point3d";
+  }
+
+  // Coordinates by their attributes' names; of two the layer gives the third.
+  template <std::size_t N>
+  Vector3d positionOf(const XmlAttributes& attributes,
+                      const std::array<std::string_view, N>& axes) const {
+    Vector3d position(0.0, 0.0, frame_.topMm);
+    for (std::size_t k = 0; k < N; ++k)
+      position[static_cast<Eigen::Index>(k)] =
+          frame_.unitMm * static_cast<double>(attributes.integer(axes[k]));
+    if (!(position.cwiseAbs().maxCoeff() <= kFarthestMm))
+      throw wrong("a point is more than a kilometre away"_text);
+    return position;
+  }
+
+  // A line of its own.
+  void addHatch(const XmlAttributes& attributes) {
+    points_.assign(2, Point());
+    points_[0].position = positionOf<2>(attributes, {"x1", "y1"});
+    points_[1].position = positionOf<2>(attributes, {"x2", "y2"});
+    points_[1].factors = factorsOf(attributes);
+    ++hatches_;
+    layPath();
+    points_.clear();
   }
 
   void addPoint(const XmlAttributes& attributes) {
     Point point;
-    const std::array<std::string_view, 3> axes{"x", "y", "z"};
-    for (Eigen::Index k = 0; k < 3; ++k)
-      point.position[k] =
-          frame_.unitMm *
-          static_cast<double>(attributes.integer(axes[static_cast<std::size_t>(k)]));
-    if (!(point.position.cwiseAbs().maxCoeff() <= kFarthestMm))
-      throw wrong("a point is more than a kilometre away"_text);
-    if (frame_.sixAxes) {
+    point.position = frame_.axes == PathAxes::Planar ? positionOf<2>(attributes, {"x", "y"})
+                                                     : positionOf<3>(attributes, {"x", "y", "z"});
+    if (sixAxes()) {
       point.frame = Quaterniond(attributes.number("w"), attributes.number("i"),
                                 attributes.number("j"), attributes.number("k"));
       const double norm = point.frame.norm();
@@ -318,11 +354,26 @@ private:
   }
 
   void endSegment() {
-    if (points_.size() < 2)
-      throw wrong("a segment of fewer than two points"_text);
+    if (type_ == "hatch") {
+      if (hatches_ == 0)
+        throw wrong("a segment of fewer than two points"_text);
+    } else {
+      if (points_.size() < (type_ == "loop" ? 3 : 2))
+        throw wrong("a segment of fewer than two points"_text);
+      if (type_ == "loop")
+        points_.push_back(points_.front()); // a way of no length lays nothing
+      layPath();
+    }
+    profile_ = nullptr;
+  }
+
+  void layPath() {
     checkFineness();
     const std::size_t first = into_.plan.waypointCount();
     const std::size_t count = Laying(*profile_, points_, into_.plan).lay();
+    for (std::size_t i = first; i < first + count; ++i)
+      if (!(into_.plan.heightMm[i] > 0.0f))
+        into_.plan.heightMm[i] = static_cast<float>(frame_.thicknessMm);
     if (count >= 2) {
       path_.first = first;
       path_.count = count;
@@ -330,7 +381,6 @@ private:
                                        1.5 * frame_.unitMm;
       into_.plan.paths.push_back(path_);
     }
-    profile_ = nullptr;
   }
 
   const LayerFrame& frame_;
@@ -339,7 +389,9 @@ private:
   std::map<long long, const Profile*> profiles_;
   const Profile* profile_ = nullptr; // of the segment that is being read
   plan::ToolPath path_;
+  std::string type_; // of that segment
   std::vector<Point> points_;
+  std::size_t hatches_ = 0;
   int inData_ = 0; // how deep in others' data
   bool begun_ = false;
 };

@@ -9,12 +9,17 @@
 
 namespace voluta::build3mf {
 
+// What points say: x and y, of a layer at its own height; z too; the tool's frame besides.
+enum class PathAxes { Planar, Three, Six };
+
 // What layer parts are read with.
 struct LayerFrame {
   const Profiles& profiles;
   double unitMm = 1.0; // a unit of coordinates
-  bool sixAxes = true; // else three
-  int layer = 0;       // of paths that say none themselves
+  PathAxes axes = PathAxes::Six;
+  int layer = 0; // of paths that say none themselves
+  // Planar: where the nozzle goes, and how thick beads are that say nothing of it.
+  double topMm = 0.0, thicknessMm = 0.0;
 };
 
 // Appends the segments of the layer part `text` to `into`. Throws Error{UnreadableFile,

@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace voluta::build3mf {
 
@@ -36,7 +37,12 @@ struct Resource {
   double unitFactor = 1.0;
   std::string type = "planar";
   Profiles profiles;
-  std::vector<std::string> layers; // paths as given
+  struct Layer {
+    std::string path; // as given
+    std::optional<long long> top;
+  };
+  std::vector<Layer> layers;
+  long long bottom = 0; // of the first, where they are planar
   bool workFrame = false;
 };
 struct Model {
@@ -109,8 +115,13 @@ private:
       if (!profile_)
         throw Error(ErrorCode::UnreadableFile, "a modifier outside a profile"_text);
       addModifier(*profile_, attributes);
+    } else if (word == "toolpathlayers") {
+      if (attributes.has("zbottom"))
+        resource().bottom = attributes.integer("zbottom");
     } else if (word == "toolpathlayer") {
-      resource().layers.emplace_back(attributes.text("path"));
+      resource().layers.push_back({std::string(attributes.text("path")), std::nullopt});
+      if (attributes.has("ztop"))
+        resource().layers.back().top = attributes.integer("ztop");
     } else if (word == "toolpathdata") {
       inData_ = 1;
     }
@@ -164,6 +175,26 @@ const Resource& chosenResource(const Model& model, const std::string& where,
     notes.push_back(base::message("of {count} sets of tool-paths the first was taken"_text,
                                   model.resources.size()));
   return model.resources.front().second;
+}
+
+// Throws Error{UnusableInput}: nothing that a nozzle lays.
+PathAxes axesOf(const Resource& resource, const std::string& where) {
+  if (resource.type == "6axis")
+    return PathAxes::Six;
+  if (resource.type == "3axis")
+    return PathAxes::Three;
+  // A laser's are planar too, and say nothing of beads.
+  const bool beads = std::ranges::any_of(resource.profiles, [](const auto& entry) {
+    const auto& nominal = entry.second.nominal;
+    return std::ranges::any_of(nominal, [](double value) { return value > 0.0; });
+  });
+  if (resource.type != "planar" || !beads)
+    throw Error(ErrorCode::UnusableInput,
+                base::message("tool-paths of type '{type}' without beads; what a nozzle lays is "
+                              "read"_text,
+                              resource.type),
+                where);
+  return PathAxes::Planar;
 }
 
 // The member that an absolute path names. Throws Error{UnreadableFile}: it is none, or leads out.
@@ -272,18 +303,19 @@ ReadBuild readBuild(std::string_view bytes, const std::string& name, const base:
                 base::message("the unit '{unit}' is not known"_text, model.unit), where);
   ReadBuild read;
   const Resource& resource = chosenResource(model, where, read.notes);
-  if (resource.type != "3axis" && resource.type != "6axis")
-    throw Error(ErrorCode::UnusableInput,
-                base::message("tool-paths of type '{type}'; those of 3 and 6 axes are read"_text,
-                              resource.type),
-                where);
+  const PathAxes axes = axesOf(resource, where);
   read.workFrame = resource.workFrame;
   read.hasObject = model.items;
   const std::set<std::string> related = relatedLayers(package, member, name);
   std::set<std::string> seen;
-  for (const std::string& path : resource.layers) {
+  long long below = resource.bottom;
+  for (const auto& [path, top] : resource.layers) {
     ctx.checkpoint();
     const std::string layer = layerMember(path, where);
+    if (axes == PathAxes::Planar && (!top || *top < below))
+      throw Error(ErrorCode::UnreadableFile,
+                  base::message("the layer '{path}' has no height above the one before"_text, path),
+                  where);
     if (!related.contains(path))
       throw Error(ErrorCode::UnreadableFile,
                   base::message("the layer '{path}' is not related to the model"_text, path),
@@ -291,8 +323,12 @@ ReadBuild readBuild(std::string_view bytes, const std::string& name, const base:
     if (!seen.insert(layer).second)
       throw Error(ErrorCode::UnreadableFile,
                   base::message("the layer '{path}' is there twice"_text, path), where);
-    const LayerFrame frame{resource.profiles, resource.unitFactor * *unit, resource.type == "6axis",
-                           static_cast<int>(seen.size()) - 1};
+    const double unitMm = resource.unitFactor * *unit;
+    LayerFrame frame{resource.profiles, unitMm, axes, static_cast<int>(seen.size()) - 1};
+    if (axes == PathAxes::Planar) {
+      frame.topMm = unitMm * static_cast<double>(*top);
+      frame.thicknessMm = unitMm * static_cast<double>(*top - std::exchange(below, *top));
+    }
     readLayer(package.member(layer), name + ", " + layer, frame, read);
   }
   if (read.plan.paths.empty())
@@ -300,7 +336,7 @@ ReadBuild readBuild(std::string_view bytes, const std::string& name, const base:
   const auto waits = [](const auto& entry) { return entry.second.waits; };
   if (std::any_of(resource.profiles.begin(), resource.profiles.end(), waits))
     read.notes.emplace_back("waits before and after tool-paths are left out"_text);
-  if (!read.workFrame && resource.type == "6axis" && looksInward(read.plan)) {
+  if (!read.workFrame && axes == PathAxes::Six && looksInward(read.plan)) {
     for (Vector3d& direction : read.plan.direction)
       direction = -direction;
     read.notes.emplace_back(

@@ -36,8 +36,8 @@ bool holdsToolpaths(std::string_view bytes);
 // (a part, profile or layer that is not there or not related, a number that is none, a frame
 // without direction, a point's factor outside 0..1), a unit or a required extension that is not
 // known, a modifier of what cannot be modified here, part names that leave the package.
-// Throws Error{UnusableInput}: planar tool-paths, none at all, too many points to be read.
-// Throws Cancelled. `name`: of the file, for errors.
+// Throws Error{UnusableInput}: planar tool-paths without beads, none at all, too many points to be
+// read. Throws Cancelled. `name`: of the file, for errors.
 ReadBuild readBuild(std::string_view bytes, const std::string& name, const base::RunContext& ctx);
 
 } // namespace voluta::build3mf

@@ -56,6 +56,9 @@ struct ProgramMotion {
   // motion's time, where it goes straight in the axes of a machine that turns the part, and not on
   // the part. Empty: straight on the part.
   std::vector<NozzlePoint> way;
+  // Part of an excursion that leads back to where it began, for the machine's own sake (a table
+  // that is wound back): no point of a plan is meant by it.
+  bool aside = false;
   // Speed of what the target describes: the TCP in Base (FlangePose: with a plate on the flange
   // that is the work frame's origin, not the nozzle on the part), the nozzle's tip in the work
   // frame (WorkPose, ToolPoint). 0: not given.

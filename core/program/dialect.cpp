@@ -15,6 +15,7 @@
 #include "program/krl.h"
 #include "program/language_words.h"
 #include "program/melfa.h"
+#include "program/melfa_datalink.h"
 #include "program/melfa_stream.h"
 #include "program/motion_targets.h"
 #include "program/mxt_packets.h"
@@ -32,7 +33,11 @@ namespace voluta::program {
 
 namespace {
 constexpr double kSameJointRad = 1e-5; // as near as joints are written
-}
+// Of MELFA's controllers, whatever brings them their motions; three cycles of a CR750.
+constexpr plan::TimeModel kMelfaTime = {
+    .accelerationMmPerS2 = kMelfaMmPerS2, .jointAccelerationRadPerS2 = 20.0, .cycleS = 0.00711};
+constexpr MergeLimits kMelfaMerge = {.leastS = 0.0213, .jointRad = kSameJointRad};
+} // namespace
 
 const std::vector<Dialect>& dialects() {
   static const std::vector<Dialect> table = {
@@ -81,9 +86,11 @@ const std::vector<Dialect>& dialects() {
        // Marlin's own figures.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
+       .options = extendedGcodeOptions,
        .write = writeExtendedGcode,
        .read = readExtendedGcode,
        .looksLike = looksLikeExtendedGcode,
+       .goesOnIn = filesOfExtendedGcode,
        .remark = ";",
        .mayBeMissing = mayBeMissingInExtendedGcode},
       {.id = "gcode-bc",
@@ -183,11 +190,8 @@ const std::vector<Dialect>& dialects() {
        .extension = "prg",
        .controller = "melfa",
        .turnsRods = false,
-       .time = {.accelerationMmPerS2 = kMelfaMmPerS2,
-                .jointAccelerationRadPerS2 = 20.0,
-                .cycleS = 0.00711},
-       // Three cycles of a CR750.
-       .merge = {.leastS = 0.0213, .jointRad = kSameJointRad},
+       .time = kMelfaTime,
+       .merge = kMelfaMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder},
        .options = melfaOptions,
        .longestLine = 127,
@@ -217,6 +221,21 @@ const std::vector<Dialect>& dialects() {
        .isNoText = isMxtPackets,
        .remark = "#",
        .mayBeMissing = isWaitingRow},
+      {.id = "melfa-datalink",
+       .label = "Lines by data link (MELFA-BASIC V, with receiver and sender)"_text,
+       .extension = "lines",
+       .controller = "melfa",
+       .turnsRods = false,
+       .time = kMelfaTime,
+       .merge = kMelfaMerge,
+       // Every line says its flow.
+       .extruders = {},
+       .write = writeMelfaDatalink,
+       .read = readMelfaDatalink,
+       .looksLike = looksLikeMelfaDatalink,
+       .goesOnIn = filesOfMelfaDatalink,
+       .remark = "#",
+       .mayBeMissing = mayBeMissingInMelfaDatalink},
       {.id = "tmscript",
        .label = "TMscript (Techman)"_text,
        .extension = "tmscript",

@@ -32,18 +32,22 @@ inline constexpr std::string_view kReversedNote = "B and C count the tool's turn
 base::ParameterSpec tableXMm();
 base::ParameterSpec tableZMm();
 base::ParameterSpec tableSense();
-// Beyond so many turns C's count is set back by whole turns in a travel, G92 C: no motion, for
-// tables that turn without end. 0: it counts on.
+// Beyond so many turns to a side C goes back by whole turns in a travel: its count, G92 C, without
+// a motion, for tables that turn without end ("count"), or the table ("wind"), and then it never
+// passes them. 0: it counts on, or is wound back at as few turns as suit.
 base::ParameterSpec tableTurns();
+base::ParameterSpec tableUnwind();
 std::vector<base::ParameterSpec> tableGcodeOptions();
 
+// Throws Error{Usage}: a bead turns the table further than it may and cannot be wound back within.
 plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext& ctx);
 
 // Targets become points and directions on the part, with the way between them. Under G94 F is the
 // speed along X Y Z, or degrees a minute where none of them moves; G0 needs G94. In a program with
 // our head (kTableNote) every motion wants G93. G92 C may set its count to another number of whole
-// turns. The table must not
-// turn before Z is known, nor X or Y be sent before B and C are.
+// turns. Z up, C by whole turns, one a motion, and Z back is a table that is wound back
+// (plan::ProgramMotion::aside). The table must not turn before Z is known, nor X or Y be sent
+// before B and C are.
 plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
                                  const process::Process& process, const base::RunContext& ctx);
 bool looksLikeTableGcode(std::string_view text);

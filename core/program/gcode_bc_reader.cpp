@@ -102,7 +102,39 @@ private:
     if (placed_)
       m.way = wayOnPart(frame_, last, pose_);
     placed_ = true;
+    poses_.push_back(pose_);
     return true;
+  }
+
+  // Is the table wound back there: up, by whole turns, down again? How many motions that takes; 0:
+  // it is not.
+  std::size_t windingAt(std::size_t first) {
+    const auto differs = [&](std::size_t m, bool z, bool turn) {
+      const TablePose &a = poses_[m - 1], &b = poses_[m];
+      const double turns = (b.angles.turn - a.angles.turn) / (2.0 * base::kPi);
+      return !out_.program().motions[m].extruding && a.axesMm.head<2>() == b.axesMm.head<2>() &&
+             a.angles.tilt == b.angles.tilt && (a.axesMm.z() != b.axesMm.z()) == z &&
+             (turn ? std::abs(std::abs(turns) - 1.0) <= kSameTurn : turns == 0.0);
+    };
+    std::size_t m = first;
+    if (!differs(m, true, false) || poses_[m].axesMm.z() < poses_[m - 1].axesMm.z())
+      return 0;
+    while (m + 1 < poses_.size() && differs(m + 1, false, true))
+      ++m;
+    return m > first && m + 1 < poses_.size() && differs(m + 1, true, false) &&
+                   poses_[m + 1].axesMm.z() == poses_[first - 1].axesMm.z()
+               ? m + 2 - first
+               : 0;
+  }
+  void finish() override {
+    std::vector<plan::ProgramMotion>& motions = out_.program().motions;
+    for (std::size_t m = 1; m < poses_.size() && poses_.size() == motions.size();)
+      if (const std::size_t count = windingAt(m)) {
+        for (std::size_t k = 0; k < count; ++k)
+          motions[m++].aside = true;
+      } else {
+        ++m;
+      }
   }
 
   double secondsTo(const TablePose& last) const {
@@ -118,6 +150,7 @@ private:
 
   TableFrame frame_;
   TablePose pose_;
+  std::vector<TablePose> poses_; // of each motion
   double sense_ = 1.0;
   double countedDeg_ = 0.0; // C's whole turns that were taken from its count
   std::optional<double> tilt_, turn_;

@@ -1,15 +1,19 @@
+#include "base/error.h"
 #include "base/units.h"
 #include "program/gcode_bc.h"
 #include "program/gcode_text.h"
 #include "program/job_head.h"
 #include "program/joint_pieces.h"
 #include "program/motion_targets.h"
+#include "program/table_winding.h"
 #include "program/text.h"
 #include "program/tilting_table.h"
 #include "program/walk.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <map>
 #include <string>
 
 namespace voluta::program {
@@ -18,7 +22,9 @@ namespace {
 
 constexpr int kAngleDecimals = 5; // 1e-7 rad
 constexpr double kAboveMm = 10.0; // over all that the table can lift when it turns
-constexpr double kStartDegPerS = 10.0, kLeastS = 1e-3;
+constexpr double kStartDegPerS = 10.0, kWindDegPerS = 180.0, kLeastS = 1e-3;
+constexpr double kTurn = 2.0 * base::kPi;
+constexpr std::string_view kCounts = "count", kWinds = "wind";
 
 class TableWriter : private Speller {
 public:
@@ -27,10 +33,14 @@ public:
         targets_(motionTargets(input, ctx)), frame_{numberOf(tableXMm(), input.options),
                                                     numberOf(tableZMm(), input.options)},
         sense_(chosenOf(tableSense(), input.options) == "tool" ? -1.0 : 1.0),
-        mostTurns_(numberOf(tableTurns(), input.options)) {
+        mostTurns_(numberOf(tableTurns(), input.options)),
+        winds_(chosenOf(tableUnwind(), input.options) == kWinds) {
     program_.format = "gcode-bc";
     program_.foreign = input.foreign;
     findStations();
+    if (winds_)
+      findWindings();
+    upMm_ = heightAbove();
   }
 
   plan::Program write() {
@@ -68,6 +78,45 @@ private:
     for (TableAngles& a : angles_)
       a = {rounded(a.tilt), rounded(a.turn)};
   }
+
+  // The table is wound back where a travel has lifted off, so that each stretch between two such
+  // points stays within its range.
+  void findWindings() {
+    std::vector<TurnRange> stretches;
+    std::vector<std::size_t> begins; // stations
+    for (std::size_t i = 0; i < targets_.size(); ++i)
+      if (i == 0 || standsClear(in_.trajectory, i))
+        begins.push_back(firstOf_[i]);
+    begins.push_back(stations_.size());
+    for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
+      // From where the last one ended.
+      const auto from = angles_.begin() + static_cast<std::ptrdiff_t>(begins[k] - (k > 0 ? 1 : 0)),
+                 to = angles_.begin() + static_cast<std::ptrdiff_t>(begins[k + 1]);
+      const auto [low, high] = std::ranges::minmax_element(from, to, {}, &TableAngles::turn);
+      stretches.push_back({low->turn, high->turn});
+    }
+    if (!(mostTurns_ > 0.0))
+      mostTurns_ = leastTurns(stretches);
+    if (!fitWithin(stretches, kTurn * mostTurns_))
+      throw base::Error(
+          base::ErrorCode::Usage,
+          base::message(
+              "the table would turn further than {turns} turns to a side within a bead"_text,
+              base::number(mostTurns_)),
+          {}, base::message("set tableTurns to {turns} or more"_text, leastTurns(stretches)));
+    const std::vector<int> turns = windings(stretches, kTurn * mostTurns_);
+    for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
+      for (std::size_t s = begins[k]; s < begins[k + 1]; ++s)
+        angles_[s].turn = rounded(angles_[s].turn + kTurn * turns[k]);
+      if (k > 0 && turns[k] != turns[k - 1])
+        windsAt_.emplace(begins[k], turns[k] - turns[k - 1]);
+    }
+  }
+  int windsAt(std::size_t station) const {
+    const auto found = windsAt_.find(station);
+    return found == windsAt_.end() ? 0 : found->second;
+  }
+
   static double rounded(double rad) {
     return base::degreesToRadians(roundedTo(base::radiansToDegrees(rad), kAngleDecimals));
   }
@@ -94,8 +143,9 @@ private:
       lowest = std::min(lowest, angles_[i].turn);
       highest = std::max(highest, angles_[i].turn);
       if (i > 0 && stations_[i].seconds > 0.0)
-        fastest = std::max(fastest,
-                           std::abs(angles_[i].turn - angles_[i - 1].turn) / stations_[i].seconds);
+        fastest =
+            std::max(fastest, std::abs(angles_[i].turn - angles_[i - 1].turn - kTurn * windsAt(i)) /
+                                  stations_[i].seconds);
     }
     std::string table(kTableNote);
     table += "X";
@@ -105,7 +155,12 @@ private:
     std::vector<std::string> all = {std::move(table)};
     if (sense_ < 0.0)
       all.emplace_back(kReversedNote);
-    if (mostTurns_ > 0.0)
+    if (winds_)
+      all.push_back(
+          joined({"C stays within ", fixedText(mostTurns_, 3),
+                  " turns to either side: it is wound back ", std::to_string(windsAt_.size()),
+                  " times, amid a travel, with the nozzle at Z", fixedText(upMm_, 1)}));
+    else if (mostTurns_ > 0.0)
       all.push_back(joined({"C's count is set back by whole turns (G92 C) in travels beyond ",
                             fixedText(mostTurns_, 0),
                             ": the table does not move then, and has to turn without end"}));
@@ -121,24 +176,27 @@ private:
     return text;
   }
 
-  // Up, then the table.
-  void start() {
+  // Z above all that the table can lift.
+  double heightAbove() const {
     double reach = 0.0;
-    const Eigen::Vector3d centre(frame_.xMm, 0.0, frame_.zMm);
     for (const Station& s : stations_)
       reach = std::max(reach, std::hypot(std::hypot(s.tip.x(), s.tip.y()) + std::abs(frame_.xMm),
                                          s.tip.z() + frame_.zMm));
+    return std::max(reach - frame_.zMm, poseAt(0).axesMm.z()) + kAboveMm;
+  }
+
+  // Up, then the table.
+  void start() {
     const TablePose first = poseAt(0);
-    const double up = std::max(reach - frame_.zMm, first.axesMm.z()) + kAboveMm;
     const double travel = in_.process.travelSpeedMmPerS * 60.0;
-    text_.word("G1 Z", up, kPositionDecimals);
+    text_.word("G1 Z", upMm_, kPositionDecimals);
     text_.word(" F", travel, 3, true);
     text_.word("\nG1 B", sense_ * base::radiansToDegrees(first.angles.tilt), kAngleDecimals);
     text_.word(" C", sense_ * base::radiansToDegrees(first.angles.turn), kAngleDecimals);
     text_.word(" F", kStartDegPerS * 60.0, 3, true);
     text_.line("\nG93");
     last_ = first;
-    last_.axesMm.z() = up;
+    last_.axesMm.z() = upMm_;
   }
 
   void endFile(std::size_t) override {
@@ -156,7 +214,9 @@ private:
   void straightMotion(std::size_t i, bool) override { motion(i); }
 
   void motion(std::size_t i) {
-    if (i > 0 && !isPrint(in_.trajectory, i))
+    if (const int turns = windsAt(firstOf_[i]))
+      wind(turns);
+    else if (i > 0 && !isPrint(in_.trajectory, i) && !winds_)
       setCountBack();
     const std::optional<double> filamentMm = GcodeText::filamentMm(in_.trajectory, i);
     const double before =
@@ -173,6 +233,23 @@ private:
         line(k == pieces ? to : tablePiece(frame_, from, to, share), seconds, filament);
       }
     }
+  }
+
+  // Up along the nozzle, the table by whole turns, and down to where it was: nothing has changed on
+  // the part.
+  void wind(int turns) {
+    const TablePose at = last_;
+    TablePose up = at;
+    up.axesMm.z() = std::max(upMm_, at.axesMm.z());
+    const double liftS = (up.axesMm.z() - at.axesMm.z()) / in_.process.travelSpeedMmPerS;
+    text_.remark("the table is wound back");
+    line(up, liftS, std::nullopt);
+    for (int k = 1; k <= std::abs(turns); ++k) {
+      up.angles.turn = rounded(at.angles.turn + (turns > 0 ? k : -k) * kTurn);
+      line(up, 360.0 / kWindDegPerS, std::nullopt);
+    }
+    up.axesMm.z() = at.axesMm.z();
+    line(up, liftS, std::nullopt);
   }
 
   void setCountBack() {
@@ -208,7 +285,10 @@ private:
   std::vector<MotionTarget> targets_;
   TableFrame frame_;
   double sense_, mostTurns_;
-  double countedDeg_ = 0.0; // C's whole turns that were taken from its count
+  bool winds_;
+  double upMm_ = 0.0;                  // above all that the table can lift
+  std::map<std::size_t, int> windsAt_; // before the motion to that station, by so many turns
+  double countedDeg_ = 0.0;            // C's whole turns that were taken from its count
   std::vector<Station> stations_;
   std::vector<TableAngles> angles_;  // a station
   std::vector<std::size_t> firstOf_; // a point: its first station
@@ -243,13 +323,22 @@ base::ParameterSpec tableSense() {
 
 base::ParameterSpec tableTurns() {
   return base::numberParameter(
-      "tableTurns", "", 0.0, 0.0, 1000.0, "Programs"_text, "turns until C's count is set back"_text,
-      "G-code with B and C: beyond so many turns C's count goes back by whole turns in a travel "
-      "(G92 C), and the table stays where it is; 0: it counts on."_text);
+      "tableTurns", "", 0.0, 0.0, 1000.0, "Programs"_text, "turns until C goes back"_text,
+      "G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; "
+      "0: it counts on, or, where the table is wound back, as few as suit."_text);
+}
+
+base::ParameterSpec tableUnwind() {
+  return base::choiceParameter(
+      "tableUnwind", std::string(kCounts),
+      {{std::string(kCounts), "its count (G92 C)"_text}, {std::string(kWinds), "the table"_text}},
+      "Programs"_text, "what goes back of C"_text,
+      "G-code with B and C: of a table that turns without end the count alone, and it stays where "
+      "it is; one with a cable is wound back amid a travel, with the nozzle above all it lifts."_text);
 }
 
 std::vector<base::ParameterSpec> tableGcodeOptions() {
-  return {tableXMm(), tableZMm(), tableSense(), tableTurns()};
+  return {tableXMm(), tableZMm(), tableSense(), tableTurns(), tableUnwind()};
 }
 
 plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext& ctx) {

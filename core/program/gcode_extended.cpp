@@ -1,10 +1,13 @@
 #include "program/gcode_extended.h"
 
+#include "program/gcode_rapid.h"
 #include "program/gcode_reader.h"
 #include "program/job_head.h"
+#include "program/joint_rows.h"
 #include "program/text.h"
 
 #include <cmath>
+#include <utility>
 
 namespace voluta::program {
 
@@ -50,19 +53,45 @@ private:
 
 } // namespace
 
+std::vector<base::ParameterSpec> extendedGcodeOptions() {
+  return {gcodeRunner()};
+}
+
 plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunContext& ctx) {
-  return writeStraightGcode(
-      {.format = "gcode-extended",
-       .extension = "gcode",
-       .title = "Robot program for printing, extended G-code: X Y Z and the nozzle's direction nX "
-                "nY nZ in the work frame",
-       .question = kStartQuestion},
-      input, ctx);
+  StraightGcode kind{.format = "gcode-extended",
+                     .extension = "gcode",
+                     .title = "Robot program for printing, extended G-code: X Y Z and the nozzle's "
+                              "direction nX nY nZ in the work frame",
+                     .question = kStartQuestion};
+  const bool runner = wantsRapidRunner(input.options);
+  if (runner)
+    kind.notes.push_back(joined({kRapidGcodeNote, rapidRunnerName(input)}));
+  plan::Program program = writeStraightGcode(kind, input, ctx);
+  if (runner)
+    program.files.push_back(rapidRunner(input, program.files.front().name, ctx));
+  return program;
 }
 
 plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
                                     const process::Process& process, const base::RunContext& ctx) {
-  return ExtendedReader("gcode-extended", process, ctx).read(files);
+  std::vector<plan::ProgramFile> own = files;
+  for (plan::ProgramFile& file : own)
+    if (isRapidRunner(file.text))
+      file.text.clear();
+  while (own.size() > 1 && own.back().text.empty())
+    own.pop_back();
+  plan::ReadProgram program = ExtendedReader("gcode-extended", process, ctx).read(own);
+  ProgramBuilder beside("gcode-extended", process);
+  for (beside.file = 0; beside.file < files.size(); ++beside.file)
+    if (isRapidRunner(files[beside.file].text))
+      readRapidRunner(files[beside.file].text, process, beside, ctx);
+  for (plan::ProgramDefect& defect : beside.take(true).defects)
+    program.defects.push_back(std::move(defect));
+  return program;
+}
+
+std::vector<std::string> filesOfExtendedGcode(std::string_view text) {
+  return namesBehind(text, {joined({"; ", kRapidGcodeNote})});
 }
 
 bool looksLikeExtendedGcode(std::string_view text) {

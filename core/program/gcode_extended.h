@@ -22,6 +22,10 @@ namespace voluta::program {
 // How far a direction's length may be off 1 (the appendix's own rounding leaves 2e-3).
 inline constexpr double kDirectionTolerance = 2e-3;
 
+// Whether a RAPID module that reads it on the controller stands beside it (program/gcode_rapid.h).
+std::vector<base::ParameterSpec> extendedGcodeOptions();
+
+// Throws as rapidRunner where that is asked for.
 plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood besides: G4, G92 E, M82 M83 (E per motion), M104 M109, T0 and gcodeWords(); line
@@ -31,6 +35,7 @@ plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunConte
 // motion.
 plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
                                     const process::Process& process, const base::RunContext& ctx);
+std::vector<std::string> filesOfExtendedGcode(std::string_view text); // Dialect
 bool looksLikeExtendedGcode(std::string_view text);
 bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::size_t i); // Dialect
 

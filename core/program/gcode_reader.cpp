@@ -25,6 +25,7 @@ plan::ReadProgram GcodeReader::read(const std::vector<plan::ProgramFile>& files)
       readLine(line);
     }
   }
+  finish();
   if (out_.file > 0)
     --out_.file; // what is missing is missing at the end of the last file
   const bool complete = cold_ && motorsOff_ && ended_;

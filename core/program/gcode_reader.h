@@ -47,6 +47,8 @@ protected:
   virtual void note(std::string_view /*comment*/) {}
   // Words that this kind knows besides gcodeWords().
   virtual std::span<const KnownWord> ownWords() const { return {}; }
+  // All has been read.
+  virtual void finish() {}
   virtual bool isEnd(std::string_view line) const { return line == kGcodeEnd; }
   // A line that is a text for people.
   virtual bool isMessage(std::string_view code) const;

@@ -29,7 +29,7 @@ public:
 private:
   void beginFile(std::size_t) override {
     text_.out.reserve(targets_.size() * 90 + 1024);
-    text_.head(in_, kind_.title, kind_.question);
+    text_.head(in_, kind_.title, kind_.question, kind_.notes);
   }
   void endFile(std::size_t) override {
     text_.end();

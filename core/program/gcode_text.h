@@ -53,6 +53,7 @@ private:
 struct StraightGcode {
   std::string_view format, extension, title, question;
   bool directions = true;
+  std::vector<std::string> notes = {}; // remarks of the dialect's own
 };
 plan::Program writeStraightGcode(const StraightGcode& kind, const ProgramInput& input,
                                  const base::RunContext& ctx);

@@ -41,7 +41,7 @@ public:
     }
     complete = complete && !missing_;
     if (nozzle_)
-      seeFromHeldWork();
+      seeFromHeldWork(out_.program(), *nozzle_);
     return out_.take(complete);
   }
 
@@ -465,16 +465,6 @@ private:
     m.speedMmPerS = 0.01 * override_ * (mmPerS_ > 0.0 ? mmPerS_ : kMelfaFastestMmPerS);
     if (continuous_)
       m.blendMm = blendMm_.value_or(0.5 * m.speedMmPerS * m.speedMmPerS / kMelfaMmPerS2);
-  }
-
-  // The nozzle on what the flange holds.
-  void seeFromHeldWork() {
-    out_.program().base_T_nozzle = nozzle_;
-    for (plan::ProgramMotion& m : out_.program().motions)
-      if (m.target == plan::TargetKind::FlangePose) {
-        m.target = plan::TargetKind::WorkPose;
-        m.frame_T_tcp = m.frame_T_tcp.inverse() * *nozzle_;
-      }
   }
 
   const std::vector<plan::ProgramFile>& files_;

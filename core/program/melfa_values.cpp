@@ -78,12 +78,25 @@ std::optional<Eigen::Isometry3d> melfaPose(const ScriptValue& value) {
   if (value.kind != ScriptKind::List || value.list.size() < kPoseNumbers ||
       value.list.size() > kMostNumbers)
     return std::nullopt;
-  const Eigen::Vector3d mm(value.list.data()), degrees(value.list.data() + 3);
+  return melfaPose(Eigen::Vector3d(value.list.data()), Eigen::Vector3d(value.list.data() + 3));
+}
+
+std::optional<Eigen::Isometry3d> melfaPose(const Eigen::Vector3d& mm,
+                                           const Eigen::Vector3d& degrees) {
   if (!(mm.cwiseAbs().maxCoeff() <= kMostMm) || !(degrees.cwiseAbs().maxCoeff() <= kMostDeg))
     return std::nullopt;
   Eigen::Isometry3d pose(rotationOfXyz(degrees * base::degreesToRadians(1.0)));
   pose.pretranslate(mm);
   return pose;
+}
+
+void seeFromHeldWork(plan::ReadProgram& program, const Eigen::Isometry3d& base_T_nozzle) {
+  program.base_T_nozzle = base_T_nozzle;
+  for (plan::ProgramMotion& m : program.motions)
+    if (m.target == plan::TargetKind::FlangePose) {
+      m.target = plan::TargetKind::WorkPose;
+      m.frame_T_tcp = m.frame_T_tcp.inverse() * base_T_nozzle;
+    }
 }
 
 bool setMelfaPart(ScriptValue& position, std::string_view name, double value) {

@@ -1,6 +1,7 @@
 // Values of MELFA-BASIC V: numbers, positions, joints; what a program keeps of them.
 #pragma once
 
+#include "plan/program.h"
 #include "program/script_values.h"
 
 #include <Eigen/Geometry>
@@ -33,6 +34,12 @@ private:
 
 // A position's frame; nullopt: it is none, or far outside any robot's reach.
 std::optional<Eigen::Isometry3d> melfaPose(const ScriptValue& value);
+std::optional<Eigen::Isometry3d> melfaPose(const Eigen::Vector3d& mm,
+                                           const Eigen::Vector3d& degrees);
+
+// A work that the flange holds is moved under a nozzle: targets of the TCP in Base become the
+// nozzle's on that work.
+void seeFromHeldWork(plan::ReadProgram& program, const Eigen::Isometry3d& base_T_nozzle);
 
 // Sets part `name` (x, y, z, a, b, c) of a position. false: there is no such part.
 bool setMelfaPart(ScriptValue& position, std::string_view name, double value);

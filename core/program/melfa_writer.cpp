@@ -1,10 +1,8 @@
 #include "base/units.h"
 #include "program/arm_branch.h"
-#include "program/euler_angles.h"
 #include "program/job_head.h"
 #include "program/melfa.h"
-#include "program/motion_targets.h"
-#include "program/tcp_motions.h"
+#include "program/melfa_motions.h"
 #include "program/text.h"
 #include "program/walk.h"
 
@@ -17,24 +15,15 @@
 namespace voluta::program {
 
 namespace {
-// 1e-5 degrees turn a point 300 mm off by 0.00005 mm.
-constexpr int kMmDecimals = 4, kDegDecimals = 5, kFrameDecimals = 6, kPercentDecimals = 2;
-constexpr int kSpeedDigits = 7;
+constexpr int kPercentDecimals = 2, kSpeedDigits = 7;
 // Speeds this near are one: each change is a step, and volume is held to 0.1 %.
 constexpr double kSameSpeed = 2e-4;
-constexpr double kLeastPercent = 1.0, kLeastMmPerS = 0.01;
-constexpr double kLeastBlendMm = 0.001;
 constexpr std::size_t kNameCharacters = 9; // a controller's program names hold 12
-
-double countedShare(double share) {
-  return std::clamp(std::max(1.0, std::round(share * kMelfaFullFlow)) / kMelfaFullFlow, 0.0, 1.0);
-}
 
 class MelfaWriter : private Speller {
 public:
   MelfaWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), poses_(targets_),
-        angles_(targets_.size()), motions_(in_, targets_, countedShare),
+      : in_(input), ctx_(ctx), motions_(input, ctx),
         cuts_(cutsOf(input.trajectory, motionsPerFile())),
         name_(identifierOf(input.name).substr(0, kNameCharacters)) {
     program_.format = "melfa";
@@ -42,10 +31,9 @@ public:
   }
 
   plan::Program write() {
-    placeNozzle();
     if (cuts_.size() > 2)
       callParts();
-    walkTrajectory(in_, {"melfa", cuts_, &motions_}, *this, ctx_);
+    walkTrajectory(in_, {"melfa", cuts_, &motions_.tcp()}, *this, ctx_);
     return std::move(program_);
   }
 
@@ -54,48 +42,14 @@ private:
     const std::size_t asked = in_.options.motionsPerFile;
     return asked > 0 ? std::min(asked, kMelfaMotionsPerFile) : kMelfaMotionsPerFile;
   }
-  bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
-
-  // Targets become what moves straight: the nozzle on what the arm holds. Rounded as written, so
-  // that rounding does not become speed.
-  void placeNozzle() {
-    const Eigen::Isometry3d& nozzle = in_.cell.base_T_fixed();
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      angles_[i] = xyzAngles(poses_[i].tcpTurn);
-      for (int k = 0; k < 3; ++k) {
-        angles_[i][k] = roundedTo(base::radiansToDegrees(angles_[i][k]), kDegDecimals);
-        poses_[i].tcpMm[k] = roundedTo(poses_[i].tcpMm[k], kMmDecimals);
-      }
-      if (!heldPlate()) {
-        targets_[i].tcpMm = poses_[i].tcpMm;
-        continue;
-      }
-      Eigen::Isometry3d pose(rotationOfXyz(angles_[i] * base::degreesToRadians(1.0)));
-      pose.pretranslate(poses_[i].tcpMm);
-      targets_[i].tcpMm = pose.inverse() * nozzle.translation();
-    }
-  }
-
   void step(std::string_view code) {
     out_ += std::to_string(++steps_);
     out_ += ' ';
     out_ += code;
     out_ += "\r\n";
   }
-  static std::string position(const Eigen::Vector3d& mm, const Eigen::Vector3d& degrees,
-                              int mmDecimals, int degDecimals, std::string_view flags) {
-    std::string text = "(";
-    for (int k = 0; k < 3; ++k)
-      text += fixedText(mm[k], mmDecimals) + ",";
-    for (int k = 0; k < 3; ++k)
-      text += fixedText(degrees[k], degDecimals) + (k < 2 ? "," : ")");
-    text += flags;
-    return text;
-  }
   static std::string frame(const Eigen::Isometry3d& pose) {
-    return position(pose.translation(),
-                    xyzAngles(Eigen::Quaterniond(pose.linear())) * base::radiansToDegrees(1.0),
-                    kFrameDecimals, kFrameDecimals, "(0,0)");
+    return melfaFrame(pose.translation(), melfaDegrees(pose));
   }
 
   // Structure: 4 right, 2 above, 1 not flipped; and whole turns, 4 bits an axis.
@@ -114,7 +68,8 @@ private:
     return joined({"(", std::to_string(structure), ",", std::to_string(turns), ")"});
   }
   std::string targetOf(std::size_t i) const {
-    return position(poses_[i].tcpMm, angles_[i], kMmDecimals, kDegDecimals, flags(i));
+    return melfaPosition(motions_.mm(i), motions_.degrees(i), kMelfaMmDecimals, kMelfaDegDecimals,
+                         flags(i));
   }
 
   std::string partName(std::size_t part) const {
@@ -134,7 +89,7 @@ private:
 
   void beginFile(std::size_t file) override {
     out_.clear();
-    out_.reserve(std::min<std::size_t>(targets_.size() * 110 + 4096, 8u << 20));
+    out_.reserve(std::min<std::size_t>(motions_.count() * 110 + 4096, 8u << 20));
     steps_ = 0;
     mmPerS_ = 0.0;
     override_.clear();
@@ -146,7 +101,7 @@ private:
                      ", called by ", name_}));
     step("Tool " + frame(in_.cell.flange_T_moved()));
     step("Base P_NBase");
-    if (heldPlate())
+    if (motions_.holdsWork())
       step("P_WkCord(1)=" + frame(in_.cell.base_T_fixed()));
     step("Ovrd 100");
     step("Accel 100,100");
@@ -162,7 +117,7 @@ private:
       say("FOREIGN: not the language of the cell's controller; Cartesian targets only");
     for (const std::string& head : headLines(in_, most))
       say(head);
-    if (heldPlate()) {
+    if (motions_.holdsWork()) {
       say("fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's; the TCP is the "
           "plate's");
       say("centre, positions are the plate's in the robot's base");
@@ -210,12 +165,8 @@ private:
 
   void jointMotion(std::size_t i) override {
     const plan::Trajectory& t = in_.trajectory;
-    double percent = kMelfaStartPercent;
-    if (const double s = motionSeconds(t, i); s > 0.0) {
-      const double largest = leadingJointRad(in_, i);
-      percent = std::clamp(100.0 * largest / s / kMelfaJointRadPerS, kLeastPercent, 100.0);
-    }
-    if (std::string text = fixedText(percent, kPercentDecimals); text != override_) {
+    if (std::string text = fixedText(motions_.jointPercent(i), kPercentDecimals);
+        text != override_) {
       step("JOvrd " + text);
       override_ = std::move(text);
     }
@@ -225,15 +176,13 @@ private:
     }
     std::string joints = "J1=(";
     for (int k = 0; k < t.dof; ++k)
-      joints += (k ? "," : "") + fixedText(base::radiansToDegrees(t.at(i)[k]), kFrameDecimals);
+      joints += (k ? "," : "") + fixedText(base::radiansToDegrees(t.at(i)[k]), kMelfaFrameDecimals);
     step(joints + ")");
     step("Mov J1");
   }
 
   void straightMotion(std::size_t i, bool stops) override {
-    const double s = motions_.seconds(i);
-    const double mmPerS =
-        s > 0.0 ? std::max(motions_.speedMmPerS(i), kLeastMmPerS) : in_.process.travelSpeedMmPerS;
+    const double mmPerS = motions_.mmPerS(i);
     if (std::abs(mmPerS - mmPerS_) > kSameSpeed * mmPerS_) {
       mmPerS_ = mmPerS;
       step("Spd " + fixedText(mmPerS, decimalsFor(mmPerS, kSpeedDigits)));
@@ -244,7 +193,7 @@ private:
       step(joined({"Cnt 1,", r, ",", r}));
       blendMm_ = blendMm;
     }
-    step(joined({heldPlate() ? "EMvs 1," : "Mvs ", targetOf(i), with_}));
+    step(joined({motions_.holdsWork() ? "EMvs 1," : "Mvs ", targetOf(i), with_}));
     with_.clear();
     if (!(blendMm > 0.0) && blendMm_ > 0.0) {
       step("Cnt 0");
@@ -255,16 +204,12 @@ private:
   // Each change is a step: what holds still stays.
   double heldBlendMm(std::size_t i) const {
     const double most = motions_.blendMm(i);
-    if (blendMm_ > 0.0 && blendMm_ <= most && 2.0 * blendMm_ > most)
-      return blendMm_;
-    return most < kLeastBlendMm ? 0.0 : std::floor(most * 1e3) / 1e3;
+    return blendMm_ > 0.0 && blendMm_ <= most && 2.0 * blendMm_ > most ? blendMm_ : most;
   }
 
   const ProgramInput& in_;
   const base::RunContext& ctx_;
-  std::vector<MotionTarget> targets_, poses_; // of the nozzle where it stands; of the TCP in Base
-  std::vector<Eigen::Vector3d> angles_;       // of poses_, degrees
-  TcpMotions motions_;
+  MelfaMotions motions_;
   std::vector<std::size_t> cuts_;
   std::string name_, out_;
   plan::Program program_;

@@ -9,6 +9,7 @@
 #include "program/rapid.h"
 #include "program/rapid_files.h"
 #include "program/rapid_motions.h"
+#include "program/rapid_text.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
 #include "program/walk.h"
@@ -22,17 +23,15 @@
 namespace voluta::program {
 
 namespace {
-constexpr std::string_view kNewLine = "\r\n", kTool = "tNozzle";
+constexpr std::string_view kNewLine = "\r\n";
 // 1e-8 of a quaternion moves a point of the part 300 mm off by 0.000006 mm.
-constexpr int kPositionDecimals = 4, kTurnDecimals = 8, kFrameDecimals = 6, kFrameTurnDecimals = 9;
+constexpr int kPositionDecimals = 4, kTurnDecimals = 8;
 constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZoneDecimals = 3;
 // Volume is held to 0.1 %.
 constexpr int kPerMmDigits = 5;
 constexpr double kSamePerMm = 5e-4;
-constexpr double kStartMmPerS = 50.0, kStartDegPerS = 20.0;
 // Of the controller's own v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
-constexpr std::string_view kNoAxes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 constexpr std::size_t kExternals = 6;
 constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
 constexpr double kAxisDegPerS = 1000.0;
@@ -99,30 +98,6 @@ private:
   void number(double value, int decimals, bool trim = true) {
     appendFixed(out_, value, decimals, trim);
   }
-  void position(const Eigen::Vector3d& mm, int decimals) {
-    for (int k = 0; k < 3; ++k) {
-      out_ += k ? ',' : '[';
-      number(mm[k], decimals);
-    }
-    out_ += ']';
-  }
-  void turn(const Eigen::Quaterniond& q, int decimals) {
-    const double sign = q.w() < 0.0 ? -1.0 : 1.0;
-    const std::array<double, 4> parts = {q.w(), q.x(), q.y(), q.z()};
-    for (std::size_t k = 0; k < 4; ++k) {
-      out_ += k ? ',' : '[';
-      number(sign * parts[k], decimals);
-    }
-    out_ += ']';
-  }
-  void frame(const Eigen::Isometry3d& pose) {
-    out_ += '[';
-    position(pose.translation(), kFrameDecimals);
-    out_ += ',';
-    turn(Eigen::Quaterniond(pose.linear()), kFrameTurnDecimals);
-    out_ += ']';
-  }
-
   robot::JointVector jointsAt(std::size_t i) const {
     return Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof);
   }
@@ -251,33 +226,21 @@ private:
       line("");
       out_ += "  ! its frame, where all of them are at 0, z along the last one: ";
     }
-    frame(in_.cell.base_T_fixed() * in_.cell.work_T_unit());
+    out_ += rapidFrame(in_.cell.base_T_fixed() * in_.cell.work_T_unit());
     line(" in world, the base while the base frame is zero");
   }
 
   void declareObject() {
-    out_ += joined({"  PERS wobjdata ", object_, ":=[", heldPlate() ? "TRUE," : "FALSE,"});
-    if (movesPart()) {
-      out_ += joined({"FALSE,\"", unit(), "\",[[0,0,0],[1,0,0,0]],"});
-      frame(in_.cell.work_T_unit().inverse());
-    } else {
-      out_ += "TRUE,\"\",";
-      frame(heldPlate() ? in_.cell.flange_T_moved() : in_.cell.base_T_work(jointsAt(0)));
-      out_ += ",[[0,0,0],[1,0,0,0]]";
-    }
-    line("];");
+    if (movesPart())
+      line(joined({"  PERS wobjdata ", object_, ":=[FALSE,FALSE,\"", unit(),
+                   "\",[[0,0,0],[1,0,0,0]],", rapidFrame(in_.cell.work_T_unit().inverse()), "];"}));
+    else
+      line(rapidObjectLine(in_, object_));
   }
 
   void declareTool() {
     line(joined({"  ! load assumed: ", assumedLoadText(in_)}));
-    out_ += joined({"  PERS tooldata ", kTool, ":=[", heldPlate() ? "FALSE," : "TRUE,"});
-    frame(heldPlate() ? in_.cell.base_T_fixed() : in_.cell.flange_T_moved());
-    out_ += ",[";
-    number(assumedLoadKg(in_), 3);
-    out_ += ',';
-    position(in_.cell.flange_T_moved().translation(), 1);
-    out_ += ",[1,0,0,0],0,0,0]];";
-    out_ += kNewLine;
+    line(rapidToolLine(in_));
   }
 
   void outputsOff() {
@@ -350,7 +313,7 @@ private:
   }
   void feed(double filamentMm, double seconds) override {
     axisMm_ += filamentMm;
-    out_ += joined({"    MoveExtJ [", kNoAxes, ","});
+    out_ += joined({"    MoveExtJ [", kRapidNoAxes, ","});
     externals(std::nullopt);
     out_ += "],v100\\T:=";
     number(seconds, kSecondDecimals);
@@ -379,9 +342,9 @@ private:
       out_ += "]\\NoEOffs";
     } else {
       out_ += joint ? "    MoveJ [" : atStart_ ? "    TriggL [" : "    MoveL [";
-      position(targets_[i].tcpMm, kPositionDecimals);
+      appendRapidPosition(out_, targets_[i].tcpMm, kPositionDecimals);
       out_ += ',';
-      turn(targets_[i].tcpTurn, kTurnDecimals);
+      appendRapidTurn(out_, targets_[i].tcpTurn, kTurnDecimals);
       configuration(i);
       externals(i);
       out_ += ']';
@@ -391,7 +354,7 @@ private:
       out_ += ",tFlow";
     zone(blendMm);
     stands_ = !(blendMm > 0.0);
-    line(joined({",", kTool, "\\WObj:=", object_, ";"}));
+    line(joined({",", kRapidTool, "\\WObj:=", object_, ";"}));
   }
 
   // Those that move the part to point i, and the extruder's; without a point they stay.
@@ -433,8 +396,8 @@ private:
   void speed(std::size_t i, bool joint) {
     const double s = joint ? motionSeconds(in_.trajectory, i) : motions_.seconds(i);
     const bool timed = s > 0.0 && (joint || motions_.needsTime(i));
-    double mmPerS = i == 0 ? kStartMmPerS : in_.process.travelSpeedMmPerS;
-    double degPerS = i == 0 ? kStartDegPerS : kTurnDegPerS, axisDegPerS = kAxisDegPerS;
+    double mmPerS = i == 0 ? kRapidStartMmPerS : in_.process.travelSpeedMmPerS;
+    double degPerS = i == 0 ? kRapidStartDegPerS : kTurnDegPerS, axisDegPerS = kAxisDegPerS;
     if (s > 0.0 && !timed) {
       mmPerS = motions_.speedMmPerS(i);
       // Turns must not be what the motion waits for.

@@ -21,13 +21,15 @@ public:
   std::vector<robot::JointVector> inPieces(double mostMm) {
     for (int pieces = 1; pieces <= kMostPieces; pieces *= 2) {
       std::vector<robot::JointVector> way;
-      for (int k = 1; k < pieces; ++k) {
+      // A long way in few pieces is as far from one to the next as another branch is.
+      bool leads = true;
+      for (int k = 1; k < pieces && leads; ++k) {
         const auto q = at(static_cast<double>(k) / pieces, way.empty() ? a_ : way.back());
-        if (!q)
-          return {};
-        way.push_back(*q);
+        leads = q.has_value();
+        if (leads)
+          way.push_back(*q);
       }
-      if (isNear(way, mostMm))
+      if (leads && isNear(way, mostMm))
         return way;
     }
     return {};

@@ -149,6 +149,41 @@ WholeMotion wholeMotion(const plan::ReadProgram& program, const ExecutedPath& pa
   return whole;
 }
 
+// What is left of sequences without what is aside, and what was found there told of all of them.
+class WithoutAside {
+public:
+  WithoutAside(const plan::ReadProgram& program, const std::vector<Vector3d>& tip,
+               const std::vector<Vector3d>& direction) {
+    for (std::size_t m = 0; m < program.motions.size(); ++m)
+      if (!program.motions[m].aside) {
+        motions_.push_back(m);
+        tip_.push_back(tip[m]);
+        direction_.push_back(direction[m]);
+      }
+  }
+  PoseSequence poses() const { return {tip_, direction_}; }
+  std::size_t motion(std::size_t k) const { return motions_[k]; }
+
+  Alignment ofAll(const Alignment& found, std::size_t count) const {
+    Alignment all = found;
+    all.pointOf.assign(count, kUnmatched);
+    all.leadsTo.assign(count, kUnmatched);
+    for (std::size_t k = 0; k < motions_.size(); ++k) {
+      all.pointOf[motions_[k]] = found.pointOf[k];
+      all.leadsTo[motions_[k]] = found.leadsTo[k];
+    }
+    for (Deviation& d : all.deviations) {
+      d.motion = d.motion < motions_.size() ? motions_[d.motion] : count;
+      d.other = d.other < motions_.size() ? motions_[d.other] : count;
+    }
+    return all;
+  }
+
+private:
+  std::vector<std::size_t> motions_;
+  std::vector<Vector3d> tip_, direction_;
+};
+
 } // namespace
 
 PlannedNozzle plannedNozzle(const plan::Trajectory& trajectory, const robot::Cell& cell,
@@ -172,7 +207,14 @@ Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& pat
                        const PlannedNozzle& planned, const plan::Trajectory& trajectory,
                        const robot::Cell& cell, const base::RunContext& ctx) {
   JointArcs arcs(trajectory, cell, program.tellsDirections);
-  const auto isVia = [&](std::size_t m, std::size_t point) {
+  // Of directions that no word tells none is another.
+  const std::vector<Vector3d> upOfMotions(program.tellsDirections ? 0 : path.motionCount(),
+                                          Vector3d::UnitZ()),
+      upOfPoints(program.tellsDirections ? 0 : planned.tip.size(), Vector3d::UnitZ());
+  const WithoutAside own(program, path.targetTip,
+                         program.tellsDirections ? path.targetDirection : upOfMotions);
+  const auto isVia = [&](std::size_t k, std::size_t point) {
+    const std::size_t m = own.motion(k);
     const plan::ProgramMotion& motion = program.motions[m];
     if (program.beadsByJoints)
       return goesStraightBy(planned, trajectory, point, path.targetTip[m], path.targetDirection[m]);
@@ -182,14 +224,10 @@ Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& pat
            (!motion.way.empty() &&
             goesStraightBy(planned, trajectory, point, path.targetTip[m], path.targetDirection[m]));
   };
-  if (program.tellsDirections)
-    return alignToPlan({path.targetTip, path.targetDirection}, {planned.tip, planned.direction},
-                       AlignmentOptions{}, ctx, isVia);
-  // Of directions that no word tells none is another.
-  const std::vector<Vector3d> ofMotions(path.motionCount(), Vector3d::UnitZ()),
-      ofPoints(planned.tip.size(), Vector3d::UnitZ());
-  return alignToPlan({path.targetTip, ofMotions}, {planned.tip, ofPoints}, AlignmentOptions{}, ctx,
-                     isVia);
+  const Alignment found = alignToPlan(
+      own.poses(), {planned.tip, program.tellsDirections ? planned.direction : upOfPoints},
+      AlignmentOptions{}, ctx, isVia);
+  return own.ofAll(found, path.motionCount());
 }
 
 TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion) {
@@ -264,7 +302,9 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
     if (m > 0 && print && path.arm && program.motions[m].jointInterpolated &&
         !program.beadsByJoints)
       report.atMotion(BeadByJoints, m);
-    const std::size_t before = whole.first - 1; // the motion to where it begins
+    std::size_t before = whole.first - 1; // the motion to where it begins
+    while (whole.first > 0 && before > 0 && program.motions[before].aside)
+      --before;
     if (whole.first == 0 || j == 0 || !inPlace(before) || pointOf[before] + 1 != j)
       continue;
     // The time a motion takes is its length by its speed; a bead may be slower where the extruder

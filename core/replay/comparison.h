@@ -30,7 +30,8 @@ PlannedNozzle plannedNozzle(const plan::Trajectory& trajectory, const robot::Cel
 
 // The program's motions and the plan's points, walked in step (alignment.h). Pieces have no point:
 // of a joint motion that the dialect cannot say, and of a straight one on a table that turns. Of a
-// program that tells no directions they do not count. `path`: the program's. Throws Cancelled.
+// program that tells no directions they do not count. What is aside has none either, and is no
+// deviation. `path`: the program's. Throws Cancelled.
 Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& path,
                        const PlannedNozzle& planned, const plan::Trajectory& trajectory,
                        const robot::Cell& cell, const base::RunContext& ctx);

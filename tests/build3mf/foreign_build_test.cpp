@@ -49,6 +49,58 @@ TEST(ForeignBuild, ThreeAxesStandUpright) {
   EXPECT_LT((got.plan.position[1] - Vector3d(5, 0, 1.5)).norm(), 1e-12);
 }
 
+// As slicers for filament have them: polylines, loops and hatches of layers at their heights.
+TEST(ForeignBuild, PlanarLayersLieAtTheirHeights) {
+  const auto point = [](int x, int y) {
+    return "<point x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(y) + "\"/>";
+  };
+  test::ForeignBuild file;
+  file.type = "planar";
+  file.profile = "uuid=\"00000000-0000-0000-0000-00000000000A\" name=\"Perimeter\" "
+                 "depositionspeed=\"30\" beadwidth=\"2\"";
+  file.tops = {800, 1500};
+  file.layers = {
+      foreignLayer(foreignSegment("polyline", point(0, 0) + point(5000, 0) + point(5000, 4000)) +
+                   foreignSegment("loop", point(0, 0) + point(9000, 0) + point(9000, 9000))),
+      foreignLayer(foreignSegment("hatch", "<hatch x1=\"0\" y1=\"0\" x2=\"1000\" y2=\"0\"/>"
+                                           "<hatch x1=\"1000\" y1=\"200\" x2=\"0\" y2=\"200\"/>"))};
+  const build3mf::ReadBuild got = read(file);
+  ASSERT_EQ(got.plan.paths.size(), 4u);
+  const auto at = [&](std::size_t path, std::size_t i) {
+    return got.plan.position[got.plan.paths[path].first + i];
+  };
+  EXPECT_EQ(got.plan.paths[0].count, 3u);
+  EXPECT_FALSE(got.plan.paths[0].closed);
+  EXPECT_LT((at(0, 2) - Vector3d(5, 4, 0.8)).norm(), 1e-12);
+  // A loop goes back to where it began.
+  EXPECT_EQ(got.plan.paths[1].count, 4u);
+  EXPECT_TRUE(got.plan.paths[1].closed);
+  EXPECT_LT((at(1, 3) - Vector3d(0, 0, 0.8)).norm(), 1e-12);
+  // Each hatch is a path of its own.
+  EXPECT_EQ(got.plan.paths[2].count, 2u);
+  EXPECT_LT((at(2, 1) - Vector3d(1, 0, 1.5)).norm(), 1e-12);
+  EXPECT_LT((at(3, 0) - Vector3d(1, 0.2, 1.5)).norm(), 1e-12);
+  EXPECT_EQ(got.plan.paths[0].layer, 0);
+  EXPECT_EQ(got.plan.paths[3].layer, 1);
+  for (std::size_t i = 0; i < got.plan.waypointCount(); ++i) {
+    EXPECT_EQ(got.plan.direction[i], Vector3d::UnitZ());
+    EXPECT_FLOAT_EQ(got.plan.widthMm[i], 2.0f);
+    EXPECT_FLOAT_EQ(got.plan.heightMm[i], i < 7 ? 0.8f : 0.7f) << "what the layer is thick";
+  }
+}
+
+TEST(ForeignBuild, ALoopThatRepeatsItsFirstPointHasNoSecondEnd) {
+  test::ForeignBuild file;
+  file.type = "planar";
+  file.tops = {1000};
+  file.layers = {foreignLayer(foreignSegment(
+      "loop", "<point x=\"0\" y=\"0\"/><point x=\"9000\" y=\"0\"/><point x=\"9000\" y=\"9000\"/>"
+              "<point x=\"0\" y=\"0\"/>"))};
+  const build3mf::ReadBuild got = read(file);
+  ASSERT_EQ(got.plan.waypointCount(), 4u);
+  EXPECT_FLOAT_EQ(got.plan.heightMm[0], 1.0f);
+}
+
 TEST(ForeignBuild, AFramesZIsTheDirection) {
   test::ForeignBuild file;
   // 90 degrees about x: z goes to -y. Twice as long as a unit: made one.

@@ -17,6 +17,7 @@ struct ForeignBuild {
   std::string object;                  // an object with id 7 and its item, where there is one
   std::string build = "";              // attributes of the build
   std::vector<std::string> layers;     // whole layer parts
+  std::vector<int> tops;               // ztop of the first of them
   std::string layerPath = "/Slices/L"; // and the number, and .xml
   bool related = true;
 
@@ -31,7 +32,8 @@ struct ForeignBuild {
     std::string references, relations;
     for (std::size_t k = 0; k < layers.size(); ++k) {
       const std::string path = layerPath + std::to_string(k) + ".xml";
-      references += "<tp:toolpathlayer path=\"" + path + "\"/>";
+      references += "<tp:toolpathlayer path=\"" + path + "\"" +
+                    (k < tops.size() ? " ztop=\"" + std::to_string(tops[k]) + "\"" : "") + "/>";
       relations += "<Relationship Target=\"" + path + "\" Id=\"l" + std::to_string(k) +
                    "\" Type=\"http://schemas.3mf.io/3dmanufacturing/toolpath/2026/03/layer\"/>";
       zip.add(path.substr(1), layers[k]);

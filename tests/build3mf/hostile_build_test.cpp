@@ -54,7 +54,26 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
       {"unit", [](auto& f) { f.unit = "furlong"; }, "the unit 'furlong' is not known"},
       {"no factor", [](auto& f) { f.unitFactor = "0"; }, "'unitfactor' is not above 0"},
       {"factor nan", [](auto& f) { f.unitFactor = "nan"; }, "'unitfactor' is no number"},
-      {"planar", [](auto& f) { f.type = "planar"; }, "tool-paths of type 'planar'"},
+      {"of another type", [](auto& f) { f.type = "7axis"; }, "tool-paths of type '7axis'"},
+      {"a laser's",
+       [](auto& f) {
+         f.type = "planar";
+         f.profile = "uuid=\"00000000-0000-0000-0000-00000000000A\" name=\"Fill\"";
+       },
+       "tool-paths of type 'planar' without beads"},
+      {"planar without heights", [](auto& f) { f.type = "planar"; }, "has no height above"},
+      {"planar that sinks",
+       [](auto& f) {
+         f.type = "planar";
+         f.tops = {-5};
+       },
+       "has no height above"},
+      {"six axes in a plane",
+       [](auto& f) {
+         f.type = "planar";
+         f.tops = {800};
+       },
+       "a segment of type 'polyline6d' among tool-paths of 2 axes"},
       {"extension", [](auto& f) { f.required = "tp p x"; }, "extension 'urn:somebody'"},
       {"undeclared", [](auto& f) { f.required = "tp zz"; }, "extension 'zz'"},
       {"traversal", [](auto& f) { f.layerPath = "/../../etc/passwd"; }, "is no name of a part"},

@@ -15,6 +15,11 @@ const std::string kRows = "kind,seconds,j1_rad,j2_rad,j3_rad,j4_rad,j5_rad,j6_ra
                           "1,0,0.1,0,0,0,0,0,0,0\n2,0.5,0.2,0,0,0,0,0,1,0.4\n"
                           "0,0,0.2,0,0,0,0,0,0,0\n";
 
+constexpr const char* kLines = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,mm_per_s,flow,blend_mm\n"
+                               "tool,0,0,100,0,0,0\nnozzle,-800,-250,0,180,0,0\n"
+                               "0,0,90,0,90,0,8,0,-1\n-10.5,20,300,12,-3,90,20,4113,0.05\n"
+                               "-10.5,21,300,12,-3,90,0,0,0\n";
+
 // `external`: with an external axis behind the arm's.
 plan::Trajectory sampleTrajectory(bool external) {
   plan::Trajectory t;
@@ -81,6 +86,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // What stands beside the rows of a stream.
   for (const char* id : {"urscript-stream", "melfa-stream"})
     program::readProgram(id, {{"rows", kRows}, {"beside", text}}, process);
+  program::readProgram("melfa-datalink", {{"lines", kLines}, {"beside", text}}, process);
   for (const program::Dialect& dialect : program::dialects()) {
     const plan::ReadProgram read = program::readProgram(dialect.id, {{"input", text}}, process);
     fuzz::expect(read.defects.size() <= program::kMaxDefects, "defects are not listed without end");

@@ -78,10 +78,12 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"rapidModules", {"modx", kStageCount}}, // no program here is RAPID
     {"rapidFlow", {"speed", kStageCount}},
     {"krlMemoryMb", {"2", kStageCount}}, // nor KRL
-    {"tableXMm", {"5", kStageCount}},        // nor for a table
+    {"tableXMm", {"5", kStageCount}},    // nor for a table
     {"tableZMm", {"5", kStageCount}},
     {"tableSense", {"tool", kStageCount}},
     {"tableTurns", {"2", kStageCount}},
+    {"tableUnwind", {"wind", kStageCount}},
+    {"gcodeRunner", {"rapid", 5}},
     {"mxtController", {"cr800", kStageCount}},
     {"extruderAxisMm", {"5000", kStageCount}}, // nor here
     {"retractMm", {"1", 5}},

@@ -354,16 +354,17 @@ TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
                                  {"krl", "HALT\r\n"},
                                  {"spel", "Pause\r\n"},
                                  {"urscript-stream", "popup("},
-                                 {"melfa-stream", "Hlt\r\n"}}) {
+                                 {"melfa-stream", "Hlt\r\n"},
+                                 {"melfa-datalink", "Hlt\r\n"}}) {
     randomFor(findDialect(id), 2, 50);
     const plan::Program program = writeProgram(id, input());
     const plan::ReadProgram back = readProgram(id, program.files, process_);
     // Of a stream the program that takes it asks.
-    const bool streams = findDialect(id).beadsByJoints;
     const auto taking = std::ranges::find_if(program.files, [](const auto& f) {
       return !f.name.ends_with(".joints") && !f.name.ends_with(".rows") &&
-             !f.name.ends_with(".mxt");
+             !f.name.ends_with(".mxt") && !f.name.ends_with(".lines");
     });
+    const bool streams = taking != program.files.begin();
     const std::string& text = streams ? taking->text : program.files[0].text;
     const std::size_t at = text.find(word);
     ASSERT_NE(at, std::string::npos) << id;

@@ -389,6 +389,115 @@ TEST_F(Golden, melfa) {
 )");
 }
 
+// The same motions as the melfa program's, a line each, and what takes them.
+TEST_F(Golden, melfaDatalink) {
+  const plan::Program program = writeProgram("melfa-datalink", input());
+  EXPECT_EQ(program.files[0].text, R"(# lines for a data link, MELFA-BASIC V
+# taken by part_1_link.prg
+# sent by part_1_link.py
+# FOREIGN: not the language of the cell's controller; Cartesian targets only
+# part part 1, job 989d904e1002c6e8
+# cell bench, robot ur5, process fdm-1.0 (PLA)
+# 6 motions, 1.6 mm3, 0 g, 4.2 s
+# extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
+x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,mm_per_s,flow,blend_mm
+tool,0,0,100,0,0,0
+nozzle,-800,-250,0,180,0,0
+-817.25,-291.45,-5.491,90,0,0,8,0,-2
+# prime
+-817.25,-291.45,-5.491,90,0,0,-0.2,4113,-2
+# print
+-817.25,-291.45,-5.491,0,-90,90,25,0,-2
+# layer 7, wall, path 0
+-814.2947,-299.6078,-5.491,0,-90,90.57296,83.81495,0,0
+-813.9947,-300.4219,-5.491,0,-90,90.63025,16.76217,4000,0.377
+-813.6938,-301.2358,-5.491,0,-90,90.68755,16.7645,4000,0
+-817.25,-291.45,-5.491,90,0,0,25,0,-2
+-817.25,-291.45,-5.491,90,0,0,0,0,-2
+)");
+  EXPECT_EQ(withoutCr(program.files[1].text), R"(1 ' Takes lines by data link, MELFA-BASIC V
+2 ' part part 1, job 989d904e1002c6e8
+3 ' cell bench, robot ur5, process fdm-1.0 (PLA)
+4 ' 6 motions, 1.6 mm3, 0 g, 4.2 s
+5 ' extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
+6 ' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's
+7 ' COM3 is the network: COMDEV's third OPT13, its CPRCE13 2, port 10003, the robot serves
+8 ' The arm goes slowly and straight to its start. Is the way clear?
+9 Tool (0,0,100,0,0,0)(0,0)
+10 Base P_NBase
+11 P_WkCord(1)=(-800,-250,0,180,0,0)(0,0)
+12 Ovrd 100
+13 Accel 100,100
+14 Cnt 0
+15 M_Out(10)=0
+16 M_Outw(16)=0
+17 Hlt
+18 JOvrd 8
+19 P1=(-817.25,-291.45,-5.491,90,0,0)(7,0)
+20 Mov P1
+21 Open "COM3:" As #1
+22 *OPENS
+23 If M_Open(1)<>1 Then GoTo *OPENS
+24 Def Act 1,M_Open(1)<>1 GoTo *LOST
+25 Act 1=1
+26 *TAKES
+27 Input #1,M1,M2,M3,M4,M5,M6,M7,M8,M9
+28 If M7=0 Then GoTo *DONE
+29 If M7<0 Then GoTo *STAYS
+30 If M9<0 Then GoTo *JOINTS
+31 GoSub *POSE
+32 Spd M7
+33 If M9>0 Then
+34 Cnt 1,M9,M9
+35 EndIf
+36 If M8=0 Then
+37 M_Out(10)=0
+38 EndIf
+39 If M8>0 Then
+40 M_Out(10)=1
+41 EndIf
+42 EMvs 1,P1 Wth M_Outw(16)=M8
+43 If M9=0 Then
+44 Cnt 0
+45 EndIf
+46 Print #1,M7
+47 GoTo *TAKES
+48 *JOINTS
+49 M_Out(10)=0
+50 M_Outw(16)=0
+51 JOvrd M7
+52 GoSub *POSE
+53 Mov P1
+54 Print #1,M7
+55 GoTo *TAKES
+56 *STAYS
+57 M_Outw(16)=M8
+58 If M8>0 Then
+59 M_Out(10)=1
+60 EndIf
+61 Dly -M7
+62 M_Out(10)=0
+63 Print #1,M7
+64 GoTo *TAKES
+65 *DONE
+66 Print #1,M7
+67 *LOST
+68 M_Out(10)=0
+69 M_Outw(16)=0
+70 Act 1=0
+71 Close #1
+72 End
+73 *POSE
+74 P1.X=M1
+75 P1.Y=M2
+76 P1.Z=M3
+77 P1.A=Rad(M4)
+78 P1.B=Rad(M5)
+79 P1.C=Rad(M6)
+80 Return
+)");
+}
+
 TEST_F(Golden, tmscript) {
   EXPECT_EQ(withoutCr(text("tmscript")),
             R"(// Robot program for printing, TMscript: frames for a listen node, port 5890

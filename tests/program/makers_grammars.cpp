@@ -26,8 +26,24 @@ WobjData <- 'wobjdata' S Name _ ':=' _ '[' _ Bool C Bool C String C Pose C Pose 
 OtherData <- !('tooldata' / 'wobjdata') Name S Name (_ ':=' _ Value)?
 Load <- '[' _ Number C Position C Turn C Number C Number C Number _ ']'
 
-Routine <- ('LOCAL' S)? 'PROC' S Name _ '(' _ ')' _ Statement* 'ENDPROC' _
-Statement <- !('ENDPROC' !NameChar) (Motion / Instruction / Call) End
+Routine <- ('LOCAL' S)? ('PROC' S Name _ '(' _ Parameters? _ ')' _ Body 'ENDPROC'
+                         / 'FUNC' S Name S Name _ '(' _ Parameters? _ ')' _ Body 'ENDFUNC') _
+Parameters <- Name S Name (C Name S Name)*
+Body <- ('VAR' S OtherData End)* Statement*
+Statement <- !Keyword (Branch / Loop / Simple End)
+Branch <- 'IF' S Expression S 'THEN' _ Statement* ('ELSEIF' S Expression S 'THEN' _ Statement*)*
+          ('ELSE' !NameChar _ Statement*)? 'ENDIF' !NameChar _
+Loop <- 'WHILE' S Expression S 'DO' _ Statement* 'ENDWHILE' !NameChar _
+Simple <- Motion / Instruction / 'RETURN' (S Expression)? !NameChar / 'EXIT' !NameChar
+        / Variable _ ':=' _ Expression / Call
+Keyword <- ('ENDPROC' / 'ENDFUNC' / 'ENDIF' / 'ENDWHILE' / 'ELSEIF' / 'ELSE' / 'THEN' / 'DO' / 'VAR'
+          / 'ENDMODULE') !NameChar
+Expression <- Term (_ Operator _ Term)*
+Operator <- '<=' / '>=' / '<>' / '<' / '>' / '=' / '+' / '-' / '*' / '/' / ('AND' / 'OR') !NameChar
+Term <- 'NOT' S Term / '-' _ Variable / Number / String / Bool / Function / Variable
+      / '[' _ Expression (C Expression)* _ ']' / '(' _ Expression _ ')'
+Function <- Name _ '(' _ (Expression (_ '\\' Name (_ ':=' _ Expression)?)* (C Expression)*)? _ ')'
+Variable <- !Keyword Name ('.' Name)*
 Motion <- (('MoveL' / 'MoveJ') S Robtarget C Speed C Zone
          / 'TriggL' S Robtarget C Speed C Name C Zone
          / 'MoveAbsJ' S Jointtarget _ ('\\NoEOffs')? C Speed C Zone) C Name _ ('\\WObj' _ ':=' _ Name)?
@@ -37,21 +53,23 @@ Jointtarget <- '[' _ Six C Six _ ']' / Name
 Speed <- (Four / Name) _ ('\\' ('T' / 'V') _ ':=' _ Number)?
 Zone <- ('[' _ Bool (C Number){6,6} _ ']' / Name) _ ('\\' ('Z' / 'Inpos') _ ':=' _ Value)?
 
-Instruction <- ('SetDO' / 'SetAO') S Name C Number
-             / 'WaitTime' _ '\\InPos' C Number
+Instruction <- ('SetDO' / 'SetAO') S Name C Expression
+             / 'WaitTime' _ '\\InPos' C Expression
              / 'WaitTime' S Number
              / ('ConfL' / 'ConfJ') _ '\\' ('On' / 'Off') !NameChar
              / ('ActUnit' / 'DeactUnit') S Name
-             / 'UIMsgBox' S String
+             / 'UIMsgBox' S Expression
+             / 'Open' S String _ '\\File' _ ':=' _ Expression C Name _ '\\' ('Read' / 'Write' / 'Append' / 'Bin')
+             / 'Close' S Name
              / 'TPWrite' S String
              / 'TriggEquip' S Name C Number _ ('\\Start')? C Number _
-               '\\' ('AOp' / 'DOp' / 'GOp') _ ':=' _ Name C Number
+               '\\' ('AOp' / 'DOp' / 'GOp') _ ':=' _ Name C Expression
              / 'TriggSpeed' S Name C Number _ ('\\' ('Start' / 'Next'))? C Number C Name C Number
              / 'Load' _ '\\Dynamic' C String _ '\\File' _ ':=' _ String
              / 'UnLoad' S String _ '\\File' _ ':=' _ String
-Call <- '%' _ String _ '%' / !Known Name
+Call <- '%' _ String _ '%' / !Known Name (S Expression (C Expression)*)?
 Known <- ('MoveL' / 'MoveJ' / 'MoveAbsJ' / 'MoveC' / 'MoveExtJ' / 'TriggL' / 'SetDO' / 'SetAO' / 'WaitTime'
-        / 'ConfL' / 'ConfJ' / 'ActUnit' / 'UIMsgBox' / 'TPWrite' / 'TriggEquip' / 'TriggSpeed' / 'Load' / 'UnLoad')
+        / 'ConfL' / 'ConfJ' / 'ActUnit' / 'UIMsgBox' / 'Open' / 'Close' / 'TPWrite' / 'TriggEquip' / 'TriggSpeed' / 'Load' / 'UnLoad')
         !NameChar
 
 Value <- Number / String / Bool / '[' _ Value (C Value)* _ ']' / Name

@@ -241,6 +241,29 @@ protected:
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
   }
 
+  // Beads that turn about the plate's normal at random, with travels between them.
+  void appendTurning(unsigned seed, int beads) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    std::vector<double> q = {0.1, -1.9, 1.7, -1.2, -1.4, 0.0};
+    append(plan::MoveKind::Joint, q, 1.0, 0.0);
+    std::size_t waypoint = 0;
+    for (int b = 0; b < beads; ++b) {
+      for (int i = 0; i < 3; ++i) { // away, over, down
+        q[5] += 0.01;
+        append(plan::MoveKind::Linear, q, 0.1, 0.0);
+      }
+      noteWaypoint(waypoint++, true, b);
+      const double turn = 0.2 * (unit(random) + 0.5);
+      for (int i = 0; i < 40; ++i) {
+        q[5] += turn;
+        append(plan::MoveKind::Print, q, 0.1, 0.3);
+        noteWaypoint(waypoint++, false, b);
+      }
+    }
+    plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
+    plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
+  }
   program::ProgramInput input() const { return {plan_, trajectory_, *cell_, process_, "part 1"}; }
 
   process::Process process_;

@@ -116,6 +116,28 @@ TEST_F(Streams, AreReadWithWhatStandsBeside) {
   EXPECT_TRUE(read(program("urscript-stream")).load.has_value());
 }
 
+// A long straight travel, on which few pieces would be far apart, is straight all the same.
+TEST_F(Streams, GoStraightOverLongTravels) {
+  useArmFor(findDialect("urscript-stream"));
+  append(plan::MoveKind::Joint, {0.1, -1.9, 1.7, -1.2, -1.4, 0.3}, 0, 0);
+  append(plan::MoveKind::Linear, {0.9, -1.5, 1.3, -0.8, -1.1, 1.2}, 3.0, 0.0);
+  const plan::ReadProgram back = read(writeProgram("urscript-stream", input()));
+  ASSERT_GT(back.motions.size(), 10u);
+  const auto tipAt = [&](std::size_t m, double share) {
+    const Eigen::Map<const Eigen::VectorXd> a(back.motions[m - 1].joints.data(), 6),
+        b(back.motions[m].joints.data(), 6);
+    return Eigen::Vector3d(
+        cell_->work_T_tool(robot::JointVector(a + share * (b - a))).translation());
+  };
+  const Eigen::Vector3d from = tipAt(1, 0.0), to = tipAt(back.motions.size() - 1, 1.0);
+  ASSERT_GT((to - from).norm(), 100.0);
+  for (std::size_t m = 1; m < back.motions.size(); ++m)
+    for (const double share : {0.2, 0.5, 0.8, 1.0}) {
+      const Eigen::Vector3d p = tipAt(m, share) - from, way = (to - from).normalized();
+      EXPECT_LT((p - p.dot(way) * way).norm(), 0.021) << m;
+    }
+}
+
 // What is beside the rows is the same for every job: a line that is missing, doubled or other is
 // told at its place.
 TEST_F(Streams, RefuseOtherTextsBeside) {

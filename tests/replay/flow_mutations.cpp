@@ -111,14 +111,14 @@ Line lowerAmounts(Subject& s, std::size_t m, const std::string& pattern, double 
 }
 
 // Each line says its own, behind which nothing is left of it.
-Line lowerEach(Subject& s, std::size_t m, const std::string& pattern, double share,
+Line lowerEach(Subject& s, std::size_t m, const std::string& pattern, int decimals, double share,
                std::size_t lines) {
   const std::regex words(pattern);
   const std::size_t begin = s.read.motions[m].line;
   const std::size_t end = std::min(begin + lines, s.text.lines.size() + 1);
   for (std::size_t l = begin; l < end; ++l)
     if (const auto found = valueIn(s.text.lines[l - 1], words))
-      s.text.lines[l - 1] = with(s.text.lines[l - 1], *found, share * found->value, 6);
+      s.text.lines[l - 1] = with(s.text.lines[l - 1], *found, share * found->value, decimals);
   return begin;
 }
 
@@ -129,7 +129,9 @@ Mutation lowerFlow(const std::string& format, double share, std::size_t lines) {
               std::to_string(lines) + " lines",
           [=](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
             if (format.ends_with("-stream"))
-              return lowerEach(s, m, ",1,([0-9.]+)$", share, lines);
+              return lowerEach(s, m, ",1,([0-9.]+)$", 6, share, lines);
+            if (format == "melfa-datalink")
+              return lowerEach(s, m, ",([0-9]+),[^,]*$", 0, share, lines);
             const auto rate = rateWords().find(format);
             return rate == rateWords().end() ? lowerAmounts(s, m, amountWords(format), share, lines)
                                              : lowerRate(s, m, rate->second, share, lines);

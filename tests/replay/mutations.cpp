@@ -356,6 +356,43 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("another output", "M_Out\\(10\\)", "M_Out(11)"));
     all.push_back(insertedInHead("Accel 20,20"));
     all.push_back(insertedInHead("Base (0,0,10,0,0,0)"));
+  } else if (format == "melfa-datalink") {
+    const std::string target = "^((?:[^,]*,){6})", speed = "^((?:[^,]*,){7})",
+                      flow = "^((?:[^,]*,){8})";
+    all.push_back(replaced("speed ten times", target + "([0-9])", "$019$2"));
+    all.push_back(replaced("speed of 1", target + "[0-9.]+", "$011"));
+    all.push_back(replaced("a motion becomes the end", target + "[0-9.]+", "$010"));
+    all.push_back(replaced("a motion becomes a wait", target, "$01-"));
+    all.push_back(replaced("more flow", speed + "[0-9]+", "$019999"));
+    all.push_back(replaced("no flow", speed + "[0-9]+", "$010"));
+    all.push_back(replaced("a flow of a half", speed + "([0-9]+)", "$01$2.5"));
+    all.push_back(replaced("flow of more than all", speed + "[0-9]+", "$0110001"));
+    all.push_back(replaced("the extruder stays on", ",0,(0|-2)$", ",4000,$1"));
+    all.push_back(replaced("blend of 10 mm", flow + "0\\.[0-9]+", "$0110"));
+    all.push_back(replaced("motion by joints", flow + "0\\.[0-9]+", "$01-2"));
+    all.push_back(replaced("a pose becomes joints", flow + "0\\.[0-9]+", "$01-1"));
+    all.push_back(replaced("a blend that there is not", flow + "0\\.[0-9]+", "$01-3"));
+    all.push_back(replaced("a column too many", ",", ",0,"));
+    all.push_back(replaced("a column is missing", ",[^,]*,", ","));
+    all.push_back(replaced("another header", "z_mm", "z_m", true));
+    all.push_back(replaced("no header", "^x_mm", "# x_mm", true));
+    all.push_back(replaced("a line becomes a remark", "^(-?[0-9])", "# $1"));
+    all.push_back(replaced("tool 1 mm off", "^tool,0,0,[0-9]+", "tool,0,0,777", true));
+    all.push_back(erased("the tool is missing", "^tool", true));
+    all.push_back(replaced("first motion fast", ",8,0,-2", ",100,0,-2", true));
+    all.push_back(erased("the start is missing", ",8,0,-2", true));
+    all.push_back(erased("the prime is missing", ",-0\\.2,", true));
+    all.push_back(replaced("ten times the prime", ",-0\\.2,", ",-2,", true));
+    for (const char* wait : {",-600,4000,0", ",-600,0,0", ",-0.5,4000,0", ",0,0,0"})
+      all.push_back({std::string("amid, where the arm is: ") + wait,
+                     [wait](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+                       const std::size_t line = s.read.motions[m].line;
+                       std::smatch place;
+                       std::regex_search(s.text.lines[line - 1], place,
+                                         std::regex("^(?:[^,]*,){5}[^,]*"));
+                       s.text.lines.insert(s.text.lines.begin() + at(line + 1), place.str() + wait);
+                       return line + 1;
+                     }});
   } else if (format == "tmscript") {
     all.push_back(replaced("time ten times", "(PVTPoint.*),0(\\.[0-9]+)\\)", "$1,9$2)"));
     all.push_back(replaced("time is missing", "(PVTPoint.*),[0-9.]+\\)", "$1)"));
@@ -384,9 +421,9 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("a motion becomes the start", "^2,[0-9.]+", "1,0"));
     all.push_back(replaced("a motion becomes the end", "^2,[0-9.]+", "0,0"));
     all.push_back(replaced("a kind that there is not", "^2,", "4,"));
-    all.push_back(replaced("more flow", row + "[0-9.]+", "$10.999"));
-    all.push_back(replaced("no flow", row + "[0-9.]+", "$10"));
-    all.push_back(replaced("flow of more than all", row + "[0-9.]+", "$11.5"));
+    all.push_back(replaced("more flow", row + "[0-9.]+", "$010.999"));
+    all.push_back(replaced("no flow", row + "[0-9.]+", "$010"));
+    all.push_back(replaced("flow of more than all", row + "[0-9.]+", "$011.5"));
     all.push_back(replaced("the extruder is off", ",1,([0-9.]+)$", ",0,$1"));
     all.push_back(replaced("the extruder stays on", ",0,0$", ",1,0.4"));
     all.push_back(replaced("half an extruder", ",1,([0-9.]+)$", ",0.5,$1"));
@@ -426,10 +463,11 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
 
 std::vector<Mutation> harmlessMutations(const std::string& format) {
   static const std::map<std::string, std::string> kRemark = {
-      {"urscript", "# "}, {"rapid", "! "},           {"gcode-extended", "; "},
-      {"gcode-bc", "; "}, {"gcode", "; "},           {"krl", "; "},
-      {"spel", "' "},     {"melfa", "' "},           {"tmscript", "// "},
-      {"csv", "# "},      {"urscript-stream", "# "}, {"melfa-stream", "# "}};
+      {"urscript", "# "},      {"rapid", "! "},           {"gcode-extended", "; "},
+      {"gcode-bc", "; "},      {"gcode", "; "},           {"krl", "; "},
+      {"spel", "' "},          {"melfa", "' "},           {"tmscript", "// "},
+      {"csv", "# "},           {"urscript-stream", "# "}, {"melfa-stream", "# "},
+      {"melfa-datalink", "# "}};
   const std::string remark = kRemark.at(format);
   const auto any = [](Subject& s, std::mt19937_64& random) {
     return s.read.motions.front().line + random() % (s.text.lines.size() - 40);

@@ -1,0 +1,371 @@
+#include "program/melfa_datalink.h"
+
+#include "base/units.h"
+#include "program/job_head.h"
+#include "program/joint_rows.h"
+#include "program/link_rows.h"
+#include "program/melfa.h"
+#include "program/melfa_motions.h"
+#include "program/melfa_text.h"
+#include "program/program_builder.h"
+#include "program/same_text.h"
+#include "program/text.h"
+#include "program/walk.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace voluta::program {
+
+namespace {
+
+constexpr std::string_view kId = "melfa-datalink", kTitle = "lines for a data link, MELFA-BASIC V",
+                           kProgramNote = "# taken by ", kSenderNote = "# sent by ",
+                           kTakes = "' Takes lines by data link", kOpen = "Open \"COM";
+constexpr std::size_t kNameCharacters = 7; // with "_link" 12
+
+// The same for every job. Lines wait in the controller, no more than a few, so that it always knows
+// the next ones and never too many.
+constexpr std::string_view kSender = R"(#!/usr/bin/env python3
+"""Sends the lines of a print to a MELFA controller by data link.
+
+python3 NAME_link.py NAME.lines ADDRESS_OF_THE_ROBOT [PORT]
+
+The controller listens once its program has come to Open, and answers each line.
+"""
+import socket
+import sys
+import time
+
+PORT, AHEAD, START_S, ANSWER_S = 10003, 16, 600, 600
+
+
+def lines(path):
+    with open(path, encoding="ascii") as stream:
+        for line in stream:
+            line = line.split("#")[0].replace(" ", "").strip()
+            if line[:1] in tuple("-0123456789"):
+                yield line + "\r"
+
+
+def connected(robot, port):
+    end = time.monotonic() + START_S  # an operator starts the program meanwhile
+    while True:
+        try:
+            return socket.create_connection((robot, port), 10)
+        except OSError:
+            if time.monotonic() > end:
+                sys.exit("nobody listens: is the program at Open?")
+            time.sleep(1)
+
+
+def main(path, robot, port=PORT):
+    with connected(robot, int(port)) as link:
+        link.settimeout(ANSWER_S)
+        waiting = 0
+        for line in lines(path):
+            link.sendall(line.encode("ascii"))
+            waiting += 1
+            while waiting >= AHEAD:
+                waiting -= answers(link)
+        while waiting > 0:
+            waiting -= answers(link)
+
+
+def answers(link):
+    text = link.recv(1024)
+    if not text:
+        sys.exit("the controller has closed the link")
+    return text.count(b"\r")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (3, 4):
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
+)";
+
+// What of the lines the program that takes them has to know.
+struct Link {
+  LinkFrame tool;
+  std::optional<LinkFrame> nozzle;
+  LinkRow start;
+};
+
+Eigen::Vector3d mmOf(const LinkFrame& frame) {
+  return Eigen::Vector3d(frame.data());
+}
+Eigen::Vector3d degreesOf(const LinkFrame& frame) {
+  return Eigen::Vector3d(frame.data() + 3);
+}
+
+void add(std::vector<std::string>& steps, std::initializer_list<std::string> more) {
+  std::ranges::copy(more, std::back_inserter(steps));
+}
+
+// The steps of the program that takes the lines. A statement a step; which COM it is stands in the
+// place of "".
+std::vector<std::string> stepsFor(const Link& link) {
+  const std::string out = std::to_string(kMelfaExtruder), flow = std::to_string(kMelfaFlow);
+  const std::string on = joined({"M_Out(", out, ")=1"}), off = joined({"M_Out(", out, ")=0"});
+  const std::string none = joined({"M_Outw(", flow, ")=0"}),
+                    number = joined({"M_Outw(", flow, ")"});
+  const bool joints = link.start.blend == kLinkByJoints;
+  std::string start = "(";
+  for (std::size_t k = 0; k < link.start.target.size(); ++k)
+    start += (k > 0 ? "," : "") + fixedText(link.start.target[k], kMelfaFrameDecimals);
+  std::vector<std::string> steps = {"Tool " + melfaFrame(mmOf(link.tool), degreesOf(link.tool)),
+                                    "Base P_NBase"};
+  if (link.nozzle)
+    steps.push_back("P_WkCord(1)=" + melfaFrame(mmOf(*link.nozzle), degreesOf(*link.nozzle)));
+  add(steps, {"Ovrd 100", "Accel 100,100", "Cnt 0", off, none, "Hlt",
+              joined({"JOvrd ", fixedText(link.start.speed, 2)})});
+  if (joints)
+    add(steps, {joined({"J1=", start, ")"}), "Mov J1", "P1=JtoP(J1)"});
+  else
+    add(steps, {joined({"P1=", start, ")(7,0)"}), "Mov P1"});
+  add(steps, {joined({kOpen, "\" As #1"}), "*OPENS", "If M_Open(1)<>1 Then GoTo *OPENS",
+              "Def Act 1,M_Open(1)<>1 GoTo *LOST", "Act 1=1", "*TAKES",
+              "Input #1,M1,M2,M3,M4,M5,M6,M7,M8,M9", "If M7=0 Then GoTo *DONE",
+              "If M7<0 Then GoTo *STAYS", "If M9<0 Then GoTo *JOINTS", "GoSub *POSE", "Spd M7"});
+  add(steps, {"If M9>0 Then", "Cnt 1,M9,M9", "EndIf", "If M8=0 Then", off, "EndIf", "If M8>0 Then",
+              on, "EndIf", joined({link.nozzle ? "EMvs 1,P1" : "Mvs P1", " Wth ", number, "=M8"}),
+              "If M9=0 Then", "Cnt 0", "EndIf", "Print #1,M7", "GoTo *TAKES"});
+  add(steps, {"*JOINTS", off, none, "JOvrd M7"});
+  if (joints) {
+    for (int k = 1; k <= 6; ++k)
+      steps.push_back(joined({"J1.J", std::to_string(k), "=Rad(M", std::to_string(k), ")"}));
+    add(steps, {"Mov J1", "P1=JtoP(J1)"});
+  } else {
+    add(steps, {"GoSub *POSE", "Mov P1"});
+  }
+  add(steps, {"Print #1,M7", "GoTo *TAKES", "*STAYS", number + "=M8", "If M8>0 Then", on, "EndIf",
+              "Dly -M7", off, "Print #1,M7", "GoTo *TAKES"});
+  add(steps, {"*DONE", "Print #1,M7", "*LOST", off, none, "Act 1=0", "Close #1", "End"});
+  steps.emplace_back("*POSE");
+  for (int k = 1; k <= 3; ++k)
+    steps.push_back(joined({"P1.", std::string(1, "XYZ"[k - 1]), "=M", std::to_string(k)}));
+  for (int k = 4; k <= 6; ++k)
+    steps.push_back(
+        joined({"P1.", std::string(1, "ABC"[k - 4]), "=Rad(M", std::to_string(k), ")"}));
+  steps.emplace_back("Return");
+  return steps;
+}
+
+std::string outputsNote(const process::Process& process) {
+  return joined({"extruder on: output ", std::to_string(kMelfaExtruder), "; flow: outputs ",
+                 std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
+                 " as a number, ", fixedText(kMelfaFullFlow, 0), " = ",
+                 fixedText(process.maxFlowMm3PerS, 3), " mm3/s"});
+}
+
+std::string programText(const ProgramInput& in, const Link& link) {
+  std::string out;
+  std::size_t count = 0;
+  const auto step = [&](std::string_view code) {
+    out += joined({std::to_string(++count), " ", code, "\r\n"});
+  };
+  step(joined({kTakes, ", MELFA-BASIC V"}));
+  for (const std::string& head : headLines(in, kMelfaMostCharacters - 12))
+    step(joined({"' ", head}));
+  step(joined({"' ", outputsNote(in.process)}));
+  if (link.nozzle)
+    step("' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's");
+  step("' COM3 is the network: COMDEV's third OPT13, its CPRCE13 2, port 10003, the robot serves");
+  step(joined({"' ", kStartQuestion}));
+  for (std::string code : stepsFor(link)) {
+    if (code.starts_with(kOpen))
+      code.insert(kOpen.size(), "3:");
+    step(code);
+  }
+  return out;
+}
+
+void readTaking(std::string_view text, const std::optional<Link>& link, ProgramBuilder& out) {
+  if (!link)
+    return;
+  const std::vector<std::string> wanted = stepsFor(*link);
+  std::size_t next = 0;
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    out.line = lines.number();
+    std::size_t number = 0;
+    std::string code(trimmed(melfaCode(line, number)));
+    if (code.empty())
+      continue;
+    // COM1: to COM8:.
+    if (code.starts_with(kOpen) && code.size() > kOpen.size() + 1 && code[kOpen.size()] >= '1' &&
+        code[kOpen.size()] <= '8' && code[kOpen.size() + 1] == ':')
+      code.erase(kOpen.size(), 2);
+    if (next < wanted.size() && code == wanted[next]) {
+      ++next;
+      continue;
+    }
+    out.defect(base::message("not what takes these lines: '{code}'"_text, code.substr(0, 60)));
+    return;
+  }
+  if (next < wanted.size())
+    out.defect("the program that takes the lines was cut short"_text);
+}
+
+class LinkWriter : private Speller {
+public:
+  LinkWriter(const ProgramInput& input, const base::RunContext& ctx)
+      : in_(input), ctx_(ctx), motions_(input, ctx), name_(identifierOf(input.name)) {}
+
+  plan::Program write() {
+    walkTrajectory(in_, {kId, cutsOf(in_.trajectory, 0), &motions_.tcp()}, *this, ctx_);
+    plan::Program program;
+    program.format = kId;
+    program.foreign = in_.foreign;
+    program.files = {{name_ + ".lines", std::move(out_)},
+                     {programName(), programText(in_, link_)},
+                     {senderName(), std::string(kSender)}};
+    return program;
+  }
+
+private:
+  std::string programName() const {
+    return joined({name_.substr(0, kNameCharacters), "_link.prg"});
+  }
+  std::string senderName() const { return name_ + "_link.py"; }
+
+  static LinkFrame frameOf(const Eigen::Isometry3d& pose) {
+    LinkFrame frame;
+    const Eigen::Vector3d degrees = melfaDegrees(pose);
+    for (int k = 0; k < 3; ++k) {
+      frame[static_cast<std::size_t>(k)] = roundedTo(pose.translation()[k], kMelfaFrameDecimals);
+      frame[static_cast<std::size_t>(k) + 3] = roundedTo(degrees[k], kMelfaFrameDecimals);
+    }
+    return frame;
+  }
+
+  void beginFile(std::size_t) override {
+    out_.reserve(motions_.count() * 80 + 2048);
+    remark(kTitle);
+    remark(joined({kProgramNote.substr(2), programName()}));
+    remark(joined({kSenderNote.substr(2), senderName()}));
+    if (in_.foreign)
+      remark("FOREIGN: not the language of the cell's controller; Cartesian targets only");
+    for (const std::string& head : headLines(in_))
+      remark(head);
+    remark(outputsNote(in_.process));
+    out_ += joined({kLinkHeader, "\n"});
+    link_.tool = frameOf(in_.cell.flange_T_moved());
+    appendLinkFrame(out_, kLinkTool, link_.tool);
+    if (!motions_.holdsWork())
+      return;
+    link_.nozzle = frameOf(in_.cell.base_T_fixed());
+    appendLinkFrame(out_, kLinkNozzle, *link_.nozzle);
+  }
+  void endFile(std::size_t) override {
+    row_.speed = row_.flow = 0.0;
+    appendLinkRow(out_, row_);
+  }
+
+  void remark(std::string_view text) override { out_ += joined({"# ", text, "\n"}); }
+  void flow(std::string_view share) override {
+    parseNumber(share, share_);
+    share_ = std::round(share_ * kMelfaFullFlow);
+  }
+  void extruder(bool on) override { on_ = on; }
+  void wait(double seconds) override {
+    row_.speed = -seconds;
+    put();
+  }
+
+  void jointMotion(std::size_t i) override {
+    pose(i);
+    row_.blend = kLinkByJointsToPose;
+    if (!in_.foreign) {
+      row_.blend = kLinkByJoints;
+      for (std::size_t k = 0; k < row_.target.size(); ++k)
+        row_.target[k] =
+            roundedTo(base::radiansToDegrees(in_.trajectory.at(i)[k]), kMelfaFrameDecimals);
+    }
+    row_.speed = motions_.jointPercent(i);
+    put();
+    if (i == 0)
+      link_.start = row_;
+  }
+  void straightMotion(std::size_t i, bool stops) override {
+    pose(i);
+    row_.speed = motions_.mmPerS(i);
+    row_.blend = stops ? 0.0 : motions_.blendMm(i);
+    put();
+  }
+
+  void pose(std::size_t i) {
+    for (int k = 0; k < 3; ++k) {
+      row_.target[static_cast<std::size_t>(k)] = motions_.mm(i)[k];
+      row_.target[static_cast<std::size_t>(k) + 3] = motions_.degrees(i)[k];
+    }
+  }
+  void put() {
+    row_.flow = on_ ? share_ : 0.0;
+    appendLinkRow(out_, row_);
+  }
+
+  const ProgramInput& in_;
+  const base::RunContext& ctx_;
+  MelfaMotions motions_;
+  std::string name_, out_;
+  Link link_;
+  LinkRow row_;
+  double share_ = 0.0; // of kMelfaFullFlow
+  bool on_ = false;
+};
+
+} // namespace
+
+plan::Program writeMelfaDatalink(const ProgramInput& input, const base::RunContext& ctx) {
+  return LinkWriter(input, ctx).write();
+}
+
+plan::ReadProgram readMelfaDatalink(const std::vector<plan::ProgramFile>& files,
+                                    const process::Process& process, const base::RunContext& ctx) {
+  ProgramBuilder out(kId, process);
+  const auto isTaking = [](std::string_view text) {
+    return text.substr(0, 16384).find(kTakes) != std::string_view::npos;
+  };
+  LinkRead lines;
+  bool found = false;
+  for (out.file = 0; out.file < files.size(); ++out.file) {
+    const std::string_view text = files[out.file].text;
+    out.line = 1;
+    if (text.starts_with("#!"))
+      tellOtherText(text, kSender, 1, out);
+    else if (isTaking(text))
+      continue;
+    else if (std::exchange(found, true))
+      out.defect("a second stream"_text);
+    else
+      lines = readLinkRows(text, out, ctx);
+  }
+  std::optional<Link> link;
+  if (lines.tool && lines.start)
+    link = {*lines.tool, lines.nozzle, *lines.start};
+  for (out.file = 0; out.file < files.size(); ++out.file) {
+    out.line = 1;
+    if (isTaking(files[out.file].text))
+      readTaking(files[out.file].text, link, out);
+  }
+  return out.take(lines.complete);
+}
+
+bool looksLikeMelfaDatalink(std::string_view text) {
+  return looksLikeLinkRows(text);
+}
+
+std::vector<std::string> filesOfMelfaDatalink(std::string_view text) {
+  return namesBehind(text, {kProgramNote, kSenderNote});
+}
+
+// The prime, as of a wait.
+bool mayBeMissingInMelfaDatalink(const std::vector<std::string>& lines, std::size_t i) {
+  LinkRow row;
+  return parseLinkRow(rowOf(lines[i]), row) && row.speed < 0.0;
+}
+
+} // namespace voluta::program

@@ -1,0 +1,217 @@
+// A table that is wound back amid travels: by how many turns, and what programs say of it.
+#include "program_fixture.h"
+
+#include "base/error.h"
+#include "program/dialect.h"
+#include "program/gcode_bc.h"
+#include "program/table_winding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <sstream>
+
+namespace voluta::program {
+namespace {
+
+constexpr double kTurn = 2.0 * base::kPi;
+
+std::vector<TurnRange> inTurns(std::initializer_list<std::pair<double, double>> stretches) {
+  std::vector<TurnRange> all;
+  for (const auto& [low, high] : stretches)
+    all.push_back({low * kTurn, high * kTurn});
+  return all;
+}
+
+// By hand: within two turns to a side.
+TEST(Windings, AreAsFewAndAsSmallAsCanBe) {
+  using Turns = std::vector<int>;
+  EXPECT_EQ(windings({}, kTurn), Turns{});
+  EXPECT_EQ(windings(inTurns({{0, 1}, {-2, 2}, {1, 2}}), 2 * kTurn), (Turns{0, 0, 0}));
+  // On and on: where it begins is free, and then it goes as far as one number does.
+  EXPECT_EQ(windings(inTurns({{0, 1.5}, {1.5, 2.5}, {2.5, 4}, {4, 5.5}}), 2 * kTurn),
+            (Turns{-2, -2, -2, -4}));
+  EXPECT_EQ(windings(inTurns({{0, 1}, {1, 3}, {0.5, 3}}), 2 * kTurn), (Turns{-1, -1, -1}));
+  // By no more than it must: from -2 to 0, though 1 would do as well.
+  EXPECT_EQ(windings(inTurns({{0, 4}, {-1.5, 0.5}}), 2 * kTurn), (Turns{-2, 0}));
+  EXPECT_EQ(windings(inTurns({{-5.25, -4.5}}), 2 * kTurn), (Turns{4}));
+  // What is wider than all of the range lies with its middle next to 0.
+  EXPECT_EQ(windings(inTurns({{10, 16}, {16, 17}}), 2 * kTurn), (Turns{-13, -15}));
+}
+
+TEST(Windings, LeastTurnsLetAllFit) {
+  EXPECT_EQ(leastTurns({}), 1);
+  EXPECT_EQ(leastTurns(inTurns({{0, 1}, {7.2, 8}})), 1);
+  EXPECT_EQ(leastTurns(inTurns({{0.3, 2.4}})), 2);   // -0.7 .. 1.4 needs 1.4
+  EXPECT_EQ(leastTurns(inTurns({{10.0, 14.0}})), 2); // -2 .. 2
+  EXPECT_EQ(leastTurns(inTurns({{10.1, 14.1}})), 3);
+}
+
+// Random stretches: within the range, and no number of windings is less (all numbers tried).
+TEST(Windings, StayWithinAndAreFewest) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int round = 0; round < 300; ++round) {
+    const double most = kTurn * (1.0 + std::floor(3.0 * std::abs(unit(random))));
+    std::vector<TurnRange> stretches;
+    double at = 3.0 * unit(random);
+    for (int i = 0; i < 14; ++i) {
+      const double to = at + 0.9 * most * unit(random);
+      const double aside = 0.2 * most * std::abs(unit(random));
+      stretches.push_back({std::min(at, to) - (i % 3 ? 0.0 : aside), std::max(at, to)});
+      at = to;
+    }
+    const int least = leastTurns(stretches);
+    const double limit = std::max(most, least * kTurn);
+    const std::vector<int> turns = windings(stretches, limit);
+    constexpr int kMost = 12;
+    // fewest[k]: windings up to here with k - kMost turns added.
+    std::vector<int> fewest(2 * kMost + 1, 0);
+    int mine = 0;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const auto fits = [&](int k) {
+        return stretches[i].lowest + k * kTurn >= -limit - 1e-6 &&
+               stretches[i].highest + k * kTurn <= limit + 1e-6;
+      };
+      EXPECT_TRUE(fits(turns[i]));
+      mine += i > 0 && turns[i] != turns[i - 1];
+      const int best = *std::ranges::min_element(fewest) + (i > 0 ? 1 : 0);
+      for (int k = -kMost; k <= kMost; ++k) {
+        int& now = fewest[static_cast<std::size_t>(k + kMost)];
+        now = fits(k) ? std::min(now, best) : 1000;
+      }
+    }
+    EXPECT_EQ(mine, *std::ranges::min_element(fewest)) << round;
+  }
+}
+
+class Winding : public test::Programs {
+protected:
+  ProgramInput with(double turns, const char* sense) const {
+    ProgramInput in = input();
+    in.options.own["tableUnwind"] = std::string("wind");
+    in.options.own["tableTurns"] = turns;
+    in.options.own["tableSense"] = std::string(sense);
+    return in;
+  }
+  plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) const {
+    return readProgram("gcode-bc", files, process_);
+  }
+};
+
+std::vector<double> anglesOf(const std::string& text) {
+  std::vector<double> all;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t at = line.find(" C"); line.starts_with("G1 ") && at != std::string::npos)
+      all.push_back(std::stod(line.substr(at + 2)));
+  return all;
+}
+
+// C keeps within its range on every line, and the nozzle on the part is where it is without.
+TEST_F(Winding, KeepsCWithinAndThePartAsItIs) {
+  for (const unsigned seed : {1u, 2u}) {
+    trajectory_ = {};
+    plan_ = {};
+    appendTurning(seed, 15);
+    for (const char* sense : {"part", "tool"})
+      for (const double turns : {0.0, 1.5, 3.0}) {
+        SCOPED_TRACE(testing::Message() << seed << " " << sense << " " << turns);
+        ProgramInput counts = with(0.0, sense);
+        counts.options.own["tableUnwind"] = std::string("count");
+        const plan::ReadProgram on = read(writeProgram("gcode-bc", counts).files);
+        const plan::Program program = writeProgram("gcode-bc", with(turns, sense));
+        const plan::ReadProgram back = read(program.files);
+        for (const auto& d : back.defects)
+          ADD_FAILURE() << d.line << ": " << base::english(d.reason);
+        EXPECT_TRUE(back.complete);
+        const auto c = anglesOf(program.files[0].text);
+        const double most = std::abs(
+            *std::ranges::max_element(c, {}, [](double degrees) { return std::abs(degrees); }));
+        EXPECT_LE(most, 360.0 * (turns > 0.0 ? turns : 2.0) + 1e-4);
+        const auto unwound = anglesOf(writeProgram("gcode-bc", counts).files[0].text);
+        EXPECT_GT(std::abs(unwound.back()), 3.0 * 360.0) << "else nothing is tried";
+        std::vector<plan::ProgramMotion> own;
+        std::size_t aside = 0;
+        for (const plan::ProgramMotion& m : back.motions)
+          if (m.aside) {
+            ++aside;
+            EXPECT_FALSE(m.extruding);
+          } else {
+            own.push_back(m);
+          }
+        EXPECT_GE(aside, 3u);
+        ASSERT_EQ(own.size(), on.motions.size());
+        for (std::size_t m = 0; m < own.size(); ++m) {
+          EXPECT_LT((own[m].position - on.motions[m].position).norm(), 2e-4);
+          EXPECT_LT((own[m].direction - on.motions[m].direction).norm(), 1e-6);
+          EXPECT_EQ(own[m].durationS, on.motions[m].durationS);
+          EXPECT_EQ(own[m].way.size(), on.motions[m].way.size());
+        }
+      }
+  }
+}
+
+TEST_F(Winding, RefusesWhatCannotBeWoundBack) {
+  std::vector<double> q = {0.1, -1.9, 1.7, -1.2, -1.4, 0.0};
+  append(plan::MoveKind::Joint, q, 1.0, 0.0);
+  for (int i = 0; i < 200; ++i) {
+    q[5] += 0.1;
+    append(plan::MoveKind::Print, q, 0.1, 0.3);
+  }
+  EXPECT_NO_THROW(writeProgram("gcode-bc", with(2.0, "part")));
+  try {
+    writeProgram("gcode-bc", with(1.0, "part"));
+    FAIL();
+  } catch (const base::Error& e) {
+    EXPECT_EQ(e.code(), base::ErrorCode::Usage);
+    EXPECT_NE(std::string(e.what()).find("1 turns"), std::string::npos) << e.what();
+  }
+}
+
+// Each line of a winding is needed: without it, or with another number, it is no winding, and what
+// is left of it is a motion that no plan has.
+TEST_F(Winding, IsReadOnlyWhole) {
+  appendTurning(2, 15);
+  const plan::Program program = writeProgram("gcode-bc", with(2.0, "part"));
+  const plan::ReadProgram whole = read(program.files);
+  std::vector<std::string> lines;
+  std::istringstream text(program.files[0].text);
+  for (std::string line; std::getline(text, line);)
+    lines.push_back(line);
+  std::size_t tried = 0;
+  const auto asides = [](const plan::ReadProgram& p) {
+    return std::ranges::count_if(p.motions, [](const auto& m) { return m.aside; });
+  };
+  for (std::size_t m = 0; m < whole.motions.size(); ++m) {
+    if (!whole.motions[m].aside)
+      continue;
+    const std::size_t line = whole.motions[m].line - 1;
+    const auto changed = [&](const std::string& by) {
+      std::string all;
+      for (std::size_t l = 0; l < lines.size(); ++l)
+        if (l != line || !by.empty())
+          all += (l == line ? by : lines[l]) + "\n";
+      return read({{program.files[0].name, all}});
+    };
+    const auto moved = [&](char word) {
+      std::string by = lines[line];
+      const std::size_t at = by.find(std::string(" ") + word) + 2;
+      const double value = std::stod(by.substr(at));
+      return by.substr(0, at) + std::to_string(value + 1.5) + by.substr(by.find(' ', at));
+    };
+    for (const char word : {'X', 'Y', 'Z', 'B', 'C'})
+      EXPECT_LT(asides(changed(moved(word))), asides(whole)) << word << ": " << lines[line];
+    const plan::ReadProgram fewer = changed("");
+    EXPECT_LT(asides(fewer), asides(whole)) << lines[line];
+    std::string prints = lines[line];
+    prints.insert(prints.find(" F"), " E9999");
+    EXPECT_LT(asides(changed(prints)), asides(whole)) << lines[line];
+    if (++tried == 6)
+      break;
+  }
+  EXPECT_GE(tried, 6u);
+}
+
+} // namespace
+} // namespace voluta::program

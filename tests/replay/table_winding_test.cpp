@@ -1,0 +1,81 @@
+// A table that is wound back amid a travel is no deviation from the plan; what only looks like it
+// is.
+#include "program/program_fixture.h"
+
+#include "base/run_context.h"
+#include "plan/finding_kinds.h"
+#include "replay/comparison.h"
+#include "replay/executed_path.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace voluta::replay {
+namespace {
+
+class TableWinding : public test::Programs {
+protected:
+  struct Compared {
+    std::vector<TextFinding> findings;
+    PathDeviation off;
+    double seconds = 0.0;
+    std::size_t aside = 0;
+  };
+  Compared compare(const std::vector<plan::ProgramFile>& files) const {
+    const base::RunContext ctx;
+    const plan::ReadProgram program = program::readProgram("gcode-bc", files, process_);
+    const ExecutedPath path = executeProgram(program, *cell_, ctx);
+    const PlannedNozzle planned = plannedNozzle(trajectory_, *cell_, ctx);
+    const Alignment alignment = alignProgram(program, path, planned, trajectory_, *cell_, ctx);
+    Compared c;
+    c.findings =
+        compareWithPlan(program, path, planned, trajectory_, alignment, ComparisonOptions{});
+    c.off = pathDeviation(path, planned, trajectory_, program, alignment, ctx);
+    c.seconds = path.totalS();
+    for (std::size_t m = 0; m < program.motions.size(); ++m)
+      if (program.motions[m].aside) {
+        ++c.aside;
+        EXPECT_EQ(alignment.pointOf[m], kUnmatched);
+      }
+    return c;
+  }
+};
+
+TEST_F(TableWinding, IsNoDeviation) {
+  appendTurning(2, 20);
+  program::ProgramInput in = input();
+  in.options.own["tableUnwind"] = std::string("wind");
+  in.options.own["tableTurns"] = 2.0;
+  const plan::Program program = program::writeProgram("gcode-bc", in);
+  const Compared c = compare(program.files);
+  for (const TextFinding& f : c.findings)
+    ADD_FAILURE() << f.place.line << ": " << plan::englishReason(f.finding);
+  EXPECT_GE(c.aside, 6u);
+  EXPECT_LT(c.off.mm, 0.05);
+  EXPECT_GT(c.seconds, trajectory_.timeS.back() + 2.0 * static_cast<double>(c.aside / 3));
+
+  // A winding that is not whole is motions that nobody has planned.
+  std::vector<std::string> lines;
+  std::istringstream text(program.files[0].text);
+  for (std::string line; std::getline(text, line);)
+    lines.push_back(line);
+  const auto begin = std::ranges::find_if(lines, [](const std::string& l) {
+    return l.find("wound back") != std::string::npos && l.find("times") == std::string::npos;
+  });
+  ASSERT_NE(begin, lines.end());
+  const auto first = static_cast<std::size_t>(begin - lines.begin()) + 1;
+  for (std::size_t l = first; l < first + 3; ++l) {
+    std::string fewer;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      if (k != l)
+        fewer += lines[k] + "\n";
+    const Compared damaged = compare({{program.files[0].name, fewer}});
+    ASSERT_FALSE(damaged.findings.empty()) << lines[l];
+    const auto at = std::ranges::min_element(damaged.findings, {},
+                                             [](const TextFinding& f) { return f.place.line; });
+    EXPECT_NEAR(static_cast<double>(at->place.line), static_cast<double>(l + 1), 3.0) << lines[l];
+  }
+}
+
+} // namespace
+} // namespace voluta::replay
