@@ -146,6 +146,34 @@ Judged judge(const std::vector<BeadPiece>& pieces, const geometry::TriangleMesh&
           beads.excessMm3 / cells.volumeMm3};
 }
 
+// A box filled but for one block of a millimetre, and as much material half a bead beyond it: each
+// is told by its volume, at any size of the cells.
+TEST(Coverage, WhatIsMissingAndWhatIsOutsideAreVolumes) {
+  const auto part = test::box({0, 0, 0}, {9, 9, 9});
+  const geometry::MeshQuery query(part);
+  for (const double pitch : {0.25, 0.5}) {
+    BeadGrid beads;
+    beads.grid = gridOver({-3, -3, -3}, {12, 12, 12}, pitch, 10'000'000);
+    beads.fill.assign(beads.grid.cellCount(), 0.0f);
+    const PartCells cells = partCells(part, query, beads.grid, kOne);
+    const auto isIn = [](const Vector3d& p, const Vector3d& low, const Vector3d& high) {
+      return (p.array() > low.array()).all() && (p.array() < high.array()).all();
+    };
+    for (std::size_t c = 0; c < beads.fill.size(); ++c) {
+      const Eigen::Vector3i cell = beads.grid.cell(c);
+      const Vector3d at = beads.grid.centre(cell.x(), cell.y(), cell.z());
+      const bool missing = isIn(at, {4, 4, 4}, {5, 5, 5});
+      const bool outside = isIn(at, {10, 4, 4}, {11, 5, 5});
+      beads.fill[c] = outside ? 0.5f : missing ? 0.0f : static_cast<float>(cells.share[c]) / 255.0f;
+    }
+    const Coverage c = measureCoverage(beads, cells, query, 0.3, kOne);
+    EXPECT_NEAR(c.coveredFraction, 1.0 - 1.0 / 729.0, 1e-6) << pitch;
+    EXPECT_NEAR(c.worstGapMm3, 1.0, 1e-6) << pitch;
+    EXPECT_LT((c.worstGap - Vector3d(4.5, 4.5, 4.5)).cwiseAbs().maxCoeff(), 1.5) << pitch;
+    EXPECT_NEAR(c.outsideMm3, 0.5, 1e-6) << pitch;
+  }
+}
+
 TEST(Coverage, ASolidBoxIsCovered) {
   const auto part = test::box({0, 0, 0}, {20, 20, 8});
   const Judged j = judge(solidBox(20, 19, 10, 0.8), part, {-2.1, -2.2, -1}, {22, 22, 10});
