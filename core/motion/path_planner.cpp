@@ -24,6 +24,7 @@ using robot::JointVector;
 namespace {
 
 constexpr int kTries = 40; // of blocking what failed and searching again
+constexpr int kSeeks = 4;  // of a clearer way
 constexpr int kTriesBeforeJudgingAll = 6;
 constexpr double kEvening = 200.0; // waves under about 24 waypoints go
 constexpr std::size_t kCheckChunk = 16;
@@ -302,6 +303,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
     return 1;
   }
   ladder_.setRungs(count_, ctx_);
+  int seeks = 0;
   for (int tries = 0;; ++tries) {
     ctx_.checkpoint();
     const base::Stopwatch watch;
@@ -319,6 +321,11 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
     }
     const std::vector<Failed> failed = follow(way);
     if (failed.empty()) {
+      if (seeks < kSeeks && scene_.options.nearCost > 0.0) {
+        ++seeks;
+        if (ladder_.seekClearance(way, ctx_))
+          continue;
+      }
       if (wantsLift_ && !endsLift())
         continue;
       smooth();

@@ -1,0 +1,60 @@
+// Clearance is sought: of ways that print the same, one along which everything stays further apart.
+#include "base/run_context.h"
+#include "collision/cell_collision.h"
+#include "motion/motion.h"
+#include "motion/sample_plans.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+
+namespace {
+
+struct Clearances {
+  std::size_t points = 0, near = 0; // printed; nearer than enough
+  double lack = 0.0;                // mm of enough, all together
+  motion::MotionResult result;
+};
+
+Clearances planned(const char* cellId, const plan::ToolPlan& plan, double plateMm, double nearCost,
+                   int threads = 2) {
+  const process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell(cellId, process, test::disc(plateMm));
+  const collision::GrowingPart part(plan, 0.45, {});
+  motion::MotionOptions options;
+  options.nearCost = nearCost;
+  Clearances c;
+  c.result = motion::MotionPlanner(plan, cell, process, part, options)
+                 .plan(base::RunContext(base::CancelToken(), threads));
+  // By the queries themselves, at every waypoint.
+  const collision::CellCollision collision(cell, process);
+  const plan::Trajectory& t = c.result.trajectory;
+  collision::CellCollision::Frames frames;
+  for (std::size_t i = 0; i < t.pointCount(); ++i) {
+    if (t.move[i] != plan::MoveKind::Print || t.waypoint[i] == plan::kNoWaypoint)
+      continue;
+    cell.framePoses(Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof), frames);
+    const double clear = collision.clearanceToPart(frames, part, t.waypoint[i],
+                                                   collision.clearance(frames, options.enoughMm));
+    ++c.points;
+    c.near += clear < options.enoughMm;
+    c.lack += options.enoughMm - clear;
+  }
+  return c;
+}
+
+} // namespace
+
+TEST(Clearance, Probe) {
+  for (const char* cell : {"ur5-fixed", "ur3-fixed", "irb1200-moving", "rv2f-moving"})
+    for (const auto& [name, plan] :
+         {std::pair{"hemi", test::hemisphere(15.0, 5.0, 1.57, 0.5)},
+          std::pair{"hemiflat", test::hemisphere(20.0, 0.5, 1.4, 0.3)},
+          std::pair{"slab", test::slab(60.0, 1)}, std::pair{"cyl", test::cylinder(15.0, 20)}}) {
+      const Clearances kept = planned(cell, plan, 60.0, 0.0),
+                       sought = planned(cell, plan, 60.0, 1.0);
+      std::printf("%s %s: near %zu -> %zu of %zu, lack %.1f -> %.1f\n", cell, name, kept.near,
+                  sought.near, kept.points, kept.lack, sought.lack);
+    }
+}
