@@ -230,14 +230,20 @@ double PathLadder::clearanceAt(const JointVector& q, std::size_t waypoint) const
 }
 
 bool PathLadder::seekClearance(const LadderWay& way, const base::RunContext& ctx) {
+  if (scene_.options.nearCost <= 0.0)
+    return false;
   const base::Stopwatch watch;
   std::vector<char> isNear(places_.size(), 0);
   base::parallelChunks(ctx, places_.size(), kJudgeChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t r = b; r < e; ++r) {
       Place& place = places_[r];
-      const JointVector& q = rungs_[r][static_cast<std::size_t>(way.node[r])].q;
-      if (place.cleared || clearanceAt(q, place.waypoint) >= scene_.options.enoughMm)
+      if (place.cleared || place.clearNode == way.node[r])
         continue;
+      const LadderNode& here = rungs_[r][static_cast<std::size_t>(way.node[r])];
+      if (clearanceAt(here.q, place.waypoint) >= scene_.options.enoughMm) {
+        place.clearNode = way.node[r];
+        continue;
+      }
       isNear[r] = 1;
       place.cleared = true;
       for (LadderNode& node : rungs_[r]) {

@@ -87,7 +87,7 @@ public:
   std::optional<collision::Contact> contactAt(const robot::JointVector& q,
                                               std::size_t waypoint) const;
   // Where the way comes nearer to something than options.enoughMm, all nodes of that rung cost the
-  // more the nearer they come. False: that was known all along the way.
+  // more the nearer they come. False: that was known all along the way, or is not asked for.
   bool seekClearance(const LadderWay& way, const base::RunContext& ctx);
   // Why all nodes of a rung are of no use.
   Refused refusalOf(std::size_t rung) const;
@@ -102,6 +102,7 @@ private:
     bool judged = false;  // all nodes were checked for collisions
     bool widened = false; // has nodes with the last external axis aside too
     bool cleared = false; // nodes cost what their clearance asks for
+    int clearNode = -1;   // one that was found to stay clear of all
     bool sided = false;   // nodes know their side of singular poses
     bool lifted = false;  // nodes from which the arm cannot lift the nozzle were blocked
     std::vector<std::size_t> unliftable = {};      // those nodes

@@ -319,13 +319,13 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
       refused.push_back(ladder_.refusalOf(0));
       return 1;
     }
+    // Before it is followed, which costs more than to look at its rungs.
+    if (seeks < kSeeks && ladder_.seekClearance(way, ctx_)) {
+      ++seeks;
+      continue;
+    }
     const std::vector<Failed> failed = follow(way);
     if (failed.empty()) {
-      if (seeks < kSeeks && scene_.options.nearCost > 0.0) {
-        ++seeks;
-        if (ladder_.seekClearance(way, ctx_))
-          continue;
-      }
       if (wantsLift_ && !endsLift())
         continue;
       smooth();
@@ -334,7 +334,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
       return count_;
     }
     if (tries < kTries) {
-      lookCloser(way, failed, tries >= kTriesBeforeJudgingAll);
+      lookCloser(way, failed, tries - seeks >= kTriesBeforeJudgingAll);
       continue;
     }
     if (!settle(failed.front().waypoint)) {
