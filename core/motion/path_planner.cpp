@@ -24,7 +24,7 @@ using robot::JointVector;
 namespace {
 
 constexpr int kTries = 40; // of blocking what failed and searching again
-constexpr int kSeeks = 4;  // of a clearer way
+constexpr int kSeeks = 2;  // of a clearer way
 constexpr int kTriesBeforeJudgingAll = 6;
 constexpr double kEvening = 200.0; // waves under about 24 waypoints go
 constexpr std::size_t kCheckChunk = 16;
