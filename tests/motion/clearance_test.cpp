@@ -55,8 +55,9 @@ TEST(Clearance, IsSoughtWhereThereIsRoom) {
     EXPECT_LT(sought.near, kept.near / 2) << cell;
     EXPECT_LT(sought.lack, 0.5 * kept.lack) << cell;
     EXPECT_EQ(sought.points, kept.points);
-    EXPECT_TRUE(sought.result.skipped.empty());
-    EXPECT_EQ(sought.result.statistics.collisions, 0u);
+    // The head has no room at the dome's foot, however the arm stands.
+    EXPECT_EQ(sought.result.skipped, kept.result.skipped);
+    EXPECT_EQ(sought.result.statistics.collisions, kept.result.statistics.collisions);
   }
 }
 
