@@ -36,6 +36,9 @@ bool solveBanded(const BandedRows<kWidth>& a, const std::vector<double>& b,
 }
 
 template bool solveBanded(const BandedRows<4>&, const std::vector<double>&, std::vector<double>&);
+template bool solveBanded(const BandedRows<8>&, const std::vector<double>&, std::vector<double>&);
 template bool solveBanded(const BandedRows<12>&, const std::vector<double>&, std::vector<double>&);
+template bool solveBanded(const BandedRows<16>&, const std::vector<double>&, std::vector<double>&);
+template bool solveBanded(const BandedRows<20>&, const std::vector<double>&, std::vector<double>&);
 
 } // namespace voluta::motion

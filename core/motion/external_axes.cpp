@@ -85,6 +85,22 @@ Vector3d movedByAxes(const robot::Cell& cell, const Vector3d& point, const Joint
   return p;
 }
 
+AxisTwists axisTwists(const robot::Cell& cell, const JointVector& axes, const Vector3d& point) {
+  AxisTwists twists(6, axes.size());
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  for (Eigen::Index k = 0; k < axes.size(); ++k) {
+    const robot::ExternalAxis& axis = cell.externalAxes()[static_cast<std::size_t>(k)];
+    frame = frame * axis.before_T_axis;
+    const Vector3d along = frame.linear().col(0);
+    if (axis.limits.kind == robot::JointKind::Turning)
+      twists.col(k) << along.cross(point - frame.translation()), along;
+    else
+      twists.col(k) << along, Vector3d::Zero();
+    frame = frame * robot::movedBy(axis, axes[k]);
+  }
+  return twists;
+}
+
 std::vector<double> uprightAngles(const plan::ToolPlan& plan, const robot::Cell& cell,
                                   std::size_t first, std::size_t count, double nearRad) {
   base::require(cell.rod().has_value(), "a rod that turns");

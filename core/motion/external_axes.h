@@ -26,6 +26,13 @@ Eigen::Vector3d turnedByAxes(const robot::Cell& cell, const Eigen::Vector3d& dir
 Eigen::Vector3d movedByAxes(const robot::Cell& cell, const Eigen::Vector3d& point,
                             const robot::JointVector& axes);
 
+// How a point of the base that goes with the platform moves by each external axis: a column each,
+// of the point's velocity (mm) and the turn (rad), a rad or mm of the axis (Lynch and Park, Modern
+// Robotics, 5.1). At most two axes.
+using AxisTwists = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 2>;
+AxisTwists axisTwists(const robot::Cell& cell, const robot::JointVector& axes,
+                      const Eigen::Vector3d& point);
+
 // Angles of the rod, one a waypoint from `first` on, at which the plan's directions point as nearly
 // up in the base as the rod can turn them; each within half a turn of the one before, whatever the
 // steps of the axis. The first is that one, by whole turns, from which the axis follows furthest

@@ -44,7 +44,12 @@ struct MotionOptions {
   // How far directions may lean where whole paths are smoothed. At 5 degrees jerk is less still,
   // but some travels were found to lose their straight way.
   double leanRad = base::degreesToRadians(3.0);
-  double wipeMm = 0.0; // along the bead before the lift, the extruder off
+  // How far external axes that move along a path may then go from where their schedule has them;
+  // slides by robot::fromTurn.
+  double axesRad = base::degreesToRadians(15.0);
+  double enoughMm = 10.0; // further from everything than that no pose is worth seeking
+  double nearCost = 1.0;  // rad: of a rung of the ladder graph where something is just not met
+  double wipeMm = 0.0;    // along the bead before the lift, the extruder off
 
   double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };

@@ -222,6 +222,42 @@ std::optional<collision::Contact> PathLadder::contactAt(const JointVector& q,
   return scene_.collision.bodiesAndPart(frames, scene_.part, waypoint, scene_.options.printing);
 }
 
+double PathLadder::clearanceAt(const JointVector& q, std::size_t waypoint) const {
+  collision::CellCollision::Frames frames;
+  scene_.cell.framePoses(q, frames);
+  return scene_.collision.clearanceToPart(
+      frames, scene_.part, waypoint, scene_.collision.clearance(frames, scene_.options.enoughMm));
+}
+
+bool PathLadder::seekClearance(const LadderWay& way, const base::RunContext& ctx) {
+  if (scene_.options.nearCost <= 0.0)
+    return false;
+  const base::Stopwatch watch;
+  std::vector<char> isNear(places_.size(), 0);
+  base::parallelChunks(ctx, places_.size(), kJudgeChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t r = b; r < e; ++r) {
+      Place& place = places_[r];
+      if (place.cleared || place.clearNode == way.node[r])
+        continue;
+      const LadderNode& here = rungs_[r][static_cast<std::size_t>(way.node[r])];
+      if (clearanceAt(here.q, place.waypoint) >= scene_.options.enoughMm) {
+        place.clearNode = way.node[r];
+        continue;
+      }
+      isNear[r] = 1;
+      place.cleared = true;
+      for (LadderNode& node : rungs_[r]) {
+        if (node.blocked)
+          continue;
+        const double lacks = 1.0 - clearanceAt(node.q, place.waypoint) / scene_.options.enoughMm;
+        node.cost += scene_.options.nearCost * lacks * lacks;
+      }
+    }
+  });
+  times_.collision += watch.seconds();
+  return std::find(isNear.begin(), isNear.end(), 1) != isNear.end();
+}
+
 void PathLadder::look(LadderNode& node, Place& place) const {
   if (const auto contact = contactAt(node.q, place.waypoint)) {
     node.blocked = true;

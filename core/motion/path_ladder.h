@@ -86,6 +86,9 @@ public:
 
   std::optional<collision::Contact> contactAt(const robot::JointVector& q,
                                               std::size_t waypoint) const;
+  // Where the way comes nearer to something than options.enoughMm, all nodes of that rung cost the
+  // more the nearer they come. False: that was known all along the way, or is not asked for.
+  bool seekClearance(const LadderWay& way, const base::RunContext& ctx);
   // Why all nodes of a rung are of no use.
   Refused refusalOf(std::size_t rung) const;
   // Refuses the first rung's waypoint and those up to the last rung that has no node of use either,
@@ -98,6 +101,8 @@ private:
     std::size_t waypoint;
     bool judged = false;  // all nodes were checked for collisions
     bool widened = false; // has nodes with the last external axis aside too
+    bool cleared = false; // nodes cost what their clearance asks for
+    int clearNode = -1;   // one that was found to stay clear of all
     bool sided = false;   // nodes know their side of singular poses
     bool lifted = false;  // nodes from which the arm cannot lift the nozzle were blocked
     std::vector<std::size_t> unliftable = {};      // those nodes
@@ -114,6 +119,8 @@ private:
   std::vector<LadderStart> startsNear(const robot::JointVector& near,
                                       std::vector<LadderStart> starts) const;
   void setPlaces(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx);
+  // How far everything is then, mm, at most options.enoughMm.
+  double clearanceAt(const robot::JointVector& q, std::size_t waypoint) const;
   void look(LadderNode& node, Place& place) const;
   void tellSides(std::size_t rung);
   void addNodes(const Place& place, Rung& rung, const std::vector<int>& asides) const;

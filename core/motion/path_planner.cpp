@@ -24,6 +24,7 @@ using robot::JointVector;
 namespace {
 
 constexpr int kTries = 40; // of blocking what failed and searching again
+constexpr int kSeeks = 2;  // of a clearer way
 constexpr int kTriesBeforeJudgingAll = 6;
 constexpr double kEvening = 200.0; // waves under about 24 waypoints go
 constexpr std::size_t kCheckChunk = 16;
@@ -302,6 +303,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
     return 1;
   }
   ladder_.setRungs(count_, ctx_);
+  int seeks = 0;
   for (int tries = 0;; ++tries) {
     ctx_.checkpoint();
     const base::Stopwatch watch;
@@ -317,6 +319,11 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
       refused.push_back(ladder_.refusalOf(0));
       return 1;
     }
+    // Before it is followed, which costs more than to look at its rungs.
+    if (seeks < kSeeks && ladder_.seekClearance(way, ctx_)) {
+      ++seeks;
+      continue;
+    }
     const std::vector<Failed> failed = follow(way);
     if (failed.empty()) {
       if (wantsLift_ && !endsLift())
@@ -327,7 +334,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
       return count_;
     }
     if (tries < kTries) {
-      lookCloser(way, failed, tries >= kTriesBeforeJudgingAll);
+      lookCloser(way, failed, tries - seeks >= kTriesBeforeJudgingAll);
       continue;
     }
     if (!settle(failed.front().waypoint)) {

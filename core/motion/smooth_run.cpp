@@ -32,12 +32,15 @@ constexpr double kSameDirection = 1e-6; // rad
 // Of the deviation: the run's own steps end just inside. In the last rounds a little more will do.
 constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
 constexpr int kStrictPulls = 3;
+constexpr std::size_t kMostFreeAxes = 2;
 constexpr TurnSmoothing kAfterPull{3, 1e-2, 0.3};
 
 RunPoint turnedBy(RunPoint point, const TurnedPoint& at) {
-  if (at.turn != 0.0 || !at.lean.isZero(0.0)) {
+  if (at.turn != 0.0 || !at.lean.isZero(0.0) || !at.aside.isZero(0.0)) {
     point.at.tool = at.tool(point.at.tool);
     point.at.q = at.q;
+    if (at.aside.size() > 0)
+      point.at.axes += at.aside;
   }
   return point;
 }
@@ -127,6 +130,17 @@ bool directionsChange(const std::vector<RunPoint>& points) {
   });
 }
 
+// Axes that stand still along a run make no jerk, and stay. One that goes in steps does too: what
+// its motor makes of a smooth way is not on it.
+bool axesMove(const robot::Cell& cell, const std::vector<RunPoint>& points) {
+  const auto& axes = cell.externalAxes();
+  if (axes.empty() || axes.size() > kMostFreeAxes || cell.rod() ||
+      std::any_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.step > 0.0; }))
+    return false;
+  return std::any_of(points.begin(), points.end(),
+                     [&](const RunPoint& p) { return p.at.axes != points.front().at.axes; });
+}
+
 // Does the head, leaning so, keep from plate and part what directions keep where they can?
 bool headMeets(const MotionScene& scene, const RunPoint& point, const Quaterniond& tool) {
   const Eigen::Isometry3d work_T_tool = toolPose(point.at.tip, tool);
@@ -157,7 +171,7 @@ std::vector<RunPoint> dividedWhere(const MotionScene& scene, const std::vector<c
 
 // The run smoothed with directions that lean up to leanRad, and as it was before with what had to
 // be divided; none where it does not come clear of everything or is no smoother.
-std::optional<SmoothedRun> smoothedWithin(double leanRad, const RunSmoothing& by,
+std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const RunSmoothing& by,
                                           std::vector<RunPoint> points, const Meets& meets,
                                           const Lifts& lifts, double& checkS,
                                           const base::RunContext& ctx) {
@@ -178,7 +192,8 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, const RunSmoothing& by
   bool firstLeans = leanRad > 0.0, lastLeans = firstLeans;
   for (int division = 0;;) {
     const std::size_t n = points.size();
-    const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad);
+    const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad,
+                                axesRad);
     const std::vector<TurnedPoint> start = smoother.start(ctx);
     const std::vector<TurnHold> free(n);
     std::vector<TurnedPoint> at = start;
@@ -242,12 +257,18 @@ SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& point
   const robot::Cell& cell = by.scene.cell;
   const bool leans = cell.tilts() && !cell.rod() && directionsChange(points);
   const double leanRad = leans ? by.scene.options.leanRad : 0.0;
+  const double axesRad = axesMove(cell, points) ? by.scene.options.axesRad : 0.0;
   double checkS = 0.0;
   std::optional<SmoothedRun> smoothed;
+  const auto tryWithin = [&](double lean, double axes) {
+    if (!smoothed)
+      smoothed = smoothedWithin(lean, axes, by, points, meets, lifts, checkS, ctx);
+  };
   if (leanRad > 0.0)
-    smoothed = smoothedWithin(leanRad, by, points, meets, lifts, checkS, ctx);
-  if (!smoothed)
-    smoothed = smoothedWithin(0.0, by, points, meets, lifts, checkS, ctx);
+    tryWithin(leanRad, axesRad);
+  if (axesRad > 0.0)
+    tryWithin(0.0, axesRad);
+  tryWithin(0.0, 0.0);
   SmoothedRun result = smoothed ? std::move(*smoothed) : SmoothedRun{points, points};
   result.checkS = checkS;
   result.smoothS = watch.seconds() - checkS;

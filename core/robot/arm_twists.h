@@ -54,9 +54,9 @@ private:
 // beside mm.
 JointVector jointsFor(const ArmJacobian& jacobian, const Eigen::Matrix<double, 6, 1>& twist,
                       double lengthMm);
-// The same for up to three twists, a column each.
-using ArmTwistSet = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 3>;
-using JointRates = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 8, 3>;
+// The same for up to five twists, a column each.
+using ArmTwistSet = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 5>;
+using JointRates = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 8, 5>;
 JointRates jointsFor(const ArmJacobian& jacobian, const ArmTwistSet& twists, double lengthMm);
 
 } // namespace voluta::robot

@@ -1,17 +1,19 @@
 // One layer's tool-paths by several ways (Dai 2020, table 4.2):
 // jerk_table [--cell ID] [--layer N] [--noise DEG] [--even-directions] [--even-times] [--no-dense]
-// [--slow FACTOR] [--lean DEG] [--ladder] JOB. The shortest path through a graph of 30 and of 360
-// turns about the nozzle at every waypoint (eqs. 4.4-4.6), the first of them through the source's
-// local filter (algorithm 6) and smoothed whole, and the motion as it is planned here, collisions
-// looked at; and that smoothed whole, with nothing looked at. Greatest five-point jerk of each
-// joint, beside that of the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints,
-// over times that are the same for all: those of the nozzle alone, with corners and ramps, as if
-// joints had no limits. Without --layer it takes the one whose number of waypoints is nearest to
-// 3,600. --noise turns each direction by a random angle up to DEG to a random side (4.5.4).
+// [--slow FACTOR] [--lean DEG] [--axes DEG] [--ladder] JOB. The shortest path through a graph of 30
+// and of 360 turns about the nozzle at every waypoint (eqs. 4.4-4.6), the first of them through the
+// source's local filter (algorithm 6) and smoothed whole, and the motion as it is planned here,
+// collisions looked at; and that smoothed whole, with nothing looked at. Greatest five-point jerk
+// of each joint, beside that of the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the
+// waypoints, over times that are the same for all: those of the nozzle alone, with corners and
+// ramps, as if joints had no limits. Without --layer it takes the one whose number of waypoints is
+// nearest to 3,600. --noise turns each direction by a random angle up to DEG to a random side
+// (4.5.4).
 // --even-directions and
 // --even-times tell how much of the jerk the directions' and the times' unevenness makes, which no
 // turn takes away. --slow: times are so many times as long, for graphs that joints' speeds would
-// else leave without a way. --lean: how far directions may lean where whole paths are smoothed.
+// else leave without a way. --lean: how far directions may lean where whole paths are smoothed;
+// --axes: how far external axes may go from their schedule then.
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
@@ -305,7 +307,7 @@ void row(const char* name, const Measure& m, const Measure& p30) {
 int main(int argc, char** argv) {
   std::string cellId, file;
   int wanted = -1;
-  double noise = 0.0, slow = 1.0, leanRad = 0.0;
+  double noise = 0.0, slow = 1.0, leanRad = 0.0, axesRad = 0.0;
   bool ladder = false, dense = true, evenTimes = false, evenDirections = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -319,6 +321,8 @@ int main(int argc, char** argv) {
       slow = std::stod(argv[++i]);
     else if (word == "--lean" && i + 1 < argc)
       leanRad = base::degreesToRadians(std::stod(argv[++i]));
+    else if (word == "--axes" && i + 1 < argc)
+      axesRad = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--ladder")
       ladder = true;
     else if (word == "--no-dense")
@@ -342,6 +346,7 @@ int main(int argc, char** argv) {
   motion::MotionOptions options;
   options.smoothing = ladder ? motion::TurnMethod::None : motion::TurnMethod::WholePath;
   options.leanRad = leanRad;
+  options.axesRad = axesRad;
 
   base::Stopwatch watch;
   motion::MotionPlanner planner(plan, cell, process, part, options);

@@ -1,8 +1,12 @@
-// What smoothing does to the motion of planned jobs: smooth_motion [--ladder] [--lean DEG]
-// [--threads N] [--paths N] JOB... The motion of each job's tool-paths, planned anew: seconds (wall
-// and of the processor), jerk before and after, and how clear of everything the arm stays while it
-// prints. With --lean directions may lean so far (else 3 degrees); with --ladder the turns about
-// the nozzle stay as the ladder graph gives them; with --paths only the first N are taken.
+// What smoothing does to the motion of planned jobs: smooth_motion [--ladder] [--evened]
+// [--lean DEG] [--axes DEG] [--near-cost C] [--threads N] [--paths N] JOB... The motion of each
+// job's tool-paths, planned anew: seconds (wall and of the processor), jerk before and after, and
+// how clear of everything the arm stays while it prints. With --lean directions may lean so far
+// (else 3 degrees); with --ladder the turns about the nozzle stay as the ladder graph gives them,
+// with
+// --evened they are evened out; --axes: how far external axes may go from their schedule;
+// --near-cost: what poses near something cost (0: clearance is kept, not sought); with --paths only
+// the first N are taken.
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
@@ -91,6 +95,12 @@ int main(int argc, char** argv) {
       options.smoothing = motion::TurnMethod::None;
     else if (word == "--lean" && i + 1 < argc)
       options.leanRad = base::degreesToRadians(std::stod(argv[++i]));
+    else if (word == "--evened")
+      options.smoothing = motion::TurnMethod::Evened;
+    else if (word == "--axes" && i + 1 < argc)
+      options.axesRad = base::degreesToRadians(std::stod(argv[++i]));
+    else if (word == "--near-cost" && i + 1 < argc)
+      options.nearCost = std::stod(argv[++i]);
     else if (word == "--threads" && i + 1 < argc)
       threads = std::stoi(argv[++i]);
     else if (word == "--paths" && i + 1 < argc)

@@ -8,6 +8,7 @@
 #include "motion/nozzle_frame.h"
 #include "motion/sample_plans.h"
 #include "motion/sequence.h"
+#include "motion/smooth_points.h"
 #include "motion/smooth_run.h"
 #include "motion/timed_points.h"
 
@@ -19,19 +20,11 @@ using motion::RunPoint;
 using motion::TurnedPoint;
 using motion::TurnHold;
 using robot::JointVector;
+using test::evenTimes;
+using test::largestOff;
+using test::onThreads;
 
 namespace {
-
-base::RunContext onThreads(int threads) {
-  return base::RunContext(base::CancelToken(), threads);
-}
-
-std::vector<double> evenTimes(std::size_t count, double step) {
-  std::vector<double> times;
-  for (std::size_t i = 0; i < count; ++i)
-    times.push_back(step * static_cast<double>(i));
-  return times;
-}
 
 // A closed wall, leaning, in the arm's joints: its turn about the nozzle wanders by chance.
 struct Wall {
@@ -64,12 +57,6 @@ struct Wall {
     }
   }
 };
-
-double largestOff(const robot::Cell& cell, const RunPoint& p, const TurnedPoint& at) {
-  const Eigen::Isometry3d pose = cell.work_T_tool(at.q);
-  return std::max((pose.translation() - p.at.tip).norm(),
-                  (-pose.linear().col(2) - p.at.direction()).norm());
-}
 
 } // namespace
 
