@@ -20,7 +20,7 @@ template <typename T, std::size_t... I> constexpr bool takes(std::index_sequence
   };
 }
 
-inline constexpr std::size_t kMostMembers = 16;
+inline constexpr std::size_t kMostMembers = 20;
 
 template <typename T, std::size_t N = kMostMembers> constexpr std::size_t countMembers() {
   if constexpr (takes<T>(std::make_index_sequence<N>()))
@@ -33,7 +33,7 @@ template <typename T, std::size_t N = kMostMembers> constexpr std::size_t countM
 
 } // namespace detail
 
-// References to the members of an aggregate without base classes, of 16 members at most, none of
+// References to the members of an aggregate without base classes, of 20 members at most, none of
 // them an array or an optional.
 template <typename T> auto members(const T& t) {
   static_assert(std::is_aggregate_v<T>);
@@ -84,9 +84,21 @@ template <typename T> auto members(const T& t) {
   } else if constexpr (n == 15) {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p] = t;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p);
-  } else {
+  } else if constexpr (n == 16) {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q] = t;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q);
+  } else if constexpr (n == 17) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r] = t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r);
+  } else if constexpr (n == 18) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s] = t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s);
+  } else if constexpr (n == 19) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u] = t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u);
+  } else {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v] = t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v);
   }
 }
 
