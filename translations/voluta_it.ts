@@ -4743,10 +4743,6 @@ mm³</translation>
         <translation>percorsi del file</translation>
     </message>
     <message>
-        <source>tool-paths of type &apos;{type}&apos;; those of 3 and 6 axes are read</source>
-        <translation>percorsi di tipo «{type}»; si leggono quelli a 3 e 6 assi</translation>
-    </message>
-    <message>
         <source>two modifiers of &apos;{attribute}&apos; or by one factor</source>
         <translation>due modificatori di «{attribute}» o con un solo fattore</translation>
     </message>
@@ -5910,10 +5906,6 @@ mm³</translation>
         <translation>Gli eventi impostano l&apos;uscita analogica dove inizia un moto (TriggEquip); per velocità essa segue la velocità reale del TCP, così gli angoli lenti non ricevono di più (TriggSpeed).</translation>
     </message>
     <message>
-        <source>G-code with B and C: beyond so many turns C&apos;s count goes back by whole turns in a travel (G92 C), and the table stays where it is; 0: it counts on.</source>
-        <translation>G-code con B e C: oltre tanti giri il conto di C torna indietro di giri interi in uno spostamento (G92 C), e la tavola resta dov&apos;è; 0: continua a contare.</translation>
-    </message>
-    <message>
         <source>How far the nozzle may lean from its planned direction where that makes the joints&apos; motion smoother. With least jerk of whole paths only.</source>
         <translation>Di quanto l&apos;ugello può inclinarsi dalla direzione prevista dove ciò rende più regolare il moto dei giunti. Solo con minimo strappo di percorsi interi.</translation>
     </message>
@@ -6049,10 +6041,6 @@ mm³</translation>
         <translation>rotazione dell&apos;ugello</translation>
     </message>
     <message>
-        <source>turns until C&apos;s count is set back</source>
-        <translation>giri prima che il conto di C torni indietro</translation>
-    </message>
-    <message>
         <source>Filament that the external axis feeds before it is set to 0 anew: as far as it may go.</source>
         <translation>Filamento che l&apos;asse esterno spinge prima di essere riportato a 0: fin dove può andare.</translation>
     </message>
@@ -6119,6 +6107,122 @@ mm³</translation>
     <message>
         <source>{rows} rows, {rms:.3f} apart on average and {worst:.3f} at most: sure to {place:.3f} and {turn:.3f}</source>
         <translation>{rows} righe, scarto medio {rms:.3f} e massimo {worst:.3f}: sicuro entro {place:.3f} e {turn:.3f}</translation>
+    </message>
+    <message>
+        <source>Extended G-code: writes beside it a RAPID module that reads the file on an ABB controller and runs arm and extruder by it.</source>
+        <translation>G-code esteso: scrive accanto un modulo RAPID che legge il file su un controllore ABB e muove con esso braccio ed estrusore.</translation>
+    </message>
+    <message>
+        <source>G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; 0: it counts on, or, where the table is wound back, as few as suit.</source>
+        <translation>G-code con B e C: oltre tanti giri per parte C torna indietro di giri interi in uno spostamento; 0: continua a contare o, se la tavola viene riavvolta, quanti meno bastano.</translation>
+    </message>
+    <message>
+        <source>G-code with B and C: of a table that turns without end the count alone, and it stays where it is; one with a cable is wound back amid a travel, with the nozzle above all it lifts.</source>
+        <translation>G-code con B e C: di una tavola che gira senza fine torna solo il conto, ed essa resta dov&apos;è; una con un cavo viene riavvolta durante uno spostamento, con l&apos;ugello sopra tutto ciò che solleva.</translation>
+    </message>
+    <message>
+        <source>Lines by data link (MELFA-BASIC V, with receiver and sender)</source>
+        <translation>Righe via data link (MELFA-BASIC V, con ricevitore e mittente)</translation>
+    </message>
+    <message>
+        <source>a RAPID module (ABB)</source>
+        <translation>un modulo RAPID (ABB)</translation>
+    </message>
+    <message>
+        <source>a module that reads G-code cannot turn the {axis} of cell {cell}: G-code does not say where it is</source>
+        <translation>un modulo che legge G-code non può girare {axis} della cella {cell}: il G-code non dice dove si trova</translation>
+    </message>
+    <message>
+        <source>a position before the tool: whose is it?</source>
+        <translation>una posizione prima dell&apos;utensile: di chi è?</translation>
+    </message>
+    <message>
+        <source>another full flow than the process has</source>
+        <translation>un altro flusso pieno rispetto a quello del processo</translation>
+    </message>
+    <message>
+        <source>extended G-code is read by</source>
+        <translation>il G-code esteso è letto da</translation>
+    </message>
+    <message>
+        <source>its count (G92 C)</source>
+        <translation>il suo conto (G92 C)</translation>
+    </message>
+    <message>
+        <source>motions by joints to joints and to poses in one stream</source>
+        <translation>movimenti dei giunti verso giunti e verso pose in un solo flusso di righe</translation>
+    </message>
+    <message>
+        <source>not the header of lines for a data link</source>
+        <translation>non è l&apos;intestazione di righe per un data link</translation>
+    </message>
+    <message>
+        <source>not what takes these lines: &apos;{code}&apos;</source>
+        <translation>non è ciò che riceve queste righe: &apos;{code}&apos;</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>niente</translation>
+    </message>
+    <message>
+        <source>set tableTurns to {turns} or more</source>
+        <translation>imposta tableTurns a {turns} o più</translation>
+    </message>
+    <message>
+        <source>take rapid</source>
+        <translation>usa rapid</translation>
+    </message>
+    <message>
+        <source>the arm does not stand where this line begins</source>
+        <translation>il braccio non si trova dove comincia questa riga</translation>
+    </message>
+    <message>
+        <source>the extruder is on in a motion by joints</source>
+        <translation>l&apos;estrusore è acceso in un movimento dei giunti</translation>
+    </message>
+    <message>
+        <source>the file, the start or the full flow of the job is not there, or twice</source>
+        <translation>il file, l&apos;inizio o il flusso pieno del lavoro manca, o c&apos;è due volte</translation>
+    </message>
+    <message>
+        <source>the first line is no motion by joints to the start</source>
+        <translation>la prima riga non è un movimento dei giunti verso l&apos;inizio</translation>
+    </message>
+    <message>
+        <source>the layer &apos;{path}&apos; has no height above the one before</source>
+        <translation>lo strato &apos;{path}&apos; non ha altezza sopra quello precedente</translation>
+    </message>
+    <message>
+        <source>the line that ends the stream is missing: the file was cut short</source>
+        <translation>manca la riga che chiude il flusso: il file è stato troncato</translation>
+    </message>
+    <message>
+        <source>the program that takes the lines was cut short</source>
+        <translation>il programma che riceve le righe è stato troncato</translation>
+    </message>
+    <message>
+        <source>the table</source>
+        <translation>la tavola</translation>
+    </message>
+    <message>
+        <source>the table would turn further than {turns} turns to a side within a bead</source>
+        <translation>la tavola girerebbe oltre {turns} giri per parte entro un cordone</translation>
+    </message>
+    <message>
+        <source>this is not the module that reads G-code</source>
+        <translation>questo non è il modulo che legge il G-code</translation>
+    </message>
+    <message>
+        <source>tool-paths of type &apos;{type}&apos; without beads; what a nozzle lays is read</source>
+        <translation>percorsi di tipo &apos;{type}&apos; senza cordoni; si legge ciò che un ugello deposita</translation>
+    </message>
+    <message>
+        <source>turns until C goes back</source>
+        <translation>giri prima che C torni indietro</translation>
+    </message>
+    <message>
+        <source>what goes back of C</source>
+        <translation>che cosa torna indietro di C</translation>
     </message>
 </context>
 <context>

@@ -224,6 +224,41 @@ TEST_F(CellCollisionTest, PartAndHead) {
   EXPECT_TRUE(collision.headTouchesPart(on, part, 31, 0.7));
 }
 
+// A bead laid right through each body in turn, wherever that is in the list.
+TEST_F(CellCollisionTest, PartAndEveryBody) {
+  collision::CellCollision::Frames frames;
+  cell.framePoses(cell.home(), frames);
+  const Isometry3d work_T_base = frames[static_cast<std::size_t>(cell.workFrame())].inverse();
+  int tried = 0;
+  for (const int b : cell.bodiesAgainstPart()) {
+    const robot::Body& body = cell.bodies()[static_cast<std::size_t>(b)];
+    if (body.role == robot::BodyRole::Head)
+      continue;
+    for (const robot::Shape& shape : body.shapes) {
+      const collision::Ball ball =
+          collision::boundingBall(collision::place(shape, Isometry3d::Identity()));
+      if (collision::signedDistance(shape, ball.centre) > 0.0)
+        continue;
+      plan::ToolPlan plan;
+      for (const double x : {-0.5, 0.0, 0.5}) {
+        plan.position.push_back(work_T_base * frames[static_cast<std::size_t>(body.frame)] *
+                                    ball.centre +
+                                Vector3d(x, 0, 0.4));
+        plan.direction.emplace_back(0, 0, 1);
+        plan.widthMm.push_back(1.2f);
+        plan.heightMm.push_back(0.8f);
+        plan.speedMmPerS.push_back(20);
+      }
+      plan.paths.push_back({0, 3});
+      const collision::GrowingPart part(plan, 0.2, {});
+      EXPECT_TRUE(collision.bodiesAndPart(frames, part, 3, {})) << b;
+      EXPECT_FALSE(collision.bodiesAndPart(frames, part, 0, {})) << b; // not yet printed
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 3);
+}
+
 // Figures, not checks.
 TEST_F(CellCollisionTest, Times) {
   test::RandomShapes random(23);
