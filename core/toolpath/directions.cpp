@@ -32,6 +32,9 @@ constexpr std::size_t kGrain = 512;
 // From what is printed already, where a direction keeps it: programs are judged by the head as it
 // is, and ways between waypoints come nearer.
 constexpr double kMarginMm = 0.05;
+// Where a path need not be laid: besides, motion lets the head 0.1 mm deeper than the replay does,
+// and what the replay finds takes another round of both.
+constexpr double kMayMissMarginMm = 0.1 + kMarginMm;
 
 Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
   const double angle = angleBetween(a, b);
@@ -45,8 +48,10 @@ Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
 class Orienter {
 public:
   Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear, const HeadClearance& head,
-           const process::Process& process, const ToolpathOptions& o, const base::RunContext& ctx)
-      : plan_(plan), clear_(clear), process_(process), o_(o), ctx_(ctx), head_(head) {
+           const process::Process& process, const ToolpathOptions& o, const MayMiss& mayMiss,
+           const base::RunContext& ctx)
+      : plan_(plan), clear_(clear), process_(process), o_(o), mayMiss_(mayMiss), ctx_(ctx),
+        head_(head) {
     middle_.resize(plan.waypointCount());
     for (std::size_t i = 0; i < middle_.size(); ++i)
       middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];
@@ -253,13 +258,18 @@ private:
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
     ctx_.report(0.8, "directions"_text);
     r.hanging = hangingWaypoints(p, part, o_.platform, ctx_);
+    std::vector<double> marginMm(p.waypointCount(), 0.0);
+    for (const plan::ToolPath& path : p.paths)
+      if (mayMiss_ && mayMiss_(path))
+        std::fill_n(marginMm.begin() + static_cast<std::ptrdiff_t>(path.first), path.count,
+                    kMayMissMarginMm);
     std::vector<char>& gouge = r.gouging;
     gouge.assign(p.waypointCount(), 0);
     base::parallelChunks(ctx_, gouge.size(), kGrain, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i) {
         if (i % 64 == 0 && ctx_.cancelled())
           return;
-        gouge[i] = !head_.clears(part, p.position[i], p.direction[i], i);
+        gouge[i] = !head_.clears(part, p.position[i], p.direction[i], i, marginMm[i]);
       }
     });
     ctx_.checkpoint();
@@ -285,6 +295,7 @@ private:
   const std::vector<Vector3d>& clear_;
   const process::Process& process_;
   const ToolpathOptions& o_;
+  const MayMiss& mayMiss_;
   const base::RunContext ctx_;
   std::shared_ptr<const collision::FillTimes> ground_;
   const HeadClearance& head_;
@@ -307,7 +318,7 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   std::vector<Vector3d> clear = clearDirection;
   OrientResult best;
   for (int round = 0; round < kRounds; ++round) {
-    Orienter orienter(current, clear, head, process, options,
+    Orienter orienter(current, clear, head, process, options, mayMiss,
                       round == 0 ? ctx.sub(0.0, 0.7) : ctx.sub(0.7, 1.0));
     OrientResult result = orienter.run(round == 0);
     if (round > 0 && result.gouges >= best.gouges)
