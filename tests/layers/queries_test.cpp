@@ -2,6 +2,7 @@
 #include "base/run_context.h"
 #include "helpers/flat_square.h"
 #include "helpers/shapes.h"
+#include "layers/layer_checks.h"
 #include "layers/part_boundary.h"
 #include "layers/stack_query.h"
 
@@ -60,6 +61,25 @@ TEST(PartBoundary, WhatPassesByMayNotCross) {
       EXPECT_FALSE(boundary.mayCross(a, b)) << axis;
     }
   EXPECT_FALSE(boundary.mayCross({7.8, 3, 3}, {10.2, 7, 7})) << "well inside";
+}
+
+// Of the outline of a patch in a block one long side lies on a face, or none.
+TEST(BoundaryChecks, TellTheShareOfTheOutlineOnTheSurface) {
+  LayerStack stack;
+  Patch patch;
+  patch.surface.vertices = {{2, 0, 5}, {8, 0, 5}, {8, 1.5, 5}, {2, 1.5, 5}};
+  patch.surface.triangles = {{0, 1, 2}, {0, 2, 3}};
+  stack.patches.push_back(patch);
+  const geometry::TriangleMesh part = test::box({0, 0, 0}, {10, 10, 10});
+  const geometry::MeshQuery query(part);
+  for (const double shiftMm : {0.0, 0.5}) {
+    for (Vector3d& p : stack.patches[0].surface.vertices)
+      p.y() += shiftMm;
+    const BoundaryCheck check = checkBoundaries(stack, query, 1e-3, {}).front();
+    EXPECT_TRUE(check.simple);
+    EXPECT_NEAR(check.onSurface, shiftMm == 0.0 ? 6.0 / 15.0 : 0.0, 1e-12);
+    EXPECT_NEAR(check.farthestMm, 1.5 + shiftMm, 1e-9);
+  }
 }
 
 TEST(StackQuery, HitsComeInOrderFromTheStart) {

@@ -131,6 +131,8 @@ TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
     const char *format, *mark, *from, *to, *word;
   } cases[] = {
       {"urscript", "set_payload", "(0.5", "(20", "loadChanged"},
+      {"urscript", "set_payload", "(0.5", "(2.4",
+       "loadChanged"}, // more than a kilogram, and thrice
       {"urscript", "movej", "v=0.25", "v=2", "firstMotionFast"},
       {"urscript", "movej", "a=0.5", "a=4.2", "firstMotionFast"},
       {"rapid", "MoveJ", "[50,", "[1000,", "firstMotionFast"},
@@ -146,6 +148,13 @@ TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
     EXPECT_FALSE(v.passed);
     EXPECT_TRUE(toldAt(v, c.word, line)) << line << ": " << text.lines[line - 1] << "\n" << told(v);
   }
+}
+
+TEST(BesideMotion, ALoadMayDifferByAKilogram) {
+  test::ProgramText text = textOf("urscript");
+  ASSERT_GT(change(text, "set_payload", "(0.5", "(1.4"), 0u);
+  const Verification v = verify(text);
+  EXPECT_TRUE(v.passed) << told(v);
 }
 
 } // namespace
