@@ -16,7 +16,6 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QScreen>
 #include <algorithm>
 #include <cmath>
 
@@ -42,14 +41,6 @@ protected:
     name->selectAll();
     QTest::keyClicks(name, id);
     press(editor, "cellSave");
-  }
-  // For who wants to see it: VOLUTA_TEST_PICTURES names a folder.
-  static void keepPicture(QWidget& of, const char* name) {
-    const QString folder = qEnvironmentVariable("VOLUTA_TEST_PICTURES");
-    if (folder.isEmpty())
-      return;
-    QTest::qWait(500);
-    of.screen()->grabWindow(of.winId()).save(folder + "/" + name + ".png");
   }
   // Fills the dialog that comes up, and looks at what it says.
   void inMeasuring(const std::function<void(QDialog&, QPlainTextEdit&, QLabel&)>& work) {

@@ -104,6 +104,27 @@ TEST_F(ExportTest, AFormatBringsItsOptionsAndTheyAreEdits) {
   EXPECT_TRUE(document().upToDate(Stage::Replay));
 }
 
+// What a table does beyond its range, and a module that reads G-code on the controller.
+TEST_F(ExportTest, WindingAndReadersAreOptionsOfTheirFormats) {
+  planPlinth();
+  chooseFormat("gcode-bc");
+  ASSERT_TRUE(waitFor([&] { return option("tableUnwind") != nullptr; }, 5000));
+  auto* unwind = qobject_cast<QComboBox*>(option("tableUnwind")->editor());
+  ASSERT_NE(unwind, nullptr);
+  unwind->setFocus();
+  QTest::keyClick(unwind, Qt::Key_Down);
+  EXPECT_EQ(document().choices().parameters.at("tableUnwind"), "wind");
+  // An edit leaves the row on show that was chosen, though nothing of it is written yet.
+  QTest::qWait(200);
+  EXPECT_EQ(formats()->currentId(), "gcode-bc");
+  ASSERT_NE(option("tableUnwind"), nullptr);
+  keepPicture(window(), "export_winding");
+  chooseFormat("gcode-extended");
+  ASSERT_TRUE(waitFor([&] { return option("gcodeRunner") != nullptr; }, 5000));
+  EXPECT_EQ(option("tableUnwind"), nullptr);
+  keepPicture(window(), "export_reader");
+}
+
 TEST_F(ExportTest, SizePartsAndTimesAreTold) {
   planPlinth();
   chooseFormat("urscript");
@@ -250,8 +271,7 @@ TEST_F(ExportTest, AProgramFromDiskIsJudgedByThePlanOnShow) {
   auto* found = bad->findChild<QListWidget*>("verifyFindings");
   ASSERT_GT(found->count(), 0);
   EXPECT_TRUE(found->item(0)->text().contains("line ")) << found->item(0)->text().toStdString();
-  if (qEnvironmentVariableIsSet("VOLUTA_SHOTS"))
-    bad->grab().save(qEnvironmentVariable("VOLUTA_SHOTS") + "/verify.png");
+  keepPicture(*bad, "verify");
   shut(bad);
 
   // No program at all: one line, and the window goes on.

@@ -11,6 +11,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QTest>
 #include <QTimer>
@@ -154,6 +155,14 @@ QImage WindowTest::picture() {
   EXPECT_TRUE(waitFor([&] { return frames > 0; }, 10000));
   QObject::disconnect(counting);
   return window().viewport().grabFrame().convertToFormat(QImage::Format_RGB32);
+}
+
+void keepPicture(QWidget& of, const char* name) {
+  const QString folder = qEnvironmentVariable("VOLUTA_TEST_PICTURES");
+  if (folder.isEmpty())
+    return;
+  QTest::qWait(500);
+  of.screen()->grabWindow(of.winId()).save(folder + "/" + name + ".png");
 }
 
 double differingShare(const QImage& a, const QImage& b) {

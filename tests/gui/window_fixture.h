@@ -84,6 +84,9 @@ protected:
   std::unique_ptr<window::MainWindow> window_;
 };
 
+// For who wants to see it: VOLUTA_TEST_PICTURES names a folder.
+void keepPicture(QWidget& of, const char* name);
+
 // Share of pixels that differ between two pictures of one size.
 double differingShare(const QImage& a, const QImage& b);
 

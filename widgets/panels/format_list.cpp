@@ -61,8 +61,10 @@ FormatList::FormatList(QWidget* parent) : QTreeWidget(parent) {
     if (column == kLabel)
       emit checkedChanged(checkedIds());
   });
-  connect(this, &QTreeWidget::currentItemChanged, this,
-          [this] { emit currentChangedTo(currentId()); });
+  connect(this, &QTreeWidget::currentItemChanged, this, [this] {
+    chosen_ = true;
+    emit currentChangedTo(currentId());
+  });
 }
 
 void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
@@ -79,13 +81,15 @@ void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
     if (format.id == current)
       setCurrentItem(item);
   }
+  const bool stays = chosen_ && currentItem();
   if (!currentItem() && topLevelItemCount() > 0)
     setCurrentItem(topLevelItem(0));
-  // A program that is there says more than a row without one.
+  // A program that is there says more than a row without one that nobody has chosen.
   const auto written = [](const ExportFormat& format) { return !format.files.empty(); };
   const int row = indexOfTopLevelItem(currentItem());
   const auto first = std::find_if(formats_.begin(), formats_.end(), written);
-  if (row >= 0 && !written(formats_[static_cast<std::size_t>(row)]) && first != formats_.end())
+  if (!stays && row >= 0 && !written(formats_[static_cast<std::size_t>(row)]) &&
+      first != formats_.end())
     setCurrentItem(topLevelItem(static_cast<int>(first - formats_.begin())));
   retranslate();
   updateGeometry();

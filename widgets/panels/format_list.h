@@ -61,6 +61,7 @@ private:
   void retranslate();
 
   std::vector<ExportFormat> formats_;
+  bool chosen_ = false; // was the current row chosen by mouse or keys?
 };
 
 } // namespace voluta::panels
