@@ -6,6 +6,7 @@
 #include "program/link_rows.h"
 #include "program/melfa.h"
 #include "program/melfa_motions.h"
+#include "program/melfa_taking.h"
 #include "program/melfa_text.h"
 #include "program/program_builder.h"
 #include "program/same_text.h"
@@ -23,6 +24,7 @@ namespace {
 constexpr std::string_view kId = "melfa-datalink", kTitle = "lines for a data link, MELFA-BASIC V",
                            kProgramNote = "# taken by ", kSenderNote = "# sent by ",
                            kTakes = "' Takes lines by data link", kOpen = "Open \"COM";
+constexpr MelfaTaking kTaking{"' Takes lines by data link, MELFA-BASIC V", kOpen, "3:"};
 constexpr std::size_t kNameCharacters = 7; // with "_link" 12
 
 // The same for every job. Lines wait in the controller, no more than a few, so that it always knows
@@ -161,51 +163,28 @@ std::string outputsNote(const process::Process& process) {
 }
 
 std::string programText(const ProgramInput& in, const Link& link) {
-  std::string out;
-  std::size_t count = 0;
-  const auto step = [&](std::string_view code) {
-    out += joined({std::to_string(++count), " ", code, "\r\n"});
-  };
-  step(joined({kTakes, ", MELFA-BASIC V"}));
-  for (const std::string& head : headLines(in, kMelfaMostCharacters - 12))
-    step(joined({"' ", head}));
-  step(joined({"' ", outputsNote(in.process)}));
+  std::vector<std::string> notes{outputsNote(in.process)};
   if (link.nozzle)
-    step("' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's");
-  step("' COM3 is the network: COMDEV's third OPT13, its CPRCE13 2, port 10003, the robot serves");
-  step(joined({"' ", kStartQuestion}));
-  for (std::string code : stepsFor(link)) {
-    if (code.starts_with(kOpen))
-      code.insert(kOpen.size(), "3:");
-    step(code);
-  }
-  return out;
+    notes.emplace_back("fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's");
+  notes.emplace_back(
+      "COM3 is the network: COMDEV's third OPT13, its CPRCE13 2, port 10003, the robot serves");
+  notes.emplace_back(kStartQuestion);
+  return melfaTakingText(in, kTaking, notes, stepsFor(link));
 }
 
 void readTaking(std::string_view text, const std::optional<Link>& link, ProgramBuilder& out) {
   if (!link)
     return;
-  const std::vector<std::string> wanted = stepsFor(*link);
-  std::size_t next = 0;
-  LineReader lines(text);
-  for (std::string_view line; lines.next(line);) {
-    out.line = lines.number();
-    std::size_t number = 0;
-    std::string code(trimmed(melfaCode(line, number)));
-    if (code.empty())
-      continue;
-    // COM1: to COM8:.
-    if (code.starts_with(kOpen) && code.size() > kOpen.size() + 1 && code[kOpen.size()] >= '1' &&
-        code[kOpen.size()] <= '8' && code[kOpen.size() + 1] == ':')
-      code.erase(kOpen.size(), 2);
-    if (next < wanted.size() && code == wanted[next]) {
-      ++next;
-      continue;
-    }
-    out.defect(base::message("not what takes these lines: '{code}'"_text, code.substr(0, 60)));
-    return;
-  }
-  if (next < wanted.size())
+  const MelfaTakingRead read = readMelfaTaking(
+      text, kTaking, stepsFor(*link),
+      [](std::string_view rest) -> std::size_t { // COM1: to COM8:
+        return rest.size() > 1 && rest[0] >= '1' && rest[0] <= '8' && rest[1] == ':' ? 2 : 0;
+      },
+      out);
+  if (!read.other.empty())
+    out.defect(
+        base::message("not what takes these lines: '{code}'"_text, read.other.substr(0, 60)));
+  else if (!read.complete)
     out.defect("the program that takes the lines was cut short"_text);
 }
 

@@ -5,6 +5,7 @@
 #include "program/job_head.h"
 #include "program/joint_rows_writer.h"
 #include "program/melfa.h"
+#include "program/melfa_taking.h"
 #include "program/melfa_text.h"
 #include "program/mxt_packets.h"
 #include "program/program_builder.h"
@@ -24,6 +25,8 @@ constexpr std::string_view kId = "melfa-stream", kTitle = "joint stream, MELFA M
                            kPacketsNote = "# as packets in ", kProgramNote = "# taken by ",
                            kSenderNote = "# sent by ", kCycleNote = "# a packet each ",
                            kTakes = "' Takes a stream", kOpen = "Open \"ENET:";
+constexpr MelfaTaking kTaking{"' Takes a stream by real-time control, MELFA-BASIC V", kOpen,
+                              "192.168.0.2"};
 constexpr double kCr750S = 0.00711, kCr800S = 0.0035, kStartRadPerS2 = 0.5;
 constexpr std::size_t kMostPackets = 5'000'000; // 1 GB
 constexpr std::size_t kNameCharacters = 8;      // with "_mxt" 12
@@ -91,48 +94,27 @@ std::vector<std::string> stepsFor(const JointRow& start) {
 }
 
 std::string programText(const ProgramInput& in, const JointRow& start) {
-  std::string out;
-  std::size_t steps = 0;
-  const auto step = [&](std::string_view code) {
-    out += joined({std::to_string(++steps), " ", code, "\r\n"});
-  };
-  step(joined({kTakes, " by real-time control, MELFA-BASIC V"}));
-  for (const std::string& head : headLines(in, kMelfaMostCharacters - 12))
-    step(joined({"' ", head}));
-  step(joined({"' ", outputsNote(in.process)}));
-  step("' the address behind ENET is the computer's that sends, to be set");
-  step(joined({"' ", kStartQuestion}));
-  for (std::string code : stepsFor(start)) {
-    if (code.starts_with(kOpen))
-      code.insert(kOpen.size(), "192.168.0.2");
-    step(code);
-  }
-  return out;
+  return melfaTakingText(in, kTaking,
+                         {outputsNote(in.process),
+                          "the address behind ENET is the computer's that sends, to be set",
+                          std::string(kStartQuestion)},
+                         stepsFor(start));
 }
 
 void readTaking(std::string_view text, const std::optional<JointRow>& start, ProgramBuilder& out) {
   if (!start)
     return;
-  const std::vector<std::string> wanted = stepsFor(*start);
-  std::size_t next = 0;
-  LineReader lines(text);
-  for (std::string_view line; lines.next(line);) {
-    out.line = lines.number();
-    std::size_t number = 0;
-    std::string code(trimmed(melfaCode(line, number)));
-    if (code.empty())
-      continue;
-    if (code.starts_with(kOpen))
-      if (const std::size_t quote = code.find('"', kOpen.size()); quote != std::string::npos)
-        code.erase(kOpen.size(), quote - kOpen.size());
-    if (next < wanted.size() && code == wanted[next]) {
-      ++next;
-      continue;
-    }
-    out.defect(base::message("not what takes this stream: '{code}'"_text, code.substr(0, 60)));
-    return;
-  }
-  if (next < wanted.size())
+  const MelfaTakingRead read = readMelfaTaking(
+      text, kTaking, stepsFor(*start),
+      [](std::string_view rest) {
+        const std::size_t quote = rest.find('"');
+        return quote == std::string_view::npos ? 0 : quote;
+      },
+      out);
+  if (!read.other.empty())
+    out.defect(
+        base::message("not what takes this stream: '{code}'"_text, read.other.substr(0, 60)));
+  else if (!read.complete)
     out.defect("the program that takes the stream was cut short"_text);
 }
 
