@@ -35,8 +35,6 @@ RunContext RunContext::sub(double lo, double hi) const {
 
 RunContext RunContext::quiet() const {
   RunContext silent = *this;
-  silent.lo_ = 0.0;
-  silent.hi_ = 1.0;
   silent.sink_ = {};
   return silent;
 }

@@ -96,6 +96,23 @@ std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::
   return hanging;
 }
 
+std::vector<HangingStretch> hangingStretches(const plan::ToolPlan& plan, const plan::ToolPath& path,
+                                             const std::vector<char>& hanging,
+                                             double longerThanMm) {
+  std::vector<HangingStretch> stretches;
+  const std::size_t end = path.first + path.count;
+  for (std::size_t b = path.first; b < end;) {
+    std::size_t e = b;
+    double length = 0.0;
+    for (; e < end && hanging[e]; ++e)
+      length += e > b ? (plan.position[e] - plan.position[e - 1]).norm() : 0.0;
+    if (length > longerThanMm)
+      stretches.push_back({b, e});
+    b = std::max(e, b + 1);
+  }
+  return stretches;
+}
+
 void slowBridges(plan::ToolPlan& plan, const std::vector<char>& hanging,
                  const process::Process& process) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");

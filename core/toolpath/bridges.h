@@ -25,6 +25,14 @@ std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::
                                    const platform::PlatformSolid& platform,
                                    const base::RunContext& ctx, int leastPlaces = 1);
 
+// Waypoints [begin, end) of a path that all hang.
+struct HangingStretch {
+  std::size_t begin = 0, end = 0;
+};
+// Those of a path that are longer, in order.
+std::vector<HangingStretch> hangingStretches(const plan::ToolPlan& plan, const plan::ToolPath& path,
+                                             const std::vector<char>& hanging, double longerThanMm);
+
 // How many of kPlacesAcross places across a bead are carried, as above, if it is laid `asideMm` to
 // the side of where it is planned: along direction x way.
 inline constexpr int kPlacesAcross = 8; // as programs are judged

@@ -18,10 +18,6 @@ constexpr double kStep = 0.0625; // beads
 constexpr double kMost = 0.5;    // beads
 constexpr double kSlope = 0.25;  // of the way along the path
 
-struct Stretch {
-  std::size_t begin, end;
-};
-
 class Drawer {
 public:
   Drawer(const plan::ToolPlan& plan, const collision::GrowingPart& part,
@@ -31,25 +27,12 @@ public:
   // Of the waypoints of a path.
   void draw(const plan::ToolPath& path, const std::vector<char>& hanging,
             std::vector<Vector3d>& moves) const {
-    const std::size_t end = path.first + path.count;
-    for (std::size_t b = path.first; b < end;) {
-      std::size_t e = b;
-      while (e < end && hanging[e])
-        ++e;
-      if (e > b && lengthOf(b, e) > 0.5 * process_.bridgeMm)
-        draw(path, Stretch{b, e}, moves);
-      b = std::max(e, b + 1);
-    }
+    for (const HangingStretch& stretch :
+         hangingStretches(plan_, path, hanging, 0.5 * process_.bridgeMm))
+      draw(path, stretch, moves);
   }
 
 private:
-  double lengthOf(std::size_t b, std::size_t e) const {
-    double length = 0.0;
-    for (std::size_t i = b + 1; i < e; ++i)
-      length += (plan_.position[i] - plan_.position[i - 1]).norm();
-    return length;
-  }
-
   // The least way to that side (-1, 1) at which enough of the bead is carried; 0: there is none.
   double least(const plan::ToolPath& path, std::size_t i, int side) const {
     const int steps = static_cast<int>(kMost / kStep);
@@ -61,7 +44,8 @@ private:
     return 0.0;
   }
 
-  void draw(const plan::ToolPath& path, const Stretch& s, std::vector<Vector3d>& moves) const {
+  void draw(const plan::ToolPath& path, const HangingStretch& s,
+            std::vector<Vector3d>& moves) const {
     std::vector<double> best;
     std::size_t most = 0;
     int side = 0;

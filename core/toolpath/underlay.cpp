@@ -91,19 +91,9 @@ public:
     std::map<std::size_t, std::vector<Course>> result;
     for (std::size_t k = 0; k < low_.plan.paths.size(); ++k) {
       const plan::ToolPath& path = low_.plan.paths[k];
-      const std::size_t end = path.first + path.count;
-      for (std::size_t b = path.first; b < end;) {
-        std::size_t e = b;
-        while (e < end && hanging_[e])
-          ++e;
-        if (e == b) {
-          ++b;
-          continue;
-        }
-        if (lengthOf(b, e) > 0.5 * process_.bridgeMm)
-          addCourses(b, e, low_.patchFirst[k], result[low_.path[k]]);
-        b = e;
-      }
+      for (const HangingStretch& s :
+           hangingStretches(low_.plan, path, hanging_, 0.5 * process_.bridgeMm))
+        addCourses(s.begin, s.end, low_.patchFirst[k], result[low_.path[k]]);
     }
     std::erase_if(result, [](const auto& entry) { return entry.second.empty(); });
     return result;

@@ -28,6 +28,15 @@ std::vector<Vector3d> samples(const robot::Shape& shape, double size, test::Rand
   return points;
 }
 
+// Of an upright bead.
+void addWaypoint(plan::ToolPlan& plan, const Vector3d& tip) {
+  plan.position.push_back(tip);
+  plan.direction.emplace_back(0, 0, 1);
+  plan.widthMm.push_back(1.2f);
+  plan.heightMm.push_back(0.8f);
+  plan.speedMmPerS.push_back(20);
+}
+
 } // namespace
 
 // FCL's distance of the polyhedra against the exact distances of points of one to the other.
@@ -207,13 +216,8 @@ TEST_F(CellCollisionTest, HeadAndPlatform) {
 
 TEST_F(CellCollisionTest, PartAndHead) {
   plan::ToolPlan plan;
-  for (int i = 0; i <= 30; ++i) {
-    plan.position.emplace_back(i - 15.0, 0, 0.8);
-    plan.direction.emplace_back(0, 0, 1);
-    plan.widthMm.push_back(1.2f);
-    plan.heightMm.push_back(0.8f);
-    plan.speedMmPerS.push_back(20);
-  }
+  for (int i = 0; i <= 30; ++i)
+    addWaypoint(plan, {i - 15.0, 0, 0.8});
   plan.paths.push_back({0, 31});
   const collision::GrowingPart part(plan, 0.2, {});
   const Isometry3d on = toolAt({0, 0, 0.8}, Vector3d::UnitZ(), 0),
@@ -240,15 +244,9 @@ TEST_F(CellCollisionTest, PartAndEveryBody) {
       if (collision::signedDistance(shape, ball.centre) > 0.0)
         continue;
       plan::ToolPlan plan;
-      for (const double x : {-0.5, 0.0, 0.5}) {
-        plan.position.push_back(work_T_base * frames[static_cast<std::size_t>(body.frame)] *
-                                    ball.centre +
-                                Vector3d(x, 0, 0.4));
-        plan.direction.emplace_back(0, 0, 1);
-        plan.widthMm.push_back(1.2f);
-        plan.heightMm.push_back(0.8f);
-        plan.speedMmPerS.push_back(20);
-      }
+      for (const double x : {-0.5, 0.0, 0.5})
+        addWaypoint(plan, work_T_base * frames[static_cast<std::size_t>(body.frame)] * ball.centre +
+                              Vector3d(x, 0, 0.4));
       plan.paths.push_back({0, 3});
       const collision::GrowingPart part(plan, 0.2, {});
       EXPECT_TRUE(collision.bodiesAndPart(frames, part, 3, {})) << b;

@@ -5,6 +5,7 @@
 #include "collision/growing_part.h"
 #include "layers/layer_stack.h"
 #include "process/bead_model.h"
+#include "straight_beads.h"
 #include "toolpath/bridges.h"
 
 #include <algorithm>
@@ -13,29 +14,10 @@
 #include <random>
 
 using namespace voluta;
+using namespace voluta::test;
 using Eigen::Vector3d;
 
 namespace {
-
-const process::Process kProcess = process::loadProcess("fdm-1.0");
-const platform::PlatformSolid kPlate{Eigen::Vector2d(-20, -20), {20, -20}, {20, 20}, {-20, 20}};
-
-void addPath(plan::ToolPlan& plan, double fromX, double toX, double y, double z, int patch,
-             float height = 0.8f) {
-  plan::ToolPath path;
-  path.first = plan.waypointCount();
-  path.patch = path.layer = patch;
-  const int steps = static_cast<int>(std::ceil(std::abs(toX - fromX)));
-  for (int k = 0; k <= steps; ++k) {
-    plan.position.emplace_back(fromX + (toX - fromX) * k / steps, y, z);
-    plan.direction.emplace_back(Vector3d::UnitZ());
-    plan.widthMm.push_back(1.2f);
-    plan.heightMm.push_back(height);
-    plan.speedMmPerS.push_back(20.0f);
-  }
-  path.count = plan.waypointCount() - path.first;
-  plan.paths.push_back(path);
-}
 
 toolpath::UnderlaidPlan underlaid(const plan::ToolPlan& plan,
                                   const platform::PlatformSolid& platform = kPlate) {
