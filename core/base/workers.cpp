@@ -5,7 +5,9 @@
 #include <thread>
 #include <vector>
 #else
+#include <algorithm>
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #endif
@@ -32,7 +34,8 @@ struct Workers::Pool {
 };
 #else
 struct Workers::Pool {
-  explicit Pool(int threads) : arena(threads) {}
+  // TBB has no more threads than the machine has cores, and warns of each arena that asks for more.
+  explicit Pool(int threads) : arena(std::min(threads, oneapi::tbb::info::default_concurrency())) {}
   oneapi::tbb::task_arena arena;
 
   void onEach(std::size_t count, const std::function<void(std::size_t)>& work) {
