@@ -1,6 +1,7 @@
 #include "toolpath/underlay.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/run_context.h"
 #include "collision/growing_part.h"
 #include "geometry/convex_polygon.h"
@@ -24,6 +25,7 @@ using Eigen::Vector3d;
 constexpr double kSlender = 6.0;          // widths: higher walls one bead wide tip over
 constexpr double kBreakShare = 1.0 / 7.0; // of a bead's height, between it and what carries it
 constexpr double kLeastShare = 0.5;       // of the least layer height: thinner beads don't hold
+constexpr double kUpright = 0.5;          // cosine of the most that courses lean over or aside
 
 void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction, float widthMm,
             float heightMm, float speedMmPerS) {
@@ -34,68 +36,53 @@ void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction
   plan.speedMmPerS.push_back(speedMmPerS);
 }
 
-struct Low {
-  plan::ToolPlan plan;
-  std::vector<std::size_t> waypoint, path; // of the whole plan
-  std::vector<std::size_t> patchFirst;     // a path: the first waypoint here of its patch
-};
-
-// The paths that come near the plate, in order: what is higher carries none of them.
-Low lowPaths(const plan::ToolPlan& plan, double belowMm) {
-  Low low;
-  for (std::size_t p = 0; p < plan.paths.size(); ++p) {
-    plan::ToolPath path = plan.paths[p];
-    const auto begin = plan.position.begin() + static_cast<std::ptrdiff_t>(path.first);
-    if (std::none_of(begin, begin + static_cast<std::ptrdiff_t>(path.count),
-                     [&](const Vector3d& tip) { return tip.z() < belowMm; }))
-      continue;
-    const std::size_t first = low.plan.waypointCount();
-    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-      plan::appendWaypoint(low.plan, plan, i);
-      low.waypoint.push_back(i);
-    }
-    path.first = first;
-    const bool goesOn = !low.path.empty() && low.plan.paths.back().patch == path.patch;
-    low.patchFirst.push_back(goesOn ? low.patchFirst.back() : first);
-    low.plan.paths.push_back(path);
-    low.path.push_back(p);
-  }
-  return low;
-}
-
-// One bead beneath another, laid upright: a waypoint each.
+// One bead beneath another: a waypoint each.
 struct Course {
-  std::vector<Vector3d> tip;
+  std::vector<Vector3d> tip, direction;
   std::vector<std::size_t> above; // waypoint of the bead that it is for
   std::vector<float> heightMm;
 
-  double meanHeight() const { // over the plate
+  double meanAlong(const Vector3d& up) const {
     double sum = 0.0;
     for (const Vector3d& t : tip)
-      sum += t.z();
+      sum += t.dot(up);
     return sum / static_cast<double>(tip.size());
   }
 };
 
+// What may be laid under a waypoint, along its direction.
+struct Room {
+  double mm = 0.0; // how thick; 0: nothing
+  Vector3d foot = Vector3d::Zero(), nozzle = Vector3d::UnitZ();
+};
+
 class Underlayer {
 public:
-  Underlayer(const plan::ToolPlan& all, const platform::PlatformSolid& platform,
+  Underlayer(const plan::ToolPlan& plan, const platform::PlatformSolid& platform,
              const robot::Cell& cell, const process::Process& process, const base::RunContext& ctx)
-      : platform_(platform), process_(process), head_(cell, process),
-        low_(lowPaths(all, kSlender * process.beadWidthMinMm + process.layerHeightMaxMm)),
-        part_(low_.plan, collision::growingPitch(low_.plan, process), ctx),
-        hanging_(hangingWaypoints(low_.plan, part_, platform, ctx)) {}
+      : plan_(plan), platform_(platform), process_(process), head_(cell, process),
+        part_(plan, collision::growingPitch(plan, process), ctx),
+        hanging_(hangingWaypoints(plan, part_, platform, ctx)), ctx_(ctx) {}
 
-  // By path of the whole plan, courses from the plate upwards.
+  // By path, courses from the lowest upwards.
   std::map<std::size_t, std::vector<Course>> courses() const {
+    std::vector<std::vector<Course>> of(plan_.paths.size());
+    std::vector<std::size_t> patchFirst(plan_.paths.size()); // its first waypoint
+    for (std::size_t p = 0; p < plan_.paths.size(); ++p)
+      patchFirst[p] = p > 0 && plan_.paths[p - 1].patch == plan_.paths[p].patch
+                          ? patchFirst[p - 1]
+                          : plan_.paths[p].first;
+    base::parallelChunks(ctx_, of.size(), 1, [&](std::size_t b, std::size_t e) {
+      for (std::size_t p = b; p < e && !ctx_.cancelled(); ++p)
+        for (const HangingStretch& s :
+             hangingStretches(plan_, plan_.paths[p], hanging_, 0.5 * process_.bridgeMm))
+          addCourses(s.begin, s.end, patchFirst[p], of[p]);
+    });
+    ctx_.checkpoint();
     std::map<std::size_t, std::vector<Course>> result;
-    for (std::size_t k = 0; k < low_.plan.paths.size(); ++k) {
-      const plan::ToolPath& path = low_.plan.paths[k];
-      for (const HangingStretch& s :
-           hangingStretches(low_.plan, path, hanging_, 0.5 * process_.bridgeMm))
-        addCourses(s.begin, s.end, low_.patchFirst[k], result[low_.path[k]]);
-    }
-    std::erase_if(result, [](const auto& entry) { return entry.second.empty(); });
+    for (std::size_t p = 0; p < of.size(); ++p)
+      if (!of[p].empty())
+        result.emplace(p, std::move(of[p]));
     return result;
   }
 
@@ -103,83 +90,103 @@ private:
   double lengthOf(std::size_t b, std::size_t e) const {
     double length = 0.0;
     for (std::size_t i = b + 1; i < e; ++i)
-      length += (low_.plan.position[i] - low_.plan.position[i - 1]).norm();
+      length += (plan_.position[i] - plan_.position[i - 1]).norm();
     return length;
   }
+  Vector3d bottomOf(std::size_t i) const {
+    return plan_.position[i] - static_cast<double>(plan_.heightMm[i]) * plan_.direction[i];
+  }
 
-  // How thick the beads under a waypoint may be together, along its direction, laid before another
-  // waypoint; 0: none can be laid.
-  double roomBeneath(std::size_t i, std::size_t before) const {
-    const Vector3d& d = low_.plan.direction[i];
-    if (d.z() < 0.5)
-      return 0.0;
-    const auto height = static_cast<double>(low_.plan.heightMm[i]);
-    const Vector3d bottom = low_.plan.position[i] - height * d;
-    const double gap = bottom.z() / d.z();
-    const Vector3d foot = bottom - gap * d;
-    if (gap <= 0.0 || gap > kSlender * process_.beadWidthMinMm ||
-        !geometry::inConvexPolygon(platform_.polygon, foot.head<2>()))
-      return 0.0;
-    const double step = part_.grid().pitch;
-    for (double depth = 0.5 * step; depth < gap; depth += step)
-      if (part_.holds(bottom - depth * d, i))
+  // From the bottom of a bead to what is there before another waypoint; 0: nothing is, or something
+  // comes in between before this one.
+  double gapBeneath(std::size_t i, std::size_t before) const {
+    const Vector3d& d = plan_.direction[i];
+    const Vector3d bottom = bottomOf(i);
+    const double most = kSlender * process_.beadWidthMinMm;
+    const double plate = d.z() >= kUpright ? bottom.z() / d.z() : 2.0 * most;
+    const double pitch = part_.grid().pitch, step = 0.25 * pitch;
+    for (double depth = 0.5 * step; depth <= std::min(most, plate); depth += step) {
+      const Vector3d at = bottom - depth * d;
+      if (part_.holds(at, before))
+        return depth > pitch ? depth - 0.5 * step : 0.0;
+      if (part_.holds(at, i))
         return 0.0;
-    const double least = kLeastShare * process_.layerHeightMinMm;
-    const double apart = gap - kBreakShare * height;
-    const double room = apart >= least ? apart : gap;
-    const Vector3d top(0.0, 0.0, 0.5 * room * d.z());
-    return room >= least &&
-                   head_.clears(part_, foot + 0.5 * room * d + top, Vector3d::UnitZ(), before)
-               ? room
+    }
+    return plate > 0.0 && plate <= most &&
+                   geometry::inConvexPolygon(platform_.polygon, (bottom - plate * d).head<2>())
+               ? plate
                : 0.0;
   }
 
+  Room roomBeneath(std::size_t i, std::size_t before) const {
+    const Vector3d& d = plan_.direction[i];
+    const double gap = gapBeneath(i, before);
+    const double least = kLeastShare * process_.layerHeightMinMm;
+    const double apart = gap - kBreakShare * static_cast<double>(plan_.heightMm[i]);
+    Room room{apart >= least ? apart : gap, bottomOf(i) - gap * d};
+    if (room.mm < least)
+      return {};
+    const Vector3d middle = room.foot + 0.5 * room.mm * d;
+    for (const Vector3d& nozzle : {Vector3d(Vector3d::UnitZ()), d})
+      if (nozzle.dot(d) >= kUpright &&
+          head_.clears(part_, middle + 0.5 * room.mm * d.dot(nozzle) * nozzle, nozzle, before)) {
+        room.nozzle = nozzle;
+        return room;
+      }
+    return {};
+  }
+
+  // As many courses as the thickest place needs, where the thinnest bears so many.
+  int coursesFor(double mostMm) const {
+    return static_cast<int>(std::ceil(mostMm / process_.layerHeightMaxMm - 1e-9));
+  }
+
   void addCourses(std::size_t b, std::size_t e, std::size_t before, std::vector<Course>& to) const {
-    std::vector<double> room(e - b);
+    std::vector<Room> room(e - b);
     for (std::size_t i = b; i < e; ++i)
       room[i - b] = roomBeneath(i, before);
+    const double thinnest = kLeastShare * process_.layerHeightMinMm;
     for (std::size_t s = b; s < e;) {
-      if (room[s - b] <= 0.0) {
-        ++s;
-        continue;
+      double most = room[s - b].mm, least = most;
+      std::size_t t = s + 1;
+      for (; most > 0.0 && t < e; ++t) {
+        const double mm = room[t - b].mm;
+        if (mm <= 0.0 || coursesFor(std::max(most, mm)) * thinnest > std::min(least, mm) + 1e-9)
+          break;
+        most = std::max(most, mm);
+        least = std::min(least, mm);
       }
-      std::size_t t = s;
-      double most = 0.0;
-      while (t < e && room[t - b] > 0.0)
-        most = std::max(most, room[t++ - b]);
       // Too short a bead does not stick.
-      if (t - s >= 2 && lengthOf(s, t) > process_.beadWidthMm)
-        stack(s, t, room.data() + (s - b), most, to);
+      if (most > 0.0 && t - s >= 2 && lengthOf(s, t) > process_.beadWidthMm)
+        stack(s, t, room.data() + (s - b), coursesFor(most), to);
       s = t;
     }
   }
 
-  void stack(std::size_t s, std::size_t t, const double* room, double most,
+  void stack(std::size_t s, std::size_t t, const Room* room, int count,
              std::vector<Course>& to) const {
-    const int count = static_cast<int>(std::ceil(most / process_.layerHeightMaxMm - 1e-9));
     for (int c = 0; c < count; ++c) {
       Course course;
       for (std::size_t i = s; i < t; ++i) {
-        const Vector3d& d = low_.plan.direction[i];
-        const Vector3d bottom =
-            low_.plan.position[i] - static_cast<double>(low_.plan.heightMm[i]) * d;
-        const Vector3d foot = bottom - bottom.z() / d.z() * d;
-        const double height = room[i - s] / count;
-        const double upright = height * d.z();
-        course.tip.push_back(foot + (c + 0.5) * height * d + 0.5 * upright * Vector3d::UnitZ());
-        course.heightMm.push_back(static_cast<float>(upright));
-        course.above.push_back(low_.waypoint[i]);
+        const Vector3d& d = plan_.direction[i];
+        const Room& r = room[i - s];
+        const double height = r.mm / count, laid = height * d.dot(r.nozzle);
+        course.tip.push_back(r.foot + (c + 0.5) * height * d + 0.5 * laid * r.nozzle);
+        course.direction.push_back(r.nozzle);
+        course.heightMm.push_back(static_cast<float>(laid));
+        course.above.push_back(i);
       }
       to.push_back(std::move(course));
     }
   }
 
+  const plan::ToolPlan& plan_;
   const platform::PlatformSolid& platform_;
   const process::Process& process_;
   HeadClearance head_;
-  Low low_;
   collision::GrowingPart part_;
   std::vector<char> hanging_;
+  const base::RunContext& ctx_;
 };
 
 } // namespace
@@ -209,7 +216,7 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     for (std::size_t i = 0; i < course.tip.size(); ++i) {
       const std::size_t above = course.above[i];
       const double section = sectionOf(course.heightMm[i]);
-      append(out.plan, course.tip[i], Vector3d::UnitZ(), width, course.heightMm[i],
+      append(out.plan, course.tip[i], course.direction[i], width, course.heightMm[i],
              static_cast<float>(std::min(process.speedMmPerS, process.maxFlowMm3PerS / section)));
       out.clearDirection.push_back(was.clearDirection[above]);
       if (i > 0)
@@ -234,7 +241,11 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
         for (const Course& course : found->second)
           beneath.emplace_back(&course, &was.plan.paths[q]);
       }
-      std::ranges::stable_sort(beneath, {}, [](const auto& b) { return b.first->meanHeight(); });
+      Vector3d up = Vector3d::Zero();
+      for (const auto& [course, under] : beneath)
+        for (const Vector3d& d : course->direction)
+          up += d;
+      std::ranges::stable_sort(beneath, {}, [&](const auto& b) { return b.first->meanAlong(up); });
       for (const auto& [course, under] : beneath)
         addCourse(*course, *under);
     }

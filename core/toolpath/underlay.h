@@ -1,4 +1,4 @@
-// Beads of support under beads that would hang just over the plate.
+// Beads of support under beads that would hang just over the plate or over what is printed.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -24,15 +24,16 @@ struct UnderlaidPlan {
   Eigen::Vector3d where = Eigen::Vector3d::Zero(); // of the first; meaningless where there is none
 };
 
-// The rims of round feet widen by more than a bead within a layer, and bellies close just over the
-// plate: what is laid there hangs a few layers over it. Where a stretch that nothing carries
-// (bridges.h) is longer than half of what the process bridges, and the plate is within six of the
-// narrowest bead's widths beneath it, beads of support as thick as layers may be are laid on the
-// plate under it, along its own curve, before the first path of its patch; they end a seventh of
-// its height under it, so that they come off. The nozzle lays them upright. Nothing is laid in what
-// is printed before, nor where the head would cut into what is as low as that. Paths keep their
-// order. Precondition: one clear direction a waypoint. Over bodies and rods: as it was. Throws
-// Cancelled.
+// The rims of round feet widen by more than a bead within a layer, bellies close just over the
+// plate, roofs just over what is printed: what is laid there hangs a few layers over it. Where a
+// stretch that nothing carries (bridges.h) is longer than half of what the process bridges, and the
+// plate, or what is printed before its patch, is within six of the narrowest bead's widths beneath
+// it (a wall of one bead stands so high by itself), beads of support as thick as layers may be are
+// laid on that under it, along its own curve, before the first path of its patch; they end a
+// seventh of its height under it, so that they come off. The nozzle lays them upright, or as it
+// lays what they carry where only so the head clears what stands there. Nothing is laid in what is
+// printed before. Paths keep their order. Precondition: one clear direction a waypoint. Over bodies
+// and rods: as it was. Throws Cancelled.
 UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Eigen::Vector3d> clearDirection,
                        const platform::PlatformSolid& platform, const robot::Cell& cell,
                        const process::Process& process, const base::RunContext& ctx);

@@ -31,6 +31,7 @@ constexpr std::array<const char*, 5> kKinds = {"wall", "infill", "gap", "skirt",
 // left and to the right, the first material lies.
 struct Beneath {
   double carried = 0.0, leftMm = 0.0, rightMm = 0.0;
+  double downMm = 0.0; // to the first material beneath, along its direction
 };
 Beneath beneath(const replay::BeadPiece& piece, std::uint32_t index,
                 const replay::PrintedPart& printed, const replay::GroundProbe& ground) {
@@ -62,6 +63,11 @@ Beneath beneath(const replay::BeadPiece& piece, std::uint32_t index,
   if (out.carried < 0.5) {
     out.leftMm = reach(1.0);
     out.rightMm = reach(-1.0);
+    for (; out.downMm < 12.0; out.downMm += 0.1) {
+      const Vector3d at = tip - (height + out.downMm) * up;
+      if (printed.printedAt(at, moment) || ground.holds(at, 0.25 * width))
+        break;
+    }
   }
   return out;
 }
@@ -154,13 +160,19 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
   std::printf("  %zu runs over %.1f mm\n", runs.size(), process.bridgeMm);
   for (std::size_t r = 0; r < std::min(runs.size(), static_cast<std::size_t>(listed)); ++r) {
     const Run& run = runs[r];
-    double h = 0, w = 0, near = 0, far = 0, lean = 0;
+    double h = 0, w = 0, near = 0, far = 0, lean = 0, down = 0, within = 0, later = 0;
     const double n = static_cast<double>(run.end - run.first);
     for (std::size_t p = run.first; p < run.end; ++p) {
       h += static_cast<double>(pieces[p].toHeightMm) / n;
       w += replay::sectionOf(pieces[p], 10.0).widthMm / n;
       near += std::min(under[p].leftMm, under[p].rightMm) / n;
       far += std::max(under[p].leftMm, under[p].rightMm) / n;
+      down += under[p].downMm / n;
+      const Vector3d gap =
+          pieces[p].to - (static_cast<double>(pieces[p].toHeightMm) + 0.5 * under[p].downMm) *
+                             pieces[p].toDirection;
+      within += query.inside(gap) ? 1 / n : 0;
+      later += printed.printedAt(gap, {static_cast<std::uint32_t>(pieces.size())}) ? 1 / n : 0;
       const auto hit = query.closest(pieces[p].to - 0.5 * h * pieces[p].toDirection);
       const auto& t = part.triangles[static_cast<std::size_t>(hit.triangle)];
       const Vector3d normal = (part.vertices[static_cast<std::size_t>(t[1])] -
@@ -174,7 +186,7 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
     const std::size_t of = static_cast<std::size_t>(&path - plan.paths.data());
     const Vector3d at = pieces[(run.first + run.end) / 2].to;
     std::printf("    %6.1f mm of %7.1f  layer %4d patch %4d path %5zu %-7s %s h %.2f w %.2f "
-                "aside %.2f/%.2f lean %5.1f  at (%.1f %.1f %.1f)\n",
+                "aside %.2f/%.2f down %.1f in %.2f later %.2f lean %5.1f  at (%.1f %.1f %.1f)\n",
                 run.lengthMm,
                 static_cast<double>(std::ranges::max(std::vector<float>(
                     1,
@@ -186,7 +198,8 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
                       return most;
                     }()))),
                 path.layer, path.patch, of, kKinds[static_cast<std::size_t>(path.kind)],
-                path.closed ? "ring" : "open", h, w, near, far, lean, at.x(), at.y(), at.z());
+                path.closed ? "ring" : "open", h, w, near, far, down, within, later, lean, at.x(),
+                at.y(), at.z());
   }
 }
 

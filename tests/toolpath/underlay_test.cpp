@@ -126,6 +126,50 @@ TEST(Underlay, SeveralCoursesWhereOneWouldBeThickerThanALayer) {
   EXPECT_NEAR(top, 2.1 - 0.8 / 7.0, 1e-6);
 }
 
+// A roof two layers over a slab, on posts' height: beads stand on the slab.
+TEST(Underlay, StandsOnWhatIsPrinted) {
+  plan::ToolPlan plan;
+  for (int layer = 0; layer < 8; ++layer)
+    addPath(plan, -15, 15, 0, 0.8 * (layer + 1), layer);
+  addPath(plan, -15, 15, 0, 6.4 + 3.0, 8);
+  const toolpath::UnderlaidPlan out = underlaid(plan);
+  EXPECT_EQ(out.underlaid, 1u);
+  ASSERT_EQ(out.plan.paths.size(), 12u);
+  double top = 6.4;
+  for (std::size_t p = 8; p < 11; ++p) {
+    const plan::ToolPath& under = out.plan.paths[p];
+    EXPECT_EQ(under.kind, plan::PathKind::Support);
+    const auto height = static_cast<double>(out.plan.heightMm[under.first]);
+    // What is printed is told by its cells.
+    EXPECT_NEAR(out.plan.position[under.first].z() - height, top, 0.2);
+    top = out.plan.position[under.first].z();
+  }
+  EXPECT_NEAR(top, 6.4 + 2.2 - 0.8 / 7.0, 1e-6);
+  EXPECT_EQ(std::ranges::count(hangingOf(out.plan), 1), 0);
+}
+
+// Seen from the side: where the nozzle comes aslant beside a wall, beads beneath are laid so too.
+TEST(Underlay, LeansWhereOnlySoTheHeadGetsIn) {
+  const Vector3d aslant = Vector3d(0.0, -1.0, 1.0).normalized();
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8, 0);
+  for (int layer = 1; layer < 30; ++layer)
+    addPath(plan, -15, 15, 2.4, 0.8 * layer, layer);
+  addPath(plan, -15, 15, 0.0, 3.6, 30);
+  const plan::ToolPath& roof = plan.paths.back();
+  for (std::size_t i = roof.first; i < roof.first + roof.count; ++i)
+    plan.direction[i] = aslant;
+  const toolpath::UnderlaidPlan out = underlaid(plan);
+  std::size_t laid = 0;
+  for (const plan::ToolPath& path : out.plan.paths) {
+    if (path.kind != plan::PathKind::Support)
+      continue;
+    for (std::size_t i = path.first; i < path.first + path.count; ++i, ++laid)
+      EXPECT_EQ(out.plan.direction[i], aslant);
+  }
+  EXPECT_GT(laid, 30u);
+}
+
 // By the hundred: of what is laid, nothing is in what was laid before it, and nothing hangs.
 TEST(Underlay, RandomFeet) {
   std::size_t laid = 0;
@@ -151,12 +195,14 @@ TEST(Underlay, RandomFeet) {
       if (path.kind != plan::PathKind::Support)
         continue;
       ++laid;
+      EXPECT_TRUE(toolpath::hangingStretches(out.plan, path, hanging, kProcess.beadWidthMm).empty())
+          << seed << ": " << out.plan.position[path.first].transpose();
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-        EXPECT_EQ(hanging[i], 0);
         EXPECT_GE(out.plan.position[i].z() - static_cast<double>(out.plan.heightMm[i]), -1e-5);
+        // Cells are told by their centres: half of one nearer to what it lies on.
         const Vector3d middle =
-            out.plan.position[i] -
-            0.5 * static_cast<double>(out.plan.heightMm[i]) * out.plan.direction[i];
+            out.plan.position[i] +
+            0.5 * (pitch - static_cast<double>(out.plan.heightMm[i])) * out.plan.direction[i];
         EXPECT_FALSE(part.holds(middle, path.first)) << seed << ": " << middle.transpose();
       }
     }
