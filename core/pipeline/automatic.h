@@ -1,4 +1,4 @@
-// Mode auto: the first way of building that nothing blocks.
+// Mode auto: the first way of building that nothing blocks and of which no bead hangs too far.
 #pragma once
 
 #include "base/text.h"

@@ -18,7 +18,8 @@ namespace voluta::pipeline {
 
 namespace {
 
-// Several plans: ways of building in turn, until nothing blocks one.
+// Several plans: ways of building in turn, until nothing blocks one and no bead of it hangs over
+// more than the material bridges. Where all that pass hang, the one that hangs least is taken.
 class Automatic {
 public:
   Automatic(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
@@ -56,8 +57,13 @@ public:
       PlanResult& result = std::get<PlanResult>(outcome);
       tried_.push_back(triedAs(ways[i], result.job));
       if (tried_.back().passed) {
-        tried_.back().taken = true;
-        return told(std::move(result));
+        if (tried_.back().reason.empty())
+          return taken(tried_.size() - 1, std::move(result));
+        if (!hanging_ || longestOf(result) < longestOf(*hanging_)) {
+          hanging_ = std::move(result);
+          hangingTried_ = tried_.size() - 1;
+        }
+        continue;
       }
       if (!best || *result.job.reached > furthest_) {
         best = ways[i];
@@ -65,10 +71,14 @@ public:
         bestTried_ = tried_.size() - 1;
       }
     }
+    if (hanging_) {
+      if (onStage_)
+        onStage_(*hanging_->job.reached, *hanging_);
+      return taken(hangingTried_, std::move(*hanging_));
+    }
     if (!best)
       throw *error_;
-    tried_[bestTried_].taken = true;
-    return told(plan(*best, false, ctx_.quiet()));
+    return taken(bestTried_, plan(*best, false, ctx_.quiet()));
   }
 
 private:
@@ -80,14 +90,21 @@ private:
   static project::TriedReport triedAs(const project::Choices& way, const project::Job& job) {
     const project::Report& report = job.report;
     const auto blocking = std::ranges::find_if(report.findings, &plan::Finding::blocking);
-    const bool passed = blocking == report.findings.end();
+    const auto why = blocking != report.findings.end()
+                         ? blocking
+                         : std::ranges::find(report.findings, plan::FindingKind::LongBridge,
+                                             &plan::Finding::kind);
     return {.mode = way.mode,
             .platform = way.platform.text(),
-            .passed = passed,
+            .passed = blocking == report.findings.end(),
             .stage = std::string(project::stageName(*job.reached)),
-            .reason = passed ? base::Message() : plan::reasonOf(*blocking)};
+            .reason = why == report.findings.end() ? base::Message() : plan::reasonOf(*why)};
   }
-  PlanResult told(PlanResult result) {
+  static double longestOf(const PlanResult& result) {
+    return result.job.report.replay.longestUnsupportedMm;
+  }
+  PlanResult taken(std::size_t tried, PlanResult result) {
+    tried_[tried].taken = true;
     result.job.report.tried = std::move(tried_);
     result.job.report.timings.total = whole_.seconds();
     return result;
@@ -101,7 +118,9 @@ private:
   const StageObserver& onStage_;
   const PreviewObserver& onPreview_;
   std::vector<project::TriedReport> tried_;
-  std::size_t bestTried_ = 0; // its place among them
+  std::size_t bestTried_ = 0;         // its place among them
+  std::optional<PlanResult> hanging_; // passed, but a bead of it hangs
+  std::size_t hangingTried_ = 0;
   project::Stage furthest_{};
   std::optional<base::Error> error_; // of the first way that could not be planned
 };

@@ -6,6 +6,7 @@
 #include "geometry/convex_polygon.h"
 
 #include <algorithm>
+#include <array>
 
 namespace voluta::toolpath {
 
@@ -13,12 +14,25 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBelow = 0.25;
+// As programs are judged: any of these heights below the tip; what the same bead laid over so much
+// of its way, or two widths, carries nothing.
+constexpr std::array kBelow{1.05, 1.15, 1.25};
+constexpr double kSoftMm = 3.0;
 
 Vector3d along(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i) {
   const std::size_t before = i > path.first ? i - 1 : i,
                     after = i + 1 < path.first + path.count ? i + 1 : i;
   return plan.position[after] - plan.position[before];
+}
+
+// The first waypoint of what the path has laid just before another.
+std::size_t softSince(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i) {
+  double length = std::max(kSoftMm, 2.0 * static_cast<double>(plan.widthMm[i]));
+  while (i > path.first && length > 0.0) {
+    length -= (plan.position[i] - plan.position[i - 1]).norm();
+    --i;
+  }
+  return i;
 }
 
 bool onPlate(const platform::PlatformSolid& platform, const Vector3d& point) {
@@ -60,16 +74,16 @@ int carriedPlaces(const plan::ToolPlan& plan, const plan::ToolPath& path, std::s
                   const platform::PlatformSolid& platform) {
   const auto height = static_cast<double>(plan.heightMm[waypoint]);
   const Vector3d side = sideOf(plan, path, waypoint);
-  // Cells whose centre is in the bead itself reach below it by half their size.
-  const double depth = height + std::max(kBelow * height, part.grid().pitch);
-  const Vector3d beneath =
-      plan.position[waypoint] - depth * plan.direction[waypoint] + asideMm * side;
+  const std::size_t before = softSince(plan, path, waypoint);
+  const Vector3d tip = plan.position[waypoint] + asideMm * side;
   int places = 0;
   for (int k = 0; k < kPlacesAcross; ++k) {
     const double aside =
         ((k + 0.5) / kPlacesAcross - 0.5) * static_cast<double>(plan.widthMm[waypoint]);
-    const Vector3d point = beneath + aside * side;
-    places += onPlate(platform, point) || part.holds(point, waypoint) ? 1 : 0;
+    places += std::ranges::any_of(kBelow, [&](double share) {
+      const Vector3d point = tip + aside * side - share * height * plan.direction[waypoint];
+      return onPlate(platform, point) || part.holds(point, before);
+    });
   }
   return places;
 }

@@ -17,8 +17,8 @@ class RunContext;
 namespace voluta::toolpath {
 
 // Per waypoint, 1: neither the platform nor what is laid before lies right beneath the bead, at any
-// of eight places across its width (at fewer than `leastPlaces`), a layer's height and a quarter
-// more (a cell of `part` at least) below the tip. Stretches of a path shorter than a bead's width
+// of eight places across its width (at fewer than `leastPlaces`), within its height and a quarter
+// more below the tip. Stretches of a path shorter than a bead's width
 // do not count, neither do such breaks of longer ones, nor what is waste. `part`: the plan's beads
 // with its ground. Throws Cancelled.
 std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::GrowingPart& part,

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
+#include "base/units.h"
 #include "collision/growing_part.h"
 #include "geometry/convex_polygon.h"
 #include "layers/layer_stack.h"
@@ -10,8 +11,10 @@
 #include "process/bead_model.h"
 #include "toolpath/bridges.h"
 #include "toolpath/head_clearance.h"
+#include "toolpath/thickened.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -22,10 +25,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSlender = 6.0;          // widths: higher walls one bead wide tip over
-constexpr double kBreakShare = 1.0 / 7.0; // of a bead's height, between it and what carries it
-constexpr double kLeastShare = 0.5;       // of the least layer height: thinner beads don't hold
-constexpr double kUpright = 0.5;          // cosine of the most that courses lean over or aside
+constexpr double kSlender = 6.0;           // widths: higher walls tip over
+constexpr double kBreakShare = 1.0 / 14.0; // of a bead's height, between it and what carries it
+constexpr double kLeastShare = 0.5;        // of the least layer height: thinner beads don't hold
+constexpr std::array kLeansDeg{20.0, -20.0, 40.0, -40.0};
+constexpr double kUpright = 0.5; // cosine of the most that courses lean over or aside
 
 void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction, float widthMm,
             float heightMm, float speedMmPerS) {
@@ -41,6 +45,7 @@ struct Course {
   std::vector<Vector3d> tip, direction;
   std::vector<std::size_t> above; // waypoint of the bead that it is for
   std::vector<float> heightMm;
+  double widthMm = 0.0;
 
   double meanAlong(const Vector3d& up) const {
     double sum = 0.0;
@@ -58,11 +63,12 @@ struct Room {
 
 class Underlayer {
 public:
-  Underlayer(const plan::ToolPlan& plan, const platform::PlatformSolid& platform,
+  // `hanging`: hangingWaypoints() of the plan and its beads.
+  Underlayer(const plan::ToolPlan& plan, const collision::GrowingPart& part,
+             const std::vector<char>& hanging, const platform::PlatformSolid& platform,
              const robot::Cell& cell, const process::Process& process, const base::RunContext& ctx)
-      : plan_(plan), platform_(platform), process_(process), head_(cell, process),
-        part_(plan, collision::growingPitch(plan, process), ctx),
-        hanging_(hangingWaypoints(plan, part_, platform, ctx)), ctx_(ctx) {}
+      : plan_(plan), part_(part), hanging_(hanging), platform_(platform), process_(process),
+        head_(cell, process), ctx_(ctx) {}
 
   // By path, courses from the lowest upwards.
   std::map<std::size_t, std::vector<Course>> courses() const {
@@ -76,7 +82,7 @@ public:
       for (std::size_t p = b; p < e && !ctx_.cancelled(); ++p)
         for (const HangingStretch& s :
              hangingStretches(plan_, plan_.paths[p], hanging_, 0.5 * process_.bridgeMm))
-          addCourses(s.begin, s.end, patchFirst[p], of[p]);
+          addCourses(p, s.begin, s.end, patchFirst[p], of[p]);
     });
     ctx_.checkpoint();
     std::map<std::size_t, std::vector<Course>> result;
@@ -102,7 +108,7 @@ private:
   double gapBeneath(std::size_t i, std::size_t before) const {
     const Vector3d& d = plan_.direction[i];
     const Vector3d bottom = bottomOf(i);
-    const double most = kSlender * process_.beadWidthMinMm;
+    const double most = kSlender * process_.beadWidthMaxMm;
     const double plate = d.z() >= kUpright ? bottom.z() / d.z() : 2.0 * most;
     const double pitch = part_.grid().pitch, step = 0.25 * pitch;
     for (double depth = 0.5 * step; depth <= std::min(most, plate); depth += step) {
@@ -126,14 +132,38 @@ private:
     Room room{apart >= least ? apart : gap, bottomOf(i) - gap * d};
     if (room.mm < least)
       return {};
-    const Vector3d middle = room.foot + 0.5 * room.mm * d;
-    for (const Vector3d& nozzle : {Vector3d(Vector3d::UnitZ()), d})
-      if (nozzle.dot(d) >= kUpright &&
-          head_.clears(part_, middle + 0.5 * room.mm * d.dot(nozzle) * nozzle, nozzle, before)) {
-        room.nozzle = nozzle;
-        return room;
+    return room;
+  }
+
+  // Does the head clear what is there, at the lowest and at the highest of the beads in a room?
+  bool clears(const Room& room, std::size_t i, std::size_t before) const {
+    const Vector3d& d = plan_.direction[i];
+    const double lowest = std::min(room.mm, process_.layerHeightMaxMm);
+    const auto at = [&](double from, double to) {
+      return head_.clears(part_,
+                          room.foot + 0.5 * (from + to) * d +
+                              0.5 * (to - from) * d.dot(room.nozzle) * room.nozzle,
+                          room.nozzle, before);
+    };
+    return room.nozzle.dot(d) >= kUpright && at(0.0, lowest) && at(room.mm - lowest, room.mm);
+  }
+
+  // Ways to hold the nozzle over a stretch, the best first: upright, as what lies above is laid,
+  // leaning to either side of the way.
+  std::vector<std::vector<Vector3d>> nozzles(std::size_t path, std::size_t b, std::size_t e) const {
+    std::vector<std::vector<Vector3d>> ways(2 + kLeansDeg.size());
+    for (std::size_t i = b; i < e; ++i) {
+      ways[0].push_back(Vector3d::UnitZ());
+      ways[1].push_back(plan_.direction[i]);
+      const Vector3d side = sideOf(plan_, plan_.paths[path], i);
+      const Vector3d level = Vector3d(side.x(), side.y(), 0.0);
+      for (std::size_t k = 0; k < kLeansDeg.size(); ++k) {
+        const double lean = base::degreesToRadians(kLeansDeg[k]);
+        ways[2 + k].push_back(std::cos(lean) * Vector3d::UnitZ() +
+                              std::sin(lean) * level.stableNormalized());
       }
-    return {};
+    }
+    return ways;
   }
 
   // As many courses as the thickest place needs, where the thinnest bears so many.
@@ -141,10 +171,39 @@ private:
     return static_cast<int>(std::ceil(mostMm / process_.layerHeightMaxMm - 1e-9));
   }
 
-  void addCourses(std::size_t b, std::size_t e, std::size_t before, std::vector<Course>& to) const {
-    std::vector<Room> room(e - b);
+  // Rooms of a stretch with the nozzle held in the way that most of them bear.
+  std::vector<Room> roomsBeneath(std::size_t path, std::size_t b, std::size_t e,
+                                 std::size_t before) const {
+    std::vector<Room> rooms(e - b), best(e - b);
+    std::size_t any = 0, most = 0;
     for (std::size_t i = b; i < e; ++i)
-      room[i - b] = roomBeneath(i, before);
+      any += (rooms[i - b] = roomBeneath(i, before)).mm > 0.0 ? 1 : 0;
+    if (any == 0)
+      return best;
+    for (const std::vector<Vector3d>& way : nozzles(path, b, e)) {
+      std::vector<Room> clear(e - b);
+      std::size_t count = 0;
+      for (std::size_t i = b; i < e; ++i) {
+        Room room = rooms[i - b];
+        room.nozzle = way[i - b];
+        if (room.mm > 0.0 && clears(room, i, before)) {
+          clear[i - b] = room;
+          ++count;
+        }
+      }
+      if (count > most) {
+        most = count;
+        best = std::move(clear);
+      }
+      if (most == any)
+        break;
+    }
+    return best;
+  }
+
+  void addCourses(std::size_t path, std::size_t b, std::size_t e, std::size_t before,
+                  std::vector<Course>& to) const {
+    const std::vector<Room> room = roomsBeneath(path, b, e, before);
     const double thinnest = kLeastShare * process_.layerHeightMinMm;
     for (std::size_t s = b; s < e;) {
       double most = room[s - b].mm, least = most;
@@ -158,15 +217,18 @@ private:
       }
       // Too short a bead does not stick.
       if (most > 0.0 && t - s >= 2 && lengthOf(s, t) > process_.beadWidthMm)
-        stack(s, t, room.data() + (s - b), coursesFor(most), to);
+        stack(s, t, room.data() + (s - b), most, to);
       s = t;
     }
   }
 
-  void stack(std::size_t s, std::size_t t, const Room* room, int count,
+  void stack(std::size_t s, std::size_t t, const Room* room, double most,
              std::vector<Course>& to) const {
+    const int count = coursesFor(most);
     for (int c = 0; c < count; ++c) {
       Course course;
+      course.widthMm =
+          std::clamp(most / kSlender, process_.beadWidthMinMm, process_.beadWidthMaxMm);
       for (std::size_t i = s; i < t; ++i) {
         const Vector3d& d = plan_.direction[i];
         const Room& r = room[i - s];
@@ -181,11 +243,11 @@ private:
   }
 
   const plan::ToolPlan& plan_;
+  const collision::GrowingPart& part_;
+  const std::vector<char>& hanging_;
   const platform::PlatformSolid& platform_;
   const process::Process& process_;
   HeadClearance head_;
-  collision::GrowingPart part_;
-  std::vector<char> hanging_;
   const base::RunContext& ctx_;
 };
 
@@ -198,16 +260,18 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
   UnderlaidPlan out{std::move(plan), std::move(clearDirection)};
   if (platform.polygon.size() < 3 || platform.mesh || platform.rod || out.plan.paths.empty())
     return out;
-  const auto courses = Underlayer(out.plan, platform, cell, process, ctx).courses();
+  const collision::GrowingPart part(out.plan, collision::growingPitch(out.plan, process), ctx);
+  std::vector<char> hanging = hangingWaypoints(out.plan, part, platform, ctx);
+  thickenHanging(out.plan, hanging, part, process);
+  const auto courses = Underlayer(out.plan, part, hanging, platform, cell, process, ctx).courses();
   if (courses.empty())
     return out;
 
   const UnderlaidPlan was = std::exchange(out, {});
-  const auto width = static_cast<float>(process.beadWidthMinMm);
-  const auto sectionOf = [&](float height) {
-    return process::beadArea(static_cast<double>(width), static_cast<double>(height));
-  };
   const auto addCourse = [&](const Course& course, plan::ToolPath under) {
+    const auto sectionOf = [&](float height) {
+      return process::beadArea(course.widthMm, static_cast<double>(height));
+    };
     under.first = out.plan.waypointCount();
     under.count = course.tip.size();
     under.kind = plan::PathKind::Support;
@@ -216,7 +280,8 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     for (std::size_t i = 0; i < course.tip.size(); ++i) {
       const std::size_t above = course.above[i];
       const double section = sectionOf(course.heightMm[i]);
-      append(out.plan, course.tip[i], course.direction[i], width, course.heightMm[i],
+      append(out.plan, course.tip[i], course.direction[i], static_cast<float>(course.widthMm),
+             course.heightMm[i],
              static_cast<float>(std::min(process.speedMmPerS, process.maxFlowMm3PerS / section)));
       out.clearDirection.push_back(was.clearDirection[above]);
       if (i > 0)

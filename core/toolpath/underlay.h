@@ -26,14 +26,15 @@ struct UnderlaidPlan {
 
 // The rims of round feet widen by more than a bead within a layer, bellies close just over the
 // plate, roofs just over what is printed: what is laid there hangs a few layers over it. Where a
-// stretch that nothing carries (bridges.h) is longer than half of what the process bridges, and the
-// plate, or what is printed before its patch, is within six of the narrowest bead's widths beneath
-// it (a wall of one bead stands so high by itself), beads of support as thick as layers may be are
-// laid on that under it, along its own curve, before the first path of its patch; they end a
-// seventh of its height under it, so that they come off. The nozzle lays them upright, or as it
-// lays what they carry where only so the head clears what stands there. Nothing is laid in what is
-// printed before. Paths keep their order. Precondition: one clear direction a waypoint. Over bodies
-// and rods: as it was. Throws Cancelled.
+// stretch that nothing carries (bridges.h) is longer than half of what the process bridges, its
+// beads are laid thicker where that is enough (thickened.h). Where the plate, or what is printed
+// before its patch, is within six of the widest bead's widths beneath it, beads of support as thick
+// as layers may be are laid on that under it, along its own curve, before the first path of its
+// patch: as narrow as walls six times as high may be, since higher ones tip over. They end a
+// fourteenth of its height under it, so that they come off. The nozzle lays them upright; where its
+// head would cut into what stands there, as it lays what they carry, or leaning to either side.
+// Nothing is laid in what is printed before. Paths keep their order. Precondition: one clear
+// direction a waypoint. Over bodies and rods: as it was. Throws Cancelled.
 UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Eigen::Vector3d> clearDirection,
                        const platform::PlatformSolid& platform, const robot::Cell& cell,
                        const process::Process& process, const base::RunContext& ctx);

@@ -5,6 +5,7 @@
 // --keep: plans up to the decomposition are kept in DIR and read from there.
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "collision/growing_part.h"
 #include "geometry/mesh_query.h"
 #include "helpers/laid_beads.h"
 #include "pipeline/road.h"
@@ -12,6 +13,7 @@
 #include "replay/coverage.h"
 #include "replay/ground.h"
 #include "replay/printed_part.h"
+#include "toolpath/bridges.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -118,6 +120,10 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
               planned.job.report.layers.thicknessStdMm, planned.job.report.layers.thicknessP01Mm,
               planned.job.report.layers.thicknessP99Mm);
 
+  // What the tool-paths' own stage takes for hanging.
+  const collision::GrowingPart growing(plan, collision::growingPitch(plan, process), ctx);
+  const std::vector<char> hanging =
+      toolpath::hangingWaypoints(plan, growing, planned.job.platform, ctx);
   std::vector<Beneath> under(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e; ++p)
@@ -160,7 +166,7 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
   std::printf("  %zu runs over %.1f mm\n", runs.size(), process.bridgeMm);
   for (std::size_t r = 0; r < std::min(runs.size(), static_cast<std::size_t>(listed)); ++r) {
     const Run& run = runs[r];
-    double h = 0, w = 0, near = 0, far = 0, lean = 0, down = 0, within = 0, later = 0;
+    double h = 0, w = 0, near = 0, far = 0, lean = 0, down = 0, within = 0, later = 0, told = 0;
     const double n = static_cast<double>(run.end - run.first);
     for (std::size_t p = run.first; p < run.end; ++p) {
       h += static_cast<double>(pieces[p].toHeightMm) / n;
@@ -172,6 +178,7 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
           pieces[p].to - (static_cast<double>(pieces[p].toHeightMm) + 0.5 * under[p].downMm) *
                              pieces[p].toDirection;
       within += query.inside(gap) ? 1 / n : 0;
+      told += hanging[pieces[p].motion] ? 1 / n : 0;
       later += printed.printedAt(gap, {static_cast<std::uint32_t>(pieces.size())}) ? 1 / n : 0;
       const auto hit = query.closest(pieces[p].to - 0.5 * h * pieces[p].toDirection);
       const auto& t = part.triangles[static_cast<std::size_t>(hit.triangle)];
@@ -185,21 +192,22 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
     const plan::ToolPath& path = pathOf(plan, pieces[run.first].motion);
     const std::size_t of = static_cast<std::size_t>(&path - plan.paths.data());
     const Vector3d at = pieces[(run.first + run.end) / 2].to;
-    std::printf("    %6.1f mm of %7.1f  layer %4d patch %4d path %5zu %-7s %s h %.2f w %.2f "
-                "aside %.2f/%.2f down %.1f in %.2f later %.2f lean %5.1f  at (%.1f %.1f %.1f)\n",
-                run.lengthMm,
-                static_cast<double>(std::ranges::max(std::vector<float>(
-                    1,
-                    [&] {
-                      float most = 0;
-                      for (std::size_t p = run.first;
-                           p < pieces.size() && pieces[p].run == pieces[run.first].run; ++p)
-                        most = pieces[p].runMm;
-                      return most;
-                    }()))),
-                path.layer, path.patch, of, kKinds[static_cast<std::size_t>(path.kind)],
-                path.closed ? "ring" : "open", h, w, near, far, down, within, later, lean, at.x(),
-                at.y(), at.z());
+    std::printf(
+        "    %6.1f mm of %7.1f  layer %4d patch %4d path %5zu %-7s %s h %.2f w %.2f "
+        "aside %.2f/%.2f down %.1f in %.2f later %.2f told %.2f lean %5.1f  at (%.1f %.1f %.1f)\n",
+        run.lengthMm,
+        static_cast<double>(std::ranges::max(std::vector<float>(
+            1,
+            [&] {
+              float most = 0;
+              for (std::size_t p = run.first;
+                   p < pieces.size() && pieces[p].run == pieces[run.first].run; ++p)
+                most = pieces[p].runMm;
+              return most;
+            }()))),
+        path.layer, path.patch, of, kKinds[static_cast<std::size_t>(path.kind)],
+        path.closed ? "ring" : "open", h, w, near, far, down, within, later, told, lean, at.x(),
+        at.y(), at.z());
   }
 }
 

@@ -129,6 +129,7 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
   const process::Process process = testProcess();
   toolpath::ToolpathOptions o;
   o.platform = test::circle(60);
+  o.underlay = false;
   const auto r = toolpath::planToolpaths(stack, testCell(60), process, o, base::RunContext{});
   EXPECT_EQ(r.statistics.gouges, 0u);
   EXPECT_TRUE(r.findings.empty());

@@ -55,9 +55,9 @@ TEST(Underlay, LiesOnThePlateUnderALowRimAndBeforeItsPatch) {
   for (std::size_t i = under.first; i < under.first + under.count; ++i) {
     const auto height = static_cast<double>(out.plan.heightMm[i]);
     EXPECT_DOUBLE_EQ(out.plan.position[i].y(), 2.4);
-    // From the plate to a seventh of a bead's height under the rim's bead.
+    // From the plate to a fourteenth of a bead's height under the rim's bead.
     EXPECT_NEAR(out.plan.position[i].z() - height, 0.0, 1e-6);
-    EXPECT_NEAR(out.plan.position[i].z(), 0.8 - 0.8 / 7.0, 1e-6);
+    EXPECT_NEAR(out.plan.position[i].z(), 0.8 - 0.8 / 14.0, 1e-6);
     if (i > under.first)
       volume += process::beadArea(kProcess.beadWidthMinMm, height);
   }
@@ -80,7 +80,7 @@ TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
   EXPECT_EQ(underlaid(shortRim).underlaid, 0u);
 
   plan::ToolPlan high;
-  addPath(high, -15, 15, 0, 0.8 + 6.0 * kProcess.beadWidthMinMm + 0.1, 0);
+  addPath(high, -15, 15, 0, 0.8 + 6.0 * kProcess.beadWidthMaxMm + 0.1, 0);
   EXPECT_EQ(underlaid(high).underlaid, 0u);
 
   plan::ToolPlan aside;
@@ -112,7 +112,7 @@ TEST(Underlay, NothingWhereTheHeadDoesNotGetIn) {
 
 TEST(Underlay, SeveralCoursesWhereOneWouldBeThickerThanALayer) {
   plan::ToolPlan plan;
-  addPath(plan, -15, 15, 0, 2.9, 0);
+  addPath(plan, -15, 15, 0, 2.8, 0);
   const toolpath::UnderlaidPlan out = underlaid(plan);
   ASSERT_EQ(out.plan.paths.size(), 3u);
   double top = 0.0;
@@ -123,7 +123,7 @@ TEST(Underlay, SeveralCoursesWhereOneWouldBeThickerThanALayer) {
     EXPECT_NEAR(out.plan.position[i].z() - height, top, 1e-6);
     top = out.plan.position[i].z();
   }
-  EXPECT_NEAR(top, 2.1 - 0.8 / 7.0, 1e-6);
+  EXPECT_NEAR(top, 2.0 - 0.8 / 14.0, 1e-6);
 }
 
 // A roof two layers over a slab, on posts' height: beads stand on the slab.
@@ -144,8 +144,18 @@ TEST(Underlay, StandsOnWhatIsPrinted) {
     EXPECT_NEAR(out.plan.position[under.first].z() - height, top, 0.2);
     top = out.plan.position[under.first].z();
   }
-  EXPECT_NEAR(top, 6.4 + 2.2 - 0.8 / 7.0, 1e-6);
+  EXPECT_NEAR(top, 6.4 + 2.2 - 0.8 / 14.0, 1e-6);
   EXPECT_EQ(std::ranges::count(hangingOf(out.plan), 1), 0);
+}
+
+// A wall of support is a sixth of its height wide at least.
+TEST(Underlay, HighOnesAreWider) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8 + 9.0, 0);
+  const toolpath::UnderlaidPlan out = underlaid(plan);
+  ASSERT_EQ(out.plan.paths.size(), 10u);
+  for (std::size_t p = 0; p < 9; ++p)
+    EXPECT_NEAR(out.plan.widthMm[out.plan.paths[p].first], (9.0 - 0.8 / 14.0) / 6.0, 1e-6);
 }
 
 // Seen from the side: where the nozzle comes aslant beside a wall, beads beneath are laid so too.
@@ -170,6 +180,24 @@ TEST(Underlay, LeansWhereOnlySoTheHeadGetsIn) {
   EXPECT_GT(laid, 30u);
 }
 
+// Where the head cuts into what stands there, upright and as the roof is laid: leaning away from
+// it.
+TEST(Underlay, LeansAwayFromAWall) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8, 0);
+  for (int layer = 1; layer <= 5; ++layer) // leans over towards the roof
+    addPath(plan, -15, 15, 0.6 * layer, 0.8 * (layer + 1), layer);
+  addPath(plan, -15, 15, 4.6, 0.8 * 6, 6);
+  const toolpath::UnderlaidPlan out = underlaid(plan);
+  ASSERT_EQ(out.underlaid, 1u);
+  for (const plan::ToolPath& path : out.plan.paths) {
+    if (path.kind != plan::PathKind::Support)
+      continue;
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      EXPECT_GT(out.plan.direction[i].y(), 0.3); // the wall is on the other side
+  }
+}
+
 // By the hundred: of what is laid, nothing is in what was laid before it, and nothing hangs.
 TEST(Underlay, RandomFeet) {
   std::size_t laid = 0;
@@ -190,7 +218,10 @@ TEST(Underlay, RandomFeet) {
     const toolpath::UnderlaidPlan out = underlaid(plan);
     const double pitch = collision::growingPitch(out.plan, kProcess);
     const collision::GrowingPart part(out.plan, pitch, {});
-    const std::vector<char> hanging = hangingOf(out.plan);
+    plan::ToolPlan deeper = out.plan; // cells are told by their centres
+    for (float& height : deeper.heightMm)
+      height += static_cast<float>(0.5 * pitch);
+    const std::vector<char> hanging = hangingOf(deeper);
     for (const plan::ToolPath& path : out.plan.paths) {
       if (path.kind != plan::PathKind::Support)
         continue;

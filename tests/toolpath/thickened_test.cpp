@@ -1,0 +1,91 @@
+// Beads that would hang a little over what is printed, laid thicker.
+#include "toolpath/thickened.h"
+
+#include "base/run_context.h"
+#include "process/bead_model.h"
+#include "straight_beads.h"
+#include "toolpath/bridges.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using namespace voluta::test;
+
+namespace {
+
+struct Laid {
+  plan::ToolPlan plan;
+  std::vector<char> hanging;
+};
+
+Laid thickened(plan::ToolPlan plan) {
+  const collision::GrowingPart part(plan, collision::growingPitch(plan, kProcess), {});
+  std::vector<char> hanging = toolpath::hangingWaypoints(plan, part, kPlate, {});
+  toolpath::thickenHanging(plan, hanging, part, kProcess);
+  return {std::move(plan), std::move(hanging)};
+}
+
+} // namespace
+
+TEST(Thickened, ReachesDownToWhatIsPrinted) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8, 0);
+  addPath(plan, -15, 15, 0, 0.8 + 0.5 + 0.4, 1, 0.4f);
+  const Laid laid = thickened(plan);
+  const plan::ToolPath& above = laid.plan.paths.back();
+  for (std::size_t i = above.first; i < above.first + above.count; ++i) {
+    EXPECT_NEAR(laid.plan.heightMm[i], 0.9, 0.15 + 0.04); // half a cell, half a step
+    EXPECT_EQ(laid.plan.position[i], plan.position[i]);
+    EXPECT_EQ(laid.hanging[i], 0);
+  }
+  EXPECT_EQ(laid.plan.heightMm.front(), plan.heightMm.front());
+}
+
+TEST(Thickened, NotWhereItIsFarOrShortAndNeverThickerThanLayersMayBe) {
+  plan::ToolPlan far;
+  addPath(far, -15, 15, 0, 0.8, 0);
+  addPath(far, -15, 15, 0, 0.8 + 0.9 + 0.4, 1, 0.4f);
+  const Laid high = thickened(far);
+  EXPECT_EQ(high.plan.heightMm, far.heightMm);
+  EXPECT_GT(std::ranges::count(high.hanging, 1), 20);
+
+  plan::ToolPlan shortGap; // a bridge of two millimetres
+  addPath(shortGap, -15, 15, 0, 0.8, 0);
+  addPath(shortGap, -15, -1, 0, 1.2, 1, 0.4f);
+  addPath(shortGap, 1, 15, 0, 1.2, 1, 0.4f);
+  addPath(shortGap, -15, 15, 0, 1.6, 2, 0.4f);
+  EXPECT_EQ(thickened(shortGap).plan.heightMm, shortGap.heightMm);
+}
+
+// By the hundred: nothing is laid in what was laid before, nor faster than the extruder gives it.
+TEST(Thickened, RandomHeights) {
+  std::size_t changed = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](double from, double to) {
+      return std::uniform_real_distribution<>(from, to)(random);
+    };
+    plan::ToolPlan plan;
+    const double y = number(-0.2, 0.2), height = number(0.4, 0.7);
+    addPath(plan, -15, 15, 0, 0.8, 0);
+    addPath(plan, number(-15, -8), number(8, 15), y, 0.8 + height + number(0.0, 0.8), 1,
+            static_cast<float>(height));
+    const Laid laid = thickened(plan);
+    const double pitch = collision::growingPitch(plan, kProcess);
+    for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
+      const auto now = static_cast<double>(laid.plan.heightMm[i]);
+      if (laid.plan.heightMm[i] == plan.heightMm[i])
+        continue;
+      ++changed;
+      EXPECT_LE(now, kProcess.layerHeightMaxMm + 1e-6);
+      EXPECT_GE(plan.position[i].z() - now, 0.8 - 0.5 * pitch - 1e-6) << seed;
+      EXPECT_LE(plan.position[i].z() - now, 0.8 + 0.5 * pitch + 0.125 * pitch) << seed;
+      EXPECT_LE(static_cast<double>(laid.plan.speedMmPerS[i]) *
+                    process::beadArea(static_cast<double>(laid.plan.widthMm[i]), now),
+                kProcess.maxFlowMm3PerS * (1.0 + 1e-5));
+    }
+  }
+  EXPECT_GT(changed, 500u);
+}
