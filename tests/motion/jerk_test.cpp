@@ -47,6 +47,17 @@ TEST(Jerk, FivePointsOnEvenTimesAreTheCentralDifference) {
     EXPECT_NEAR(w[k], expected[k] * unit, 1e-9 * unit);
 }
 
+// From 1 to 3 within a second, at rest before and behind: velocity 2 about 0.5 s, so accelerations
+// of 4 and -4 about 0.25 and 0.75 s, jerks of 16 and -16.
+TEST(Jerk, OfOneStepFromRestToRest) {
+  const robot::JointVector from = robot::JointVector::Constant(1, 1.0),
+                           to = robot::JointVector::Constant(1, 3.0);
+  const motion::JerkMeasure jerk = motion::jerkOf({from, to}, {0.0, 1.0});
+  ASSERT_EQ(jerk.maxAbs.size(), 1u);
+  EXPECT_NEAR(jerk.maxAbs.front(), 16.0, 1e-12);
+  EXPECT_NEAR(jerk.sumSquared, 2 * 256.0, 1e-9);
+}
+
 // Five points on even times do not see what goes to and fro; four do.
 TEST(Jerk, ToAndFroIsSeen) {
   std::vector<double> times;
