@@ -71,13 +71,13 @@ Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path, std::siz
 
 int carriedPlaces(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
                   double asideMm, const collision::GrowingPart& part,
-                  const platform::PlatformSolid& platform) {
+                  const platform::PlatformSolid& platform, int enough) {
   const auto height = static_cast<double>(plan.heightMm[waypoint]);
   const Vector3d side = sideOf(plan, path, waypoint);
   const std::size_t before = softSince(plan, path, waypoint);
   const Vector3d tip = plan.position[waypoint] + asideMm * side;
   int places = 0;
-  for (int k = 0; k < kPlacesAcross; ++k) {
+  for (int k = 0; k < kPlacesAcross && places < enough; ++k) {
     const double aside =
         ((k + 0.5) / kPlacesAcross - 0.5) * static_cast<double>(plan.widthMm[waypoint]);
     places += std::ranges::any_of(kBelow, [&](double share) {
@@ -99,7 +99,7 @@ std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::
         continue;
       double width = 0.0;
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-        hanging[i] = carriedPlaces(plan, path, i, 0.0, part, platform) < leastPlaces;
+        hanging[i] = carriedPlaces(plan, path, i, 0.0, part, platform, leastPlaces) < leastPlaces;
         width = std::max(width, static_cast<double>(plan.widthMm[i]));
       }
       dropShort(plan, path, 0, width, hanging);

@@ -34,11 +34,11 @@ std::vector<HangingStretch> hangingStretches(const plan::ToolPlan& plan, const p
                                              const std::vector<char>& hanging, double longerThanMm);
 
 // How many of kPlacesAcross places across a bead are carried, as above, if it is laid `asideMm` to
-// the side of where it is planned: along direction x way.
+// the side of where it is planned: along direction x way. Counts no further than `enough`.
 inline constexpr int kPlacesAcross = 8; // as programs are judged
 int carriedPlaces(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
                   double asideMm, const collision::GrowingPart& part,
-                  const platform::PlatformSolid& platform);
+                  const platform::PlatformSolid& platform, int enough = kPlacesAcross);
 // That side, unit.
 Eigen::Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
                        std::size_t waypoint);

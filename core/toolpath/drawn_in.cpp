@@ -38,7 +38,7 @@ private:
     const int steps = static_cast<int>(kMost / kStep);
     for (int k = 1; k <= steps; ++k) {
       const double aside = k * kStep * process_.beadWidthMm;
-      if (carriedPlaces(plan_, path, i, side * aside, part_, platform_) >= kCarried)
+      if (carriedPlaces(plan_, path, i, side * aside, part_, platform_, kCarried) >= kCarried)
         return aside;
     }
     return 0.0;
