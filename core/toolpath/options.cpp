@@ -27,10 +27,11 @@ base::ParameterTable toolpathParameters() {
       base::numberParameter("windingAngle", "deg", ToolpathOptions{}.windingAngleDeg, 0.0, 90.0,
                             "Tool-paths"_text, "winding angle"_text,
                             "Of helical infill: 0 winds around the axis, 90 runs along it."_text),
-      base::choiceParameter("underlay", "auto", {{"auto", "auto"_text}, {"none", "none"_text}},
-                            "Tool-paths"_text, "support under low rims"_text,
-                            "Beads on the plate under rims of round feet that would hang just over "
-                            "it. They come off."_text),
+      base::choiceParameter(
+          "underlay", "auto", {{"auto", "auto"_text}, {"none", "none"_text}}, "Tool-paths"_text,
+          "support under what hangs low"_text,
+          "Beads under what would hang just over the plate or over what is "
+          "printed, which is laid thicker where that is enough. They come off."_text),
       base::choiceParameter("prime", "line",
                             {{"line", "a line beside the part"_text},
                              {"skirt", "a ring round the part"_text},

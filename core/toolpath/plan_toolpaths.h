@@ -26,7 +26,7 @@ struct ToolpathStatistics { // report.json "toolpath"
   double coveredFraction = 0.0, overlapFraction = 0.0; // of the patches' area (coverage.h)
   std::size_t gouges = 0;
   double maxTurnDeg = 0.0, materialMm3 = 0.0;
-  double underlayMm3 = 0.0;    // of beads under low rims (underlay.h), in materialMm3 as well
+  double underlayMm3 = 0.0;    // of beads under what hangs low (underlay.h), in materialMm3 as well
   double layerVolumeMm3 = 0.0; // area x thickness of all patches: what materialMm3 should be
 };
 
