@@ -372,8 +372,8 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{place}: the arm would not get away from where {pieces} pieces of paths end"_plural,
      kTurnOrClearance},
     {LeftOut, "leftOut", "leftOut", Motion, Tells,
-     "{waypoints} waypoint, {share} of the material, is left out here and there, as told above|"
-     "{waypoints} waypoints, {share} of the material, are left out here and there, as told "
+     "{waypoints} waypoint, {share:.2g} of the material, is left out here and there, as told above|"
+     "{waypoints} waypoints, {share:.2g} of the material, are left out here and there, as told "
      "above"_plural,
      "look at these places in the picture; turn the part where they matter"_text},
 
