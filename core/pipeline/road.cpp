@@ -43,6 +43,8 @@ public:
                           .reason = "pieces are not cut out of a mesh with defects"_text});
         continue;
       }
+      if (needsNoSupports(ways[i]))
+        continue;
       auto outcome =
           base::outcomeOf([&] { return plan(ways[i], true, ctx_.sub(share(i), share(i + 1))); });
       if (std::holds_alternative<base::Cancelled>(outcome))
@@ -56,6 +58,9 @@ public:
       }
       PlanResult& result = std::get<PlanResult>(outcome);
       tried_.push_back(triedAs(ways[i], result.job));
+      if (modes::findMode(ways[i].mode).grows && result.job.report.decomposition.voxels > 0 &&
+          result.job.report.decomposition.missedVoxels == 0)
+        whole_.push_back(butForSupports(ways[i]));
       if (tried_.back().passed) {
         if (tried_.back().reason.empty())
           return taken(tried_.size() - 1, std::move(result));
@@ -100,17 +105,30 @@ private:
             .stage = std::string(project::stageName(*job.reached)),
             .reason = why == report.findings.end() ? base::Message() : plan::reasonOf(*why)};
   }
+  static project::Choices butForSupports(const project::Choices& way) {
+    project::Choices choices = byHand(way);
+    choices.parameters.erase("supports");
+    return choices;
+  }
+  // Was it tried without supports, and nothing missed? With them it is the same.
+  bool needsNoSupports(const project::Choices& way) const {
+    const project::Choices choices = butForSupports(way);
+    return std::ranges::any_of(whole_, [&](const project::Choices& other) {
+      return other.mode == choices.mode && other.platform == choices.platform &&
+             other.parameters == choices.parameters;
+    });
+  }
   static double longestOf(const PlanResult& result) {
     return result.job.report.replay.longestUnsupportedMm;
   }
   PlanResult taken(std::size_t tried, PlanResult result) {
     tried_[tried].taken = true;
     result.job.report.tried = std::move(tried_);
-    result.job.report.timings.total = whole_.seconds();
+    result.job.report.timings.total = clock_.seconds();
     return result;
   }
 
-  base::Stopwatch whole_;
+  base::Stopwatch clock_;
   PlanRequest request_;
   const base::RunContext& ctx_;
   StageCache own_{1};
@@ -121,6 +139,7 @@ private:
   std::size_t bestTried_ = 0;         // its place among them
   std::optional<PlanResult> hanging_; // passed, but a bead of it hangs
   std::size_t hangingTried_ = 0;
+  std::vector<project::Choices> whole_; // of which growth missed nothing
   project::Stage furthest_{};
   std::optional<base::Error> error_; // of the first way that could not be planned
 };

@@ -191,6 +191,19 @@ TEST(Automatic, APartThatNoWayTakesIsAnError) {
   EXPECT_THROW(pipeline::planPart(request, {}), base::Error);
 }
 
+// Growth misses nothing of a box, so columns would change nothing of what blocks it.
+TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
+  pipeline::PlanRequest request = automaticRequest();
+  request.choices.parameters["infillDensity"] = "0.3";
+  const pipeline::PlanResult result = pipeline::planPart(request, {});
+  EXPECT_FALSE(pipeline::nothingBlocks(result.job.report));
+  EXPECT_EQ(result.job.report.tried.size(), pipeline::automaticWays().size() - 1);
+  int curved = 0;
+  for (const project::TriedReport& tried : result.job.report.tried)
+    curved += tried.mode == "curved" && tried.platform == "cell";
+  EXPECT_EQ(curved, 1);
+}
+
 // A pocket whose roof is wider than the material bridges, laid level and without supports.
 TEST(Automatic, WhereAllHangTheOneThatHangsLeastIsTaken) {
   geometry::TriangleMesh part = test::box({-15, -15, 0}, {15, 15, 5});
