@@ -41,9 +41,16 @@ protected:
       else if (m.target == plan::TargetKind::UnitPose)
         tool = cell_->work_T_unit() * m.frame_T_tcp * program.flange_T_tcp.inverse() *
                cell_->flange_T_moved();
-      else
-        tool = cell_->work_T_toolOfFlange(m.frame_T_tcp * program.flange_T_tcp.inverse(),
-                                          cell_->home());
+      else {
+        robot::JointVector q = cell_->home(); // where axes carry the robot, poses are in the world
+        for (std::size_t k = 0; k < m.externals.size(); ++k) {
+          const auto axis = cell_->armDof() + static_cast<Eigen::Index>(k);
+          const bool slides = cell_->externalAxes()[k].limits.kind == robot::JointKind::Sliding;
+          q[axis] = slides ? base::radiansToDegrees(m.externals[k]) : m.externals[k];
+        }
+        tool = cell_->work_T_toolOfFlange(
+            cell_->base_T_world(q) * m.frame_T_tcp * program.flange_T_tcp.inverse(), q);
+      }
       tip = tool.translation();
       direction = -tool.linear().col(2);
       EXPECT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);
