@@ -74,7 +74,7 @@ protected:
 // from the side.
 TEST_F(Obstacle, FromAMeshesFileIsPassedBy) {
   geometry::TriangleMesh post = test::box({395, -20, -30}, {435, 20, 400});
-  test::append(post, test::box({405, -12, 380}, {425, 12, 640}));
+  test::append(post, test::box({405, -12, 380}, {425, 12, 680}));
   const pipeline::PlanResult free = planned(kCell), around = planned(cellWith("posted", post));
   ASSERT_TRUE(around.cell);
   EXPECT_LE(nearest(*around.cell, *free.job.trajectory), 0.0) << "it stands in the way";

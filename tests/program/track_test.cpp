@@ -136,13 +136,13 @@ TEST_F(Track, standsInTheWorld) {
   appendRandomOnTrack(3, 60);
   const std::string rapid = writeProgram("rapid", input()).files[0].text;
   EXPECT_NE(rapid.find("ActUnit TRACK;"), std::string::npos);
-  EXPECT_NE(rapid.find("PERS wobjdata wPrint:=[FALSE,TRUE,\"\",[[750,0,150],[1,0,0,0]],"),
+  EXPECT_NE(rapid.find("PERS wobjdata wPrint:=[FALSE,TRUE,\"\",[[800,0,150],[1,0,0,0]],"),
             std::string::npos)
       << rapid.substr(0, 3000);
   EXPECT_NE(rapid.find("track is eax_a"), std::string::npos);
   useTrack();
   const std::string krl = writeProgram("krl", input()).files[0].text;
-  EXPECT_NE(krl.find("$BASE={X 750,Y 0,Z 150,A 0,B 0,C 0}"), std::string::npos);
+  EXPECT_NE(krl.find("$BASE={X 800,Y 0,Z 150,A 0,B 0,C 0}"), std::string::npos);
   EXPECT_NE(krl.find("AXES_UNDER_ROBOT=1"), std::string::npos);
   EXPECT_NE(krl.find("track is E1; $ROBROOT"), std::string::npos);
 }

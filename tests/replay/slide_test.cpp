@@ -68,8 +68,8 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Cells, Slide, testing::Values("kr10-r1100-slide", "kr10-r1100-track"),
-                         [](const auto& info) {
-                           return std::string(info.param).substr(sizeof("kr10-r1100"));
+                         [](const auto& one) {
+                           return std::string(one.param).substr(sizeof("kr10-r1100"));
                          });
 
 } // namespace

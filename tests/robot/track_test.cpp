@@ -202,6 +202,7 @@ TEST_F(Track, tiltsNoMoreThanTheArm) {
     json description = json::parse(
         base::readFile(base::resourceFolder() / "cells" / (std::string(cell) + ".json")));
     description["externalAxes"] = json::array({axis});
+    description["neverMeet"] = json::array();
     return Cell::readText(description.dump(), std::string(cell) + ".json",
                           process::loadProcess("fdm-1.0"), square())
         .tilts();
