@@ -218,12 +218,12 @@ TEST_F(DrawnArmTest, IsSeenAsTheSolidsThatAreCheckedWhileItPrints) {
   const auto drawn = [&] { return waitFor([&] { return !window().presenter().busy(); }); };
   ASSERT_TRUE(drawn());
   const QImage meshes = picture();
-  keepPicture(&window(), "simulate-meshes");
+  keepPicture(window(), "simulate-meshes");
   click(solids);
   ASSERT_TRUE(solids->isChecked());
   ASSERT_TRUE(drawn());
   const QImage checked = picture();
-  keepPicture(&window(), "simulate-solids");
+  keepPicture(window(), "simulate-solids");
   EXPECT_GT(differingShare(meshes, checked), 0.01);
   click(solids);
   ASSERT_TRUE(drawn());
