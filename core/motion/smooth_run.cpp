@@ -34,6 +34,9 @@ constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
 constexpr int kStrictPulls = 3;
 constexpr std::size_t kMostFreeAxes = 2;
 constexpr TurnSmoothing kAfterPull{3, 1e-2, 0.3};
+constexpr TurnSmoothing kAtLast{12, 1e-3, 0.3}; // where nothing is divided any more
+// Of the ends: they turn by degrees where that takes a kick away, and stay near other paths.
+constexpr double kEndStay = 1e-3;
 
 RunPoint turnedBy(RunPoint point, const TurnedPoint& at) {
   if (at.turn != 0.0 || !at.lean.isZero(0.0) || !at.aside.isZero(0.0)) {
@@ -189,7 +192,9 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const 
     });
     checkS += checking.seconds();
   };
-  bool firstLeans = leanRad > 0.0, lastLeans = firstLeans;
+  // Where external axes move the ends stand as scheduled, unless they may lean.
+  bool firstIsFree = leanRad > 0.0 || axesRad == 0.0, lastIsFree = firstIsFree;
+  const double endStay = axesRad == 0.0 ? kEndStay : kHeld;
   for (int division = 0;;) {
     const std::size_t n = points.size();
     const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad,
@@ -204,25 +209,29 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const 
       if (marks.head[i])
         holds[i].upright = kHeld;
     // The ladder laid ends where the next path's start is near, and whence the nozzle can be
-    // lifted. They lean where that stays so.
-    holds.front().stay = holds.back().stay = kHeld;
-    if (!firstLeans)
-      holds.front().upright = kHeld;
-    if (!lastLeans)
-      holds.back().upright = kHeld;
+    // lifted. They turn a little and lean where that stays so.
+    const auto holdEnd = [&](TurnHold& hold, bool isFree) {
+      hold.stay = isFree ? endStay : kHeld;
+      if (!isFree)
+        hold.upright = kHeld;
+    };
+    holdEnd(holds.front(), firstIsFree);
+    holdEnd(holds.back(), lastIsFree);
     smoother.smooth(at, holds, {}, ctx);
     const auto firstLifts = [&] {
-      return !firstLeans || lifts(turnedBy(points.front(), at.front()).at, false);
+      return !firstIsFree || lifts(turnedBy(points.front(), at.front()).at, false);
     };
     const auto lastLifts = [&] {
-      return !lastLeans || lifts(turnedBy(points.back(), at.back()).at, true);
+      return !lastIsFree || lifts(turnedBy(points.back(), at.back()).at, true);
     };
-    const bool firstStays = !firstLifts(), lastStays = !lastLifts();
-    if (firstStays || lastStays) {
-      firstLeans = firstLeans && !firstStays;
-      lastLeans = lastLeans && !lastStays;
+    const auto bothLift = [&] {
+      const bool firstStays = !firstLifts(), lastStays = !lastLifts();
+      firstIsFree = firstIsFree && !firstStays;
+      lastIsFree = lastIsFree && !lastStays;
+      return !firstStays && !lastStays;
+    };
+    if (!bothLift())
       continue;
-    }
     if (leanRad > 0.0 && division < kDivisions) {
       const std::vector<char> far = longSteps(by.scene, points, at, kBendSlack);
       std::vector<RunPoint> divided = dividedWhere(by.scene, far, points, at);
@@ -232,6 +241,9 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const 
         continue;
       }
     }
+    smoother.smooth(at, holds, kAtLast, ctx);
+    if (!bothLift())
+      continue;
     for (int k = 0; k <= kPulls; ++k) {
       if (k > 0)
         smoother.smooth(at, holds, kAfterPull, ctx);

@@ -26,7 +26,9 @@ struct Program {
 // What a motion's target is given in.
 enum class TargetKind {
   Joints,     // joint values, radians, external axes behind the arm's
-  FlangePose, // base_T_tcp with the TCP that the program sets (flange_T_tcp)
+  FlangePose, // base_T_tcp with the TCP that the program sets (flange_T_tcp); where external axes
+              // carry the robot they are told with it, and the base is where it stands with them
+              // at 0
   WorkPose, // work_T_tcp with that TCP, and the external axes that turn the work frame; or, with a
             // fixed nozzle (base_T_nozzle), the nozzle in the work object that the flange holds
   UnitPose, // as WorkPose, but in the frame of what the last external axis moves, z along that axis
@@ -47,7 +49,8 @@ struct ProgramMotion {
   bool jointInterpolated = false; // between targets: joints linear, else straight
   std::vector<double> joints;     // Joints
   Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose: of Base; WorkPose
-  std::vector<double> externals; // WorkPose, UnitPose: radians; a slide's mm are taken for degrees
+  // WorkPose, UnitPose, FlangePose: radians; a slide's mm are taken for degrees
+  std::vector<double> externals;
   // FlangePose, WorkPose: which way a SCARA's second joint is to stand, by its sign; 0: not given.
   int elbow = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   // ToolPoint, mm

@@ -350,7 +350,7 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
   throw base::Error(
       base::ErrorCode::Usage,
       base::message(
-          "format {format} knows no external axis: it cannot turn the {axis} of cell {cell}"_text,
+          "format {format} knows no external axis: it cannot move the {axis} of cell {cell}"_text,
           dialect.id, cell.externalAxes().front().name, cell.id()),
       {}, others.empty() ? base::Message() : base::message("take {formats}"_text, others));
 }

@@ -16,7 +16,9 @@
 // $IPO_MODE=#TCP, $BASE the nozzle and $TOOL the work frame on the flange; poses are the nozzle's
 // on the part. External axes that move the part: $BASE=EK(MACHINE_DEF[2].ROOT, ..., frame) and E1,
 // E2 and on in degrees in every target, whole turns added up; the frame is the work frame in that
-// of what they move, z along the last axis (Cell::work_T_unit). The extruder is on while $OUT[1]
+// of what they move, z along the last axis (Cell::work_T_unit). Axes that carry the robot come
+// first; AXES_UNDER_ROBOT says how many, $BASE is in $WORLD, and who sets up the controller lets
+// $ROBROOT go with them. The extruder is on while $OUT[1]
 // is, with a flow of $ANOUT[1] (0..1) x process.maxFlowMm3PerS. Assignments where the arm stands;
 // between motions that do not stop they would halt it (they stop the advance run), so the flow is a
 // TRIGGER at the next motion's beginning. A program of more than kKrlMotionsPerFile points gets
@@ -50,6 +52,8 @@ inline constexpr double kKrlMostMmPerS2 = 10000.0;
 // module that who stands by sets it to 0 in; and its most, assumed, which $VEL_EXTAX is percent of.
 inline constexpr std::string_view kKrlExtruder = "EXTRUDER_AXIS", kKrlZero = "ZERO_EXTRUDER";
 inline constexpr double kKrlExtruderMmPerS = 20.0;
+// How many E carry the robot: E1 and on.
+inline constexpr std::string_view kKrlUnderRobot = "AXES_UNDER_ROBOT";
 
 // motionsPerFile; krlMemoryMb: what the controller has room for; the head of a longer program says
 // so.
@@ -64,8 +68,9 @@ plan::Program writeKrl(const ProgramInput& input, const base::RunContext& ctx);
 // targets, $OUT, $ANOUT, TRIGGER at a motion's beginning, WAIT SEC, BAS and krlWords(). Everything
 // else is a defect; so are outputs behind CONTINUE, which run ahead of the arm. An output between
 // motions halts the arm: the blend before it is none. Motions under EK are UnitPose, under #TCP
-// WorkPose. Where turning takes longer than the way, the motion's time is that. `complete`: every
-// procedure ended, every file was come to, the extruder's outputs are off behind the last motion.
+// WorkPose, else FlangePose, with the E that carry the robot. Where turning takes longer than the
+// way, the motion's time is that. `complete`: every procedure ended, every file was come to, the
+// extruder's outputs are off behind the last motion.
 plan::ReadProgram readKrl(const std::vector<plan::ProgramFile>& files,
                           const process::Process& process, const base::RunContext& ctx);
 // What else may stand in a program, and where: statements, and variables that may be assigned.

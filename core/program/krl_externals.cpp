@@ -16,6 +16,7 @@ constexpr double kMost = 1e7; // degrees, mm
 std::optional<base::Message> KrlExternals::take(const KrlValue& target, bool turnBase,
                                                 plan::ProgramMotion& motion) {
   const std::optional<std::size_t> own = extruder();
+  const std::size_t carrying = underRobot();
   for (std::size_t k = 0; k < at_.size(); ++k) {
     const auto value = krlNumber(target, kKrlExternal[k]);
     if (k == own && !value)
@@ -24,17 +25,23 @@ std::optional<base::Message> KrlExternals::take(const KrlValue& target, bool tur
       continue;
     if (!(std::abs(*value) <= kMost))
       return "an external axis far outside any limit"_text;
-    if (!turnBase && k != own && at_[k] && *at_[k] != *value)
+    if (!turnBase && k >= carrying && k != own && at_[k] && *at_[k] != *value)
       return "an external axis that moves no work object is not read"_text;
     at_[k] = value;
   }
-  if (!turnBase)
-    return std::nullopt;
-  if (!at_[0] || own == std::size_t{0})
+  if (turnBase && (!at_[0] || own == std::size_t{0}))
     return "E1 is missing: an external axis moves the base"_text;
-  for (std::size_t k = 0; k < at_.size() && at_[k] && k != own; ++k)
+  const std::size_t most = turnBase ? at_.size() : carrying;
+  for (std::size_t k = 0; k < most && at_[k] && k != own; ++k)
     motion.externals.push_back(base::degreesToRadians(*at_[k]));
+  if (motion.externals.size() < carrying)
+    return "an axis that carries the robot is missing"_text;
   return std::nullopt;
+}
+
+std::size_t KrlExternals::underRobot() const {
+  const auto number = variables_.number(inSmallLetters(kKrlUnderRobot));
+  return number && *number >= 1.0 && *number <= 6.0 ? static_cast<std::size_t>(*number) : 0;
 }
 
 std::optional<std::size_t> KrlExternals::extruder() const {

@@ -1,5 +1,6 @@
-// External axes of KRL's targets: those that turn what is printed, and the extruder's, where a
-// program says that it is one (kKrlExtruder).
+// External axes of KRL's targets: those that turn what is printed, those that carry the robot,
+// where a program says that there are such (kKrlUnderRobot), and the extruder's, where it says that
+// it is one (kKrlExtruder).
 #pragma once
 
 #include "base/text.h"
@@ -18,8 +19,8 @@ public:
   explicit KrlExternals(const KrlVariables& variables) : variables_(variables) {}
 
   // Takes over E1 and on of a motion's target. `turnBase`: they are an external kinematic's, and
-  // become motion.externals; else all but the extruder's must stand where they stood. The reason
-  // why they cannot be taken; nothing: they were.
+  // become motion.externals, as those that carry the robot do; else all but the extruder's must
+  // stand where they stood. The reason why they cannot be taken; nothing: they were.
   std::optional<base::Message> take(const KrlValue& target, bool turnBase,
                                     plan::ProgramMotion& motion);
 
@@ -37,6 +38,7 @@ public:
   std::optional<double> feed(double mm);
 
 private:
+  std::size_t underRobot() const; // how many carry it, from E1 on
   double extruderPercent() const;
 
   const KrlVariables& variables_;

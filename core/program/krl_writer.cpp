@@ -58,7 +58,8 @@ public:
 private:
   bool oneFile() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
-  bool movesPart() const { return !in_.cell.externalAxes().empty(); }
+  bool movesPart() const { return in_.cell.axesMovePlatform(); }
+  std::size_t underRobot() const { return in_.cell.axesUnderRobot(); }
   std::string partName(std::size_t part) const {
     return joined({name_, "_", std::to_string(part)});
   }
@@ -79,6 +80,8 @@ private:
     header(name_);
     if (byAxis_)
       line(joined({"DECL INT ", kKrlExtruder}));
+    if (underRobot() > 0)
+      line(joined({"DECL INT ", kKrlUnderRobot}));
     about(bytes);
     setUp();
     if (oneFile()) {
@@ -138,14 +141,16 @@ private:
         out_ += "; the rod is E1 of MACHINE_DEF[2]; its ROOT, z along the axis, is expected at ";
       } else {
         out_ += "; the table is on MACHINE_DEF[2]:";
-        for (std::size_t k = 0; k < in_.cell.externalAxes().size(); ++k)
-          out_ += joined({k > 0 ? ", " : " ", in_.cell.externalAxes()[k].name, " is E",
-                          std::to_string(k + 1)});
-        line("");
+        line(axesNote(underRobot(), in_.cell.externalAxes().size()));
         out_ += "; its frame, where all of them are at 0, z along the last one, is expected at ";
       }
       frame(in_.cell.base_T_fixed() * in_.cell.work_T_unit());
       line("");
+    }
+    if (underRobot() > 0) {
+      line(joined({"; the arm rides on external axes:", axesNote(0, underRobot()),
+                   "; $ROBROOT is expected to go with them,"}));
+      line("; and to be $WORLD with them at 0");
     }
     if (byAxis_)
       line(joined({"; ", axisNote(extruderAxis(), axisCount(in_)),
@@ -168,6 +173,14 @@ private:
                  " MB of programs, the controller has room for ", fixedText(room, 2), " MB"}));
   }
 
+  std::string axesNote(std::size_t first, std::size_t end) const {
+    std::string note;
+    for (std::size_t k = first; k < end; ++k)
+      note += joined({k > first ? ", " : " ", in_.cell.externalAxes()[k].name, " is E",
+                      std::to_string(k + 1)});
+    return note;
+  }
+
   void setUp() {
     line(";FOLD INI");
     line("GLOBAL INTERRUPT DECL 3 WHEN $STOPMESS==TRUE DO IR_STOPM ( )");
@@ -177,6 +190,8 @@ private:
     line("$ADVANCE=5");
     if (byAxis_)
       line(joined({kKrlExtruder, "=", std::to_string(in_.cell.externalAxes().size() + 1)}));
+    if (underRobot() > 0)
+      line(joined({kKrlUnderRobot, "=", std::to_string(underRobot())}));
     line(heldPlate() ? "$IPO_MODE=#TCP" : "$IPO_MODE=#BASE");
     out_ += "$BASE=";
     if (movesPart()) {
@@ -184,9 +199,7 @@ private:
       frame(in_.cell.work_T_unit().inverse());
       line(")");
     } else {
-      frame(heldPlate() ? in_.cell.base_T_fixed()
-                        : in_.cell.base_T_work(Eigen::Map<const Eigen::VectorXd>(
-                              in_.trajectory.at(0), in_.trajectory.dof)));
+      frame(in_.cell.base_T_fixed());
       line("");
     }
     out_ += "$TOOL=";

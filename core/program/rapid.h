@@ -17,17 +17,19 @@
 // one mechanical unit (the rod's name, or Cell::externalUnit): ActUnit, work object [FALSE,FALSE,
 // "rod",...] with eax_a, eax_b and on in degrees in every target, as whole turns add up; positions
 // and speeds are then those on the part, and the controller moves them and the arm together. The
-// unit's frame has z along the last axis (Cell::work_T_unit). Further external axes, and all of
-// them elsewhere, are 9E9. A controller keeps a number to 24 bits: eax_a to 0.008 degrees beyond
-// 364 turns, half of that below. The extruder is on while the digital output doExtruder is, with a
-// flow of aoFlow (0..1) x process.maxFlowMm3PerS; more than the full flow slows the motion. Zones:
-// TcpMotions::blendMm in position, turn and external axes alike. Prime: as in URScript. An extruder
-// that is an external axis (program/extruder_axis.h) has the first eax that moves no part, of the
-// mechanical unit "extruder", in every target; MoveExtJ moves it while the arm stands, zeroExtruder
-// is where it is set to 0. A program
-// of more than kMotionsPerModule points gets modules of about that many, each cut where the
-// extruder is off (or, where it never is, at a stop); the first one then loads and runs them in
-// turn. The .pgf, the controller's list of what to load, is the last file.
+// unit's frame has z along the last axis (Cell::work_T_unit). Axes that carry the robot are a unit
+// of their own (Cell::robotUnit) and come first: ActUnit, eax_a in every target; world is where the
+// base stands with them at 0, and who sets up the controller has the base frame moved by them.
+// Further external axes, and all of them elsewhere, are 9E9. A controller keeps a number to 24
+// bits: eax_a to 0.008 degrees beyond 364 turns, half of that below. The extruder is on while the
+// digital output doExtruder is, with a flow of aoFlow (0..1) x process.maxFlowMm3PerS; more than
+// the full flow slows the motion. Zones: TcpMotions::blendMm in position, turn and external axes
+// alike. Prime: as in URScript. An extruder that is an external axis (program/extruder_axis.h) has
+// the first eax that moves no part, of the mechanical unit "extruder", in every target; MoveExtJ
+// moves it while the arm stands, zeroExtruder is where it is set to 0. A program of more than
+// kMotionsPerModule points gets modules of about that many, each cut where the extruder is off (or,
+// where it never is, at a stop); the first one then loads and runs them in turn. The .pgf, the
+// controller's list of what to load, is the last file.
 #pragma once
 
 #include "base/run_context.h"
@@ -64,9 +66,10 @@ plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx)
 // ConfL\Off, ConfJ\Off, ActUnit, DeactUnit, rapidWords(), Load, UnLoad and the call of what was
 // loaded; statements over any lines, comments, letters of either case, v5..v7000, z0..z200.
 // Everything else is a defect, and so are line ends other than CR LF, external axes but those
-// from eax_a on that move the work object, a quaternion off its length and a tool or work object
-// that does not fit the other. Targets in a work object that moves are UnitPose, in one that is
-// held WorkPose. Where turning takes longer than the way (v_ori, v_reax), the motion's time is
+// from eax_a on that move the work object, or the robot where a unit is active, a quaternion off
+// its length and a tool or work object that does not fit the other. Targets in a work object that
+// moves are UnitPose, in one that is held WorkPose, else FlangePose in world, with the axes that
+// carry the robot. Where turning takes longer than the way (v_ori, v_reax), the motion's time is
 // that. `complete`: every module was ended and run, the extruder's outputs off behind its last
 // motion.
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,

@@ -23,6 +23,11 @@ void RapidMotions::unit(const std::string& name, bool active) {
     activeUnits_.erase(name);
 }
 
+// A unit that is active moves something: where the work object stands still, the robot.
+bool RapidMotions::mayMoveRobot() const {
+  return activeUnits_.size() > (hasExtruder() ? 1u : 0u);
+}
+
 bool RapidMotions::hasExtruder() const {
   return activeUnits_.contains(kRapidExtruderUnit);
 }
@@ -65,7 +70,8 @@ void RapidMotions::done(const plan::ProgramMotion& motion) {
   lastExternal_ = motion.externals;
 }
 
-// eax_a and on, where the motion's work object is moved by them, and behind them the extruder's.
+// eax_a and on, where they move the motion's work object or the robot, and behind them the
+// extruder's.
 bool RapidMotions::externalOf(const RapidMotionData& data, plan::ProgramMotion& m) {
   const RapidData& object = data.object;
   const std::vector<double>& target = data.target.numbers;
@@ -85,9 +91,10 @@ bool RapidMotions::externalOf(const RapidMotionData& data, plan::ProgramMotion& 
     extruderMm_ = *--unused;
     extruderAt_ = static_cast<std::size_t>(unused - first);
   }
-  if (isMoved(object) != (unused != first))
-    return fail(isMoved(object) ? "eax_a is missing: an external axis moves the work object"_text
-                                : "an external axis that moves no work object is not read"_text);
+  if (isMoved(object) && unused == first)
+    return fail("eax_a is missing: an external axis moves the work object"_text);
+  if (!isMoved(object) && unused != first && (holdsObject(object) || !mayMoveRobot()))
+    return fail("an external axis that moves no work object is not read"_text);
   if (isMoved(object) && !activeUnits_.contains(object.text))
     out_.defect(
         base::message("the mechanical unit '{text}' is not active: ActUnit"_text, object.text));

@@ -48,6 +48,7 @@ public:
   void done(const plan::ProgramMotion& motion);
 
 private:
+  bool mayMoveRobot() const;
   bool externalOf(const RapidMotionData& data, plan::ProgramMotion& motion);
   bool targetOf(const RapidMotionData& data, plan::ProgramMotion& motion);
   bool zoneOf(const std::vector<double>& zone, plan::ProgramMotion& motion);

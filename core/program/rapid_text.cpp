@@ -56,10 +56,8 @@ std::string rapidToolLine(const ProgramInput& input) {
 
 std::string rapidObjectLine(const ProgramInput& input, std::string_view name) {
   const bool held = heldPlate(input);
-  const robot::JointVector start =
-      Eigen::Map<const Eigen::VectorXd>(input.trajectory.at(0), input.trajectory.dof);
   return joined({"  PERS wobjdata ", name, ":=[", held ? "TRUE," : "FALSE,", "TRUE,\"\",",
-                 rapidFrame(held ? input.cell.flange_T_moved() : input.cell.base_T_work(start)),
+                 rapidFrame(held ? input.cell.flange_T_moved() : input.cell.base_T_fixed()),
                  ",[[0,0,0],[1,0,0,0]]];"});
 }
 

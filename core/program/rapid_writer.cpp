@@ -72,7 +72,9 @@ public:
     walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
     if (!byAxis_)
       program_.files.push_back(
-          {name_ + "_EIO.cfg", signalListText(movesPart() ? unit() : std::string())});
+          {name_ + "_EIO.cfg", signalListText(movesPart()    ? unit()
+                                              : movesRobot() ? robotUnit()
+                                                             : std::string())});
     program_.files.push_back({name_ + ".pgf", moduleListText(fileName(0))});
     return std::move(program_);
   }
@@ -81,8 +83,10 @@ private:
   // The motions stand in main itself.
   bool oneModule() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
-  bool movesPart() const { return !in_.cell.externalAxes().empty(); }
+  bool movesPart() const { return in_.cell.axesMovePlatform(); }
+  bool movesRobot() const { return in_.cell.axesUnderRobot() > 0; }
   std::string unit() const { return rapidName(in_.cell.externalUnit()); }
+  std::string robotUnit() const { return rapidName(in_.cell.robotUnit()); }
   // Of one of the external axes, degrees, or mm of one that slides.
   double axisAt(std::size_t i, std::size_t axis) const {
     return robot::shownValue(
@@ -116,6 +120,8 @@ private:
     line("  PROC main()");
     line("    ConfL\\Off;");
     line("    ConfJ\\Off;");
+    if (movesRobot())
+      line(joined({"    ActUnit ", robotUnit(), ";"}));
     if (movesPart())
       line(joined({"    ActUnit ", unit(), ";"}));
     if (byAxis_)
@@ -169,10 +175,14 @@ private:
     else
       line("  ! moving nozzle: the TCP is the nozzle's tip, poses are in the plate's work object, "
            "which stands in world, the base while the base frame is zero");
+    if (movesRobot())
+      aboutTrack();
     if (byAxis_)
       aboutExtruderAxis();
     else
       aboutSignals();
+    if (movesRobot())
+      line(joined({"  ! expects the mechanical unit ", robotUnit()}));
     if (movesPart())
       line(joined({"  ! expects the mechanical unit ", unit()}));
     aboutDensity();
@@ -220,14 +230,27 @@ private:
           joined({"  ! the rod is the mechanical unit ", unit(), ", its angle eax_a, its frame "});
     } else {
       out_ += joined({"  ! the table is on the mechanical unit ", unit(), ":"});
-      for (std::size_t k = 0; k < axes(); ++k)
-        out_ += joined({k > 0 ? ", " : " ", in_.cell.externalAxes()[k].name, " is eax_",
-                        std::string(1, static_cast<char>('a' + k))});
+      out_ += axesNote(in_.cell.axesUnderRobot(), axes());
       line("");
       out_ += "  ! its frame, where all of them are at 0, z along the last one: ";
     }
     out_ += rapidFrame(in_.cell.base_T_fixed() * in_.cell.work_T_unit());
     line(" in world, the base while the base frame is zero");
+  }
+
+  // The base frame's "moved by" is not the program's to say.
+  void aboutTrack() {
+    out_ += joined({"  ! the arm rides on the mechanical unit ", robotUnit(), ":"});
+    out_ += axesNote(0, in_.cell.axesUnderRobot());
+    line("; the robot's base frame is expected to be moved by it,");
+    line("  ! and to be zero with it at 0: world is where the base then stands");
+  }
+  std::string axesNote(std::size_t first, std::size_t end) const {
+    std::string note;
+    for (std::size_t k = first; k < end; ++k)
+      note += joined({k > first ? ", " : " ", in_.cell.externalAxes()[k].name, " is eax_",
+                      std::string(1, static_cast<char>('a' + k))});
+    return note;
   }
 
   void declareObject() {
@@ -357,7 +380,7 @@ private:
     line(joined({",", kRapidTool, "\\WObj:=", object_, ";"}));
   }
 
-  // Those that move the part to point i, and the extruder's; without a point they stay.
+  // Those that move part and robot to point i, and the extruder's; without a point they stay.
   void externals(std::optional<std::size_t> i) {
     for (std::size_t k = 0; k < kExternals; ++k) {
       out_ += k > 0 ? ',' : '[';

@@ -119,6 +119,9 @@ private:
                                       : holds(motion.joints, cell_->dof());
     if (motion.target == plan::TargetKind::UnitPose)
       return externals_ > 0 && holds(motion.externals, externals_);
+    if (motion.target == plan::TargetKind::FlangePose)
+      return motion.externals.empty() ||
+             (externals_ > 0 && !cell_->axesMovePlatform() && holds(motion.externals, externals_));
     return !isInWork(motion) || static_cast<int>(motion.externals.size()) == externals_;
   }
   JointVector jointTarget(const plan::ProgramMotion& motion) const {
@@ -152,7 +155,7 @@ private:
         std::fill(now.begin(), now.end(), 0.0);
       else if (motion.target == plan::TargetKind::Joints)
         now = externalsOf(jointTarget(motion));
-      else if (isInWork(motion))
+      else if (isInWork(motion) || !motion.externals.empty())
         for (int k = 0; k < externals_; ++k)
           now[static_cast<std::size_t>(k)] =
               externalOf(k, motion.externals[static_cast<std::size_t>(k)]);
@@ -213,8 +216,9 @@ private:
     }
     if (!inWork_)
       return motion.frame_T_tcp;
-    return cell_->work_T_toolOfFlange(motion.frame_T_tcp * tcp_T_flange_,
-                                      withExternals(m, 1.0, cell_->home()));
+    const JointVector q = withExternals(m, 1.0, cell_->home());
+    return cell_->work_T_toolOfFlange(cell_->base_T_world(q) * motion.frame_T_tcp * tcp_T_flange_,
+                                      q);
   }
 
   void findTargets() {

@@ -3,6 +3,8 @@
 #include "base/data_files.h"
 #include "base/error.h"
 
+#include <algorithm>
+
 namespace voluta::robot {
 
 const Eigen::Isometry3d& Cell::flange_T_moved() const {
@@ -17,11 +19,25 @@ Eigen::Isometry3d Cell::work_T_tool(const JointVector& q) const {
 }
 
 Eigen::Isometry3d Cell::work_T_unit() const {
-  base::require(!externalAxes_.empty(), "a cell with an external axis");
+  base::require(axesMovePlatform(), "a cell with an external axis that carries the platform");
   Eigen::Isometry3d axis_T_unit = Eigen::Isometry3d::Identity();
   axis_T_unit.linear() << Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(),
       Eigen::Vector3d::UnitX();
   return axis_T_work_.inverse(Eigen::Isometry) * axis_T_unit;
+}
+
+Eigen::Isometry3d Cell::base_T_axis(std::size_t count, const JointVector& q) const {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (std::size_t k = 0; k < count; ++k)
+    pose = pose * externalAxes_[k].before_T_axis *
+           movedBy(externalAxes_[k], q[armDof() + static_cast<Eigen::Index>(k)]);
+  return pose;
+}
+
+Eigen::Isometry3d Cell::base_T_world(const JointVector& q) const {
+  if (axesUnderRobot_ == 0)
+    return Eigen::Isometry3d::Identity();
+  return base_T_axis(axesUnderRobot_, q) * externalAxes_[axesUnderRobot_ - 1].axis_T_moved;
 }
 
 Eigen::Isometry3d Cell::base_T_work(const JointVector& q) const {
@@ -29,11 +45,14 @@ Eigen::Isometry3d Cell::base_T_work(const JointVector& q) const {
     return robot_.kinematics->flange(q) * flange_T_moved_;
   if (externalAxes_.empty())
     return base_T_fixed_;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  for (std::size_t k = 0; k < externalAxes_.size(); ++k)
-    pose = pose * externalAxes_[k].before_T_axis *
-           movedBy(externalAxes_[k], q[armDof() + static_cast<Eigen::Index>(k)]);
-  return pose * axis_T_work_;
+  return base_T_axis(externalAxes_.size(), q) * axis_T_work_;
+}
+
+bool Cell::tilts() const {
+  return robot_.kinematics->tilts() ||
+         std::any_of(externalAxes_.begin(), externalAxes_.end(), [](const ExternalAxis& axis) {
+           return axis.limits.kind == JointKind::Turning;
+         });
 }
 
 // RoboFDM eq. 2.3. With the plate on the flange: base_T_flange flange_T_work work_T_tool =

@@ -65,8 +65,15 @@ public:
   int armDof() const { return robot_.dof(); }
   // In a joint vector they follow the robot's own; from the base to the platform.
   const std::vector<ExternalAxis>& externalAxes() const { return externalAxes_; }
-  // What controllers call the mechanical unit that they are, together. Empty without any.
+  // How many of them carry the robot: the first ones.
+  std::size_t axesUnderRobot() const { return axesUnderRobot_; }
+  // Does an external axis carry the platform?
+  bool axesMovePlatform() const { return externalAxes_.size() > axesUnderRobot_; }
+  // What controllers call the mechanical unit that those which carry the platform are, together; of
+  // a cell without such ones, those that carry the robot. Empty without any.
   const std::string& externalUnit() const { return externalUnit_; }
+  // The same of those that carry the robot.
+  const std::string& robotUnit() const { return robotUnit_; }
   const std::optional<CellRod>& rod() const { return rod_; }
   // What platforms it comes with, as a user writes them, the smallest first.
   const std::vector<std::string>& plates() const { return plates_; }
@@ -74,13 +81,16 @@ public:
 
   // What a program needs to say where things are.
   const Eigen::Isometry3d& flange_T_moved() const; // work frame (plate on the flange) or tool frame
-  // Tool frame (fixed nozzle) or work frame with the external axes at zero.
+  // Tool frame (fixed nozzle) or work frame with the external axes at zero: in the world, which is
+  // where the base then is.
   const Eigen::Isometry3d& base_T_fixed() const;
+  // The world as the base sees it: the identity unless external axes carry the robot.
+  Eigen::Isometry3d base_T_world(const JointVector& q) const;
 
   // The work frame in that of the last external axis, which goes with it; identity without any.
   const Eigen::Isometry3d& axis_T_work() const { return axis_T_work_; }
   // The frame of what the last external axis moves as controllers have it, z along that axis.
-  // Precondition: there is one.
+  // Precondition: axesMovePlatform().
   Eigen::Isometry3d work_T_unit() const;
 
   // Forward: pose of the nozzle in the work frame.
@@ -107,17 +117,18 @@ public:
   const std::vector<JointLimits>& limits() const { return limits_; } // dof() of them
   const JointVector& home() const { return home_; }
   // Can it bring the nozzle to other directions than one? By its arm, or by what its axes turn.
-  bool tilts() const { return robot_.kinematics->tilts() || !externalAxes_.empty(); }
+  bool tilts() const;
   // Of the arm's joints in travels with what it carries, rad/s2; a sliding one's by asTurn().
   double travelAcceleration() const { return travelAcceleration_; }
 
-  // Bodies and their frames. Frame indices, n the robot's own joints: 0 robot base (= world), 1..n
-  // links, n + 1 flange, n + 2 work frame, n + 3 tool frame, n + 4 on what each external axis
-  // moves.
+  // Bodies and their frames. Frame indices, n the robot's own joints: 0 robot base (= world where
+  // no external axis carries the robot), 1..n links, n + 1 flange, n + 2 work frame, n + 3 tool
+  // frame, n + 4 on what each external axis moves (the last that carries the robot: the world).
   const std::vector<Body>& bodies() const { return bodies_; }
   int workFrame() const { return armDof() + 2; }
   int toolFrame() const { return armDof() + 3; }
   int axisFrame(std::size_t axis) const { return armDof() + 4 + static_cast<int>(axis); }
+  int worldFrame() const { return axesUnderRobot_ > 0 ? axisFrame(axesUnderRobot_ - 1) : 0; }
   void framePoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_frame) const;
   // Pairs of bodies that may collide and are to be checked: all but those fixed to each other,
   // neighbours along the arm, and pairs that the cell's file lists as never meeting.
@@ -127,6 +138,8 @@ public:
 
 private:
   Cell() = default;
+  // The frame of the last of the first `count` external axes, moved by them.
+  Eigen::Isometry3d base_T_axis(std::size_t count, const JointVector& q) const;
   static Cell read(const base::JsonNode& top, const std::filesystem::path& file, RobotModel robot,
                    const process::Process& process, platform::PlatformSolid solid);
   std::string id_, label_, note_, extruder_ = "outputs";
@@ -135,7 +148,8 @@ private:
   Eigen::Isometry3d flange_T_moved_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d base_T_fixed_ = Eigen::Isometry3d::Identity();
   std::vector<ExternalAxis> externalAxes_;
-  std::string externalUnit_;
+  std::size_t axesUnderRobot_ = 0;
+  std::string externalUnit_, robotUnit_;
   Eigen::Isometry3d axis_T_work_ = Eigen::Isometry3d::Identity();
   std::vector<JointLimits> limits_;
   std::optional<CellRod> rod_;

@@ -165,8 +165,10 @@ std::vector<DraftBody> CellDraft::bodies() const {
     bodies.push_back({kind, 0, {}, readPose(node.at("pose")), node.at("mount").text() == "flange"});
   }
   const std::vector<base::JsonNode> axes = top.at("externalAxes").items();
-  for (std::size_t i = 0; i < axes.size(); ++i)
+  for (std::size_t i = 0; i < axes.size(); ++i) {
     bodies.push_back({Kind::Axis, i, axes[i].at("name").text(), readPose(axes[i].at("pose"))});
+    bodies.back().underRobot = axes[i].has("carries") && axes[i].at("carries").text() == "robot";
+  }
   const std::vector<base::JsonNode> obstacles = top.at("obstacles").items();
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const std::vector<Shape> shapes = readShapes(obstacles[i].at("shapes"));

@@ -25,6 +25,7 @@ struct DraftBody {
   // that of its first shape.
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   bool onFlange = false;
+  bool underRobot = false; // an axis that carries it
   // Of an obstacle that is one box: its edges, mm.
   std::optional<Eigen::Vector3d> sizeMm = {};
 

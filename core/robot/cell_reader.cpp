@@ -18,8 +18,7 @@
 //                         platforms are written ("disc:120", "rect:200x150") Or {mount: "world",
 //                         pose, rod}: rod is {diameterMm, lengthMm, printableRadiusMm}, along x of
 //                         the work frame, lengthMm free between its bearings, which are obstacles
-//   obstacles             list of {name, pose, shapes}, in the robot's base frame; may be empty.
-//   pose,
+//   obstacles             list of {name, pose, shapes}, in the world; may be empty. pose,
 //                         optional, is where the frame of the shapes lies
 //   carriedKg             optional: what the flange carries before anything is printed, kg; half a
 //                         kilogram of plate or one of head where it is not given
@@ -32,18 +31,22 @@
 //                         rad/s2)
 //   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
 //                         the cell's own are named "holder", "head" and "platform"
-//   externalAxes          a list, the first axis in the base, each next on what the one before it
+//   externalAxes          a list, the first axis in the world, each next on what the one before it
 //                         moves, the platform on the last; empty: none. {name, kind: "turning" |
 //                         "sliding", pose: where it lies in that frame at 0, axis: [x, y, z] of
 //                         that pose about or along which it moves, carries, bodies}; of one that
 //                         turns minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2, stepDeg (0:
 //                         it stands anywhere), end ("unwinds" or "runsOn"); of one that slides
 //                         minMm, maxMm, velocityMmPerS, accelerationMmPerS2, stepMm. carries,
-//                         optional, is "platform"; bodies, optional, is what it moves of its own:
+//                         optional, is "platform", or "robot": such ones come first, the one right
+//                         under the robot before the one that carries that, and their poses are in
+//                         the base as it stands with them at 0, which is what the rest of the file
+//                         takes for the world; bodies, optional, is what it moves of its own:
 //                         {name, shapes} in the frame that goes with it. A rod has one axis, along
 //                         its x
 //   externalUnit          optional: what the controller calls the mechanical unit that these axes
-//                         are; else the last one's name
+//                         are; else the last one's name. Axes under the robot beside others are a
+//                         unit by the name of the last of them
 #include "robot/cell.h"
 
 #include "base/files.h"
@@ -246,10 +249,14 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
   for (const base::JsonNode& node : top.at("externalAxes").items()) {
     AxisDescription described =
         readExternalAxis(node, cell.externalAxes_.empty() ? nullptr : &cell.externalAxes_.back());
+    const std::size_t before = cell.externalAxes_.size();
     for (Body& body : described.bodies) {
-      body.frame = cell.axisFrame(cell.externalAxes_.size());
+      body.frame = !described.axis.carriesRobot ? cell.axisFrame(before)
+                   : before > 0                 ? cell.axisFrame(before - 1)
+                                                : 0;
       onAxes.push_back(std::move(body));
     }
+    cell.axesUnderRobot_ += described.axis.carriesRobot ? 1 : 0;
     cell.limits_.push_back(described.axis.limits);
     cell.externalAxes_.push_back(std::move(described.axis));
   }
@@ -261,6 +268,9 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
     cell.externalUnit_ = cell.externalAxes_.back().name;
   if (top.has("externalUnit"))
     cell.externalUnit_ = top.at("externalUnit").text();
+  if (cell.axesUnderRobot_ > 0)
+    cell.robotUnit_ = cell.axesMovePlatform() ? cell.externalAxes_[cell.axesUnderRobot_ - 1].name
+                                              : cell.externalUnit_;
 
   const base::JsonNode nozzle = top.at("nozzle"), platform = top.at("platform");
   nozzle.allowOnly({"mount", "pose", "holder"});
@@ -333,7 +343,7 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
     const std::string name = obstacle.at("name").text();
     if (isTaken(name))
       obstacle.at("name").fail(base::message("is taken already: '{name}'"_text, name));
-    Body body{name, BodyRole::Obstacle, 0, readShapes(obstacle.at("shapes"))};
+    Body body{name, BodyRole::Obstacle, cell.worldFrame(), readShapes(obstacle.at("shapes"))};
     if (obstacle.has("pose"))
       for (Shape& shape : body.shapes)
         shape = moved(std::move(shape), readPose(obstacle.at("pose")));

@@ -3,6 +3,7 @@
 #include "base/units.h"
 #include "robot/json_pose.h"
 #include "robot/limits_reader.h"
+#include "robot/shape_moves.h"
 #include "robot/shape_reader.h"
 
 namespace voluta::robot {
@@ -12,15 +13,18 @@ using Eigen::Vector3d;
 
 namespace {
 
-// A turn that takes x to the unit direction; of a frame's own axes the one that keeps their order.
+// A turn that takes x to the unit direction; of a frame's own axes, either way along them, the one
+// that keeps their order.
 Isometry3d xTo(const Vector3d& direction) {
   constexpr double kSame = 1e-12;
   Isometry3d turn = Isometry3d::Identity();
   for (int k = 0; k < 3; ++k)
-    if ((direction - Vector3d::Unit(k)).norm() < kSame) {
-      turn.linear() << Vector3d::Unit(k), Vector3d::Unit((k + 1) % 3), Vector3d::Unit((k + 2) % 3);
-      return turn;
-    }
+    for (const double way : {1.0, -1.0})
+      if ((direction - way * Vector3d::Unit(k)).norm() < kSame) {
+        turn.linear() << way * Vector3d::Unit(k), way * Vector3d::Unit((k + 1) % 3),
+            Vector3d::Unit((k + 2) % 3);
+        return turn;
+      }
   turn.linear() =
       Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), direction).toRotationMatrix();
   return turn;
@@ -57,8 +61,13 @@ AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis*
     node.allowOnly({"name", "kind", "carries", "pose", "axis", "minMm", "maxMm", "velocityMmPerS",
                     "accelerationMmPerS2", "stepMm", "bodies"});
   axis.name = node.at("name").text();
-  if (node.has("carries") && node.at("carries").text() != "platform")
-    node.at("carries").fail("must be platform: an axis that carries the robot is not read"_text);
+  const std::string carries = node.has("carries") ? node.at("carries").text() : "platform";
+  if (carries != "platform" && carries != "robot")
+    node.at("carries").fail(
+        base::message("must be platform or robot, is '{carries}'"_text, carries));
+  axis.carriesRobot = carries == "robot";
+  if (axis.carriesRobot && before != nullptr && !before->carriesRobot)
+    node.at("carries").fail("must be platform behind an axis that carries the platform"_text);
   axis.limits = readJointLimits(node, kind);
   if (kind == JointKind::Turning) {
     axis.step = base::degreesToRadians(node.at("stepDeg").notNegative());
@@ -75,16 +84,22 @@ AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis*
   const Vector3d direction = readVector3(node.at("axis"));
   if (direction.norm() < 1e-6)
     node.at("axis").fail("must have a direction"_text);
-  const Isometry3d turn = xTo(direction.normalized());
-  axis.axis_T_moved = turn.inverse(Eigen::Isometry);
-  axis.before_T_axis = readPose(node.at("pose")) * turn;
+  // The base sees what stands behind an axis under it go the other way.
+  const Isometry3d turn = xTo((axis.carriesRobot ? -1.0 : 1.0) * direction.normalized());
+  const Isometry3d pose = readPose(node.at("pose"));
+  axis.before_T_axis = pose * turn;
+  axis.axis_T_moved = (axis.carriesRobot ? axis.before_T_axis : turn).inverse(Eigen::Isometry);
   if (before != nullptr)
     axis.before_T_axis = before->axis_T_moved * axis.before_T_axis;
   if (node.has("bodies"))
     for (const base::JsonNode& body : node.at("bodies").items()) {
       body.allowOnly({"name", "shapes"});
+      std::vector<Shape> shapes = readShapes(body.at("shapes"));
+      if (axis.carriesRobot)
+        for (Shape& shape : shapes)
+          shape = moved(std::move(shape), pose);
       described.bodies.push_back(
-          {body.at("name").text(), BodyRole::Obstacle, 0, readShapes(body.at("shapes"))});
+          {body.at("name").text(), BodyRole::Obstacle, 0, std::move(shapes)});
     }
   return described;
 }

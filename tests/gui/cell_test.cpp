@@ -1,9 +1,11 @@
 // The cell: where its head reaches, and a cell of the user's own, edited and planned in.
 #include "base/data_files.h"
+#include "base/files.h"
 #include "gui/cell_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/reach_panel.h"
 #include "robot/cell_draft.h"
+#include "robot/link_meshes.h"
 #include "robot/urdf_arms.h"
 
 #include <QCheckBox>
@@ -171,6 +173,62 @@ TEST_F(CellTest, AnArmFromAUrdfIsImportedAndItsCellTaken) {
   clickToolBar("plan");
   ASSERT_TRUE(planned(Stage::Replay));
   EXPECT_TRUE(document().result(Stage::Replay)->job.report.replay.passed);
+}
+
+// An arm with meshes of its own: a box in place of its forearm, which its solids are far from.
+class DrawnArmTest : public CellTest {
+protected:
+  void SetUp() override {
+    qputenv("VOLUTA_DATA", folder_.path().toUtf8());
+    const std::filesystem::path own = base::userDataFolder();
+    const auto copied = [&](const char* folder, const char* from, const char* to) {
+      std::string text =
+          base::readFile(base::resourceFolder() / folder / (std::string(from) + ".json"));
+      for (const char* key : {"\"id\": \"", "\"robot\": \""})
+        if (const std::size_t at = text.find(key + std::string(from) + "\"");
+            at != std::string::npos)
+          text.replace(at + std::string(key).size(), std::string(from).size(), to);
+      return text;
+    };
+    std::filesystem::create_directories(own / "robots");
+    std::filesystem::create_directories(own / "cells");
+    base::writeFile(own / "robots" / "my-ur5.json", copied("robots", "ur5", "my-ur5"));
+    robot::writeLinkMeshes(own / "robots" / "my-ur5.json",
+                           {{3, box({-300.0, -150.0, -150.0}, {0.0, 150.0, 150.0})}});
+    std::string cell = copied("cells", "ur5-fixed", "my-cell");
+    const std::string robot = "\"robot\": \"ur5\"";
+    cell.replace(cell.find(robot), robot.size(), "\"robot\": \"my-ur5\"");
+    base::writeFile(own / "cells" / "my-cell.json", cell);
+    CellTest::SetUp();
+  }
+};
+
+TEST_F(DrawnArmTest, IsSeenAsTheSolidsThatAreCheckedWhileItPrints) {
+  openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
+  auto* cells = find<QComboBox>("cell");
+  cells->setCurrentIndex(cells->findData("my-cell"));
+  emit cells->activated(cells->currentIndex());
+  ASSERT_TRUE(waitFor([&] { return document().choices().cell == "my-cell"; }));
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  choosePage(Page::Simulate);
+  auto* solids = find<QCheckBox>("simulateSolids");
+  ASSERT_TRUE(solids->isVisible());
+  EXPECT_FALSE(solids->isChecked());
+  const auto drawn = [&] { return waitFor([&] { return !window().presenter().busy(); }); };
+  ASSERT_TRUE(drawn());
+  const QImage meshes = picture();
+  keepPicture(window(), "simulate-meshes");
+  click(solids);
+  ASSERT_TRUE(solids->isChecked());
+  ASSERT_TRUE(drawn());
+  const QImage checked = picture();
+  keepPicture(window(), "simulate-solids");
+  const double changed = differingShare(meshes, checked);
+  EXPECT_GT(changed, 0.02);
+  click(solids);
+  ASSERT_TRUE(drawn());
+  EXPECT_LT(differingShare(meshes, picture()), 0.4 * changed) << "and back";
 }
 
 } // namespace

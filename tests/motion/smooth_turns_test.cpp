@@ -394,6 +394,25 @@ TEST(SmoothRun, GoesBackWhereSomethingMeets) {
   }
 }
 
+// A kick that stands at an end goes; the nozzle stays near where the next path finds it.
+TEST(SmoothRun, EndsTurnALittleWhereTheyCanBeLifted) {
+  constexpr double kLittle = 0.2; // rad
+  const motion::Meets nothing = [](const JointVector&, std::size_t) { return false; };
+  for (int seed = 1; seed <= 4; ++seed) {
+    const SmoothScene s(seed);
+    const auto held = s.smoothed(nothing, false).points, free = s.smoothed(nothing, true).points;
+    const auto jerk = [](const std::vector<RunPoint>& points) {
+      return motion::jerkOf(motion::jointsOf(points), evenTimes(points.size(), 0.04)).sumSquared;
+    };
+    EXPECT_LT(jerk(free), jerk(held)) << seed;
+    for (const std::size_t end : {std::size_t{0}, free.size() - 1}) {
+      const double turn = motion::angleBetween(free[end].at.tool, s.wall.points[end].at.tool);
+      EXPECT_GT(turn, 1e-6) << seed;
+      EXPECT_LT(turn, kLittle) << seed;
+    }
+  }
+}
+
 TEST(SmoothRun, StaysAsItWasWhereNothingElseIsClear) {
   const SmoothScene s(2);
   const auto& points = s.wall.points;

@@ -20,6 +20,16 @@ protected:
     return cell_->robot().kinematics->flange(jointsAt(i)) * cell_->flange_T_moved();
   }
 
+  // Texts do not tell mm from degrees.
+  robot::JointVector withExternals(robot::JointVector q, const plan::ProgramMotion& m) const {
+    for (std::size_t k = 0; k < m.externals.size(); ++k) {
+      const bool slides = cell_->externalAxes()[k].limits.kind == robot::JointKind::Sliding;
+      q[cell_->armDof() + static_cast<Eigen::Index>(k)] =
+          slides ? base::radiansToDegrees(m.externals[k]) : m.externals[k];
+    }
+    return q;
+  }
+
   void expectTarget(const plan::ReadProgram& program, std::size_t i) const {
     const plan::ProgramMotion& m = program.motions[i];
     const Eigen::Isometry3d planned = cell_->work_T_tool(jointsAt(i));
@@ -30,8 +40,8 @@ protected:
     } else {
       Eigen::Isometry3d tool;
       if (m.target == plan::TargetKind::Joints)
-        tool =
-            cell_->work_T_tool(Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof));
+        tool = cell_->work_T_tool(
+            withExternals(Eigen::Map<const Eigen::VectorXd>(m.joints.data(), trajectory_.dof), m));
       else if (m.target == plan::TargetKind::WorkPose)
         tool = program.base_T_nozzle
                    ? Eigen::Isometry3d(cell_->flange_T_moved().inverse() * program.flange_T_tcp *
@@ -41,9 +51,11 @@ protected:
       else if (m.target == plan::TargetKind::UnitPose)
         tool = cell_->work_T_unit() * m.frame_T_tcp * program.flange_T_tcp.inverse() *
                cell_->flange_T_moved();
-      else
-        tool = cell_->work_T_toolOfFlange(m.frame_T_tcp * program.flange_T_tcp.inverse(),
-                                          cell_->home());
+      else { // where axes carry the robot, poses are in the world
+        const robot::JointVector q = withExternals(cell_->home(), m);
+        tool = cell_->work_T_toolOfFlange(
+            cell_->base_T_world(q) * m.frame_T_tcp * program.flange_T_tcp.inverse(), q);
+      }
       tip = tool.translation();
       direction = -tool.linear().col(2);
       EXPECT_LE(Eigen::AngleAxisd(planned.linear().transpose() * tool.linear()).angle(), 1e-5);

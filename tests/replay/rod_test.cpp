@@ -174,6 +174,7 @@ TEST(Rod, HeldStillAPoseIsOneInBase) {
   for (std::size_t j = 1; j < kPoints; ++j) {
     byWork.motions[j].externals = byWork.motions[1].externals;
     byBase.motions[j].target = plan::TargetKind::FlangePose;
+    byBase.motions[j].externals.clear(); // they would be told of axes under the robot
     byBase.motions[j].frame_T_tcp =
         s.cell.base_T_work(jointsOf(s, 1)) * byWork.motions[j].frame_T_tcp;
   }

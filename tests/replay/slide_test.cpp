@@ -1,4 +1,4 @@
-// Programs for a plate that slides under the nozzle.
+// Programs for a plate that slides under the nozzle, and for an arm that rides along past a plate.
 #include "base/run_context.h"
 #include "base/units.h"
 #include "plan/finding_kinds.h"
@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
 #include <string>
 
 namespace voluta::replay {
@@ -17,10 +18,13 @@ namespace {
 
 constexpr double kFarMm = 120.0;
 
-// The box, printed while the plate slides to 120 mm and back.
-const test::Scene& slid() {
-  static const test::Scene made = [] {
-    test::Scene s = test::boxScene(2, "kr10-r1100-slide");
+// The box, printed while the slide goes to 120 mm and back.
+const test::Scene& slid(const std::string& cell) {
+  static std::map<std::string, test::Scene> known;
+  if (const auto made = known.find(cell); made != known.end())
+    return made->second;
+  const auto make = [&] {
+    test::Scene s = test::boxScene(2, cell);
     plan::Trajectory& t = s.trajectory;
     std::vector<robot::JointVector> solutions;
     // Half a turn about the nozzle keeps the wrist from stretching.
@@ -41,26 +45,36 @@ const test::Scene& slid() {
                 t.joints.begin() + static_cast<std::ptrdiff_t>(i) * t.dof);
     }
     return s;
-  }();
-  return made;
+  };
+  return known.emplace(cell, make()).first->second;
 }
 
-Verification replayed(const plan::ReadProgram& program) {
-  const test::Scene& s = slid();
-  return replayProgram({program, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-                       ReplayThresholds{}, base::RunContext());
-}
+class Slide : public testing::TestWithParam<const char*> {
+protected:
+  static const test::Scene& slid() { return replay::slid(GetParam()); }
 
-plan::ReadProgram programOf(const std::string& format) {
-  const test::Scene& s = slid();
-  const plan::Program written =
-      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"});
-  return program::readProgram(format, written.files, s.process);
-}
+  static Verification replayed(const plan::ReadProgram& program) {
+    const test::Scene& s = slid();
+    return replayProgram({program, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+                         ReplayThresholds{}, base::RunContext());
+  }
+
+  static plan::ReadProgram programOf(const std::string& format) {
+    const test::Scene& s = slid();
+    const plan::Program written =
+        program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"});
+    return program::readProgram(format, written.files, s.process);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Cells, Slide, testing::Values("kr10-r1100-slide", "kr10-r1100-track"),
+                         [](const auto& one) {
+                           return std::string(one.param).substr(sizeof("kr10-r1100"));
+                         });
 
 } // namespace
 
-TEST(Slide, ABoxPrintedOnASlidingPlatePasses) {
+TEST_P(Slide, ABoxPrintedOnItPasses) {
   for (const char* format : {"krl", "rapid", "csv"}) {
     const Verification v = replayed(programOf(format));
     EXPECT_TRUE(v.passed) << format << told(v);
@@ -71,7 +85,7 @@ TEST(Slide, ABoxPrintedOnASlidingPlatePasses) {
 }
 
 // Where the slide is said to be in mm it is: as far as the plan has it.
-TEST(Slide, StandsWhereTheTextSaysInMm) {
+TEST_P(Slide, StandsWhereTheTextSaysInMm) {
   for (const char* format : {"krl", "rapid", "csv"}) {
     const ExecutedPath path = executeProgram(programOf(format), slid().cell, base::RunContext());
     EXPECT_TRUE(path.violations.empty()) << format;
@@ -82,7 +96,7 @@ TEST(Slide, StandsWhereTheTextSaysInMm) {
   }
 }
 
-TEST(Slide, APlateAMillimetreAsideIsFound) {
+TEST_P(Slide, AMillimetreAsideIsFound) {
   for (const char* format : {"krl", "rapid"}) {
     plan::ReadProgram program = programOf(format);
     program.motions.at(60).externals.at(0) += base::degreesToRadians(1.0); // as texts have mm
@@ -92,6 +106,25 @@ TEST(Slide, APlateAMillimetreAsideIsFound) {
         v.findings.begin(), v.findings.end(),
         [](const plan::Finding& f) { return plan::kindWord(f) == "externalAxisMoved"; }))
         << format << told(v);
+  }
+}
+
+// The same numbers in a cell whose axis carries the other thing are another cell's.
+TEST(SlideOfAnotherCell, IsNotTakenForThisOne) {
+  for (const char* format : {"krl", "rapid"}) {
+    const test::Scene &arm = slid("kr10-r1100-track"), &plate = slid("kr10-r1100-slide");
+    const auto read = [&](const test::Scene& s) {
+      return program::readProgram(
+          format,
+          program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"}).files,
+          s.process);
+    };
+    const auto outOfReach = [](const ExecutedPath& path) {
+      return std::any_of(path.violations.begin(), path.violations.end(),
+                         [](const auto& v) { return v.kind == LimitKind::OutOfReach; });
+    };
+    EXPECT_TRUE(outOfReach(executeProgram(read(arm), plate.cell, base::RunContext()))) << format;
+    EXPECT_FALSE(outOfReach(executeProgram(read(arm), arm.cell, base::RunContext()))) << format;
   }
 }
 

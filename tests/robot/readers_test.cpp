@@ -138,7 +138,11 @@ TEST_F(Files, mistakesAboutAxesNameFileAndKey) {
   const auto axis = [&](int k, const char* key, const json& value) {
     return complaint(cell, [&](json& j) { j["externalAxes"][k][key] = value; });
   };
-  EXPECT_THAT(axis(0, "carries", "robot"), HasSubstr("'externalAxes[0].carries' must be platform"));
+  EXPECT_THAT(axis(0, "carries", "floor"),
+              HasSubstr("'externalAxes[0].carries' must be platform or robot, is 'floor'"));
+  EXPECT_THAT(axis(1, "carries", "robot"),
+              HasSubstr("'externalAxes[1].carries' must be platform behind an axis"));
+  EXPECT_EQ(axis(0, "carries", "robot"), "");
   EXPECT_EQ(axis(0, "carries", "platform"), "");
   EXPECT_THAT(axis(0, "kind", "rolling"), HasSubstr("'externalAxes[0].kind' must be turning or"));
   EXPECT_THAT(axis(0, "kind", "sliding"),

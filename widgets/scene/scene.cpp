@@ -189,14 +189,16 @@ struct Scene::Impl {
     if (cell) {
       const robot::Cell& c = cell->cell;
       c.framePoses(view.joints.size() == c.dof() ? view.joints : c.home(), world_T_frame);
-      const Eigen::Isometry3d base_T_work = world_T_frame[static_cast<std::size_t>(c.workFrame())];
-      if (view.world == World::Base) {
-        world_T_work = base_T_work;
-      } else {
-        const Eigen::Isometry3d work_T_base = base_T_work.inverse();
-        for (Eigen::Isometry3d& pose : world_T_frame)
-          pose = work_T_base * pose;
-      }
+      const auto poseOf = [&](int frame) { return world_T_frame[static_cast<std::size_t>(frame)]; };
+      // An external axis under the robot moves the base.
+      const Eigen::Isometry3d base =
+          view.world == World::Base ? (c.axesUnderRobot() > 0 ? poseOf(c.worldFrame()).inverse()
+                                                              : Eigen::Isometry3d::Identity())
+                                    : poseOf(c.workFrame()).inverse();
+      for (Eigen::Isometry3d& pose : world_T_frame)
+        pose = base * pose;
+      if (view.world == World::Base)
+        world_T_work = poseOf(c.workFrame());
       cellActors->pose(world_T_frame);
     }
     platformActors->pose(world_T_work);

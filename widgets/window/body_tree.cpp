@@ -79,12 +79,16 @@ QString BodyTree::nameOf(const DraftBody& body) {
 QString BodyTree::parentOf(const DraftBody& body, const robot::CellDraft& draft) {
   if (body.onFlange)
     return tr("in the flange");
-  if (body.kind == DraftBody::Kind::Platform &&
-      std::ranges::any_of(draft.bodies(), [](const DraftBody& other) {
-        return other.kind == DraftBody::Kind::Axis;
-      }))
+  // What stands is in the base as it is with the axes under the robot at 0.
+  const auto isUnderPlate = [](const DraftBody& other) {
+    return other.kind == DraftBody::Kind::Axis && !other.underRobot;
+  };
+  const std::vector<DraftBody> bodies = draft.bodies();
+  if (body.kind == DraftBody::Kind::Platform && std::ranges::any_of(bodies, isUnderPlate))
     return tr("on the last axis");
-  if (body.kind == DraftBody::Kind::Axis && body.index > 0)
+  if (isUnderPlate(body) && std::ranges::any_of(bodies, [&](const DraftBody& other) {
+        return isUnderPlate(other) && other.index < body.index;
+      }))
     return tr("on the axis before it");
   return tr("in the robot's base");
 }
@@ -103,7 +107,7 @@ Eigen::Isometry3d base_T_parent(const DraftBody& body, const robot::Cell& cell) 
       return at(cell.axisFrame(axes - 1));
     break;
   case DraftBody::Kind::Axis:
-    if (body.index > 0 && body.index <= axes)
+    if (body.index > 0 && body.index <= axes) // the identity on axes under the robot, at home
       return at(cell.axisFrame(body.index - 1));
     break;
   case DraftBody::Kind::Obstacle:

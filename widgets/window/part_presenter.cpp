@@ -126,13 +126,21 @@ void PartPresenter::swapPlatform(const std::shared_ptr<const scene::PlatformDraw
   viewport_.requestFrame();
 }
 
+void PartPresenter::setCollisionSolids(bool on) {
+  if (std::exchange(collisionSolids_, on) != on)
+    drawCell(std::exchange(drawnCell_, nullptr));
+}
+
 void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
   if (!cell || drawnCell_ == cell)
     return;
   drawnCell_ = cell;
   inBackground(
       *drawingCell_,
-      [cell] { return scene::drawCell(*cell, robot::linkMeshesOf(cell->robot().id)); },
+      [cell, solids = collisionSolids_] {
+        return scene::drawCell(*cell, solids ? std::vector<robot::LinkMesh>()
+                                             : robot::linkMeshesOf(cell->robot().id));
+      },
       [this](auto&& made) {
         viewport_.scene().setCell(made);
         viewport_.requestFrame();

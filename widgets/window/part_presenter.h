@@ -24,6 +24,9 @@ public:
   // Of the part on show, work frame; empty: no part.
   const Eigen::AlignedBox3d& box() const { return box_; }
   bool busy() const;
+  // The cell's arm as the solids that are checked for collisions, else as its meshes where it has
+  // such.
+  void setCollisionSolids(bool on);
 
 signals:
   void drawn(bool another); // another: not the one that was on show with another placement
@@ -46,6 +49,7 @@ private:
   // What was drawn last, so that the same data is never drawn twice.
   std::shared_ptr<const geometry::TriangleMesh> drawnPart_;
   std::shared_ptr<const robot::Cell> drawnCell_;
+  bool collisionSolids_ = false;
   // What the platform was drawn from: what of the choices, the part.
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> drawnPlatform_;
   Eigen::AlignedBox3d box_;

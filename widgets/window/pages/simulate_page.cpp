@@ -12,6 +12,8 @@
 #include "window/pages/resumable.h"
 #include "window/presenter.h"
 
+#include <QCheckBox>
+#include <QHBoxLayout>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -29,13 +31,20 @@ SimulatePage::SimulatePage(const Workspace& workspace)
   side_ = new QWidget;
   resume_ = new panels::ResumeBar(side_);
   resume_->setContentsMargins(6, 0, 6, 4);
+  solids_ = new QCheckBox(side_);
+  solids_->setObjectName("simulateSolids");
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(6, 4, 6, 0);
+  row->addWidget(solids_);
   auto* column = new QVBoxLayout(side_);
   column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(row);
   column->addWidget(area, 1);
   column->addWidget(resume_);
   timeline::TimelineBar* bar = &work().timeline;
   connect(bar, &timeline::TimelineBar::timeChanged, plots_, &timeline::JointPlots::setTimeS);
   connect(plots_, &timeline::JointPlots::timeClicked, bar, &timeline::TimelineBar::setTimeS);
+  connect(solids_, &QCheckBox::toggled, &work().presenter, &Presenter::setCollisionSolids);
   connect(&work().presenter, &Presenter::motionReady, this, &SimulatePage::showMotion);
   connect(resume_, &panels::ResumeBar::asked, this, &SimulatePage::resume);
   connect(bar, &timeline::TimelineBar::timeChanged, this, &SimulatePage::showResume);
@@ -71,6 +80,13 @@ void SimulatePage::showResume() {
 void SimulatePage::resume() {
   if (const auto point = resumePoint())
     work().shell.resume(*point);
+}
+
+void SimulatePage::retranslate() {
+  solids_->setText(tr("Collision solids"));
+  solids_->setToolTip(tr("The arm as the solids that are checked for collisions, where it has "
+                         "meshes of its own"));
+  showResume();
 }
 
 void SimulatePage::showMotion() {

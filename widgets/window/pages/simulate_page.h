@@ -3,6 +3,8 @@
 
 #include "window/pages/page.h"
 
+class QCheckBox;
+
 namespace voluta::panels {
 class ResumeBar;
 }
@@ -24,7 +26,7 @@ public:
   std::vector<ViewportInput*> inputs() override { return {this}; }
   std::vector<project::Stage> stages() const override { return {project::Stage::Motion}; }
 
-  void retranslate() override { showResume(); }
+  void retranslate() override;
   void draw(scene::ViewState& view) override;
   std::optional<Laid> laid() const override;
   void goToWaypoint(const plan::ToolPath& path, std::size_t waypoint) override;
@@ -42,6 +44,7 @@ private:
   void goToTimeOf(std::size_t waypoint);
 
   timeline::JointPlots* plots_;
+  QCheckBox* solids_; // what of the arm is drawn
   panels::ResumeBar* resume_;
   QWidget* side_;
 };
