@@ -31,6 +31,7 @@ protected:
   plan::Program program(bool own, std::size_t points = 200) {
     trajectory_ = {};
     plan_ = {};
+    SetUp();
     if (own)
       cell_.emplace(robot::loadCell("kr6-r900-moving", process_,
                                     {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
